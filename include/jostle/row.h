@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A row describes one argument of a statement or one parameter of a law: from rows come parsing,
+// range checks, help texts and the reference in docs/.
+#ifndef JOSTLE_ROW_H
+#define JOSTLE_ROW_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "jostle/units.h"
+
+enum row_kind {
+    ROW_NUMBER,   // one number
+    ROW_LIST,     // one or more numbers, repeats allowed: 7*300e3 250e3
+    ROW_INTEGER,  // one whole number
+    ROW_TEXT,     // one word
+    ROW_TEXTS,    // one or more words
+    ROW_FLAG,     // no value
+};
+
+enum row_flag {
+    ROW_REQUIRED = 1,             // must be given
+    ROW_ONE_OF = 2,               // exactly one of the rows with this flag must be given
+    ROW_POWER = 4,                // its value is the exponent p of the rows with the flags below
+    ROW_PER_LENGTH_POWER = 8,     // the dimension given is divided by length^p
+    ROW_PER_VELOCITY_POWER = 16,  // the dimension given is divided by velocity^p
+};
+
+// Limits in SI, so that they hold whatever the deck's units are.
+struct range {
+    double min, max;          // may be infinite
+    bool min_open, max_open;  // the limit itself is not allowed
+    const char *text;         // how a message states it: "> 0", ">= 0 and < 1"
+};
+
+extern const struct range range_positive;      // > 0
+extern const struct range range_non_negative;  // >= 0
+
+struct row {
+    const char *key;  // without the dash
+    enum row_kind kind;
+    unsigned flags;              // enum row_flag
+    struct dimension dimension;  // of numbers
+    const struct range *range;   // NULL: any finite number
+    double fallback;             // value in SI if not given (numbers); NAN: none
+    const char *doc;             // half a sentence: what it is
+};
+
+// The dimension of the row where the exponent is `power`.
+struct dimension row_dimension(const struct row *row, double power);
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the one message of an error value.
+#include "jostle/error.h"
+
+#include <stdarg.h>
+
+#include "core/text.h"
+
+int error_set(struct error *e, int status, const char *format, ...) {
+    e->status = status;
+    va_list list;
+    va_start(list, format);
+    int n = vsnprintf(e->message, sizeof e->message, format, list);
+    va_end(list);
+    if (n < 0) {
+        e->message[0] = 0;
+    } else if ((size_t)n >= sizeof e->message) {
+        e->message[text_cut(e->message, sizeof e->message - 1)] = 0;
+    }
+    return status;
+}
+
+int error_no_memory(struct error *e) {
+    return error_set(e, STATUS_SYSTEM, "out of memory");
+}

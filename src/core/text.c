@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers, characters and near words.
+#include "core/text.h"
+
+#include <langinfo.h>
+#include <locale.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+static const char *skip_digits(const char *at) {
+    while (is_digit(*at)) {
+        at++;
+    }
+    return at;
+}
+
+// The end of the decimal number at `text`; NULL: none stands there.
+static const char *number_end(const char *text) {
+    const char *at = text + (*text == '+' || *text == '-');
+    const char *whole = at;
+    at = skip_digits(at);
+    bool digits = at > whole;
+    if (*at == '.') {
+        const char *fraction = at + 1;
+        at = skip_digits(fraction);
+        digits = digits || at > fraction;
+    }
+    if (!digits) {
+        return NULL;
+    }
+    if (*at == 'e' || *at == 'E') {
+        const char *exponent = at + 1 + (at[1] == '+' || at[1] == '-');
+        if (is_digit(*exponent)) {
+            at = skip_digits(exponent);
+        }
+    }
+    return at;
+}
+
+// strtod in the C locale, whatever the locale of the thread is.
+static double number_value(const char *text, char **stop) {
+    if (strcmp(nl_langinfo(RADIXCHAR), ".") == 0) {
+        return strtod(text, stop);
+    }
+    locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (plain == (locale_t)0) {
+        *stop = NULL;
+        return NAN;
+    }
+    locale_t before = uselocale(plain);
+    double value = strtod(text, stop);
+    uselocale(before);
+    freelocale(plain);
+    return value;
+}
+
+enum text_number text_number(const char *text, const char **end, double *value) {
+    *end = text;
+    *value = NAN;
+    const char *last = number_end(text);
+    if (!last) {
+        return TEXT_NUMBER_NONE;
+    }
+    char *stop;
+    double v = number_value(text, &stop);
+    if (!stop) {
+        return TEXT_NUMBER_NONE;
+    }
+    if (stop > last) {  // strtod went on reading 0x...
+        v = *text == '-' ? -0.0 : 0.0;
+    }
+    *end = last;
+    if (!isfinite(v)) {
+        return TEXT_NUMBER_RANGE;
+    }
+    *value = v;
+    return TEXT_NUMBER_OK;
+}
+
+enum { WORD_MAX = 64 };
+
+static int lower(char c) {
+    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
+}
+
+static int smaller(int a, int b) {
+    return a < b ? a : b;
+}
+
+static int exact(char c) {
+    return c;
+}
+
+// Edit distance with swaps of neighbours (restricted Damerau-Levenshtein distance), row by row.
+// Both words have fewer than WORD_MAX bytes; `fold` makes letters equal that count as equal.
+static int edit_distance(const char *a, int n, const char *b, int m, int (*fold)(char)) {
+    int row[3][WORD_MAX];
+    int *before = row[0], *last = row[1], *now = row[2];
+    for (int j = 0; j <= m; j++) {
+        last[j] = j;
+    }
+    for (int i = 1; i <= n; i++) {
+        now[0] = i;
+        for (int j = 1; j <= m; j++) {
+            bool same = fold(a[i - 1]) == fold(b[j - 1]);
+            now[j] = smaller(last[j - 1] + !same, 1 + smaller(last[j], now[j - 1]));
+            if (i > 1 && j > 1 && fold(a[i - 1]) == fold(b[j - 2]) &&
+                fold(a[i - 2]) == fold(b[j - 1])) {
+                now[j] = smaller(now[j], before[j - 2] + 1);
+            }
+        }
+        int *spare = before;
+        before = last;
+        last = now;
+        now = spare;
+    }
+    return last[m];
+}
+
+const char *text_nearest(const char *word, const char *const *known, int n) {
+    size_t length = strlen(word);
+    if (length >= WORD_MAX || length == 0) {
+        return NULL;
+    }
+    int limit = length >= 6 ? (int)length / 3 : 1;
+    limit = smaller(limit, (int)length - 1);
+    int best = WORD_MAX * WORD_MAX;
+    const char *nearest = NULL;
+    for (int i = 0; i < n; i++) {
+        int other = (int)strnlen(known[i], WORD_MAX);
+        if (other == WORD_MAX) {
+            continue;
+        }
+        int folded = edit_distance(word, (int)length, known[i], other, lower);
+        int score = WORD_MAX * folded + edit_distance(word, (int)length, known[i], other, exact);
+        if (folded <= limit && score < best) {
+            best = score;
+            nearest = known[i];
+        }
+    }
+    return nearest;
+}
+
+static bool is_between(unsigned char c, int low, int high) {
+    return c >= low && c <= high;
+}
+
+// Unicode 15, table 3-7: well-formed UTF-8 byte sequences.
+size_t text_character(const char *text, size_t n) {
+    unsigned char c[4] = {0};
+    memcpy(c, text, n < 4 ? n : 4);
+    if (is_between(c[0], 0x01, 0x7F)) {
+        return 1;
+    }
+    if (is_between(c[0], 0xC2, 0xDF) && is_between(c[1], 0x80, 0xBF)) {
+        return 2;
+    }
+    if (is_between(c[0], 0xE0, 0xEF)) {
+        int low = c[0] == 0xE0 ? 0xA0 : 0x80;   // no overlong forms
+        int high = c[0] == 0xED ? 0x9F : 0xBF;  // no surrogates
+        return is_between(c[1], low, high) && is_between(c[2], 0x80, 0xBF) ? 3 : 0;
+    }
+    if (is_between(c[0], 0xF0, 0xF4)) {
+        int low = c[0] == 0xF0 ? 0x90 : 0x80;
+        int high = c[0] == 0xF4 ? 0x8F : 0xBF;  // up to U+10FFFF
+        return is_between(c[1], low, high) && is_between(c[2], 0x80, 0xBF) &&
+                       is_between(c[3], 0x80, 0xBF)
+                   ? 4
+                   : 0;
+    }
+    return 0;
+}
+
+bool text_is_control(const char *text, size_t size) {
+    unsigned char first = (unsigned char)text[0];
+    return (size == 1 && (first < 0x20 || first == 0x7F)) ||
+           (size == 2 && first == 0xC2 && (unsigned char)text[1] < 0xA0);
+}
+
+int text_columns(const char *text, size_t n) {
+    int columns = 0;
+    for (size_t i = 0; i < n; columns++) {
+        size_t size = text_character(text + i, n - i);
+        i += size ? size : 1;
+    }
+    return columns;
+}
+
+bool text_is_utf8(const char *text, size_t n, size_t *at) {
+    for (size_t i = 0; i < n;) {
+        size_t size = text_character(text + i, n - i);
+        if (size == 0) {
+            *at = i;
+            return false;
+        }
+        i += size;
+    }
+    return true;
+}
+
+size_t text_cut(const char *text, size_t n) {
+    size_t start = n;
+    while (start > 0 && n - start < 3 && ((unsigned char)text[start - 1] & 0xC0) == 0x80) {
+        start--;
+    }
+    if (start == 0 || (unsigned char)text[start - 1] < 0xC0) {
+        return n;
+    }
+    return text_character(text + start - 1, n - start + 1) ? n : start - 1;
+}
+
+void text_clean(char *to, size_t size, const char *text, size_t n) {
+    size_t used = 0;
+    for (size_t i = 0; i < n;) {
+        size_t bytes = text_character(text + i, n - i);
+        size_t step = bytes ? bytes : 1;
+        bool shown = bytes && !text_is_control(text + i, bytes);
+        size_t room = shown ? bytes : 1;
+        if (used + room + 1 > size) {
+            break;
+        }
+        if (shown) {
+            memcpy(to + used, text + i, bytes);
+        } else {
+            to[used] = text[i] == '\t' ? ' ' : '?';
+        }
+        used += room;
+        i += step;
+    }
+    to[used] = 0;
+}
+
+const char *text_short(struct text_short *s, const char *text) {
+    size_t n = strnlen(text, sizeof s->text);
+    if (n < sizeof s->text) {
+        text_clean(s->text, sizeof s->text, text, n);
+    } else {
+        text_clean(s->text, sizeof s->text - 3, text, text_cut(text, sizeof s->text - 4));
+        strcat(s->text, "...");
+    }
+    return s->text;
+}

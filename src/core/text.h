@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small helpers for text: numbers, near words, whole files.
+#ifndef JOSTLE_TEXT_H
+#define JOSTLE_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "jostle/error.h"
+
+struct arena;
+
+// How reading a number ended.
+enum text_number { TEXT_NUMBER_OK, TEXT_NUMBER_NONE, TEXT_NUMBER_RANGE };
+
+// Reads a decimal number (sign, digits, point, exponent; no hex, inf or nan) at `text`; *end is the
+// first character not used. TEXT_NUMBER_RANGE: too large for a double. Numbers too small become
+// denormal or 0, as is. Decimal point in any locale.
+enum text_number text_number(const char *text, const char **end, double *value);
+
+// The nearest of the `n` texts in `known`; NULL: none is near. Edits are insertion, removal and
+// replacement of a letter and the swap of two neighbours, at most a third of the word's length (at
+// least 1) and fewer than it has letters; upper and lower case count as equal, but break ties.
+const char *text_nearest(const char *word, const char *const *known, int n);
+
+// Reads a whole regular file into the arena with a final 0. Errors name the path: STATUS_INPUT
+// (does not exist, a directory, not a regular file, larger than `limit` bytes; empty is allowed),
+// STATUS_SYSTEM (cannot open or read, no memory).
+int text_file(struct arena *a, const char *path, size_t limit, char **text, size_t *size,
+              struct error *e);
+
+// Characters (not bytes) of the first `n` bytes of UTF-8 text; stray bytes count as one each.
+int text_columns(const char *text, size_t n);
+
+// False if the `n` bytes are not text: contain 0 bytes or invalid UTF-8. *at: the offending offset.
+bool text_is_utf8(const char *text, size_t n, size_t *at);
+
+// Bytes of the character that starts the `n` >= 1 bytes of UTF-8 text; 0: it is not valid.
+size_t text_character(const char *text, size_t n);
+
+// True if the character of `size` bytes at `text` is a control character (a tab is one).
+bool text_is_control(const char *text, size_t size);
+
+// The largest length up to `n` at which `text` can be cut without splitting a character.
+size_t text_cut(const char *text, size_t n);
+
+// Copies the first `n` bytes of `text` to `to` (of `size` bytes, cut to fit, with a final 0) so
+// that it can be shown on a terminal: a tab becomes a blank, other control characters and stray
+// bytes `?`.
+void text_clean(char *to, size_t size, const char *text, size_t n);
+
+// A word as it is quoted in a message: clean, and cut with `...` if it is long.
+struct text_short {
+    char text[64];
+};
+const char *text_short(struct text_short *s, const char *text);
+
+#endif
