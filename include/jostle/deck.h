@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The deck language: text -> statements, words -> quantities in the deck's units. Knows no physics.
+//
+// A deck is read statement by statement, so that names and parameters must stand above their use:
+// deck_next hands out the next statement after having carried out those of the language itself
+// (title, units, gravity, param, include). Whatever is wrong is collected in `diagnostics`, and
+// reading goes on, so that all errors of a deck come in one go.
+#ifndef JOSTLE_DECK_H
+#define JOSTLE_DECK_H
+
+#include "jostle/error.h"
+#include "jostle/row.h"
+#include "jostle/units.h"
+
+struct source;  // one file of the deck
+
+// Where a word stands.
+struct place {
+    const struct source *source;
+    int line, column, width;  // line and column from 1, in characters
+};
+
+struct word {
+    const char *text;  // without quotes; parameters not yet replaced
+    bool quoted;
+    struct place place;
+};
+
+// A statement: word[0] is the command, then plain words up to n_plain, then options. An unquoted
+// `-` followed by a letter starts an option.
+struct statement {
+    struct word *word;
+    int n_word;
+    int n_plain;
+};
+
+struct deck {
+    struct arena *arena;  // owns everything below
+    struct diagnostics diagnostics;
+    struct unit_system units;
+    const char *path;   // as given
+    const char *text;   // of the top file
+    const char *title;  // "" if none
+    struct reader *reader;
+};
+
+// Opens the deck at `path`. `define` holds `n_define` texts NAME=VALUE from the command line, which
+// override the deck's params. Errors: STATUS_SYSTEM (cannot be read, no memory), STATUS_INPUT (does
+// not exist, is a directory, contains 0 bytes, is larger than 64 MiB). *out must be given to
+// deck_free; NULL after an error.
+int deck_open(const char *path, const char *const *define, int n_define, struct deck **out,
+              struct error *e);
+
+// The same from `text`; `path` only names it and locates included files.
+int deck_open_text(const char *path, const char *text, const char *const *define, int n_define,
+                   struct deck **out, struct error *e);
+void deck_free(struct deck *d);  // NULL is allowed
+
+// The next statement; false at the end of the deck, when -D names that no param took are reported
+// too. Words live as long as the deck.
+bool deck_next(struct deck *d, struct statement *out);
+
+// What the user gave for one row.
+struct argument {
+    bool given;
+    struct word key;          // the option word; for plain words, the first of them
+    int n;                    // values (repeats expanded)
+    double *number;           // (n) in the deck's units; NULL for text rows
+    const char **text;        // (n) with parameters replaced; NULL for number rows
+    const struct word *word;  // (n) the word each value came from
+};
+
+// Reads the `n_word` words as the value of `row`: numbers are evaluated, checked against dimension
+// and range, and converted. Reports what is wrong and then returns false. `power` is the
+// exponent for rows whose dimension depends on one (ROW_PER_..._POWER).
+bool deck_values(struct deck *d, const struct row *row, double power, const struct word *word,
+                 int n_word, struct argument *out);
+
+// Matches the options of `s` with rows: `set` holds `n_set` tables of rows, set[i].n_row each;
+// argument[i] (length set[i].n_row) receives the values. Rows not given get their fallback,
+// converted to the deck's units, with given = false and n = 1 (n = 0 where there is none). Reports
+// unknown, repeated, missing and useless words; false if there were any.
+struct row_set {
+    const struct row *row;
+    int n_row;
+    struct argument *argument;  // (n_row) out
+};
+bool deck_options(struct deck *d, const struct statement *s, struct row_set *set, int n_set);
+
+// The words given behind option `key` without evaluating them; NULL if it is not given. For
+// options that decide which others are allowed (-law).
+const struct word *deck_option(const struct statement *s, const char *key, int *n_word);
+
+// The text of one word with parameters replaced; NULL after having reported an error.
+const char *deck_text(struct deck *d, const struct word *w);
+
+// The acceleration of gravity [m/s^2] for what a statement reads in units of g. From then on a
+// gravity statement is an error, as it would come too late.
+double deck_gravity(struct deck *d);
+
+// `name` as a path: relative to the deck file that `w` stands in (the top file for a -D). NULL: no
+// memory, which diagnostics.out_of_memory remembers.
+const char *deck_file(struct deck *d, const struct word *w, const char *name);
+
+// All parameters as "NAME = VALUE" lines, for the record in the result file.
+const char *deck_parameters(struct deck *d);
+
+// Report at a word (NULL: at the deck as a whole). deck_unknown adds the nearest of `known` (n
+// texts) and, if there are few of them, lists them: "unknown contact law 'herz'; did you mean
+// 'hertz'?".
+void deck_error(struct deck *d, const struct word *w, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+void deck_unknown(struct deck *d, const struct word *w, const char *what, const char *const *known,
+                  int n);
+
+// The statements that the language itself carries out, for help texts: name, usage, meaning.
+struct deck_statement {
+    const char *name, *usage, *doc;
+};
+extern const struct deck_statement deck_statements[];
+extern const int n_deck_statement;
+
+#endif

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens a deck and hands out its statements, going through included files.
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+#include "deck/reader.h"
+
+void deck_free(struct deck *d) {
+    if (!d) {
+        return;
+    }
+    if (d->reader) {
+        free(d->reader->word);
+    }
+    arena_free(d->arena);
+}
+
+// An empty deck; NULL: no memory.
+static struct deck *deck_create(const char *path) {
+    struct arena *a = arena_create();
+    if (!a) {
+        return NULL;
+    }
+    struct deck *d = arena_alloc(a, 1, sizeof *d);
+    struct reader *reader = arena_alloc(a, 1, sizeof *reader);
+    char *name = arena_text(a, path, strlen(path));
+    if (!d || !reader || !name) {
+        arena_free(a);
+        return NULL;
+    }
+    *d = (struct deck){.arena = a, .path = name, .title = "", .text = "", .reader = reader};
+    diagnostics_init(&d->diagnostics, a);
+    unit_system_init(&d->units);
+    return d;
+}
+
+// Takes `text` as the top file.
+static int deck_start(struct deck *d, const char *text, size_t size, const char *const *define,
+                      int n_define, struct error *e) {
+    if (size > DECK_BYTES_MAX) {
+        return error_set(e, STATUS_INPUT, "%s has %zu bytes; at most %d are read", d->path, size,
+                         DECK_BYTES_MAX);
+    }
+    d->text = text;
+    struct source *source = source_add(d, d->path, text, size);
+    if (!source || !parameter_open(d, define, n_define) || d->diagnostics.out_of_memory) {
+        return error_no_memory(e);
+    }
+    source_enter(d, source);
+    return STATUS_OK;
+}
+
+static int read_top(struct deck *d, char **text, size_t *size, struct error *e) {
+    int status = text_file(d->arena, d->path, DECK_BYTES_MAX, text, size, e);
+    if (status == STATUS_OK && memchr(*text, 0, *size)) {
+        return error_set(e, STATUS_INPUT, "%s is not text: it contains a 0 byte", d->path);
+    }
+    return status;
+}
+
+int deck_open(const char *path, const char *const *define, int n_define, struct deck **out,
+              struct error *e) {
+    *out = NULL;
+    struct deck *d = deck_create(path);
+    if (!d) {
+        return error_no_memory(e);
+    }
+    char *text;
+    size_t size;
+    int status = read_top(d, &text, &size, e);
+    if (status == STATUS_OK) {
+        status = deck_start(d, text, size, define, n_define, e);
+    }
+    if (status != STATUS_OK) {
+        deck_free(d);
+        return status;
+    }
+    *out = d;
+    return STATUS_OK;
+}
+
+int deck_open_text(const char *path, const char *text, const char *const *define, int n_define,
+                   struct deck **out, struct error *e) {
+    *out = NULL;
+    struct deck *d = deck_create(path);
+    if (!d) {
+        return error_no_memory(e);
+    }
+    size_t size = strlen(text);
+    char *copy = arena_text(d->arena, text, size);
+    int status = copy ? deck_start(d, copy, size, define, n_define, e) : error_no_memory(e);
+    if (status != STATUS_OK) {
+        deck_free(d);
+        return status;
+    }
+    *out = d;
+    return STATUS_OK;
+}
+
+bool deck_next(struct deck *d, struct statement *out) {
+    struct reader *r = d->reader;
+    while (r->n_frame > 0 && !d->diagnostics.out_of_memory) {
+        if (!scan_statement(d, &r->frame[r->n_frame - 1], out)) {
+            r->n_frame--;
+        } else if (!statement_run(d, out)) {
+            return true;
+        }
+    }
+    if (!r->ended) {
+        r->ended = true;
+        parameter_close(d);
+    }
+    return false;
+}
+
+double deck_gravity(struct deck *d) {
+    d->reader->gravity_used = true;
+    return d->units.gravity;
+}
+
+const char *deck_file(struct deck *d, const struct word *w, const char *name) {
+    const struct source *from = w->place.line > 0 ? w->place.source : NULL;
+    const struct source top = {.name = d->path};
+    const char *path = source_path(d, from ? from : &top, name);
+    if (!path) {
+        diagnostics_no_memory(&d->diagnostics);
+    }
+    return path;
+}

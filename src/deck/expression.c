@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words and expressions -> quantities, by recursive descent:
+//
+//     sum     = product { (+ | -) product }
+//     product = sign { (* | /) sign }
+//     sign    = (+ | -) sign | power
+//     power   = primary [ ^ sign ]                so 2^3^2 = 2^9 and -2^2 = -4
+//     primary = literal | name | $name | pi | function ( sum {, sum} ) | ( sum )
+//
+// A literal takes the longest unit that stands right behind it: in 300t/g the g is the unit, in
+// 300t / g a parameter.
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/text.h"
+#include "deck/reader.h"
+
+// Levels of brackets, signs and powers within each other, so that no text overflows the stack.
+enum { DEPTH_MAX = 100 };
+
+struct parser {
+    struct deck *deck;
+    const struct word *word;
+    const char *at, *end;
+    int depth;
+};
+
+__attribute__((format(printf, 5, 6))) static bool fail(struct deck *d, const struct word *w,
+                                                       const char *from, const char *to,
+                                                       const char *format, ...);
+
+static bool fail(struct deck *d, const struct word *w, const char *from, const char *to,
+                 const char *format, ...) {
+    struct error e;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(e.message, sizeof e.message, format, list);
+    va_end(list);
+    struct word part = report_part(d, w, from, to);
+    deck_error(d, &part, "%s", e.message);
+    return false;
+}
+
+static bool sum(struct parser *p, struct quantity *out);
+
+static void skip_blanks(struct parser *p) {
+    while (p->at < p->end && (*p->at == ' ' || *p->at == '\t')) {
+        p->at++;
+    }
+}
+
+// The next character that is not blank; 0 at the end.
+static char next(struct parser *p) {
+    skip_blanks(p);
+    return p->at < p->end ? *p->at : '\0';
+}
+
+// Marks where the unit g is used: gravity must stand above.
+static void note_gravity(struct deck *d, const char *unit, double size) {
+    const char *end;
+    struct dimension dimension;
+    double other;
+    if (!d->reader->gravity_used &&
+        unit_parse(unit, 2 * d->units.gravity, &end, &dimension, &other) && other != size) {
+        d->reader->gravity_used = true;
+    }
+}
+
+static bool starts_unit(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%';
+}
+
+// The end of the run of letters at `at`, of at least one character.
+static const char *letters_end(const char *at) {
+    do {
+        at++;
+    } while (starts_unit(*at));
+    return at;
+}
+
+static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
+    int n = 0;
+    while (unit_names[n]) {
+        n++;
+    }
+    struct word part = report_part(d, w, at, letters_end(at));
+    deck_unknown(d, &part, "unit", unit_names, n);
+    return false;
+}
+
+static bool literal_unit(struct deck *d, const struct word *w, const char **at,
+                         struct quantity *out) {
+    const char *unit = *at;
+    double size;
+    if (!unit_parse(unit, d->units.gravity, at, &out->dimension, &size)) {
+        return !starts_unit(*unit) || unknown_unit(d, w, unit);
+    }
+    note_gravity(d, unit, size);
+    if (**at == '^') {
+        return fail(d, w, *at, *at + 1,
+                    "this is no power of a unit; put the quantity in brackets to raise it");
+    }
+    out->known = true;
+    out->value = unit_convert(out->value, size, unit_size(&d->units, out->dimension));
+    if (!isfinite(out->value) || !isfinite(size) || !(size > 0)) {
+        return fail(d, w, unit, *at, "the value is too large in this unit");
+    }
+    return true;
+}
+
+bool expression_literal(struct deck *d, const struct word *w, const char **at,
+                        struct quantity *out) {
+    const char *start = *at;
+    *out = (struct quantity){0};
+    enum text_number found = text_number(start, at, &out->value);
+    if (found == TEXT_NUMBER_RANGE) {
+        return fail(d, w, start, *at, "the number is too large; at most 1.8e308 is possible");
+    }
+    if (found == TEXT_NUMBER_NONE) {
+        struct word part = report_part(d, w, start, w->text + strlen(w->text));
+        struct text_short t;
+        deck_error(d, &part, "'%s' is not a number", text_short(&t, part.text));
+        return false;
+    }
+    return literal_unit(d, w, at, out);
+}
+
+static bool parameter_number(struct deck *d, const struct word *w, const char *from, const char *to,
+                             struct quantity *out) {
+    const struct parameter *parameter = parameter_get(d, w, from, to);
+    if (!parameter || parameter->kind == PARAMETER_WRONG) {
+        return false;
+    }
+    if (parameter->kind == PARAMETER_TEXT) {
+        struct text_short t;
+        return fail(d, w, from, to, "parameter '%s' is a text; a number is needed",
+                    text_short(&t, parameter->name));
+    }
+    *out = parameter->number;
+    return true;
+}
+
+static bool name_is(const char *from, const char *to, const char *name) {
+    return (size_t)(to - from) == strlen(name) && strncmp(from, name, strlen(name)) == 0;
+}
+
+bool expression_is_reserved(const char *name, size_t n) {
+    const char *end = name + n;
+    for (int i = 0; i < n_quantity_function; i++) {
+        if (name_is(name, end, quantity_functions[i])) {
+            return true;
+        }
+    }
+    return name_is(name, end, "pi") || name_is(name, end, "min") || name_is(name, end, "max");
+}
+
+static bool close_bracket(struct parser *p, const char *open) {
+    if (next(p) != ')') {
+        return fail(p->deck, p->word, open, open + 1, "the ')' to this '(' is missing");
+    }
+    p->at++;
+    return true;
+}
+
+// min and max, behind the `(`.
+static bool choice(struct parser *p, int sign, const char *name, const char *name_end,
+                   struct quantity *out) {
+    if (next(p) != ',') {
+        return fail(p->deck, p->word, name, name_end, "at least two values are needed here");
+    }
+    while (next(p) == ',') {
+        const char *from = ++p->at;
+        struct quantity other;
+        struct error e;
+        if (!sum(p, &other)) {
+            return false;
+        }
+        if (quantity_choose(&p->deck->units, sign, out, &other, &e) != STATUS_OK) {
+            return fail(p->deck, p->word, from, p->at, "%s", e.message);
+        }
+    }
+    return true;
+}
+
+static bool unknown_function(struct parser *p, const char *name, const char *end) {
+    const char *known[32] = {"min", "max"};
+    int n = 2;
+    for (int i = 0; i < n_quantity_function && n < 32; i++) {
+        known[n++] = quantity_functions[i];
+    }
+    struct word part = report_part(p->deck, p->word, name, end);
+    deck_unknown(p->deck, &part, "function", known, n);
+    return false;
+}
+
+static bool call(struct parser *p, const char *name, const char *name_end, struct quantity *out) {
+    if (!expression_is_reserved(name, (size_t)(name_end - name)) || name_is(name, name_end, "pi")) {
+        return unknown_function(p, name, name_end);
+    }
+    const char *open = p->at++;
+    skip_blanks(p);
+    const char *from = p->at;
+    if (!sum(p, out)) {
+        return false;
+    }
+    bool smallest = name_is(name, name_end, "min");
+    if (smallest || name_is(name, name_end, "max")) {
+        return choice(p, smallest ? -1 : 1, name, name_end, out) && close_bracket(p, open);
+    }
+    struct error e;
+    if (quantity_function(&p->deck->units, name, (size_t)(name_end - name), out, &e) != STATUS_OK) {
+        return fail(p->deck, p->word, from, p->at, "%s", e.message);
+    }
+    if (next(p) == ',') {
+        return fail(p->deck, p->word, p->at, p->at + 1, "this function takes one value");
+    }
+    return close_bracket(p, open);
+}
+
+static bool name_or_call(struct parser *p, struct quantity *out) {
+    const char *name = p->at, *end = parameter_name_end(name);
+    p->at = end;
+    if (next(p) == '(') {
+        return call(p, name, end, out);
+    }
+    p->at = end;
+    if (name_is(name, end, "pi")) {
+        *out = (struct quantity){.value = 3.14159265358979323846};
+        return true;
+    }
+    if (expression_is_reserved(name, (size_t)(end - name))) {
+        return fail(p->deck, p->word, name, end, "a '(' must stand behind a function");
+    }
+    return parameter_number(p->deck, p->word, name, end, out);
+}
+
+static bool unexpected(struct parser *p) {
+    if (next(p) == 0) {
+        return fail(p->deck, p->word, p->end, p->end, "the expression is not complete");
+    }
+    size_t bytes = text_character(p->at, (size_t)(p->end - p->at));
+    struct word part = report_part(p->deck, p->word, p->at, p->at + (bytes ? bytes : 1));
+    struct text_short t;
+    deck_error(p->deck, &part, "unexpected '%s'", text_short(&t, part.text));
+    return false;
+}
+
+static bool primary(struct parser *p, struct quantity *out) {
+    char c = next(p);
+    if ((c >= '0' && c <= '9') || (c == '.' && p->at[1] >= '0' && p->at[1] <= '9')) {
+        return expression_literal(p->deck, p->word, &p->at, out);
+    }
+    if (c == '(') {
+        const char *open = p->at++;
+        return sum(p, out) && close_bracket(p, open);
+    }
+    if (c == '$' && parameter_name_end(p->at + 1) > p->at + 1) {
+        const char *name = p->at + 1;
+        p->at = parameter_name_end(name);
+        return parameter_number(p->deck, p->word, name, p->at, out);
+    }
+    if (parameter_name_end(p->at) > p->at) {
+        return name_or_call(p, out);
+    }
+    return unexpected(p);
+}
+
+// *a op *b. An error points at the operator, for a division by zero at the divisor.
+static bool combine(struct parser *p, const char *op, struct quantity *a,
+                    const struct quantity *b) {
+    struct error e;
+    if (quantity_combine(&p->deck->units, *op, a, b, &e) == STATUS_OK) {
+        return true;
+    }
+    const char *from = op, *to = op + 1;
+    if (*op == '/' && b->value == 0) {
+        from = op + 1 + strspn(op + 1, " \t");
+        to = p->at;
+    }
+    return fail(p->deck, p->word, from, to, "%s", e.message);
+}
+
+static bool sign(struct parser *p, struct quantity *out);
+
+static bool power(struct parser *p, struct quantity *out) {
+    if (!primary(p, out)) {
+        return false;
+    }
+    if (next(p) != '^') {
+        return true;
+    }
+    const char *op = p->at++;
+    struct quantity exponent;
+    return sign(p, &exponent) && combine(p, op, out, &exponent);
+}
+
+static bool sign(struct parser *p, struct quantity *out) {
+    char c = next(p);
+    if (p->depth == DEPTH_MAX) {
+        return fail(p->deck, p->word, p->at, p->at + (c != 0),
+                    "more than %d levels of brackets, signs and powers", DEPTH_MAX);
+    }
+    p->depth++;
+    bool ok;
+    if (c == '-' || c == '+') {
+        p->at++;
+        ok = sign(p, out);
+        out->value = c == '-' ? -out->value : out->value;
+    } else {
+        ok = power(p, out);
+    }
+    p->depth--;
+    return ok;
+}
+
+static bool product(struct parser *p, struct quantity *out) {
+    bool ok = sign(p, out);
+    while (ok && (next(p) == '*' || *p->at == '/') && p->at < p->end) {
+        const char *op = p->at++;
+        struct quantity other;
+        ok = sign(p, &other) && combine(p, op, out, &other);
+    }
+    return ok;
+}
+
+static bool sum(struct parser *p, struct quantity *out) {
+    *out = (struct quantity){0};
+    bool ok = product(p, out);
+    while (ok && (next(p) == '+' || *p->at == '-') && p->at < p->end) {
+        const char *op = p->at++;
+        struct quantity other = {0};
+        ok = product(p, &other) && combine(p, op, out, &other);
+    }
+    return ok;
+}
+
+bool expression_evaluate(struct deck *d, const struct word *w, const char *from, const char *to,
+                         struct quantity *out) {
+    struct parser p = {.deck = d, .word = w, .at = from, .end = to};
+    if (!sum(&p, out)) {
+        return false;
+    }
+    return next(&p) == 0 || unexpected(&p);
+}
+
+// $name or ${expression} at *at, which moves behind it.
+static bool dollar(struct deck *d, const struct word *w, const char **at, struct quantity *out) {
+    const char *from = *at + 1;
+    if (*from == '{') {
+        const char *close = strchr(from, '}');
+        if (!close) {
+            return fail(d, w, *at, from + 1, "the '}' to this '${' is missing");
+        }
+        *at = close + 1;
+        return expression_evaluate(d, w, from + 1, close, out);
+    }
+    const char *to = parameter_name_end(from);
+    if (to == from) {
+        return fail(d, w, *at, from, "a name or '{' must stand behind '$'");
+    }
+    *at = to;
+    return parameter_number(d, w, from, to, out);
+}
+
+bool expression_number(struct deck *d, const struct word *w, const char *from,
+                       struct quantity *out) {
+    const char *at = from;
+    bool negative = *at == '-';
+    const char *unsigned_part = at + (*at == '-' || *at == '+');
+    bool ok;
+    if (*unsigned_part == '$') {
+        at = unsigned_part;
+        ok = dollar(d, w, &at, out);
+        out->value = ok && negative ? -out->value : out->value;
+    } else {
+        ok = expression_literal(d, w, &at, out);
+    }
+    if (!ok || *at == 0) {
+        return ok;
+    }
+    struct text_short t;
+    if ((*at == '*' || *at == '/') && starts_unit(at[1])) {
+        return unknown_unit(d, w, at + 1);
+    }
+    return fail(d, w, at, at + strlen(at),
+                "unexpected '%s' behind the number; expressions stand in ${...}, texts in quotes",
+                text_short(&t, at));
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the files of src/deck/ share: sources, parameters, and the state of reading.
+#ifndef JOSTLE_READER_H
+#define JOSTLE_READER_H
+
+#include <sys/stat.h>
+
+#include "jostle/deck.h"
+
+enum {
+    DECK_BYTES_MAX = 64 << 20,  // of a deck with all its includes
+    INCLUDE_DEPTH_MAX = 20,
+    LIST_MAX = 1000000,         // values of one list
+    REPEATED_MAX = 4000000,     // values of all lists of a deck that came from repeats
+    TEXT_MAX = 4096,            // bytes of a word after its parameters are replaced
+    TEXT_TOTAL_MAX = 64 << 20,  // bytes of all such words of a deck
+    PARAMETER_BUCKETS = 512,
+};
+
+// A number in the deck's units. Where `known` is false, its dimension is whatever is needed.
+struct quantity {
+    double value;
+    bool known;
+    struct dimension dimension;
+};
+
+struct source {
+    const char *name;  // as messages show it
+    const char *text;  // (size) with a final 0
+    size_t size;
+    char *cell;  // a copy of text in which the ends of words are set to 0
+    bool on_disk;
+    dev_t device;  // of a file on disk: what tells files apart
+    ino_t inode;
+    struct source *next;
+};
+
+// A source being read.
+struct frame {
+    struct source *source;
+    size_t offset;  // of the line to read next
+    int line;       // its number, from 1
+};
+
+enum parameter_kind {
+    PARAMETER_NUMBER,
+    PARAMETER_TEXT,
+    PARAMETER_WRONG,  // its value was in error: uses fail without another message
+};
+
+struct parameter {
+    const char *name;
+    enum parameter_kind kind;
+    struct quantity number;
+    const char *text;
+    struct place place;
+    struct parameter *next_in_bucket;
+    struct parameter *next;  // in the order of the deck
+};
+
+// A -D NAME=VALUE.
+struct define {
+    const char *name;
+    struct word value;     // its place is `source`, line 0
+    struct source source;  // named "-D NAME=VALUE"
+    bool taken;            // or in error: nothing more to say
+};
+
+struct reader {
+    struct source *source;  // all that were read
+    struct frame frame[INCLUDE_DEPTH_MAX];
+    int n_frame;
+    size_t bytes;  // read so far, a source that is included twice counting twice
+
+    struct word *word;  // of the statement being read; malloc'd
+    int n_word, word_capacity;
+
+    struct parameter *bucket[PARAMETER_BUCKETS];
+    struct parameter *first, *last;
+    int n_parameter;
+    struct define *define;  // (n_define)
+    int n_define;
+
+    // Where these stand; source NULL: not yet. `other` is the first statement before which units
+    // must stand.
+    struct place title, units, gravity, other;
+    bool gravity_used;  // the unit g
+    bool ended;
+    size_t n_repeated;  // values from repeats so far
+    size_t n_replaced;  // bytes of words with replaced parameters so far
+};
+
+// source.c
+
+// Adds a source with the 0-terminated `text`, which stays where it is. NULL: no memory.
+struct source *source_add(struct deck *d, const char *name, const char *text, size_t size);
+// The text of line `line` (from 1).
+const char *source_line(const struct source *s, int line);
+// `name` as a path relative to the directory of `s`; NULL: no memory.
+const char *source_path(struct deck *d, const struct source *s, const char *name);
+// Starts reading `s`; the caller has checked that a frame is free.
+void source_enter(struct deck *d, struct source *s);
+// "line 3", or "line 3 of other.deck" where `p` is in another file than `from`.
+const char *source_mention(struct deck *d, const struct place *p, const struct place *from);
+
+// scan.c
+
+// The next statement of the frame; false at its end. Wrong lines are reported and left out.
+bool scan_statement(struct deck *d, struct frame *f, struct statement *out);
+
+// statement.c
+
+// Carries out a statement of the language itself; false: `s` is another one.
+bool statement_run(struct deck *d, const struct statement *s);
+
+// parameter.c
+
+// Splits the texts NAME=VALUE; what is wrong with them is reported. False: no memory.
+bool parameter_open(struct deck *d, const char *const *define, int n_define);
+void parameter_define(struct deck *d, const struct word *name, const struct word *value);
+struct parameter *parameter_find(const struct deck *d, const char *name, size_t n);
+// The parameter called from `from` to `to` in `w`; NULL after having reported an error.
+struct parameter *parameter_get(struct deck *d, const struct word *w, const char *from,
+                                const char *to);
+// Reports the -D that no param took.
+void parameter_close(struct deck *d);
+// The end of the name at `text`; `text` itself if there is none.
+const char *parameter_name_end(const char *text);
+
+// expression.c
+
+// Evaluates the expression from `from` to `to` (at a `}`) inside the word `w`.
+bool expression_evaluate(struct deck *d, const struct word *w, const char *from, const char *to,
+                         struct quantity *out);
+// Reads the rest of the word, from `from`, as a number: a literal, $name or ${expression}.
+bool expression_number(struct deck *d, const struct word *w, const char *from,
+                       struct quantity *out);
+// A literal with its unit at *at, which moves behind it.
+bool expression_literal(struct deck *d, const struct word *w, const char **at,
+                        struct quantity *out);
+// True if `name` (n bytes) means something in expressions and cannot be a parameter.
+bool expression_is_reserved(const char *name, size_t n);
+
+// quantity.c: arithmetic with dimensions; STATUS_INPUT with the cause
+
+// *a becomes *a op *b for the operators + - * / ^.
+int quantity_combine(const struct unit_system *u, char op, struct quantity *a,
+                     const struct quantity *b, struct error *e);
+// *a becomes the smaller (sign -1) or larger (+1) of the two.
+int quantity_choose(const struct unit_system *u, int sign, struct quantity *a,
+                    const struct quantity *b, struct error *e);
+// The function called `name` (n bytes) of *a. STATUS_RETRY: there is none.
+int quantity_function(const struct unit_system *u, const char *name, size_t n, struct quantity *a,
+                      struct error *e);
+extern const char *const quantity_functions[];
+extern const int n_quantity_function;
+
+// "a mass (t)", "a pure number", "a quantity in kN/m^1.5".
+struct quantity_text {
+    char text[96];
+};
+const char *quantity_describe(const struct unit_system *u, struct dimension dimension,
+                              struct quantity_text *t);
+
+// report.c
+
+// The part of `w` from `from` to `to` as a word of its own, for messages.
+struct word report_part(struct deck *d, const struct word *w, const char *from, const char *to);
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reports errors and warnings at words.
+#include <stdarg.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+#include "deck/reader.h"
+
+enum { MESSAGE_MAX = 1024, LISTED_MAX = 10 };
+
+static void report(struct deck *d, const struct word *w, enum severity severity,
+                   const char *message) {
+    struct diagnostic entry = {.severity = severity, .file = d->path};
+    if (w && w->place.source) {
+        const struct place *p = &w->place;
+        entry.file = p->source->name;
+        entry.line = p->line;
+        entry.column = p->column;
+        entry.width = p->width;
+        // Beyond the last message kept there is no need to search for the line.
+        if (p->line > 0 && d->diagnostics.n_item < DIAGNOSTICS_MAX) {
+            entry.source_line = source_line(p->source, p->line);
+        }
+    }
+    diagnostics_add(&d->diagnostics, &entry, "%s", message);
+}
+
+void deck_error(struct deck *d, const struct word *w, const char *format, ...) {
+    char message[MESSAGE_MAX];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    report(d, w, SEVERITY_ERROR, message);
+}
+
+void deck_warning(struct deck *d, const struct word *w, const char *format, ...) {
+    char message[MESSAGE_MAX];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    report(d, w, SEVERITY_WARNING, message);
+}
+
+void deck_unknown(struct deck *d, const struct word *w, const char *what, const char *const *known,
+                  int n) {
+    struct text_short word;
+    text_short(&word, w->text);
+    const char *nearest = text_nearest(w->text, known, n);
+    if (nearest) {
+        deck_error(d, w, "unknown %s '%s'; did you mean '%s'?", what, word.text, nearest);
+        return;
+    }
+    if (n == 0 || n > LISTED_MAX) {
+        deck_error(d, w, "unknown %s '%s'", what, word.text);
+        return;
+    }
+    char list[MESSAGE_MAX / 2] = "";
+    for (int i = 0; i < n; i++) {
+        struct text_short name;
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "",
+                 text_short(&name, known[i]));
+    }
+    deck_error(d, w, "unknown %s '%s'; known: %s", what, word.text, list);
+}
+
+struct word report_part(struct deck *d, const struct word *w, const char *from, const char *to) {
+    size_t n = (size_t)(to - from);
+    struct word part = *w;
+    part.place.column += (w->quoted ? 1 : 0) + text_columns(w->text, (size_t)(from - w->text));
+    part.place.width = n > 0 ? text_columns(from, n) : 1;
+    const size_t longest = sizeof(struct text_short);  // messages show no more
+    part.text = arena_text(d->arena, from, n < longest ? n : longest);
+    if (!part.text) {
+        diagnostics_no_memory(&d->diagnostics);
+        part.text = "";
+    }
+    return part;
+}

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Characters -> words with positions.
+//
+// A statement is one line, or several that `\` as the very last character joins; the `\` parts
+// words like a blank. Words are parted by blanks and tabs. `"` at the start of a word quotes it up
+// to the next `"` on the same line; there are no escapes. Between `${` and `}` blanks belong to the
+// word. `#` at the start of a word starts a comment up to the end of the line, which it never
+// joins; inside a word `#` is a character like others, as in file names. Lines end with LF or CR
+// LF. Other control characters and bytes that are not UTF-8 are errors, also in comments.
+//
+// A wrong line spoils its statement: the statement is left out, and reading goes on behind it.
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+#include "deck/reader.h"
+
+struct scan {
+    struct deck *deck;
+    struct source *source;
+    int line;
+    const char *at, *end;  // of the line, without its end
+    int column;            // of `at`
+    bool wrong;            // something was reported
+    bool joined;           // the next line belongs to the statement
+};
+
+static void fail(struct scan *s, int column, int width, const char *message) {
+    struct word w = {
+        .text = "",
+        .place = {.source = s->source, .line = s->line, .column = column, .width = width}};
+    deck_error(s->deck, &w, "%s", message);
+    s->wrong = true;
+}
+
+static bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+
+static void advance(struct scan *s) {
+    size_t bytes = text_character(s->at, (size_t)(s->end - s->at));
+    s->at += bytes ? bytes : 1;
+    s->column++;
+}
+
+static bool grow(struct reader *r) {
+    int capacity = r->word_capacity ? 2 * r->word_capacity : 64;
+    struct word *word = realloc(r->word, (size_t)capacity * sizeof *word);
+    if (!word) {
+        return false;
+    }
+    r->word = word;
+    r->word_capacity = capacity;
+    return true;
+}
+
+// Appends the word from `start` to s->at, of which quotes are no part.
+static void add_word(struct scan *s, const char *start, int column, bool quoted) {
+    struct reader *r = s->deck->reader;
+    if (r->n_word == r->word_capacity && !grow(r)) {
+        diagnostics_no_memory(&s->deck->diagnostics);
+        s->wrong = true;
+        return;
+    }
+    char *text = s->source->cell + (start - s->source->text);
+    text[s->at - start] = 0;
+    int quotes = quoted ? 1 : 0;
+    r->word[r->n_word++] = (struct word){
+        .text = text,
+        .quoted = quoted,
+        .place = {.source = s->source,
+                  .line = s->line,
+                  .column = column,
+                  .width = s->column - column + quotes},
+    };
+}
+
+static void scan_quoted(struct scan *s) {
+    int column = s->column;
+    advance(s);
+    const char *start = s->at;
+    while (s->at < s->end && *s->at != '"') {
+        advance(s);
+    }
+    if (s->at == s->end) {
+        fail(s, column, 1, "the quoted text does not end on its line");
+        return;
+    }
+    add_word(s, start, column, true);
+    advance(s);
+    if (s->at < s->end && !is_blank(*s->at) && !(*s->at == '\\' && s->at + 1 == s->end)) {
+        fail(s, s->column, 1, "a blank must stand behind the closing quote");
+    }
+}
+
+// Goes behind the } that belongs to the ${ at s->at.
+static void scan_braces(struct scan *s) {
+    int column = s->column;
+    while (s->at < s->end && *s->at != '}') {
+        advance(s);
+    }
+    if (s->at == s->end) {
+        fail(s, column, 2, "the '}' to this '${' is missing on its line");
+        return;
+    }
+    advance(s);
+}
+
+static void scan_bare(struct scan *s) {
+    const char *start = s->at;
+    int column = s->column;
+    while (s->at < s->end && !is_blank(*s->at) && !s->wrong) {
+        if (*s->at == '"') {
+            fail(s, s->column, 1, "a quote inside a word; put the whole word in quotes");
+        } else if (*s->at == '$' && s->at + 1 < s->end && s->at[1] == '{') {
+            scan_braces(s);
+        } else if (*s->at == '\\' && s->at + 1 == s->end) {
+            break;
+        } else {
+            advance(s);
+        }
+    }
+    if (!s->wrong) {
+        add_word(s, start, column, false);
+    }
+}
+
+// A `\` before blanks or a comment: meant to join the next line, but it does not.
+static bool is_stray_join(const struct scan *s) {
+    const char *p = s->at + 1;
+    while (p < s->end && is_blank(*p)) {
+        p++;
+    }
+    return *s->at == '\\' && (p == s->end || (*p == '#' && p > s->at + 1));
+}
+
+static void scan_words(struct scan *s) {
+    while (s->at < s->end && !s->wrong) {
+        if (is_blank(*s->at)) {
+            advance(s);
+        } else if (*s->at == '#') {
+            return;
+        } else if (*s->at == '\\' && s->at + 1 == s->end) {
+            s->joined = true;
+            return;
+        } else if (is_stray_join(s)) {
+            fail(s, s->column, 1, "'\\' joins lines only as the very last character");
+        } else if (*s->at == '"') {
+            scan_quoted(s);
+        } else {
+            scan_bare(s);
+        }
+    }
+}
+
+// Reports the first character of the line that is not allowed.
+static void check_characters(struct scan *s) {
+    int column = 1;
+    for (const char *p = s->at; p < s->end; column++) {
+        size_t bytes = text_character(p, (size_t)(s->end - p));
+        char message[64];
+        if (bytes == 0) {
+            snprintf(message, sizeof message, "byte 0x%02X is not UTF-8 text", (unsigned char)*p);
+        } else if (*p != '\t' && text_is_control(p, bytes)) {
+            unsigned code = (unsigned char)p[bytes - 1];
+            snprintf(message, sizeof message, "control character U+%04X", code);
+        } else {
+            p += bytes;
+            continue;
+        }
+        fail(s, column, 1, message);
+        return;
+    }
+}
+
+// Scans the next physical line of the frame.
+static void scan_line(struct scan *s, struct frame *f) {
+    const char *start = s->source->text + f->offset;
+    const char *last = s->source->text + s->source->size;
+    const char *feed = memchr(start, '\n', (size_t)(last - start));
+    f->offset = (size_t)((feed ? feed + 1 : last) - s->source->text);
+    s->line = f->line++;
+    s->at = start;
+    s->end = feed ? feed : last;
+    s->end -= s->end > start && s->end[-1] == '\r';
+    s->column = 1;
+    s->joined = false;
+    bool was_wrong = s->wrong;
+    s->wrong = false;
+    check_characters(s);
+    scan_words(s);
+    if (s->wrong) {  // the rest of the line is unread; guess where the statement ends
+        s->joined = s->end > start && s->end[-1] == '\\';
+    } else if (s->joined && f->offset == s->source->size) {
+        fail(s, s->column, 1, "'\\' joins the next line, but there is none");
+    }
+    s->wrong = s->wrong || was_wrong;
+}
+
+static bool is_option(const struct word *w) {
+    char letter = w->text[0] == '-' ? w->text[1] : 0;
+    return !w->quoted && ((letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'));
+}
+
+// Copies the words read so far into a statement; false after having reported an error.
+static bool build(struct deck *d, struct statement *out) {
+    struct reader *r = d->reader;
+    int n_plain = 0;
+    while (n_plain < r->n_word && !is_option(&r->word[n_plain])) {
+        n_plain++;
+    }
+    if (n_plain == 0 || r->word[0].quoted) {
+        deck_error(d, &r->word[0], "a statement must start with its name");
+        return false;
+    }
+    struct word *word = arena_alloc(d->arena, (size_t)r->n_word, sizeof *word);
+    if (!word) {
+        diagnostics_no_memory(&d->diagnostics);
+        return false;
+    }
+    memcpy(word, r->word, (size_t)r->n_word * sizeof *word);
+    *out = (struct statement){.word = word, .n_word = r->n_word, .n_plain = n_plain};
+    return true;
+}
+
+bool scan_statement(struct deck *d, struct frame *f, struct statement *out) {
+    struct scan s = {.deck = d, .source = f->source};
+    while (f->offset < f->source->size && !d->diagnostics.out_of_memory) {
+        d->reader->n_word = 0;
+        s.wrong = false;
+        do {
+            scan_line(&s, f);
+        } while (s.joined && f->offset < f->source->size);
+        if (!s.wrong && d->reader->n_word > 0 && build(d, out)) {
+            return true;
+        }
+    }
+    return false;
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words -> the values of a row: numbers with repeats, texts.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+#include "deck/reader.h"
+
+// The `*` that ends the count of a repeat; NULL: the word is no repeat.
+static const char *repeat_mark(const struct word *w) {
+    const char *end;
+    double count;
+    bool number = w->text[0] >= '0' && w->text[0] <= '9' &&
+                  text_number(w->text, &end, &count) != TEXT_NUMBER_NONE;
+    bool unit = number && *end == '*' &&
+                ((end[1] >= 'a' && end[1] <= 'z') || (end[1] >= 'A' && end[1] <= 'Z'));
+    return number && *end == '*' && !unit ? end : NULL;
+}
+
+// How often the word stands for its value; 0: the count is wrong.
+static int repeat_count(const struct word *w) {
+    const char *mark = repeat_mark(w);
+    if (!mark) {
+        return 1;
+    }
+    const char *end;
+    double count;
+    bool whole = w->text + strspn(w->text, "0123456789") == mark &&
+                 text_number(w->text, &end, &count) == TEXT_NUMBER_OK;
+    return whole && count >= 1 && count <= LIST_MAX ? (int)count : 0;
+}
+
+// False after having reported that the word is a wrong repeat, or one where none is allowed.
+static bool check_repeat(struct deck *d, const struct row *row, const struct word *w) {
+    const char *mark = repeat_mark(w);
+    if (!mark || (row->kind == ROW_LIST && repeat_count(w) > 0)) {
+        return true;
+    }
+    struct word part = report_part(d, w, w->text, mark);
+    struct text_short t;
+    if (row->kind != ROW_LIST) {
+        deck_error(d, w, "%s takes one value, no repeat; products stand in ${...}", row->key);
+    } else {
+        deck_error(d, &part, "the count of a repeat is %s; it must be a whole number from 1 to %d",
+                   text_short(&t, part.text), LIST_MAX);
+    }
+    return false;
+}
+
+// The number of values in all words; -1 after having reported an error.
+static int count_values(struct deck *d, const struct row *row, const struct word *word,
+                        int n_word) {
+    int n = 0;
+    bool ok = true;
+    for (int i = 0; i < n_word; i++) {
+        ok = check_repeat(d, row, &word[i]) && ok;
+        int count = repeat_count(&word[i]);
+        if (count > LIST_MAX - n) {
+            deck_error(d, &word[i], "%s has more than %d values", row->key, LIST_MAX);
+            return -1;
+        }
+        n += count;
+    }
+    d->reader->n_repeated += (size_t)(n > n_word ? n - n_word : 0);
+    if (d->reader->n_repeated > REPEATED_MAX) {
+        deck_error(d, &word[0], "the repeats of all lists make more than %d values", REPEATED_MAX);
+        return -1;
+    }
+    return ok ? n : -1;
+}
+
+static bool check_dimension(struct deck *d, const struct row *row, struct dimension wanted,
+                            const struct word *w, const struct quantity *q) {
+    if (!q->known || dimension_equal(q->dimension, wanted)) {
+        return true;
+    }
+    struct quantity_text got, need;
+    quantity_describe(&d->units, q->dimension, &got);
+    const char *noun = dimension_noun(wanted);
+    deck_error(d, w, "%s has the dimension of %s; %s is needed", row->key, got.text,
+               noun ? noun : quantity_describe(&d->units, wanted, &need));
+    return false;
+}
+
+static bool is_in_range(const struct range *r, double value) {
+    bool above = r->min_open ? value > r->min : value >= r->min;
+    bool below = r->max_open ? value < r->max : value <= r->max;
+    return above && below;
+}
+
+static bool check_range(struct deck *d, const struct row *row, struct dimension dimension,
+                        const struct word *w, double value) {
+    const double largest = 2147483647;  // of a whole number: it must fit an int
+    if (row->kind == ROW_INTEGER && (value != floor(value) || fabs(value) > largest)) {
+        deck_error(d, w, "%s is %.10g; it must be a whole number up to %.0f", row->key, value,
+                   largest);
+        return false;
+    }
+    double size = unit_size(&d->units, dimension);
+    if (!row->range || is_in_range(row->range, unit_convert(value, size, 1))) {
+        return true;
+    }
+    char unit[64];
+    unit_text(&d->units, dimension, unit, sizeof unit);
+    bool pure = dimension_equal(dimension, dimension_none);
+    deck_error(d, w, "%s is %.10g%s%s; it must be %s", row->key, value, pure ? "" : " ",
+               pure ? "" : unit, row->range->text);
+    return false;
+}
+
+// False after having reported that a bare word such as a parameter's name stands for a number.
+static bool check_number_like(struct deck *d, const struct row *row, const struct word *w,
+                              const char *from) {
+    const char *at = from + (*from == '-' || *from == '+');
+    if ((*at >= '0' && *at <= '9') || *at == '.' || *at == '$') {
+        return true;
+    }
+    struct word part = report_part(d, w, from, w->text + strlen(w->text));
+    struct text_short t;
+    text_short(&t, part.text);
+    bool parameter = parameter_find(d, from, strlen(from)) != NULL;
+    if (parameter) {
+        deck_error(d, &part, "%s needs a number, not '%s'; did you mean '$%s'?", row->key, t.text,
+                   t.text);
+    } else {
+        deck_error(d, &part, "%s needs a number, not '%s'", row->key, t.text);
+    }
+    return false;
+}
+
+static bool read_number(struct deck *d, const struct row *row, struct dimension dimension,
+                        const struct word *w, double *value) {
+    const char *mark = repeat_mark(w);
+    const char *from = mark ? mark + 1 : w->text;
+    struct quantity q;
+    if (!check_number_like(d, row, w, from) || !expression_number(d, w, from, &q)) {
+        return false;
+    }
+    *value = q.value;
+    return check_dimension(d, row, dimension, w, &q) && check_range(d, row, dimension, w, q.value);
+}
+
+static bool read_numbers(struct deck *d, const struct row *row, double power,
+                         const struct word *word, int n_word, struct argument *out) {
+    int n = count_values(d, row, word, n_word);
+    bool ok = n >= 0;
+    size_t room = ok ? (size_t)n : 0;
+    double *number = arena_alloc(d->arena, room, sizeof *number);
+    struct word *from = arena_alloc(d->arena, room, sizeof *from);
+    if (!number || !from) {
+        diagnostics_no_memory(&d->diagnostics);
+        return false;
+    }
+    int used = 0;
+    for (int i = 0; i < n_word; i++) {  // all words, so that all errors are reported
+        double value = NAN;
+        ok = read_number(d, row, row_dimension(row, power), &word[i], &value) && ok;
+        for (int count = room > 0 ? repeat_count(&word[i]) : 0; count > 0; count--) {
+            number[used] = value;
+            from[used++] = word[i];
+        }
+    }
+    out->n = used;
+    out->number = number;
+    out->word = from;
+    return ok;
+}
+
+static bool read_texts(struct deck *d, const struct row *row, const struct word *word, int n_word,
+                       struct argument *out) {
+    const char **text = arena_alloc(d->arena, (size_t)n_word, sizeof *text);
+    if (!text) {
+        diagnostics_no_memory(&d->diagnostics);
+        return false;
+    }
+    bool ok = true;
+    for (int i = 0; i < n_word; i++) {
+        text[i] = deck_text(d, &word[i]);
+        if (text[i] && !text[i][0]) {
+            deck_error(d, &word[i], "%s is an empty text", row->key);
+        }
+        ok = ok && text[i] && text[i][0];
+    }
+    out->n = n_word;
+    out->text = text;
+    out->word = word;
+    return ok;
+}
+
+bool deck_values(struct deck *d, const struct row *row, double power, const struct word *word,
+                 int n_word, struct argument *out) {
+    struct text_short t;
+    *out = (struct argument){.given = true};
+    if (n_word > 0) {
+        out->key = word[0];
+    }
+    bool many = row->kind == ROW_LIST || row->kind == ROW_TEXTS;
+    int most = row->kind == ROW_FLAG ? 0 : 1;
+    if (!many && n_word > most) {
+        deck_error(d, &word[most], "'%s' is not expected: %s takes %s",
+                   text_short(&t, word[most].text), row->key, most ? "one value" : "no value");
+        return false;
+    }
+    if (row->kind == ROW_FLAG) {
+        return true;
+    }
+    if (n_word < 1) {
+        deck_error(d, NULL, "%s needs a value", row->key);
+        return false;
+    }
+    if (row->kind == ROW_TEXT || row->kind == ROW_TEXTS) {
+        return read_texts(d, row, word, n_word, out);
+    }
+    return read_numbers(d, row, power, word, n_word, out);
+}
