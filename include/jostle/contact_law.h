@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a contact law is: one const descriptor in one file of src/law/contact/, named by one line in
+// contact_list.inc. Docs, deck parsing and range checks come from the descriptor.
+#ifndef JOSTLE_CONTACT_LAW_H
+#define JOSTLE_CONTACT_LAW_H
+
+#include "jostle/error.h"
+#include "jostle/row.h"
+
+// A law has at most this many rows, constants and history values.
+enum { CONTACT_ROWS_MAX = 12, CONTACT_CONSTANTS_MAX = 16, CONTACT_HISTORY_MAX = 8 };
+
+// What the solver must know about a law beyond its force.
+enum contact_trait {
+    CONTACT_JUMPS = 1,      // the force is not 0 at d = 0+ while approaching
+    CONTACT_MAY_PULL = 2,   // the force may be negative in contact
+    CONTACT_NEEDS_V0 = 4,   // uses the velocity at closure
+};
+
+// Force of a link in contact, positive in compression, and its tangents.
+struct contact_response {
+    double force;  // [F]
+    double dfdd;   // [F/L]
+    double dfdv;   // [F T/L]
+};
+
+struct contact_law {
+    const char *name;
+    const char *summary;  // one line
+    const char *formula;  // ASCII
+    const char *source;   // authors, year, equation
+    const char *remarks;  // what it is good for and where it fails
+    const struct row *row;
+    int n_row;
+    int n_constant;   // derived once per link
+    int n_history;    // kept through one contact
+    unsigned traits;  // enum contact_trait
+
+    // Values of the rows in the deck's units, NAN where not given, and the effective mass -> the
+    // constants that `force` uses. `velocity_unit` is one m/s in the deck's units. Errors:
+    // STATUS_INPUT.
+    int (*prepare)(const double *value, double m_eff, double velocity_unit, double *constant,
+                   struct error *e);
+
+    // History at the instant of closure with velocity v0 >= 0. NULL if n_history = 0.
+    void (*close)(const double *constant, double v0, double *history);
+
+    // The force at penetration d >= 0 and velocity v. Pure; every finite d >= 0 and v is valid.
+    // At d = 0 the limit d -> 0+ is meant.
+    struct contact_response (*force)(const double *constant, const double *history, double d,
+                                     double v);
+
+    // Brings the history from the committed step to (d, v). NULL if it does not change in contact.
+    void (*commit)(const double *constant, double *history, double d, double v);
+};
+
+extern const struct contact_law *const contact_laws[];
+extern const int n_contact_law;
+
+// The law called `name`; NULL if there is none.
+const struct contact_law *contact_law_find(const char *name);
+
+// Index of the row called `key`; -1 if the law has none.
+int contact_law_row(const struct contact_law *law, const char *key);
+
+#endif

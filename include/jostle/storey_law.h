@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a restoring law of a storey is: one const descriptor in one file of src/law/storey/, named by
+// one line in storey_list.inc.
+#ifndef JOSTLE_STOREY_LAW_H
+#define JOSTLE_STOREY_LAW_H
+
+#include <stdbool.h>
+
+#include "jostle/error.h"
+#include "jostle/row.h"
+
+enum { STOREY_ROWS_MAX = 8, STOREY_CONSTANTS_MAX = 8, STOREY_HISTORY_MAX = 4 };
+
+struct storey_response {
+    double shear;    // [F]
+    double tangent;  // d shear / d drift [F/L]
+};
+
+struct storey_law {
+    const char *name;
+    const char *summary;
+    const char *formula;
+    const char *source;
+    const struct row *row;
+    int n_row;
+    int n_constant;
+    int n_history;  // 0: the law is linear and elastic
+
+    // Values of the rows of one storey (NAN: not given) and its stiffness -> constants.
+    int (*prepare)(const double *value, double stiffness, double *constant, struct error *e);
+
+    // Shear and consistent tangent at `drift`, from the committed history. Pure.
+    struct storey_response (*shear)(const double *constant, const double *history, double drift);
+
+    // Brings the history from the last committed step to `drift`. NULL if n_history = 0.
+    void (*commit)(const double *constant, double *history, double drift);
+
+    // Recoverable energy at `drift` with the committed history [F L].
+    double (*stored)(const double *constant, const double *history, double drift);
+};
+
+extern const struct storey_law *const storey_laws[];
+extern const int n_storey_law;
+
+const struct storey_law *storey_law_find(const char *name);
+
+#endif

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The law of `link`: a spring and a viscous damper that act in both directions.
+#ifndef JOSTLE_BILATERAL_H
+#define JOSTLE_BILATERAL_H
+
+#include "jostle/contact_law.h"
+
+enum bilateral_row { BILATERAL_STIFFNESS, BILATERAL_DASHPOT, BILATERAL_EXPONENT, BILATERAL_ROWS };
+
+// Not in the table of contact laws: it has no contact condition, d may have either sign.
+extern const struct contact_law bilateral_law;
+
+#endif

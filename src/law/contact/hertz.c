@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hertz: F = k d^n, n = 3/2 for two spheres.
+//
+// Closed forms of an isolated impact with n = 3/2: d_max = (5 m v0^2 / (4 k))^(2/5),
+// F_max = k^(2/5) (5 m v0^2 / 4)^(3/5), duration 2.943275 d_max / v0. The slope vanishes at d = 0.
+#include "law/contact_list.h"
+#include "law/power.h"
+
+enum { K, N, N_ROW };
+
+static const struct row rows[N_ROW] = {
+    [K] = {"k", ROW_NUMBER, ROW_REQUIRED | ROW_PER_LENGTH_POWER, {1, 0, 0}, &range_positive, NAN,
+           "impact stiffness"},
+    [N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
+};
+
+static int hertz_prepare(const double *value, double m_eff, double velocity_unit, double *constant,
+                         struct error *e) {
+    (void)m_eff, (void)velocity_unit, (void)e;
+    constant[K] = value[K];
+    constant[N] = value[N];
+    return STATUS_OK;
+}
+
+static struct contact_response hertz_force(const double *c, const double *h, double d, double v) {
+    (void)h, (void)v;
+    return power_spring(c[K], c[N], d);
+}
+
+const struct contact_law contact_hertz = {
+    .name = "hertz",
+    .summary = "elastic contact of curved bodies",
+    .formula = "F = k d^n, n = 3/2",
+    .source = "Hertz (1882), J. reine angew. Math. 92, 156-171; for pounding Jing & Young (1991), "
+              "Earthquake Eng. Struct. Dyn. 20, 667-681",
+    .remarks = "no energy is lost; the stiffness grows with the penetration",
+    .row = rows,
+    .n_row = N_ROW,
+    .n_constant = N_ROW,
+    .prepare = hertz_prepare,
+    .force = hertz_force,
+};

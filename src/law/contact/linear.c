@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Linear spring: F = k d.
+//
+// An isolated impact with approach velocity v0 and effective mass m is half a period of an oscillator:
+// d_max = v0 sqrt(m/k), F_max = v0 sqrt(k m), duration pi sqrt(m/k).
+#include "law/contact_list.h"
+
+enum { K, N_ROW };
+
+static const struct row rows[N_ROW] = {
+    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
+};
+
+static int linear_prepare(const double *value, double m_eff, double velocity_unit, double *constant,
+                          struct error *e) {
+    (void)m_eff, (void)velocity_unit, (void)e;
+    constant[K] = value[K];
+    return STATUS_OK;
+}
+
+static struct contact_response linear_force(const double *c, const double *h, double d, double v) {
+    (void)h, (void)v;
+    return (struct contact_response){.force = c[K] * d, .dfdd = c[K]};
+}
+
+const struct contact_law contact_linear = {
+    .name = "linear",
+    .summary = "linear spring",
+    .formula = "F = k d",
+    .source = "Maison & Kasai (1992), Earthquake Eng. Struct. Dyn. 21, 771-786",
+    .remarks = "no energy is lost; the simplest law, for comparison",
+    .row = rows,
+    .n_row = N_ROW,
+    .n_constant = N_ROW,
+    .prepare = linear_prepare,
+    .force = linear_force,
+};

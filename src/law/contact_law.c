@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of contact laws.
+#include "jostle/contact_law.h"
+
+#include <string.h>
+
+#include "law/contact_list.h"
+
+#define CONTACT_LAW(descriptor) &descriptor,
+const struct contact_law *const contact_laws[] = {
+#include "law/contact_list.inc"
+};
+#undef CONTACT_LAW
+
+const int n_contact_law = sizeof contact_laws / sizeof contact_laws[0];
+
+const struct contact_law *contact_law_find(const char *name) {
+    for (int i = 0; i < n_contact_law; i++) {
+        if (strcmp(contact_laws[i]->name, name) == 0) {
+            return contact_laws[i];
+        }
+    }
+    return NULL;
+}
+
+int contact_law_row(const struct contact_law *law, const char *key) {
+    for (int i = 0; i < law->n_row; i++) {
+        if (strcmp(law->row[i].key, key) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The spring of Hertz, k d^n, shared by the laws built on it.
+#ifndef JOSTLE_POWER_H
+#define JOSTLE_POWER_H
+
+#include "jostle/contact_law.h"
+
+// Exponents of contact laws: 1 (flat faces) to 3.
+extern const struct range power_range;
+
+// k d^n and its slope for d >= 0; dfdv is 0. n = 3/2 takes a square root instead of pow.
+struct contact_response power_spring(double k, double n, double d);
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bilinear storey with kinematic hardening: an elastic spring R k beside an elastic, perfectly plastic
+// one of stiffness (1 - R) k and strength (1 - R) V_y; V_y is the storey shear at first yield.
+//
+//     V = R k drift + S,   S = (1 - R) k (drift - plastic),   |S| <= (1 - R) V_y.
+//
+// The plastic drift follows by projecting the trial S onto its strength (return mapping, exact for a
+// path that does not turn within the step): Simo & Hughes (1998), Computational Inelasticity, ch. 1.
+// The tangent is k or R k and jumps between them. R = 0 is elastoplastic.
+#include <math.h>
+
+#include "law/storey_list.h"
+
+enum { YIELD, HARDENING, N_ROW };
+enum { BACK, SPRING, STRENGTH, N_CONSTANT };  // R k, (1 - R) k, (1 - R) V_y
+enum { PLASTIC, N_HISTORY };                  // plastic drift [L]
+
+static const struct range hardening_range = {
+    .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
+
+static const struct row rows[N_ROW] = {
+    [YIELD] = {"yield", ROW_LIST, ROW_REQUIRED, {1, 0, 0}, &range_positive, NAN,
+               "storey shear at first yield"},
+    [HARDENING] = {"hardening", ROW_NUMBER, ROW_REQUIRED, {0}, &hardening_range, NAN,
+                   "stiffness after yield over initial stiffness"},
+};
+
+static int bilinear_prepare(const double *value, double stiffness, double *constant,
+                            struct error *e) {
+    if (stiffness == 0.0) {
+        return error_set(e, STATUS_INPUT, "a storey of stiffness 0 cannot yield");
+    }
+    double r = value[HARDENING];
+    constant[BACK] = r * stiffness;
+    constant[SPRING] = (1.0 - r) * stiffness;
+    constant[STRENGTH] = (1.0 - r) * value[YIELD];
+    return STATUS_OK;
+}
+
+static struct storey_response bilinear_shear(const double *c, const double *h, double drift) {
+    double back = c[BACK] * drift;
+    double trial = c[SPRING] * (drift - h[PLASTIC]);
+    if (fabs(trial) <= c[STRENGTH]) {
+        return (struct storey_response){.shear = back + trial, .tangent = c[BACK] + c[SPRING]};
+    }
+    return (struct storey_response){
+        .shear = back + copysign(c[STRENGTH], trial), .tangent = c[BACK]};
+}
+
+static void bilinear_commit(const double *c, double *h, double drift) {
+    double trial = c[SPRING] * (drift - h[PLASTIC]);
+    if (fabs(trial) > c[STRENGTH]) {
+        h[PLASTIC] = drift - copysign(c[STRENGTH] / c[SPRING], trial);
+    }
+}
+
+static double bilinear_stored(const double *c, const double *h, double drift) {
+    double elastic = drift - h[PLASTIC];
+    return (c[BACK] * drift * drift + c[SPRING] * elastic * elastic) / 2.0;
+}
+
+const struct storey_law storey_bilinear = {
+    .name = "bilinear",
+    .summary = "bilinear with kinematic hardening; elastoplastic with -hardening 0",
+    .formula = "V = R k drift + S, S = (1 - R) k (drift - plastic), |S| <= (1 - R) V_y",
+    .source = "Simo & Hughes (1998), Computational Inelasticity, section 1.4",
+    .row = rows,
+    .n_row = N_ROW,
+    .n_constant = N_CONSTANT,
+    .n_history = N_HISTORY,
+    .prepare = bilinear_prepare,
+    .shear = bilinear_shear,
+    .commit = bilinear_commit,
+    .stored = bilinear_stored,
+};
