@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ground-motion records (and other sampled histories) from files, read strictly: nothing is guessed
+// or repaired silently.
+#ifndef JOSTLE_RECORD_H
+#define JOSTLE_RECORD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "jostle/error.h"
+
+struct arena;
+
+// What the user asks for.
+struct record_request {
+    const char *path;
+    const char *format;  // name of a record format; NULL: found from the content
+    double dt;           // [s]; 0: the file must say it. Must agree with the file where it says it
+    const char *unit;    // "g", "m/s2", "cm/s2", "gal" ...; NULL: the file must say it
+    double gravity;      // value of the unit g [m/s^2]
+    bool plain;          // values have no acceleration unit (a load history): read as printed
+};
+
+enum { RECORD_WARNINGS_MAX = 4 };
+struct record {
+    const char *format;   // name of the format read
+    size_t n;             // samples, at least 2
+    double dt;            // [s]
+    double unit;          // size of the file's unit [m/s^2]; 1 if plain
+    const double *value;  // (n) as printed, in the file's unit
+    int n_warning;
+    char warning[RECORD_WARNINGS_MAX][512];  // "path:line: what is odd"
+};
+
+// Reads the record; what lasts is from `a`. Errors: STATUS_INPUT with "path:line: cause",
+// STATUS_SYSTEM when the file cannot be read or memory runs out.
+int record_read(struct arena *a, const struct record_request *request, struct record *out,
+                struct error *e);
+
+struct record_text;
+struct record_content;
+
+// A format is one file in src/motion/ and one line in record_list.inc. The functions are described
+// with their arguments in src/motion/record_format.h.
+struct record_format {
+    const char *name;  // for -format
+    const char *doc;   // one line
+    bool plain;        // can read values without an acceleration unit
+
+    // True if the text looks like this format. Formats are asked in the order of the list.
+    bool (*matches)(const struct record_text *t);
+
+    // Reads what the file says, and no more: the request is weighed against it by record_read.
+    int (*read)(struct arena *a, const struct record_request *request, const struct record_text *t,
+                struct record_content *out, struct error *e);
+};
+extern const struct record_format *const record_formats[];
+extern const int n_record_format;
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scalar function of time: samples joined by straight lines, a sine, or a constant.
+#ifndef JOSTLE_SIGNAL_H
+#define JOSTLE_SIGNAL_H
+
+#include <stddef.h>
+
+#include "jostle/error.h"
+
+struct arena;
+
+struct signal {
+    double start;  // [T] 0 before it
+    double end;    // [T] 0 after it; may be infinite
+
+    // Samples (value is not NULL), at start, start + dt, ...
+    size_t n;
+    double dt;
+    const double *value;         // (n)
+    const double *velocity;      // (n) first integral at the samples
+    const double *displacement;  // (n) second integral at the samples
+
+    // amplitude sin(omega (t - start) + phase); a constant has omega = 0 and phase = pi/2.
+    double amplitude, omega, phase;
+    const char *name;  // file name, "sine" or "constant"
+};
+
+// A sampled signal of n >= 2 values, scaled; integrates them exactly as a piecewise linear function.
+int signal_init_samples(struct signal *s, struct arena *a, const double *value, size_t n, double dt,
+                        double scale, double start, struct error *e);
+
+// The value at time t.
+double signal_value(const struct signal *s, double t);
+
+// First and second integral from -infinity to t.
+void signal_integrals(const struct signal *s, double t, double *velocity, double *displacement);
+
+// The largest absolute value.
+double signal_peak(const struct signal *s);
+
+#endif

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One column of values, or two of time and value, separated by blanks, tabs, commas or semicolons.
+// Lines that begin with # % ! * or // are comments; lines of text may stand above the numbers. The
+// last line above the numbers may give the units in brackets: `time (s),acceleration (g)`.
+//
+// Times must grow in even steps. The step is the mean one, with the fewest digits that give it to
+// 1e-12, which takes away no more than the noise of the division. A time may lie TIME_ERROR_MAX
+// steps off the even grid, because times are often printed with few digits.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "motion/record_unit.h"
+#include "motion/table.h"
+#include "motion/values.h"
+
+// In steps. Times of 256 samples a second, printed with three decimals, are 0.13 steps off.
+static const double TIME_ERROR_MAX = 0.2;
+
+static bool columns_matches(const struct record_text *t) {
+    struct table table;
+    return table_find(t, &table);
+}
+
+// The text in the next brackets, round or square; false: none.
+static bool next_bracket(struct span *rest, struct span *inside) {
+    while (rest->n > 0 && rest->text[0] != '(' && rest->text[0] != '[') {
+        rest->text++;
+        rest->n--;
+    }
+    size_t n = 1;
+    while (n < rest->n && rest->text[n] != ')' && rest->text[n] != ']') {
+        n++;
+    }
+    if (n >= rest->n) {
+        return false;
+    }
+    *inside = (struct span){rest->text + 1, n - 1};
+    rest->text += n + 1;
+    rest->n -= n + 1;
+    return true;
+}
+
+static int check_time_unit(const struct record_text *t, const struct table *table, struct span unit,
+                           struct dimension dimension, double si, struct error *e) {
+    if (dimension_equal(dimension, dimension_time) && si != 1) {
+        struct excerpt shown = lines_excerpt(unit);
+        return lines_error(e, t->path, table->caption_line, "times are in '%s'; they must be in s",
+                           shown.text);
+    }
+    return STATUS_OK;
+}
+
+// Takes the unit of the values from the caption. Brackets that hold no unit are text.
+static int read_caption(const struct record_request *request, const struct record_text *t,
+                        const struct table *table, struct record_content *out, struct error *e) {
+    struct span rest = table->caption;
+    struct span unit;
+    int status = STATUS_OK;
+    while (!status && next_bracket(&rest, &unit)) {
+        struct dimension dimension;
+        double si;
+        if (!record_unit(unit, request->gravity, &dimension, &si)) {
+            continue;
+        }
+        status = check_time_unit(t, table, unit, dimension, si, e);
+        if (!dimension_equal(dimension, dimension_time)) {
+            out->unit = dimension_equal(dimension, dimension_acceleration) ? si : 0;
+            out->unit_text = lines_excerpt(unit);
+            out->unit_line = table->caption_line;
+        }
+    }
+    return status;
+}
+
+// The decimal number with the fewest digits that is `x` to 1e-12.
+static double shortest(double x) {
+    for (int digits = 1; digits < 13; digits++) {
+        double unit = pow(10, floor(log10(x)) + 1 - digits);
+        // Dividing by a power of ten that is exact gives the same double as reading the decimal.
+        double candidate = unit < 1 ? round(x / unit) / round(1 / unit) : round(x / unit) * unit;
+        if (fabs(candidate - x) <= 1e-12 * x) {
+            return candidate;
+        }
+    }
+    return x;
+}
+
+struct columns {
+    const struct record_text *text;
+    const struct table *table;
+    double *time;   // (n_row); NULL: there is no column of times
+    double *value;  // (n_row)
+};
+
+static int check_step(const struct columns *c, size_t i, const struct lines *l, struct error *e) {
+    const double *time = c->time;
+    if (time[i] <= time[i - 1]) {
+        bool comma = memchr(l->line.text, ',', l->line.n);
+        return lines_error(e, c->text->path, l->number, "time %g after %g; times must grow%s",
+                           time[i], time[i - 1], comma ? " (a comma ends a number)" : "");
+    }
+    double first = time[1] - time[0];
+    double step = time[i] - time[i - 1];
+    if (fabs(step - first) > 2 * TIME_ERROR_MAX * first) {
+        return lines_error(e, c->text->path, l->number,
+                           "step of %.6g s to time %g; the first step is %.6g s and steps must be "
+                           "even",
+                           step, time[i], first);
+    }
+    return STATUS_OK;
+}
+
+// Reads row `i`, on which `l` stands.
+static int read_row(const struct columns *c, const struct lines *l, size_t i,
+                    struct record_content *out, struct error *e) {
+    size_t n = lines_count(l->line, table_separators);
+    if (n != c->table->n_column) {
+        return lines_error(e, c->text->path, l->number,
+                           "row of %zu values; the first (line %d) "
+                           "has %zu",
+                           n, c->table->first_line, c->table->n_column);
+    }
+    struct span rest = l->line;
+    struct number_field f = {c->text->path, l->number, "time", i + 1, {0}};
+    int status = STATUS_OK;
+    if (c->time) {
+        lines_field(&rest, table_separators, &f.field);
+        status = lines_read_number(&f, &c->time[i], e);
+        if (!status && i > 0) {
+            status = check_step(c, i, l, e);
+        }
+    }
+    if (!status) {
+        lines_field(&rest, table_separators, &f.field);
+        f.what = "value";
+        status = lines_read_number(&f, &c->value[i], e);
+    }
+    if (!status) {
+        values_note_peak(out, c->value, i, l->number);
+    }
+    return status;
+}
+
+static int read_rows(const struct columns *c, struct record_content *out, struct error *e) {
+    struct lines l = c->table->rows;
+    for (size_t i = 0; table_next(&l); i++) {
+        int status = read_row(c, &l, i, out, e);
+        if (status) {
+            return status;
+        }
+    }
+    return STATUS_OK;
+}
+
+// The line on which row `i` stands.
+static int row_line(const struct table *table, size_t i) {
+    struct lines l = table->rows;
+    for (size_t k = 0; k <= i && table_next(&l); k++) {
+    }
+    return l.number;
+}
+
+// Finds the time step, and how far the times are off it.
+static int find_step(const struct columns *c, size_t n, struct record_content *out,
+                     struct error *e) {
+    double start = c->time[0];
+    out->time_offset = start;
+    if (n < 2) {
+        return STATUS_OK;
+    }
+    out->dt = shortest((c->time[n - 1] - start) / (double)(n - 1));
+    out->dt_line = c->table->first_line;
+    out->dt_tolerance = TIME_ERROR_MAX * out->dt / (double)(n - 1);
+    size_t worst = 0;
+    for (size_t i = 0; i < n; i++) {
+        double off = fabs((c->time[i] - start) / out->dt - (double)i);
+        worst = off > out->time_error ? i : worst;
+        out->time_error = fmax(out->time_error, off);
+    }
+    if (!isfinite(out->dt) || !(out->time_error <= TIME_ERROR_MAX)) {
+        return lines_error(e, c->text->path, row_line(c->table, worst),
+                           "time %g is %.3g steps of %.6g s off the even grid from first to last "
+                           "time; steps must be even",
+                           c->time[worst], out->time_error, out->dt);
+    }
+    return STATUS_OK;
+}
+
+static int check_columns(const struct record_text *t, const struct table *table, struct error *e) {
+    int status = table_check(t, table, e);
+    if (!status && table->n_column > 2) {
+        return lines_error(e, t->path, table->first_line,
+                           "%zu columns; one or two (time and value) are read; -format series "
+                           "reads values that run on from line to line",
+                           table->n_column);
+    }
+    return status;
+}
+
+static int read_table(struct arena *a, const struct record_text *t, const struct table *table,
+                      struct record_content *out, struct error *e) {
+    bool has_time = table->n_column == 2;
+    struct columns c = {
+        .text = t,
+        .table = table,
+        .time = has_time ? calloc(table->n_row, sizeof *c.time) : NULL,
+        .value = arena_alloc(a, table->n_row, sizeof *c.value),
+    };
+    int status = STATUS_OK;
+    if (!c.value || (has_time && !c.time)) {
+        status = error_no_memory(e);
+    }
+    if (!status) {
+        status = read_rows(&c, out, e);
+    }
+    if (!status && has_time) {
+        status = find_step(&c, table->n_row, out, e);
+    }
+    free(c.time);
+    out->n = table->n_row;
+    out->value = c.value;
+    return status;
+}
+
+static int columns_read(struct arena *a, const struct record_request *request,
+                        const struct record_text *t, struct record_content *out, struct error *e) {
+    struct table table;
+    if (!table_find(t, &table)) {
+        return lines_error(e, t->path, 0, "there is no line of numbers");
+    }
+    int status = check_columns(t, &table, e);
+    if (!status) {
+        status = read_caption(request, t, &table, out, e);
+    }
+    return status ? status : read_table(a, t, &table, out, e);
+}
+
+const struct record_format record_columns = {
+    .name = "columns",
+    .doc = "one column of values with -dt, or two of time and value",
+    .plain = true,
+    .matches = columns_matches,
+    .read = columns_read,
+};

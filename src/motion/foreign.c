@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that are no records, and formats that cannot be read yet: tables of what betrays them, so
+// that the user is told what he has instead of what is missing.
+#include <string.h>
+
+#include "motion/lines.h"
+#include "motion/record_format.h"
+
+struct mark {
+    const char *name;
+    const char *text;
+    size_t n;
+};
+
+// First bytes.
+static const struct mark files[] = {
+    {"a zip archive", "PK\x03\x04", 4},
+    {"a gzip archive", "\x1f\x8b", 2},
+    {"an HDF5 file", "\x89HDF", 4},
+    {"a PDF document", "%PDF-", 5},
+    {"UTF-16 text", "\xff\xfe", 2},
+    {"UTF-16 text", "\xfe\xff", 2},
+    {"a Git LFS pointer", "version https://git-lfs", 23},
+};
+
+// Words in capitals in one of the first lines.
+static const struct {
+    const char *name, *text;
+    int n_line;  // it stands in one of so many lines
+} formats[] = {
+    {"COSMOS", "(FORMAT V", 1},
+    {"K-NET/KiK-net", "SAMPLING FREQ(HZ)", 20},
+    {"SMC (USGS)", "1 UNCORRECTED ACCELEROGRAM", 1},
+    {"SMC (USGS)", "2 CORRECTED ACCELEROGRAM", 1},
+    {"GeoNet", "GNS SCIENCE", 1},
+    {"CSMIP volume 1 or 2, or one made after it", "CORRECTED ACCELEROGRAM", 3},
+    {"ESM/ITACA DYNA", "EVENT_NAME:", 1},
+    {"CWA", "#EARTHQUAKE INFORMATION", 1},
+    {"AFAD/NSMN", "STRONG GROUND MOTION RECORDS OF TURKIYE", 3},
+    {"UNAM", "INSTITUTO DE INGENIERIA, UNAM", 5},
+    {"BHRC volume 1", "VOL1DS FILE", 1},
+};
+
+const char *foreign_file(const struct record_text *t) {
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        if (t->size >= files[i].n && memcmp(t->text, files[i].text, files[i].n) == 0) {
+            return files[i].name;
+        }
+    }
+    struct lines l;
+    lines_init(&l, t);
+    while (lines_next(&l) && l.line.n == 0) {
+    }
+    bool is_markup = l.line.n > 0 && l.line.text[0] == '<';
+    return is_markup ? "an HTML or XML page" : NULL;
+}
+
+const char *foreign_format(const struct record_text *t) {
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        struct lines l;
+        lines_init(&l, t);
+        while (l.number < formats[i].n_line && lines_next(&l)) {
+            if (lines_contain(l.line, formats[i].text)) {
+                return formats[i].name;
+            }
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines, fields and numbers of a record file, and messages that point into it.
+#include "motion/lines.h"
+
+#include <stdarg.h>
+#include <string.h>
+
+#include "core/text.h"
+#include "motion/record_format.h"
+
+static bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
+}
+
+static bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+static char upper(char c) {
+    return c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c;
+}
+
+static bool is_word(char c) {
+    return is_digit(c) || (upper(c) >= 'A' && upper(c) <= 'Z') || c == '_';
+}
+
+static struct span trim(struct span s) {
+    while (s.n > 0 && is_blank(s.text[0])) {
+        s.text++;
+        s.n--;
+    }
+    while (s.n > 0 && is_blank(s.text[s.n - 1])) {
+        s.n--;
+    }
+    return s;
+}
+
+void lines_init(struct lines *l, const struct record_text *t) {
+    bool has_newline = t->size > 0 && memchr(t->text, '\n', t->size);
+    *l = (struct lines){
+        .at = t->text,
+        .end = t->text + t->size,
+        .terminator = has_newline ? '\n' : '\r',
+        .line = {.text = t->text},
+    };
+}
+
+bool lines_next(struct lines *l) {
+    if (l->at == l->end) {
+        return false;
+    }
+    const char *stop = memchr(l->at, l->terminator, (size_t)(l->end - l->at));
+    const char *line_end = stop ? stop : l->end;
+    l->line = trim((struct span){l->at, (size_t)(line_end - l->at)});
+    l->at = stop ? stop + 1 : l->end;
+    l->number++;
+    return true;
+}
+
+static bool is_separator(char c, const char *separators) {
+    return c != '\0' && strchr(separators, c);
+}
+
+bool lines_field(struct span *rest, const char *separators, struct span *field) {
+    *rest = trim(*rest);
+    if (rest->n == 0) {
+        return false;
+    }
+    size_t n = 0;
+    while (n < rest->n && !is_blank(rest->text[n]) && !is_separator(rest->text[n], separators)) {
+        n++;
+    }
+    *field = (struct span){rest->text, n};
+    *rest = trim((struct span){rest->text + n, rest->n - n});
+    if (rest->n > 0 && is_separator(rest->text[0], separators)) {
+        rest->text++;
+        rest->n--;
+    }
+    return true;
+}
+
+size_t lines_count(struct span line, const char *separators) {
+    size_t n = 0;
+    struct span field;
+    while (lines_field(&line, separators, &field)) {
+        n++;
+    }
+    return n;
+}
+
+bool lines_is_comment(struct span line) {
+    if (line.n == 0) {
+        return false;
+    }
+    return strchr("#%!*", line.text[0]) ||
+           (line.n > 1 && line.text[0] == '/' && line.text[1] == '/');
+}
+
+static const char *find(struct span line, const char *text, size_t from) {
+    size_t n = strlen(text);
+    for (size_t i = from; i + n <= line.n; i++) {
+        size_t k = 0;
+        while (k < n && upper(line.text[i + k]) == text[k]) {
+            k++;
+        }
+        if (k == n) {
+            return line.text + i;
+        }
+    }
+    return NULL;
+}
+
+const char *lines_word(struct span line, const char *word) {
+    size_t n = strlen(word);
+    const char *end = line.text + line.n;
+    const char *at = find(line, word, 0);
+    while (at && ((at > line.text && is_word(at[-1])) || (at + n < end && is_word(at[n])))) {
+        at = find(line, word, (size_t)(at - line.text) + 1);
+    }
+    return at;
+}
+
+bool lines_contain(struct span line, const char *text) {
+    return find(line, text, 0) != NULL;
+}
+
+static enum number read_plain(const char *text, size_t n, double *value) {
+    const char *end = text;
+    enum text_number how = text_number(text, &end, value);
+    if (how == TEXT_NUMBER_NONE || end != text + n) {
+        return NUMBER_BAD;
+    }
+    return how == TEXT_NUMBER_RANGE ? NUMBER_RANGE : NUMBER_OK;
+}
+
+// Where the exponent of a number in Fortran's ways begins: at its D, or at the sign of a
+// three-digit exponent without a letter. n: there is none.
+static size_t fortran_exponent(struct span s) {
+    for (size_t i = 1; i < s.n; i++) {
+        if (upper(s.text[i]) == 'D') {
+            return i;
+        }
+        bool is_sign = s.text[i] == '+' || s.text[i] == '-';
+        if (is_sign && (is_digit(s.text[i - 1]) || s.text[i - 1] == '.') && s.n - i == 4) {
+            return i;
+        }
+    }
+    return s.n;
+}
+
+enum number lines_number(struct span field, double *value) {
+    enum { LONGEST = 60 };
+    enum number how = read_plain(field.text, field.n, value);
+    if (how != NUMBER_BAD || field.n > LONGEST) {
+        return how;
+    }
+    size_t at = fortran_exponent(field);
+    if (at == field.n) {
+        return NUMBER_BAD;
+    }
+    char copy[LONGEST + 2];
+    size_t skipped = upper(field.text[at]) == 'D' ? at + 1 : at;
+    memcpy(copy, field.text, at);
+    copy[at] = 'E';
+    memcpy(copy + at + 1, field.text + skipped, field.n - skipped);
+    size_t n = at + 1 + field.n - skipped;
+    copy[n] = '\0';
+    return read_plain(copy, n, value);
+}
+
+bool lines_number_like(struct span field) {
+    static const char *const words[] = {"NAN", "INF", "INFINITY"};
+    if (field.n > 0 && (field.text[0] == '+' || field.text[0] == '-')) {
+        field.text++;
+        field.n--;
+    }
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (field.n == strlen(words[i]) && lines_contain(field, words[i])) {
+            return true;
+        }
+    }
+    if (field.n > 1 && field.text[0] == '.') {
+        return is_word(field.text[1]);
+    }
+    return field.n > 0 && is_digit(field.text[0]);
+}
+
+// Bytes of the character at `s` if it can be shown as it is; 0: not.
+static size_t shown_as_is(struct span s) {
+    unsigned char c = (unsigned char)s.text[0];
+    if (c < 0x80) {
+        return c >= 0x20 && c != 0x7f;
+    }
+    size_t n = c >= 0xf0 ? 4 : c >= 0xe0 ? 3 : 2;
+    bool is_control = c == 0xc2 && s.n > 1 && (unsigned char)s.text[1] < 0xa0;
+    size_t at;
+    return !is_control && n <= s.n && text_is_utf8(s.text, n, &at) ? n : 0;
+}
+
+struct excerpt lines_excerpt(struct span field) {
+    enum { SHOWN = 40 };
+    struct excerpt e = {.text = ""};
+    size_t out = 0;
+    size_t i = 0;
+    while (i < field.n && i < SHOWN) {
+        struct span rest = {field.text + i, field.n - i};
+        size_t n = shown_as_is(rest);
+        if (n == 0) {
+            unsigned byte = (unsigned char)rest.text[0];
+            out += (size_t)snprintf(e.text + out, sizeof e.text - out, "\\x%02x", byte);
+            i++;
+            continue;
+        }
+        if (i + n > SHOWN) {
+            break;
+        }
+        memcpy(e.text + out, rest.text, n);
+        out += n;
+        i += n;
+    }
+    snprintf(e.text + out, sizeof e.text - out, "%s", i < field.n ? "..." : "");
+    return e;
+}
+
+struct line_place lines_place(const char *path, int line) {
+    enum { SHOWN = 200 };
+    size_t n = strlen(path);
+    const char *from = n > SHOWN ? path + n - SHOWN : path;
+    while (((unsigned char)*from & 0xc0) == 0x80) {
+        from++;
+    }
+    struct line_place p;
+    int used = snprintf(p.text, sizeof p.text, "%s%s", n > SHOWN ? "..." : "", from);
+    if (line > 0) {
+        snprintf(p.text + used, sizeof p.text - (size_t)used, ":%d", line);
+    }
+    return p;
+}
+
+int lines_error(struct error *e, const char *path, int line, const char *format, ...) {
+    char cause[sizeof e->message];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(cause, sizeof cause, format, arguments);
+    va_end(arguments);
+    return error_set(e, STATUS_INPUT, "%s: %s", lines_place(path, line).text, cause);
+}
+
+int lines_read_number(const struct number_field *f, double *value, struct error *e) {
+    enum number how = lines_number(f->field, value);
+    if (how == NUMBER_OK) {
+        return STATUS_OK;
+    }
+    if (f->field.n == 0) {
+        return lines_error(e, f->path, f->line, "%s %zu is empty", f->what, f->index);
+    }
+    struct excerpt shown = lines_excerpt(f->field);
+    const char *reason = "is not a number";
+    if (how == NUMBER_RANGE) {
+        reason = "is out of range: over 1.8e308";
+    } else if (memchr(f->field.text, ',', f->field.n)) {
+        reason = "has a comma; numbers need a decimal point";
+    }
+    return lines_error(e, f->path, f->line, "%s %zu '%s' %s", f->what, f->index, shown.text,
+                       reason);
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines, fields and numbers of a record file, and messages that point into it.
+#ifndef JOSTLE_MOTION_LINES_H
+#define JOSTLE_MOTION_LINES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "jostle/error.h"
+
+struct record_text;
+
+// A piece of the text; not 0-terminated.
+struct span {
+    const char *text;
+    size_t n;
+};
+
+// The line last read, without blanks and carriage returns at either end.
+struct lines {
+    const char *at, *end;  // what is still to come
+    char terminator;       // '\n', or '\r' in a file that has no '\n'
+    struct span line;
+    int number;  // of the line, from 1; 0 before the first
+};
+
+void lines_init(struct lines *l, const struct record_text *t);
+
+// Goes to the next line; false at the end of the text.
+bool lines_next(struct lines *l);
+
+// Takes the first field off `rest`. Fields are separated by blanks, or by one character of
+// `separators` ("" or ",;") with blanks around it; a separator at the end of the line is allowed,
+// two in a row make an empty field. False: none is left.
+bool lines_field(struct span *rest, const char *separators, struct span *field);
+
+// Fields of the whole line.
+size_t lines_count(struct span line, const char *separators);
+
+// True for a line that begins with # % ! * or //.
+bool lines_is_comment(struct span line);
+
+// The character at which `word` (upper case) stands in the line, whatever its case and not as part
+// of a longer word; NULL: nowhere.
+const char *lines_word(struct span line, const char *word);
+
+// True if `text` (upper case) stands anywhere in the line, whatever its case.
+bool lines_contain(struct span line, const char *text);
+
+// How reading a field as a number ended.
+enum number { NUMBER_OK, NUMBER_BAD, NUMBER_RANGE };
+
+// A decimal number as C or Fortran writes it, and nothing else: also 1.5D-3, .5E+00, 1.234567-105
+// (an exponent of three digits has driven out its E).
+enum number lines_number(struct span field, double *value);
+
+// True if the field begins like a number, or is one of the words nan and inf: a typing error in a
+// number must not make it a word.
+bool lines_number_like(struct span field);
+
+// `field` for a message: at most 40 bytes, control characters and stray bytes as \xNN.
+struct excerpt {
+    char text[4 * 40 + 4];
+};
+struct excerpt lines_excerpt(struct span field);
+
+// error_set with STATUS_INPUT and "path:line: " in front; no line if it is 0.
+int lines_error(struct error *e, const char *path, int line, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+// "path:line" for a message; a path over 200 bytes loses its beginning, so that the cause is seen.
+struct line_place {
+    char text[240];
+};
+struct line_place lines_place(const char *path, int line);
+
+// A field that should be a number: `what` ("value", "time") and `index`, from 1, name it in
+// messages.
+struct number_field {
+    const char *path;
+    int line;
+    const char *what;
+    size_t index;
+    struct span field;
+};
+
+// lines_number, with STATUS_INPUT and the reason if it is none.
+int lines_read_number(const struct number_field *f, double *value, struct error *e);
+
+#endif

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PEER AT2: lines of text, one of them with the unit, then a line with the number of values and the
+// time step, then the values, any number a line. The header has 4 lines (PEER) or more (7 in the
+// OpenSees El Centro); its last line occurs as
+//
+//     NPTS=  1559, DT= .02000 SEC          also with dt in small letters, without SEC, with filter
+//     NPTS =  5000 , DT =   .010 SEC ,     data behind, and with blanks anywhere
+//     4096    0.0100    NPTS, DT
+//
+// and the unit as `ACCELERATION TIME SERIES IN UNITS OF G`, `The units are (g)` or `Acceleration in
+// g`. VT2 and DT2 files look the same, but hold velocities and displacements: they are refused.
+#include <math.h>
+#include <string.h>
+
+#include "motion/lines.h"
+#include "motion/record_format.h"
+#include "motion/record_unit.h"
+#include "motion/values.h"
+
+enum { HEADER_LINES_MAX = 64 };
+
+// Steps to the line with NPTS.
+static bool find_npts(struct lines *l) {
+    while (l->number < HEADER_LINES_MAX && lines_next(l)) {
+        if (lines_word(l->line, "NPTS")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_series_title(struct span line) {
+    return lines_contain(line, "TIME SERIES") || lines_contain(line, "TIME HISTORY");
+}
+
+static bool peer_matches(const struct record_text *t) {
+    struct lines l;
+    lines_init(&l, t);
+    while (l.number < HEADER_LINES_MAX && lines_next(&l)) {
+        bool is_title = is_series_title(l.line) && lines_word(l.line, "UNITS");
+        if (is_title || lines_word(l.line, "NPTS")) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// What stands behind `word` and an equals sign; false: there is no such thing.
+static bool find_value(struct span line, const char *word, struct span *value) {
+    const char *at = lines_word(line, word);
+    if (!at) {
+        return false;
+    }
+    const char *end = line.text + line.n;
+    at += strlen(word);
+    while (at < end && (*at == ' ' || *at == '\t')) {
+        at++;
+    }
+    if (at == end || *at != '=') {
+        return false;
+    }
+    struct span rest = {at + 1, (size_t)(end - at - 1)};
+    if (!lines_field(&rest, ",", value)) {
+        *value = (struct span){end, 0};
+    }
+    return true;
+}
+
+// The texts of both values of the header's last line. dt->n = 0 and dt->text = NULL: not there.
+static bool find_sizes(struct span line, struct span *npts, struct span *dt) {
+    *dt = (struct span){0};
+    if (find_value(line, "NPTS", npts)) {
+        find_value(line, "DT", dt);
+        return true;
+    }
+    struct span rest = line;
+    return lines_field(&rest, ",", npts) && lines_field(&rest, ",", dt) &&
+           lines_number_like(*npts) && lines_number_like(*dt) && lines_word(rest, "NPTS") &&
+           lines_word(rest, "DT");
+}
+
+static int check_npts(const struct record_text *t, int line, struct span text, double *npts,
+                      struct error *e) {
+    struct excerpt shown = lines_excerpt(text);
+    if (lines_number(text, npts) != NUMBER_OK) {
+        return lines_error(e, t->path, line, "NPTS '%s' is not a number", shown.text);
+    }
+    if (*npts != floor(*npts)) {
+        return lines_error(e, t->path, line, "NPTS is %s; it must be a whole number", shown.text);
+    }
+    if (*npts < 2) {
+        return lines_error(e, t->path, line, "NPTS is %s; it must be at least 2", shown.text);
+    }
+    return STATUS_OK;
+}
+
+// True if a time step in milliseconds is meant: a word like MSEC follows it.
+static bool is_milliseconds(struct span line, struct span dt) {
+    const char *end = dt.text + dt.n;
+    struct span rest = {end, (size_t)(line.text + line.n - end)};
+    struct span word;
+    return lines_field(&rest, ",", &word) && (word.text[0] == 'M' || word.text[0] == 'm');
+}
+
+static int check_dt(const struct record_text *t, const struct lines *l, struct span text,
+                    double *dt, struct error *e) {
+    struct excerpt shown = lines_excerpt(text);
+    if (lines_number(text, dt) != NUMBER_OK) {
+        return lines_error(e, t->path, l->number, "DT '%s' is not a number", shown.text);
+    }
+    if (*dt <= 0) {
+        return lines_error(e, t->path, l->number, "DT is %s s; it must be > 0", shown.text);
+    }
+    if (is_milliseconds(l->line, text)) {
+        return lines_error(e, t->path, l->number, "DT is not in seconds");
+    }
+    return STATUS_OK;
+}
+
+// True for the words between UNITS and the unit.
+static bool is_filler(struct span field) {
+    static const char *const words[] = {"OF", "ARE", "IS", "IN"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (field.n == strlen(words[i]) && lines_contain(field, words[i])) {
+            return true;
+        }
+    }
+    return field.n == 0;
+}
+
+// The unit of `UNITS OF G.`, `units are (g)`, `UNITS: CM/SEC/SEC`, `Acceleration in g`.
+static bool find_unit(struct span line, struct span *unit) {
+    const char *key = lines_word(line, "UNITS") ? "UNITS" : "ACCELERATION IN";
+    const char *at = lines_word(line, key);
+    if (!at) {
+        return false;
+    }
+    at += strlen(key);
+    struct span rest = {at, (size_t)(line.text + line.n - at)};
+    struct span field;
+    while (lines_field(&rest, ",:=()[]", &field)) {
+        if (!is_filler(field)) {
+            field.n -= field.text[field.n - 1] == '.';
+            *unit = field;
+            return true;
+        }
+    }
+    return false;
+}
+
+// Takes the unit from a line of the header, unless one was found before.
+static int read_unit(const struct record_request *request, const struct record_text *t,
+                     const struct lines *l, struct record_content *out, struct error *e) {
+    bool other = lines_word(l->line, "VELOCITY") || lines_word(l->line, "DISPLACEMENT");
+    bool is_title = is_series_title(l->line) || lines_word(l->line, "UNITS");
+    if (is_title && other && !lines_word(l->line, "ACCELERATION")) {
+        struct excerpt shown = lines_excerpt(l->line);
+        return lines_error(e, t->path, l->number, "this is no acceleration: '%s'", shown.text);
+    }
+    struct span unit;
+    struct dimension dimension;
+    double si;
+    if (out->unit == 0 && find_unit(l->line, &unit)) {
+        out->unit_text = lines_excerpt(unit);
+        out->unit_line = l->number;
+        if (record_unit(unit, request->gravity, &dimension, &si) &&
+            dimension_equal(dimension, dimension_acceleration)) {
+            out->unit = si;
+        }
+    }
+    return STATUS_OK;
+}
+
+// Reads the lines before the one with NPTS, where `l` stops.
+static int read_titles(const struct record_request *request, const struct record_text *t,
+                       struct lines *l, struct record_content *out, struct error *e) {
+    while (lines_next(l) && !lines_word(l->line, "NPTS")) {
+        int status = read_unit(request, t, l, out, e);
+        if (status) {
+            return status;
+        }
+    }
+    return STATUS_OK;
+}
+
+static int check_count(const struct record_text *t, const struct lines *l, double npts,
+                       struct error *e) {
+    int last_line;
+    size_t n = values_count(*l, "", &last_line);
+    if ((double)n < npts) {
+        return lines_error(e, t->path, last_line ? last_line : l->number,
+                           "the file ends after %zu values; its header (line %d) says %.0f", n,
+                           l->number, npts);
+    }
+    if ((double)n > npts) {
+        return lines_error(e, t->path, l->number, "the header says %.0f values; the file holds %zu",
+                           npts, n);
+    }
+    return STATUS_OK;
+}
+
+static int peer_read(struct arena *a, const struct record_request *request,
+                     const struct record_text *t, struct record_content *out, struct error *e) {
+    struct lines l;
+    lines_init(&l, t);
+    struct lines titles = l;
+    struct span npts_text, dt_text;
+    if (!find_npts(&l)) {
+        return lines_error(e, t->path, 0,
+                           "no NPTS in the first %d lines; a PEER header says "
+                           "'NPTS= n, DT= dt SEC' or 'n dt NPTS, DT'",
+                           HEADER_LINES_MAX);
+    }
+    if (!find_sizes(l.line, &npts_text, &dt_text)) {
+        return lines_error(e, t->path, l.number,
+                           "neither 'NPTS= n, DT= dt SEC' nor 'n dt NPTS, DT'");
+    }
+    double npts;
+    int status = check_npts(t, l.number, npts_text, &npts, e);
+    if (!status && dt_text.text) {
+        status = check_dt(t, &l, dt_text, &out->dt, e);
+    }
+    out->dt_line = l.number;
+    if (!status) {
+        status = read_titles(request, t, &titles, out, e);
+    }
+    if (!status) {
+        status = check_count(t, &l, npts, e);
+    }
+    return status ? status : values_read(a, t, l, "", out, e);
+}
+
+const struct record_format record_peer = {
+    .name = "peer",
+    .doc = "PEER AT2, with 4 or more header lines, the last with NPTS and DT",
+    .matches = peer_matches,
+    .read = peer_read,
+};

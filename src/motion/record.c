@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a record: the file as text, its format, what it says, and whether that can be believed.
+#include "jostle/record.h"
+
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+#include "motion/record_format.h"
+
+// A day at 200 samples a second in 15 bytes each.
+enum { FILE_SIZE_MAX = 256 << 20 };
+
+#define RECORD_FORMAT(name) extern const struct record_format record_##name;
+#include "motion/record_list.inc"
+#undef RECORD_FORMAT
+
+#define RECORD_FORMAT(name) &record_##name,
+const struct record_format *const record_formats[] = {
+#include "motion/record_list.inc"
+};
+#undef RECORD_FORMAT
+
+enum { N_FORMAT = sizeof record_formats / sizeof record_formats[0] };
+const int n_record_format = N_FORMAT;
+
+// The format called `name`; NULL after having set the error.
+static const struct record_format *find_by_name(const struct record_text *t, const char *name,
+                                                struct error *e) {
+    const char *names[N_FORMAT];
+    char list[128] = "";
+    size_t n = 0;
+    for (int i = 0; i < N_FORMAT; i++) {
+        names[i] = record_formats[i]->name;
+        if (strcmp(names[i], name) == 0) {
+            return record_formats[i];
+        }
+        if (n < sizeof list) {
+            n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", i ? ", " : "", names[i]);
+        }
+    }
+    const char *near = text_nearest(name, names, N_FORMAT);
+    struct excerpt shown = lines_excerpt((struct span){name, strlen(name)});
+    lines_error(e, t->path, 0, "unknown record format '%s'%s%s%s; there are %s", shown.text,
+                near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "", list);
+    return NULL;
+}
+
+// The first format that the text looks like; NULL after having set the error.
+static const struct record_format *find_by_content(const struct record_request *request,
+                                                   const struct record_text *t, struct error *e) {
+    const char *foreign = foreign_format(t);
+    if (foreign) {
+        lines_error(e, t->path, 0, "looks like format %s, which cannot be read yet", foreign);
+        return NULL;
+    }
+    for (int i = 0; i < N_FORMAT; i++) {
+        const struct record_format *f = record_formats[i];
+        if ((f->plain || !request->plain) && f->matches(t)) {
+            return f;
+        }
+    }
+    lines_error(e, t->path, 0,
+                "no record format fits: no header with NPTS and DT, no line of "
+                "numbers");
+    return NULL;
+}
+
+static const struct record_format *find_format(const struct record_request *request,
+                                               const struct record_text *t, struct error *e) {
+    if (!request->format) {
+        return find_by_content(request, t, e);
+    }
+    const struct record_format *f = find_by_name(t, request->format, e);
+    if (f && request->plain && !f->plain) {
+        lines_error(e, t->path, 0, "format %s holds accelerations only", f->name);
+        return NULL;
+    }
+    return f;
+}
+
+// Refuses what is no text. Headers need not be UTF-8, but have no control characters.
+static int check_text(const struct record_text *t, struct error *e) {
+    if (t->size == 0) {
+        return lines_error(e, t->path, 0, "the file is empty");
+    }
+    const char *what = foreign_file(t);
+    if (what) {
+        return lines_error(e, t->path, 0, "this is %s, not a record", what);
+    }
+    for (size_t i = 0; i < t->size; i++) {
+        unsigned c = (unsigned char)t->text[i];
+        if (c == 0x7f || (c < 0x20 && (c < '\t' || c > '\r'))) {
+            return lines_error(e, t->path, 0, "this is not text: byte 0x%02x at offset %zu", c, i);
+        }
+    }
+    return STATUS_OK;
+}
+
+// Without the byte-order mark that spreadsheets write, and the Ctrl-Z that DOS ended files with.
+static struct record_text strip_marks(const struct record_text *t) {
+    struct record_text s = *t;
+    if (s.size >= 3 && memcmp(s.text, "\xef\xbb\xbf", 3) == 0) {
+        s.text += 3;
+        s.size -= 3;
+    }
+    size_t end = s.size;
+    while (end > 0 && strchr(" \t\r\n\x1a", s.text[end - 1]) && s.text[end - 1] != '\0') {
+        end--;
+        s.size = s.text[end] == '\x1a' ? end : s.size;
+    }
+    return s;
+}
+
+int record_read_text(struct arena *a, const struct record_request *request,
+                     const struct record_text *t, struct record *out, struct error *e) {
+    *out = (struct record){0};
+    struct record_text stripped = strip_marks(t);
+    int status = check_text(&stripped, e);
+    if (status) {
+        return status;
+    }
+    const struct record_format *f = find_format(request, &stripped, e);
+    if (!f) {
+        return STATUS_INPUT;
+    }
+    struct record_content content = {0};
+    status = f->read(a, request, &stripped, &content, e);
+    if (status) {
+        return status;
+    }
+    out->format = f->name;
+    return record_check(request, &stripped, &content, out, e);
+}
+
+int record_read(struct arena *a, const struct record_request *request, struct record *out,
+                struct error *e) {
+    struct arena *scratch = arena_create();
+    if (!scratch) {
+        return error_no_memory(e);
+    }
+    char *text;
+    struct record_text t = {.path = request->path};
+    int status = text_file(scratch, request->path, FILE_SIZE_MAX, &text, &t.size, e);
+    if (!status) {
+        t.text = text;
+        status = record_read_text(a, request, &t, out, e);
+    }
+    arena_free(scratch);
+    return status;
+}

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Weighs what a file says against what the user says, and against what ground motions can be.
+//
+// Time step: a step that the user gives must be that of the file. A step from the file alone must
+// be believable for an accelerogram, DT_MIN to DT_MAX; -dt confirms one that is not.
+//
+// Unit: the user's overrides the file's, with a warning.
+//
+// Size: the largest accelerations recorded are 2 to 4 g. Over WARN_G the unit is probably wrong:
+// that is a warning, as a factor of 981 (cm/s^2 read as g) or 9807 is a mistake to be seen at once.
+// No such mistake makes more than REFUSE_G, and none makes a single value SPIKE times larger than
+// all others: those are broken numbers.
+//
+// Offset: the velocity left at the end is the mean times the duration. It is at most 0.25 m/s in
+// some 120 records of PEER and others as they were released.
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+#include "motion/record_format.h"
+#include "motion/record_unit.h"
+
+static const double G = 9.80665;
+static const double DT_MIN = 1e-5;
+static const double DT_MAX = 1.0;
+static const double WARN_G = 10;
+static const double SPIKE_G = 100;
+static const double REFUSE_G = 1e5;
+static const double SPIKE = 10;
+static const double END_VELOCITY = 0.5;  // [m/s]
+static const double TIME_ERROR = 0.01;   // in steps; more is said in a warning
+
+// One check at a time: what it looks at and where it reports to.
+struct check {
+    const struct record_request *request;
+    const char *path;
+    const struct record_content *content;
+    struct record *out;
+};
+
+__attribute__((format(printf, 3, 4))) static void warn(const struct check *c, int line,
+                                                       const char *format, ...) {
+    if (c->out->n_warning == RECORD_WARNINGS_MAX) {
+        return;
+    }
+    char *to = c->out->warning[c->out->n_warning++];
+    size_t size = sizeof c->out->warning[0];
+    size_t used = (size_t)snprintf(to, size, "%s: ", lines_place(c->path, line).text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(to + used, size - used, format, arguments);
+    va_end(arguments);
+}
+
+static int check_dt(const struct check *c, struct error *e) {
+    double given = c->request->dt;
+    double read = c->content->dt;
+    int line = c->content->dt_line;
+    if (given == 0 && read == 0) {
+        return lines_error(e, c->path, line, "the file gives no time step; give -dt DT");
+    }
+    if (given == 0) {
+        if (!c->request->plain && !(read >= DT_MIN && read <= DT_MAX)) {
+            return lines_error(e, c->path, line,
+                               "a time step of %g s is not believable for an "
+                               "accelerogram (%g to %g s); confirm it with -dt %g",
+                               read, DT_MIN, DT_MAX, read);
+        }
+        c->out->dt = read;
+        return STATUS_OK;
+    }
+    if (!(given > 0 && isfinite(given))) {
+        return lines_error(e, c->path, 0, "-dt is %g s; it must be > 0", given);
+    }
+    if (read > 0 && !(fabs(given - read) <= fmax(1e-6 * read, c->content->dt_tolerance))) {
+        return lines_error(e, c->path, line,
+                           "-dt %.9g contradicts the time step of %.9g s in the file", given, read);
+    }
+    c->out->dt = given;
+    return STATUS_OK;
+}
+
+static int read_given_unit(const struct check *c, double *unit, struct error *e) {
+    const char *text = c->request->unit;
+    struct span span = {text, strlen(text)};
+    struct dimension dimension;
+    if (!record_unit(span, c->request->gravity, &dimension, unit) ||
+        !dimension_equal(dimension, dimension_acceleration)) {
+        struct excerpt shown = lines_excerpt(span);
+        return lines_error(e, c->path, 0,
+                           "-unit '%s' is no unit of acceleration (g, m/s2, cm/s2, "
+                           "gal, ...)",
+                           shown.text);
+    }
+    return STATUS_OK;
+}
+
+static int check_unit(const struct check *c, struct error *e) {
+    const struct record_content *content = c->content;
+    c->out->unit = 1;
+    if (c->request->plain) {
+        return STATUS_OK;
+    }
+    if (c->request->unit) {
+        int status = read_given_unit(c, &c->out->unit, e);
+        bool differs = fabs(c->out->unit - content->unit) > 1e-9 * c->out->unit;
+        if (!status && content->unit_line > 0 && differs) {
+            warn(c, content->unit_line, "-unit %s overrides the '%s' of the file", c->request->unit,
+                 content->unit_text.text);
+        }
+        return status;
+    }
+    if (content->unit_line == 0) {
+        return lines_error(e, c->path, 0,
+                           "the file gives no unit; give -unit U (g, m/s2, cm/s2, gal, ...)");
+    }
+    if (content->unit == 0) {
+        return lines_error(e, c->path, content->unit_line,
+                           "'%s' is no unit of acceleration; give "
+                           "-unit U (g, m/s2, cm/s2, gal, ...)",
+                           content->unit_text.text);
+    }
+    c->out->unit = content->unit;
+    return STATUS_OK;
+}
+
+// True if the peak is much larger than any other value.
+static bool is_spike(const struct record_content *content) {
+    double second = 0;
+    for (size_t i = 0; i < content->n; i++) {
+        second = i == content->peak ? second : fmax(second, fabs(content->value[i]));
+    }
+    return fabs(content->value[content->peak]) > SPIKE * second;
+}
+
+static int check_peak(const struct check *c, struct error *e) {
+    const struct record_content *content = c->content;
+    double value = content->value[content->peak];
+    double peak = fabs(value) * c->out->unit / G;
+    if (peak > REFUSE_G || (peak > SPIKE_G && is_spike(content))) {
+        return lines_error(e, c->path, content->peak_line,
+                           "value %zu is %g, that is %.3g g; no ground acceleration is so large",
+                           content->peak + 1, value, peak);
+    }
+    if (peak > WARN_G) {
+        warn(c, content->peak_line,
+             "the largest acceleration is %.3g g; if the values are in "
+             "another unit, say so with -unit (cm/s2, m/s2, ...)",
+             peak);
+    }
+    return STATUS_OK;
+}
+
+static void check_offset(const struct check *c) {
+    const struct record_content *content = c->content;
+    double sum = 0;
+    for (size_t i = 0; i < content->n; i++) {
+        sum += content->value[i];
+    }
+    double mean = sum / (double)content->n * c->out->unit;
+    double velocity = mean * c->out->dt * (double)(content->n - 1);
+    bool large = fabs(content->value[content->peak]) * c->out->unit > WARN_G * G;
+    if (!large && fabs(velocity) > END_VELOCITY) {
+        warn(c, 0,
+             "the mean is %.3g g, so that the ground is left with a velocity of %.3g m/s; "
+             "correct the baseline of the record",
+             mean / G, velocity);
+    }
+}
+
+static void check_times(const struct check *c) {
+    const struct record_content *content = c->content;
+    if (fabs(content->time_offset) > TIME_ERROR * c->out->dt) {
+        warn(c, content->dt_line, "the first time is %g s; it is taken as the start of the record",
+             content->time_offset);
+    }
+    if (content->time_error > TIME_ERROR) {
+        warn(c, content->dt_line,
+             "times are up to %.2g steps off an even grid of %g s; taken as "
+             "rounded",
+             content->time_error, c->out->dt);
+    }
+}
+
+int record_check(const struct record_request *request, const struct record_text *t,
+                 const struct record_content *content, struct record *out, struct error *e) {
+    struct check c = {.request = request, .path = t->path, .content = content, .out = out};
+    if (content->n < 2) {
+        return lines_error(e, t->path, 0, "the file holds %zu values; at least 2 are needed",
+                           content->n);
+    }
+    out->n = content->n;
+    out->value = content->value;
+    int status = check_dt(&c, e);
+    if (!status) {
+        status = check_unit(&c, e);
+    }
+    if (!status && !request->plain) {
+        status = check_peak(&c, e);
+    }
+    if (status) {
+        return status;
+    }
+    if (!request->plain) {
+        check_offset(&c);
+    }
+    check_times(&c);
+    return STATUS_OK;
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Units as record files and users write them: in capitals, with `sec` for s and `**` for ^.
+#include "motion/record_unit.h"
+
+#include <string.h>
+
+enum { UNIT_LONGEST = 23 };
+
+static bool parse_whole(const char *text, double gravity, struct dimension *dimension, double *si) {
+    const char *end;
+    return unit_parse(text, gravity, &end, dimension, si) && *end == '\0';
+}
+
+// Writes `text` with small letters, s for sec, ^ for **, and without blanks.
+static void normalise(struct span text, char *out) {
+    size_t n = 0;
+    for (size_t i = 0; i < text.n; i++) {
+        char c = text.text[i];
+        if (c == ' ' || c == '\t') {
+            continue;
+        }
+        if (c == '*' && i + 1 < text.n && text.text[i + 1] == '*') {
+            c = '^';
+            i++;
+        }
+        out[n++] = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+        if (n >= 3 && memcmp(out + n - 3, "sec", 3) == 0) {
+            n -= 2;
+        }
+    }
+    out[n] = '\0';
+}
+
+bool record_unit(struct span text, double gravity, struct dimension *dimension, double *si) {
+    if (text.n == 0 || text.n > UNIT_LONGEST || memchr(text.text, '\0', text.n)) {
+        return false;
+    }
+    char copy[UNIT_LONGEST + 1];
+    memcpy(copy, text.text, text.n);
+    copy[text.n] = '\0';
+    if (parse_whole(copy, gravity, dimension, si)) {
+        return true;
+    }
+    normalise(text, copy);
+    return parse_whole(copy, gravity, dimension, si);
+}

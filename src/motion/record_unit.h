@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Units as record files and users write them.
+#ifndef JOSTLE_MOTION_RECORD_UNIT_H
+#define JOSTLE_MOTION_RECORD_UNIT_H
+
+#include "jostle/units.h"
+#include "motion/lines.h"
+
+// Reads the whole of `text` as a unit: those of unit_parse, and also G, CM/S/S, cm/sec/sec,
+// cm/sec**2. False: it is none.
+bool record_unit(struct span text, double gravity, struct dimension *dimension, double *si);
+
+#endif

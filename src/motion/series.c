@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values that run on from line to line, three or more in a line, without a time: 8F10.5 and the
+// like. Columns of several quantities look the same when all rows are full; a file is taken for a
+// series without being told so only if it has a single row, or a last row that is shorter.
+#include "motion/table.h"
+#include "motion/values.h"
+
+static bool series_matches(const struct record_text *t) {
+    struct table table;
+    if (!table_find(t, &table) || table.n_column < 3) {
+        return false;
+    }
+    return table.n_row == 1 || (table.n_ragged == 0 && table.n_last < table.n_column);
+}
+
+static int series_read(struct arena *a, const struct record_request *request,
+                       const struct record_text *t, struct record_content *out, struct error *e) {
+    (void)request;
+    struct table table;
+    if (!table_find(t, &table)) {
+        return lines_error(e, t->path, 0, "there is no line of numbers");
+    }
+    int status = table_check(t, &table, e);
+    return status ? status : values_read(a, t, table.rows, table_separators, out, e);
+}
+
+const struct record_format record_series = {
+    .name = "series",
+    .doc = "values running on from line to line, with -dt",
+    .plain = true,
+    .matches = series_matches,
+    .read = series_read,
+};

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values and integrals of the time functions in signal.h.
+//
+// Samples are joined by straight lines, so that the integrals from sample j on are, with slope
+// s = (a[j+1] - a[j]) / dt and x the time since sample j,
+//     v = v[j] + a[j] x + s x^2 / 2,    u = u[j] + v[j] x + a[j] x^2 / 2 + s x^3 / 6.
+// Before the first and after the last sample the value is zero, so v stays and u grows linearly.
+#include "jostle/signal.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "core/arena.h"
+
+// A time this close to the end of a signal, relative to one sample, is taken as the end itself:
+// n dt and (n dt) computed in another way differ by rounding.
+static const double END_SLACK = 1e-6;
+
+static void integrate_samples(size_t n, double dt, const double *a, double *v, double *u) {
+    v[0] = 0.0;
+    u[0] = 0.0;
+    for (size_t j = 0; j + 1 < n; j++) {
+        v[j + 1] = v[j] + dt * (a[j] + a[j + 1]) / 2.0;
+        u[j + 1] = u[j] + dt * v[j] + dt * dt * (2.0 * a[j] + a[j + 1]) / 6.0;
+    }
+}
+
+int signal_init_samples(struct signal *s, struct arena *a, const double *value, size_t n, double dt,
+                        double scale, double start, struct error *e) {
+    double *y = arena_alloc(a, n, sizeof *y);
+    double *v = arena_alloc(a, n, sizeof *v);
+    double *u = arena_alloc(a, n, sizeof *u);
+    if (!y || !v || !u) {
+        return error_no_memory(e);
+    }
+    for (size_t j = 0; j < n; j++) {
+        y[j] = scale * value[j];
+    }
+    integrate_samples(n, dt, y, v, u);
+    *s = (struct signal){
+        .start = start,
+        .end = start + dt * (double)(n - 1),
+        .n = n,
+        .dt = dt,
+        .value = y,
+        .velocity = v,
+        .displacement = u,
+    };
+    return STATUS_OK;
+}
+
+// The sample at or before t and the time since then.
+static size_t sample_before(const struct signal *s, double t, double *since) {
+    double x = (t - s->start) / s->dt;
+    size_t j = x > 0.0 ? (size_t)x : 0;
+    if (j > s->n - 2) {
+        j = s->n - 2;
+    }
+    *since = t - s->start - (double)j * s->dt;
+    return j;
+}
+
+static double slack(const struct signal *s) {
+    return END_SLACK * (s->value ? s->dt : 1e-3 / (s->omega + 1.0));
+}
+
+double signal_value(const struct signal *s, double t) {
+    double tolerance = slack(s);
+    if (t < s->start - tolerance || t > s->end + tolerance) {
+        return 0.0;
+    }
+    if (!s->value) {
+        return s->amplitude * sin(s->omega * (t - s->start) + s->phase);
+    }
+    double x;
+    size_t j = sample_before(s, t, &x);
+    return s->value[j] + (s->value[j + 1] - s->value[j]) * (x / s->dt);
+}
+
+static void integrals_of_samples(const struct signal *s, double t, double *v, double *u) {
+    double x;
+    size_t j = sample_before(s, t, &x);
+    double slope = (s->value[j + 1] - s->value[j]) / s->dt;
+    *v = s->velocity[j] + x * (s->value[j] + x * slope / 2.0);
+    *u = s->displacement[j] + x * (s->velocity[j] + x * (s->value[j] / 2.0 + x * slope / 6.0));
+}
+
+static void integrals_of_sine(const struct signal *s, double t, double *v, double *u) {
+    double x = t - s->start;
+    if (s->omega == 0.0) {
+        double value = s->amplitude * sin(s->phase);
+        *v = value * x;
+        *u = value * x * x / 2.0;
+        return;
+    }
+    double w = s->omega;
+    *v = s->amplitude / w * (cos(s->phase) - cos(w * x + s->phase));
+    *u = s->amplitude / w * (cos(s->phase) * x - (sin(w * x + s->phase) - sin(s->phase)) / w);
+}
+
+void signal_integrals(const struct signal *s, double t, double *velocity, double *displacement) {
+    if (t <= s->start) {
+        *velocity = 0.0;
+        *displacement = 0.0;
+        return;
+    }
+    double within = fmin(t, s->end);
+    if (s->value) {
+        integrals_of_samples(s, within, velocity, displacement);
+    } else {
+        integrals_of_sine(s, within, velocity, displacement);
+    }
+    *displacement += *velocity * (t - within);
+}
+
+double signal_peak(const struct signal *s) {
+    if (!s->value) {
+        return s->omega > 0.0 ? fabs(s->amplitude) : fabs(s->amplitude * sin(s->phase));
+    }
+    double peak = 0.0;
+    for (size_t j = 0; j < s->n; j++) {
+        peak = fmax(peak, fabs(s->value[j]));
+    }
+    return peak;
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of numbers in rows: where the numbers begin, how many there are, and what stands above.
+#ifndef JOSTLE_MOTION_TABLE_H
+#define JOSTLE_MOTION_TABLE_H
+
+#include "motion/lines.h"
+#include "motion/record_format.h"
+
+extern const char table_separators[];
+
+// The rows are the lines from the first on in which every field begins like a number; blank lines
+// and comments do not count.
+struct table {
+    struct lines rows;    // stands on the line before the first row
+    int first_line;       // of the first row
+    struct span caption;  // last line above it that is not blank, without comment signs
+    int caption_line;     // 0: there is none, the caption is empty
+    size_t n_column;      // fields of the first row
+    size_t n_row;         // all rows
+    size_t n_last;        // fields of the last row
+    size_t n_ragged;      // rows other than the last with another number of fields
+};
+
+// False: no line of numbers.
+bool table_find(const struct record_text *t, struct table *out);
+
+// Goes to the next row; false at the end.
+bool table_next(struct lines *rows);
+
+// Refuses what would be misread: a first row taken for a caption because of an unreadable value,
+// and commas beside other separators, which are decimal commas.
+int table_check(const struct record_text *t, const struct table *table, struct error *e);
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values that run on from line to line to the end of the file. They are counted before they are
+// read, so that the memory asked for is what the file holds, whatever its header says.
+#include "motion/values.h"
+
+#include <math.h>
+
+#include "core/arena.h"
+
+size_t values_count(struct lines from, const char *separators, int *last_line) {
+    size_t n = 0;
+    *last_line = 0;
+    while (lines_next(&from)) {
+        if (from.line.n > 0 && !lines_is_comment(from.line)) {
+            n += lines_count(from.line, separators);
+            *last_line = from.number;
+        }
+    }
+    return n;
+}
+
+void values_note_peak(struct record_content *out, const double *value, size_t index, int line) {
+    if (index == 0 || fabs(value[index]) > fabs(value[out->peak])) {
+        out->peak = index;
+        out->peak_line = line;
+    }
+}
+
+int values_read(struct arena *a, const struct record_text *t, struct lines from,
+                const char *separators, struct record_content *out, struct error *e) {
+    int last_line;
+    double *value = arena_alloc(a, values_count(from, separators, &last_line), sizeof *value);
+    if (!value) {
+        return error_no_memory(e);
+    }
+    size_t n = 0;
+    while (lines_next(&from)) {
+        struct span rest = from.line;
+        struct span field;
+        while (!lines_is_comment(from.line) && lines_field(&rest, separators, &field)) {
+            struct number_field f = {t->path, from.number, "value", n + 1, field};
+            int status = lines_read_number(&f, &value[n], e);
+            if (status) {
+                return status;
+            }
+            values_note_peak(out, value, n, from.number);
+            n++;
+        }
+    }
+    out->value = value;
+    out->n = n;
+    return STATUS_OK;
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values that run on from line to line to the end of the file.
+#ifndef JOSTLE_MOTION_VALUES_H
+#define JOSTLE_MOTION_VALUES_H
+
+#include "motion/lines.h"
+#include "motion/record_format.h"
+
+struct arena;
+
+// Fields after the line where `from` stands, without blank and comment lines. *last_line: the last
+// line that holds one; 0: none does.
+size_t values_count(struct lines from, const char *separators, int *last_line);
+
+// Reads them: sets value, n, peak and peak_line of `out`.
+int values_read(struct arena *a, const struct record_text *t, struct lines from,
+                const char *separators, struct record_content *out, struct error *e);
+
+// Keeps `peak` and `peak_line` when value `index`, read from `line`, is larger than all before it.
+void values_note_peak(struct record_content *out, const double *value, size_t index, int line);
+
+#endif
