@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The model: everything an analysis needs that does not change while it runs. Built from a deck,
+// const afterwards. All quantities are in the deck's units: [F] force, [L] length, [T] time,
+// [M] = [F T^2/L].
+#ifndef JOSTLE_MODEL_H
+#define JOSTLE_MODEL_H
+
+#include <stdbool.h>
+
+#include "jostle/contact_law.h"
+#include "jostle/deck.h"
+#include "jostle/signal.h"
+#include "jostle/storey_law.h"
+
+enum { FLOORS_MAX = 1000 };  // of one building
+enum { WALL = -1 };          // in place of a building or degree of freedom
+
+// A shear building. Floors are numbered from 1; array index 0 is floor 1, storey i is below floor i.
+struct building {
+    const char *name;
+    int n_floor;
+    int first;                // index of floor 1 among all degrees of freedom
+    const double *mass;       // [M] (n_floor)
+    const double *stiffness;  // [F/L] (n_floor) initial, of the storey below each floor
+    const double *height;     // [L] (n_floor) storey heights; NULL: not given
+    const double *omega;      // [1/T] (n_floor) circular frequencies of the building alone, ascending
+    const double *shape;      // (n_floor, n_floor) row m: mode m+1, largest entry 1
+    const double *damping_diagonal;  // [F T/L] (n_floor) of the damping matrix
+    const double *damping_off;       // [F T/L] (n_floor) entry i couples floors i+1 and i+2; last 0
+    const double *damping_full;      // (n_floor, n_floor); NULL: tridiagonal, the two arrays above
+    bool elastic;                    // every storey is
+    int ground;                      // index into model.ground
+};
+
+// The restoring law of one storey.
+struct storey {
+    const struct storey_law *law;
+    const double *constant;  // (law->n_constant)
+    int history;             // offset of its values in the state's storey history
+};
+
+// A unilateral contact or a bilateral connection between two floors. Closing velocity and
+// penetration are delta = x_left - x_right - gap.
+struct link {
+    const char *name;
+    int building[2];        // left, right; WALL
+    int floor[2];           // from 1; 0: the wall
+    int dof[2];             // left, right; WALL
+    double gap;             // [L]; 0 for bilateral links
+    double mass;            // [M] effective mass m*
+    bool bilateral;         // acts whatever the sign of delta
+    const struct contact_law *law;
+    const double *constant;  // (law->n_constant)
+    int history;             // offset of its values in the state's link history
+    bool moving_ground;      // the grounds of its ends move differently
+};
+
+// The ground acceleration under some buildings: the sum of the signals.
+struct ground {
+    int n_signal;
+    const struct signal *signal;  // (n_signal) [L/T^2]
+};
+
+// A force on one degree of freedom.
+struct load {
+    int dof;
+    struct signal signal;  // [F]
+};
+
+enum field {
+    FIELD_DISPLACEMENT = 1,
+    FIELD_VELOCITY = 2,
+    FIELD_ACCELERATION = 4,
+    FIELD_DRIFT = 8,
+    FIELD_STOREY_SHEAR = 16,
+    FIELD_FORCE = 32,
+    FIELD_PENETRATION = 64,
+    FIELD_ALL = 127,
+};
+extern const char *const field_names[];  // in the order of the bits; NULL-terminated
+
+struct output {
+    int every;         // steps between two rows of the histories
+    unsigned fields;   // enum field
+    bool single;       // histories as 32-bit floats
+    const char *file;  // result file named by the deck; NULL: none
+};
+
+struct model {
+    struct deck *deck;  // owned: texts and units live there
+    int n_building, n_dof, n_contact, n_link, n_ground, n_load;
+    const struct building *building;  // (n_building) from left to right
+    const double *mass;               // [M] (n_dof)
+    const struct storey *storey;      // (n_dof) the storey below each floor
+    const struct link *link;          // (n_link) contacts first (n_contact), then bilateral links
+    const struct ground *ground;      // (n_ground)
+    const struct load *load;          // (n_load)
+    const double *displacement;       // [L] (n_dof) initial, relative to the ground
+    const double *velocity;           // [L/T] (n_dof)
+    int n_storey_history, n_link_history;
+
+    double beta, gamma;  // Newmark
+    double tolerance;    // of the contact iteration, relative
+    int iterations;      // of the contact iteration, before the step is cut
+    double dt;           // [T]
+    double duration;     // [T]
+    long n_step;         // the last one may be shorter
+    struct output output;
+};
+
+// Reads the deck to its end and builds the model. Whatever is wrong is in deck->diagnostics; then
+// STATUS_INPUT. The model owns the deck when the call succeeds, and only then.
+int model_build(struct deck *deck, struct model **out, struct error *e);
+void model_free(struct model *m);  // NULL is allowed
+
+// The damping forces C v of building `g`; v and force are (n_floor) [L/T] [F].
+void building_damping_force(const struct building *g, const double *v, double *force);
+
+// Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN for a
+// rigid-body mode. Errors: STATUS_SYSTEM (no memory).
+int building_damping_ratio(const struct building *g, int mode, double *ratio, struct error *e);
+
+// Time at the end of step `n` [T]: n dt, but the duration for the last.
+double model_time(const struct model *m, long n);
+
+// A statement of the deck that builds the model, for parsing and help texts.
+struct statement_kind;
+extern const struct statement_kind *const statement_kinds[];
+extern const int n_statement_kind;
+
+#endif

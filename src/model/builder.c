@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Growing lists and the checks that several statements share.
+#include "model/builder.h"
+
+#include <string.h>
+
+#include "core/arena.h"
+
+void *builder_array(struct builder *b, size_t n, size_t size) {
+    void *p = arena_alloc(b->arena, n, size);
+    b->no_memory |= !p;
+    return p;
+}
+
+void *builder_append(struct builder *b, struct list *list, size_t size) {
+    if (list->n == list->capacity) {
+        int capacity = list->capacity ? 2 * list->capacity : 8;
+        void *item = builder_array(b, (size_t)capacity, size);
+        if (!item) {
+            return NULL;
+        }
+        if (list->n > 0) {
+            memcpy(item, list->item, (size_t)list->n * size);
+        }
+        list->item = item;
+        list->capacity = capacity;
+    }
+    return (char *)list->item + (size_t)list->n++ * size;
+}
+
+double *builder_spread(struct builder *b, const struct argument *a, int n, const char *owner) {
+    if (a->n != 1 && a->n != n) {
+        deck_error(b->deck, &a->key, "%d values for %d %s; give one for all, or %d", a->n, n, owner,
+                   n);
+        return NULL;
+    }
+    double *value = builder_array(b, (size_t)n, sizeof *value);
+    for (int i = 0; value && i < n; i++) {
+        value[i] = a->number[a->n == 1 ? 0 : i];
+    }
+    return value;
+}
+
+bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
+                   const char *usage) {
+    if (s->n_plain - 1 < least) {
+        deck_error(b->deck, &s->word[0], "too few words; usage: %s %s", s->word[0].text, usage);
+        return false;
+    }
+    if (s->n_plain - 1 > most) {
+        deck_error(b->deck, &s->word[most + 1], "useless word '%s'; usage: %s %s",
+                   s->word[most + 1].text, s->word[0].text, usage);
+        return false;
+    }
+    return true;
+}
+
+bool builder_once(struct builder *b, struct word *mark, const struct statement *s) {
+    if (mark->text) {
+        deck_error(b->deck, &s->word[0], "a second '%s'; the first is in line %d", s->word[0].text,
+                   mark->place.line);
+        return false;
+    }
+    *mark = s->word[0];
+    return true;
+}
+
+struct building_draft *builder_draft(struct builder *b, int i) {
+    return (struct building_draft *)b->buildings.item + i;
+}
+
+static int find_building(struct builder *b, const char *name, size_t length) {
+    for (int i = 0; i < b->buildings.n; i++) {
+        const char *known = builder_draft(b, i)->name;
+        if (strlen(known) == length && memcmp(known, name, length) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static int find_or_report(struct builder *b, const struct word *w, const char *name,
+                          size_t length) {
+    int i = find_building(b, name, length);
+    if (i < 0) {
+        size_t n = (size_t)b->buildings.n;
+        const char **known = builder_array(b, n, sizeof *known);
+        for (size_t k = 0; known && k < n; k++) {
+            known[k] = builder_draft(b, (int)k)->name;
+        }
+        struct word part = *w;
+        part.text = arena_text(b->arena, name, length);
+        if (known && part.text) {
+            deck_unknown(b->deck, &part, "building", known, (int)n);
+        } else {
+            b->no_memory = true;
+        }
+    }
+    return i;
+}
+
+int builder_building(struct builder *b, const struct word *w) {
+    const char *name = deck_text(b->deck, w);
+    return name ? find_or_report(b, w, name, strlen(name)) : -1;
+}
+
+// One floor number of a selection; 0 after a report.
+static int parse_floor(struct builder *b, const struct word *w, const char **text, int n_floor) {
+    int floor = 0;
+    const char *p = *text;
+    while (*p >= '0' && *p <= '9' && floor <= FLOORS_MAX) {
+        floor = 10 * floor + (*p++ - '0');
+    }
+    if (p == *text) {
+        deck_error(b->deck, w, "'%s' is not a selection of floors; write 3, 1:5, 1,3,5 or all",
+                   w->text);
+        return 0;
+    }
+    if (floor < 1 || floor > n_floor) {
+        deck_error(b->deck, w, "floor %.*s is not one of 1 to %d", (int)(p - *text) + 1, *text,
+                   n_floor);
+        return 0;
+    }
+    *text = p;
+    return floor;
+}
+
+// `1:5`, `3` or `1,3,5:7` into marks; false after a report.
+static bool mark_floors(struct builder *b, const struct word *w, const char *text, bool *mark,
+                        int n_floor) {
+    for (;;) {
+        int first = parse_floor(b, w, &text, n_floor);
+        int last = first;
+        if (first && *text == ':') {
+            text++;
+            last = parse_floor(b, w, &text, n_floor);
+        }
+        if (!first || !last) {
+            return false;
+        }
+        if (last < first) {
+            deck_error(b->deck, w, "floors %d:%d run backwards", first, last);
+            return false;
+        }
+        for (int i = first; i <= last; i++) {
+            if (mark[i - 1]) {
+                deck_error(b->deck, w, "floor %d is selected twice", i);
+                return false;
+            }
+            mark[i - 1] = true;
+        }
+        if (*text == 0) {
+            return true;
+        }
+        if (*text++ != ',') {
+            deck_error(b->deck, w, "'%s' is not a selection of floors; write 3, 1:5, 1,3,5 or all",
+                       w->text);
+            return false;
+        }
+    }
+}
+
+static bool select_floors(struct builder *b, const struct word *w, const char *floors,
+                          struct selection *out) {
+    int n = builder_draft(b, out->building)->n_floor;
+    bool *mark = builder_array(b, (size_t)n, sizeof *mark);
+    int *floor = builder_array(b, (size_t)n, sizeof *floor);
+    if (!mark || !floor) {
+        return false;
+    }
+    out->all = floors == NULL;
+    if (out->all || strcmp(floors, "all") == 0) {
+        memset(mark, true, (size_t)n);
+    } else if (!mark_floors(b, w, floors, mark, n)) {
+        return false;
+    }
+    for (int i = 0; i < n; i++) {
+        if (mark[i]) {
+            floor[out->n_floor++] = i + 1;
+        }
+    }
+    out->floor = floor;
+    return true;
+}
+
+bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
+                    struct selection *out) {
+    *out = (struct selection){.building = WALL};
+    const char *text = deck_text(b->deck, w);
+    if (!text) {
+        return false;
+    }
+    if (strcmp(text, "wall") == 0) {
+        if (walls == WALL_REFUSED) {
+            deck_error(b->deck, w, "a building is needed here, not a wall");
+        }
+        return walls == WALL_ALLOWED;
+    }
+    const char *colon = strchr(text, ':');
+    size_t length = colon ? (size_t)(colon - text) : strlen(text);
+    out->building = find_or_report(b, w, text, length);
+    return out->building >= 0 && select_floors(b, w, colon ? colon + 1 : NULL, out);
+}

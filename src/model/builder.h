@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model while its deck is being read: growing lists of drafts, finished by model_build once the
+// deck has ended. Statements (src/model/statement/) fill it.
+#ifndef JOSTLE_BUILDER_H
+#define JOSTLE_BUILDER_H
+
+#include "jostle/model.h"
+
+// A growing array in an arena.
+struct list {
+    void *item;
+    int n, capacity;
+};
+
+enum damping_kind {
+    DAMPING_NONE,
+    DAMPING_RATIOS,        // Rayleigh: value[0] at mode[0], value[1] at mode[1]
+    DAMPING_COEFFICIENTS,  // Rayleigh: alpha, beta
+    DAMPING_MODAL,         // value[m] of mode m+1
+    DAMPING_DASHPOT,       // value[i] of storey i
+};
+
+struct damping_draft {
+    enum damping_kind kind;
+    struct word word;     // for messages
+    const double *value;  // see damping_kind
+    int mode[2];
+};
+
+struct building_draft {
+    const char *name;
+    struct word word;
+    int n_floor;
+    double *mass, *stiffness, *height;  // (n_floor); height NULL: not given
+    struct damping_draft damping;
+    struct storey *storey;       // (n_floor)
+    struct word *storey_word;    // (n_floor) where its law was given; text NULL: elastic by default
+    double *displacement, *velocity;  // (n_floor)
+    bool *initial;                    // (n_floor) given
+};
+
+struct ground_draft {
+    struct signal signal;
+    int n_building;       // 0: all
+    const int *building;  // (n_building)
+    struct word word;
+};
+
+struct load_draft {
+    int building, floor;
+    struct signal signal;
+};
+
+struct link_draft {
+    struct link link;
+    struct word word;
+    bool overlap;  // an initial penetration is wanted
+};
+
+struct builder {
+    struct deck *deck;
+    struct arena *arena;  // of the deck
+    struct list buildings, grounds, links, loads;
+    bool no_memory;
+
+    struct word integrator, newton, step, duration, output;  // text NULL: not given
+    double beta, gamma, tolerance, dt, run_time;
+    int iterations;
+    struct output out;
+    double out_interval;  // 0: not given
+    double longest;       // end of the longest record or load history; 0: none
+};
+
+// Room for one more zeroed item of `size` bytes at the end of the list; NULL (and no_memory) if there
+// is no memory. Items may move.
+void *builder_append(struct builder *b, struct list *list, size_t size);
+
+// A zeroed array from the arena; NULL and no_memory if there is no memory.
+void *builder_array(struct builder *b, size_t n, size_t size);
+
+// Expands the list given for `row` to `n` values: one for all, or n. Reports other lengths. `owner`
+// names what there are n of ("floors of building A").
+double *builder_spread(struct builder *b, const struct argument *a, int n, const char *owner);
+
+// Exactly `least` to `most` plain words behind the command? Reports what is missing or too much;
+// `usage` is shown.
+bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
+                   const char *usage);
+
+// The building named by the whole word; -1 after having reported that there is none.
+int builder_building(struct builder *b, const struct word *w);
+struct building_draft *builder_draft(struct builder *b, int i);
+
+// A selection of floors, `BUILDING[:FLOORS]` or `wall`.
+struct selection {
+    int building;      // WALL, or index
+    bool all;          // no floors were given
+    int n_floor;       // selected
+    const int *floor;  // (n_floor) from 1
+};
+
+// Parses `w`; walls only if `wall_allowed` is WALL. Reports and returns false if it is wrong.
+enum wall_use { WALL_REFUSED, WALL_ALLOWED };
+bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
+                    struct selection *out);
+
+// Marks a statement that may stand once: reports if `mark` is taken, else takes it.
+bool builder_once(struct builder *b, struct word *mark, const struct statement *s);
+
+// Turns the drafts into a const model; src/model/finish.c.
+int builder_finish(struct builder *b, struct model *m, struct error *e);
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages of builder_finish.
+#ifndef JOSTLE_FINISH_H
+#define JOSTLE_FINISH_H
+
+#include "model/builder.h"
+
+// Buildings with their modes and damping, floor masses, storeys and initial state.
+int finish_buildings(struct builder *b, struct model *m, struct error *e);
+
+// Which ground motions act under which building; buildings with the same ones share a ground.
+void finish_grounds(struct builder *b, struct model *m, struct building *building);
+
+// Contacts and bilateral links, loads.
+void finish_links(struct builder *b, struct model *m);
+void finish_loads(struct builder *b, struct model *m);
+
+// Duration, steps, rows of output, stability of the integrator.
+void finish_time(struct builder *b, struct model *m);
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/finish.h"
+
+static void check_overlap(struct builder *b, const struct model *m, const struct link_draft *d) {
+    double delta = -d->link.gap;
+    for (int i = 0; i < 2; i++) {
+        double u = d->link.dof[i] == WALL ? 0.0 : m->displacement[d->link.dof[i]];
+        delta += i == 0 ? u : -u;
+    }
+    if (!d->link.bilateral && !d->overlap && delta > 0.0) {
+        deck_error(b->deck, &d->word,
+                   "contact %s is closed by %.6g at t = 0; give -allow-overlap if that is meant",
+                   d->link.name, delta);
+    }
+}
+
+static int compare_names(const void *a, const void *b) {
+    const struct link_draft *const *x = a;
+    const struct link_draft *const *y = b;
+    return strcmp((*x)->link.name, (*y)->link.name);
+}
+
+static void check_names(struct builder *b) {
+    size_t n = (size_t)b->links.n;
+    const struct link_draft *draft = b->links.item;
+    const struct link_draft **sorted = builder_array(b, n, sizeof(struct link_draft *));
+    if (!sorted || n == 0) {
+        return;
+    }
+    for (size_t i = 0; i < n; i++) {
+        sorted[i] = &draft[i];
+    }
+    qsort(sorted, n, sizeof(struct link_draft *), compare_names);
+    for (size_t i = 1; i < n; i++) {
+        const struct link_draft *twice = sorted[i] > sorted[i - 1] ? sorted[i] : sorted[i - 1];
+        if (compare_names(&sorted[i - 1], &sorted[i]) == 0) {
+            deck_error(b->deck, &twice->word, "a second contact or link '%s'; give it another -name",
+                       twice->link.name);
+        }
+    }
+}
+
+static void finish_ends(const struct model *m, struct link *l) {
+    int ground[2] = {WALL, WALL};
+    for (int i = 0; i < 2; i++) {
+        if (l->building[i] != WALL) {
+            const struct building *g = &m->building[l->building[i]];
+            l->dof[i] = g->first + l->floor[i] - 1;
+            ground[i] = g->ground;
+        }
+    }
+    l->moving_ground = ground[0] != WALL && ground[1] != WALL && ground[0] != ground[1];
+}
+
+void finish_links(struct builder *b, struct model *m) {
+    struct link_draft *draft = b->links.item;
+    struct link *link = builder_array(b, (size_t)b->links.n, sizeof *link);
+    check_names(b);
+    for (int bilateral = 0; link && bilateral < 2; bilateral++) {
+        for (int i = 0; i < b->links.n; i++) {
+            if (draft[i].link.bilateral == bilateral) {
+                finish_ends(m, &draft[i].link);
+                check_overlap(b, m, &draft[i]);
+                draft[i].link.history = m->n_link_history;
+                m->n_link_history += draft[i].link.law->n_history;
+                link[m->n_link++] = draft[i].link;
+            }
+        }
+        if (!bilateral) {
+            m->n_contact = m->n_link;
+        }
+    }
+    m->link = link;
+}
+
+void finish_loads(struct builder *b, struct model *m) {
+    const struct load_draft *draft = b->loads.item;
+    struct load *load = builder_array(b, (size_t)b->loads.n, sizeof *load);
+    for (int i = 0; load && i < b->loads.n; i++) {
+        load[i].dof = m->building[draft[i].building].first + draft[i].floor - 1;
+        load[i].signal = draft[i].signal;
+    }
+    m->n_load = load ? b->loads.n : 0;
+    m->load = load;
+}

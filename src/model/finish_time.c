@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A Newmark integrator with 2 beta < gamma is stable only up to a step of
+//     omega dt <= 1 / sqrt(gamma / 2 - beta)
+// for the undamped mode omega: Hughes (2000), The Finite Element Method, eq. 9.2.13.
+#include <math.h>
+
+#include "model/finish.h"
+
+// More steps than this are taken for a mistake: they would run for hours.
+static const double STEPS_MAX = 2e10;
+static const double DEFAULT_INTERVAL = 0.01;  // [s]
+static const double ROUNDING = 1e-9;          // of the step, in counting steps
+
+static void count_steps(struct builder *b, struct model *m) {
+    m->dt = b->dt;
+    m->duration = b->duration.text ? b->run_time : b->longest;
+    double n = ceil(m->duration / m->dt - ROUNDING);
+    if (!(n <= STEPS_MAX)) {
+        deck_error(b->deck, &b->step, "%.3g steps are too many; at most %.3g", n, STEPS_MAX);
+        n = 1.0;
+    }
+    m->n_step = n < 1.0 ? 1 : (long)n;
+}
+
+static void count_rows(struct builder *b, struct model *m) {
+    m->output = b->out;
+    if (m->output.every > 0) {
+        return;
+    }
+    if (b->out_interval > 0.0) {
+        double every = round(b->out_interval / m->dt);
+        if (every < 1.0 || fabs(every * m->dt - b->out_interval) > 1e-6 * m->dt || every > 1e9) {
+            deck_error(b->deck, &b->output, "the interval %.6g is not a multiple of the step %.6g",
+                       b->out_interval, m->dt);
+        }
+        m->output.every = (int)fmin(fmax(every, 1.0), 1e9);
+        return;
+    }
+    double every = floor(DEFAULT_INTERVAL / b->deck->units.time / m->dt + ROUNDING);
+    m->output.every = (int)fmin(fmax(every, 1.0), 1e9);
+}
+
+static void check_stability(struct builder *b, struct model *m) {
+    double excess = m->gamma / 2.0 - m->beta;
+    if (excess <= 0.0) {
+        return;
+    }
+    double limit = 1.0 / sqrt(excess);
+    for (int i = 0; i < m->n_building; i++) {
+        const struct building *g = &m->building[i];
+        double omega = g->omega[g->n_floor - 1];
+        if (omega * m->dt > limit) {
+            deck_error(b->deck, &b->step,
+                       "step %.6g is unstable with beta = %g: building %s needs at most %.4g", m->dt,
+                       m->beta, g->name, limit / omega);
+            return;
+        }
+    }
+}
+
+// A step longer than the sampling of a record skips its peaks.
+static void check_sampling(struct builder *b, struct model *m) {
+    for (int i = 0; i < b->grounds.n; i++) {
+        const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
+        if (g->signal.value && m->dt > g->signal.dt * (1.0 + ROUNDING)) {
+            deck_warning(b->deck, &b->step, "step %.6g is longer than the sampling %.6g of %s", m->dt,
+                         g->signal.dt, g->signal.name);
+        }
+        if (g->signal.end > m->duration * (1.0 + ROUNDING) && isfinite(g->signal.end)) {
+            deck_warning(b->deck, &g->word, "%s ends at %.6g, after the analysis (%.6g)",
+                         g->signal.name, g->signal.end, m->duration);
+        }
+    }
+}
+
+void finish_time(struct builder *b, struct model *m) {
+    m->beta = b->beta;
+    m->gamma = b->gamma;
+    m->tolerance = b->tolerance;
+    m->iterations = b->iterations;
+    count_steps(b, m);
+    count_rows(b, m);
+    check_stability(b, m);
+    check_sampling(b, m);
+}

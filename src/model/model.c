@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a deck statement by statement into a builder, and finishes the model.
+#include "jostle/model.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "model/statement.h"
+
+#define STATEMENT(descriptor) &descriptor,
+const struct statement_kind *const statement_kinds[] = {
+#include "model/statement_list.inc"
+};
+#undef STATEMENT
+const int n_statement_kind = sizeof statement_kinds / sizeof statement_kinds[0];
+
+static void report_unknown(struct builder *b, const struct word *w) {
+    int n = n_statement_kind + n_deck_statement;
+    const char **known = builder_array(b, (size_t)n, sizeof *known);
+    for (int i = 0; known && i < n; i++) {
+        known[i] = i < n_statement_kind ? statement_kinds[i]->name
+                                        : deck_statements[i - n_statement_kind].name;
+    }
+    if (known) {
+        deck_unknown(b->deck, w, "statement", known, n);
+    }
+}
+
+static void build_statement(struct builder *b, const struct statement *s) {
+    for (int i = 0; i < n_statement_kind; i++) {
+        if (strcmp(statement_kinds[i]->name, s->word[0].text) == 0) {
+            statement_kinds[i]->build(b, s);
+            return;
+        }
+    }
+    report_unknown(b, &s->word[0]);
+}
+
+static int build_all(struct builder *b, struct error *e) {
+    struct statement s;
+    while (deck_next(b->deck, &s)) {
+        build_statement(b, &s);
+        if (b->no_memory || b->deck->diagnostics.out_of_memory) {
+            return error_no_memory(e);
+        }
+    }
+    return STATUS_OK;
+}
+
+int model_build(struct deck *deck, struct model **out, struct error *e) {
+    struct builder b = {
+        .deck = deck,
+        .arena = deck->arena,
+        .beta = 0.25,
+        .gamma = 0.5,
+        .tolerance = 1e-12,
+        .iterations = 100,
+        .out = {.fields = FIELD_ALL},
+    };
+    struct model *m = arena_alloc(deck->arena, 1, sizeof *m);
+    if (!m) {
+        return error_no_memory(e);
+    }
+    int status = build_all(&b, e);
+    if (status == STATUS_OK) {
+        status = builder_finish(&b, m, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    m->deck = deck;
+    *out = m;
+    return STATUS_OK;
+}
+
+void model_free(struct model *m) {
+    if (m) {
+        deck_free(m->deck);
+    }
+}
+
+double model_time(const struct model *m, long n) {
+    return n >= m->n_step ? m->duration : (double)n * m->dt;
+}

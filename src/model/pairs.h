@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `contact` and `link` share: which floors face each other, and how the links are named.
+#ifndef JOSTLE_PAIRS_H
+#define JOSTLE_PAIRS_H
+
+#include "model/builder.h"
+
+struct pairs {
+    int building[2];        // left, right; WALL
+    int n;                  // pairs of floors
+    const int *floor[2];    // (n) left, right; 0 on a wall
+    const struct word *word;  // (2) LEFT and RIGHT
+};
+
+// Reads LEFT and RIGHT, the plain words 1 and 2 of `s`. Reports and returns false where they do not
+// pair up.
+bool pairs_read(struct builder *b, const struct statement *s, struct pairs *out);
+
+// Appends link k of the pairs to the builder: ends, masses and name (made from `name`, NULL: from the
+// ends). NULL after a report.
+struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k, const char *name,
+                                const struct word *name_word);
+
+// Reads the text of option -name: a name for links; NULL where not given, *good = false after a report.
+const char *pairs_name(struct builder *b, const struct argument *a, bool *good);
+
+// Derives the constants of a law from its rows' arguments for one link of effective mass `mass`;
+// NULL after a report at `word`.
+const double *pairs_constants(struct builder *b, const struct contact_law *law,
+                              const struct argument *given, double mass, const struct word *word);
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/signals.h"
+
+#include <gsl/gsl_math.h>
+
+struct signal signals_sine(const struct argument *a, double start) {
+    double frequency = a[SINE_FREQUENCY].number[0];
+    double end = INFINITY;
+    if (a[SINE_CYCLES].given) {
+        end = start + a[SINE_CYCLES].number[0] / frequency;
+    }
+    return (struct signal){
+        .start = start,
+        .end = end,
+        .amplitude = a[SINE_AMPLITUDE].number[0],
+        .omega = 2.0 * M_PI * frequency,
+        .phase = a[SINE_PHASE].number[0],
+        .name = "sine",
+    };
+}
+
+void signals_longest(struct builder *b, const struct signal *s) {
+    if (isfinite(s->end)) {
+        b->longest = fmax(b->longest, s->end);
+    }
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Signals that `ground` and `load` read from a deck.
+#ifndef JOSTLE_SIGNALS_H
+#define JOSTLE_SIGNALS_H
+
+#include "model/builder.h"
+
+// Options of a sine, to be put first into a table of rows; the amplitude's dimension is the table's own.
+enum sine_row { SINE_AMPLITUDE, SINE_FREQUENCY, SINE_PHASE, SINE_CYCLES, SINE_ROWS };
+
+// A sine made from those options, starting at `start`; without cycles it never ends.
+struct signal signals_sine(const struct argument *a, double start);
+
+// Remembers when a signal ends, for the default duration.
+void signals_longest(struct builder *b, const struct signal *s);
+
+#endif

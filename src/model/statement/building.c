@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <ctype.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "model/statement.h"
+
+enum { FLOORS, MASS, STIFFNESS, HEIGHT, N_ROW };
+
+static const struct range floors_range = {
+    .min = 1.0, .max = FLOORS_MAX, .text = ">= 1 and <= 1000"};
+
+static const struct row rows[N_ROW] = {
+    [FLOORS] = {"floors", ROW_INTEGER, ROW_REQUIRED, {0}, &floors_range, NAN, "number of floors"},
+    [MASS] = {"mass", ROW_LIST, ROW_REQUIRED, {1, -1, 2}, &range_positive, NAN, "floor masses"},
+    [STIFFNESS] = {"stiffness", ROW_LIST, ROW_REQUIRED, {1, -1, 0}, &range_non_negative, NAN,
+                   "storey stiffnesses; 0: a free body"},
+    [HEIGHT] = {"height", ROW_LIST, 0, {0, 1, 0}, &range_positive, NAN,
+                "storey heights, for drift ratios"},
+};
+
+// Letters, digits, _ - and UTF-8; the name becomes a group of the result file.
+static bool good_name(const char *name) {
+    for (const char *p = name; *p; p++) {
+        unsigned char c = (unsigned char)*p;
+        if (!isalnum(c) && c != '_' && c != '-' && c < 0x80) {
+            return false;
+        }
+    }
+    return name[0] && name[0] != '-' && strlen(name) <= 64 && strcmp(name, "wall") != 0;
+}
+
+static bool check_name(struct builder *b, const struct word *w, const char *name) {
+    if (!good_name(name)) {
+        deck_error(b->deck, w, "'%.70s' cannot name a building; use up to 64 letters, digits, _ and -",
+                   name);
+        return false;
+    }
+    for (int i = 0; i < b->buildings.n; i++) {
+        if (strcmp(builder_draft(b, i)->name, name) == 0) {
+            deck_error(b->deck, w, "a second building '%s'; the first is in line %d", name,
+                       builder_draft(b, i)->word.place.line);
+            return false;
+        }
+    }
+    return true;
+}
+
+static void fill(struct builder *b, struct building_draft *d, const struct argument *a) {
+    size_t n = (size_t)d->n_floor;
+    const char *owner = arena_format(b->arena, "floors of building %s", d->name);
+    b->no_memory |= !owner;
+    d->mass = builder_spread(b, &a[MASS], d->n_floor, owner);
+    d->stiffness = builder_spread(b, &a[STIFFNESS], d->n_floor, owner);
+    if (a[HEIGHT].given) {
+        d->height = builder_spread(b, &a[HEIGHT], d->n_floor, owner);
+    }
+    d->storey = builder_array(b, n, sizeof *d->storey);
+    d->storey_word = builder_array(b, n, sizeof *d->storey_word);
+    d->displacement = builder_array(b, n, sizeof *d->displacement);
+    d->velocity = builder_array(b, n, sizeof *d->velocity);
+    d->initial = builder_array(b, n, sizeof *d->initial);
+}
+
+// The name and the number of floors are kept even where the rest is wrong, so that later statements
+// do not complain about an unknown building.
+static void build(struct builder *b, const struct statement *s) {
+    if (!builder_plain(b, s, 1, 1, statement_building.usage)) {
+        return;
+    }
+    const char *name = deck_text(b->deck, &s->word[1]);
+    bool named = name && check_name(b, &s->word[1], name);
+    struct argument a[N_ROW] = {0};
+    bool good = deck_options(b->deck, s, &(struct row_set){rows, N_ROW, a}, 1);
+    if (!named) {
+        return;
+    }
+    struct building_draft *d = builder_append(b, &b->buildings, sizeof *d);
+    if (!d) {
+        return;
+    }
+    bool counted = a[FLOORS].n == 1 && a[FLOORS].number;
+    *d = (struct building_draft){
+        .name = name, .word = s->word[1], .n_floor = counted ? (int)a[FLOORS].number[0] : FLOORS_MAX};
+    if (good && counted) {
+        fill(b, d, a);
+    }
+}
+
+const struct statement_kind statement_building = {
+    .name = "building",
+    .usage = "NAME -floors N -mass LIST -stiffness LIST [-height LIST]",
+    .summary = "a shear building; buildings stand from left to right in the order given",
+    .example = "building A -floors 8 -mass 300t -stiffness 7*345MN/m 250MN/m -height 3.2m",
+    .row = rows,
+    .n_row = N_ROW,
+    .build = build,
+};

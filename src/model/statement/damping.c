@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string.h>
+
+#include "model/statement.h"
+
+enum { MODES, ALPHA, BETA, N_ROW };
+
+static const struct range mode_range = {
+    .min = 1.0, .max = FLOORS_MAX, .text = ">= 1 and <= 1000"};
+static const struct range ratio_range = {
+    .min = 0.0, .max = 2.0, .text = ">= 0 and <= 2"};
+
+static const struct row rows[N_ROW] = {
+    [MODES] = {"modes", ROW_LIST, 0, {0}, &mode_range, NAN, "the two modes of Rayleigh ratios"},
+    [ALPHA] = {"alpha", ROW_NUMBER, 0, {0, 0, -1}, NULL, NAN, "mass-proportional coefficient"},
+    [BETA] = {"beta", ROW_NUMBER, 0, {0, 0, 1}, NULL, NAN, "stiffness-proportional coefficient"},
+};
+
+static const struct row ratio_row = {
+    "ratio", ROW_LIST, ROW_REQUIRED, {0, 0, 0}, &ratio_range, NAN, "damping ratio"};
+static const struct row dashpot_row = {
+    "dashpot", ROW_LIST, ROW_REQUIRED, {1, -1, 1}, &range_non_negative, NAN, "storey dashpots"};
+
+static bool refuse_options(struct builder *b, const struct argument *a, const char *kind) {
+    for (int i = 0; i < N_ROW; i++) {
+        if (a[i].given) {
+            deck_error(b->deck, &a[i].key, "option -%s is useless with %s", rows[i].key, kind);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool read_modes(struct builder *b, const struct building_draft *d, const struct argument *a,
+                       int mode[2]) {
+    mode[0] = 1;
+    mode[1] = d->n_floor > 1 ? 2 : 1;
+    if (!a->given) {
+        return true;
+    }
+    if (a->n != 2) {
+        deck_error(b->deck, &a->key, "-modes takes two modes, not %d", a->n);
+        return false;
+    }
+    for (int i = 0; i < 2; i++) {
+        mode[i] = (int)a->number[i];
+        if (mode[i] != a->number[i] || mode[i] > d->n_floor) {
+            deck_error(b->deck, &a->word[i], "'%s' is not a mode of building %s, which has %d",
+                       a->word[i].text, d->name, d->n_floor);
+            return false;
+        }
+    }
+    if (mode[0] == mode[1]) {
+        deck_error(b->deck, &a->key, "-modes takes two different modes");
+        return false;
+    }
+    return true;
+}
+
+static void coefficients(struct builder *b, struct building_draft *d, const struct argument *a,
+                         const struct statement *s) {
+    if (a[MODES].given || s->n_plain > 3) {
+        deck_error(b->deck, &s->word[0], "give rayleigh either ratios, or -alpha and -beta");
+        return;
+    }
+    double *value = builder_array(b, 2, sizeof *value);
+    if (value) {
+        value[0] = a[ALPHA].given ? a[ALPHA].number[0] : 0.0;
+        value[1] = a[BETA].given ? a[BETA].number[0] : 0.0;
+        d->damping.kind = DAMPING_COEFFICIENTS;
+        d->damping.value = value;
+    }
+}
+
+static void rayleigh(struct builder *b, struct building_draft *d, const struct argument *a,
+                     const struct statement *s) {
+    if (a[ALPHA].given || a[BETA].given) {
+        coefficients(b, d, a, s);
+        return;
+    }
+    struct argument ratio = {0};
+    if (!deck_values(b->deck, &ratio_row, 0.0, &s->word[3], s->n_plain - 3, &ratio) ||
+        !read_modes(b, d, &a[MODES], d->damping.mode)) {
+        return;
+    }
+    if (ratio.n > 2 || (ratio.n == 2 && d->n_floor == 1)) {
+        deck_error(b->deck, &s->word[3], "rayleigh takes %s", d->n_floor == 1
+                       ? "one ratio for a building of one storey" : "one or two ratios");
+        return;
+    }
+    double *value = builder_spread(b, &ratio, 2, "modes");
+    if (value) {
+        d->damping.kind = DAMPING_RATIOS;
+        d->damping.value = value;
+    }
+}
+
+static void list(struct builder *b, struct building_draft *d, const struct argument *a,
+                 const struct statement *s, enum damping_kind kind) {
+    struct argument value = {0};
+    const struct row *row = kind == DAMPING_MODAL ? &ratio_row : &dashpot_row;
+    if (!refuse_options(b, a, s->word[2].text) ||
+        !deck_values(b->deck, row, 0.0, &s->word[3], s->n_plain - 3, &value)) {
+        return;
+    }
+    value.key = s->word[3];
+    d->damping.value =
+        builder_spread(b, &value, d->n_floor, kind == DAMPING_MODAL ? "modes" : "storeys");
+    d->damping.kind = d->damping.value ? kind : DAMPING_NONE;
+}
+
+static void build(struct builder *b, const struct statement *s) {
+    if (!builder_plain(b, s, 2, 2 + 2 * FLOORS_MAX, statement_damping.usage)) {
+        return;
+    }
+    struct argument a[N_ROW] = {0};
+    int i = builder_building(b, &s->word[1]);
+    if (!deck_options(b->deck, s, &(struct row_set){rows, N_ROW, a}, 1) || i < 0) {
+        return;
+    }
+    struct building_draft *d = builder_draft(b, i);
+    if (!builder_once(b, &d->damping.word, s)) {
+        return;
+    }
+    d->damping.word = s->word[2];
+    const char *kind = s->word[2].text;
+    bool listed = strcmp(kind, "modal") == 0 || strcmp(kind, "dashpot") == 0;
+    if (listed && s->n_plain < 4) {
+        deck_error(b->deck, &s->word[2], "%s needs a list of values", kind);
+    } else if (listed) {
+        list(b, d, a, s, kind[0] == 'm' ? DAMPING_MODAL : DAMPING_DASHPOT);
+    } else if (strcmp(kind, "rayleigh") != 0) {
+        static const char *const known[] = {"rayleigh", "modal", "dashpot"};
+        deck_unknown(b->deck, &s->word[2], "damping", known, 3);
+    } else if (s->n_plain < 4 && !a[ALPHA].given && !a[BETA].given) {
+        deck_error(b->deck, &s->word[2], "rayleigh needs a ratio, or -alpha and -beta");
+    } else {
+        rayleigh(b, d, a, s);
+    }
+}
+
+const struct statement_kind statement_damping = {
+    .name = "damping",
+    .usage = "NAME rayleigh RATIO [RATIO2] [-modes I J] | rayleigh -alpha A0 -beta A1 | modal LIST | "
+             "dashpot LIST",
+    .summary = "damping of a building alone, on its initial stiffness; without it there is none",
+    .example = "damping A rayleigh 5% -modes 1 3",
+    .row = rows,
+    .n_row = N_ROW,
+    .build = build,
+};

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string.h>
+
+#include "core/arena.h"
+#include "jostle/record.h"
+#include "model/signals.h"
+#include "model/statement.h"
+
+enum { R_FORMAT, R_UNIT, R_DT, R_SCALE, R_PGA, R_DELAY, R_BUILDINGS, N_RECORD_ROW };
+enum { S_DELAY = SINE_ROWS, S_BUILDINGS, N_SINE_ROW };
+
+static const struct row record_rows[N_RECORD_ROW] = {
+    [R_FORMAT] = {"format", ROW_TEXT, 0, {0}, NULL, NAN, "format of the file; found if not given"},
+    [R_UNIT] = {"unit", ROW_TEXT, 0, {0}, NULL, NAN, "unit of the values: g, m/s2, cm/s2, gal ..."},
+    [R_DT] = {"dt", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "time between samples"},
+    [R_SCALE] = {"scale", ROW_NUMBER, 0, {0}, NULL, 1.0, "factor; negative turns the record round"},
+    [R_PGA] = {"pga", ROW_NUMBER, 0, {0, 1, -2}, &range_positive, NAN,
+               "peak ground acceleration to scale to"},
+    [R_DELAY] = {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0,
+                 "time of the first sample"},
+    [R_BUILDINGS] = {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN,
+                     "buildings it acts under; all if not given"},
+};
+
+static const struct row sine_rows[N_SINE_ROW] = {
+    [SINE_AMPLITUDE] = {"amplitude", ROW_NUMBER, ROW_REQUIRED, {0, 1, -2}, NULL, NAN,
+                        "peak ground acceleration"},
+    [SINE_FREQUENCY] = {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN,
+                        "frequency"},
+    [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},
+    [SINE_CYCLES] = {"cycles", ROW_NUMBER, 0, {0}, &range_positive, NAN,
+                     "number of cycles; endless if not given"},
+    [S_DELAY] = {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0, "time of the start"},
+    [S_BUILDINGS] = {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN,
+                     "buildings it acts under; all if not given"},
+};
+
+// The indices of the buildings named; false after a report.
+static bool read_buildings(struct builder *b, const struct argument *a, struct ground_draft *g) {
+    if (!a->given) {
+        return true;
+    }
+    int *building = builder_array(b, (size_t)a->n, sizeof *building);
+    bool good = building != NULL;
+    for (int i = 0; building && i < a->n; i++) {
+        building[i] = builder_building(b, &a->word[i]);
+        for (int k = 0; k < i && building[i] >= 0; k++) {
+            if (building[k] == building[i]) {
+                deck_error(b->deck, &a->word[i], "building %s is named twice", a->text[i]);
+                good = false;
+            }
+        }
+        good &= building[i] >= 0;
+    }
+    g->building = building;
+    g->n_building = a->n;
+    return good;
+}
+
+static void append(struct builder *b, const struct statement *s, const struct signal *signal,
+                   const struct argument *buildings) {
+    struct ground_draft g = {.signal = *signal, .word = s->word[0]};
+    if (read_buildings(b, buildings, &g)) {
+        struct ground_draft *d = builder_append(b, &b->grounds, sizeof *d);
+        if (d) {
+            *d = g;
+            signals_longest(b, &g.signal);
+        }
+    }
+}
+
+// Factor from the file's values to the deck's accelerations; false after a report.
+static bool record_scale(struct builder *b, const struct argument *a, const struct word *file,
+                         const struct record *r, double *scale) {
+    *scale = a[R_SCALE].number[0] * r->unit / unit_size(&b->deck->units, dimension_acceleration);
+    if (!a[R_PGA].given) {
+        return true;
+    }
+    double peak = 0.0;
+    for (size_t j = 0; j < r->n; j++) {
+        peak = fmax(peak, fabs(r->value[j]));
+    }
+    if (a[R_SCALE].given) {
+        deck_error(b->deck, &a[R_PGA].key, "give -scale or -pga, not both");
+        return false;
+    }
+    if (peak == 0.0) {
+        deck_error(b->deck, file, "every value of the record is 0; it cannot be scaled to a PGA");
+        return false;
+    }
+    *scale = a[R_PGA].number[0] / peak;
+    return true;
+}
+
+static void build_record(struct builder *b, const struct statement *s) {
+    struct argument a[N_RECORD_ROW] = {0};
+    bool good = builder_plain(b, s, 2, 2, statement_ground.usage);
+    good &= deck_options(b->deck, s, &(struct row_set){record_rows, N_RECORD_ROW, a}, 1);
+    const char *name = good ? deck_text(b->deck, &s->word[2]) : NULL;
+    const char *path = name ? deck_file(b->deck, &s->word[2], name) : NULL;
+    if (!path) {
+        return;
+    }
+    struct record_request request = {
+        .path = path,
+        .format = a[R_FORMAT].given ? a[R_FORMAT].text[0] : NULL,
+        .unit = a[R_UNIT].given ? a[R_UNIT].text[0] : NULL,
+        .dt = a[R_DT].given ? a[R_DT].number[0] * b->deck->units.time : 0.0,
+        .gravity = deck_gravity(b->deck),
+    };
+    struct record r;
+    struct error e;
+    if (record_read(b->arena, &request, &r, &e) != STATUS_OK) {
+        deck_error(b->deck, &s->word[2], "%s", e.message);
+        return;
+    }
+    for (int i = 0; i < r.n_warning; i++) {
+        deck_warning(b->deck, &s->word[2], "%s", r.warning[i]);
+    }
+    double scale;
+    struct signal signal;
+    if (!record_scale(b, a, &s->word[2], &r, &scale)) {
+        return;
+    }
+    if (signal_init_samples(&signal, b->arena, r.value, r.n, r.dt / b->deck->units.time, scale,
+                            a[R_DELAY].number[0], &e) != STATUS_OK) {
+        b->no_memory = true;
+        return;
+    }
+    signal.name = name;
+    append(b, s, &signal, &a[R_BUILDINGS]);
+}
+
+static void build_sine(struct builder *b, const struct statement *s) {
+    struct argument a[N_SINE_ROW] = {0};
+    bool good = builder_plain(b, s, 1, 1, statement_ground.usage);
+    if (deck_options(b->deck, s, &(struct row_set){sine_rows, N_SINE_ROW, a}, 1) && good) {
+        struct signal signal = signals_sine(a, a[S_DELAY].number[0]);
+        append(b, s, &signal, &a[S_BUILDINGS]);
+    }
+}
+
+static void build(struct builder *b, const struct statement *s) {
+    static const char *const kinds[] = {"record", "sine"};
+    if (s->n_plain < 2) {
+        deck_error(b->deck, &s->word[0], "ground needs 'record' or 'sine'");
+    } else if (strcmp(s->word[1].text, kinds[0]) == 0) {
+        build_record(b, s);
+    } else if (strcmp(s->word[1].text, kinds[1]) == 0) {
+        build_sine(b, s);
+    } else {
+        deck_unknown(b->deck, &s->word[1], "ground motion", kinds, 2);
+    }
+}
+
+const struct statement_kind statement_ground = {
+    .name = "ground",
+    .usage = "record FILE [-format F] [-unit U] [-dt DT] [-scale S | -pga A] [-delay T] [-buildings "
+             "NAMES] | sine -amplitude A -frequency F [-phase P] [-cycles N] [-delay T] [-buildings "
+             "NAMES]",
+    .summary = "ground acceleration; several under one building add up",
+    .example = "ground record records/ELCENTRO_1940_NS.AT2 -pga 0.35g",
+    .build = build,
+};

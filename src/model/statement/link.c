@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "law/bilateral.h"
+#include "model/pairs.h"
+#include "model/statement.h"
+
+enum { NAME, N_ROW };
+
+static const struct row rows[N_ROW] = {
+    [NAME] = {"name", ROW_TEXT, 0, {0}, NULL, NAN, "name of the link"},
+};
+
+static void append(struct builder *b, const struct pairs *p, const struct argument *own,
+                   const struct argument *given) {
+    bool good = true;
+    const char *name = pairs_name(b, &own[NAME], &good);
+    for (int k = 0; good && k < p->n; k++) {
+        struct link_draft *d = pairs_append(b, p, k, name, own[NAME].given ? own[NAME].word : p->word);
+        if (!d) {
+            return;
+        }
+        d->link.bilateral = true;
+        d->link.law = &bilateral_law;
+        d->link.constant = pairs_constants(b, &bilateral_law, given, d->link.mass, p->word);
+    }
+}
+
+static void build(struct builder *b, const struct statement *s) {
+    if (!builder_plain(b, s, 2, 2, statement_link.usage)) {
+        return;
+    }
+    struct pairs p;
+    bool paired = pairs_read(b, s, &p);
+    struct argument own[N_ROW] = {0};
+    struct argument given[BILATERAL_ROWS] = {0};
+    struct row_set set[] = {{rows, N_ROW, own}, {bilateral_law.row, BILATERAL_ROWS, given}};
+    if (!deck_options(b->deck, s, set, 2)) {
+        return;
+    }
+    const struct argument *exponent = &given[BILATERAL_EXPONENT];
+    if (!given[BILATERAL_STIFFNESS].given && !given[BILATERAL_DASHPOT].given) {
+        deck_error(b->deck, &s->word[0], "a link needs -stiffness or -dashpot");
+    } else if (exponent->given && !given[BILATERAL_DASHPOT].given) {
+        deck_error(b->deck, &exponent->key, "-exponent is useless without -dashpot");
+    } else if (paired) {
+        append(b, &p, own, given);
+    }
+}
+
+const struct statement_kind statement_link = {
+    .name = "link",
+    .usage = "LEFT RIGHT [-stiffness K] [-dashpot C [-exponent A]] [-name NAME]",
+    .summary = "bilateral connection of two floors: spring and viscous damper",
+    .example = "link A:5 B:5 -dashpot 2MN*s/m",
+    .row = rows,
+    .n_row = N_ROW,
+    .build = build,
+};

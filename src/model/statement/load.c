@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gsl/gsl_math.h>
+#include <string.h>
+
+#include "jostle/record.h"
+#include "model/signals.h"
+#include "model/statement.h"
+
+enum { H_DT, H_SCALE, N_HISTORY_ROW };
+
+static const struct row sine_rows[SINE_ROWS] = {
+    [SINE_AMPLITUDE] = {"amplitude", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0}, NULL, NAN, "peak force"},
+    [SINE_FREQUENCY] = {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN,
+                        "frequency"},
+    [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},
+    [SINE_CYCLES] = {"cycles", ROW_NUMBER, 0, {0}, &range_positive, NAN,
+                     "number of cycles; endless if not given"},
+};
+
+static const struct row history_rows[N_HISTORY_ROW] = {
+    [H_DT] = {"dt", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "time between samples"},
+    [H_SCALE] = {"scale", ROW_NUMBER, 0, {0}, NULL, 1.0, "factor"},
+};
+
+static const struct row force_row = {"force", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0}, NULL, NAN, "force"};
+
+static bool read_constant(struct builder *b, const struct statement *s, struct signal *out) {
+    struct argument force = {0};
+    if (!builder_plain(b, s, 3, 3, "BUILDING:FLOORS constant F") ||
+        !deck_options(b->deck, s, NULL, 0) ||
+        !deck_values(b->deck, &force_row, 0.0, &s->word[3], 1, &force)) {
+        return false;
+    }
+    *out = (struct signal){
+        .end = INFINITY, .amplitude = force.number[0], .phase = M_PI_2, .name = "constant"};
+    return true;
+}
+
+static bool read_sine(struct builder *b, const struct statement *s, struct signal *out) {
+    struct argument a[SINE_ROWS] = {0};
+    bool good = builder_plain(b, s, 2, 2, "BUILDING:FLOORS sine -amplitude A -frequency F [-phase P]");
+    if (!deck_options(b->deck, s, &(struct row_set){sine_rows, SINE_ROWS, a}, 1) || !good) {
+        return false;
+    }
+    *out = signals_sine(a, 0.0);
+    return true;
+}
+
+static bool read_history(struct builder *b, const struct statement *s, struct signal *out) {
+    struct argument a[N_HISTORY_ROW] = {0};
+    bool good = builder_plain(b, s, 3, 3, "BUILDING:FLOORS history FILE [-dt DT] [-scale S]");
+    good &= deck_options(b->deck, s, &(struct row_set){history_rows, N_HISTORY_ROW, a}, 1);
+    const char *name = good ? deck_text(b->deck, &s->word[3]) : NULL;
+    const char *path = name ? deck_file(b->deck, &s->word[3], name) : NULL;
+    if (!path) {
+        return false;
+    }
+    double second = b->deck->units.time;
+    struct record_request request = {
+        .path = path, .plain = true, .dt = a[H_DT].given ? a[H_DT].number[0] * second : 0.0};
+    struct record r;
+    struct error e;
+    if (record_read(b->arena, &request, &r, &e) != STATUS_OK) {
+        deck_error(b->deck, &s->word[3], "%s", e.message);
+        return false;
+    }
+    if (signal_init_samples(out, b->arena, r.value, r.n, r.dt / second, a[H_SCALE].number[0], 0.0,
+                            &e) != STATUS_OK) {
+        b->no_memory = true;
+        return false;
+    }
+    out->name = name;
+    return true;
+}
+
+static void append(struct builder *b, const struct selection *floors, const struct signal *signal) {
+    signals_longest(b, signal);
+    for (int k = 0; k < floors->n_floor; k++) {
+        struct load_draft *d = builder_append(b, &b->loads, sizeof *d);
+        if (d) {
+            *d = (struct load_draft){
+                .building = floors->building, .floor = floors->floor[k], .signal = *signal};
+        }
+    }
+}
+
+static void build(struct builder *b, const struct statement *s) {
+    static const char *const kinds[] = {"constant", "sine", "history"};
+    static bool (*const read[])(struct builder *, const struct statement *, struct signal *) = {
+        read_constant, read_sine, read_history};
+    if (s->n_plain < 3) {
+        deck_error(b->deck, &s->word[0], "too few words; usage: load %s", statement_load.usage);
+        return;
+    }
+    struct selection floors;
+    bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
+    for (int i = 0; i < 3; i++) {
+        struct signal signal;
+        if (strcmp(s->word[2].text, kinds[i]) == 0) {
+            if (read[i](b, s, &signal) && selected) {
+                append(b, &floors, &signal);
+            }
+            return;
+        }
+    }
+    deck_unknown(b->deck, &s->word[2], "load", kinds, 3);
+}
+
+const struct statement_kind statement_load = {
+    .name = "load",
+    .usage = "BUILDING:FLOORS constant F | sine -amplitude A -frequency F [-phase P] [-cycles N] | "
+             "history FILE [-dt DT] [-scale S]",
+    .summary = "a force on floors, positive to the right, from t = 0",
+    .example = "load A:8 sine -amplitude 50kN -frequency 1.2Hz -cycles 10",
+    .build = build,
+};

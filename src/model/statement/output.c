@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string.h>
+
+#include "model/statement.h"
+
+enum { EVERY, INTERVAL, FIELDS, PRECISION, FILE_NAME, N_ROW };
+
+static const struct range every_range = {.min = 1.0, .max = 1e9, .text = ">= 1 and <= 1e9"};
+
+static const struct row rows[N_ROW] = {
+    [EVERY] = {"every", ROW_INTEGER, 0, {0}, &every_range, NAN, "steps from row to row"},
+    [INTERVAL] = {"interval", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN,
+                  "time from row to row, a multiple of the step; default 0.01 s"},
+    [FIELDS] = {"fields", ROW_TEXTS, 0, {0}, NULL, NAN, "histories written; all if not given"},
+    [PRECISION] = {"precision", ROW_TEXT, 0, {0}, NULL, NAN, "single: histories in 32 bits"},
+    [FILE_NAME] = {"file", ROW_TEXT, 0, {0}, NULL, NAN, "result file, from the current directory"},
+};
+
+const char *const field_names[] = {"displacement", "velocity", "acceleration", "drift",
+                                   "storey_shear", "force",    "penetration",  NULL};
+enum { N_FIELD = sizeof field_names / sizeof field_names[0] - 1 };
+
+static void read_fields(struct builder *b, const struct argument *a) {
+    b->out.fields = 0;
+    for (int i = 0; i < a->n; i++) {
+        unsigned bit = 0;
+        for (int k = 0; k < N_FIELD; k++) {
+            bit |= strcmp(field_names[k], a->text[i]) == 0 ? 1U << k : 0U;
+        }
+        if (!bit) {
+            deck_unknown(b->deck, &a->word[i], "field", field_names, N_FIELD);
+        } else if (b->out.fields & bit) {
+            deck_error(b->deck, &a->word[i], "field '%s' is named twice", a->text[i]);
+        }
+        b->out.fields |= bit;
+    }
+}
+
+static void read_precision(struct builder *b, const struct argument *a) {
+    static const char *const known[] = {"single", "double"};
+    b->out.single = strcmp(a->text[0], known[0]) == 0;
+    if (!b->out.single && strcmp(a->text[0], known[1]) != 0) {
+        deck_unknown(b->deck, &a->word[0], "precision", known, 2);
+    }
+}
+
+static void build(struct builder *b, const struct statement *s) {
+    struct argument a[N_ROW] = {0};
+    if (!builder_plain(b, s, 0, 0, statement_output.usage) || !builder_once(b, &b->output, s) ||
+        !deck_options(b->deck, s, &(struct row_set){rows, N_ROW, a}, 1)) {
+        return;
+    }
+    if (a[EVERY].given && a[INTERVAL].given) {
+        deck_error(b->deck, &a[INTERVAL].key, "give -every or -interval, not both");
+    }
+    if (a[EVERY].given) {
+        b->out.every = (int)a[EVERY].number[0];
+    }
+    if (a[INTERVAL].given) {
+        b->out_interval = a[INTERVAL].number[0];
+        b->output = a[INTERVAL].key;
+    }
+    if (a[FIELDS].given) {
+        read_fields(b, &a[FIELDS]);
+    }
+    if (a[PRECISION].given) {
+        read_precision(b, &a[PRECISION]);
+    }
+    if (a[FILE_NAME].given) {
+        b->out.file = a[FILE_NAME].text[0];
+    }
+}
+
+const struct statement_kind statement_output = {
+    .name = "output",
+    .usage = "[-every N | -interval DT] [-fields LIST] [-precision single] [-file FILE]",
+    .summary = "which histories are written, and where",
+    .example = "output -interval 0.02s -fields displacement force",
+    .row = rows,
+    .n_row = N_ROW,
+    .build = build,
+};

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string.h>
+
+#include "core/arena.h"
+#include "model/statement.h"
+
+enum { STIFFNESS, N_ROW };
+
+static const struct row rows[N_ROW] = {
+    [STIFFNESS] = {"stiffness", ROW_LIST, 0, {1, -1, 0}, &range_non_negative, NAN,
+                   "initial stiffnesses in place of the building's"},
+};
+
+static const struct storey_law *find_law(struct builder *b, const struct word *w) {
+    const struct storey_law *law = storey_law_find(w->text);
+    if (!law) {
+        const char **known = builder_array(b, (size_t)n_storey_law, sizeof *known);
+        for (int i = 0; known && i < n_storey_law; i++) {
+            known[i] = storey_laws[i]->name;
+        }
+        if (known) {
+            deck_unknown(b->deck, w, "storey law", known, n_storey_law);
+        }
+    }
+    return law;
+}
+
+// Constants of the k-th selected storey.
+static bool prepare(struct builder *b, const struct statement *s, const struct storey_law *law,
+                    double *const *value, int k, double stiffness, struct storey *out) {
+    double own[STOREY_ROWS_MAX];
+    for (int r = 0; r < law->n_row; r++) {
+        own[r] = value[r] ? value[r][k] : NAN;
+    }
+    double *constant = builder_array(b, (size_t)law->n_constant, sizeof *constant);
+    if (!constant) {
+        return false;
+    }
+    struct error e;
+    if (law->prepare(own, stiffness, constant, &e) != STATUS_OK) {
+        deck_error(b->deck, &s->word[1], "%s", e.message);
+        return false;
+    }
+    out->law = law;
+    out->constant = constant;
+    return true;
+}
+
+static void assign(struct builder *b, const struct statement *s, const struct storey_law *law,
+                   const struct selection *floors, const struct argument *own,
+                   const struct argument *given) {
+    struct building_draft *d = builder_draft(b, floors->building);
+    double *value[STOREY_ROWS_MAX] = {0};
+    double *stiffness = NULL;
+    bool good = d->stiffness != NULL;
+    for (int r = 0; r < law->n_row; r++) {
+        if (given[r].n > 0) {
+            value[r] = builder_spread(b, &given[r], floors->n_floor, "storeys");
+            good &= value[r] != NULL;
+        }
+    }
+    if (own[STIFFNESS].given) {
+        stiffness = builder_spread(b, &own[STIFFNESS], floors->n_floor, "storeys");
+        good &= stiffness != NULL;
+    }
+    for (int k = 0; good && k < floors->n_floor; k++) {
+        int i = floors->floor[k] - 1;
+        good = builder_once(b, &d->storey_word[i], s);
+        if (good && stiffness) {
+            d->stiffness[i] = stiffness[k];
+        }
+        good = good && prepare(b, s, law, value, k, d->stiffness[i], &d->storey[i]);
+    }
+}
+
+static void build(struct builder *b, const struct statement *s) {
+    if (!builder_plain(b, s, 2, 2, statement_storey.usage)) {
+        return;
+    }
+    struct selection floors;
+    bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
+    const struct storey_law *law = find_law(b, &s->word[2]);
+    if (!law) {
+        return;
+    }
+    struct argument own[N_ROW] = {0};
+    struct argument given[STOREY_ROWS_MAX] = {0};
+    struct row_set set[] = {{rows, N_ROW, own}, {law->row, law->n_row, given}};
+    if (deck_options(b->deck, s, set, 2) && selected) {
+        assign(b, s, law, &floors, own, given);
+    }
+}
+
+const struct statement_kind statement_storey = {
+    .name = "storey",
+    .usage = "NAME:FLOORS LAW ... [-stiffness LIST]",
+    .summary = "restoring law of the storeys below those floors; without it they are elastic",
+    .example = "storey A:1:3 bilinear -yield 4MN -hardening 0.02",
+    .row = rows,
+    .n_row = N_ROW,
+    .build = build,
+};
