@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a model through time. The time loop is in src/solve/analysis.c.
+#ifndef JOSTLE_ANALYSIS_H
+#define JOSTLE_ANALYSIS_H
+
+#include "jostle/model.h"
+
+// The state at the end of a step, as an observer sees it. Arrays are borrowed and valid during the
+// call.
+struct row_view {
+    double time;                 // [T]
+    const double *displacement;  // [L] (n_dof) relative to the ground
+    const double *velocity;      // [L/T] (n_dof) relative to the ground
+    const double *acceleration;  // [L/T^2] (n_dof) total
+    const double *drift;         // [L] (n_dof)
+    const double *storey_shear;  // [F] (n_dof)
+    const double *force;         // [F] (n_link) contacts first
+    const double *penetration;   // [L] (n_link)
+    const double *ground;        // [L/T^2] (n_ground) ground acceleration
+    const double *energy;        // [F L] (ENERGY_COUNT)
+};
+
+// The energy account, relative to the ground: initial + input = kinetic + strain + damping +
+// hysteretic + contact + residual, where initial is the kinetic and strain energy at t = 0.
+enum energy {
+    ENERGY_INPUT,       // work of the ground motion and the loads
+    ENERGY_KINETIC,     // of the motion relative to the ground
+    ENERGY_STRAIN,      // stored in the storeys
+    ENERGY_DAMPING,     // work of the buildings' damping
+    ENERGY_HYSTERETIC,  // dissipated by the storeys
+    ENERGY_CONTACT,     // work done on contacts and bilateral links, stored or dissipated
+    ENERGY_RESIDUAL,    // what the account misses
+    ENERGY_COUNT
+};
+extern const char *const energy_names[];  // (ENERGY_COUNT)
+
+// Called for row 0 (t = 0), every output.every-th step and the last step. Not 0: the run ends with
+// that status and the observer's error.
+struct observer {
+    int (*row)(void *context, const struct row_view *row, struct error *e);
+    void *context;  // borrowed
+};
+
+// Largest absolute values over every computed step, and when. Arrays (n_dof).
+enum peak { PEAK_DISPLACEMENT, PEAK_VELOCITY, PEAK_ACCELERATION, PEAK_DRIFT, PEAK_SHEAR, PEAK_COUNT };
+extern const char *const peak_names[];  // (PEAK_COUNT) displacement velocity acceleration ...
+
+// Totals of one contact over all steps. force and penetration are the largest (not absolute).
+struct contact_peak {
+    double force, force_time;              // [F] [T]; 0 without contact
+    double penetration, penetration_time;  // [L] [T] largest delta, negative if never closed
+    double impulse;                        // [F T]
+    double dissipated;                     // [F L] work done on the contact
+    long impacts;
+};
+
+// One impact: a contact from closure to opening.
+struct impact {
+    int contact;             // index into model.link
+    double t_start, t_end;   // [T] located within the step; t_end is the analysis' end if still closed
+    double v_approach;       // [L/T] closing velocity at closure, >= 0
+    double v_rebound;        // [L/T] opening velocity at t_end
+    bool complete;           // it has opened; false: still closed at the end
+    double peak_force;       // [F]
+    double max_penetration;  // [L]
+    double impulse;          // [F T]
+    double dissipated;       // [F L]
+    long steps;              // computed steps in contact
+};
+
+struct totals {
+    long steps;        // computed, cut ones included
+    long cuts;         // steps that were not solved and halved
+    long events;       // steps split where a law that jumps closed or opened
+    long iterations;   // Newton iterations: storeys and contacts
+    long fast;         // contact solves settled by a single link or one sweep
+    long scalar;       // by further sweeps of exact scalar answers
+    long block;        // that took Newton steps on the cluster
+    long unsolved;     // accepted at the smallest step without meeting the tolerance
+    double seconds;    // wall time
+};
+
+struct results {
+    struct arena *arena;         // owns the arrays
+    double *peak[PEAK_COUNT];       // (n_dof)
+    double *peak_time[PEAK_COUNT];  // (n_dof) [T]
+    struct contact_peak *contact;   // (n_contact)
+    struct impact *impact;          // (n_impact) in order of t_start; malloc'd
+    long n_impact, impact_capacity;
+    double energy[ENERGY_COUNT];  // at the end
+    double initial_energy;        // kinetic and strain energy at t = 0 [F L]
+    double residual_peak;         // largest |residual| at the rows of output [F L]
+    struct totals totals;
+};
+
+// Runs the model from t = 0 to its duration. Errors: STATUS_FAILED (a state that is not finite; names
+// the floor and the time), STATUS_SYSTEM (no memory), or what the observer returned.
+int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
+                 struct error *e);
+void results_free(struct results *r);  // NULL is allowed
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is kept of every computed step: energies, peaks and impacts.
+#ifndef JOSTLE_ACCOUNT_H
+#define JOSTLE_ACCOUNT_H
+
+#include "solve/state.h"
+
+// Works since t = 0 [F L], each the sum over steps of a mean force times a displacement.
+struct energy_account {
+    double initial;        // kinetic and strain energy at t = 0
+    double input, damping, contact;
+    double storey;         // work on storeys that are not elastic
+    double stored_start;   // their recoverable energy at t = 0
+};
+
+// Energies of the start state.
+void energy_start(struct energy_account *a, const struct model *m, const struct state *s);
+
+// Adds the step from `now` to `next`.
+void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
+                 const struct state *next);
+
+// The account at state `s` into energy (ENERGY_COUNT).
+void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
+                    double *energy);
+
+// Room for the results of a model; false: no memory.
+bool peaks_alloc(struct results *r, const struct model *m, struct arena *a);
+
+// Takes state `s` into the envelopes of floors and contacts.
+void peaks_update(struct results *r, const struct model *m, const struct state *s);
+
+// The impacts that are under way. Arrays (n_contact).
+struct impact_log {
+    long *open;    // index into results.impact of the impact under way; -1: none
+};
+
+bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *a);
+
+// Opens an impact for each contact that is closed at the start.
+int impacts_start(struct impact_log *log, struct results *r, const struct model *m,
+                  const struct state *s, struct error *e);
+
+// Carries every contact through the step from `now` to `next`. STATUS_SYSTEM: no memory.
+int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
+                 const struct state *now, const struct state *next, struct error *e);
+
+// Takes account of a link that has just been closed or opened at the instant of state `s`.
+int impacts_toggle(struct impact_log *log, struct results *r, const struct state *s, int k,
+                   struct error *e);
+
+// Ends the impacts still under way and puts all in order of time.
+void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
+                    const struct state *s);
+
+#endif

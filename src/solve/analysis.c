@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The time loop: step, commit, account, and show a row to the observer now and then.
+#include "jostle/analysis.h"
+
+#include <stdlib.h>
+#include <time.h>
+
+#include "core/arena.h"
+#include "solve/account.h"
+#include "solve/event.h"
+#include "solve/newmark.h"
+
+// A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is. A
+// step is split at no more events than this: chattering contacts are left to the step.
+enum { CUTS_MAX = 30, EVENTS_MAX = 50 };
+
+struct run {
+    const struct model *model;
+    const struct observer *observer;
+    struct state *now, *next;
+    struct state store[2];
+    struct work work;
+    struct energy_account energy;
+    struct impact_log impacts;
+    int events;  // at which the current step was split
+    struct results *results;
+    double *total_acceleration;  // (n_dof) for the observer
+    struct error *error;
+};
+
+// Takes `next` as the new committed state.
+static int commit(struct run *r) {
+    struct results *out = r->results;
+    energy_step(&r->energy, r->model, r->now, r->next);
+    peaks_update(out, r->model, r->next);
+    int status = impacts_step(&r->impacts, out, r->model, r->now, r->next, r->error);
+    struct state *old = r->now;
+    r->now = r->next;
+    r->next = old;
+    out->totals.steps++;
+    return status;
+}
+
+// Steps from the committed state to `end`, h later; a step that is not solved is cut in two.
+static int split(struct run *r, const struct event *event, double end, double h, int cuts);
+
+static int advance(struct run *r, double end, double h, int cuts) {
+    r->work.strictness = cuts < CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
+    int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
+    if (status == STATUS_OK) {
+        struct event event = event_first(r->model, r->now, r->next, h);
+        if (event.link < 0 || r->events == EVENTS_MAX) {
+            return commit(r);
+        }
+        r->events++;
+        status = split(r, &event, end, h, cuts);
+    }
+    if (status != STATUS_RETRY) {
+        return status;
+    }
+    if (cuts == CUTS_MAX) {
+        return error_set(r->error, STATUS_FAILED,
+                         "no step is short enough at t = %.9g: the numbers are beyond double precision",
+                         r->now->time);
+    }
+    r->results->totals.cuts++;
+    status = advance(r, end - h / 2.0, h / 2.0, cuts + 1);
+    return status == STATUS_OK ? advance(r, end, h / 2.0, cuts + 1) : status;
+}
+
+// Steps to the event with its link held as it was, lets it close or open there, and goes on to `end`.
+static int split(struct run *r, const struct event *event, double end, double h, int cuts) {
+    const struct model *m = r->model;
+    int status = STATUS_OK;
+    if (event->time > 0.0) {
+        r->work.held = event->link;
+        status = newmark_step(&r->work, r->now, r->next, r->now->time + event->time, event->time,
+                              r->error);
+        r->work.held = -1;
+        status = status == STATUS_OK ? commit(r) : status;
+    }
+    if (status == STATUS_OK) {
+        r->results->totals.events++;
+        event_apply(r->now, m, event->link);
+        peaks_update(r->results, m, r->now);
+        status = impacts_toggle(&r->impacts, r->results, r->now, event->link, r->error);
+    }
+    return status == STATUS_OK ? advance(r, end, h - event->time, cuts) : status;
+}
+
+static void balance(struct run *r) {
+    struct results *out = r->results;
+    energy_balance(&r->energy, r->model, r->now, out->energy);
+    double residual = out->energy[ENERGY_RESIDUAL];
+    double size = residual < 0.0 ? -residual : residual;
+    if (size > out->residual_peak) {
+        out->residual_peak = size;
+    }
+}
+
+static int observe(struct run *r) {
+    const struct model *m = r->model;
+    const struct state *s = r->now;
+    balance(r);
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            r->total_acceleration[i] = s->a[i] + s->ground_a[g->ground];
+        }
+    }
+    struct row_view row = {
+        .time = s->time,
+        .displacement = s->u,
+        .velocity = s->v,
+        .acceleration = r->total_acceleration,
+        .drift = s->drift,
+        .storey_shear = s->shear,
+        .force = s->force,
+        .penetration = s->delta,
+        .ground = s->ground_a,
+        .energy = r->results->energy,
+    };
+    return r->observer ? r->observer->row(r->observer->context, &row, r->error) : STATUS_OK;
+}
+
+static int loop(struct run *r) {
+    const struct model *m = r->model;
+    int status = observe(r);
+    for (long n = 1; status == STATUS_OK && n <= m->n_step; n++) {
+        double end = model_time(m, n);
+        double h = n < m->n_step ? m->dt : end - r->now->time;
+        r->events = 0;
+        status = advance(r, end, h, 0);
+        if (status == STATUS_OK && (n % m->output.every == 0 || n == m->n_step)) {
+            status = observe(r);
+        }
+    }
+    return status;
+}
+
+static bool run_alloc(struct run *r, struct arena *a) {
+    const struct model *m = r->model;
+    r->now = &r->store[0];
+    r->next = &r->store[1];
+    r->total_acceleration = arena_alloc(a, (size_t)m->n_dof, sizeof(double));
+    return r->total_acceleration && state_alloc(r->now, m, a) && state_alloc(r->next, m, a) &&
+           work_alloc(&r->work, m, &r->results->totals, a) && impacts_alloc(&r->impacts, m, a) &&
+           peaks_alloc(r->results, m, a);
+}
+
+static int run_start(struct run *r) {
+    state_start(r->now, r->model);
+    energy_start(&r->energy, r->model, r->now);
+    peaks_update(r->results, r->model, r->now);
+    return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
+}
+
+static double seconds_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
+                 struct error *e) {
+    struct arena *a = arena_create();
+    struct results *results = a ? arena_alloc(a, 1, sizeof *results) : NULL;
+    if (!results) {
+        arena_free(a);
+        return error_no_memory(e);
+    }
+    results->arena = a;
+    struct run r = {.model = m, .observer = observer, .results = results, .error = e};
+    double start = seconds_now();
+    int status = run_alloc(&r, a) ? run_start(&r) : error_no_memory(e);
+    if (status == STATUS_OK) {
+        status = loop(&r);
+    }
+    if (status != STATUS_OK) {
+        results_free(results);
+        return status;
+    }
+    impacts_finish(&r.impacts, results, m, r.now);
+    results->totals.seconds = seconds_now() - start;
+    *out = results;
+    return STATUS_OK;
+}
+
+void results_free(struct results *r) {
+    if (r) {
+        free(r->impact);
+        arena_free(r->arena);
+    }
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the link forces at the end of a step, with the buildings linear about their trial state.
+#ifndef JOSTLE_CONTACT_H
+#define JOSTLE_CONTACT_H
+
+#include "solve/work.h"
+
+// On entry next->a solves the buildings' equations under the link forces next->force; on return both
+// are changed so that every force also obeys its law. `now` is the committed state. STATUS_RETRY: not
+// solved to the model's tolerance.
+int contact_solve(struct work *w, const struct state *now, struct state *next);
+
+// The line of link k at the trial state of `next`.
+struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k);
+
+// Changes the force of link k by df, and the accelerations of its buildings with it.
+void contact_apply(struct work *w, struct state *next, int k, double df);
+
+#endif

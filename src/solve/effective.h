@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The effective mass matrix of one building under Newmark, factorised:
+//     A = M + gamma h C + beta h^2 K,   A a = r.
+// It is tridiagonal for a shear building, and full with modal damping. Buildings never share a matrix:
+// contact forces couple them through columns of A^-1.
+#ifndef JOSTLE_EFFECTIVE_H
+#define JOSTLE_EFFECTIVE_H
+
+#include "jostle/model.h"
+
+struct effective {
+    const struct building *building;  // borrowed
+    double *tangent;                  // [F/L] (n_floor) storey tangents it was factorised with
+    double *pivot, *factor;           // (n_floor) 1/d_i and l_i of A = L D L^T; tridiagonal
+    double *inverse;                  // (n_floor, n_floor) A^-1; rows ready where marked
+    bool *ready;                      // (n_floor) row of `inverse` is valid
+};
+
+// Room for the factors of `building`, with the initial tangents; false: no memory.
+bool effective_alloc(struct effective *e, const struct building *building, struct arena *a);
+
+// Factorises A for beta h^2 = `b`, gamma h = `g` and the tangents of `e`. STATUS_RETRY: A is not
+// positive definite to working accuracy.
+int effective_factor(struct effective *e, double b, double g);
+
+// Replaces r (n_floor) by A^-1 r.
+void effective_solve(const struct effective *e, double *r);
+
+// Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on floor
+// i + 1. Computed when first asked for after a factorisation.
+const double *effective_column(struct effective *e, int i);
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/excitation.h"
+
+// With one ground under all, nothing depends on its velocity and displacement.
+static void ground_at(struct state *s, const struct model *m, double t) {
+    for (int k = 0; k < m->n_ground; k++) {
+        const struct ground *g = &m->ground[k];
+        s->ground_a[k] = s->ground_v[k] = s->ground_u[k] = 0.0;
+        for (int i = 0; i < g->n_signal; i++) {
+            s->ground_a[k] += signal_value(&g->signal[i], t);
+            if (m->n_ground > 1) {
+                double v;
+                double u;
+                signal_integrals(&g->signal[i], t, &v, &u);
+                s->ground_v[k] += v;
+                s->ground_u[k] += u;
+            }
+        }
+    }
+}
+
+void excitation_at(struct state *s, const struct model *m, double t) {
+    ground_at(s, m, t);
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        double a = s->ground_a[g->ground];
+        for (int i = 0; i < g->n_floor; i++) {
+            s->external[g->first + i] = -g->mass[i] * a;
+        }
+    }
+    for (int k = 0; k < m->n_load; k++) {
+        s->external[m->load[k].dof] += signal_value(&m->load[k].signal, t);
+    }
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The account of every impact: from closure to opening, located within their steps.
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/arena.h"
+#include "solve/account.h"
+#include "solve/crossing.h"
+
+bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *a) {
+    log->open = arena_alloc(a, (size_t)m->n_contact, sizeof *log->open);
+    for (int k = 0; log->open && k < m->n_contact; k++) {
+        log->open[k] = -1;
+    }
+    return log->open != NULL;
+}
+
+static int open_impact(struct impact_log *log, struct results *r, int k, const struct state *s,
+                       struct error *e) {
+    if (r->n_impact == r->impact_capacity) {
+        long capacity = r->impact_capacity ? 2 * r->impact_capacity : 256;
+        struct impact *larger = realloc(r->impact, (size_t)capacity * sizeof *larger);
+        if (!larger) {
+            return error_no_memory(e);
+        }
+        r->impact = larger;
+        r->impact_capacity = capacity;
+    }
+    log->open[k] = r->n_impact;
+    r->impact[r->n_impact++] = (struct impact){
+        .contact = k,
+        .t_start = s->t_close[k],
+        .v_approach = s->v_close[k],
+        .peak_force = fmax(s->force[k], 0.0),
+        .max_penetration = fmax(s->delta[k], 0.0),
+    };
+    r->contact[k].impacts++;
+    return STATUS_OK;
+}
+
+int impacts_start(struct impact_log *log, struct results *r, const struct model *m,
+                  const struct state *s, struct error *e) {
+    for (int k = 0; k < m->n_contact; k++) {
+        if (s->closed[k] && open_impact(log, r, k, s, e) != STATUS_OK) {
+            return e->status;
+        }
+    }
+    return STATUS_OK;
+}
+
+static void close_impact(struct impact_log *log, struct impact *i, const struct state *now,
+                         const struct state *next) {
+    int k = i->contact;
+    struct path path = {fmax(now->delta[k], 0.0), now->rate[k], fmin(next->delta[k], 0.0),
+                        next->rate[k], next->time - now->time};
+    double rate;
+    i->t_end = now->time + crossing_find(&path, &rate);
+    i->v_rebound = -rate;
+    i->complete = true;
+    log->open[k] = -1;
+}
+
+// The share of one step in impact `i` and in the contact's totals.
+static void carry(struct impact *i, struct contact_peak *c, const struct state *now,
+                  const struct state *next) {
+    int k = i->contact;
+    double mean = (now->force[k] + next->force[k]) / 2.0;
+    double impulse = mean * (next->time - now->time);
+    double work = mean * (next->delta[k] - now->delta[k]);
+    i->impulse += impulse;
+    i->dissipated += work;
+    i->peak_force = fmax(i->peak_force, next->force[k]);
+    i->max_penetration = fmax(i->max_penetration, next->delta[k]);
+    i->steps += next->closed[k];
+    c->impulse += impulse;
+    c->dissipated += work;
+}
+
+int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
+                 const struct state *now, const struct state *next, struct error *e) {
+    for (int k = 0; k < m->n_contact; k++) {
+        if (!now->closed[k] && !next->closed[k]) {
+            continue;
+        }
+        if (!now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
+            return e->status;
+        }
+        struct impact *i = &r->impact[log->open[k]];
+        carry(i, &r->contact[k], now, next);
+        if (!next->closed[k]) {
+            close_impact(log, i, now, next);
+        }
+    }
+    return STATUS_OK;
+}
+
+int impacts_toggle(struct impact_log *log, struct results *r, const struct state *s, int k,
+                   struct error *e) {
+    if (s->closed[k]) {
+        return open_impact(log, r, k, s, e);
+    }
+    struct impact *i = &r->impact[log->open[k]];
+    i->t_end = s->time;
+    i->v_rebound = -s->rate[k];
+    i->complete = true;
+    log->open[k] = -1;
+    return STATUS_OK;
+}
+
+static int compare_starts(const void *a, const void *b) {
+    const struct impact *x = a;
+    const struct impact *y = b;
+    if (x->t_start != y->t_start) {
+        return x->t_start < y->t_start ? -1 : 1;
+    }
+    return x->contact - y->contact;
+}
+
+void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
+                    const struct state *s) {
+    for (int k = 0; k < m->n_contact; k++) {
+        if (log->open[k] >= 0) {
+            struct impact *i = &r->impact[log->open[k]];
+            i->t_end = s->time;
+            i->v_rebound = -s->rate[k];
+        }
+    }
+    if (r->n_impact > 1) {
+        qsort(r->impact, (size_t)r->n_impact, sizeof *r->impact, compare_starts);
+    }
+}

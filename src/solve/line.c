@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Solves g(f) = f - F(d(f), v(f)) = 0. Where F does not decrease with d and v, g increases by at least
+// as much as f, so the root is unique, and it is bracketed: F(d(0), v(0)) has the sign of the root and
+// is at least as large, and d = 0 bounds f from above by d_free / d_force. Newton steps that leave the
+// bracket are replaced by bisection, so the search ends whatever the law is.
+//
+// At d = 0 the force may jump from 0 to F(0+, v). If that is more than the force that holds the link at
+// d = 0, the graph of the law is crossed inside the jump, and that force is the answer.
+#include "solve/line.h"
+
+#include <float.h>
+#include <math.h>
+
+enum { NEWTON_MAX = 25, ITERATIONS_MAX = 200, EXPANSIONS_MAX = 200 };
+
+struct contact_response line_law(const struct line *l, double force) {
+    double d = l->d_free - l->d_force * force;
+    double v = l->v_free - l->v_force * force;
+    if (!l->link->bilateral) {
+        d = fmax(d, 0.0);
+    }
+    return l->link->law->force(l->link->constant, l->history, d, v);
+}
+
+static double residual(const struct line *l, double f) {
+    return f - line_law(l, f).force;
+}
+
+// The root of g in [low, high], g(low) <= 0 <= g(high).
+static double root(const struct line *l, double low, double high, double f) {
+    if (!(f > low && f < high)) {
+        f = 0.5 * (low + high);
+    }
+    for (int i = 0; i < ITERATIONS_MAX; i++) {
+        struct contact_response r = line_law(l, f);
+        double g = f - r.force;
+        if (g == 0.0) {
+            return f;
+        }
+        *(g > 0.0 ? &high : &low) = f;
+        double next = f - g / (1.0 + l->d_force * r.dfdd + l->v_force * r.dfdv);
+        if (i >= NEWTON_MAX || !(next >= low && next <= high)) {
+            next = low + 0.5 * (high - low);
+        }
+        if (fabs(next - f) <= DBL_EPSILON * fabs(f) || next == f) {
+            return next;
+        }
+        f = next;
+    }
+    return f;
+}
+
+// Moves `low` down from a negative force until g(low) <= 0; false: nowhere.
+static bool bracket_below(const struct line *l, double *low) {
+    for (int i = 0; i < EXPANSIONS_MAX; i++) {
+        if (residual(l, *low) <= 0.0) {
+            return true;
+        }
+        *low *= 2.0;
+    }
+    return false;
+}
+
+// Root where d is free: bilateral links, and contacts whose d does not depend on the force (beta = 0).
+static double unbounded(const struct line *l, double guess) {
+    double f = line_law(l, 0.0).force;
+    if (f >= 0.0) {
+        return root(l, 0.0, f, guess);
+    }
+    double low = f;
+    return bracket_below(l, &low) ? root(l, low, 0.0, guess) : f;
+}
+
+// d_free > 0: there is no open solution.
+static enum branch pressed(const struct line *l, double guess, double *force) {
+    double top = l->d_free / l->d_force;
+    if (residual(l, top) < 0.0) {
+        *force = top;
+        return l->closed ? BRANCH_NONE : BRANCH_JUMP;
+    }
+    double f = line_law(l, 0.0).force;
+    if (f >= 0.0) {
+        *force = root(l, 0.0, fmin(top, f), guess);
+    } else {
+        double low = f;
+        *force = bracket_below(l, &low) ? root(l, low, 0.0, guess) : f;
+    }
+    return BRANCH_CLOSED;
+}
+
+// d_free <= 0 for a closed link of a law that pulls: is there a tension that keeps d > 0? It is looked
+// for between d = 0, or the guess where that fails, and the law's own force there.
+static enum branch held(const struct line *l, double guess, double *force) {
+    double high = l->d_free / l->d_force;
+    *force = 0.0;
+    if (residual(l, high) <= 0.0) {
+        if (!(guess < high) || residual(l, guess) <= 0.0) {
+            return BRANCH_OPEN;
+        }
+        high = guess;
+    }
+    double low = line_law(l, high).force;
+    if (!bracket_below(l, &low)) {
+        return BRANCH_OPEN;
+    }
+    *force = root(l, low, high, guess);
+    return BRANCH_CLOSED;
+}
+
+enum branch line_answer(const struct line *l, double guess, double *force) {
+    if (l->link->bilateral || l->held) {
+        *force = unbounded(l, guess);
+        return BRANCH_CLOSED;
+    }
+    if (l->d_free > 0.0) {
+        if (l->d_force > 0.0) {
+            return pressed(l, guess, force);
+        }
+        *force = unbounded(l, guess);
+        return BRANCH_CLOSED;
+    }
+    if (l->closed && l->d_force > 0.0 && (l->link->law->traits & CONTACT_MAY_PULL)) {
+        return held(l, guess, force);
+    }
+    *force = 0.0;
+    return BRANCH_OPEN;
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/state.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "solve/excitation.h"
+
+bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
+    size_t n_dof = (size_t)m->n_dof;
+    size_t n_link = (size_t)m->n_link;
+    size_t n_ground = (size_t)m->n_ground;
+    struct {
+        double **array;
+        size_t n;
+    } part[] = {
+        {&s->u, n_dof},          {&s->v, n_dof},
+        {&s->a, n_dof},          {&s->drift, n_dof},
+        {&s->shear, n_dof},      {&s->damping_force, n_dof},
+        {&s->external, n_dof},   {&s->storey_history, (size_t)m->n_storey_history},
+        {&s->force, n_link},     {&s->delta, n_link},
+        {&s->rate, n_link},      {&s->t_close, n_link},
+        {&s->v_close, n_link},   {&s->link_history, (size_t)m->n_link_history},
+        {&s->ground_a, n_ground}, {&s->ground_v, n_ground},
+        {&s->ground_u, n_ground},
+    };
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        *part[i].array = arena_alloc(a, part[i].n, sizeof(double));
+        if (!*part[i].array) {
+            return false;
+        }
+    }
+    s->closed = arena_alloc(a, n_link, sizeof *s->closed);
+    return s->closed != NULL;
+}
+
+static void storey_shears(struct state *s, const struct model *m, const struct building *g) {
+    double below = 0.0;
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        s->drift[i] = s->u[i] - below;
+        below = s->u[i];
+    }
+    if (g->elastic) {
+        const double *k = g->stiffness;
+        for (int i = 0; i < g->n_floor; i++) {
+            s->shear[g->first + i] = k[i] * s->drift[g->first + i];
+        }
+        return;
+    }
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        const struct storey *law = &m->storey[i];
+        s->shear[i] =
+            law->law->shear(law->constant, s->storey_history + law->history, s->drift[i]).shear;
+    }
+}
+
+void state_internal_forces(struct state *s, const struct model *m) {
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        storey_shears(s, m, g);
+        building_damping_force(g, s->v + g->first, s->damping_force + g->first);
+    }
+}
+
+double state_gap(const struct link *l, const struct model *m, const double *u,
+                 const double *ground) {
+    double delta = 0.0;
+    if (l->dof[0] != WALL) {
+        delta += u[l->dof[0]];
+    }
+    if (l->dof[1] != WALL) {
+        delta -= u[l->dof[1]];
+    }
+    if (l->moving_ground) {
+        delta += ground[m->building[l->building[0]].ground] -
+                 ground[m->building[l->building[1]].ground];
+    }
+    return delta;
+}
+
+void state_close_link(struct state *s, const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    double *history = s->link_history + l->history;
+    s->closed[k] = true;
+    s->t_close[k] = s->time;
+    s->v_close[k] = fmax(s->rate[k], 0.0);
+    if (l->law->close) {
+        l->law->close(l->constant, s->v_close[k], history);
+    }
+    double d = l->bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
+    s->force[k] = l->law->force(l->constant, history, d, s->rate[k]).force;
+}
+
+static void start_links(struct state *s, const struct model *m) {
+    for (int k = 0; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        s->delta[k] = state_gap(l, m, s->u, s->ground_u) - l->gap;
+        s->rate[k] = state_gap(l, m, s->v, s->ground_v);
+        s->closed[k] =
+            l->bilateral || s->delta[k] > 0.0 || (s->delta[k] == 0.0 && s->rate[k] > 0.0);
+        s->force[k] = 0.0;
+        if (s->closed[k]) {
+            state_close_link(s, m, k);
+        }
+    }
+}
+
+// M a = external - C v - storey shears - link forces
+void state_equilibrium(struct state *s, const struct model *m) {
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            double above = i + 1 < g->first + g->n_floor ? s->shear[i + 1] : 0.0;
+            s->a[i] = s->external[i] - s->damping_force[i] - s->shear[i] + above;
+        }
+    }
+    for (int k = 0; k < m->n_link; k++) {
+        const int *dof = m->link[k].dof;
+        if (dof[0] != WALL) {
+            s->a[dof[0]] -= s->force[k];
+        }
+        if (dof[1] != WALL) {
+            s->a[dof[1]] += s->force[k];
+        }
+    }
+    for (int i = 0; i < m->n_dof; i++) {
+        s->a[i] /= m->mass[i];
+    }
+}
+
+void state_start(struct state *s, const struct model *m) {
+    memcpy(s->u, m->displacement, (size_t)m->n_dof * sizeof *s->u);
+    memcpy(s->v, m->velocity, (size_t)m->n_dof * sizeof *s->v);
+    s->time = 0.0;
+    excitation_at(s, m, 0.0);
+    state_internal_forces(s, m);
+    start_links(s, m);
+    state_equilibrium(s, m);
+}
