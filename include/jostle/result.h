@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The result of one analysis: the HDF5 file written while it runs, the file read back, and the
+// report, which holds everything but the histories and is the same from either side.
+#ifndef JOSTLE_RESULT_H
+#define JOSTLE_RESULT_H
+
+#include <stdio.h>
+
+#include "jostle/analysis.h"
+#include "jostle/model.h"
+
+enum { RESULT_FORMAT_VERSION = 1 };
+
+// Keeps the HDF5 library from printing its own errors and from working at exit; the program calls
+// it first.
+void result_init(void);
+
+// One building of a report. Arrays (n_floor) in the deck's units; floor 1 first.
+struct report_building {
+    const char *name;
+    int n_floor;
+    const double *mass;                   // [M]
+    const double *stiffness;              // [F/L]
+    const double *height;                 // [L] NAN where not given
+    const double *period;                 // [T] of the building alone, elastic, longest first
+    const double *peak[PEAK_COUNT];       // largest absolute values; NULL before the run
+    const double *peak_time[PEAK_COUNT];  // [T]
+};
+
+// A contact or a bilateral link of a report.
+struct report_link {
+    const char *name, *left, *right;  // building names or "wall"
+    const char *law, *constants;      // constants of the law as text, in the order the law has them
+    int left_floor, right_floor;      // from 1; 0: the wall
+    double gap;                       // [L]
+    double mass;                      // [M] effective
+    struct contact_peak peak;         // zero for bilateral links
+};
+
+// What a result file says apart from its histories.
+struct report {
+    struct arena *arena;     // owns everything below
+    const char *file;        // the result file; NULL: none
+    const char *title, *program, *version, *created;
+    const char *deck_file, *deck, *parameters, *command_line;
+    struct unit_system units;
+    double duration, dt;     // [T]
+    unsigned fields;         // enum field: the histories in the file
+    long n_row;              // rows of the histories
+    int n_building, n_contact, n_link;
+    struct report_building *building;  // (n_building) from left to right
+    struct report_link *contact;       // (n_contact)
+    struct report_link *link;          // (n_link) bilateral
+    long n_impact;
+    struct impact *impact;             // (n_impact) in order of time
+    double energy[ENERGY_COUNT];       // [F L] at the end
+    double residual_peak;              // [F L]
+    struct totals totals;
+};
+
+// The report of a run from memory. `file` and `version` are copied; `r` may be NULL: before the
+// run. *out must be given to report_free. Errors: STATUS_SYSTEM (no memory).
+int report_create(const struct model *m, const struct results *r, const char *file,
+                  const char *version, struct report **out, struct error *e);
+void report_free(struct report *r);  // NULL is allowed
+
+// Writes the summary an engineer reads, at most 100 columns wide. Errors of `to` are the caller's.
+void report_print(const struct report *r, FILE *to);
+
+// What to do where the file exists.
+enum result_existing { RESULT_KEEP, RESULT_REPLACE };
+
+struct result_options {
+    const char *path;              // the file, complete under this name only
+    enum result_existing existing;
+    const char *command_line;
+    const char *version;           // of the program
+};
+
+struct result_writer;
+
+// Opens PATH.part for the model, which is borrowed until the writer is gone. At most 64 MiB of rows
+// are kept in memory. Errors: STATUS_INPUT (the file exists, a name that cannot stand in the file),
+// STATUS_SYSTEM (cannot write; names the path and the cause).
+int result_create(const struct model *m, const struct result_options *options,
+                  struct result_writer **out, struct error *e);
+
+// Hands the rows of analysis_run to the writer. A row that cannot be written ends the run.
+struct observer result_observer(struct result_writer *w);
+
+// Writes the envelopes, impacts and totals, marks the file complete and gives it its name. The
+// writer is freed whatever happens; on an error nothing is left behind. Errors: STATUS_SYSTEM,
+// STATUS_INPUT (the file has come into being meanwhile).
+int result_finish(struct result_writer *w, const struct results *r, struct error *e);
+
+// Removes PATH.part and frees the writer. NULL is allowed.
+void result_abort(struct result_writer *w);
+
+// Gives the complete file `part` the name `path`, on disk before it appears there; an existing
+// file survives RESULT_KEEP even when it comes into being at the same moment. `part` is gone
+// afterwards. Errors: STATUS_INPUT (exists), STATUS_SYSTEM.
+int result_publish(const char *part, const char *path, enum result_existing existing,
+                   struct error *e);
+
+struct result_file;
+
+// Opens a complete result file and reads its report. Errors: STATUS_SYSTEM (cannot open, no
+// memory), STATUS_INPUT (not HDF5, not of jostle, newer, incomplete, damaged; names the path).
+int result_open(const char *path, struct result_file **out, struct error *e);
+void result_close(struct result_file *f);  // NULL is allowed
+
+// Borrowed from the file.
+const struct report *result_report(const struct result_file *f);
+
+// Histories; `out` has room for n_row values. Indices from 0. Errors: STATUS_INPUT (the file does
+// not hold it), STATUS_SYSTEM.
+int result_time(const struct result_file *f, double *out, struct error *e);
+int result_floor_history(const struct result_file *f, enum field field, int building, int floor,
+                         double *out, struct error *e);
+int result_contact_history(const struct result_file *f, enum field field, int contact, double *out,
+                           struct error *e);
+int result_ground(const struct result_file *f, int building, double *out, struct error *e);
+
+#endif

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle check: reads a deck and prints the model it describes.
+#include <gsl/gsl_math.h>
+#include <string.h>
+
+#include "command/deck_options.h"
+
+static int check_command(int argc, char **argv);
+
+const struct command command_check = {
+    .name = "check",
+    .usage = "DECK [-D NAME=VALUE]...",
+    .summary = "reads and checks a deck, prints the model",
+    .run = check_command,
+};
+
+enum { UNIT_TEXT = 48, MODES_SHOWN = 3 };
+
+struct unit_texts {
+    char force[UNIT_TEXT], length[UNIT_TEXT], mass[UNIT_TEXT], stiffness[UNIT_TEXT];
+    char acceleration[UNIT_TEXT];
+    const char *time;
+};
+
+static struct unit_texts units_of(const struct model *m) {
+    const struct unit_system *s = &m->deck->units;
+    struct unit_texts t = {.time = s->time_name};
+    unit_text(s, dimension_force, t.force, sizeof t.force);
+    unit_text(s, dimension_length, t.length, sizeof t.length);
+    unit_text(s, dimension_mass, t.mass, sizeof t.mass);
+    unit_text(s, dimension_stiffness, t.stiffness, sizeof t.stiffness);
+    unit_text(s, dimension_acceleration, t.acceleration, sizeof t.acceleration);
+    return t;
+}
+
+static void print_storeys(const struct model *m, const struct building *g,
+                          const struct unit_texts *t) {
+    printf("%8s %14s %18s %10s  %s\n", "floor", "mass", "storey stiffness", "height", "storey law");
+    printf("%8s %14s %18s %10s\n", "", t->mass, t->stiffness, t->length);
+    for (int i = 0; i < g->n_floor;) {
+        int last = i;
+        const struct storey_law *law = m->storey[g->first + i].law;
+        while (last + 1 < g->n_floor && g->mass[last + 1] == g->mass[i] &&
+               g->stiffness[last + 1] == g->stiffness[i] &&
+               (!g->height || g->height[last + 1] == g->height[i]) &&
+               m->storey[g->first + last + 1].law == law) {
+            last++;
+        }
+        char floors[32];
+        snprintf(floors, sizeof floors, last > i ? "%d:%d" : "%d", i + 1, last + 1);
+        printf("%8s %14.6g %18.6g ", floors, g->mass[i], g->stiffness[i]);
+        if (g->height) {
+            printf("%10.4g", g->height[i]);
+        } else {
+            printf("%10s", "-");
+        }
+        printf("  %s\n", law->name);
+        i = last + 1;
+    }
+}
+
+// Periods and damping ratios of the first modes.
+static void print_modes(const struct building *g, const struct unit_texts *t) {
+    for (int k = 0; k < g->n_floor && k < MODES_SHOWN; k++) {
+        double ratio;
+        struct error e;
+        if (g->omega[k] == 0.0) {
+            printf("  mode %d: rigid body\n", k + 1);
+            continue;
+        }
+        printf("  mode %d: period %.4g %s", k + 1, 2.0 * M_PI / g->omega[k], t->time);
+        if (building_damping_ratio(g, k + 1, &ratio, &e) == STATUS_OK && !isnan(ratio)) {
+            printf(", damping %.4g %%", 100.0 * ratio);
+        }
+        printf("\n");
+    }
+}
+
+static void print_building(const struct model *m, const struct building *g,
+                           const struct unit_texts *t) {
+    double mass = 0.0;
+    for (int i = 0; i < g->n_floor; i++) {
+        mass += g->mass[i];
+    }
+    printf("\nbuilding %s: %d floor%s, mass %.6g %s\n", g->name, g->n_floor,
+           g->n_floor == 1 ? "" : "s", mass, t->mass);
+    print_modes(g, t);
+    print_storeys(m, g, t);
+}
+
+static void print_signals(const struct model *m, const struct unit_texts *t) {
+    for (int k = 0; k < m->n_ground; k++) {
+        const struct ground *g = &m->ground[k];
+        printf("\nground under");
+        for (int i = 0; i < m->n_building; i++) {
+            if (m->building[i].ground == k) {
+                printf(" %s", m->building[i].name);
+            }
+        }
+        printf(g->n_signal ? ":\n" : ": at rest\n");
+        for (int i = 0; i < g->n_signal; i++) {
+            const struct signal *s = &g->signal[i];
+            printf("  %s: peak %.4g %s, from %.4g to %.4g %s\n", s->name, signal_peak(s),
+                   t->acceleration, s->start, s->end, t->time);
+        }
+    }
+}
+
+static void print_loads(const struct model *m, const struct unit_texts *t) {
+    for (int i = 0; i < m->n_load; i++) {
+        const struct load *load = &m->load[i];
+        const struct building *g = m->building;
+        while (load->dof >= g->first + g->n_floor) {
+            g++;
+        }
+        printf("%sload on %s:%d: %s, peak %.4g %s\n", i ? "" : "\n", g->name,
+               load->dof - g->first + 1, load->signal.name, signal_peak(&load->signal), t->force);
+    }
+}
+
+static void print_links(const struct model *m, const struct unit_texts *t) {
+    if (m->n_link == 0) {
+        printf("\nno contacts\n");
+        return;
+    }
+    printf("\n%-28s %10s %12s  %s\n", "contact or link", "gap", "m*", "law");
+    printf("%-28s %10s %12s\n", "", t->length, t->mass);
+    for (int k = 0; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        printf("%-28s ", l->name);
+        if (l->bilateral) {
+            printf("%10s", "-");
+        } else {
+            printf("%10.4g", l->gap);
+        }
+        printf(" %12.6g  %s\n", l->mass, l->law->name);
+    }
+}
+
+static void print_time(const struct model *m, const struct unit_texts *t) {
+    double omega = 0.0;
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        omega = fmax(omega, g->omega[g->n_floor - 1]);
+    }
+    printf("\nnewmark beta %g gamma %g, %ld steps of %.6g %s, duration %.6g %s\n", m->beta, m->gamma,
+           m->n_step, m->dt, t->time, m->duration, t->time);
+    if (omega > 0.0) {
+        printf("shortest period of a building %.4g %s, %.4g steps\n", 2.0 * M_PI / omega, t->time,
+               2.0 * M_PI / omega / m->dt);
+    }
+    long rows = m->n_step / m->output.every + 1 + (m->n_step % m->output.every != 0);
+    printf("a row of output every %d step%s, %ld rows\n", m->output.every,
+           m->output.every == 1 ? "" : "s", rows);
+}
+
+static int check_command(int argc, char **argv) {
+    struct model *m;
+    int status;
+    if (!deck_options_load(&command_check, argc, argv, &m, &status)) {
+        return status;
+    }
+    struct unit_texts t = units_of(m);
+    const struct unit_system *s = &m->deck->units;
+    printf("%s%sunits %s %s %s, mass in %s\n", m->deck->title, m->deck->title[0] ? "\n" : "",
+           s->force_name, s->length_name, s->time_name, t.mass);
+    for (int k = 0; k < m->n_building; k++) {
+        print_building(m, &m->building[k], &t);
+    }
+    print_links(m, &t);
+    print_signals(m, &t);
+    print_loads(m, &t);
+    print_time(m, &t);
+    model_free(m);
+    return EXIT_DONE;
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of commands, and what they have in common: messages, help, exit status.
+#include "command/command.h"
+
+#include <getopt.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#define COMMAND(name) extern const struct command command_##name;
+#include "command/command_list.inc"
+#undef COMMAND
+
+#define COMMAND(name) &command_##name,
+const struct command *const commands[] = {
+#include "command/command_list.inc"
+};
+#undef COMMAND
+const int n_command = sizeof commands / sizeof commands[0];
+
+bool command_colour(void) {
+    const char *no_colour = getenv("NO_COLOR");
+    return isatty(STDERR_FILENO) && !(no_colour && no_colour[0]);
+}
+
+static const char *error_word(void) {
+    return command_colour() ? "\033[1;31merror:\033[0m" : "error:";
+}
+
+int command_fail(const struct error *e) {
+    fprintf(stderr, "jostle: %s %s\n", error_word(), e->message);
+    switch (e->status) {
+        case STATUS_INPUT:
+            return EXIT_INPUT;
+        case STATUS_SYSTEM:
+            return EXIT_SYSTEM;
+        default:
+            return EXIT_FAILED;
+    }
+}
+
+int command_usage(const struct command *c, const char *format, ...) {
+    fprintf(stderr, "jostle %s: %s ", c->name, error_word());
+    va_list list;
+    va_start(list, format);
+    vfprintf(stderr, format, list);
+    va_end(list);
+    fprintf(stderr, "\ntry 'jostle %s --help'\n", c->name);
+    return EXIT_INPUT;
+}
+
+int command_help(const struct command *c, const char *details) {
+    printf("usage: jostle %s %s\n\n%s\n\n%s", c->name, c->usage, c->summary, details);
+    return EXIT_DONE;
+}
+
+int command_bad_option(const struct command *c, int answer, char **argv) {
+    // getopt_long leaves the letter in optopt; for a long option the word is the one before optind.
+    const char *word = optind > 1 ? argv[optind - 1] : "";
+    const bool is_long = word[0] == '-' && word[1] == '-';
+    const char letter[] = {'-', (char)optopt, '\0'};
+    const char *shown = is_long || optopt == 0 ? word : letter;
+    if (answer == ':') {
+        return command_usage(c, "option '%s' needs a value", shown);
+    }
+    return command_usage(c, "unknown or ambiguous option '%s'", shown);
+}

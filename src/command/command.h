@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A command is one file of src/command/ and one line in command_list.inc. Only commands print.
+#ifndef JOSTLE_COMMAND_H
+#define JOSTLE_COMMAND_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "jostle/error.h"
+
+// Exit status of the program.
+enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_INPUT = 2, EXIT_SYSTEM = 3 };
+
+struct command {
+    const char *name;
+    const char *usage;    // behind "jostle NAME ": "FILE.h5 [--tsv|--json]"
+    const char *summary;  // half a line
+    int (*run)(int argc, char **argv);  // argv[0] is the command's name; returns the exit status
+};
+
+extern const struct command *const commands[];
+extern const int n_command;
+
+// Prints "jostle: error: ..." to stderr; returns the exit status for e->status.
+int command_fail(const struct error *e);
+
+// Prints "jostle NAME: error: ..." and where help is; returns EXIT_INPUT.
+int command_usage(const struct command *c, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+// Prints the usage, the summary and `details` to stdout; returns EXIT_DONE.
+int command_help(const struct command *c, const char *details);
+
+// Messages for getopt_long's '?' and ':'; call it with opterr = 0. Returns EXIT_INPUT.
+int command_bad_option(const struct command *c, int answer, char **argv);
+
+// True if stderr may be coloured: it is a terminal and NO_COLOR is not set.
+bool command_colour(void);
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle deck: the statements of a deck, from their descriptors in src/deck/ and src/model/.
+#include <string.h>
+
+#include "command/rows.h"
+#include "core/text.h"
+#include "jostle/model.h"
+
+static int deck_command(int argc, char **argv);
+
+const struct command command_deck = {
+    .name = "deck",
+    .usage = "[STATEMENT] [--markdown]",
+    .summary = "prints the statements of a deck, or explains one",
+    .run = deck_command,
+};
+
+enum { STATEMENTS_MAX = 128, USAGE_SIZE = 512 };
+
+static const char introduction[] =
+    "Units and defaults are given in SI; a number may carry any unit of the same dimension, and a\n"
+    "bare one is in the deck's units. A LIST is one value for all, or one for each. How words,\n"
+    "numbers, units and floors are written is in [deck.md](deck.md).\n\n";
+
+// Every simple unit with the quantity it measures and its size in SI. The size of g is that of the
+// default gravity.
+static void print_units(enum page page) {
+    struct unit_system si;
+    unit_system_init(&si);
+    if (page == PAGE_MARKDOWN) {
+        printf("\n| unit | quantity | size |\n| --- | --- | --- |\n");
+    } else {
+        printf("\n  %-5s %-15s %s\n", "unit", "quantity", "size");
+    }
+    for (int i = 0; unit_names[i]; i++) {
+        const char *end;
+        struct dimension dimension;
+        double size;
+        char unit[64] = "";
+        unit_parse(unit_names[i], si.gravity, &end, &dimension, &size);
+        if (!dimension_equal(dimension, dimension_none)) {
+            unit_text(&si, dimension, unit, sizeof unit);
+        }
+        const char *noun = dimension_noun(dimension);
+        const char *article = noun ? strchr(noun, ' ') : NULL;
+        const char *quantity = article ? article + 1 : "stress";
+        printf(page == PAGE_MARKDOWN ? "| `%s` | %s | %.10g%s%s |\n" : "  %-5s %-15s %.10g%s%s\n",
+               unit_names[i], quantity, size, unit[0] ? " " : "", unit);
+    }
+}
+
+static void print_language(enum page page, const struct deck_statement *s) {
+    rows_heading(page, 2, s->name);
+    rows_entry(page, "what", s->doc);
+    rows_code(page, "usage", s->usage);
+    if (strcmp(s->name, "units") == 0) {
+        print_units(page);
+    }
+    printf("\n");
+}
+
+static void print_variant(enum page page, const struct statement_kind *kind,
+                          const struct statement_variant *v) {
+    if (v->name && page == PAGE_MARKDOWN) {
+        printf("\n`%s ... %s`: %s\n", kind->name, v->name, v->summary);
+    } else if (v->name) {
+        printf("\n  %s ... %s: %s\n", kind->name, v->name, v->summary);
+    }
+    rows_print(page, v->row, v->n_row);
+}
+
+static void print_kind(enum page page, const struct statement_kind *kind) {
+    char usage[USAGE_SIZE];
+    snprintf(usage, sizeof usage, "%s %s", kind->name, kind->usage);
+    rows_heading(page, 2, kind->name);
+    rows_entry(page, "what", kind->summary);
+    rows_code(page, "usage", usage);
+    rows_code(page, "example", kind->example);
+    rows_print(page, kind->row, kind->n_row);
+    for (int i = 0; i < kind->n_variant; i++) {
+        print_variant(page, kind, &kind->variant[i]);
+    }
+    printf("\n");
+}
+
+static void print_list(void) {
+    for (int i = 0; i < n_deck_statement; i++) {
+        printf("  %-11s %s\n", deck_statements[i].name, deck_statements[i].doc);
+    }
+    for (int i = 0; i < n_statement_kind; i++) {
+        printf("  %-11s %s\n", statement_kinds[i]->name, statement_kinds[i]->summary);
+    }
+    printf("\n'jostle deck STATEMENT' explains one of them.\n");
+}
+
+static void print_page(void) {
+    rows_generated("deck");
+    rows_heading(PAGE_MARKDOWN, 1, "Statements of a deck");
+    fputs(introduction, stdout);
+    for (int i = 0; i < n_deck_statement; i++) {
+        print_language(PAGE_MARKDOWN, &deck_statements[i]);
+    }
+    for (int i = 0; i < n_statement_kind; i++) {
+        print_kind(PAGE_MARKDOWN, statement_kinds[i]);
+    }
+}
+
+static int print_one(enum page page, const char *name) {
+    const char *known[STATEMENTS_MAX];
+    int n = 0;
+    for (int i = 0; i < n_deck_statement && n < STATEMENTS_MAX; i++) {
+        known[n++] = deck_statements[i].name;
+        if (strcmp(deck_statements[i].name, name) == 0) {
+            print_language(page, &deck_statements[i]);
+            return EXIT_DONE;
+        }
+    }
+    for (int i = 0; i < n_statement_kind && n < STATEMENTS_MAX; i++) {
+        known[n++] = statement_kinds[i]->name;
+        if (strcmp(statement_kinds[i]->name, name) == 0) {
+            print_kind(page, statement_kinds[i]);
+            return EXIT_DONE;
+        }
+    }
+    const char *near = text_nearest(name, known, n);
+    return command_usage(&command_deck, "unknown statement '%s'%s%s%s", name,
+                         near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+}
+
+static int deck_command(int argc, char **argv) {
+    enum page page;
+    const char *name;
+    int status;
+    if (!rows_options(&command_deck, argc, argv, &page, &name, &status)) {
+        return status;
+    }
+    if (name) {
+        return print_one(page, name);
+    }
+    if (page == PAGE_MARKDOWN) {
+        print_page();
+    } else {
+        print_list();
+    }
+    return EXIT_DONE;
+}

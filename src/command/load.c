@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/load.h"
+
+static void print_diagnostics(const struct deck *deck, bool quiet) {
+    const struct diagnostics *d = &deck->diagnostics;
+    if (d->n_error > 0 || (d->n_warning > 0 && !quiet)) {
+        diagnostics_print(d, stderr, command_colour());
+    }
+}
+
+int load_model(const struct load_request *request, struct model **out) {
+    struct error e;
+    struct deck *deck = NULL;
+    int status = deck_open(request->path, request->define, request->n_define, &deck, &e);
+    if (status == STATUS_OK) {
+        status = model_build(deck, out, &e);
+        print_diagnostics(deck, request->quiet);
+    }
+    if (status == STATUS_OK) {
+        return EXIT_DONE;
+    }
+    deck_free(deck);
+    return command_fail(&e);
+}

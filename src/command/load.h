@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What commands that read a deck share: the options for it, and the model with its messages printed.
+#ifndef JOSTLE_LOAD_H
+#define JOSTLE_LOAD_H
+
+#include "command/command.h"
+#include "jostle/model.h"
+
+struct load_request {
+    const char *path;           // of the deck
+    const char *const *define;  // (n_define) NAME=VALUE
+    int n_define;
+    bool quiet;  // no warnings
+};
+
+// Reads the deck and builds its model; prints errors and warnings to stderr. Returns EXIT_DONE with
+// *out to be given to model_free, or another exit status.
+int load_model(const struct load_request *request, struct model **out);
+
+#endif

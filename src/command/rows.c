@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/rows.h"
+
+#include <getopt.h>
+#include <string.h>
+
+#include "core/text.h"
+
+enum { WIDTH = 100, CELL = 96 };
+
+// Columns of a table; the meaning stands last and may be long.
+enum column { OPTION, UNIT, RANGE, DEFAULT, MEANING, N_COLUMN };
+static const char *const headings[N_COLUMN] = {"option", "unit", "range", "default", "meaning"};
+
+struct line {
+    char cell[N_COLUMN][CELL];
+};
+
+static bool is_number(const struct row *row) {
+    return row->kind == ROW_NUMBER || row->kind == ROW_LIST || row->kind == ROW_INTEGER;
+}
+
+// The key of the row that holds the exponent p of other rows' dimensions.
+static const char *power_key(const struct row *row, int n_row) {
+    for (int i = 0; i < n_row; i++) {
+        if (row[i].flags & ROW_POWER) {
+            return row[i].key;
+        }
+    }
+    return "p";
+}
+
+static void put_option(const struct row *row, char *cell) {
+    static const char *const value[] = {
+        [ROW_NUMBER] = " NUMBER", [ROW_LIST] = " LIST",   [ROW_INTEGER] = " INTEGER",
+        [ROW_TEXT] = " WORD",     [ROW_TEXTS] = " WORDS", [ROW_FLAG] = "",
+    };
+    snprintf(cell, CELL, "-%s%s", row->key, value[row->kind]);
+}
+
+// The SI unit of the row as a deck would have it: "N/m", "N/m^n"; "" for pure numbers and texts.
+static void put_unit(const struct row *row, const char *power, char *cell) {
+    struct unit_system si;
+    unit_system_init(&si);
+    cell[0] = '\0';
+    if (!is_number(row)) {
+        return;
+    }
+    if (!dimension_equal(row->dimension, dimension_none)) {
+        unit_text(&si, row->dimension, cell, CELL);
+    }
+    size_t used = strlen(cell);
+    if (row->flags & ROW_PER_LENGTH_POWER) {
+        snprintf(cell + used, CELL - used, "/%s^%s", si.length_name, power);
+    } else if (row->flags & ROW_PER_VELOCITY_POWER) {
+        snprintf(cell + used, CELL - used, "*%s^%s/%s^%s", si.time_name, power, si.length_name,
+                 power);
+    }
+}
+
+static void put_default(const struct row *row, const char *unit, char *cell) {
+    cell[0] = '\0';
+    if (row->flags & ROW_REQUIRED) {
+        snprintf(cell, CELL, "required");
+    } else if (row->flags & ROW_ONE_OF) {
+        snprintf(cell, CELL, "one of");
+    } else if (is_number(row) && !isnan(row->fallback)) {
+        bool bare = unit[0] == '\0' || row->fallback == 0.0;
+        snprintf(cell, CELL, "%.6g%s%s", row->fallback, bare ? "" : " ", bare ? "" : unit);
+    }
+}
+
+static struct line make_line(const struct row *row, const char *power) {
+    struct line l;
+    put_option(row, l.cell[OPTION]);
+    put_unit(row, power, l.cell[UNIT]);
+    put_default(row, l.cell[UNIT], l.cell[DEFAULT]);
+    snprintf(l.cell[RANGE], CELL, "%s", row->range ? row->range->text : "");
+    snprintf(l.cell[MEANING], CELL, "%s", row->doc);
+    return l;
+}
+
+static void widen(int *width, const struct line *l) {
+    for (int c = 0; c < N_COLUMN; c++) {
+        int n = text_columns(l->cell[c], strlen(l->cell[c]));
+        width[c] = n > width[c] ? n : width[c];
+    }
+}
+
+// Prints `text` from column `column` on; further lines are indented as far.
+static void wrap(const char *text, int column) {
+    int at = column;
+    for (const char *word = text; *word;) {
+        size_t n = strcspn(word, " ");
+        int wide = text_columns(word, n);
+        if (at > column && at + 1 + wide > WIDTH) {
+            printf("\n%*s", column, "");
+            at = column;
+        }
+        at += printf("%s", at > column ? " " : "") + wide;
+        fwrite(word, 1, n, stdout);
+        word += n + (word[n] == ' ');
+    }
+    printf("\n");
+}
+
+static void print_text(const struct line *l, const int *width) {
+    int column = printf("  ");
+    for (int c = 0; c < MEANING; c++) {
+        const char *text = l->cell[c];
+        printf("%s%*s  ", text, width[c] - text_columns(text, strlen(text)), "");
+        column += width[c] + 2;
+    }
+    wrap(l->cell[MEANING], column);
+}
+
+static void print_line(enum page page, const struct line *l, const int *width) {
+    if (page == PAGE_TEXT) {
+        print_text(l, width);
+        return;
+    }
+    printf("|");
+    for (int c = 0; c < N_COLUMN; c++) {
+        const char *quote = c == OPTION && l->cell[c][0] == '-' ? "`" : "";
+        printf(" %s%s%s |", quote, l->cell[c], quote);
+    }
+    printf("\n");
+}
+
+void rows_print(enum page page, const struct row *row, int n_row) {
+    if (n_row == 0) {
+        return;
+    }
+    int width[N_COLUMN] = {0};
+    struct line head;
+    const char *power = power_key(row, n_row);
+    for (int c = 0; c < N_COLUMN; c++) {
+        snprintf(head.cell[c], CELL, "%s", headings[c]);
+    }
+    widen(width, &head);
+    for (int i = 0; i < n_row; i++) {
+        struct line l = make_line(&row[i], power);
+        widen(width, &l);
+    }
+    printf("\n");
+    print_line(page, &head, width);
+    if (page == PAGE_MARKDOWN) {
+        printf("| --- | --- | --- | --- | --- |\n");
+    }
+    for (int i = 0; i < n_row; i++) {
+        struct line l = make_line(&row[i], power);
+        print_line(page, &l, width);
+    }
+}
+
+void rows_entry(enum page page, const char *label, const char *text) {
+    if (!text) {
+        return;
+    }
+    if (page == PAGE_MARKDOWN) {
+        printf("- %s: %s\n", label, text);
+        return;
+    }
+    wrap(text, printf("  %-9s", label));
+}
+
+void rows_code(enum page page, const char *label, const char *text) {
+    if (page == PAGE_MARKDOWN) {
+        printf("- %s: `%s`\n", label, text);
+    } else {
+        rows_entry(page, label, text);
+    }
+}
+
+void rows_heading(enum page page, int depth, const char *text) {
+    if (page == PAGE_MARKDOWN) {
+        printf("%.*s %s\n\n", depth, "######", text);
+    } else {
+        printf("%s\n", text);
+    }
+}
+
+void rows_generated(const char *command) {
+    printf("<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
+           "<!-- Printed by `jostle %s --markdown`; `make docs` writes it anew. -->\n\n",
+           command);
+}
+
+static const char details[] = "  --markdown  the page of the documentation\n"
+                              "  --help      this text\n";
+
+bool rows_options(const struct command *c, int argc, char **argv, enum page *page,
+                  const char **name, int *status) {
+    static const struct option option[] = {
+        {"markdown", no_argument, NULL, 'm'},
+        {"help", no_argument, NULL, 'h'},
+        {NULL, 0, NULL, 0},
+    };
+    opterr = 0;
+    optind = 1;
+    *page = PAGE_TEXT;
+    for (int letter; (letter = getopt_long(argc, argv, ":", option, NULL)) != -1;) {
+        if (letter == 'h') {
+            *status = command_help(c, details);
+            return false;
+        }
+        if (letter != 'm') {
+            *status = command_bad_option(c, letter, argv);
+            return false;
+        }
+        *page = PAGE_MARKDOWN;
+    }
+    if (argc - optind > 1) {
+        *status = command_usage(c, "one name is expected, not %d", argc - optind);
+        return false;
+    }
+    *name = argc > optind ? argv[optind] : NULL;
+    return true;
+}

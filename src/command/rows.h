@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of statements and laws as tables, and the pieces that the reference pages of `laws` and
+// `deck` share. Everything goes to stdout.
+#ifndef JOSTLE_ROWS_H
+#define JOSTLE_ROWS_H
+
+#include "command/command.h"
+#include "jostle/row.h"
+
+// Plain text of at most 100 columns, or Markdown.
+enum page { PAGE_TEXT, PAGE_MARKDOWN };
+
+// A table of the rows: option, unit, range, default, meaning. Units and defaults are in SI.
+void rows_print(enum page page, const struct row *row, int n_row);
+
+// "label: text", wrapped in plain text. `text` NULL: prints nothing.
+void rows_entry(enum page page, const char *label, const char *text);
+
+// The same for text that is typed as it stands: a usage, a formula.
+void rows_code(enum page page, const char *label, const char *text);
+
+// A heading of the given depth, from 1.
+void rows_heading(enum page page, int depth, const char *text);
+
+// What both pages open with: that they are generated, and by what.
+void rows_generated(const char *command);
+
+// The command line `[NAME] [--markdown]`. True with *page and *name (NULL: not given); false with
+// *status to be returned.
+bool rows_options(const struct command *c, int argc, char **argv, enum page *page,
+                  const char **name, int *status);
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle run: a deck through time, into a result file, and a summary.
+#include <errno.h>
+#include <getopt.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/load.h"
+#include "core/arena.h"
+#include "jostle/result.h"
+
+static int run_command(int argc, char **argv);
+
+const struct command command_run = {
+    .name = "run",
+    .usage = "DECK [-o FILE.h5] [-D NAME=VALUE]... [-j THREADS] [-q] [--force]",
+    .summary = "runs a deck, writes its result file and prints a summary",
+    .run = run_command,
+};
+
+static const char details[] =
+    "  -o, --output FILE  the result file; default: the name of the deck with .h5, in the current\n"
+    "                     directory\n"
+    "  -D NAME=VALUE      overrides a param of the deck; may be repeated\n"
+    "  -j THREADS         threads for a study; one analysis runs on one\n"
+    "  -q, --quiet        prints nothing but errors\n"
+    "  --force            overwrites an existing result file\n"
+    "  --help             this text\n";
+
+struct options {
+    struct load_request load;
+    const char *output;
+    enum result_existing existing;
+};
+
+// Set by SIGINT and SIGTERM; the only state that outlives a call, as signals ask for.
+static volatile sig_atomic_t interrupted;
+
+static void interrupt(int number) {
+    interrupted = number;
+}
+
+// Passes rows on to the writer, and ends the run on a signal.
+struct watched {
+    struct observer writer;
+};
+
+static int watched_row(void *context, const struct row_view *row, struct error *e) {
+    const struct watched *w = context;
+    if (interrupted) {
+        return error_set(e, STATUS_SYSTEM, "interrupted by signal %d at t = %.6g; nothing was written",
+                         (int)interrupted, row->time);
+    }
+    return w->writer.row(w->writer.context, row, e);
+}
+
+static int parse_threads(const char *text) {
+    char *end;
+    errno = 0;
+    long n = strtol(text, &end, 10);
+    if (errno || end == text || *end || n < 1 || n > 4096) {
+        return command_usage(&command_run, "-j takes a number of threads from 1 to 4096, not '%s'",
+                             text);
+    }
+    return EXIT_DONE;
+}
+
+// EXIT_DONE with the options filled, else the status to return; *helped if help was asked for.
+static int parse(int argc, char **argv, const char **define, struct options *o, bool *helped) {
+    static const struct option option[] = {
+        {"output", required_argument, NULL, 'o'}, {"define", required_argument, NULL, 'D'},
+        {"threads", required_argument, NULL, 'j'}, {"quiet", no_argument, NULL, 'q'},
+        {"force", no_argument, NULL, 'f'},         {"help", no_argument, NULL, 'h'},
+        {NULL, 0, NULL, 0},
+    };
+    int status = EXIT_DONE;
+    opterr = 0;
+    optind = 1;
+    for (int c; status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:j:qh", option, NULL)) != -1;) {
+        switch (c) {
+            case 'o': o->output = optarg; break;
+            case 'D': define[o->load.n_define++] = optarg; break;
+            case 'j': status = parse_threads(optarg); break;
+            case 'q': o->load.quiet = true; break;
+            case 'f': o->existing = RESULT_REPLACE; break;
+            case 'h': *helped = true; return command_help(&command_run, details);
+            default: return command_bad_option(&command_run, c, argv);
+        }
+    }
+    if (status == EXIT_DONE && argc - optind != 1) {
+        return command_usage(&command_run, "one deck is expected, not %d", argc - optind);
+    }
+    o->load.path = argv[optind];
+    return status;
+}
+
+// The deck's name with .h5 for its ending, without its folder.
+static const char *default_output(struct arena *a, const char *deck) {
+    const char *slash = strrchr(deck, '/');
+    const char *base = slash ? slash + 1 : deck;
+    const char *dot = strrchr(base, '.');
+    size_t n = dot && dot > base ? (size_t)(dot - base) : strlen(base);
+    return arena_format(a, "%.*s.h5", (int)n, base);
+}
+
+static const char *command_line(struct arena *a, int argc, char **argv) {
+    const char *line = "jostle";
+    for (int i = 0; i < argc && line; i++) {
+        line = arena_format(a, "%s %s", line, argv[i]);
+    }
+    return line;
+}
+
+static void catch_signals(void) {
+    struct sigaction action = {.sa_handler = interrupt, .sa_flags = (int)SA_RESETHAND};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+}
+
+static int analyse(const struct model *m, const struct result_options *result, struct results **out,
+                   struct error *e) {
+    struct result_writer *writer;
+    int status = result_create(m, result, &writer, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    struct watched watched = {.writer = result_observer(writer)};
+    struct observer observer = {.row = watched_row, .context = &watched};
+    status = analysis_run(m, &observer, out, e);
+    if (status != STATUS_OK) {
+        result_abort(writer);
+        return status;
+    }
+    status = result_finish(writer, *out, e);
+    if (status != STATUS_OK) {
+        results_free(*out);
+    }
+    return status;
+}
+
+static int print_summary(const struct model *m, const struct results *r, const char *path,
+                         struct error *e) {
+    struct report *report;
+    int status = report_create(m, r, path, JOSTLE_VERSION, &report, e);
+    if (status == STATUS_OK) {
+        report_print(report, stdout);
+        report_free(report);
+    }
+    return status;
+}
+
+static int run_model(const struct model *m, const struct options *o, int argc, char **argv) {
+    struct arena *a = m->deck->arena;
+    const char *path = o->output ? o->output : m->output.file;
+    struct result_options result = {
+        .path = path ? path : default_output(a, o->load.path),
+        .existing = o->existing,
+        .command_line = command_line(a, argc, argv),
+        .version = JOSTLE_VERSION,
+    };
+    struct error e;
+    if (!result.path || !result.command_line) {
+        error_no_memory(&e);
+        return command_fail(&e);
+    }
+    struct results *results;
+    catch_signals();
+    if (analyse(m, &result, &results, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    int status = o->load.quiet ? STATUS_OK : print_summary(m, results, result.path, &e);
+    results_free(results);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+}
+
+static int run_command(int argc, char **argv) {
+    struct options o = {.existing = RESULT_KEEP};
+    const char **define = calloc((size_t)argc, sizeof *define);
+    if (!define) {
+        struct error e;
+        error_no_memory(&e);
+        return command_fail(&e);
+    }
+    o.load.define = define;
+    bool helped = false;
+    int status = parse(argc, argv, define, &o, &helped);
+    if (status == EXIT_DONE && !helped) {
+        struct model *m;
+        status = load_model(&o.load, &m);
+        if (status == EXIT_DONE) {
+            status = run_model(m, &o, argc, argv);
+            model_free(m);
+        }
+    }
+    free(define);
+    return status;
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The machine-readable forms of a report.
+#ifndef JOSTLE_SHOW_H
+#define JOSTLE_SHOW_H
+
+#include <stdio.h>
+
+#include "jostle/result.h"
+
+void show_tsv(const struct report *r, FILE *to);
+void show_json(const struct report *r, FILE *to);
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A report as one long table: table, name, quantity, location, value, unit, time. The location is a
+// floor, or the number of an impact; the time is that of a peak, or of an impact's start.
+#include <math.h>
+
+#include "command/show.h"
+#include "result/layout.h"
+
+struct table {
+    FILE *to;
+    const struct report *r;
+    const char *name;  // of the table
+};
+
+// Tabs and line ends would break the table.
+static void text(FILE *to, const char *s) {
+    for (; *s; s++) {
+        fputc((unsigned char)*s < ' ' ? ' ' : *s, to);
+    }
+    fputc('\t', to);
+}
+
+static void open_row(const struct table *t, const char *name, const char *quantity, long location) {
+    fprintf(t->to, "%s\t", t->name);
+    text(t->to, name);
+    fprintf(t->to, "%s\t", quantity);
+    if (location > 0) {
+        fprintf(t->to, "%ld", location);
+    }
+    fputc('\t', t->to);
+}
+
+static void close_row(const struct table *t, const struct dimension *dimension, double time) {
+    char unit[64] = "1";
+    if (dimension) {
+        unit_text(&t->r->units, *dimension, unit, sizeof unit);
+    }
+    fprintf(t->to, "\t%s\t", unit);
+    if (!isnan(time)) {
+        fprintf(t->to, "%.17g", time);
+    }
+    fputc('\n', t->to);
+}
+
+static void row(const struct table *t, const char *name, const char *quantity, long location,
+                double value, const struct dimension *dimension, double time) {
+    open_row(t, name, quantity, location);
+    fprintf(t->to, "%.17g", value);
+    close_row(t, dimension, time);
+}
+
+static void building(const struct table *t, const struct report_building *b) {
+    for (int c = 0; c < layout_building.n_column; c++) {
+        const struct column *column = &layout_building.column[c];
+        const double *const *value = layout_at(&layout_building, c, b, 0);
+        for (int i = 0; i < b->n_floor; i++) {
+            row(t, b->name, column->name, i + 1, (*value)[i], column->dimension, NAN);
+        }
+    }
+    for (int p = 0; p < PEAK_COUNT; p++) {
+        for (int i = 0; i < b->n_floor; i++) {
+            row(t, b->name, peak_names[p], i + 1, b->peak[p][i], layout_peak[p].dimension,
+                b->peak_time[p][i]);
+        }
+    }
+}
+
+// One row a numeric member of a struct; texts are left out.
+static void members(const struct table *t, const struct column_table *c, const char *name,
+                    const void *base, long location, double time) {
+    for (int i = 0; i < c->n_column; i++) {
+        const struct column *column = &c->column[i];
+        const void *at = layout_at(c, i, base, 0);
+        if (column->kind == COLUMN_DOUBLE) {
+            row(t, name, column->name, location, *(const double *)at, column->dimension, time);
+        } else if (column->kind != COLUMN_TEXT) {
+            open_row(t, name, column->name, location);
+            fprintf(t->to, "%ld", layout_whole(column, at));
+            close_row(t, column->dimension, time);
+        }
+    }
+}
+
+// The peaks of a contact, each with its time where it has one.
+static void contact_peak(const struct table *t, const struct report_link *c) {
+    const struct contact_peak *p = &c->peak;
+    row(t, c->name, "force", 0, p->force, &dimension_force,
+        p->impacts > 0 ? p->force_time : (double)NAN);
+    row(t, c->name, "penetration", 0, p->penetration, &dimension_length, p->penetration_time);
+    row(t, c->name, "impulse", 0, p->impulse, &dimension_impulse, NAN);
+    row(t, c->name, "impacts", 0, (double)p->impacts, NULL, NAN);
+    row(t, c->name, "dissipated", 0, p->dissipated, &dimension_energy, NAN);
+}
+
+void show_tsv(const struct report *r, FILE *to) {
+    fprintf(to, "table\tname\tquantity\tlocation\tvalue\tunit\ttime\n");
+    const struct table buildings = {to, r, "buildings"}, contacts = {to, r, "contacts"};
+    const struct table links = {to, r, "links"}, impacts = {to, r, "impacts"};
+    const struct table energy = {to, r, "energy"}, totals = {to, r, "totals"};
+    for (int i = 0; i < r->n_building; i++) {
+        building(&buildings, &r->building[i]);
+    }
+    for (int i = 0; i < r->n_contact; i++) {
+        members(&contacts, &layout_link, r->contact[i].name, &r->contact[i], 0, NAN);
+        contact_peak(&contacts, &r->contact[i]);
+    }
+    for (int i = 0; i < r->n_link; i++) {
+        members(&links, &layout_link, r->link[i].name, &r->link[i], 0, NAN);
+    }
+    for (long i = 0; i < r->n_impact; i++) {
+        members(&impacts, &layout_impact, r->contact[r->impact[i].contact].name, &r->impact[i],
+                i + 1, r->impact[i].t_start);
+    }
+    for (int i = 0; i < ENERGY_COUNT; i++) {
+        row(&energy, "", energy_names[i], 0, r->energy[i], &dimension_energy, r->duration);
+    }
+    row(&energy, "", "residual_peak", 0, r->residual_peak, &dimension_energy, NAN);
+    members(&totals, &layout_totals, "", &r->totals, 0, NAN);
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Dispatch and exit status, nothing else.
+#include <errno.h>
+#include <gsl/gsl_errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/command.h"
+#include "core/text.h"
+#include "jostle/result.h"
+
+static void print_help(FILE *to) {
+    fprintf(to,
+            "usage: jostle COMMAND ...\n\n"
+            "Simulates the earthquake pounding of multistorey buildings.\n\n");
+    for (int i = 0; i < n_command; i++) {
+        fprintf(to, "  %-9s %s\n", commands[i]->name, commands[i]->summary);
+    }
+    fprintf(to,
+            "\n  --version prints the version; COMMAND --help explains a command\n\n"
+            "Exit status: 0 done, 1 the analysis failed, 2 wrong usage, deck or record,\n"
+            "3 the system failed.\n");
+}
+
+static int unknown(const char *word) {
+    enum { KNOWN_MAX = 64 };
+    const char *known[KNOWN_MAX];
+    int n = 0;
+    for (; n < n_command && n < KNOWN_MAX; n++) {
+        known[n] = commands[n]->name;
+    }
+    const char *near = text_nearest(word, known, n);
+    fprintf(stderr, "jostle: error: unknown %s '%s'", word[0] == '-' ? "option" : "command", word);
+    if (near) {
+        fprintf(stderr, "; did you mean '%s'?", near);
+    }
+    fprintf(stderr, "\ntry 'jostle --help'\n");
+    return EXIT_INPUT;
+}
+
+static int dispatch(int argc, char **argv) {
+    if (argc < 2) {
+        print_help(stderr);
+        return EXIT_INPUT;
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
+        strcmp(argv[1], "help") == 0) {
+        print_help(stdout);
+        return EXIT_DONE;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("jostle %s\n", JOSTLE_VERSION);
+        return EXIT_DONE;
+    }
+    for (int i = 0; i < n_command; i++) {
+        if (strcmp(argv[1], commands[i]->name) == 0) {
+            return commands[i]->run(argc - 1, argv + 1);
+        }
+    }
+    return unknown(argv[1]);
+}
+
+int main(int argc, char **argv) {
+    gsl_set_error_handler_off();
+    result_init();
+    // A closed pipe and a file grown too large are write errors like any other.
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
+    int status = dispatch(argc, argv);
+    errno = 0;
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, "jostle: error: cannot write to the standard output%s%s\n",
+                errno ? ": " : "", errno ? strerror(errno) : "");
+        return EXIT_SYSTEM;
+    }
+    return status;
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Helpers of the figures.
+#include "plot/script.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const script_colour[SCRIPT_COLOURS] = {
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9",
+};
+
+void script_text(FILE *to, const char *text) {
+    fputc('\'', to);
+    for (const char *s = text; *s; s++) {
+        if (*s == '\'') {
+            fputs("''", to);
+        } else {
+            fputc((unsigned char)*s < ' ' ? ' ' : *s, to);
+        }
+    }
+    fputc('\'', to);
+}
+
+// Puts raised digits for ^2 and ^3.
+static void raise(char *text) {
+    for (char *at; (at = strchr(text, '^')) != NULL;) {
+        const bool simple = (at[1] == '2' || at[1] == '3') && at[2] != '.';
+        if (!simple) {
+            return;
+        }
+        at[0] = (char)0xC2;
+        at[1] = (char)(at[1] == '2' ? 0xB2 : 0xB3);
+    }
+}
+
+void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
+                 size_t size) {
+    unit_text(units, dimension, text, size);
+    raise(text);
+}
+
+void script_axis(FILE *to, const char *name, const struct unit_system *units,
+                 struct dimension dimension) {
+    char unit[64], text[160];
+    script_unit(units, dimension, unit, sizeof unit);
+    snprintf(text, sizeof text, "%s [%s]", name, unit);
+    script_text(to, text);
+}
+
+double script_step(double largest, int n) {
+    if (!(largest > 0) || !isfinite(largest)) {
+        return 1;
+    }
+    const double raw = largest / n;
+    const double power = pow(10, floor(log10(raw)));
+    const double ratio = raw / power;
+    return power * (ratio <= 1 ? 1 : ratio <= 2 ? 2 : ratio <= 5 ? 5 : 10);
+}
+
+void script_cut(const char *text, int columns, char *cut, size_t size) {
+    const char *end = text;
+    for (int n = 0; *end && n < columns; n++) {
+        end++;
+        while (((unsigned char)*end & 0xC0) == 0x80) {
+            end++;
+        }
+    }
+    snprintf(cut, size, "%.*s%s", (int)(end - text), text, *end ? "..." : "");
+}
+
+void script_head(FILE *to, const char *title, const char *subtitle) {
+    char cut[512];
+    script_cut(title, 80, cut, sizeof cut);
+    fprintf(to, "set label 1 ");
+    script_text(to, cut);
+    fprintf(to, " at screen 0.5,0.965 center font title_font\nset label 2 ");
+    script_cut(subtitle, 105, cut, sizeof cut);
+    script_text(to, cut);
+    fprintf(to, " at screen 0.5,0.925 center\n");
+}
+
+void script_head_end(FILE *to) {
+    fprintf(to, "unset label\nunset arrow\nunset object\n");
+}
+
+void script_legend(FILE *to, int i, int width, enum script_mark mark, const char *colour,
+                   const char *name) {
+    const double left = 0.065 + 0.235 * (i % 4), y = 0.882 - 0.028 * (i / 4);
+    char cut[256];
+    switch (mark) {
+        case SCRIPT_LINE:
+        case SCRIPT_DASHED:
+            fprintf(to, "set arrow from screen %.4f,%.4f rto screen 0.025,0 nohead lc rgb '%s' dt %d\n",
+                    left, y, colour, mark == SCRIPT_DASHED ? 2 : 1);
+            break;
+        case SCRIPT_AREA:
+            fprintf(to,
+                    "set object rectangle from screen %.4f,%.4f to screen %.4f,%.4f "
+                    "fc rgb '%s' fs solid noborder\n",
+                    left, y - 0.008, left + 0.025, y + 0.008, colour);
+            break;
+        case SCRIPT_POINT:
+            fprintf(to,
+                    "set label '' at screen %.4f,%.4f point pt 7 ps 0.7 lc rgb '%s'\n",
+                    left + 0.0125, y, colour);
+            break;
+    }
+    script_cut(name, 26 * width - 6, cut, sizeof cut);
+    fprintf(to, "set label ");
+    script_text(to, cut);
+    fprintf(to, " at screen %.4f,%.4f left\n", left + 0.032, y);
+}
+
+static int ascending(const void *left, const void *right) {
+    const size_t a = *(const size_t *)left, b = *(const size_t *)right;
+    return (a > b) - (a < b);
+}
+
+// Adds the rows of the smallest and the largest value in [first, end).
+static size_t extremes(const double *value, size_t first, size_t end, size_t *row) {
+    size_t low = first, high = first;
+    for (size_t i = first; i < end; i++) {
+        low = value[i] < value[low] ? i : low;
+        high = value[i] > value[high] ? i : high;
+    }
+    row[0] = low;
+    row[1] = high;
+    return 2;
+}
+
+static size_t distinct(size_t *row, size_t n) {
+    size_t kept = 0;
+    for (size_t i = 0; i < n; i++) {
+        if (kept == 0 || row[i] != row[kept - 1]) {
+            row[kept++] = row[i];
+        }
+    }
+    return kept;
+}
+
+size_t script_thin(const double *const *series, int n_series, size_t n, size_t bins, size_t *row) {
+    const size_t room = 2 * (size_t)n_series * bins + 2;
+    if (n <= room) {
+        for (size_t i = 0; i < n; i++) {
+            row[i] = i;
+        }
+        return n;
+    }
+    size_t n_row = 0;
+    row[n_row++] = 0;
+    for (size_t b = 0; b < bins; b++) {
+        for (int s = 0; s < n_series; s++) {
+            n_row += extremes(series[s], n * b / bins, n * (b + 1) / bins, row + n_row);
+        }
+    }
+    row[n_row++] = n - 1;
+    qsort(row, n_row, sizeof *row, ascending);
+    return distinct(row, n_row);
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What figures have in common: quoting, units, colours, thinning.
+#ifndef JOSTLE_SCRIPT_H
+#define JOSTLE_SCRIPT_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+#include "jostle/result.h"
+
+// Colours that the colour-blind can tell apart (Okabe and Ito 2008), without the yellow, which is
+// too light for lines on white.
+enum { SCRIPT_COLOURS = 7 };
+extern const char *const script_colour[];
+
+// `text` as a gnuplot string in single quotes. Line ends become blanks.
+void script_text(FILE *to, const char *text);
+
+// "name [unit]" as a gnuplot string, powers as raised digits.
+void script_axis(FILE *to, const char *name, const struct unit_system *units,
+                 struct dimension dimension);
+
+// A text whose end is cut off behind `columns` characters.
+void script_cut(const char *text, int columns, char *cut, size_t size);
+
+// Title and subtitle above everything. Unset them behind the first plot with script_head_end, which
+// takes the legend away too.
+void script_head(FILE *to, const char *title, const char *subtitle);
+void script_head_end(FILE *to);
+
+// An entry of the legend at place `i`, four in a row, `width` places wide: what stands for the data,
+// and its name.
+enum script_mark { SCRIPT_LINE, SCRIPT_DASHED, SCRIPT_AREA, SCRIPT_POINT };
+enum { SCRIPT_LEGEND_MAX = 8 };
+void script_legend(FILE *to, int i, int width, enum script_mark mark, const char *colour,
+                   const char *name);
+
+// The unit alone, for running text.
+void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
+                 size_t size);
+
+// A step of 1, 2 or 5 times a power of ten that divides [0, largest] into at most `n` parts.
+double script_step(double largest, int n);
+
+// Chooses rows of `n_series` series of `n` values so that each of `bins` equal parts keeps the
+// smallest and the largest value of every series. `row` has room for 2 n_series bins + 2 indices,
+// or n; returns how many were chosen, ascending.
+size_t script_thin(const double *const *series, int n_series, size_t n, size_t bins, size_t *row);
+
+#endif

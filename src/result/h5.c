@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Failures, types, groups and links: what h5_write.c and h5_read.c share.
+#include "result/h5.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+// The library's work at exit would touch what is left of a file that could not be closed, because
+// the disk is full, and crash; all files are closed long before.
+void result_init(void) {
+    H5dont_atexit();
+    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+}
+
+// Keeps the description of the innermost error: the first one visited.
+static herr_t innermost(unsigned n, const H5E_error2_t *entry, void *context) {
+    struct h5 *h = context;
+    if (n == 0 && entry->desc) {
+        snprintf(h->cause, sizeof h->cause, "%s", entry->desc);
+    }
+    return 0;
+}
+
+// The library wraps the system's message: "... error message = 'No space left on device', ...".
+static void unwrap(char *cause) {
+    static const char mark[] = "error message = '";
+    char *start = strstr(cause, mark);
+    if (!start) {
+        return;
+    }
+    start += sizeof mark - 1;
+    char *end = strchr(start, '\'');
+    size_t n = end ? (size_t)(end - start) : strlen(start);
+    memmove(cause, start, n);
+    cause[n] = '\0';
+}
+
+bool h5_failed(struct h5 *h, long long result) {
+    if (result < 0 && !h->failed) {
+        h->failed = true;
+        snprintf(h->cause, sizeof h->cause, "unknown error of the HDF5 library");
+        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, h);
+        unwrap(h->cause);
+    }
+    return h->failed;
+}
+
+void h5_fail(struct h5 *h, const char *format, ...) {
+    if (h->failed) {
+        return;
+    }
+    h->failed = true;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(h->cause, sizeof h->cause, format, list);
+    va_end(list);
+}
+
+void h5_open_types(struct h5 *h) {
+    h->text = H5Tcopy(H5T_C_S1);
+    if (h5_failed(h, h->text) || h5_failed(h, H5Tset_size(h->text, H5T_VARIABLE))) {
+        return;
+    }
+    h5_failed(h, H5Tset_cset(h->text, H5T_CSET_UTF8));
+}
+
+void h5_close_types(struct h5 *h) {
+    if (h->text > 0) {
+        H5Tclose(h->text);
+    }
+    h->text = 0;
+}
+
+hid_t h5_group(struct h5 *h, hid_t parent, const char *name) {
+    if (h->failed) {
+        return -1;
+    }
+    hid_t list = H5Pcreate(H5P_GROUP_CREATE);
+    hid_t group = -1;
+    if (!h5_failed(h, list) && !h5_failed(h, H5Pset_obj_track_times(list, false))) {
+        group = H5Gcreate2(parent, name, H5P_DEFAULT, list, H5P_DEFAULT);
+        h5_failed(h, group);
+    }
+    if (list >= 0) {
+        H5Pclose(list);
+    }
+    return group;
+}
+
+void h5_close(struct h5 *h, hid_t object) {
+    if (object >= 0) {
+        h5_failed(h, H5Oclose(object));
+    }
+}
+
+void h5_hard_link(struct h5 *h, hid_t object, hid_t parent, const char *name) {
+    if (!h->failed) {
+        h5_failed(h, H5Olink(object, parent, name, H5P_DEFAULT, H5P_DEFAULT));
+    }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The little of HDF5 that the writer and the reader need. Errors stick: after the first failure,
+// whose cause is kept, every call does nothing, so that callers check once.
+#ifndef JOSTLE_H5_H
+#define JOSTLE_H5_H
+
+#include <hdf5.h>
+#include <stdbool.h>
+
+#include "jostle/units.h"
+#include "result/layout.h"
+
+enum { H5_CAUSE_MAX = 256 };
+struct h5 {
+    hid_t file;
+    hid_t text;                       // type of texts: UTF-8, any length
+    const struct unit_system *units;  // borrowed
+    bool failed;
+    char cause[H5_CAUSE_MAX];
+};
+
+// A dataset to be created. Attributes units and long_name come from `quantity`.
+struct h5_dataset {
+    const char *name;
+    struct quantity quantity;
+    hid_t memory_type, file_type;
+    int n_dim;
+    hsize_t dim[2];
+    hid_t scale[2];      // dimension scale of each dimension; 0: none, or it becomes one itself
+    hsize_t chunk_rows;  // 0: contiguous; otherwise rows of a chunk, unwritten rows read as NaN
+    bool many_users;     // a scale that thousands of datasets refer to
+};
+
+void h5_open_types(struct h5 *h);
+void h5_close_types(struct h5 *h);
+
+// Records the first failure when `result` is negative; true if anything has failed so far.
+bool h5_failed(struct h5 *h, long long result);
+void h5_fail(struct h5 *h, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+hid_t h5_group(struct h5 *h, hid_t parent, const char *name);
+void h5_close(struct h5 *h, hid_t object);  // a group or dataset; negative is allowed
+void h5_hard_link(struct h5 *h, hid_t object, hid_t parent, const char *name);
+
+void h5_put_text(struct h5 *h, hid_t object, const char *name, const char *text);
+void h5_put_long(struct h5 *h, hid_t object, const char *name, long value);
+void h5_put_double(struct h5 *h, hid_t object, const char *name, double value);
+
+// The open dataset; -1 after a failure.
+hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d);
+// Creates, writes and closes.
+void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data);
+// Creates the dimension scale `name` with the numbers 1..n; open.
+hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *long_name, size_t n);
+// Rows [first, first + n) of an open dataset of doubles, `width` values each (0: one dimension).
+void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
+                 const double *value);
+
+// A column of an array of structs as a dataset, and a member as an attribute.
+void h5_put_column(struct h5 *h, hid_t parent, const struct column_table *t, int c,
+                   const void *base, size_t n, hid_t scale);
+void h5_put_member(struct h5 *h, hid_t object, const struct column_table *t, int c,
+                   const void *base);
+
+// Reading; texts and arrays are from `a`.
+struct arena;
+bool h5_has(const struct h5 *h, hid_t parent, const char *name);
+hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name);
+char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name);
+long h5_get_long(struct h5 *h, hid_t object, const char *name);
+double h5_get_double(struct h5 *h, hid_t object, const char *name);
+// Length of the one-dimensional dataset; checked to be at most `limit`.
+size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit);
+// The `n` values of a one-dimensional dataset as doubles.
+double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n);
+void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct column_table *t, int c,
+                   void *base, size_t n);
+void h5_get_member(struct h5 *h, struct arena *a, hid_t object, const struct column_table *t, int c,
+                   void *base);
+
+#endif

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads what h5_write.c wrote, trusting nothing: names, kinds, shapes and sizes are checked before
+// anything is allocated or converted.
+#include <assert.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "result/h5.h"
+
+bool h5_has(const struct h5 *h, hid_t parent, const char *name) {
+    return !h->failed && H5Lexists(parent, name, H5P_DEFAULT) > 0;
+}
+
+hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name) {
+    if (h->failed) {
+        return -1;
+    }
+    hid_t group = h5_has(h, parent, name) ? H5Gopen2(parent, name, H5P_DEFAULT) : -1;
+    if (group < 0) {
+        h5_fail(h, "group '%s' is missing", name);
+    }
+    return group;
+}
+
+// The scalar attribute `name`, whose type must be of `class`.
+static hid_t open_attribute(struct h5 *h, hid_t object, const char *name, H5T_class_t class) {
+    if (h->failed) {
+        return -1;
+    }
+    hid_t attribute = H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
+    if (attribute < 0) {
+        h5_fail(h, "attribute '%s' is missing", name);
+        return -1;
+    }
+    hid_t type = H5Aget_type(attribute), space = H5Aget_space(attribute);
+    const bool good = type >= 0 && space >= 0 && H5Tget_class(type) == class &&
+                      H5Sget_simple_extent_npoints(space) == 1 &&
+                      (class != H5T_STRING || H5Tis_variable_str(type) > 0);
+    H5Tclose(type);
+    H5Sclose(space);
+    if (!good) {
+        h5_fail(h, "attribute '%s' is not of the kind expected", name);
+        H5Aclose(attribute);
+        return -1;
+    }
+    return attribute;
+}
+
+char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name) {
+    hid_t attribute = open_attribute(h, object, name, H5T_STRING);
+    if (attribute < 0) {
+        return NULL;
+    }
+    char *library = NULL, *text = NULL;
+    if (!h5_failed(h, H5Aread(attribute, h->text, &library))) {
+        const char *value = library ? library : "";
+        text = arena_text(a, value, strlen(value));
+        H5free_memory(library);
+        if (!text) {
+            h5_fail(h, "out of memory");
+        }
+    }
+    H5Aclose(attribute);
+    return text;
+}
+
+long h5_get_long(struct h5 *h, hid_t object, const char *name) {
+    long value = 0;
+    hid_t attribute = open_attribute(h, object, name, H5T_INTEGER);
+    if (attribute >= 0) {
+        h5_failed(h, H5Aread(attribute, H5T_NATIVE_LONG, &value));
+        H5Aclose(attribute);
+    }
+    return value;
+}
+
+double h5_get_double(struct h5 *h, hid_t object, const char *name) {
+    double value = 0;
+    hid_t attribute = open_attribute(h, object, name, H5T_FLOAT);
+    if (attribute >= 0) {
+        h5_failed(h, H5Aread(attribute, H5T_NATIVE_DOUBLE, &value));
+        H5Aclose(attribute);
+    }
+    return value;
+}
+
+// Opens a one-dimensional dataset and gives its length.
+static hid_t open_list(struct h5 *h, hid_t parent, const char *name, hsize_t *n) {
+    if (h->failed) {
+        return -1;
+    }
+    hid_t dataset = h5_has(h, parent, name) ? H5Dopen2(parent, name, H5P_DEFAULT) : -1;
+    if (dataset < 0) {
+        h5_fail(h, "dataset '%s' is missing", name);
+        return -1;
+    }
+    hid_t space = H5Dget_space(dataset);
+    const bool good = space >= 0 && H5Sget_simple_extent_ndims(space) == 1 &&
+                      H5Sget_simple_extent_dims(space, n, NULL) == 1;
+    H5Sclose(space);
+    if (!good) {
+        h5_fail(h, "dataset '%s' has not one dimension", name);
+        H5Dclose(dataset);
+        return -1;
+    }
+    return dataset;
+}
+
+size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit) {
+    hsize_t n = 0;
+    hid_t dataset = open_list(h, parent, name, &n);
+    if (dataset >= 0) {
+        H5Dclose(dataset);
+        if (n > limit) {
+            h5_fail(h, "dataset '%s' has %llu values; at most %zu are allowed", name,
+                    (unsigned long long)n, limit);
+        }
+    }
+    return h->failed ? 0 : (size_t)n;
+}
+
+// Reads `n` values as `memory_type`; the dataset must have just as many, of that class.
+static void read_list(struct h5 *h, hid_t parent, const char *name, hid_t memory_type, size_t n,
+                      void *to) {
+    hsize_t length = 0;
+    hid_t dataset = open_list(h, parent, name, &length);
+    if (dataset < 0) {
+        return;
+    }
+    hid_t type = H5Dget_type(dataset);
+    if (length != n) {
+        h5_fail(h, "dataset '%s' has %llu values, not %zu", name, (unsigned long long)length, n);
+    } else if (type < 0 || H5Tget_class(type) != H5Tget_class(memory_type) ||
+               (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) <= 0)) {
+        h5_fail(h, "dataset '%s' is not of the kind expected", name);
+    } else if (n > 0) {
+        h5_failed(h, H5Dread(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to));
+    }
+    if (type >= 0) {
+        H5Tclose(type);
+    }
+    H5Dclose(dataset);
+}
+
+double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n) {
+    double *value = arena_alloc(a, n, sizeof *value);
+    if (!value) {
+        h5_fail(h, "out of memory");
+        return NULL;
+    }
+    read_list(h, parent, name, H5T_NATIVE_DOUBLE, n, value);
+    return value;
+}
+
+static void scatter_text(struct h5 *h, struct arena *a, const struct column_table *t, int c,
+                         void *base, size_t n, char **text) {
+    for (size_t i = 0; i < n; i++) {
+        const char *value = text[i] ? text[i] : "";
+        const char *copy = arena_text(a, value, strlen(value));
+        if (!copy) {
+            h5_fail(h, "out of memory");
+        }
+        memcpy(layout_to(t, c, base, i), &copy, sizeof copy);
+        H5free_memory(text[i]);
+    }
+}
+
+static void scatter_whole(struct h5 *h, const struct column_table *t, int c, void *base, size_t n,
+                          const long *value) {
+    const struct column *column = &t->column[c];
+    const long most = column->kind == COLUMN_FLAG ? 1 : INT_MAX;
+    for (size_t i = 0; i < n; i++) {
+        if (value[i] < 0 || value[i] > most) {
+            h5_fail(h, "dataset '%s' has the value %ld", column->name, value[i]);
+            return;
+        }
+        void *to = layout_to(t, c, base, i);
+        if (column->kind == COLUMN_FLAG) {
+            *(bool *)to = value[i] != 0;
+        } else {
+            *(int *)to = (int)value[i] - column->base;
+        }
+    }
+}
+
+void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct column_table *t, int c,
+                   void *base, size_t n) {
+    union {
+        double number;
+        long whole;
+        char *text;
+    } *data = calloc(n + 1, sizeof *data);
+    static_assert(sizeof *data == sizeof(long) && sizeof *data == sizeof(char *), "as written");
+    if (!data) {
+        h5_fail(h, "out of memory");
+        return;
+    }
+    const enum column_kind kind = t->column[c].kind;
+    const hid_t type = kind == COLUMN_DOUBLE ? H5T_NATIVE_DOUBLE
+                       : kind == COLUMN_TEXT ? h->text
+                                             : H5T_NATIVE_LONG;
+    read_list(h, parent, t->column[c].name, type, n, data);
+    if (!h->failed && kind == COLUMN_TEXT) {
+        scatter_text(h, a, t, c, base, n, &data->text);
+    } else if (!h->failed && (kind == COLUMN_INT || kind == COLUMN_FLAG)) {
+        scatter_whole(h, t, c, base, n, &data->whole);
+    } else if (!h->failed) {
+        for (size_t i = 0; i < n; i++) {
+            memcpy(layout_to(t, c, base, i), &data[i], sizeof *data);
+        }
+    }
+    free(data);
+}
+
+void h5_get_member(struct h5 *h, struct arena *a, hid_t object, const struct column_table *t, int c,
+                   void *base) {
+    const struct column *column = &t->column[c];
+    void *to = layout_to(t, c, base, 0);
+    if (column->kind == COLUMN_TEXT) {
+        const char *text = h5_get_text(h, a, object, column->name);
+        memcpy(to, &text, sizeof text);
+    } else if (column->kind == COLUMN_DOUBLE) {
+        const double number = h5_get_double(h, object, column->name);
+        memcpy(to, &number, sizeof number);
+    } else {
+        const long number = h5_get_long(h, object, column->name);
+        memcpy(to, &number, sizeof number);
+    }
+}

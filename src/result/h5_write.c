@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Attributes and datasets with their units, long names and dimension scales. No object keeps the
+// time of its making, so that the same run gives the same bytes.
+#include <assert.h>
+#include <hdf5_hl.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "result/h5.h"
+
+static void put_attribute(struct h5 *h, hid_t object, const char *name, hid_t type,
+                          const void *value) {
+    if (h->failed) {
+        return;
+    }
+    htri_t present = H5Aexists(object, name);
+    if (h5_failed(h, present)) {
+        return;
+    }
+    hid_t space = H5Screate(H5S_SCALAR);
+    hid_t attribute = present ? H5Aopen(object, name, H5P_DEFAULT)
+                              : H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    if (!h5_failed(h, attribute)) {
+        h5_failed(h, H5Awrite(attribute, type, value));
+        H5Aclose(attribute);
+    }
+    H5Sclose(space);
+}
+
+void h5_put_text(struct h5 *h, hid_t object, const char *name, const char *text) {
+    put_attribute(h, object, name, h->text, &text);
+}
+
+void h5_put_long(struct h5 *h, hid_t object, const char *name, long value) {
+    put_attribute(h, object, name, H5T_NATIVE_LONG, &value);
+}
+
+void h5_put_double(struct h5 *h, hid_t object, const char *name, double value) {
+    put_attribute(h, object, name, H5T_NATIVE_DOUBLE, &value);
+}
+
+// Chunks are written whole and never kept in memory by the library. Rows not yet written read as
+// NaN. A scale of thousands of datasets lists them in an attribute of more than the 64 KiB that an
+// object header takes, so it keeps its attributes outside.
+static hid_t creation_list(struct h5 *h, const struct h5_dataset *d, hsize_t values) {
+    hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+    if (h5_failed(h, list)) {
+        return list;
+    }
+    h5_failed(h, H5Pset_obj_track_times(list, false));
+    if (d->many_users) {
+        h5_failed(h, H5Pset_attr_creation_order(list, H5P_CRT_ORDER_TRACKED));
+        h5_failed(h, H5Pset_attr_phase_change(list, 0, 0));
+    }
+    if (d->chunk_rows > 0 && values > 0) {
+        const hsize_t chunk[2] = {d->chunk_rows, d->dim[1]};
+        const double missing = NAN;
+        h5_failed(h, H5Pset_chunk(list, d->n_dim, chunk));
+        h5_failed(h, H5Pset_fill_value(list, H5T_NATIVE_DOUBLE, &missing));
+    }
+    return list;
+}
+
+static hid_t access_list(struct h5 *h) {
+    hid_t list = H5Pcreate(H5P_DATASET_ACCESS);
+    if (!h5_failed(h, list)) {
+        h5_failed(h, H5Pset_chunk_cache(list, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT));
+    }
+    return list;
+}
+
+static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
+    const hsize_t values = d->n_dim == 2 ? d->dim[0] * d->dim[1] : d->dim[0];
+    hid_t list = creation_list(h, d, values);
+    hid_t access = access_list(h);
+    hid_t space = H5Screate_simple(d->n_dim, d->dim, NULL);
+    h5_failed(h, space);
+    hid_t dataset = -1;
+    if (!h->failed) {
+        dataset = H5Dcreate2(parent, d->name, d->file_type, space, H5P_DEFAULT, list, access);
+        h5_failed(h, dataset);
+    }
+    if (space >= 0) {
+        H5Sclose(space);
+    }
+    if (access >= 0) {
+        H5Pclose(access);
+    }
+    if (list >= 0) {
+        H5Pclose(list);
+    }
+    return dataset;
+}
+
+hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
+    hid_t dataset = h->failed ? -1 : create(h, parent, d);
+    if (dataset < 0) {
+        return dataset;
+    }
+    char units[64] = "1";
+    if (d->quantity.dimension) {
+        unit_text(h->units, *d->quantity.dimension, units, sizeof units);
+    }
+    h5_put_text(h, dataset, "units", units);
+    h5_put_text(h, dataset, "long_name", d->quantity.long_name);
+    for (int i = 0; i < d->n_dim && !h->failed; i++) {
+        if (d->scale[i] > 0) {
+            h5_failed(h, H5DSattach_scale(dataset, d->scale[i], (unsigned)i));
+        } else {
+            h5_failed(h, H5DSset_scale(dataset, d->name));
+        }
+    }
+    if (h->failed) {
+        H5Dclose(dataset);
+        return -1;
+    }
+    return dataset;
+}
+
+void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data) {
+    hid_t dataset = h5_dataset(h, parent, d);
+    if (dataset < 0) {
+        return;
+    }
+    if (d->dim[0] > 0) {
+        h5_failed(h, H5Dwrite(dataset, d->memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
+    }
+    h5_close(h, dataset);
+}
+
+hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *long_name, size_t n) {
+    int *number = malloc((n + 1) * sizeof *number);
+    if (!number) {
+        h5_fail(h, "out of memory");
+        return -1;
+    }
+    for (size_t i = 0; i < n; i++) {
+        number[i] = (int)i + 1;
+    }
+    const struct h5_dataset d = {
+        .name = name,
+        .quantity = {long_name, NULL},
+        .memory_type = H5T_NATIVE_INT,
+        .file_type = H5T_STD_I32LE,
+        .n_dim = 1,
+        .dim = {n},
+    };
+    hid_t scale = h5_dataset(h, parent, &d);
+    if (scale >= 0 && n > 0) {
+        h5_failed(h, H5Dwrite(scale, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, number));
+    }
+    free(number);
+    return scale;
+}
+
+void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
+                 const double *value) {
+    if (h->failed) {
+        return;
+    }
+    const hsize_t start[2] = {first, 0};
+    const hsize_t count[2] = {n, width};
+    hid_t file = H5Dget_space(dataset);
+    hid_t memory = H5Screate_simple(width > 0 ? 2 : 1, count, NULL);
+    if (!h5_failed(h, file) && !h5_failed(h, memory) &&
+        !h5_failed(h, H5Sselect_hyperslab(file, H5S_SELECT_SET, start, NULL, count, NULL))) {
+        h5_failed(h, H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, value));
+    }
+    if (memory >= 0) {
+        H5Sclose(memory);
+    }
+    if (file >= 0) {
+        H5Sclose(file);
+    }
+}
+
+// Memory and file types of a kind of column.
+static struct h5_dataset column_dataset(const struct h5 *h, const struct column *c) {
+    struct h5_dataset d = {.name = c->name, .quantity = {c->long_name, c->dimension}};
+    switch (c->kind) {
+        case COLUMN_DOUBLE:
+            d.memory_type = H5T_NATIVE_DOUBLE;
+            d.file_type = H5T_IEEE_F64LE;
+            break;
+        case COLUMN_LONG:
+            d.memory_type = H5T_NATIVE_LONG;
+            d.file_type = H5T_STD_I64LE;
+            break;
+        case COLUMN_INT:
+        case COLUMN_FLAG:
+            d.memory_type = H5T_NATIVE_LONG;
+            d.file_type = H5T_STD_I32LE;
+            break;
+        case COLUMN_TEXT:
+            d.memory_type = h->text;
+            d.file_type = h->text;
+            break;
+    }
+    return d;
+}
+
+// One value of a column on its way to the library.
+union value {
+    double number;
+    long whole;
+    char *text;
+};
+static_assert(sizeof(union value) == sizeof(double) && sizeof(long) == sizeof(double) &&
+                  sizeof(char *) == sizeof(double),
+              "an array of these is an array of any of their members");
+
+static void gather(const struct column_table *t, int c, const void *base, size_t n,
+                   union value *to) {
+    const enum column_kind kind = t->column[c].kind;
+    for (size_t i = 0; i < n; i++) {
+        const void *at = layout_at(t, c, base, i);
+        if (kind == COLUMN_DOUBLE || kind == COLUMN_TEXT) {
+            memcpy(&to[i], at, sizeof to[i]);
+        } else {
+            to[i].whole = layout_whole(&t->column[c], at);
+        }
+    }
+}
+
+void h5_put_column(struct h5 *h, hid_t parent, const struct column_table *t, int c,
+                   const void *base, size_t n, hid_t scale) {
+    union value *data = calloc(n + 1, sizeof *data);
+    if (!data) {
+        h5_fail(h, "out of memory");
+        return;
+    }
+    gather(t, c, base, n, data);
+    struct h5_dataset d = column_dataset(h, &t->column[c]);
+    d.n_dim = 1;
+    d.dim[0] = n;
+    d.scale[0] = scale;
+    h5_put(h, parent, &d, data);
+    free(data);
+}
+
+void h5_put_member(struct h5 *h, hid_t object, const struct column_table *t, int c,
+                   const void *base) {
+    const struct h5_dataset d = column_dataset(h, &t->column[c]);
+    put_attribute(h, object, t->column[c].name, d.memory_type, layout_at(t, c, base, 0));
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables of layout.h.
+#include "result/layout.h"
+
+
+static const struct column root_column[] = {
+    {.name = "title", .kind = COLUMN_TEXT, .offset = offsetof(struct report, title)},
+    {.name = "program", .kind = COLUMN_TEXT, .offset = offsetof(struct report, program)},
+    {.name = "version", .kind = COLUMN_TEXT, .offset = offsetof(struct report, version)},
+    {.name = "created", .kind = COLUMN_TEXT, .offset = offsetof(struct report, created)},
+    {.name = "deck_file", .kind = COLUMN_TEXT, .offset = offsetof(struct report, deck_file)},
+    {.name = "deck", .kind = COLUMN_TEXT, .offset = offsetof(struct report, deck)},
+    {.name = "parameters", .kind = COLUMN_TEXT, .offset = offsetof(struct report, parameters)},
+    {.name = "command_line", .kind = COLUMN_TEXT, .offset = offsetof(struct report, command_line)},
+    {.name = "duration", .kind = COLUMN_DOUBLE, .offset = offsetof(struct report, duration)},
+    {.name = "step", .kind = COLUMN_DOUBLE, .offset = offsetof(struct report, dt)},
+    {.name = "unit_force_in_N",
+     .kind = COLUMN_DOUBLE,
+     .offset = offsetof(struct report, units.force)},
+    {.name = "unit_length_in_m",
+     .kind = COLUMN_DOUBLE,
+     .offset = offsetof(struct report, units.length)},
+    {.name = "unit_time_in_s", .kind = COLUMN_DOUBLE, .offset = offsetof(struct report, units.time)},
+    {.name = "gravity_in_m_per_s2",
+     .kind = COLUMN_DOUBLE,
+     .offset = offsetof(struct report, units.gravity)},
+};
+const struct column_table layout_root = {
+    root_column, sizeof root_column / sizeof root_column[0],
+    sizeof(struct report)};
+
+static const struct column totals_column[] = {
+    {.name = "steps", .kind = COLUMN_LONG, .offset = offsetof(struct totals, steps)},
+    {.name = "newton_iterations", .kind = COLUMN_LONG, .offset = offsetof(struct totals, iterations)},
+    {.name = "wall_seconds", .kind = COLUMN_DOUBLE, .offset = offsetof(struct totals, seconds)},
+    {.name = "steps_cut", .kind = COLUMN_LONG, .offset = offsetof(struct totals, cuts)},
+    {.name = "steps_unsolved", .kind = COLUMN_LONG, .offset = offsetof(struct totals, unsolved)},
+    {.name = "contact_solves_fast", .kind = COLUMN_LONG, .offset = offsetof(struct totals, fast)},
+    {.name = "contact_solves_scalar", .kind = COLUMN_LONG, .offset = offsetof(struct totals, scalar)},
+    {.name = "contact_solves_block", .kind = COLUMN_LONG, .offset = offsetof(struct totals, block)},
+};
+const struct column_table layout_totals = {
+    totals_column, sizeof totals_column / sizeof totals_column[0],
+    sizeof(struct totals)};
+
+static const struct column link_column[] = {
+    {"name", "name", NULL, COLUMN_TEXT, offsetof(struct report_link, name), 0},
+    {"left", "building on the left, or wall", NULL, COLUMN_TEXT, offsetof(struct report_link, left),
+     0},
+    {"right", "building on the right, or wall", NULL, COLUMN_TEXT,
+     offsetof(struct report_link, right), 0},
+    {"law", "law of the force", NULL, COLUMN_TEXT, offsetof(struct report_link, law), 0},
+    {"law_constants", "constants of the law in the deck's units", NULL, COLUMN_TEXT,
+     offsetof(struct report_link, constants), 0},
+    {"left_floor", "floor of the left building, 0 is the wall", NULL, COLUMN_INT,
+     offsetof(struct report_link, left_floor), 0},
+    {"right_floor", "floor of the right building, 0 is the wall", NULL, COLUMN_INT,
+     offsetof(struct report_link, right_floor), 0},
+    {"gap", "gap at rest", &dimension_length, COLUMN_DOUBLE, offsetof(struct report_link, gap), 0},
+    {"effective_mass", "effective mass of the two bodies", &dimension_mass, COLUMN_DOUBLE,
+     offsetof(struct report_link, mass), 0},
+};
+const struct column_table layout_link = {
+    link_column, sizeof link_column / sizeof link_column[0],
+    sizeof(struct report_link)};
+
+static const struct column contact_column[] = {
+    {"force", "largest contact force", &dimension_force, COLUMN_DOUBLE,
+     offsetof(struct contact_peak, force), 0},
+    {"force_time", "time of the largest contact force", &dimension_time, COLUMN_DOUBLE,
+     offsetof(struct contact_peak, force_time), 0},
+    {"penetration", "largest penetration, negative if never closed", &dimension_length,
+     COLUMN_DOUBLE, offsetof(struct contact_peak, penetration), 0},
+    {"penetration_time", "time of the largest penetration", &dimension_time, COLUMN_DOUBLE,
+     offsetof(struct contact_peak, penetration_time), 0},
+    {"impulse", "impulse of all impacts", &dimension_impulse, COLUMN_DOUBLE,
+     offsetof(struct contact_peak, impulse), 0},
+    {"impacts", "number of impacts", NULL, COLUMN_LONG, offsetof(struct contact_peak, impacts), 0},
+    {"dissipated", "energy dissipated in all impacts", &dimension_energy, COLUMN_DOUBLE,
+     offsetof(struct contact_peak, dissipated), 0},
+};
+const struct column_table layout_contact = {
+    contact_column, sizeof contact_column / sizeof contact_column[0],
+    sizeof(struct contact_peak)};
+
+static const struct column impact_column[] = {
+    {"contact", "number of the contact, from 1", NULL, COLUMN_INT, offsetof(struct impact, contact),
+     1},
+    {"t_start", "time of closure", &dimension_time, COLUMN_DOUBLE, offsetof(struct impact, t_start),
+     0},
+    {"t_end", "time of opening, or of the end of the analysis", &dimension_time, COLUMN_DOUBLE,
+     offsetof(struct impact, t_end), 0},
+    {"v_approach", "closing velocity at closure", &dimension_velocity, COLUMN_DOUBLE,
+     offsetof(struct impact, v_approach), 0},
+    {"v_rebound", "opening velocity at t_end", &dimension_velocity, COLUMN_DOUBLE,
+     offsetof(struct impact, v_rebound), 0},
+    {"complete", "1: opened again, 0: still closed at the end", NULL, COLUMN_FLAG,
+     offsetof(struct impact, complete), 0},
+    {"peak_force", "largest contact force", &dimension_force, COLUMN_DOUBLE,
+     offsetof(struct impact, peak_force), 0},
+    {"max_penetration", "largest penetration", &dimension_length, COLUMN_DOUBLE,
+     offsetof(struct impact, max_penetration), 0},
+    {"impulse", "impulse", &dimension_impulse, COLUMN_DOUBLE, offsetof(struct impact, impulse), 0},
+    {"dissipated", "energy dissipated", &dimension_energy, COLUMN_DOUBLE,
+     offsetof(struct impact, dissipated), 0},
+    {"steps", "computed steps in contact", NULL, COLUMN_LONG, offsetof(struct impact, steps), 0},
+};
+const struct column_table layout_impact = {
+    impact_column, sizeof impact_column / sizeof impact_column[0],
+    sizeof(struct impact)};
+
+static const struct column building_column[] = {
+    {"mass", "mass of the floors", &dimension_mass, COLUMN_DOUBLE,
+     offsetof(struct report_building, mass), 0},
+    {"stiffness", "initial stiffness of the storey below each floor", &dimension_stiffness,
+     COLUMN_DOUBLE, offsetof(struct report_building, stiffness), 0},
+    {"height", "height of the storey below each floor, NaN if not given", &dimension_length,
+     COLUMN_DOUBLE, offsetof(struct report_building, height), 0},
+    {"period", "periods of the building alone, elastic, longest first", &dimension_time,
+     COLUMN_DOUBLE, offsetof(struct report_building, period), 0},
+};
+const struct column_table layout_building = {
+    building_column, sizeof building_column / sizeof building_column[0],
+    sizeof(struct report_building)};
+
+const struct quantity layout_field[] = {
+    {"displacement of the floors relative to the ground", &dimension_length},
+    {"velocity of the floors relative to the ground", &dimension_velocity},
+    {"total acceleration of the floors", &dimension_acceleration},
+    {"drift of the storey below each floor", &dimension_length},
+    {"restoring force of the storey below each floor", &dimension_force},
+    {"contact force, positive in compression", &dimension_force},
+    {"penetration, negative while apart", &dimension_length},
+};
+
+const struct quantity layout_link_field[] = {
+    {"force of the link, positive in compression", &dimension_force},
+    {"shortening of the link, negative when it is stretched", &dimension_length},
+};
+
+const struct quantity layout_peak[] = {
+    [PEAK_DISPLACEMENT] = {"largest displacement relative to the ground", &dimension_length},
+    [PEAK_VELOCITY] = {"largest velocity relative to the ground", &dimension_velocity},
+    [PEAK_ACCELERATION] = {"largest total acceleration", &dimension_acceleration},
+    [PEAK_DRIFT] = {"largest drift of the storey below each floor", &dimension_length},
+    [PEAK_SHEAR] = {"largest restoring force of the storey below each floor", &dimension_force},
+};
+
+const struct quantity layout_energy[] = {
+    [ENERGY_INPUT] = {"work of the ground motion, the loads and the initial state",
+                      &dimension_energy},
+    [ENERGY_KINETIC] = {"kinetic energy relative to the ground", &dimension_energy},
+    [ENERGY_STRAIN] = {"energy stored in the storeys", &dimension_energy},
+    [ENERGY_DAMPING] = {"work of the buildings' damping", &dimension_energy},
+    [ENERGY_HYSTERETIC] = {"energy dissipated by the storeys", &dimension_energy},
+    [ENERGY_CONTACT] = {"work done on contacts and links", &dimension_energy},
+    [ENERGY_RESIDUAL] = {"what the energy account misses", &dimension_energy},
+};
+
+const void *layout_at(const struct column_table *t, int c, const void *base, size_t i) {
+    return (const char *)base + i * t->size + t->column[c].offset;
+}
+
+void *layout_to(const struct column_table *t, int c, void *base, size_t i) {
+    return (char *)base + i * t->size + t->column[c].offset;
+}
+
+long layout_whole(const struct column *c, const void *at) {
+    switch (c->kind) {
+        case COLUMN_LONG:
+            return *(const long *)at + c->base;
+        case COLUMN_INT:
+            return *(const int *)at + (long)c->base;
+        case COLUMN_FLAG:
+            return *(const bool *)at ? 1 : 0;
+        default:
+            return 0;
+    }
+}

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opens a result file and reads everything but its histories into a report.
+#include "result/reader.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/arena.h"
+
+// What a file may claim before it is taken for damaged.
+enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
+
+static int damaged(const struct result_file *f, struct error *e) {
+    if (strcmp(f->h.cause, "out of memory") == 0) {
+        return error_no_memory(e);
+    }
+    return error_set(e, STATUS_INPUT, "%s is damaged: %s", f->path, f->h.cause);
+}
+
+static int check_format(struct result_file *f, struct error *e) {
+    struct arena *a = f->report->arena;
+    const char *format = h5_get_text(&f->h, a, f->h.file, "format");
+    if (!format || strcmp(format, "jostle") != 0) {
+        return error_set(e, STATUS_INPUT, "%s is not a result file of jostle", f->path);
+    }
+    const long version = h5_get_long(&f->h, f->h.file, "format_version");
+    if (f->h.failed) {
+        return damaged(f, e);
+    }
+    if (version < 1 || version > RESULT_FORMAT_VERSION) {
+        return error_set(e, STATUS_INPUT,
+                         "%s has format version %ld; this program reads versions up to %d", f->path,
+                         version, RESULT_FORMAT_VERSION);
+    }
+    const char *status = h5_get_text(&f->h, a, f->h.file, "status");
+    if (f->h.failed) {
+        return damaged(f, e);
+    }
+    if (strcmp(status, "complete") != 0) {
+        return error_set(e, STATUS_INPUT, "%s is not complete: its status is '%s'", f->path,
+                         status);
+    }
+    return STATUS_OK;
+}
+
+static void get_unit(struct result_file *f, const char *name, char *to) {
+    const char *text = h5_get_text(&f->h, f->report->arena, f->h.file, name);
+    if (text && strlen(text) >= UNIT_NAME_MAX) {
+        h5_fail(&f->h, "attribute '%s' is longer than %d characters", name, UNIT_NAME_MAX - 1);
+    } else if (text) {
+        memcpy(to, text, strlen(text) + 1);
+    }
+}
+
+static void get_attributes(struct result_file *f) {
+    struct report *r = f->report;
+    get_unit(f, "unit_force", r->units.force_name);
+    get_unit(f, "unit_length", r->units.length_name);
+    get_unit(f, "unit_time", r->units.time_name);
+    for (int c = 0; c < layout_root.n_column; c++) {
+        h5_get_member(&f->h, r->arena, f->h.file, &layout_root, c, r);
+    }
+    for (int c = 0; c < layout_totals.n_column; c++) {
+        h5_get_member(&f->h, r->arena, f->h.file, &layout_totals, c, &r->totals);
+    }
+    r->n_row = (long)h5_get_length(&f->h, f->h.file, "time", (size_t)1 << 30);
+    if (r->n_row < 1) {
+        h5_fail(&f->h, "dataset 'time' has no values");
+    }
+}
+
+static void get_envelope(struct result_file *f, hid_t building, struct report_building *b) {
+    hid_t envelope = h5_get_group(&f->h, building, "envelope");
+    for (int p = 0; p < PEAK_COUNT && !f->h.failed; p++) {
+        const char *time = arena_format(f->report->arena, "%s_time", peak_names[p]);
+        if (!time) {
+            h5_fail(&f->h, "out of memory");
+            break;
+        }
+        const size_t n = (size_t)b->n_floor;
+        b->peak[p] = h5_get_doubles(&f->h, f->report->arena, envelope, peak_names[p], n);
+        b->peak_time[p] = h5_get_doubles(&f->h, f->report->arena, envelope, time, n);
+    }
+    h5_close(&f->h, envelope);
+}
+
+static void get_building(struct result_file *f, hid_t group, struct report_building *b) {
+    b->n_floor = (int)h5_get_length(&f->h, group, "floor", FLOORS_MAX);
+    if (b->n_floor < 1) {
+        h5_fail(&f->h, "building '%s' has no floors", b->name);
+    }
+    for (int c = 0; c < layout_building.n_column && !f->h.failed; c++) {
+        const double **to = layout_to(&layout_building, c, b, 0);
+        *to = h5_get_doubles(&f->h, f->report->arena, group, layout_building.column[c].name,
+                             (size_t)b->n_floor);
+    }
+    get_envelope(f, group, b);
+}
+
+// Each building goes to its position, which must be free.
+static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *info,
+                             void *context) {
+    (void)info;
+    struct result_file *f = context;
+    struct report *r = f->report;
+    hid_t group = h5_get_group(&f->h, parent, name);
+    const long position = h5_get_long(&f->h, group, "position");
+    if (!f->h.failed &&
+        (position < 0 || position >= r->n_building || r->building[position].name)) {
+        h5_fail(&f->h, "building '%s' has the position %ld", name, position);
+    }
+    if (!f->h.failed) {
+        struct report_building *b = &r->building[position];
+        b->name = arena_text(r->arena, name, strlen(name));
+        if (!b->name) {
+            h5_fail(&f->h, "out of memory");
+        }
+        for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
+            r->fields |= h5_has(&f->h, group, field_names[i]) ? 1U << i : 0;
+        }
+        get_building(f, group, b);
+    }
+    h5_close(&f->h, group);
+    return f->h.failed ? -1 : 0;
+}
+
+static void get_buildings(struct result_file *f) {
+    struct report *r = f->report;
+    hid_t group = h5_get_group(&f->h, f->h.file, "buildings");
+    H5G_info_t info = {.nlinks = 0};
+    if (f->h.failed || h5_failed(&f->h, H5Gget_info(group, &info))) {
+        h5_close(&f->h, group);
+        return;
+    }
+    if (info.nlinks < 1 || info.nlinks > BUILDINGS_LIMIT) {
+        h5_fail(&f->h, "it has %llu buildings; 1 to %d are allowed",
+                (unsigned long long)info.nlinks, BUILDINGS_LIMIT);
+    } else {
+        r->n_building = (int)info.nlinks;
+        r->building = arena_alloc(r->arena, info.nlinks, sizeof *r->building);
+        if (!r->building) {
+            h5_fail(&f->h, "out of memory");
+        } else {
+            h5_failed(&f->h, H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit_building,
+                                        f));
+        }
+    }
+    h5_close(&f->h, group);
+}
+
+static struct report_link *get_links(struct result_file *f, hid_t group, const char *scale,
+                                     int *n_link) {
+    struct arena *a = f->report->arena;
+    const size_t n = h5_get_length(&f->h, group, scale, LIST_LIMIT);
+    struct report_link *link = arena_alloc(a, n, sizeof *link);
+    if (!link) {
+        h5_fail(&f->h, "out of memory");
+    }
+    for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
+        h5_get_column(&f->h, a, group, &layout_link, c, link, n);
+    }
+    *n_link = (int)n;
+    return link;
+}
+
+static void get_contacts(struct result_file *f) {
+    struct report *r = f->report;
+    hid_t group = h5_get_group(&f->h, f->h.file, "contacts");
+    r->contact = get_links(f, group, "contact", &r->n_contact);
+    for (int i = 0; i < 2; i++) {
+        const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
+        r->fields |= h5_has(&f->h, group, field_names[FLOOR_FIELD_COUNT + i]) ? bit : 0;
+    }
+    hid_t envelope = h5_get_group(&f->h, group, "envelope");
+    const struct column_table table = {layout_contact.column, layout_contact.n_column,
+                                       sizeof(struct report_link)};
+    for (int c = 0; c < table.n_column && !f->h.failed; c++) {
+        char *base = (char *)r->contact + offsetof(struct report_link, peak);
+        h5_get_column(&f->h, r->arena, envelope, &table, c, base, (size_t)r->n_contact);
+    }
+    h5_close(&f->h, envelope);
+    h5_close(&f->h, group);
+    if (h5_has(&f->h, f->h.file, "links")) {
+        hid_t links = h5_get_group(&f->h, f->h.file, "links");
+        r->link = get_links(f, links, "link", &r->n_link);
+        h5_close(&f->h, links);
+    }
+}
+
+static void get_impacts(struct result_file *f) {
+    struct report *r = f->report;
+    hid_t group = h5_get_group(&f->h, f->h.file, "impacts");
+    const size_t n = h5_get_length(&f->h, group, "impact", LIST_LIMIT);
+    r->impact = arena_alloc(r->arena, n, sizeof *r->impact);
+    if (!r->impact) {
+        h5_fail(&f->h, "out of memory");
+    }
+    for (int c = 0; c < layout_impact.n_column && !f->h.failed; c++) {
+        h5_get_column(&f->h, r->arena, group, &layout_impact, c, r->impact, n);
+    }
+    r->n_impact = (long)n;
+    for (size_t i = 0; i < n && !f->h.failed; i++) {
+        if (r->impact[i].contact < 0 || r->impact[i].contact >= r->n_contact) {
+            h5_fail(&f->h, "impact %zu is of contact %d; there are %d", i + 1,
+                    r->impact[i].contact + 1, r->n_contact);
+        }
+    }
+    h5_close(&f->h, group);
+}
+
+static void get_energy(struct result_file *f) {
+    hid_t group = h5_get_group(&f->h, f->h.file, "energy");
+    f->report->residual_peak = h5_get_double(&f->h, group, "residual_peak");
+    for (int i = 0; i < ENERGY_COUNT && !f->h.failed; i++) {
+        hid_t history = h5_has(&f->h, group, energy_names[i])
+                            ? H5Dopen2(group, energy_names[i], H5P_DEFAULT)
+                            : -1;
+        if (history < 0) {
+            h5_fail(&f->h, "dataset '%s' is missing", energy_names[i]);
+        }
+        f->report->energy[i] = h5_get_double(&f->h, history, "final");
+        h5_close(&f->h, history);
+    }
+    h5_close(&f->h, group);
+}
+
+static int open_file(struct result_file *f, struct error *e) {
+    if (access(f->path, R_OK) != 0) {
+        return error_set(e, STATUS_SYSTEM, "cannot open %s: %s", f->path, strerror(errno));
+    }
+    const htri_t is_hdf5 = H5Fis_hdf5(f->path);
+    if (is_hdf5 <= 0) {
+        return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", f->path);
+    }
+    f->h.file = H5Fopen(f->path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (h5_failed(&f->h, f->h.file)) {
+        return error_set(e, STATUS_INPUT, "cannot read %s: %s", f->path, f->h.cause);
+    }
+    h5_open_types(&f->h);
+    return STATUS_OK;
+}
+
+static int read_file(struct result_file *f, struct error *e) {
+    int status = open_file(f, e);
+    if (status == STATUS_OK) {
+        status = check_format(f, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    get_attributes(f);
+    get_buildings(f);
+    get_contacts(f);
+    get_impacts(f);
+    get_energy(f);
+    return f->h.failed ? damaged(f, e) : STATUS_OK;
+}
+
+int result_open(const char *path, struct result_file **out, struct error *e) {
+    struct arena *a = arena_create();
+    struct result_file *f = calloc(1, sizeof *f);
+    struct report *r = a ? arena_alloc(a, 1, sizeof *r) : NULL;
+    if (!f || !r) {
+        free(f);
+        arena_free(a);
+        return error_no_memory(e);
+    }
+    r->arena = a;
+    f->report = r;
+    f->h.file = -1;
+    f->path = arena_text(a, path, strlen(path));
+    r->file = f->path;
+    int status = f->path ? read_file(f, e) : error_no_memory(e);
+    if (status != STATUS_OK) {
+        result_close(f);
+        return status;
+    }
+    *out = f;
+    return STATUS_OK;
+}
+
+void result_close(struct result_file *f) {
+    if (!f) {
+        return;
+    }
+    h5_close_types(&f->h);
+    if (f->h.file >= 0) {
+        H5Fclose(f->h.file);
+    }
+    report_free(f->report);
+    free(f);
+}
+
+const struct report *result_report(const struct result_file *f) {
+    return f->report;
+}

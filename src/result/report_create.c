@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report of a run from the model and the results in memory.
+#include <math.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/arena.h"
+#include "jostle/result.h"
+
+static const char *const wall = "wall";
+
+static const double *copy(struct arena *a, const double *from, size_t n) {
+    double *to = arena_alloc(a, n, sizeof *to);
+    if (to && from) {
+        memcpy(to, from, n * sizeof *to);
+    }
+    for (size_t i = 0; to && !from && i < n; i++) {
+        to[i] = NAN;
+    }
+    return to;
+}
+
+static int building_fill(struct report_building *to, struct arena *a, const struct building *b,
+                         const struct results *r, struct error *e) {
+    const size_t n = (size_t)b->n_floor;
+    double *period = arena_alloc(a, n, sizeof *period);
+    to->name = arena_text(a, b->name, strlen(b->name));
+    to->n_floor = b->n_floor;
+    to->mass = copy(a, b->mass, n);
+    to->stiffness = copy(a, b->stiffness, n);
+    to->height = copy(a, b->height, n);
+    to->period = period;
+    if (!period || !to->name || !to->mass || !to->stiffness || !to->height) {
+        return error_no_memory(e);
+    }
+    for (size_t i = 0; i < n; i++) {
+        period[i] = 2 * acos(-1.0) / b->omega[i];
+    }
+    for (int p = 0; r && p < PEAK_COUNT; p++) {
+        to->peak[p] = copy(a, r->peak[p] + b->first, n);
+        to->peak_time[p] = copy(a, r->peak_time[p] + b->first, n);
+        if (!to->peak[p] || !to->peak_time[p]) {
+            return error_no_memory(e);
+        }
+    }
+    return STATUS_OK;
+}
+
+static const char *constants_text(struct arena *a, const struct link *l) {
+    const char *text = "";
+    for (int i = 0; text && i < l->law->n_constant; i++) {
+        text = arena_format(a, "%s%s%.9g", text, i > 0 ? " " : "", l->constant[i]);
+    }
+    return text;
+}
+
+static int link_fill(struct report_link *to, const struct report *r, const struct link *l,
+                     struct error *e) {
+    *to = (struct report_link){
+        .name = arena_text(r->arena, l->name, strlen(l->name)),
+        .left = l->building[0] == WALL ? wall : r->building[l->building[0]].name,
+        .right = l->building[1] == WALL ? wall : r->building[l->building[1]].name,
+        .law = l->law->name,
+        .constants = constants_text(r->arena, l),
+        .left_floor = l->floor[0],
+        .right_floor = l->floor[1],
+        .gap = l->gap,
+        .mass = l->mass,
+    };
+    return to->name && to->constants ? STATUS_OK : error_no_memory(e);
+}
+
+static int results_fill(struct report *to, const struct results *r, struct error *e) {
+    to->n_impact = r->n_impact;
+    to->impact = arena_alloc(to->arena, (size_t)r->n_impact, sizeof *to->impact);
+    if (!to->impact) {
+        return error_no_memory(e);
+    }
+    if (r->n_impact > 0) {
+        memcpy(to->impact, r->impact, (size_t)r->n_impact * sizeof *to->impact);
+    }
+    for (int i = 0; i < to->n_contact; i++) {
+        to->contact[i].peak = r->contact[i];
+    }
+    memcpy(to->energy, r->energy, sizeof to->energy);
+    to->residual_peak = r->residual_peak;
+    to->totals = r->totals;
+    return STATUS_OK;
+}
+
+static const char *now(struct arena *a) {
+    const time_t seconds = time(NULL);
+    struct tm utc;
+    char text[32];
+    if (!gmtime_r(&seconds, &utc) || !strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)) {
+        return "";
+    }
+    return arena_text(a, text, strlen(text));
+}
+
+static const char *text_or_nothing(struct arena *a, const char *text) {
+    return text ? arena_text(a, text, strlen(text)) : "";
+}
+
+static int texts_fill(struct report *to, const struct model *m, const char *file,
+                      const char *version, struct error *e) {
+    struct arena *a = to->arena;
+    to->file = file ? arena_text(a, file, strlen(file)) : NULL;
+    to->title = text_or_nothing(a, m->deck->title);
+    to->program = "jostle";
+    to->version = text_or_nothing(a, version);
+    to->created = now(a);
+    to->deck_file = text_or_nothing(a, m->deck->path);
+    to->deck = text_or_nothing(a, m->deck->text);
+    to->parameters = text_or_nothing(a, deck_parameters(m->deck));
+    to->command_line = "";
+    const bool good = (to->file || !file) && to->title && to->version && to->created &&
+                      to->deck_file && to->deck && to->parameters;
+    return good ? STATUS_OK : error_no_memory(e);
+}
+
+static int model_fill(struct report *to, const struct model *m, const struct results *r,
+                      struct error *e) {
+    to->units = m->deck->units;
+    to->duration = m->duration;
+    to->dt = m->dt;
+    to->fields = m->output.fields;
+    to->n_row = 1 + m->n_step / m->output.every + (m->n_step % m->output.every != 0);
+    to->n_building = m->n_building;
+    to->n_contact = m->n_contact;
+    to->n_link = m->n_link - m->n_contact;
+    to->building = arena_alloc(to->arena, (size_t)to->n_building, sizeof *to->building);
+    to->contact = arena_alloc(to->arena, (size_t)to->n_contact, sizeof *to->contact);
+    to->link = arena_alloc(to->arena, (size_t)to->n_link, sizeof *to->link);
+    if (!to->building || !to->contact || !to->link) {
+        return error_no_memory(e);
+    }
+    int status = STATUS_OK;
+    for (int i = 0; i < m->n_building && status == STATUS_OK; i++) {
+        status = building_fill(&to->building[i], to->arena, &m->building[i], r, e);
+    }
+    for (int i = 0; i < m->n_link && status == STATUS_OK; i++) {
+        struct report_link *l =
+            i < m->n_contact ? &to->contact[i] : &to->link[i - m->n_contact];
+        status = link_fill(l, to, &m->link[i], e);
+    }
+    return status;
+}
+
+int report_create(const struct model *m, const struct results *r, const char *file,
+                  const char *version, struct report **out, struct error *e) {
+    struct arena *a = arena_create();
+    struct report *report = a ? arena_alloc(a, 1, sizeof *report) : NULL;
+    if (!report) {
+        arena_free(a);
+        return error_no_memory(e);
+    }
+    report->arena = a;
+    int status = texts_fill(report, m, file, version, e);
+    if (status == STATUS_OK) {
+        status = model_fill(report, m, r, e);
+    }
+    if (status == STATUS_OK && r) {
+        status = results_fill(report, r, e);
+    }
+    if (status != STATUS_OK) {
+        arena_free(a);
+        return status;
+    }
+    *out = report;
+    return STATUS_OK;
+}
+
+void report_free(struct report *r) {
+    if (r) {
+        arena_free(r->arena);
+    }
+}

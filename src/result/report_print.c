@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The summary as text. Long lists are cut to the most severe entries, and a line says so.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/text.h"
+#include "jostle/result.h"
+
+enum { SHOWN_MAX = 20, NAME_WIDTH_MAX = 16, LINK_WIDTH_MAX = 33, LAW_WIDTH_MAX = 17 };
+
+// Unit texts of the headings, in brackets.
+enum unit {
+    UNIT_LENGTH,
+    UNIT_TIME,
+    UNIT_FORCE,
+    UNIT_MASS,
+    UNIT_ACCELERATION,
+    UNIT_IMPULSE,
+    UNIT_ENERGY,
+    UNIT_COUNT
+};
+
+struct printer {
+    FILE *to;
+    const struct report *r;
+    char unit[UNIT_COUNT][48];
+};
+
+static void units_init(struct printer *p) {
+    const struct dimension *const dimension[UNIT_COUNT] = {
+        [UNIT_LENGTH] = &dimension_length,     [UNIT_TIME] = &dimension_time,
+        [UNIT_FORCE] = &dimension_force,       [UNIT_MASS] = &dimension_mass,
+        [UNIT_ACCELERATION] = &dimension_acceleration,
+        [UNIT_IMPULSE] = &dimension_impulse,   [UNIT_ENERGY] = &dimension_energy,
+    };
+    for (int i = 0; i < UNIT_COUNT; i++) {
+        char text[40];
+        unit_text(&p->r->units, *dimension[i], text, sizeof text);
+        snprintf(p->unit[i], sizeof p->unit[i], "[%s]", text);
+    }
+}
+
+// Left-aligned text; where it is too long, its end is kept, since floors stand there.
+static void cell(FILE *to, const char *text, int width) {
+    const int n = text_columns(text, strlen(text));
+    if (n <= width) {
+        fprintf(to, "%s%*s", text, width - n, "");
+        return;
+    }
+    const char *tail = text;
+    for (int skip = n - width + 2; skip > 0; skip--) {
+        tail++;
+        while (((unsigned char)*tail & 0xC0) == 0x80) {
+            tail++;
+        }
+    }
+    fprintf(to, "..%s", tail);
+}
+
+static void number(FILE *to, double value, int width) {
+    if (isnan(value)) {
+        fprintf(to, " %*s", width, "-");
+    } else {
+        fprintf(to, " %*.4g", width, value);
+    }
+}
+
+static int widest(int width, const char *text, int limit) {
+    const int n = text_columns(text, strlen(text));
+    return n <= width ? width : n < limit ? n : limit;
+}
+
+// Which of n entries are shown and in what order.
+struct choice {
+    double rank;
+    int index;
+};
+
+static int by_rank(const void *left, const void *right) {
+    const struct choice *a = left, *b = right;
+    if (a->rank != b->rank) {
+        return a->rank < b->rank ? 1 : -1;
+    }
+    return (a->index > b->index) - (a->index < b->index);
+}
+
+// Puts `c` among the best SHOWN_MAX of `shown`, kept sorted. Returns how many there are.
+static int choose(struct choice *shown, int n, struct choice c) {
+    if (n == SHOWN_MAX && by_rank(&c, &shown[n - 1]) > 0) {
+        return n;
+    }
+    int i = n == SHOWN_MAX ? n - 1 : n;
+    for (; i > 0 && by_rank(&c, &shown[i - 1]) < 0; i--) {
+        shown[i] = shown[i - 1];
+    }
+    shown[i] = c;
+    return n == SHOWN_MAX ? n : n + 1;
+}
+
+static int by_index(const void *left, const void *right) {
+    const struct choice *a = left, *b = right;
+    return (a->index > b->index) - (a->index < b->index);
+}
+
+static void not_shown(const struct printer *p, int n, const char *what, const char *order) {
+    if (n > 0) {
+        fprintf(p->to, "  %d more %s not shown (by %s); all are in %s%s%s\n", n, what, order,
+                p->r->file ? "" : "the result file",
+                p->r->file ? p->r->file : "", p->r->file ? " (jostle show --tsv)" : "");
+    }
+}
+
+// Index of the largest value; 0 if all are NaN.
+static int largest(const double *value, int n) {
+    int at = 0;
+    for (int i = 1; i < n; i++) {
+        at = value[i] > value[at] || isnan(value[at]) ? i : at;
+    }
+    return at;
+}
+
+static double peak_of(const struct report_building *b, enum peak p) {
+    return b->peak[p] ? b->peak[p][largest(b->peak[p], b->n_floor)] : 0;
+}
+
+struct shown_buildings {
+    struct choice choice[SHOWN_MAX];
+    int n;
+    int width;
+};
+
+static struct shown_buildings choose_buildings(const struct report *r) {
+    struct shown_buildings s = {.n = 0, .width = 8};
+    for (int i = 0; i < r->n_building; i++) {
+        s.n = choose(s.choice, s.n,
+                     (struct choice){.rank = peak_of(&r->building[i], PEAK_DRIFT), .index = i});
+    }
+    qsort(s.choice, (size_t)s.n, sizeof *s.choice, by_index);
+    for (int i = 0; i < s.n; i++) {
+        s.width = widest(s.width, r->building[s.choice[i].index].name, NAME_WIDTH_MAX);
+    }
+    return s;
+}
+
+static void print_buildings(const struct printer *p, const struct shown_buildings *s) {
+    FILE *to = p->to;
+    fprintf(to, "\n%-*s %6s %10s %9s %9s %9s\n", s->width, "building", "floors", "mass", "T1", "T2",
+            "T3");
+    fprintf(to, "%-*s %6s %10s %9s %9s %9s\n", s->width, "", "", p->unit[UNIT_MASS],
+            p->unit[UNIT_TIME], p->unit[UNIT_TIME], p->unit[UNIT_TIME]);
+    for (int i = 0; i < s->n; i++) {
+        const struct report_building *b = &p->r->building[s->choice[i].index];
+        double mass = 0;
+        for (int f = 0; f < b->n_floor; f++) {
+            mass += b->mass[f];
+        }
+        cell(to, b->name, s->width);
+        fprintf(to, " %6d", b->n_floor);
+        number(to, mass, 10);
+        for (int t = 0; t < 3; t++) {
+            number(to, t < b->n_floor ? b->period[t] : (double)NAN, 9);
+        }
+        fprintf(to, "\n");
+    }
+    not_shown(p, p->r->n_building - s->n, "buildings", "drift");
+}
+
+static void print_displacements(const struct printer *p, const struct shown_buildings *s) {
+    FILE *to = p->to;
+    fprintf(to, "\n%-*s %12s %8s %12s %9s %7s %8s\n", s->width, "peak of", "roof displ.", "time",
+            "storey drift", "of height", "storey", "time");
+    fprintf(to, "%-*s %12s %8s %12s %9s %7s %8s\n", s->width, "", p->unit[UNIT_LENGTH],
+            p->unit[UNIT_TIME], p->unit[UNIT_LENGTH], "[%]", "", p->unit[UNIT_TIME]);
+    for (int i = 0; i < s->n; i++) {
+        const struct report_building *b = &p->r->building[s->choice[i].index];
+        const int roof = b->n_floor - 1;
+        const int storey = largest(b->peak[PEAK_DRIFT], b->n_floor);
+        cell(to, b->name, s->width);
+        number(to, b->peak[PEAK_DISPLACEMENT][roof], 12);
+        number(to, b->peak_time[PEAK_DISPLACEMENT][roof], 8);
+        number(to, b->peak[PEAK_DRIFT][storey], 12);
+        number(to, 100 * b->peak[PEAK_DRIFT][storey] / b->height[storey], 9);
+        fprintf(to, " %7d", storey + 1);
+        number(to, b->peak_time[PEAK_DRIFT][storey], 8);
+        fprintf(to, "\n");
+    }
+}
+
+static void print_forces(const struct printer *p, const struct shown_buildings *s) {
+    FILE *to = p->to;
+    const double g =
+        p->r->units.gravity / unit_size(&p->r->units, dimension_acceleration);
+    fprintf(to, "\n%-*s %13s %9s %7s %8s %12s %8s\n", s->width, "peak of", "total accel.", "", "floor",
+            "time", "base shear", "time");
+    fprintf(to, "%-*s %13s %9s %7s %8s %12s %8s\n", s->width, "", p->unit[UNIT_ACCELERATION], "[g]",
+            "", p->unit[UNIT_TIME], p->unit[UNIT_FORCE], p->unit[UNIT_TIME]);
+    for (int i = 0; i < s->n; i++) {
+        const struct report_building *b = &p->r->building[s->choice[i].index];
+        const int floor = largest(b->peak[PEAK_ACCELERATION], b->n_floor);
+        cell(to, b->name, s->width);
+        number(to, b->peak[PEAK_ACCELERATION][floor], 13);
+        number(to, b->peak[PEAK_ACCELERATION][floor] / g, 9);
+        fprintf(to, " %7d", floor + 1);
+        number(to, b->peak_time[PEAK_ACCELERATION][floor], 8);
+        number(to, b->peak[PEAK_SHEAR][0], 12);
+        number(to, b->peak_time[PEAK_SHEAR][0], 8);
+        fprintf(to, "\n");
+    }
+}
+
+static void print_contact(FILE *to, const struct report_link *c, int name_width, int law_width) {
+    cell(to, c->name, name_width);
+    if (law_width > 0) {
+        fprintf(to, " ");
+        cell(to, c->law, law_width);
+    }
+    number(to, c->gap, 9);
+    fprintf(to, " %7ld", c->peak.impacts);
+    number(to, c->peak.impacts > 0 ? c->peak.force : (double)NAN, 9);
+    number(to, c->peak.impacts > 0 ? c->peak.force_time : (double)NAN, 7);
+    number(to, c->peak.impacts > 0 ? c->peak.penetration : (double)NAN, 9);
+    number(to, c->peak.impulse, 9);
+    number(to, c->peak.dissipated, 9);
+    fprintf(to, "\n");
+}
+
+// The contacts that are shown: those hit hardest first.
+struct shown_contacts {
+    struct choice choice[SHOWN_MAX];
+    int n, n_hit;
+    int name_width, law_width;  // law_width 0: all contacts have the same law
+};
+
+static struct shown_contacts choose_contacts(const struct report *r) {
+    struct shown_contacts s = {.name_width = 8};
+    for (int i = 0; i < r->n_contact; i++) {
+        const struct contact_peak *peak = &r->contact[i].peak;
+        s.n_hit += peak->impacts > 0;
+        s.n = choose(s.choice, s.n,
+                     (struct choice){.rank = peak->impacts > 0 ? peak->force : -HUGE_VAL,
+                                     .index = i});
+        if (strcmp(r->contact[i].law, r->contact[0].law) != 0) {
+            s.law_width = 3;
+        }
+    }
+    for (int i = 0; i < s.n && s.law_width > 0; i++) {
+        s.law_width = widest(s.law_width, r->contact[s.choice[i].index].law, LAW_WIDTH_MAX);
+    }
+    const int room = LINK_WIDTH_MAX - (s.law_width > 0 ? s.law_width + 1 : 0);
+    for (int i = 0; i < s.n; i++) {
+        s.name_width = widest(s.name_width, r->contact[s.choice[i].index].name, room);
+    }
+    return s;
+}
+
+static void print_contacts(const struct printer *p) {
+    const struct report *r = p->r;
+    const struct shown_contacts s = choose_contacts(r);
+    fprintf(p->to, "\n%d %s, %d hit, %ld %s", r->n_contact,
+            r->n_contact == 1 ? "contact" : "contacts", s.n_hit, r->n_impact,
+            r->n_impact == 1 ? "impact" : "impacts");
+    if (s.n > 0 && s.law_width == 0) {
+        fprintf(p->to, ", law %s", r->contact[0].law);
+    }
+    fprintf(p->to, "\n");
+    if (s.n == 0) {
+        return;
+    }
+    const char *const gap = s.law_width > 0 ? " " : "";
+    fprintf(p->to, "%-*s%s%-*s %9s %7s %9s %7s %9s %9s %9s\n", s.name_width, "contact", gap,
+            s.law_width, s.law_width > 0 ? "law" : "", "gap", "impacts", "force", "time", "penetr.",
+            "impulse", "dissip.");
+    fprintf(p->to, "%-*s%s%-*s %9s %7s %9s %7s %9s %9s %9s\n", s.name_width, "", gap, s.law_width,
+            "", p->unit[UNIT_LENGTH], "", p->unit[UNIT_FORCE], p->unit[UNIT_TIME],
+            p->unit[UNIT_LENGTH], p->unit[UNIT_IMPULSE], p->unit[UNIT_ENERGY]);
+    for (int i = 0; i < s.n; i++) {
+        print_contact(p->to, &r->contact[s.choice[i].index], s.name_width, s.law_width);
+    }
+    not_shown(p, r->n_contact - s.n, "contacts", "force");
+}
+
+static void print_totals(const struct printer *p) {
+    const struct report *r = p->r;
+    const struct totals *t = &r->totals;
+    const double input = r->energy[ENERGY_INPUT];
+    fprintf(p->to, "\nsteps       %ld (%ld cut, %ld not to tolerance), %ld iterations\n", t->steps,
+            t->cuts, t->unsolved, t->iterations);
+    fprintf(p->to, "energy      %s input %.4g; damping %.4g, storeys %.4g, contacts %.4g\n",
+            p->unit[UNIT_ENERGY], input, r->energy[ENERGY_DAMPING], r->energy[ENERGY_HYSTERETIC],
+            r->energy[ENERGY_CONTACT]);
+    fprintf(p->to, "residual    %s %.4g at the rows written", p->unit[UNIT_ENERGY],
+            r->residual_peak);
+    if (input > 0) {
+        fprintf(p->to, ", %.2g of the input", r->residual_peak / input);
+    }
+    fprintf(p->to, "\nwall time   %.3g s\n", t->seconds);
+    if (r->file) {
+        fprintf(p->to, "results     %s\n", r->file);
+    }
+}
+
+void report_print(const struct report *r, FILE *to) {
+    struct printer p = {.to = to, .r = r};
+    units_init(&p);
+    if (r->title[0]) {
+        fprintf(to, "%s\n", r->title);
+    }
+    fprintf(to, "units %s %s %s, duration %.6g %s, step %.6g %s\n", r->units.force_name,
+            r->units.length_name, r->units.time_name, r->duration, r->units.time_name, r->dt,
+            r->units.time_name);
+    const struct shown_buildings s = choose_buildings(r);
+    print_buildings(&p, &s);
+    if (r->n_building > 0 && r->building[0].peak[0]) {
+        print_displacements(&p, &s);
+        print_forces(&p, &s);
+        print_contacts(&p);
+        print_totals(&p);
+    }
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known only after the run: envelopes, impacts, totals.
+#include <stdio.h>
+
+#include "result/writer.h"
+
+static hid_t open_object(struct h5 *h, hid_t parent, const char *name) {
+    if (h->failed) {
+        return -1;
+    }
+    hid_t object = H5Oopen(parent, name, H5P_DEFAULT);
+    h5_failed(h, object);
+    return object;
+}
+
+static void put_peak(struct h5 *h, hid_t envelope, hid_t floor, const struct report_building *b,
+                     int p) {
+    char name[64], long_name[128];
+    struct h5_dataset d = {
+        .name = peak_names[p],
+        .quantity = layout_peak[p],
+        .memory_type = H5T_NATIVE_DOUBLE,
+        .file_type = H5T_IEEE_F64LE,
+        .n_dim = 1,
+        .dim = {(hsize_t)b->n_floor},
+        .scale = {floor},
+    };
+    h5_put(h, envelope, &d, b->peak[p]);
+    snprintf(name, sizeof name, "%s_time", peak_names[p]);
+    snprintf(long_name, sizeof long_name, "time of the %s", layout_peak[p].long_name);
+    d.name = name;
+    d.quantity = (struct quantity){long_name, &dimension_time};
+    h5_put(h, envelope, &d, b->peak_time[p]);
+}
+
+static void put_envelope(struct h5 *h, hid_t buildings, const struct report_building *b) {
+    hid_t building = open_object(h, buildings, b->name);
+    hid_t floor = open_object(h, building, "floor");
+    hid_t envelope = h5_group(h, building, "envelope");
+    h5_hard_link(h, floor, envelope, "floor");
+    for (int p = 0; p < PEAK_COUNT && !h->failed; p++) {
+        put_peak(h, envelope, floor, b, p);
+    }
+    h5_close(h, envelope);
+    h5_close(h, floor);
+    h5_close(h, building);
+}
+
+static void put_contact_envelope(struct h5 *h, const struct report *r) {
+    hid_t contacts = open_object(h, h->file, "contacts");
+    hid_t scale = open_object(h, contacts, "contact");
+    hid_t envelope = h5_group(h, contacts, "envelope");
+    h5_hard_link(h, scale, envelope, "contact");
+    // The table is of struct contact_peak; here it stands in each struct report_link.
+    const struct column_table table = {layout_contact.column, layout_contact.n_column,
+                                       sizeof(struct report_link)};
+    const char *base = (const char *)r->contact + offsetof(struct report_link, peak);
+    for (int c = 0; c < table.n_column; c++) {
+        h5_put_column(h, envelope, &table, c, base, (size_t)r->n_contact, scale);
+    }
+    h5_close(h, envelope);
+    h5_close(h, scale);
+    h5_close(h, contacts);
+}
+
+static void put_impacts(struct h5 *h, const struct report *r) {
+    const size_t n = (size_t)r->n_impact;
+    hid_t group = h5_group(h, h->file, "impacts");
+    hid_t scale = h5_put_scale(h, group, "impact", "impact", n);
+    for (int c = 0; c < layout_impact.n_column; c++) {
+        h5_put_column(h, group, &layout_impact, c, r->impact, n, scale);
+    }
+    h5_close(h, scale);
+    h5_close(h, group);
+}
+
+// The account at the end as attributes: histories may be of single precision.
+static void put_energy_end(struct h5 *h, const struct report *r) {
+    hid_t group = open_object(h, h->file, "energy");
+    for (int i = 0; i < ENERGY_COUNT; i++) {
+        hid_t history = open_object(h, group, energy_names[i]);
+        h5_put_double(h, history, "final", r->energy[i]);
+        h5_close(h, history);
+    }
+    h5_put_double(h, group, "residual_peak", r->residual_peak);
+    h5_close(h, group);
+}
+
+void writer_results(struct result_writer *w, const struct report *r) {
+    struct h5 *h = &w->h;
+    hid_t buildings = open_object(h, h->file, "buildings");
+    for (int i = 0; i < r->n_building && !h->failed; i++) {
+        put_envelope(h, buildings, &r->building[i]);
+    }
+    h5_close(h, buildings);
+    put_contact_envelope(h, r);
+    put_impacts(h, r);
+    put_energy_end(h, r);
+    for (int c = 0; c < layout_totals.n_column; c++) {
+        h5_put_member(h, h->file, &layout_totals, c, &r->totals);
+    }
+}
