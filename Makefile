@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# jostle is built with GNU make: `make help` lists what there is. Nothing here names a source file,
+# so a new file in src/ or tests/ is found by itself.
+
+# --- settings: each can be given on the command line, `make CC=clang BUILD=build/clang` ----------
+VERSION = 0.1.0
+BUILD   = build#      everything that is made goes below this folder
+CFLAGS  = -O2 -g
+WERROR  = #           1: warnings are errors
+V       = #           1: show whole commands
+SANITIZE = #          for example address,undefined
+FUZZ_SECONDS = 30#    for each reader
+TEST_SECONDS = 600#   limit for one test program
+CORES  := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+
+prefix      = /usr/local
+bindir      = $(prefix)/bin
+libdir      = $(prefix)/lib
+includedir  = $(prefix)/include
+datarootdir = $(prefix)/share
+mandir      = $(datarootdir)/man
+docdir      = $(datarootdir)/doc/jostle
+
+# --- flags: the same deck has to give the same bits, so no -ffast-math and no contraction --------
+FOUND     := $(shell sh tests/support/libraries.sh 2>/dev/null)
+CMOCKA    := $(shell pkg-config --cflags --libs cmocka 2>/dev/null || echo -lcmocka)
+SYSTEM     = $(patsubst -I%,-isystem %,$(filter -I%,$(FOUND)))
+LIBS       = $(filter-out -I%,$(FOUND)) -lm
+WARNINGS   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes \
+             -Wmissing-prototypes $(if $(filter 1,$(WERROR)),-Werror)
+SANITIZER  = $(if $(strip $(SANITIZE)),-fsanitize=$(strip $(SANITIZE)) -fno-sanitize-recover=all \
+             -fno-omit-frame-pointer)
+LANGUAGE   = -std=c17 -D_POSIX_C_SOURCE=200809L -pthread -Iinclude -Isrc $(SYSTEM) $(CPPFLAGS)
+COMPILE    = $(CC) $(LANGUAGE) $(WARNINGS) $(CFLAGS) -ffp-contract=off -fno-math-errno $(SANITIZER)
+LINK       = $(CC) -pthread $(CFLAGS) $(SANITIZER) $(LDFLAGS)
+FAIL_ALLOC = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc
+
+# --- files ---------------------------------------------------------------------------------------
+B        := $(strip $(BUILD))
+PROGRAM  := $(B)/jostle
+LIBRARY  := $(B)/libjostle.a
+SOURCES  := $(sort $(shell find src -name '*.c'))
+OBJECTS  := $(SOURCES:%.c=$(B)/object/%.o)
+HELPERS  := $(patsubst %.c,$(B)/object/%.o,$(wildcard tests/support/*.c))
+TESTS    := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/*/test_*.c)))
+SCRIPTS  := $(filter-out tests/cli/long_%,$(sort $(wildcard tests/cli/*.sh)))
+LONG     := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/*/long_*.c)))
+LONG_SCRIPTS := $(sort $(wildcard tests/cli/long_*.sh))
+FUZZERS  := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
+FORMATTED = $(shell find include src tests -name '*.[ch]')
+TIDIED    = $(shell find src tests -name '*.c')
+HEADERS  := $(wildcard include/jostle/*.h)
+SAYS_VERSION := $(patsubst %.c,$(B)/object/%.o,$(shell grep -rl --include='*.c' JOSTLE_VERSION src))
+
+Q     = $(if $(filter 1,$(V)),,@)
+SAY   = $(if $(filter 1,$(V)),@:,@printf '  %-7s %s\n')
+SETUP = @CC='$(CC)' sh tests/support/setup.sh
+ifeq ($(filter -j%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(CORES)
+endif
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+
+# --- the program and its library -----------------------------------------------------------------
+.PHONY: all
+all: $(PROGRAM) $(LIBRARY)  ## build build/jostle and build/libjostle.a (the default)
+
+$(PROGRAM): $(B)/object/src/main.o $(LIBRARY)
+	$(SAY) LINK $@
+	$(Q)$(LINK) -o $@ $^ $(LIBS)
+
+$(LIBRARY): $(filter-out %/src/main.o,$(OBJECTS)) $(B)/members
+	$(SAY) AR $@
+	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
+
+$(B)/object/%.o: %.c $(B)/flags
+	$(SAY) CC $<
+	@mkdir -p $(@D)
+	$(Q)$(COMPILE) $(DEFINE) -MMD -MP -c -o $@ $<
+
+$(B)/object/tests/%.o: DEFINE = -Itests
+$(SAYS_VERSION): DEFINE = -DJOSTLE_VERSION='"$(VERSION)"'
+$(SAYS_VERSION): $(B)/version
+
+# A file that holds $(1) and is touched only when that changes: what depends on it is made anew.
+define remember
+@mkdir -p $(@D)
+@printf '%s\n' '$(subst ','\'',$(1))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(1))' > $@
+endef
+
+.PHONY: FORCE
+$(B)/flags: FORCE
+	$(if $(and $(FOUND),$(wildcard $@)),,$(SETUP) --check build)
+	$(call remember,$(COMPILE) $(LIBS))
+$(B)/version: FORCE
+	$(call remember,$(VERSION))
+$(B)/members: FORCE
+	$(call remember,$(OBJECTS))
+
+# --- tests ---------------------------------------------------------------------------------------
+.PHONY: demo test check test-long asan coverage fuzz
+demo: setup  ## a study of two towers: result file and picture below build/demo
+	@$(MAKE) all
+	@sh tests/support/demo.sh $(PROGRAM) $(B)/demo
+
+test: setup  ## everything that is needed, installed and built, and all tests
+	@$(MAKE) check
+
+check: $(PROGRAM) $(TESTS)  # test without looking for what is missing
+	@JOSTLE=$(PROGRAM) LIMIT=$(TEST_SECONDS) JOBS=$(CORES) \
+	    bash tests/support/run_tests.sh $(B)/log $(TESTS) $(SCRIPTS)
+
+test-long: setup  ## the tests, and those that take long (tests/*/long_*), JOSTLE_LONG=1
+	@$(MAKE) check-long
+
+.PHONY: check-long
+check-long: $(PROGRAM) $(TESTS) $(LONG)
+	@JOSTLE=$(PROGRAM) JOSTLE_LONG=1 LIMIT=3600 JOBS=$(CORES) bash tests/support/run_tests.sh \
+	    $(B)/log $(TESTS) $(LONG) $(SCRIPTS) $(LONG_SCRIPTS)
+
+asan: setup  ## the tests under the address and undefined-behaviour sanitizers
+	@ASAN_OPTIONS=abort_on_error=0:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
+	    $(MAKE) check BUILD=build/asan SANITIZE=address,undefined CFLAGS='-O1 -g'
+
+coverage: setup  ## the tests, and the share of lines of each file that they run
+	@find build/coverage -name '*.gcda' -delete 2>/dev/null || :
+	@$(MAKE) check BUILD=build/coverage CFLAGS='-O0 -g --coverage'
+	@bash tests/support/coverage.sh build/coverage/object
+
+fuzz:  ## random input to every reader, FUZZ_SECONDS each, by clang's libFuzzer
+	$(SETUP) build fuzz
+	@$(MAKE) fuzz-run BUILD=build/fuzz CC=clang SANITIZE=fuzzer-no-link,address,undefined
+
+.PHONY: fuzz-run
+fuzz-run: $(FUZZERS)
+	@SECONDS_EACH=$(FUZZ_SECONDS) bash tests/support/fuzz.sh $(B) $(FUZZERS)
+
+.SECONDARY:
+$(B)/tests/fuzz/%: $(B)/object/tests/fuzz/%.o $(LIBRARY)
+	$(SAY) LINK $@
+	@mkdir -p $(@D)
+	$(Q)$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
+
+$(filter %/test_alloc%,$(TESTS)): LINK += $(FAIL_ALLOC)
+$(filter %/test_alloc%,$(TESTS)): $(B)/object/tests/support/fail_alloc.o
+$(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.o,$(HELPERS)) $(LIBRARY)
+	$(SAY) LINK $@
+	@mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) $(CMOCKA)
+
+# --- the state of the source ---------------------------------------------------------------------
+.PHONY: lint tidy format check-format
+lint: tidy $(LIBRARY)  ## layers, names, lengths and clang-tidy
+	@bash tests/support/check_layers.sh
+	@bash tests/support/check_symbols.sh $(LIBRARY)
+	@bash tests/support/check_length.sh
+
+tidy: setup-lint
+	@printf '%s\n' $(TIDIED) | xargs -n 1 -P $(CORES) sh tests/support/tidy.sh $(LANGUAGE) \
+	    -Itests -DJOSTLE_VERSION='"$(VERSION)"' --
+
+format: setup-lint  ## lay out every C file by .clang-format
+	@clang-format -i $(FORMATTED)
+
+check-format: setup-lint  ## fail if `make format` would change a file
+	@clang-format --dry-run --Werror $(FORMATTED)
+
+# --- documentation -------------------------------------------------------------------------------
+.PHONY: docs
+docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and draw the pictures
+	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
+	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md docs
+	@cp $(B)/docs/README.md README.md
+	@$(PROGRAM) run input/two_towers.deck -o $(B)/docs/two_towers.h5 -q --force
+	@mkdir -p docs/pictures
+	@$(PROGRAM) plot $(B)/docs/two_towers.h5 -o docs/pictures/two_towers.png --force
+	@$(PROGRAM) plot $(B)/docs/multistorey.h5 profiles -o docs/pictures/multistorey.png --force
+
+# --- installing ----------------------------------------------------------------------------------
+.PHONY: install uninstall clean setup setup-lint help
+install: all  ## program, library, headers and jostle.pc; DESTDIR and prefix are honoured
+	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(libdir)/pkgconfig $(DESTDIR)$(includedir)/jostle
+	install -m 755 $(PROGRAM) $(DESTDIR)$(bindir)/jostle
+	install -m 644 $(LIBRARY) $(DESTDIR)$(libdir)/libjostle.a
+	install -m 644 $(HEADERS) $(DESTDIR)$(includedir)/jostle
+	@VERSION='$(VERSION)' PREFIX='$(prefix)' LIBDIR='$(libdir)' INCLUDEDIR='$(includedir)' \
+	    LIBS='-pthread $(LIBS)' sh tests/support/pkgconfig.sh > $(DESTDIR)$(libdir)/pkgconfig/jostle.pc
+	install -d $(DESTDIR)$(mandir)/man1 $(DESTDIR)$(docdir)
+	$(if $(wildcard docs/*.1),install -m 644 $(wildcard docs/*.1) $(DESTDIR)$(mandir)/man1)
+	cp -R input $(DESTDIR)$(docdir)
+
+uninstall:  ## remove what install put there
+	rm -f $(DESTDIR)$(bindir)/jostle $(DESTDIR)$(libdir)/libjostle.a
+	rm -f $(DESTDIR)$(libdir)/pkgconfig/jostle.pc
+	rm -f $(patsubst docs/%,$(DESTDIR)$(mandir)/man1/%,$(wildcard docs/*.1))
+	rm -rf $(DESTDIR)$(includedir)/jostle $(DESTDIR)$(docdir)
+
+clean:  ## remove build/
+	rm -rf $(B)
+
+setup:  ## install the libraries and tools that are missing
+	$(SETUP) build test demo
+
+setup-lint:
+	$(SETUP) build lint
+
+help:  ## this list
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## / { printf "make %-13s %s\n", $$1, $$2 }' Makefile
+
+-include $(shell find $(B)/object -name '*.d' 2>/dev/null)

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/analysis.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/support.h"
+
+static struct model *build(const char *text) {
+    struct deck *deck;
+    struct error e = {0};
+    struct model *m = NULL;
+    assert_int_equal(deck_open_text("test.deck", text, NULL, 0, &deck, &e), STATUS_OK);
+    int status = model_build(deck, &m, &e);
+    if (status != STATUS_OK) {
+        diagnostics_print(&deck->diagnostics, stderr, false);
+        fail_msg("%s", e.message);
+    }
+    return m;
+}
+
+static char *format_text(const char *format, va_list list) {
+    va_list copy;
+    va_copy(copy, list);
+    int n = vsnprintf(NULL, 0, format, copy);
+    va_end(copy);
+    char *text = malloc((size_t)n + 1);
+    assert_non_null(text);
+    vsnprintf(text, (size_t)n + 1, format, list);
+    return text;
+}
+
+static void grow(double **array, long capacity, int width) {
+    *array = realloc(*array, (size_t)capacity * (size_t)(width > 0 ? width : 1) * sizeof **array);
+    assert_non_null(*array);
+}
+
+static void reserve(struct kept_rows *r) {
+    if (r->n < r->capacity) {
+        return;
+    }
+    r->capacity = r->capacity ? 2 * r->capacity : 256;
+    grow(&r->time, r->capacity, 1);
+    double **const floors[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift, &r->shear};
+    for (size_t i = 0; i < sizeof floors / sizeof floors[0]; i++) {
+        grow(floors[i], r->capacity, r->n_dof);
+    }
+    grow(&r->force, r->capacity, r->n_link);
+    grow(&r->penetration, r->capacity, r->n_link);
+    grow(&r->energy, r->capacity, ENERGY_COUNT);
+}
+
+static void copy(double *to, const double *from, long row, int width) {
+    if (width > 0) {
+        memcpy(to + row * width, from, (size_t)width * sizeof *to);
+    }
+}
+
+static int keep_row(void *context, const struct row_view *row, struct error *e) {
+    (void)e;
+    struct kept_rows *r = context;
+    reserve(r);
+    r->time[r->n] = row->time;
+    copy(r->displacement, row->displacement, r->n, r->n_dof);
+    copy(r->velocity, row->velocity, r->n, r->n_dof);
+    copy(r->acceleration, row->acceleration, r->n, r->n_dof);
+    copy(r->drift, row->drift, r->n, r->n_dof);
+    copy(r->shear, row->storey_shear, r->n, r->n_dof);
+    copy(r->force, row->force, r->n, r->n_link);
+    copy(r->penetration, row->penetration, r->n, r->n_link);
+    copy(r->energy, row->energy, r->n, ENERGY_COUNT);
+    r->n++;
+    return STATUS_OK;
+}
+
+struct model *analysis_model(const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    char *text = format_text(format, list);
+    va_end(list);
+    struct model *m = build(text);
+    free(text);
+    return m;
+}
+
+struct analysis analysis_of(const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    char *text = format_text(format, list);
+    va_end(list);
+    struct analysis a = {.model = build(text)};
+    free(text);
+    a.rows.n_dof = a.model->n_dof;
+    a.rows.n_link = a.model->n_link;
+    struct observer observer = {.row = keep_row, .context = &a.rows};
+    struct error e = {0};
+    if (analysis_run(a.model, &observer, &a.results, &e) != STATUS_OK) {
+        fail_msg("%s", e.message);
+    }
+    return a;
+}
+
+void analysis_free(struct analysis *a) {
+    struct kept_rows *r = &a->rows;
+    double *const arrays[] = {r->time, r->displacement, r->velocity, r->acceleration, r->drift,
+                              r->shear, r->force, r->penetration, r->energy};
+    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
+        free(arrays[i]);
+    }
+    results_free(a->results);
+    model_free(a->model);
+    *a = (struct analysis){0};
+}
+
+long analysis_row(const struct analysis *a, double t) {
+    for (long i = 0; i < a->rows.n; i++) {
+        if (fabs(a->rows.time[i] - t) < 1e-9) {
+            return i;
+        }
+    }
+    fail_msg("no row at t = %g", t);
+    return 0;
+}
+
+double analysis_displacement(const struct analysis *a, int dof, double t) {
+    return a->rows.displacement[analysis_row(a, t) * a->rows.n_dof + dof];
+}

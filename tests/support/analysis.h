@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a deck given as text inside a test, keeping the rows of its histories. Whatever goes wrong fails
+// the test.
+#ifndef JOSTLE_TEST_ANALYSIS_H
+#define JOSTLE_TEST_ANALYSIS_H
+
+#include "jostle/analysis.h"
+
+// One row of every history, as struct row_view gives it.
+struct kept_rows {
+    long n, capacity;
+    int n_dof, n_link;
+    double *time;                                                      // (n)
+    double *displacement, *velocity, *acceleration, *drift, *shear;    // (n, n_dof)
+    double *force, *penetration;                                       // (n, n_link)
+    double *energy;                                                    // (n, ENERGY_COUNT)
+};
+
+struct analysis {
+    struct model *model;
+    struct results *results;
+    struct kept_rows rows;
+};
+
+// The model of a deck made by printf. To be given to model_free.
+struct model *analysis_model(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+// Builds and runs a deck made by printf. To be given to analysis_free.
+struct analysis analysis_of(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void analysis_free(struct analysis *a);
+
+// Row number of time t; fails if no row is within 1e-9 of it.
+long analysis_row(const struct analysis *a, double t);
+
+// Displacement of degree of freedom `dof` at time t.
+double analysis_displacement(const struct analysis *a, int dof, double t);
+
+#endif

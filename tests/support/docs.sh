@@ -1,0 +1,24 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# docs.sh JOSTLE FOLDER: writes into FOLDER what of the documentation the program itself prints:
+# laws.md, deck-statements.md, and README.md with its deck and its summary made anew.
+set -eu
+jostle=$1
+folder=$2
+example=input/multistorey.deck
+
+# README.md with the code block behind the line `<!-- NAME -->` replaced by the file NAME.
+with_block() {
+    awk -v name="$1" -v file="$2" '
+        inside && /^```$/ { while ((getline line < file) > 0) print line; inside = 0 }
+        !inside { print }
+        $0 == "<!-- " name " -->" { due = 1 }
+        due && /^```/ { inside = 1; due = 0 }'
+}
+
+mkdir -p "$folder"
+"$jostle" laws --markdown >"$folder/laws.md"
+"$jostle" deck --markdown >"$folder/deck-statements.md"
+sed '/^#/d' "$example" >"$folder/deck"
+"$jostle" run "$example" -o "$folder/multistorey.h5" --force | sed "s|$folder/||" >"$folder/summary"
+with_block deck "$folder/deck" <README.md | with_block summary "$folder/summary" >"$folder/README.md"

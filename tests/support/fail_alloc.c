@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The linker sends calls of malloc, calloc and realloc to the __wrap_ functions below and makes the
+// true ones reachable as __real_. Counters are atomic because a study allocates in its workers,
+// too.
+#include "support/fail_alloc.h"
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t n, size_t size);
+void *__real_realloc(void *p, size_t size);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t n, size_t size);
+void *__wrap_realloc(void *p, size_t size);
+
+static atomic_bool active;
+static atomic_long count;
+static atomic_long failing;
+
+void fail_alloc_at(long k) {
+    count = 0;
+    failing = k;
+    active = true;
+}
+
+long fail_alloc_stop(void) {
+    active = false;
+    return count;
+}
+
+static bool fails_now(void) {
+    return active && atomic_fetch_add(&count, 1) + 1 == failing;
+}
+
+void *__wrap_malloc(size_t size) {
+    return fails_now() ? NULL : __real_malloc(size);
+}
+
+void *__wrap_calloc(size_t n, size_t size) {
+    return fails_now() ? NULL : __real_calloc(n, size);
+}
+
+void *__wrap_realloc(void *p, size_t size) {
+    return fails_now() ? NULL : __real_realloc(p, size);
+}

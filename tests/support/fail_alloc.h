@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes one allocation fail. Works in programs linked with
+// --wrap=malloc,--wrap=calloc,--wrap=realloc (every tests/*/test_alloc*.c is), for calls from
+// jostle's own code; libraries are not touched.
+#ifndef JOSTLE_TEST_FAIL_ALLOC_H
+#define JOSTLE_TEST_FAIL_ALLOC_H
+
+// From now on count allocations from 1 and let the k-th fail, once; k = 0: count only.
+void fail_alloc_at(long k);
+
+// Stops that and returns how many allocations were asked for since.
+long fail_alloc_stop(void);
+
+#endif
