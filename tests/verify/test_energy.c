@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The account of energy: with average acceleration it closes to rounding whatever acts; what it says is
+// dissipated agrees with what the impacts say.
+#include <math.h>
+
+#include "support/analysis.h"
+#include "support/support.h"
+
+#define PAIR                                                                                    \
+    "building A -floors 4 -mass 200t -stiffness 150MN/m\n"                                      \
+    "building B -floors 3 -mass 150t -stiffness 250MN/m\n"                                      \
+    "damping A rayleigh 5%%\ndamping B modal 3%%\n"                                              \
+    "ground record input/records/ELCENTRO_1940_NS.AT2\nduration 8\n"
+
+// Residual relative to the input.
+static double residual(const struct analysis *a) {
+    return a->results->residual_peak / a->results->energy[ENERGY_INPUT];
+}
+
+static void the_account_closes_without_contact(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(PAIR "step fixed 5ms\n");
+    assert_true(residual(&a) < 1e-12);
+    assert_true(a.results->energy[ENERGY_DAMPING] > 0.5 * a.results->energy[ENERGY_INPUT]);
+    analysis_free(&a);
+}
+
+static void the_account_closes_with_contact_and_yielding_at_any_step(void **state) {
+    (void)state;
+    const double step[] = {2e-4, 2e-3, 1e-2, 2e-2};
+    for (size_t i = 0; i < sizeof step / sizeof step[0]; i++) {
+        struct analysis a = analysis_of(
+            PAIR "storey A:all bilinear -yield 900kN -hardening 0\n"
+            "storey B:1 bilinear -yield 1.2MN -hardening 0.05\n"
+            "contact A B -gap 5mm -law kelvin-voigt -k 93.5MN/m -e 0.65\n"
+            "link A:3 B:3 -dashpot 300kN*s^0.5/m^0.5 -exponent 0.5\n"
+            "step fixed %g\n", step[i]);
+        assert_true(residual(&a) < 1e-11);
+        assert_true(a.results->energy[ENERGY_HYSTERETIC] > 0.0);
+        assert_int_equal(a.results->totals.unsolved, 0);
+        analysis_free(&a);
+    }
+}
+
+static void the_account_closes_on_grounds_that_move_differently(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(
+        "building A -floors 4 -mass 200t -stiffness 150MN/m\n"
+        "building B -floors 3 -mass 150t -stiffness 250MN/m\n"
+        "damping A rayleigh 5%%\ndamping B rayleigh 5%%\n"
+        "ground record input/records/ELCENTRO_1940_NS.AT2 -buildings A\n"
+        "ground record input/records/ELCENTRO_1940_NS.AT2 -delay 0.3 -buildings B\n"
+        "contact A B -gap 5mm -law jankowski -k 2.75e9 -e 0.65\nduration 8\nstep fixed 1ms\n");
+    assert_true(a.results->n_impact > 0);
+    assert_true(residual(&a) < 1e-11);
+    analysis_free(&a);
+}
+
+// The contact energy is the sum over impacts, and no impact of a dissipative law gives energy back.
+static void impacts_add_up_to_the_contact_energy(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(PAIR
+        "contact A B -gap 5mm -law jankowski -k 2.75e9 -e 0.65\nstep fixed 0.2ms\n");
+    double sum = 0.0;
+    double impulse = 0.0;
+    for (long i = 0; i < a.results->n_impact; i++) {
+        assert_true(a.results->impact[i].dissipated > 0.0);
+        sum += a.results->impact[i].dissipated;
+        impulse += a.results->impact[i].impulse;
+    }
+    assert_true(a.results->n_impact > 10);
+    assert_close(sum, a.results->energy[ENERGY_CONTACT], 1e-12);
+    double total = 0.0;
+    for (int k = 0; k < a.model->n_contact; k++) {
+        total += a.results->contact[k].impulse;
+    }
+    assert_close(impulse, total, 1e-12);
+    analysis_free(&a);
+}
+
+static void an_initial_state_is_not_part_of_the_input(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(
+        "building A -floors 1 -mass 2 -stiffness 50\ninitial A:1 -displacement 0.1 -velocity 0.5\n"
+        "duration 1\nstep fixed 1ms\n");
+    assert_true(a.results->energy[ENERGY_INPUT] == 0.0);
+    assert_close(a.results->initial_energy, 0.25 + 0.25, 1e-14);
+    assert_close(a.results->energy[ENERGY_KINETIC] + a.results->energy[ENERGY_STRAIN], 0.5, 1e-12);
+    analysis_free(&a);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_account_closes_without_contact),
+        cmocka_unit_test(the_account_closes_with_contact_and_yielding_at_any_step),
+        cmocka_unit_test(the_account_closes_on_grounds_that_move_differently),
+        cmocka_unit_test(impacts_add_up_to_the_contact_energy),
+        cmocka_unit_test(an_initial_state_is_not_part_of_the_input),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

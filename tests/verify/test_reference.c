@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole analyses against converged solutions of an independent program (tests/verify/reference/README.md
+// says which): the four experiments of Jankowski (2005) and rows of multistorey buildings, elastic and
+// yielding. Steps resolve the contacts; every peak, impulse and energy has to agree within 0.1 %, the
+// first closure within 0.1 ms, and the number of impacts exactly.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/analysis.h"
+#include "support/support.h"
+
+static const double TOLERANCE = 1e-3;
+// A number much smaller than others of its kind is judged by these shares of the largest.
+static const double SMALL = 1e-3, SMALL_ENERGY = 1e-2;
+
+enum { ROWS_MAX = 200 };
+struct reference {
+    char quantity[32], owner[32];
+    int floor;
+    double value;
+};
+
+static int read_reference(const char *name, struct reference *row) {
+    char path[256];
+    snprintf(path, sizeof path, "tests/verify/reference/%s.tsv", name);
+    FILE *f = fopen(path, "r");
+    assert_non_null(f);
+    int n = 0;
+    while (n < ROWS_MAX && fscanf(f, "%31s %31s %d %lf", row[n].quantity, row[n].owner, &row[n].floor,
+                                  &row[n].value) == 4) {
+        n++;
+    }
+    assert_true(feof(f) && n > 5);
+    fclose(f);
+    return n;
+}
+
+static struct analysis run(const char *name) {
+    char path[256];
+    snprintf(path, sizeof path, "tests/verify/reference/%s.deck", name);
+    struct analysis a = {0};
+    struct deck *deck;
+    struct error e = {0};
+    assert_int_equal(deck_open(path, NULL, 0, &deck, &e), STATUS_OK);
+    assert_int_equal(model_build(deck, &a.model, &e), STATUS_OK);
+    assert_int_equal(analysis_run(a.model, NULL, &a.results, &e), STATUS_OK);
+    return a;
+}
+
+static double floor_value(const struct analysis *a, const struct reference *r) {
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        for (int k = 0; strcmp(r->quantity, peak_names[q]) == 0 && k < a->model->n_building; k++) {
+            const struct building *g = &a->model->building[k];
+            if (strcmp(g->name, r->owner) == 0) {
+                return a->results->peak[q][g->first + r->floor - 1];
+            }
+        }
+    }
+    return NAN;
+}
+
+static const struct impact *first_impact(const struct analysis *a, int contact) {
+    const struct results *s = a->results;
+    for (long i = 0; i < s->n_impact; i++) {
+        if (s->impact[i].contact == contact) {
+            return &s->impact[i];
+        }
+    }
+    fail_msg("contact %d has no impact", contact);
+    return NULL;
+}
+
+static double contact_value(const struct analysis *a, const struct reference *r) {
+    for (int k = 0; k < a->model->n_contact; k++) {
+        const struct contact_peak *c = &a->results->contact[k];
+        const char *q = r->quantity;
+        if (strcmp(a->model->link[k].name, r->owner) != 0) {
+            continue;
+        }
+        return strcmp(q, "impacts") == 0          ? (double)c->impacts
+               : strcmp(q, "force") == 0          ? c->force
+               : strcmp(q, "penetration") == 0    ? c->penetration
+               : strcmp(q, "impulse") == 0        ? c->impulse
+               : strcmp(q, "dissipated") == 0     ? c->dissipated
+               : strcmp(q, "first_closure") == 0  ? first_impact(a, k)->t_start
+               : strcmp(q, "first_approach") == 0 ? first_impact(a, k)->v_approach
+                                                  : (double)NAN;
+    }
+    return NAN;
+}
+
+static double value_of(const struct analysis *a, const struct reference *r) {
+    if (r->floor > 0) {
+        return floor_value(a, r);
+    }
+    for (int i = 0; strcmp(r->owner, "energy") == 0 && i < ENERGY_COUNT; i++) {
+        if (strcmp(r->quantity, energy_names[i]) == 0) {
+            return a->results->energy[i];
+        }
+    }
+    return contact_value(a, r);
+}
+
+static bool is_energy(const struct reference *r) {
+    return strcmp(r->owner, "energy") == 0 || strcmp(r->quantity, "dissipated") == 0;
+}
+
+// Absolute tolerance of row i: relative to the number, or to a share of the largest of its kind.
+static double tolerance(const struct analysis *a, const struct reference *row, int n, int i) {
+    if (strcmp(row[i].quantity, "impacts") == 0) {
+        return 0.0;
+    }
+    if (strcmp(row[i].quantity, "first_closure") == 0) {
+        return 1e-4;
+    }
+    double largest = is_energy(&row[i]) ? a->results->initial_energy : 0.0;
+    for (int k = 0; k < n; k++) {
+        bool same = is_energy(&row[i]) ? is_energy(&row[k])
+                                       : strcmp(row[i].quantity, row[k].quantity) == 0;
+        largest = same ? fmax(largest, fabs(row[k].value)) : largest;
+    }
+    double share = is_energy(&row[i]) ? SMALL_ENERGY : SMALL;
+    return TOLERANCE * fmax(fabs(row[i].value), share * largest);
+}
+
+static void agrees(void **state) {
+    const char *name = *state;
+    struct reference row[ROWS_MAX];
+    int n = read_reference(name, row);
+    struct analysis a = run(name);
+    for (int i = 0; i < n; i++) {
+        double got = value_of(&a, &row[i]);
+        double allowed = tolerance(&a, row, n, i);
+        if (!(fabs(got - row[i].value) <= allowed)) {
+            print_error("%s: %s of %s floor %d\n", name, row[i].quantity, row[i].owner, row[i].floor);
+        }
+        assert_near(got, row[i].value, allowed);
+    }
+    assert_int_equal(a.results->totals.unsolved, 0);
+    analysis_free(&a);
+}
+
+#define CASE(text) {.name = text, .test_func = agrees, .initial_state = (char[]){text}}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        CASE("B1_ball_hertz"),
+        CASE("B1_ball_jankowski"),
+        CASE("B1_ball_kelvin_voigt"),
+        CASE("B2_pendulum_hertz_single"),
+        CASE("B2_pendulum_jankowski_single"),
+        CASE("B2_pendulum_kelvin_voigt_single"),
+        CASE("B3_girder_f2_hertz"),
+        CASE("B3_girder_f2_jankowski"),
+        CASE("B3_girder_f2_kelvin_voigt"),
+        CASE("B4_towers_hertz"),
+        CASE("B4_towers_jankowski"),
+        CASE("B4_towers_kelvin_voigt"),
+        CASE("D_8v5_jankowski"),
+        CASE("D_8v5_kelvin_voigt"),
+        CASE("E1_row3_jankowski"),
+        CASE("E2_elastoplastic_kelvin_voigt"),
+        CASE("E2_elastoplastic_sdof_free"),
+        CASE("E8_free_mdof"),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
