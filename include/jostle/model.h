@@ -123,8 +123,30 @@ int building_damping_ratio(const struct building *g, int mode, double *ratio, st
 // Time at the end of step `n` [T]: n dt, but the duration for the last.
 double model_time(const struct model *m, long n);
 
+// Options that a statement has only in one of its forms, as `ground record` has others than `ground
+// sine`.
+struct statement_variant {
+    const char *name;     // the word that chooses the form; NULL: options that are always there
+    const char *summary;  // half a sentence; NULL where there is no name
+    const struct row *row;
+    int n_row;
+};
+
+struct builder;
+
 // A statement of the deck that builds the model, for parsing and help texts.
-struct statement_kind;
+struct statement_kind {
+    const char *name;
+    const char *usage;      // without the name
+    const char *summary;    // one line
+    const char *example;    // a line of a deck
+    const struct row *row;  // its own options; those of a law it names come on top
+    int n_row;
+    const struct statement_variant *variant;  // (n_variant) NULL: it has one form
+    int n_variant;
+    // Reads the statement into the builder; reports what is wrong in the deck's diagnostics.
+    void (*build)(struct builder *b, const struct statement *s);
+};
 extern const struct statement_kind *const statement_kinds[];
 extern const int n_statement_kind;
 

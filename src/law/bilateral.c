@@ -8,7 +8,7 @@
 static const struct range exponent_range = {
     .min = 0.0, .max = 3.0, .min_open = true, .text = "> 0 and <= 3"};
 
-static const struct row rows[BILATERAL_ROWS] = {
+const struct row bilateral_rows[BILATERAL_ROWS] = {
     [BILATERAL_STIFFNESS] = {"stiffness", ROW_NUMBER, 0, {1, -1, 0}, &range_non_negative, 0.0,
                              "spring stiffness"},
     [BILATERAL_DASHPOT] = {"dashpot", ROW_NUMBER, ROW_PER_VELOCITY_POWER, {1, 0, 0},
@@ -47,7 +47,7 @@ const struct contact_law bilateral_law = {
     .formula = "F = k d + c |v|^a sign(v)",
     .source = "Soong & Dargush (1997), Passive Energy Dissipation Systems, section 3.5",
     .remarks = "connects two buildings; a < 1 limits the damper force at high velocity",
-    .row = rows,
+    .row = bilateral_rows,
     .n_row = BILATERAL_ROWS,
     .n_constant = BILATERAL_ROWS,
     .traits = CONTACT_MAY_PULL,

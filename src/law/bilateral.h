@@ -7,6 +7,8 @@
 
 enum bilateral_row { BILATERAL_STIFFNESS, BILATERAL_DASHPOT, BILATERAL_EXPONENT, BILATERAL_ROWS };
 
+extern const struct row bilateral_rows[BILATERAL_ROWS];
+
 // Not in the table of contact laws: it has no contact condition, d may have either sign.
 extern const struct contact_law bilateral_law;
 

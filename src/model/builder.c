@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "deck/reader.h"
 
 void *builder_array(struct builder *b, size_t n, size_t size) {
     void *p = arena_alloc(b->arena, n, size);
@@ -29,6 +30,10 @@ void *builder_append(struct builder *b, struct list *list, size_t size) {
 }
 
 double *builder_spread(struct builder *b, const struct argument *a, int n, const char *owner) {
+    if (a->n != 1 && n == 1) {
+        deck_error(b->deck, &a->key, "%d values where one is needed", a->n);
+        return NULL;
+    }
     if (a->n != 1 && a->n != n) {
         deck_error(b->deck, &a->key, "%d values for %d %s; give one for all, or %d", a->n, n, owner,
                    n);
@@ -57,12 +62,25 @@ bool builder_plain(struct builder *b, const struct statement *s, int least, int 
 
 bool builder_once(struct builder *b, struct word *mark, const struct statement *s) {
     if (mark->text) {
-        deck_error(b->deck, &s->word[0], "a second '%s'; the first is in line %d", s->word[0].text,
-                   mark->place.line);
+        deck_error(b->deck, &s->word[0], "a second '%s'; the first is in %s", s->word[0].text,
+                   source_mention(b->deck, &mark->place, &s->word[0].place));
         return false;
     }
     *mark = s->word[0];
     return true;
+}
+
+void builder_unknown(struct builder *b, const struct word *w, const char *text, const char *what,
+                     const char *const *known, int n, const char *const *later) {
+    for (; later && *later; later++) {
+        if (strcmp(*later, text) == 0) {
+            deck_error(b->deck, w, "%s '%s' is not available in this version", what, text);
+            return;
+        }
+    }
+    struct word part = *w;
+    part.text = text;
+    deck_unknown(b->deck, &part, what, known, n);
 }
 
 struct building_draft *builder_draft(struct builder *b, int i) {
@@ -88,12 +106,10 @@ static int find_or_report(struct builder *b, const struct word *w, const char *n
         for (size_t k = 0; known && k < n; k++) {
             known[k] = builder_draft(b, (int)k)->name;
         }
-        struct word part = *w;
-        part.text = arena_text(b->arena, name, length);
-        if (known && part.text) {
-            deck_unknown(b->deck, &part, "building", known, (int)n);
-        } else {
-            b->no_memory = true;
+        const char *text = arena_text(b->arena, name, length);
+        b->no_memory |= !text;
+        if (known && text) {
+            builder_unknown(b, w, text, "building", known, (int)n, NULL);
         }
     }
     return i;
@@ -117,8 +133,8 @@ static int parse_floor(struct builder *b, const struct word *w, const char **tex
         return 0;
     }
     if (floor < 1 || floor > n_floor) {
-        deck_error(b->deck, w, "floor %.*s is not one of 1 to %d", (int)(p - *text) + 1, *text,
-                   n_floor);
+        deck_error(b->deck, w, "floor %.*s is not one of 1 to %d", (int)strspn(*text, "0123456789"),
+                   *text, n_floor);
         return 0;
     }
     *text = p;
@@ -163,6 +179,9 @@ static bool mark_floors(struct builder *b, const struct word *w, const char *tex
 static bool select_floors(struct builder *b, const struct word *w, const char *floors,
                           struct selection *out) {
     int n = builder_draft(b, out->building)->n_floor;
+    if (n == 0) {
+        return false;
+    }
     bool *mark = builder_array(b, (size_t)n, sizeof *mark);
     int *floor = builder_array(b, (size_t)n, sizeof *floor);
     if (!mark || !floor) {

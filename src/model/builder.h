@@ -30,7 +30,7 @@ struct damping_draft {
 struct building_draft {
     const char *name;
     struct word word;
-    int n_floor;
+    int n_floor;                        // 0: wrong in the deck, which is reported
     double *mass, *stiffness, *height;  // (n_floor); height NULL: not given
     struct damping_draft damping;
     struct storey *storey;       // (n_floor)
@@ -54,6 +54,7 @@ struct load_draft {
 struct link_draft {
     struct link link;
     struct word word;
+    bool named;    // by the user
     bool overlap;  // an initial penetration is wanted
 };
 
@@ -69,6 +70,7 @@ struct builder {
     struct output out;
     double out_interval;  // 0: not given
     double longest;       // end of the longest record or load history; 0: none
+    bool any_building, any_history;  // such a statement stands in the deck, right or wrong
 };
 
 // Room for one more zeroed item of `size` bytes at the end of the list; NULL (and no_memory) if there
@@ -86,6 +88,11 @@ double *builder_spread(struct builder *b, const struct argument *a, int n, const
 // `usage` is shown.
 bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
                    const char *usage);
+
+// Reports that the `n` words `known` do not have `text`, which stands at `w`: not in this version if
+// it is one of `later` (NULL-terminated; NULL: none), else unknown.
+void builder_unknown(struct builder *b, const struct word *w, const char *text, const char *what,
+                     const char *const *known, int n, const char *const *later);
 
 // The building named by the whole word; -1 after having reported that there is none.
 int builder_building(struct builder *b, const struct word *w);

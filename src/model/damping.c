@@ -10,6 +10,11 @@ static bool rayleigh(struct builder *b, const struct building_draft *d, const do
     const struct damping_draft *q = &d->damping;
     double wi = omega[q->mode[0] - 1];
     double wj = omega[q->mode[1] - 1];
+    if (wi == 0.0 && d->n_floor == 1) {
+        deck_error(b->deck, &q->word, "building %s has stiffness 0: no frequency to fit damping to",
+                   d->name);
+        return false;
+    }
     if (wi == 0.0 || wj == 0.0 || (wi == wj && q->mode[0] != q->mode[1])) {
         deck_error(b->deck, &q->word,
                    "modes %d and %d of building %s have no two frequencies to fit damping to",
@@ -50,6 +55,14 @@ static void warn_negative(struct builder *b, const struct building_draft *d, dou
 static double *modal(struct builder *b, const struct building_draft *d, const double *omega,
                      const double *shape) {
     size_t n = (size_t)d->n_floor;
+    for (size_t m = 0; m < n; m++) {
+        if (omega[m] == 0.0 && d->damping.value[m] > 0.0) {
+            deck_error(b->deck, &d->damping.word,
+                       "mode %zu of building %s moves it as a rigid body; its ratio can only be 0",
+                       m + 1, d->name);
+            return NULL;
+        }
+    }
     double *full = builder_array(b, n * n, sizeof *full);
     for (size_t m = 0; full && m < n; m++) {
         const double *phi = shape + m * n;

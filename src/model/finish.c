@@ -4,13 +4,13 @@
 
 static void check_deck(struct builder *b) {
     struct deck *d = b->deck;
-    if (b->buildings.n == 0) {
+    if (!b->any_building) {
         deck_error(d, NULL, "the deck has no building");
     }
     if (!b->step.text) {
         deck_error(d, NULL, "the deck has no time step; write: step fixed DT");
     }
-    if (!b->duration.text && b->longest == 0.0) {
+    if (!b->duration.text && b->longest == 0.0 && !b->any_history) {
         deck_error(d, NULL, "nothing says how long the analysis is; write: duration T");
     }
 }

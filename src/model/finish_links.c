@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/arena.h"
 #include "model/finish.h"
 
 static void check_overlap(struct builder *b, const struct model *m, const struct link_draft *d) {
@@ -17,16 +18,39 @@ static void check_overlap(struct builder *b, const struct model *m, const struct
     }
 }
 
+// Contacts before bilateral links, then by name, then in the order of the deck.
 static int compare_names(const void *a, const void *b) {
     const struct link_draft *const *x = a;
     const struct link_draft *const *y = b;
-    return strcmp((*x)->link.name, (*y)->link.name);
+    if ((*x)->link.bilateral != (*y)->link.bilateral) {
+        return (*x)->link.bilateral ? 1 : -1;
+    }
+    int order = strcmp((*x)->link.name, (*y)->link.name);
+    return order != 0 ? order : (*x > *y) - (*x < *y);
+}
+
+static bool same_name(const struct link_draft *a, const struct link_draft *b) {
+    return a->link.bilateral == b->link.bilateral && strcmp(a->link.name, b->link.name) == 0;
+}
+
+// A second contact with a name that the user gave is an error; one between the same floors that was
+// named after them becomes NAME#2 and so on.
+static void rename_twin(struct builder *b, const struct link_draft *first, struct link_draft *twin,
+                        int number) {
+    if (first->named || twin->named) {
+        deck_error(b->deck, &twin->word, "a second contact or link '%s'; give it another -name",
+                   twin->link.name);
+        return;
+    }
+    const char *name = arena_format(b->arena, "%s#%d", twin->link.name, number);
+    b->no_memory |= !name;
+    twin->link.name = name ? name : twin->link.name;
 }
 
 static void check_names(struct builder *b) {
     size_t n = (size_t)b->links.n;
-    const struct link_draft *draft = b->links.item;
-    const struct link_draft **sorted = builder_array(b, n, sizeof(struct link_draft *));
+    struct link_draft *draft = b->links.item;
+    struct link_draft **sorted = builder_array(b, n, sizeof(struct link_draft *));
     if (!sorted || n == 0) {
         return;
     }
@@ -34,11 +58,11 @@ static void check_names(struct builder *b) {
         sorted[i] = &draft[i];
     }
     qsort(sorted, n, sizeof(struct link_draft *), compare_names);
-    for (size_t i = 1; i < n; i++) {
-        const struct link_draft *twice = sorted[i] > sorted[i - 1] ? sorted[i] : sorted[i - 1];
-        if (compare_names(&sorted[i - 1], &sorted[i]) == 0) {
-            deck_error(b->deck, &twice->word, "a second contact or link '%s'; give it another -name",
-                       twice->link.name);
+    for (size_t first = 0, i = 1; i < n; i++) {
+        if (same_name(sorted[first], sorted[i])) {
+            rename_twin(b, sorted[first], sorted[i], (int)(i - first) + 1);
+        } else {
+            first = i;
         }
     }
 }

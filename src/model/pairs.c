@@ -123,7 +123,7 @@ struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k,
     }
     struct link_draft *d = builder_append(b, &b->links, sizeof *d);
     if (d) {
-        *d = (struct link_draft){.link = link, .word = *name_word};
+        *d = (struct link_draft){.link = link, .word = *name_word, .named = name != NULL};
     }
     return d;
 }

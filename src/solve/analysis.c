@@ -181,6 +181,7 @@ int analysis_run(const struct model *m, const struct observer *observer, struct 
         return status;
     }
     impacts_finish(&r.impacts, results, m, r.now);
+    results->initial_energy = r.energy.initial;
     results->totals.seconds = seconds_now() - start;
     *out = results;
     return STATUS_OK;

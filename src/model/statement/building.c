@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "deck/reader.h"
 #include "model/statement.h"
 
 enum { FLOORS, MASS, STIFFNESS, HEIGHT, N_ROW };
@@ -38,8 +39,8 @@ static bool check_name(struct builder *b, const struct word *w, const char *name
     }
     for (int i = 0; i < b->buildings.n; i++) {
         if (strcmp(builder_draft(b, i)->name, name) == 0) {
-            deck_error(b->deck, w, "a second building '%s'; the first is in line %d", name,
-                       builder_draft(b, i)->word.place.line);
+            deck_error(b->deck, w, "a second building '%s'; the first is in %s", name,
+                       source_mention(b->deck, &builder_draft(b, i)->word.place, &w->place));
             return false;
         }
     }
@@ -49,7 +50,10 @@ static bool check_name(struct builder *b, const struct word *w, const char *name
 static void fill(struct builder *b, struct building_draft *d, const struct argument *a) {
     size_t n = (size_t)d->n_floor;
     const char *owner = arena_format(b->arena, "floors of building %s", d->name);
-    b->no_memory |= !owner;
+    if (!owner) {
+        b->no_memory = true;
+        return;
+    }
     d->mass = builder_spread(b, &a[MASS], d->n_floor, owner);
     d->stiffness = builder_spread(b, &a[STIFFNESS], d->n_floor, owner);
     if (a[HEIGHT].given) {
@@ -62,9 +66,16 @@ static void fill(struct builder *b, struct building_draft *d, const struct argum
     d->initial = builder_array(b, n, sizeof *d->initial);
 }
 
+// 0 where it is missing or wrong.
+static int count_floors(const struct argument *a) {
+    double n = a->n == 1 && a->number ? a->number[0] : 0.0;
+    return n >= floors_range.min && n <= floors_range.max && n == floor(n) ? (int)n : 0;
+}
+
 // The name and the number of floors are kept even where the rest is wrong, so that later statements
 // do not complain about an unknown building.
 static void build(struct builder *b, const struct statement *s) {
+    b->any_building = true;
     if (!builder_plain(b, s, 1, 1, statement_building.usage)) {
         return;
     }
@@ -79,10 +90,9 @@ static void build(struct builder *b, const struct statement *s) {
     if (!d) {
         return;
     }
-    bool counted = a[FLOORS].n == 1 && a[FLOORS].number;
     *d = (struct building_draft){
-        .name = name, .word = s->word[1], .n_floor = counted ? (int)a[FLOORS].number[0] : FLOORS_MAX};
-    if (good && counted) {
+        .name = name, .word = s->word[1], .n_floor = count_floors(&a[FLOORS])};
+    if (good) {
         fill(b, d, a);
     }
 }

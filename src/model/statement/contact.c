@@ -15,10 +15,14 @@ static const struct row rows[N_ROW] = {
 };
 
 static const struct contact_law *find_law(struct builder *b, const struct statement *s) {
+    static const char *const later[] = {
+        "stereomechanical", "bilinear", "ye-kelvin", "mahmoud-jankowski", "ye-hertz-damp",
+        "hunt-crossley",    "khatami",  "wang",      NULL};
     int n = 0;
     const struct word *w = deck_option(s, "law", &n);
     if (!w || n == 0) {
-        deck_error(b->deck, &s->word[0], "contact needs -law");
+        deck_error(b->deck, w ? w - 1 : &s->word[0], "%s: %s",
+                   w ? "-law needs a value" : "contact needs -law", rows[LAW].doc);
         return NULL;
     }
     const char *name = deck_text(b->deck, w);
@@ -29,7 +33,7 @@ static const struct contact_law *find_law(struct builder *b, const struct statem
             known[i] = contact_laws[i]->name;
         }
         if (known) {
-            deck_unknown(b->deck, w, "contact law", known, n_contact_law);
+            builder_unknown(b, w, name, "contact law", known, n_contact_law, later);
         }
     }
     return law;

@@ -119,7 +119,7 @@ static void build(struct builder *b, const struct statement *s) {
         return;
     }
     struct building_draft *d = builder_draft(b, i);
-    if (!builder_once(b, &d->damping.word, s)) {
+    if (!builder_once(b, &d->damping.word, s) || d->n_floor == 0) {
         return;
     }
     d->damping.word = s->word[2];

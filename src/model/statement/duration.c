@@ -6,7 +6,7 @@ static const struct row time_row = {
 
 static void build(struct builder *b, const struct statement *s) {
     struct argument time = {0};
-    if (builder_plain(b, s, 1, 1, statement_duration.usage) && builder_once(b, &b->duration, s) &&
+    if (builder_once(b, &b->duration, s) && builder_plain(b, s, 1, 1, statement_duration.usage) &&
         deck_options(b->deck, s, NULL, 0) &&
         deck_values(b->deck, &time_row, 0.0, &s->word[1], 1, &time)) {
         b->run_time = time.number[0];

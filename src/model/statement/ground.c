@@ -35,6 +35,12 @@ static const struct row sine_rows[N_SINE_ROW] = {
                      "buildings it acts under; all if not given"},
 };
 
+enum { N_VARIANT = 2 };
+static const struct statement_variant variants[N_VARIANT] = {
+    {"record", "acceleration from a file", record_rows, N_RECORD_ROW},
+    {"sine", "A sin(2 pi F t + P) with t from the start", sine_rows, N_SINE_ROW},
+};
+
 // The indices of the buildings named; false after a report.
 static bool read_buildings(struct builder *b, const struct argument *a, struct ground_draft *g) {
     if (!a->given) {
@@ -93,6 +99,7 @@ static bool record_scale(struct builder *b, const struct argument *a, const stru
 }
 
 static void build_record(struct builder *b, const struct statement *s) {
+    b->any_history = true;
     struct argument a[N_RECORD_ROW] = {0};
     bool good = builder_plain(b, s, 2, 2, statement_ground.usage);
     good &= deck_options(b->deck, s, &(struct row_set){record_rows, N_RECORD_ROW, a}, 1);
@@ -160,5 +167,7 @@ const struct statement_kind statement_ground = {
              "NAMES]",
     .summary = "ground acceleration; several under one building add up",
     .example = "ground record records/ELCENTRO_1940_NS.AT2 -pga 0.35g",
+    .variant = variants,
+    .n_variant = N_VARIANT,
     .build = build,
 };

@@ -9,6 +9,11 @@ static const struct row rows[N_ROW] = {
     [NAME] = {"name", ROW_TEXT, 0, {0}, NULL, NAN, "name of the link"},
 };
 
+enum { N_VARIANT = 1 };
+static const struct statement_variant variants[N_VARIANT] = {
+    {.row = bilateral_rows, .n_row = BILATERAL_ROWS},
+};
+
 static void append(struct builder *b, const struct pairs *p, const struct argument *own,
                    const struct argument *given) {
     bool good = true;
@@ -53,5 +58,7 @@ const struct statement_kind statement_link = {
     .example = "link A:5 B:5 -dashpot 2MN*s/m",
     .row = rows,
     .n_row = N_ROW,
+    .variant = variants,
+    .n_variant = N_VARIANT,
     .build = build,
 };

@@ -24,6 +24,13 @@ static const struct row history_rows[N_HISTORY_ROW] = {
 
 static const struct row force_row = {"force", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0}, NULL, NAN, "force"};
 
+enum { N_VARIANT = 3 };
+static const struct statement_variant variants[N_VARIANT] = {
+    {"constant", "the same force all the time", NULL, 0},
+    {"sine", "A sin(2 pi F t + P)", sine_rows, SINE_ROWS},
+    {"history", "forces from a file of columns or a series of values", history_rows, N_HISTORY_ROW},
+};
+
 static bool read_constant(struct builder *b, const struct statement *s, struct signal *out) {
     struct argument force = {0};
     if (!builder_plain(b, s, 3, 3, "BUILDING:FLOORS constant F") ||
@@ -47,6 +54,7 @@ static bool read_sine(struct builder *b, const struct statement *s, struct signa
 }
 
 static bool read_history(struct builder *b, const struct statement *s, struct signal *out) {
+    b->any_history = true;
     struct argument a[N_HISTORY_ROW] = {0};
     bool good = builder_plain(b, s, 3, 3, "BUILDING:FLOORS history FILE [-dt DT] [-scale S]");
     good &= deck_options(b->deck, s, &(struct row_set){history_rows, N_HISTORY_ROW, a}, 1);
@@ -112,5 +120,7 @@ const struct statement_kind statement_load = {
              "history FILE [-dt DT] [-scale S]",
     .summary = "a force on floors, positive to the right, from t = 0",
     .example = "load A:8 sine -amplitude 50kN -frequency 1.2Hz -cycles 10",
+    .variant = variants,
+    .n_variant = N_VARIANT,
     .build = build,
 };

@@ -8,15 +8,20 @@ static const struct row dt_row = {
 
 static void build(struct builder *b, const struct statement *s) {
     static const char *const known[] = {"fixed"};
-    if (!builder_plain(b, s, 1, 2, statement_step.usage) || !builder_once(b, &b->step, s)) {
+    if (!builder_once(b, &b->step, s) || !builder_plain(b, s, 1, 2, statement_step.usage)) {
         return;
     }
-    if (strcmp(s->word[1].text, "adaptive") == 0) {
+    const char *kind = s->word[1].text;
+    if ((kind[0] >= '0' && kind[0] <= '9') || kind[0] == '$') {
+        deck_error(b->deck, &s->word[1], "step needs its kind; write: step fixed %s", kind);
+        return;
+    }
+    if (strcmp(kind, "adaptive") == 0) {
         deck_error(b->deck, &s->word[1],
                    "adaptive steps are not available in this version; use step fixed DT");
         return;
     }
-    if (strcmp(s->word[1].text, known[0]) != 0) {
+    if (strcmp(kind, known[0]) != 0) {
         deck_unknown(b->deck, &s->word[1], "kind of step", known, 1);
         return;
     }

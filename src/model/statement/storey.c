@@ -12,14 +12,16 @@ static const struct row rows[N_ROW] = {
 };
 
 static const struct storey_law *find_law(struct builder *b, const struct word *w) {
-    const struct storey_law *law = storey_law_find(w->text);
-    if (!law) {
+    static const char *const later[] = {"bouc-wen", "clough", "takeda", NULL};
+    const char *name = deck_text(b->deck, w);
+    const struct storey_law *law = name ? storey_law_find(name) : NULL;
+    if (name && !law) {
         const char **known = builder_array(b, (size_t)n_storey_law, sizeof *known);
         for (int i = 0; known && i < n_storey_law; i++) {
             known[i] = storey_laws[i]->name;
         }
         if (known) {
-            deck_unknown(b->deck, w, "storey law", known, n_storey_law);
+            builder_unknown(b, w, name, "storey law", known, n_storey_law, later);
         }
     }
     return law;
