@@ -39,22 +39,22 @@ struct report_link {
 
 // What a result file says apart from its histories.
 struct report {
-    struct arena *arena;     // owns everything below
-    const char *file;        // the result file; NULL: none
+    struct arena *arena;  // owns everything below
+    const char *file;     // the result file; NULL: none
     const char *title, *program, *version, *created;
     const char *deck_file, *deck, *parameters, *command_line;
     struct unit_system units;
-    double duration, dt;     // [T]
-    unsigned fields;         // enum field: the histories in the file
-    long n_row;              // rows of the histories
+    double duration, dt;  // [T]
+    unsigned fields;      // enum field: the histories in the file
+    long n_row;           // rows of the histories
     int n_building, n_contact, n_link;
     struct report_building *building;  // (n_building) from left to right
     struct report_link *contact;       // (n_contact)
     struct report_link *link;          // (n_link) bilateral
     long n_impact;
-    struct impact *impact;             // (n_impact) in order of time
-    double energy[ENERGY_COUNT];       // [F L] at the end
-    double residual_peak;              // [F L]
+    struct impact *impact;        // (n_impact) in order of time
+    double energy[ENERGY_COUNT];  // [F L] at the end
+    double residual_peak;         // [F L]
     struct totals totals;
 };
 
@@ -71,10 +71,10 @@ void report_print(const struct report *r, FILE *to);
 enum result_existing { RESULT_KEEP, RESULT_REPLACE };
 
 struct result_options {
-    const char *path;              // the file, complete under this name only
+    const char *path;  // the file, complete under this name only
     enum result_existing existing;
     const char *command_line;
-    const char *version;           // of the program
+    const char *version;  // of the program
 };
 
 struct result_writer;

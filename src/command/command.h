@@ -13,8 +13,8 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_INPUT = 2, EXIT_SYSTEM = 3 };
 
 struct command {
     const char *name;
-    const char *usage;    // behind "jostle NAME ": "FILE.h5 [--tsv|--json]"
-    const char *summary;  // half a line
+    const char *usage;                  // behind "jostle NAME ": "FILE.h5 [--tsv|--json]"
+    const char *summary;                // half a line
     int (*run)(int argc, char **argv);  // argv[0] is the command's name; returns the exit status
 };
 

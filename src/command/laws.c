@@ -23,9 +23,8 @@ static const char introduction[] =
     "d: penetration, v = dd/dt, v0: v at the instant of closure, m*: effective mass of the two\n"
     "bodies, m1 m2 / (m1 + m2), or the mass itself against a wall; e: coefficient of restitution;\n"
     "V: storey shear. Units and defaults are given in SI; a number may carry any unit of the same\n"
-    "dimension, and a bare one is in the deck's units. Of the options marked `one of`, exactly "
-    "one\n"
-    "must be given.\n\n";
+    "dimension, and a bare one is in the deck's units. Of the options marked `one of`, exactly\n"
+    "one must be given.\n\n";
 
 static void print_traits(enum page page, unsigned traits) {
     static const struct {

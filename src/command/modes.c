@@ -41,6 +41,11 @@ static void print_table(const struct building *g, const char *time) {
     for (int m = 0; m < g->n_floor; m++) {
         const double *phi = g->shape + (size_t)m * (size_t)g->n_floor;
         double omega = g->omega[m];
+        if (omega == 0.0) {
+            printf("%4d %12s %12d %12d %12s %14.4g\n", m + 1, "rigid body", 0, 0, "-",
+                   100.0 * mass_share(g, phi));
+            continue;
+        }
         printf("%4d %12.6g %12.6g %12.6g %12.4g %14.4g\n", m + 1, 2.0 * M_PI / omega,
                omega / (2.0 * M_PI), omega, 100.0 * damping_ratio(g, m + 1),
                100.0 * mass_share(g, phi));

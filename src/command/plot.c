@@ -39,12 +39,13 @@ static int help(void) {
     for (int i = 0; i < n_figure; i++) {
         printf("  %-11s %s%s\n", figures[i]->name, figures[i]->doc, i == 0 ? " (default)" : "");
     }
-    printf("\n"
-           "  -o FILE        the picture; the ending says its kind (default: FILE-KIND.png in the\n"
-           "                 current directory)\n"
-           "  --script DIR   writes DIR/KIND.gp with its data for gnuplot; without -o, nothing else\n"
-           "  --force        overwrites what exists\n"
-           "  --help         this text\n");
+    printf(
+        "\n"
+        "  -o FILE        the picture; the ending says its kind (default: FILE-KIND.png in the\n"
+        "                 current directory)\n"
+        "  --script DIR   writes DIR/KIND.gp with its data for gnuplot; without -o, nothing else\n"
+        "  --force        overwrites what exists\n"
+        "  --help         this text\n");
     return EXIT_DONE;
 }
 
@@ -85,8 +86,9 @@ static int unknown_figure(const char *word) {
         known[n] = figures[n]->name;
     }
     const char *near = text_nearest(word, known, n);
-    return near ? command_usage(&command_plot, "unknown figure '%s'; did you mean '%s'?", word, near)
-                : command_usage(&command_plot, "unknown figure '%s'", word);
+    return near
+               ? command_usage(&command_plot, "unknown figure '%s'; did you mean '%s'?", word, near)
+               : command_usage(&command_plot, "unknown figure '%s'", word);
 }
 
 // FILE.h5 -> FILE-KIND.png without its folder.
@@ -128,8 +130,8 @@ static int cannot_write(const char *path, struct error *e) {
 }
 
 // Writes the script to `path`, which must not exist.
-static int write_script(const struct request *q, const struct result_file *file, const char *picture,
-                        const char *path, struct error *e) {
+static int write_script(const struct request *q, const struct result_file *file,
+                        const char *picture, const char *path, struct error *e) {
     FILE *to = fopen(path, "wx");
     if (!to) {
         return cannot_write(path, e);
@@ -303,8 +305,8 @@ static int draw(const struct request *q, const struct result_file *file, struct 
     }
     const char *root = getenv("TMPDIR");
     char folder[1024], picture[32];
-    const int n = snprintf(folder, sizeof folder, "%s/jostle-plot-XXXXXX",
-                           root && root[0] ? root : "/tmp");
+    const int n =
+        snprintf(folder, sizeof folder, "%s/jostle-plot-XXXXXX", root && root[0] ? root : "/tmp");
     if (n < 0 || (size_t)n >= sizeof folder || !mkdtemp(folder)) {
         return error_set(e, STATUS_SYSTEM, "cannot make a temporary folder in %s: %s",
                          root && root[0] ? root : "/tmp", strerror(errno));

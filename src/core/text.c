@@ -128,7 +128,7 @@ const char *text_nearest(const char *word, const char *const *known, int n) {
         return NULL;
     }
     int limit = length >= 6 ? (int)length / 3 : 1;
-    limit = smaller(limit, (int)length - 1);
+    limit = smaller(limit, (int)length - (word[0] == '-') - 1);
     int best = WORD_MAX * WORD_MAX;
     const char *nearest = NULL;
     for (int i = 0; i < n; i++) {

@@ -110,6 +110,13 @@ static bool check_range(struct deck *d, const struct row *row, struct dimension 
     return false;
 }
 
+static bool is_unit(const struct deck *d, const char *text) {
+    const char *end;
+    struct dimension dimension;
+    double si;
+    return unit_parse(text, d->units.gravity, &end, &dimension, &si) && *end == 0;
+}
+
 // False after having reported that a bare word such as a parameter's name stands for a number.
 static bool check_number_like(struct deck *d, const struct row *row, const struct word *w,
                               const char *from) {
@@ -121,7 +128,10 @@ static bool check_number_like(struct deck *d, const struct row *row, const struc
     struct text_short t;
     text_short(&t, part.text);
     bool parameter = parameter_find(d, from, strlen(from)) != NULL;
-    if (parameter) {
+    if (!parameter && is_unit(d, from)) {
+        deck_error(d, &part, "%s needs a number, not '%s'; a unit stands right behind its number",
+                   row->key, t.text);
+    } else if (parameter) {
         deck_error(d, &part, "%s needs a number, not '%s'; did you mean '$%s'?", row->key, t.text,
                    t.text);
     } else {

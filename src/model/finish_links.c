@@ -13,8 +13,8 @@ static void check_overlap(struct builder *b, const struct model *m, const struct
     }
     if (!d->link.bilateral && !d->overlap && delta > 0.0) {
         deck_error(b->deck, &d->word,
-                   "contact %s is closed by %.6g at t = 0; give -allow-overlap if that is meant",
-                   d->link.name, delta);
+                   "contact %s is closed by %.6g %s at t = 0; give -allow-overlap if that is meant",
+                   d->link.name, delta, b->deck->units.length_name);
     }
 }
 

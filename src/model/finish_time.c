@@ -23,6 +23,7 @@ static void count_steps(struct builder *b, struct model *m) {
 }
 
 static void count_rows(struct builder *b, struct model *m) {
+    const char *unit = b->deck->units.time_name;
     m->output = b->out;
     if (m->output.every > 0) {
         return;
@@ -30,8 +31,8 @@ static void count_rows(struct builder *b, struct model *m) {
     if (b->out_interval > 0.0) {
         double every = round(b->out_interval / m->dt);
         if (every < 1.0 || fabs(every * m->dt - b->out_interval) > 1e-6 * m->dt || every > 1e9) {
-            deck_error(b->deck, &b->output, "the interval %.6g is not a multiple of the step %.6g",
-                       b->out_interval, m->dt);
+            deck_error(b->deck, &b->output, "the interval %.6g %s is not a multiple of the step %.6g %s",
+                       b->out_interval, unit, m->dt, unit);
         }
         m->output.every = (int)fmin(fmax(every, 1.0), 1e9);
         return;
@@ -46,13 +47,14 @@ static void check_stability(struct builder *b, struct model *m) {
         return;
     }
     double limit = 1.0 / sqrt(excess);
+    const char *unit = b->deck->units.time_name;
     for (int i = 0; i < m->n_building; i++) {
         const struct building *g = &m->building[i];
         double omega = g->omega[g->n_floor - 1];
         if (omega * m->dt > limit) {
             deck_error(b->deck, &b->step,
-                       "step %.6g is unstable with beta = %g: building %s needs at most %.4g", m->dt,
-                       m->beta, g->name, limit / omega);
+                       "step %.6g %s is unstable with beta = %g: building %s needs at most %.4g %s",
+                       m->dt, unit, m->beta, g->name, limit / omega, unit);
             return;
         }
     }
@@ -60,15 +62,16 @@ static void check_stability(struct builder *b, struct model *m) {
 
 // A step longer than the sampling of a record skips its peaks.
 static void check_sampling(struct builder *b, struct model *m) {
+    const char *unit = b->deck->units.time_name;
     for (int i = 0; i < b->grounds.n; i++) {
         const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
         if (g->signal.value && m->dt > g->signal.dt * (1.0 + ROUNDING)) {
-            deck_warning(b->deck, &b->step, "step %.6g is longer than the sampling %.6g of %s", m->dt,
-                         g->signal.dt, g->signal.name);
+            deck_warning(b->deck, &b->step, "step %.6g %s is longer than the sampling %.6g %s of %s",
+                         m->dt, unit, g->signal.dt, unit, g->signal.name);
         }
         if (g->signal.end > m->duration * (1.0 + ROUNDING) && isfinite(g->signal.end)) {
-            deck_warning(b->deck, &g->word, "%s ends at %.6g, after the analysis (%.6g)",
-                         g->signal.name, g->signal.end, m->duration);
+            deck_warning(b->deck, &g->word, "%s ends at %.6g %s, after the analysis (%.6g %s)",
+                         g->signal.name, g->signal.end, unit, m->duration, unit);
         }
     }
 }

@@ -22,8 +22,7 @@ struct picture {
 };
 static const struct picture pictures[] = {
     {"png", "pngcairo size 1600,1000 font 'Sans,17' linewidth 1.6", "Sans,21"},
-    {"svg", "svg size 1120,700 font 'Sans,14' linewidth 1.2 background '#ffffff'",
-     "Sans,17"},
+    {"svg", "svg size 1120,700 font 'Sans,14' linewidth 1.2 background '#ffffff'", "Sans,17"},
     {"pdf", "pdfcairo size 25.6cm,16cm font 'Sans,12' linewidth 1.2", "Sans,15"},
 };
 enum { N_PICTURE = sizeof pictures / sizeof pictures[0] };

@@ -17,11 +17,11 @@ static const char gap_colour[] = "#e4e4e4";
 struct view {
     const struct result_file *file;
     const struct report *r;
-    int contact;        // -1: no impact, the roofs are shown
-    int building[2];    // -1: none
-    int floor[2];       // from 0
+    int contact;                           // -1: no impact, the roofs are shown
+    int building[2];                       // -1: none
+    int floor[2];                          // from 0
     double *time, *left, *right, *ground;  // (n_row); right is NULL if there is none
-    double *memory;     // owned: the four above
+    double *memory;                        // owned: the four above
 };
 
 static int hardest_contact(const struct report *r) {

@@ -91,7 +91,8 @@ void script_legend(FILE *to, int i, int width, enum script_mark mark, const char
     switch (mark) {
         case SCRIPT_LINE:
         case SCRIPT_DASHED:
-            fprintf(to, "set arrow from screen %.4f,%.4f rto screen 0.025,0 nohead lc rgb '%s' dt %d\n",
+            fprintf(to,
+                    "set arrow from screen %.4f,%.4f rto screen 0.025,0 nohead lc rgb '%s' dt %d\n",
                     left, y, colour, mark == SCRIPT_DASHED ? 2 : 1);
             break;
         case SCRIPT_AREA:
@@ -101,8 +102,7 @@ void script_legend(FILE *to, int i, int width, enum script_mark mark, const char
                     left, y - 0.008, left + 0.025, y + 0.008, colour);
             break;
         case SCRIPT_POINT:
-            fprintf(to,
-                    "set label '' at screen %.4f,%.4f point pt 7 ps 0.7 lc rgb '%s'\n",
+            fprintf(to, "set label '' at screen %.4f,%.4f point pt 7 ps 0.7 lc rgb '%s'\n",
                     left + 0.0125, y, colour);
             break;
     }

@@ -28,8 +28,8 @@ void script_cut(const char *text, int columns, char *cut, size_t size);
 void script_head(FILE *to, const char *title, const char *subtitle);
 void script_head_end(FILE *to);
 
-// An entry of the legend at place `i`, four in a row, `width` places wide: what stands for the data,
-// and its name.
+// An entry of the legend at place `i`, four in a row, `width` places wide: what stands for the
+// data, and its name.
 enum script_mark { SCRIPT_LINE, SCRIPT_DASHED, SCRIPT_AREA, SCRIPT_POINT };
 enum { SCRIPT_LEGEND_MAX = 8 };
 void script_legend(FILE *to, int i, int width, enum script_mark mark, const char *colour,

@@ -2,7 +2,6 @@
 // The tables of layout.h.
 #include "result/layout.h"
 
-
 static const struct column root_column[] = {
     {.name = "title", .kind = COLUMN_TEXT, .offset = offsetof(struct report, title)},
     {.name = "program", .kind = COLUMN_TEXT, .offset = offsetof(struct report, program)},
@@ -20,28 +19,32 @@ static const struct column root_column[] = {
     {.name = "unit_length_in_m",
      .kind = COLUMN_DOUBLE,
      .offset = offsetof(struct report, units.length)},
-    {.name = "unit_time_in_s", .kind = COLUMN_DOUBLE, .offset = offsetof(struct report, units.time)},
+    {.name = "unit_time_in_s",
+     .kind = COLUMN_DOUBLE,
+     .offset = offsetof(struct report, units.time)},
     {.name = "gravity_in_m_per_s2",
      .kind = COLUMN_DOUBLE,
      .offset = offsetof(struct report, units.gravity)},
 };
-const struct column_table layout_root = {
-    root_column, sizeof root_column / sizeof root_column[0],
-    sizeof(struct report)};
+const struct column_table layout_root = {root_column, sizeof root_column / sizeof root_column[0],
+                                         sizeof(struct report)};
 
 static const struct column totals_column[] = {
     {.name = "steps", .kind = COLUMN_LONG, .offset = offsetof(struct totals, steps)},
-    {.name = "newton_iterations", .kind = COLUMN_LONG, .offset = offsetof(struct totals, iterations)},
+    {.name = "newton_iterations",
+     .kind = COLUMN_LONG,
+     .offset = offsetof(struct totals, iterations)},
     {.name = "wall_seconds", .kind = COLUMN_DOUBLE, .offset = offsetof(struct totals, seconds)},
     {.name = "steps_cut", .kind = COLUMN_LONG, .offset = offsetof(struct totals, cuts)},
     {.name = "steps_unsolved", .kind = COLUMN_LONG, .offset = offsetof(struct totals, unsolved)},
     {.name = "contact_solves_fast", .kind = COLUMN_LONG, .offset = offsetof(struct totals, fast)},
-    {.name = "contact_solves_scalar", .kind = COLUMN_LONG, .offset = offsetof(struct totals, scalar)},
+    {.name = "contact_solves_scalar",
+     .kind = COLUMN_LONG,
+     .offset = offsetof(struct totals, scalar)},
     {.name = "contact_solves_block", .kind = COLUMN_LONG, .offset = offsetof(struct totals, block)},
 };
 const struct column_table layout_totals = {
-    totals_column, sizeof totals_column / sizeof totals_column[0],
-    sizeof(struct totals)};
+    totals_column, sizeof totals_column / sizeof totals_column[0], sizeof(struct totals)};
 
 static const struct column link_column[] = {
     {"name", "name", NULL, COLUMN_TEXT, offsetof(struct report_link, name), 0},
@@ -60,9 +63,8 @@ static const struct column link_column[] = {
     {"effective_mass", "effective mass of the two bodies", &dimension_mass, COLUMN_DOUBLE,
      offsetof(struct report_link, mass), 0},
 };
-const struct column_table layout_link = {
-    link_column, sizeof link_column / sizeof link_column[0],
-    sizeof(struct report_link)};
+const struct column_table layout_link = {link_column, sizeof link_column / sizeof link_column[0],
+                                         sizeof(struct report_link)};
 
 static const struct column contact_column[] = {
     {"force", "largest contact force", &dimension_force, COLUMN_DOUBLE,
@@ -80,8 +82,7 @@ static const struct column contact_column[] = {
      offsetof(struct contact_peak, dissipated), 0},
 };
 const struct column_table layout_contact = {
-    contact_column, sizeof contact_column / sizeof contact_column[0],
-    sizeof(struct contact_peak)};
+    contact_column, sizeof contact_column / sizeof contact_column[0], sizeof(struct contact_peak)};
 
 static const struct column impact_column[] = {
     {"contact", "number of the contact, from 1", NULL, COLUMN_INT, offsetof(struct impact, contact),
@@ -106,8 +107,7 @@ static const struct column impact_column[] = {
     {"steps", "computed steps in contact", NULL, COLUMN_LONG, offsetof(struct impact, steps), 0},
 };
 const struct column_table layout_impact = {
-    impact_column, sizeof impact_column / sizeof impact_column[0],
-    sizeof(struct impact)};
+    impact_column, sizeof impact_column / sizeof impact_column[0], sizeof(struct impact)};
 
 static const struct column building_column[] = {
     {"mass", "mass of the floors", &dimension_mass, COLUMN_DOUBLE,
@@ -119,9 +119,9 @@ static const struct column building_column[] = {
     {"period", "periods of the building alone, elastic, longest first", &dimension_time,
      COLUMN_DOUBLE, offsetof(struct report_building, period), 0},
 };
-const struct column_table layout_building = {
-    building_column, sizeof building_column / sizeof building_column[0],
-    sizeof(struct report_building)};
+const struct column_table layout_building = {building_column,
+                                             sizeof building_column / sizeof building_column[0],
+                                             sizeof(struct report_building)};
 
 const struct quantity layout_field[] = {
     {"displacement of the floors relative to the ground", &dimension_length},

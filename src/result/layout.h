@@ -35,17 +35,18 @@ extern const struct column_table layout_totals;   // of struct totals: attribute
 extern const struct column_table layout_link;     // of struct report_link: /contacts and /links
 extern const struct column_table layout_contact;  // of struct contact_peak: /contacts/envelope
 extern const struct column_table layout_impact;   // of struct impact: /impacts
-extern const struct column_table layout_building; // of struct report_building: pointers to (n_floor)
+extern const struct column_table
+    layout_building;  // of struct report_building: pointers to (n_floor)
 
 // Quantities with a history; the name is in field_names, peak_names or energy_names.
 struct quantity {
     const char *long_name;
     const struct dimension *dimension;
 };
-extern const struct quantity layout_field[];   // in the order of enum field's bits
+extern const struct quantity layout_field[];       // in the order of enum field's bits
 extern const struct quantity layout_link_field[];  // force and deformation of bilateral links
-extern const struct quantity layout_peak[];    // (PEAK_COUNT)
-extern const struct quantity layout_energy[];  // (ENERGY_COUNT)
+extern const struct quantity layout_peak[];        // (PEAK_COUNT)
+extern const struct quantity layout_energy[];      // (ENERGY_COUNT)
 
 enum { FLOOR_FIELD_COUNT = 5, FIELD_COUNT = 7 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gives a finished file its name: on disk first, then in one step, and never over a file that must
-// survive. link() fails if the name is taken; where the file system has no hard links, a placeholder
-// opened with O_EXCL takes the name before the file is renamed over it.
+// survive. link() fails if the name is taken; where the file system has no hard links, a
+// placeholder opened with O_EXCL takes the name before the file is renamed over it.
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>

@@ -108,8 +108,7 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     struct report *r = f->report;
     hid_t group = h5_get_group(&f->h, parent, name);
     const long position = h5_get_long(&f->h, group, "position");
-    if (!f->h.failed &&
-        (position < 0 || position >= r->n_building || r->building[position].name)) {
+    if (!f->h.failed && (position < 0 || position >= r->n_building || r->building[position].name)) {
         h5_fail(&f->h, "building '%s' has the position %ld", name, position);
     }
     if (!f->h.failed) {
@@ -144,8 +143,8 @@ static void get_buildings(struct result_file *f) {
         if (!r->building) {
             h5_fail(&f->h, "out of memory");
         } else {
-            h5_failed(&f->h, H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit_building,
-                                        f));
+            h5_failed(&f->h,
+                      H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit_building, f));
         }
     }
     h5_close(&f->h, group);
@@ -158,6 +157,7 @@ static struct report_link *get_links(struct result_file *f, hid_t group, const c
     struct report_link *link = arena_alloc(a, n, sizeof *link);
     if (!link) {
         h5_fail(&f->h, "out of memory");
+        return NULL;
     }
     for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
         h5_get_column(&f->h, a, group, &layout_link, c, link, n);
@@ -197,6 +197,8 @@ static void get_impacts(struct result_file *f) {
     r->impact = arena_alloc(r->arena, n, sizeof *r->impact);
     if (!r->impact) {
         h5_fail(&f->h, "out of memory");
+        h5_close(&f->h, group);
+        return;
     }
     for (int c = 0; c < layout_impact.n_column && !f->h.failed; c++) {
         h5_get_column(&f->h, r->arena, group, &layout_impact, c, r->impact, n);

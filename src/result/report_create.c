@@ -140,8 +140,7 @@ static int model_fill(struct report *to, const struct model *m, const struct res
         status = building_fill(&to->building[i], to->arena, &m->building[i], r, e);
     }
     for (int i = 0; i < m->n_link && status == STATUS_OK; i++) {
-        struct report_link *l =
-            i < m->n_contact ? &to->contact[i] : &to->link[i - m->n_contact];
+        struct report_link *l = i < m->n_contact ? &to->contact[i] : &to->link[i - m->n_contact];
         status = link_fill(l, to, &m->link[i], e);
     }
     return status;

@@ -29,10 +29,13 @@ struct printer {
 
 static void units_init(struct printer *p) {
     const struct dimension *const dimension[UNIT_COUNT] = {
-        [UNIT_LENGTH] = &dimension_length,     [UNIT_TIME] = &dimension_time,
-        [UNIT_FORCE] = &dimension_force,       [UNIT_MASS] = &dimension_mass,
+        [UNIT_LENGTH] = &dimension_length,
+        [UNIT_TIME] = &dimension_time,
+        [UNIT_FORCE] = &dimension_force,
+        [UNIT_MASS] = &dimension_mass,
         [UNIT_ACCELERATION] = &dimension_acceleration,
-        [UNIT_IMPULSE] = &dimension_impulse,   [UNIT_ENERGY] = &dimension_energy,
+        [UNIT_IMPULSE] = &dimension_impulse,
+        [UNIT_ENERGY] = &dimension_energy,
     };
     for (int i = 0; i < UNIT_COUNT; i++) {
         char text[40];
@@ -106,8 +109,8 @@ static int by_index(const void *left, const void *right) {
 static void not_shown(const struct printer *p, int n, const char *what, const char *order) {
     if (n > 0) {
         fprintf(p->to, "  %d more %s not shown (by %s); all are in %s%s%s\n", n, what, order,
-                p->r->file ? "" : "the result file",
-                p->r->file ? p->r->file : "", p->r->file ? " (jostle show --tsv)" : "");
+                p->r->file ? "" : "the result file", p->r->file ? p->r->file : "",
+                p->r->file ? " (jostle show --tsv)" : "");
     }
 }
 
@@ -189,10 +192,9 @@ static void print_displacements(const struct printer *p, const struct shown_buil
 
 static void print_forces(const struct printer *p, const struct shown_buildings *s) {
     FILE *to = p->to;
-    const double g =
-        p->r->units.gravity / unit_size(&p->r->units, dimension_acceleration);
-    fprintf(to, "\n%-*s %13s %9s %7s %8s %12s %8s\n", s->width, "peak of", "total accel.", "", "floor",
-            "time", "base shear", "time");
+    const double g = p->r->units.gravity / unit_size(&p->r->units, dimension_acceleration);
+    fprintf(to, "\n%-*s %13s %9s %7s %8s %12s %8s\n", s->width, "peak of", "total accel.", "",
+            "floor", "time", "base shear", "time");
     fprintf(to, "%-*s %13s %9s %7s %8s %12s %8s\n", s->width, "", p->unit[UNIT_ACCELERATION], "[g]",
             "", p->unit[UNIT_TIME], p->unit[UNIT_FORCE], p->unit[UNIT_TIME]);
     for (int i = 0; i < s->n; i++) {
@@ -237,9 +239,9 @@ static struct shown_contacts choose_contacts(const struct report *r) {
     for (int i = 0; i < r->n_contact; i++) {
         const struct contact_peak *peak = &r->contact[i].peak;
         s.n_hit += peak->impacts > 0;
-        s.n = choose(s.choice, s.n,
-                     (struct choice){.rank = peak->impacts > 0 ? peak->force : -HUGE_VAL,
-                                     .index = i});
+        s.n = choose(
+            s.choice, s.n,
+            (struct choice){.rank = peak->impacts > 0 ? peak->force : -HUGE_VAL, .index = i});
         if (strcmp(r->contact[i].law, r->contact[0].law) != 0) {
             s.law_width = 3;
         }

@@ -20,11 +20,11 @@ enum row_source {
 // One history dataset and its rows not yet written.
 struct stream {
     hid_t dataset;
-    int source;     // enum row_source
-    size_t first;   // of its values in the source
-    size_t width;   // values a row
+    int source;    // enum row_source
+    size_t first;  // of its values in the source
+    size_t width;  // values a row
     int n_dim;
-    double *row;    // (capacity, width)
+    double *row;  // (capacity, width)
 };
 
 struct result_writer {
@@ -33,13 +33,13 @@ struct result_writer {
     struct report *report;      // owned
     char *path, *part;          // owned
     enum result_existing existing;
-    hid_t time;                 // the scale of all histories
+    hid_t time;  // the scale of all histories
     int n_stream, stream_capacity;
-    struct stream *stream;      // owned
-    double *rows;               // owned: the rows of all streams
-    size_t capacity;            // rows
-    size_t pending;             // rows in memory
-    long n_written;             // rows in the file
+    struct stream *stream;  // owned
+    double *rows;           // owned: the rows of all streams
+    size_t capacity;        // rows
+    size_t pending;         // rows in memory
+    long n_written;         // rows in the file
 };
 
 // Creates everything that is known before the run, histories included, and adds their streams.

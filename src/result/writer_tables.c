@@ -107,6 +107,8 @@ static void put_ground(struct result_writer *w) {
     int *owner = calloc((size_t)m->n_ground + 1, sizeof *owner);
     if (!owner) {
         h5_fail(&w->h, "out of memory");
+        h5_close(&w->h, group);
+        return;
     }
     bool time_is_taken = false;
     for (int i = 0; i < m->n_building && !w->h.failed; i++) {

@@ -28,10 +28,14 @@ static bool good_name(const char *name) {
             return false;
         }
     }
-    return name[0] && name[0] != '-' && strlen(name) <= 64 && strcmp(name, "wall") != 0;
+    return name[0] && name[0] != '-' && strlen(name) <= 64;
 }
 
 static bool check_name(struct builder *b, const struct word *w, const char *name) {
+    if (strcmp(name, "wall") == 0) {
+        deck_error(b->deck, w, "'wall' is the rigid wall of contacts and cannot name a building");
+        return false;
+    }
     if (!good_name(name)) {
         deck_error(b->deck, w, "'%.70s' cannot name a building; use up to 64 letters, digits, _ and -",
                    name);

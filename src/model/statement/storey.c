@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string.h>
 
-#include "core/arena.h"
+#include "deck/reader.h"
 #include "model/statement.h"
 
 enum { STIFFNESS, N_ROW };
@@ -48,6 +48,18 @@ static bool prepare(struct builder *b, const struct statement *s, const struct s
     return true;
 }
 
+// Marks storey i as having its law; false after reporting that it has one.
+static bool take(struct builder *b, struct building_draft *d, int i, const struct statement *s) {
+    struct word *mark = &d->storey_word[i];
+    if (mark->text) {
+        deck_error(b->deck, &s->word[1], "storey %d of building %s has a law already, in %s", i + 1,
+                   d->name, source_mention(b->deck, &mark->place, &s->word[0].place));
+        return false;
+    }
+    *mark = s->word[0];
+    return true;
+}
+
 static void assign(struct builder *b, const struct statement *s, const struct storey_law *law,
                    const struct selection *floors, const struct argument *own,
                    const struct argument *given) {
@@ -67,7 +79,7 @@ static void assign(struct builder *b, const struct statement *s, const struct st
     }
     for (int k = 0; good && k < floors->n_floor; k++) {
         int i = floors->floor[k] - 1;
-        good = builder_once(b, &d->storey_word[i], s);
+        good = take(b, d, i, s);
         if (good && stiffness) {
             d->stiffness[i] = stiffness[k];
         }

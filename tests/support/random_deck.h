@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decks made at random: two to four buildings with every contact and storey law, gaps from 0, steps from
+// far below to far above the duration of a contact.
+#ifndef JOSTLE_TEST_RANDOM_DECK_H
+#define JOSTLE_TEST_RANDOM_DECK_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+// Writes deck number `seed` into text (size bytes).
+void random_deck(uint64_t seed, char *text, size_t size);
+
+#endif
