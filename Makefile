@@ -33,7 +33,8 @@ SANITIZER  = $(if $(strip $(SANITIZE)),-fsanitize=$(strip $(SANITIZE)) -fno-sani
 LANGUAGE   = -std=c17 -D_POSIX_C_SOURCE=200809L -pthread -Iinclude -Isrc $(SYSTEM) $(CPPFLAGS)
 COMPILE    = $(CC) $(LANGUAGE) $(WARNINGS) $(CFLAGS) -ffp-contract=off -fno-math-errno $(SANITIZER)
 LINK       = $(CC) -pthread $(CFLAGS) $(SANITIZER) $(LDFLAGS)
-FAIL_ALLOC = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc
+FAIL_ALLOC = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
+             -Wl,--wrap=arena_alloc,--wrap=arena_text
 
 # --- files ---------------------------------------------------------------------------------------
 B        := $(strip $(BUILD))
@@ -44,6 +45,7 @@ OBJECTS  := $(SOURCES:%.c=$(B)/object/%.o)
 HELPERS  := $(patsubst %.c,$(B)/object/%.o,$(wildcard tests/support/*.c))
 TESTS    := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/*/test_*.c)))
 SCRIPTS  := $(filter-out tests/cli/long_%,$(sort $(wildcard tests/cli/*.sh)))
+ALLOC_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/*/test_alloc*.c))
 LONG     := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/*/long_*.c)))
 LONG_SCRIPTS := $(sort $(wildcard tests/cli/long_*.sh))
 FUZZERS  := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
@@ -55,7 +57,7 @@ SAYS_VERSION := $(patsubst %.c,$(B)/object/%.o,$(shell grep -rl --include='*.c' 
 Q     = $(if $(filter 1,$(V)),,@)
 SAY   = $(if $(filter 1,$(V)),@:,@printf '  %-7s %s\n')
 SETUP = @CC='$(CC)' sh tests/support/setup.sh
-ifeq ($(filter -j%,$(MAKEFLAGS)),)
+ifeq ($(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)),0)
 MAKEFLAGS += -j$(CORES)
 endif
 MAKEFLAGS += --no-builtin-rules --no-print-directory
@@ -140,8 +142,8 @@ $(B)/tests/fuzz/%: $(B)/object/tests/fuzz/%.o $(LIBRARY)
 	@mkdir -p $(@D)
 	$(Q)$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
 
-$(filter %/test_alloc%,$(TESTS)): LINK += $(FAIL_ALLOC)
-$(filter %/test_alloc%,$(TESTS)): $(B)/object/tests/support/fail_alloc.o
+$(ALLOC_TESTS): LINK += $(FAIL_ALLOC)
+$(ALLOC_TESTS): $(B)/object/tests/support/fail_alloc.o
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.o,$(HELPERS)) $(LIBRARY)
 	$(SAY) LINK $@
 	@mkdir -p $(@D)
@@ -149,10 +151,12 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.
 
 # --- the state of the source ---------------------------------------------------------------------
 .PHONY: lint tidy format check-format
-lint: tidy $(LIBRARY)  ## layers, names, lengths and clang-tidy
+lint: setup-lint  ## layers, names, lengths and clang-tidy
+	@$(MAKE) $(LIBRARY)
 	@bash tests/support/check_layers.sh
 	@bash tests/support/check_symbols.sh $(LIBRARY)
 	@bash tests/support/check_length.sh
+	@$(MAKE) tidy
 
 tidy: setup-lint
 	@printf '%s\n' $(TIDIED) | xargs -n 1 -P $(CORES) sh tests/support/tidy.sh $(LANGUAGE) \
@@ -191,7 +195,7 @@ install: all  ## program, library, headers and jostle.pc; DESTDIR and prefix are
 uninstall:  ## remove what install put there
 	rm -f $(DESTDIR)$(bindir)/jostle $(DESTDIR)$(libdir)/libjostle.a
 	rm -f $(DESTDIR)$(libdir)/pkgconfig/jostle.pc
-	rm -f $(patsubst docs/%,$(DESTDIR)$(mandir)/man1/%,$(wildcard docs/*.1))
+	$(if $(wildcard docs/*.1),rm -f $(patsubst docs/%,$(DESTDIR)$(mandir)/man1/%,$(wildcard docs/*.1)))
 	rm -rf $(DESTDIR)$(includedir)/jostle $(DESTDIR)$(docdir)
 
 clean:  ## remove build/

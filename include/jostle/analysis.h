@@ -38,6 +38,8 @@ extern const char *const energy_names[];  // (ENERGY_COUNT)
 // that status and the observer's error.
 struct observer {
     int (*row)(void *context, const struct row_view *row, struct error *e);
+    // Called every few thousand steps, rows or not; NULL: nothing to ask. Not 0 ends the run.
+    int (*poll)(void *context, double time, struct error *e);
     void *context;  // borrowed
 };
 
@@ -45,13 +47,14 @@ struct observer {
 enum peak { PEAK_DISPLACEMENT, PEAK_VELOCITY, PEAK_ACCELERATION, PEAK_DRIFT, PEAK_SHEAR, PEAK_COUNT };
 extern const char *const peak_names[];  // (PEAK_COUNT) displacement velocity acceleration ...
 
-// Totals of one contact over all steps. force and penetration are the largest (not absolute).
-struct contact_peak {
+// Totals of one link over all steps. Of a contact, force and penetration are the largest (not absolute);
+// of a bilateral link the largest absolute ones.
+struct link_peak {
     double force, force_time;              // [F] [T]; 0 without contact
     double penetration, penetration_time;  // [L] [T] largest delta, negative if never closed
     double impulse;                        // [F T]
-    double dissipated;                     // [F L] work done on the contact
-    long impacts;
+    double dissipated;                     // [F L] work done on the link
+    long impacts;                          // of a contact
 };
 
 // One impact: a contact from closure to opening.
@@ -84,7 +87,7 @@ struct results {
     struct arena *arena;         // owns the arrays
     double *peak[PEAK_COUNT];       // (n_dof)
     double *peak_time[PEAK_COUNT];  // (n_dof) [T]
-    struct contact_peak *contact;   // (n_contact)
+    struct link_peak *link;         // (n_link) contacts first
     struct impact *impact;          // (n_impact) in order of t_start; malloc'd
     long n_impact, impact_capacity;
     double energy[ENERGY_COUNT];  // at the end

@@ -37,10 +37,9 @@ struct contact_law {
     unsigned traits;  // enum contact_trait
 
     // Values of the rows in the deck's units, NAN where not given, and the effective mass -> the
-    // constants that `force` uses. `velocity_unit` is one m/s in the deck's units. Errors:
-    // STATUS_INPUT.
-    int (*prepare)(const double *value, double m_eff, double velocity_unit, double *constant,
-                   struct error *e);
+    // constants that `force` uses. Errors: STATUS_INPUT.
+    int (*prepare)(const double *value, double m_eff, double *constant,
+    struct error *e);
 
     // History at the instant of closure with velocity v0 >= 0. NULL if n_history = 0.
     void (*close)(const double *constant, double v0, double *history);

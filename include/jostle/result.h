@@ -21,7 +21,7 @@ struct report_building {
     int n_floor;
     const double *mass;                   // [M]
     const double *stiffness;              // [F/L]
-    const double *height;                 // [L] NAN where not given
+    const double *height;                 // [L] 0 where not given
     const double *period;                 // [T] of the building alone, elastic, longest first
     const double *peak[PEAK_COUNT];       // largest absolute values; NULL before the run
     const double *peak_time[PEAK_COUNT];  // [T]
@@ -34,7 +34,7 @@ struct report_link {
     int left_floor, right_floor;      // from 1; 0: the wall
     double gap;                       // [L]
     double mass;                      // [M] effective
-    struct contact_peak peak;         // zero for bilateral links
+    struct link_peak peak;
 };
 
 // What a result file says apart from its histories.
@@ -54,6 +54,7 @@ struct report {
     long n_impact;
     struct impact *impact;        // (n_impact) in order of time
     double energy[ENERGY_COUNT];  // [F L] at the end
+    double initial_energy;  // [F L] kinetic and strain energy at t = 0
     double residual_peak;         // [F L]
     struct totals totals;
 };
@@ -105,7 +106,8 @@ int result_publish(const char *part, const char *path, enum result_existing exis
 struct result_file;
 
 // Opens a complete result file and reads its report. Errors: STATUS_SYSTEM (cannot open, no
-// memory), STATUS_INPUT (not HDF5, not of jostle, newer, incomplete, damaged; names the path).
+// memory), STATUS_INPUT (does not exist, not HDF5, not of jostle, newer, incomplete, damaged; names
+// the path).
 int result_open(const char *path, struct result_file **out, struct error *e);
 void result_close(struct result_file *f);  // NULL is allowed
 

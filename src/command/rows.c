@@ -199,7 +199,7 @@ bool rows_options(const struct command *c, int argc, char **argv, enum page *pag
     opterr = 0;
     optind = 1;
     *page = PAGE_TEXT;
-    for (int letter; (letter = getopt_long(argc, argv, ":", option, NULL)) != -1;) {
+    for (int letter; (letter = getopt_long(argc, argv, ":h", option, NULL)) != -1;) {
         if (letter == 'h') {
             *status = command_help(c, details);
             return false;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle run: a deck through time, into a result file, and a summary.
+#include <assert.h>
 #include <errno.h>
 #include <getopt.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "command/load.h"
 #include "core/arena.h"
@@ -41,18 +43,14 @@ static void interrupt(int number) {
     interrupted = number;
 }
 
-// Passes rows on to the writer, and ends the run on a signal.
-struct watched {
-    struct observer writer;
-};
-
-static int watched_row(void *context, const struct row_view *row, struct error *e) {
-    const struct watched *w = context;
+// Ends the run on a signal.
+static int poll_signals(void *context, double time, struct error *e) {
+    (void)context;
     if (interrupted) {
         return error_set(e, STATUS_SYSTEM, "interrupted by signal %d at t = %.6g; nothing was written",
-                         (int)interrupted, row->time);
+                         (int)interrupted, time);
     }
-    return w->writer.row(w->writer.context, row, e);
+    return STATUS_OK;
 }
 
 static int parse_threads(const char *text) {
@@ -127,8 +125,8 @@ static int analyse(const struct model *m, const struct result_options *result, s
     if (status != STATUS_OK) {
         return status;
     }
-    struct watched watched = {.writer = result_observer(writer)};
-    struct observer observer = {.row = watched_row, .context = &watched};
+    struct observer observer = result_observer(writer);
+    observer.poll = poll_signals;
     status = analysis_run(m, &observer, out, e);
     if (status != STATUS_OK) {
         result_abort(writer);
@@ -152,7 +150,14 @@ static int print_summary(const struct model *m, const struct results *r, const c
     return status;
 }
 
+static bool is_same_file(const char *a, const char *b) {
+    struct stat of_a, of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
+           of_a.st_ino == of_b.st_ino;
+}
+
 static int run_model(const struct model *m, const struct options *o, int argc, char **argv) {
+    assert(o->load.path);
     struct arena *a = m->deck->arena;
     const char *path = o->output ? o->output : m->output.file;
     struct result_options result = {
@@ -164,6 +169,10 @@ static int run_model(const struct model *m, const struct options *o, int argc, c
     struct error e;
     if (!result.path || !result.command_line) {
         error_no_memory(&e);
+        return command_fail(&e);
+    }
+    if (is_same_file(result.path, o->load.path)) {
+        error_set(&e, STATUS_INPUT, "%s is the deck; give the result another name", result.path);
         return command_fail(&e);
     }
     struct results *results;

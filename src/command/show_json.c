@@ -115,14 +115,12 @@ static void put_building(struct json *j, const struct report_building *b) {
     close_list(j, '}');
 }
 
-static void put_link(struct json *j, const struct report_link *l, const struct contact_peak *peak) {
+static void put_link(struct json *j, const struct report_link *l, const struct column_table *peaks) {
     open_list(j, NULL, '{');
     put_members(j, &layout_link, l);
-    if (peak) {
-        open_list(j, "envelope", '{');
-        put_members(j, &layout_contact, peak);
-        close_list(j, '}');
-    }
+    open_list(j, "envelope", '{');
+    put_members(j, peaks, &l->peak);
+    close_list(j, '}');
     close_list(j, '}');
 }
 
@@ -139,6 +137,7 @@ static void put_energy(struct json *j, const struct report *r) {
     for (int i = 0; i < ENERGY_COUNT; i++) {
         put_number(j, energy_names[i], r->energy[i]);
     }
+    put_number(j, "initial", r->initial_energy);
     put_number(j, "residual_peak", r->residual_peak);
     close_list(j, '}');
     open_list(j, "totals", '{');
@@ -158,12 +157,12 @@ void show_json(const struct report *r, FILE *to) {
     close_list(&j, ']');
     open_list(&j, "contacts", '[');
     for (int i = 0; i < r->n_contact; i++) {
-        put_link(&j, &r->contact[i], &r->contact[i].peak);
+        put_link(&j, &r->contact[i], &layout_contact);
     }
     close_list(&j, ']');
     open_list(&j, "links", '[');
     for (int i = 0; i < r->n_link; i++) {
-        put_link(&j, &r->link[i], NULL);
+        put_link(&j, &r->link[i], &layout_link_peak);
     }
     close_list(&j, ']');
     open_list(&j, "impacts", '[');

@@ -83,7 +83,7 @@ static void members(const struct table *t, const struct column_table *c, const c
 
 // The peaks of a contact, each with its time where it has one.
 static void contact_peak(const struct table *t, const struct report_link *c) {
-    const struct contact_peak *p = &c->peak;
+    const struct link_peak *p = &c->peak;
     row(t, c->name, "force", 0, p->force, &dimension_force,
         p->impacts > 0 ? p->force_time : (double)NAN);
     row(t, c->name, "penetration", 0, p->penetration, &dimension_length, p->penetration_time);
@@ -106,6 +106,7 @@ void show_tsv(const struct report *r, FILE *to) {
     }
     for (int i = 0; i < r->n_link; i++) {
         members(&links, &layout_link, r->link[i].name, &r->link[i], 0, NAN);
+        members(&links, &layout_link_peak, r->link[i].name, &r->link[i].peak, 0, NAN);
     }
     for (long i = 0; i < r->n_impact; i++) {
         members(&impacts, &layout_impact, r->contact[r->impact[i].contact].name, &r->impact[i],
@@ -114,6 +115,7 @@ void show_tsv(const struct report *r, FILE *to) {
     for (int i = 0; i < ENERGY_COUNT; i++) {
         row(&energy, "", energy_names[i], 0, r->energy[i], &dimension_energy, r->duration);
     }
+    row(&energy, "", "initial", 0, r->initial_energy, &dimension_energy, 0.0);
     row(&energy, "", "residual_peak", 0, r->residual_peak, &dimension_energy, NAN);
     members(&totals, &layout_totals, "", &r->totals, 0, NAN);
 }

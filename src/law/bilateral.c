@@ -17,9 +17,9 @@ const struct row bilateral_rows[BILATERAL_ROWS] = {
                             "exponent of the velocity in the damper"},
 };
 
-static int bilateral_prepare(const double *value, double m_eff, double velocity_unit,
-                             double *constant, struct error *e) {
-    (void)m_eff, (void)velocity_unit, (void)e;
+static int bilateral_prepare(const double *value, double m_eff, double *constant,
+    struct error *e) {
+    (void)m_eff, (void)e;
     for (int i = 0; i < BILATERAL_ROWS; i++) {
         constant[i] = value[i];
     }

@@ -133,8 +133,8 @@ const char *pairs_name(struct builder *b, const struct argument *a, bool *good) 
         return NULL;
     }
     const char *name = a->text[0];
-    if (!name[0] || strlen(name) > 64 || strchr(name, '/')) {
-        deck_error(b->deck, &a->word[0], "'%.70s' cannot name a link; use up to 64 characters, no /",
+    if (!name[0] || strlen(name) > 64 || strpbrk(name, "/#")) {
+        deck_error(b->deck, &a->word[0], "'%.70s' cannot name a link; use up to 64 characters, no / or #",
                    name);
         *good = false;
     }
@@ -149,8 +149,7 @@ const double *pairs_constants(struct builder *b, const struct contact_law *law,
     }
     double *constant = builder_array(b, (size_t)law->n_constant, sizeof *constant);
     struct error e;
-    double velocity_unit = 1.0 / unit_size(&b->deck->units, dimension_velocity);
-    if (constant && law->prepare(value, mass, velocity_unit, constant, &e) != STATUS_OK) {
+    if (constant && law->prepare(value, mass, constant, &e) != STATUS_OK) {
         deck_error(b->deck, word, "%s", e.message);
         return NULL;
     }

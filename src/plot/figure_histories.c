@@ -27,7 +27,7 @@ struct view {
 static int hardest_contact(const struct report *r) {
     int at = -1;
     for (int i = 0; i < r->n_contact; i++) {
-        const struct contact_peak *p = &r->contact[i].peak;
+        const struct link_peak *p = &r->contact[i].peak;
         if (p->impacts > 0 && (at < 0 || p->force > r->contact[at].peak.force)) {
             at = i;
         }

@@ -35,6 +35,7 @@ static const struct column totals_column[] = {
      .kind = COLUMN_LONG,
      .offset = offsetof(struct totals, iterations)},
     {.name = "wall_seconds", .kind = COLUMN_DOUBLE, .offset = offsetof(struct totals, seconds)},
+    {.name = "steps_split", .kind = COLUMN_LONG, .offset = offsetof(struct totals, events)},
     {.name = "steps_cut", .kind = COLUMN_LONG, .offset = offsetof(struct totals, cuts)},
     {.name = "steps_unsolved", .kind = COLUMN_LONG, .offset = offsetof(struct totals, unsolved)},
     {.name = "contact_solves_fast", .kind = COLUMN_LONG, .offset = offsetof(struct totals, fast)},
@@ -68,21 +69,37 @@ const struct column_table layout_link = {link_column, sizeof link_column / sizeo
 
 static const struct column contact_column[] = {
     {"force", "largest contact force", &dimension_force, COLUMN_DOUBLE,
-     offsetof(struct contact_peak, force), 0},
+     offsetof(struct link_peak, force), 0},
     {"force_time", "time of the largest contact force", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct contact_peak, force_time), 0},
+     offsetof(struct link_peak, force_time), 0},
     {"penetration", "largest penetration, negative if never closed", &dimension_length,
-     COLUMN_DOUBLE, offsetof(struct contact_peak, penetration), 0},
+     COLUMN_DOUBLE, offsetof(struct link_peak, penetration), 0},
     {"penetration_time", "time of the largest penetration", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct contact_peak, penetration_time), 0},
+     offsetof(struct link_peak, penetration_time), 0},
     {"impulse", "impulse of all impacts", &dimension_impulse, COLUMN_DOUBLE,
-     offsetof(struct contact_peak, impulse), 0},
-    {"impacts", "number of impacts", NULL, COLUMN_LONG, offsetof(struct contact_peak, impacts), 0},
+     offsetof(struct link_peak, impulse), 0},
+    {"impacts", "number of impacts", NULL, COLUMN_LONG, offsetof(struct link_peak, impacts), 0},
     {"dissipated", "energy dissipated in all impacts", &dimension_energy, COLUMN_DOUBLE,
-     offsetof(struct contact_peak, dissipated), 0},
+     offsetof(struct link_peak, dissipated), 0},
 };
 const struct column_table layout_contact = {
-    contact_column, sizeof contact_column / sizeof contact_column[0], sizeof(struct contact_peak)};
+    contact_column, sizeof contact_column / sizeof contact_column[0], sizeof(struct link_peak)};
+
+static const struct column link_peak_column[] = {
+    {"force", "largest absolute force", &dimension_force, COLUMN_DOUBLE,
+     offsetof(struct link_peak, force), 0},
+    {"force_time", "time of the largest force", &dimension_time, COLUMN_DOUBLE,
+     offsetof(struct link_peak, force_time), 0},
+    {"deformation", "largest absolute change of length", &dimension_length, COLUMN_DOUBLE,
+     offsetof(struct link_peak, penetration), 0},
+    {"deformation_time", "time of the largest change of length", &dimension_time, COLUMN_DOUBLE,
+     offsetof(struct link_peak, penetration_time), 0},
+    {"work", "work done on the link, stored or dissipated", &dimension_energy, COLUMN_DOUBLE,
+     offsetof(struct link_peak, dissipated), 0},
+};
+const struct column_table layout_link_peak = {
+    link_peak_column, sizeof link_peak_column / sizeof link_peak_column[0],
+    sizeof(struct link_peak)};
 
 static const struct column impact_column[] = {
     {"contact", "number of the contact, from 1", NULL, COLUMN_INT, offsetof(struct impact, contact),
@@ -114,7 +131,7 @@ static const struct column building_column[] = {
      offsetof(struct report_building, mass), 0},
     {"stiffness", "initial stiffness of the storey below each floor", &dimension_stiffness,
      COLUMN_DOUBLE, offsetof(struct report_building, stiffness), 0},
-    {"height", "height of the storey below each floor, NaN if not given", &dimension_length,
+    {"height", "height of the storey below each floor, 0 if not given", &dimension_length,
      COLUMN_DOUBLE, offsetof(struct report_building, height), 0},
     {"period", "periods of the building alone, elastic, longest first", &dimension_time,
      COLUMN_DOUBLE, offsetof(struct report_building, period), 0},
@@ -147,7 +164,7 @@ const struct quantity layout_peak[] = {
 };
 
 const struct quantity layout_energy[] = {
-    [ENERGY_INPUT] = {"work of the ground motion, the loads and the initial state",
+    [ENERGY_INPUT] = {"work of the ground motion and the loads",
                       &dimension_energy},
     [ENERGY_KINETIC] = {"kinetic energy relative to the ground", &dimension_energy},
     [ENERGY_STRAIN] = {"energy stored in the storeys", &dimension_energy},

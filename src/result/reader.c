@@ -166,6 +166,17 @@ static struct report_link *get_links(struct result_file *f, hid_t group, const c
     return link;
 }
 
+static void get_link_envelope(struct result_file *f, hid_t group, const struct column_table *peaks,
+                              struct report_link *link, size_t n) {
+    hid_t envelope = h5_get_group(&f->h, group, "envelope");
+    const struct column_table table = {peaks->column, peaks->n_column, sizeof *link};
+    for (int c = 0; c < table.n_column && !f->h.failed; c++) {
+        char *base = (char *)link + offsetof(struct report_link, peak);
+        h5_get_column(&f->h, f->report->arena, envelope, &table, c, base, n);
+    }
+    h5_close(&f->h, envelope);
+}
+
 static void get_contacts(struct result_file *f) {
     struct report *r = f->report;
     hid_t group = h5_get_group(&f->h, f->h.file, "contacts");
@@ -174,18 +185,12 @@ static void get_contacts(struct result_file *f) {
         const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
         r->fields |= h5_has(&f->h, group, field_names[FLOOR_FIELD_COUNT + i]) ? bit : 0;
     }
-    hid_t envelope = h5_get_group(&f->h, group, "envelope");
-    const struct column_table table = {layout_contact.column, layout_contact.n_column,
-                                       sizeof(struct report_link)};
-    for (int c = 0; c < table.n_column && !f->h.failed; c++) {
-        char *base = (char *)r->contact + offsetof(struct report_link, peak);
-        h5_get_column(&f->h, r->arena, envelope, &table, c, base, (size_t)r->n_contact);
-    }
-    h5_close(&f->h, envelope);
+    get_link_envelope(f, group, &layout_contact, r->contact, (size_t)r->n_contact);
     h5_close(&f->h, group);
     if (h5_has(&f->h, f->h.file, "links")) {
         hid_t links = h5_get_group(&f->h, f->h.file, "links");
         r->link = get_links(f, links, "link", &r->n_link);
+        get_link_envelope(f, links, &layout_link_peak, r->link, (size_t)r->n_link);
         h5_close(&f->h, links);
     }
 }
@@ -215,6 +220,7 @@ static void get_impacts(struct result_file *f) {
 
 static void get_energy(struct result_file *f) {
     hid_t group = h5_get_group(&f->h, f->h.file, "energy");
+    f->report->initial_energy = h5_get_double(&f->h, group, "initial");
     f->report->residual_peak = h5_get_double(&f->h, group, "residual_peak");
     for (int i = 0; i < ENERGY_COUNT && !f->h.failed; i++) {
         hid_t history = h5_has(&f->h, group, energy_names[i])
@@ -231,7 +237,9 @@ static void get_energy(struct result_file *f) {
 
 static int open_file(struct result_file *f, struct error *e) {
     if (access(f->path, R_OK) != 0) {
-        return error_set(e, STATUS_SYSTEM, "cannot open %s: %s", f->path, strerror(errno));
+        const bool missing = errno == ENOENT || errno == ENOTDIR;
+        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", f->path,
+                         strerror(errno));
     }
     const htri_t is_hdf5 = H5Fis_hdf5(f->path);
     if (is_hdf5 <= 0) {

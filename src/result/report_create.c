@@ -14,9 +14,6 @@ static const double *copy(struct arena *a, const double *from, size_t n) {
     if (to && from) {
         memcpy(to, from, n * sizeof *to);
     }
-    for (size_t i = 0; to && !from && i < n; i++) {
-        to[i] = NAN;
-    }
     return to;
 }
 
@@ -80,9 +77,13 @@ static int results_fill(struct report *to, const struct results *r, struct error
         memcpy(to->impact, r->impact, (size_t)r->n_impact * sizeof *to->impact);
     }
     for (int i = 0; i < to->n_contact; i++) {
-        to->contact[i].peak = r->contact[i];
+        to->contact[i].peak = r->link[i];
+    }
+    for (int i = 0; i < to->n_link; i++) {
+        to->link[i].peak = r->link[to->n_contact + i];
     }
     memcpy(to->energy, r->energy, sizeof to->energy);
+    to->initial_energy = r->initial_energy;
     to->residual_peak = r->residual_peak;
     to->totals = r->totals;
     return STATUS_OK;
@@ -115,7 +116,8 @@ static int texts_fill(struct report *to, const struct model *m, const char *file
     to->parameters = text_or_nothing(a, deck_parameters(m->deck));
     to->command_line = "";
     const bool good = (to->file || !file) && to->title && to->version && to->created &&
-                      to->deck_file && to->deck && to->parameters;
+                      to->deck_file && to->deck && to->parameters &&
+                      !m->deck->diagnostics.out_of_memory;
     return good ? STATUS_OK : error_no_memory(e);
 }
 

@@ -183,7 +183,7 @@ static void print_displacements(const struct printer *p, const struct shown_buil
         number(to, b->peak[PEAK_DISPLACEMENT][roof], 12);
         number(to, b->peak_time[PEAK_DISPLACEMENT][roof], 8);
         number(to, b->peak[PEAK_DRIFT][storey], 12);
-        number(to, 100 * b->peak[PEAK_DRIFT][storey] / b->height[storey], 9);
+        number(to, b->height[storey] > 0 ? 100 * b->peak[PEAK_DRIFT][storey] / b->height[storey] : (double)NAN, 9);
         fprintf(to, " %7d", storey + 1);
         number(to, b->peak_time[PEAK_DRIFT][storey], 8);
         fprintf(to, "\n");
@@ -237,7 +237,7 @@ struct shown_contacts {
 static struct shown_contacts choose_contacts(const struct report *r) {
     struct shown_contacts s = {.name_width = 8};
     for (int i = 0; i < r->n_contact; i++) {
-        const struct contact_peak *peak = &r->contact[i].peak;
+        const struct link_peak *peak = &r->contact[i].peak;
         s.n_hit += peak->impacts > 0;
         s.n = choose(
             s.choice, s.n,
@@ -282,15 +282,38 @@ static void print_contacts(const struct printer *p) {
     not_shown(p, r->n_contact - s.n, "contacts", "force");
 }
 
+static void print_links(const struct printer *p) {
+    const struct report *r = p->r;
+    if (r->n_link == 0) {
+        return;
+    }
+    fprintf(p->to, "\n%-*s %10s %8s %12s %8s %10s\n", LINK_WIDTH_MAX, "link", "force", "time",
+            "deformation", "time", "work");
+    fprintf(p->to, "%-*s %10s %8s %12s %8s %10s\n", LINK_WIDTH_MAX, "", p->unit[UNIT_FORCE],
+            p->unit[UNIT_TIME], p->unit[UNIT_LENGTH], p->unit[UNIT_TIME], p->unit[UNIT_ENERGY]);
+    for (int i = 0; i < r->n_link && i < SHOWN_MAX; i++) {
+        const struct link_peak *k = &r->link[i].peak;
+        cell(p->to, r->link[i].name, LINK_WIDTH_MAX);
+        number(p->to, k->force, 10);
+        number(p->to, k->force_time, 8);
+        number(p->to, k->penetration, 12);
+        number(p->to, k->penetration_time, 8);
+        number(p->to, k->dissipated, 10);
+        fprintf(p->to, "\n");
+    }
+    not_shown(p, r->n_link - SHOWN_MAX, "links", "number");
+}
+
 static void print_totals(const struct printer *p) {
     const struct report *r = p->r;
     const struct totals *t = &r->totals;
     const double input = r->energy[ENERGY_INPUT];
-    fprintf(p->to, "\nsteps       %ld (%ld cut, %ld not to tolerance), %ld iterations\n", t->steps,
-            t->cuts, t->unsolved, t->iterations);
-    fprintf(p->to, "energy      %s input %.4g; damping %.4g, storeys %.4g, contacts %.4g\n",
+    fprintf(p->to, "\nsteps       %ld (%ld cut, %ld split at impacts, %ld not to tolerance)\n",
+            t->steps, t->cuts, t->events, t->unsolved);
+    fprintf(p->to, "iterations  %ld\n", t->iterations);
+    fprintf(p->to, "energy      %s input %.4g; damping %.4g, storeys %.4g, contacts%s %.4g\n",
             p->unit[UNIT_ENERGY], input, r->energy[ENERGY_DAMPING], r->energy[ENERGY_HYSTERETIC],
-            r->energy[ENERGY_CONTACT]);
+            r->n_link > 0 ? " and links" : "", r->energy[ENERGY_CONTACT]);
     fprintf(p->to, "residual    %s %.4g at the rows written", p->unit[UNIT_ENERGY],
             r->residual_peak);
     if (input > 0) {
@@ -317,6 +340,7 @@ void report_print(const struct report *r, FILE *to) {
         print_displacements(&p, &s);
         print_forces(&p, &s);
         print_contacts(&p);
+        print_links(&p);
         print_totals(&p);
     }
 }

@@ -46,21 +46,23 @@ static void put_envelope(struct h5 *h, hid_t buildings, const struct report_buil
     h5_close(h, building);
 }
 
-static void put_contact_envelope(struct h5 *h, const struct report *r) {
-    hid_t contacts = open_object(h, h->file, "contacts");
-    hid_t scale = open_object(h, contacts, "contact");
-    hid_t envelope = h5_group(h, contacts, "envelope");
-    h5_hard_link(h, scale, envelope, "contact");
-    // The table is of struct contact_peak; here it stands in each struct report_link.
-    const struct column_table table = {layout_contact.column, layout_contact.n_column,
-                                       sizeof(struct report_link)};
-    const char *base = (const char *)r->contact + offsetof(struct report_link, peak);
+// /contacts/envelope or /links/envelope. The table is of struct link_peak, which stands in each
+// struct report_link.
+static void put_link_envelope(struct h5 *h, const char *name, const char *scale_name,
+                              const struct column_table *peaks, const struct report_link *link,
+                              size_t n) {
+    hid_t group = open_object(h, h->file, name);
+    hid_t scale = open_object(h, group, scale_name);
+    hid_t envelope = h5_group(h, group, "envelope");
+    h5_hard_link(h, scale, envelope, scale_name);
+    const struct column_table table = {peaks->column, peaks->n_column, sizeof *link};
+    const char *base = (const char *)link + offsetof(struct report_link, peak);
     for (int c = 0; c < table.n_column; c++) {
-        h5_put_column(h, envelope, &table, c, base, (size_t)r->n_contact, scale);
+        h5_put_column(h, envelope, &table, c, base, n, scale);
     }
     h5_close(h, envelope);
     h5_close(h, scale);
-    h5_close(h, contacts);
+    h5_close(h, group);
 }
 
 static void put_impacts(struct h5 *h, const struct report *r) {
@@ -82,6 +84,7 @@ static void put_energy_end(struct h5 *h, const struct report *r) {
         h5_put_double(h, history, "final", r->energy[i]);
         h5_close(h, history);
     }
+    h5_put_double(h, group, "initial", r->initial_energy);
     h5_put_double(h, group, "residual_peak", r->residual_peak);
     h5_close(h, group);
 }
@@ -93,7 +96,10 @@ void writer_results(struct result_writer *w, const struct report *r) {
         put_envelope(h, buildings, &r->building[i]);
     }
     h5_close(h, buildings);
-    put_contact_envelope(h, r);
+    put_link_envelope(h, "contacts", "contact", &layout_contact, r->contact, (size_t)r->n_contact);
+    if (r->n_link > 0) {
+        put_link_envelope(h, "links", "link", &layout_link_peak, r->link, (size_t)r->n_link);
+    }
     put_impacts(h, r);
     put_energy_end(h, r);
     for (int c = 0; c < layout_totals.n_column; c++) {

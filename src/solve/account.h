@@ -41,7 +41,7 @@ bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *
 int impacts_start(struct impact_log *log, struct results *r, const struct model *m,
                   const struct state *s, struct error *e);
 
-// Carries every contact through the step from `now` to `next`. STATUS_SYSTEM: no memory.
+// Carries every link through the step from `now` to `next`. STATUS_SYSTEM: no memory.
 int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
                  const struct state *now, const struct state *next, struct error *e);
 

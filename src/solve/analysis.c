@@ -2,6 +2,7 @@
 // The time loop: step, commit, account, and show a row to the observer now and then.
 #include "jostle/analysis.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <time.h>
 
@@ -13,6 +14,7 @@
 // A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is. A
 // step is split at no more events than this: chattering contacts are left to the step.
 enum { CUTS_MAX = 30, EVENTS_MAX = 50 };
+enum { POLL_STEPS = 4096 };
 
 struct run {
     const struct model *model;
@@ -28,6 +30,15 @@ struct run {
     struct error *error;
 };
 
+// Asks the observer now and then whether to go on.
+static int poll(struct run *r) {
+    const struct observer *o = r->observer;
+    if (!o || !o->poll || r->results->totals.steps % POLL_STEPS != 0) {
+        return STATUS_OK;
+    }
+    return o->poll(o->context, r->now->time, r->error);
+}
+
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
     struct results *out = r->results;
@@ -38,7 +49,7 @@ static int commit(struct run *r) {
     r->now = r->next;
     r->next = old;
     out->totals.steps++;
-    return status;
+    return status == STATUS_OK ? poll(r) : status;
 }
 
 // Steps from the committed state to `end`, h later; a step that is not solved is cut in two.
@@ -88,20 +99,24 @@ static int split(struct run *r, const struct event *event, double end, double h,
     return status == STATUS_OK ? advance(r, end, h - event->time, cuts) : status;
 }
 
-static void balance(struct run *r) {
+static int balance(struct run *r) {
     struct results *out = r->results;
     energy_balance(&r->energy, r->model, r->now, out->energy);
-    double residual = out->energy[ENERGY_RESIDUAL];
-    double size = residual < 0.0 ? -residual : residual;
-    if (size > out->residual_peak) {
-        out->residual_peak = size;
+    double residual = fabs(out->energy[ENERGY_RESIDUAL]);
+    if (!isfinite(residual)) {
+        return error_set(r->error, STATUS_FAILED, "the energy is not finite at t = %.9g",
+                         r->now->time);
     }
+    out->residual_peak = fmax(out->residual_peak, residual);
+    return STATUS_OK;
 }
 
 static int observe(struct run *r) {
     const struct model *m = r->model;
     const struct state *s = r->now;
-    balance(r);
+    if (balance(r) != STATUS_OK) {
+        return STATUS_FAILED;
+    }
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         for (int i = g->first; i < g->first + g->n_floor; i++) {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With r = F(d, v) - f and the slope t_l = beta h^2 dF/dd + gamma h dF/dv of each link, Newton asks for
-//     (I + T S) df = r.
+// Let f* be the exact answer of each link with the others held (line.c), and t the slope
+// beta h^2 dF/dd + gamma h dF/dv of its law there. Then f* changes with the forces of the others as
+// df* = -t (S df)_others / (1 + S_ll t), and Newton's method for f* = f asks for
+//     (I + T S) df = r,   r = (1 + S_ll t)(f* - f).
+// Linearising at the answers instead of at F(d, v) is what makes it work on stiff links, whose own
+// force at the trial penetration means nothing.
+//
 // S is symmetric and positive semi-definite, so with D = T^(1/2) the step is
 //     df = r - D (I + D S D)^-1 D S r,
-// whose matrix has no eigenvalue below 1: Cholesky cannot break down. A link held within a jump (d = 0)
-// behaves like a very stiff spring: t = JUMP / S_ll and r = t d.
+// whose matrix has no eigenvalue below 1: Cholesky cannot break down. A link held within a jump behaves
+// like a very stiff spring, S_ll t = JUMP.
 #include "solve/block.h"
 
 #include <gsl/gsl_linalg.h>
@@ -40,26 +45,29 @@ static void fill_flexibility(struct work *w) {
     }
 }
 
-// Residual into `r` and the root of the slope into `weight`.
+// S_ll t of the law at its answer.
+static double slope_at(const struct line *line, enum branch branch, double force) {
+    if (branch == BRANCH_OPEN) {
+        return 0.0;
+    }
+    if (branch != BRANCH_CLOSED) {
+        return JUMP;
+    }
+    struct contact_response law = line_law(line, force);
+    double slope = line->d_force * law.dfdd + line->v_force * law.dfdv;
+    return isfinite(slope) ? fmax(slope, 0.0) : JUMP;
+}
+
+// Residual into `r` and the root of t into `weight`.
 static void linearise(struct work *w, const struct state *now, const struct state *next, double *r) {
     for (int i = 0; i < w->n_active; i++) {
         int k = w->active[i];
         struct line line = contact_line(w, now, next, k);
-        double f = next->force[k];
-        double d = line.d_free - line.d_force * f;
-        double slope = 0.0;
-        r[i] = -f;
-        if (w->branch[k] == BRANCH_CLOSED) {
-            struct contact_response law = line_law(&line, f);
-            slope = line.d_force * law.dfdd + line.v_force * law.dfdv;
-            r[i] = law.force - f;
-        } else if (w->branch[k] != BRANCH_OPEN) {
-            slope = JUMP;
-            r[i] = JUMP * d / line.d_force;
-        }
-        double s = line.v_force / w->g;
-        slope = isfinite(slope) ? fmax(slope, 0.0) : JUMP;
-        w->weight[i] = sqrt(slope / s);
+        double force;
+        enum branch branch = line_answer(&line, next->force[k], &force);
+        double slope = slope_at(&line, branch, force);
+        r[i] = (1.0 + slope) * (force - next->force[k]);
+        w->weight[i] = sqrt(slope * w->g / line.v_force);
     }
 }
 

@@ -34,7 +34,7 @@ static int open_impact(struct impact_log *log, struct results *r, int k, const s
         .peak_force = fmax(s->force[k], 0.0),
         .max_penetration = fmax(s->delta[k], 0.0),
     };
-    r->contact[k].impacts++;
+    r->link[k].impacts++;
     return STATUS_OK;
 }
 
@@ -60,20 +60,21 @@ static void close_impact(struct impact_log *log, struct impact *i, const struct 
     log->open[k] = -1;
 }
 
-// The share of one step in impact `i` and in the contact's totals.
-static void carry(struct impact *i, struct contact_peak *c, const struct state *now,
+// The share of one step in the totals of link k and, if one is under way, in its impact.
+static void carry(struct impact *i, struct link_peak *p, int k, const struct state *now,
                   const struct state *next) {
-    int k = i->contact;
     double mean = (now->force[k] + next->force[k]) / 2.0;
     double impulse = mean * (next->time - now->time);
     double work = mean * (next->delta[k] - now->delta[k]);
-    i->impulse += impulse;
-    i->dissipated += work;
-    i->peak_force = fmax(i->peak_force, next->force[k]);
-    i->max_penetration = fmax(i->max_penetration, next->delta[k]);
-    i->steps += next->closed[k];
-    c->impulse += impulse;
-    c->dissipated += work;
+    p->impulse += impulse;
+    p->dissipated += work;
+    if (i) {
+        i->impulse += impulse;
+        i->dissipated += work;
+        i->peak_force = fmax(i->peak_force, next->force[k]);
+        i->max_penetration = fmax(i->max_penetration, next->delta[k]);
+        i->steps += next->closed[k];
+    }
 }
 
 int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
@@ -86,10 +87,13 @@ int impacts_step(struct impact_log *log, struct results *r, const struct model *
             return e->status;
         }
         struct impact *i = &r->impact[log->open[k]];
-        carry(i, &r->contact[k], now, next);
+        carry(i, &r->link[k], k, now, next);
         if (!next->closed[k]) {
             close_impact(log, i, now, next);
         }
+    }
+    for (int k = m->n_contact; k < m->n_link; k++) {
+        carry(NULL, &r->link[k], k, now, next);
     }
     return STATUS_OK;
 }

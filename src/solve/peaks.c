@@ -17,11 +17,11 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
             return false;
         }
     }
-    r->contact = arena_alloc(a, (size_t)m->n_contact, sizeof *r->contact);
-    for (int k = 0; r->contact && k < m->n_contact; k++) {
-        r->contact[k].penetration = -INFINITY;
+    r->link = arena_alloc(a, (size_t)m->n_link, sizeof *r->link);
+    for (int k = 0; r->link && k < m->n_contact; k++) {
+        r->link[k].penetration = -INFINITY;
     }
-    return r->contact != NULL;
+    return r->link != NULL;
 }
 
 static void floors_update(struct results *r, enum peak q, const double *value, int first, int n,
@@ -36,6 +36,17 @@ static void floors_update(struct results *r, enum peak q, const double *value, i
     }
 }
 
+static void link_update(struct link_peak *p, double force, double delta, double time) {
+    if (force > p->force) {
+        p->force = force;
+        p->force_time = time;
+    }
+    if (delta > p->penetration) {
+        p->penetration = delta;
+        p->penetration_time = time;
+    }
+}
+
 void peaks_update(struct results *r, const struct model *m, const struct state *s) {
     floors_update(r, PEAK_DISPLACEMENT, s->u, 0, m->n_dof, 0.0, s->time);
     floors_update(r, PEAK_VELOCITY, s->v, 0, m->n_dof, 0.0, s->time);
@@ -47,14 +58,9 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
                       s->time);
     }
     for (int k = 0; k < m->n_contact; k++) {
-        struct contact_peak *c = &r->contact[k];
-        if (s->force[k] > c->force) {
-            c->force = s->force[k];
-            c->force_time = s->time;
-        }
-        if (s->delta[k] > c->penetration) {
-            c->penetration = s->delta[k];
-            c->penetration_time = s->time;
-        }
+        link_update(&r->link[k], s->force[k], s->delta[k], s->time);
+    }
+    for (int k = m->n_contact; k < m->n_link; k++) {
+        link_update(&r->link[k], fabs(s->force[k]), fabs(s->delta[k]), s->time);
     }
 }

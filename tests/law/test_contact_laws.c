@@ -33,7 +33,7 @@ static struct bound_law bind(const struct contact_law *law, double v0) {
         }
     }
     struct error e;
-    assert_int_equal(law->prepare(value, MASS, 1.0, b.constant, &e), STATUS_OK);
+    assert_int_equal(law->prepare(value, MASS, b.constant, &e), STATUS_OK);
     if (law->close) {
         law->close(b.constant, v0, b.history);
     }

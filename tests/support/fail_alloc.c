@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The linker sends calls of malloc, calloc and realloc to the __wrap_ functions below and makes the
+// The linker sends calls of malloc and its like to the __wrap_ functions below and makes the
 // true ones reachable as __real_. Counters are atomic because a study allocates in its workers,
 // too.
 #include "support/fail_alloc.h"
@@ -8,12 +8,18 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+struct arena;
+
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t n, size_t size);
 void *__real_realloc(void *p, size_t size);
 void *__wrap_malloc(size_t size);
 void *__wrap_calloc(size_t n, size_t size);
 void *__wrap_realloc(void *p, size_t size);
+void *__real_arena_alloc(struct arena *a, size_t n, size_t size);
+char *__real_arena_text(struct arena *a, const char *text, size_t n);
+void *__wrap_arena_alloc(struct arena *a, size_t n, size_t size);
+char *__wrap_arena_text(struct arena *a, const char *text, size_t n);
 
 static atomic_bool active;
 static atomic_long count;
@@ -44,4 +50,12 @@ void *__wrap_calloc(size_t n, size_t size) {
 
 void *__wrap_realloc(void *p, size_t size) {
     return fails_now() ? NULL : __real_realloc(p, size);
+}
+
+void *__wrap_arena_alloc(struct arena *a, size_t n, size_t size) {
+    return fails_now() ? NULL : __real_arena_alloc(a, n, size);
+}
+
+char *__wrap_arena_text(struct arena *a, const char *text, size_t n) {
+    return fails_now() ? NULL : __real_arena_text(a, text, n);
 }

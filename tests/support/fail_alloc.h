@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes one allocation fail. Works in programs linked with
-// --wrap=malloc,--wrap=calloc,--wrap=realloc (every tests/*/test_alloc*.c is), for calls from
-// jostle's own code; libraries are not touched.
+// Makes one allocation fail. Works in programs linked with --wrap=malloc and so on (FAIL_ALLOC of
+// the Makefile; every tests/*/test_alloc*.c is), for calls from jostle's own code; libraries are
+// not touched. What is asked of an arena counts as well, though its blocks seldom need more memory.
 #ifndef JOSTLE_TEST_FAIL_ALLOC_H
 #define JOSTLE_TEST_FAIL_ALLOC_H
 

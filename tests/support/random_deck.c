@@ -131,5 +131,5 @@ void random_deck(uint64_t seed, char *text, size_t size) {
         add(&m, "integrator newmark -gamma %.4g -beta %.4g\n", gamma, uniform(&m, gamma / 2.0, 0.6));
     }
     double dt = logarithmic(&m, 1e-5, 0.05);
-    add(&m, "step fixed %.6g\nduration %.6g\n", dt, dt * 500.0 < 5.0 ? dt * 500.0 : 5.0);
+    add(&m, "step fixed %.6g\nduration %.6g\n", dt, dt * 250.0 < 3.0 ? dt * 250.0 : 3.0);
 }

@@ -40,7 +40,7 @@ run_one() {
     *.sh) set -- bash "$test" ;;
     *) set -- "$test" ;;
     esac
-    TMPDIR=$PWD/$folder/$name.tmp limited "$@" >"$log" 2>&1 </dev/null
+    TMPDIR=$(cd "$folder/$name.tmp" && pwd) limited "$@" >"$log" 2>&1 </dev/null
     status=$?
     seconds=$((SECONDS - seconds))
     rm -rf "$folder/$name.tmp"

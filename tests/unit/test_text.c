@@ -135,7 +135,11 @@ static char *printed(const struct diagnostics *d) {
     assert_non_null(to);
     diagnostics_print(d, to, false);
     fclose(to);
-    return text;
+    // A copy, because gcc 12 believes that the stream's text dies with this variable.
+    char *copy = strdup(text);
+    free(text);
+    assert_non_null(copy);
+    return copy;
 }
 
 static void messages_show_the_line_with_a_caret(void **state) {

@@ -72,7 +72,7 @@ static void impacts_add_up_to_the_contact_energy(void **state) {
     assert_close(sum, a.results->energy[ENERGY_CONTACT], 1e-12);
     double total = 0.0;
     for (int k = 0; k < a.model->n_contact; k++) {
-        total += a.results->contact[k].impulse;
+        total += a.results->link[k].impulse;
     }
     assert_close(impulse, total, 1e-12);
     analysis_free(&a);

@@ -185,7 +185,7 @@ static void a_wall_stands_on_either_side(void **state) {
     assert_near(r->impact[1].t_start, 0.1 + contact + 0.3, 1e-6);
     assert_near(r->impact[2].t_start, 0.1 + 2.0 * contact + 0.6, 2e-6);
     assert_int_equal(r->impact[1].contact, 1);
-    assert_close(r->contact[0].force, sqrt(2e5), 1e-5);
+    assert_close(r->link[0].force, sqrt(2e5), 1e-5);
     analysis_free(&a);
 }
 

@@ -65,7 +65,7 @@ static void run_deck(uint64_t seed) {
 
 static void every_random_deck_ends_with_finite_numbers_and_a_closed_account(void **state) {
     (void)state;
-    uint64_t n = getenv("JOSTLE_LONG") ? 10000 : 300;
+    uint64_t n = getenv("JOSTLE_LONG") ? 10000 : 150;
     for (uint64_t seed = 1; seed <= n; seed++) {
         run_deck(seed);
     }

@@ -74,7 +74,7 @@ static const struct impact *first_impact(const struct analysis *a, int contact) 
 
 static double contact_value(const struct analysis *a, const struct reference *r) {
     for (int k = 0; k < a->model->n_contact; k++) {
-        const struct contact_peak *c = &a->results->contact[k];
+        const struct link_peak *c = &a->results->link[k];
         const char *q = r->quantity;
         if (strcmp(a->model->link[k].name, r->owner) != 0) {
             continue;

@@ -14,9 +14,9 @@ static const struct row rows[N_ROW] = {
     [N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
 };
 
-static int hertz_prepare(const double *value, double m_eff, double velocity_unit, double *constant,
-                         struct error *e) {
-    (void)m_eff, (void)velocity_unit, (void)e;
+static int hertz_prepare(const double *value, double m_eff, double *constant,
+    struct error *e) {
+    (void)m_eff, (void)e;
     constant[K] = value[K];
     constant[N] = value[N];
     return STATUS_OK;

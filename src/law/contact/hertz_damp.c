@@ -31,9 +31,9 @@ static double published_q(double e) {
     return 0.75 * (1.0 - e * e);
 }
 
-static int hertz_damp_prepare(const double *value, double m_eff, double velocity_unit,
-                              double *constant, struct error *e) {
-    (void)m_eff, (void)velocity_unit, (void)e;
+static int hertz_damp_prepare(const double *value, double m_eff, double *constant,
+    struct error *e) {
+    (void)m_eff, (void)e;
     constant[STIFFNESS] = value[K];
     constant[EXPONENT] = value[N];
     constant[Q] = restitution_ratio(value[E], value[ZETA], published_q);

@@ -25,9 +25,9 @@ static double published_zeta(double e) {
     return 4.5 * sqrt(5.0) * (1.0 - e * e) / (e * (e * (9.0 * M_PI - 16.0) + 16.0));
 }
 
-static int jankowski_prepare(const double *value, double m_eff, double velocity_unit,
-                             double *constant, struct error *e) {
-    (void)velocity_unit, (void)e;
+static int jankowski_prepare(const double *value, double m_eff, double *constant,
+    struct error *e) {
+    (void)e;
     double zeta = restitution_ratio(value[E], value[ZETA], published_zeta);
     constant[STIFFNESS] = value[K];
     constant[DASHPOT] = 2.0 * zeta * sqrt(value[K] * m_eff);

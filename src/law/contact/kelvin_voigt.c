@@ -17,9 +17,9 @@ static const struct row rows[N_ROW] = {
     [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, {0}, &range_non_negative, NAN, "damping ratio"},
 };
 
-static int kelvin_voigt_prepare(const double *value, double m_eff, double velocity_unit,
-                                double *constant, struct error *e) {
-    (void)velocity_unit, (void)e;
+static int kelvin_voigt_prepare(const double *value, double m_eff, double *constant,
+    struct error *e) {
+    (void)e;
     double zeta = restitution_ratio(value[E], value[ZETA], restitution_kelvin_voigt);
     constant[STIFFNESS] = value[K];
     constant[DASHPOT] = 2.0 * zeta * sqrt(value[K] * m_eff);

@@ -11,9 +11,9 @@ static const struct row rows[N_ROW] = {
     [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
 };
 
-static int linear_prepare(const double *value, double m_eff, double velocity_unit, double *constant,
-                          struct error *e) {
-    (void)m_eff, (void)velocity_unit, (void)e;
+static int linear_prepare(const double *value, double m_eff, double *constant,
+    struct error *e) {
+    (void)m_eff, (void)e;
     constant[K] = value[K];
     return STATUS_OK;
 }

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What jostle check and jostle modes print of a model.
+. tests/support/cli.sh
+
+cat >model.deck <<'END'
+title "everything at once"
+units kN m s
+building Tower -floors 8 -mass 300t -stiffness 7*345MN/m 250MN/m -height 3.2m
+building Annex -floors 2 -mass 150t 100t -stiffness 90MN/m
+building Ship -floors 1 -mass 1000t -stiffness 0
+damping Tower rayleigh 5% -modes 1 3
+damping Annex modal 3%
+storey Tower:2:3 bilinear -yield 4MN -hardening 0.02
+contact Tower Annex -gap 20mm 30mm -law hertz -k 2e6
+contact Annex:2 Ship:1 -gap 1 -law linear -k 5 -name fender
+link Tower:1 Annex:1 -dashpot 100
+ground sine -amplitude 0.2g -frequency 1 -delay 1 -cycles 2 -buildings Tower Annex
+load Annex:2 constant -7
+step fixed 0.5ms
+END
+run "$jostle" check model.deck
+expect "check ends with 0 and writes nothing" '[ $status -eq 0 ] && [ ! -s "$err" ] && only model.deck'
+has() {
+    expect "check prints $1" 'grep -qE "$pattern" "$out"'
+}
+pattern='^everything at once$' has "the title"
+pattern='^units kN m s, mass in t$' has "the units"
+pattern='^building Tower: 8 floors, mass 2400 t$' has "the mass of a building"
+pattern='mode 1: period [0-9.]+ s, damping 5 %$' has "periods and damping ratios"
+pattern='mode 2: period [0-9.]+ s, damping 3 %$' has "the ratio of modal damping"
+pattern='mode 1: rigid body$' has "a free body as such"
+pattern='^ +2:3 +300 +345000 +3\.2  bilinear$' has "equal storeys in one line"
+pattern='^ +8 +300 +250000 +3\.2  elastic$' has "a storey of its own"
+pattern='^Tower:2-Annex:2 +0\.03 +75  hertz$' has "gap, effective mass and law of a contact"
+pattern='^fender +1 +90\.9091  linear$' has "a contact by its name"
+pattern='^Tower:1-Annex:1 +- +100  bilateral$' has "a link, which has no gap"
+pattern='^ground under Tower Annex:$' has "the buildings on one ground"
+pattern='sine: peak 1\.961 m/s\^2, from 1 to 3 s$' has "a ground motion"
+pattern='^ground under Ship: at rest$' has "a ground at rest"
+pattern='^load on Annex:2: constant, peak 7 kN$' has "a load on its floor"
+pattern='6000 steps of 0\.0005 s, duration 3 s$' has "the steps"
+pattern='every 20 steps, 301 rows$' has "the rows of output"
+expect "no line is wider than 100 characters" '! grep -qE "^.{101,}" "$out"'
+run "$jostle" check -D gap=1 model.deck
+expect "a -D without its param is an error" '[ $status -eq 2 ] && said "unknown parameter '"'gap'"'" && [ ! -s "$out" ]'
+
+run "$jostle" modes model.deck
+expect "modes ends with 0 and writes nothing" '[ $status -eq 0 ] && [ ! -s "$err" ] && only model.deck'
+expect "modes prints every mode of every building" '[ "$(grep -cE "^ +[1-8] +([0-9.]+|rigid body) +[0-9.]+ +[0-9.]+ " "$out")" -ge 11 ]'
+expect "modes prints a free body as such" 'grep -q "rigid body" "$out" && ! grep -qiE "inf|nan" "$out"'
+expect "shapes are scaled to 1" '[ "$(grep -c " 1.00000" "$out")" -ge 3 ]'

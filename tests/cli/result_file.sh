@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The result file has the groups, datasets and attributes that its users count on.
+. tests/support/cli.sh
+
+two_buildings pair.deck 'storey A:1 bilinear -yield 200kN -hardening 0.02' 'contact B wall -gap 1 -law hertz -k 1e6' 'link A:2 B:2 -stiffness 5'
+run "$jostle" run -q pair.deck
+expect "the deck runs" '[ $status -eq 0 ]'
+
+if command -v h5ls >/dev/null; then
+    h5ls -r pair.h5 >"$out"
+    for group in / /buildings /buildings/A /buildings/A/envelope /contacts /contacts/envelope /impacts /energy /ground; do
+        expect "$group is a group" 'grep -qE "^$group  *Group" "$out"'
+    done
+    for dataset in time buildings/B/{floor,mass,stiffness,height,period,displacement,velocity,acceleration,drift,storey_shear} \
+        buildings/B/envelope/{displacement,drift_time} contacts/{contact,name,left,right,law,left_floor,right_floor,gap,force,penetration} \
+        contacts/envelope/{force,force_time,penetration,impulse,impacts,dissipated} \
+        impacts/{impact,contact,t_start,t_end,v_approach,v_rebound,peak_force,max_penetration,impulse,dissipated} \
+        energy/{input,kinetic,strain,damping,hysteretic,contact,residual} ground/{A,B}; do
+        expect "/$dataset is a dataset" 'grep -qE "^/$dataset  *Dataset" "$out"'
+    done
+    h5dump -H pair.h5 >"$out"
+    for attribute in format format_version title status program version deck_file deck parameters unit_force \
+        unit_length unit_time command_line created steps newton_iterations wall_seconds; do
+        expect "the file has the attribute $attribute" 'grep -q "ATTRIBUTE \"$attribute\"" "$out"'
+    done
+    h5dump -a /status pair.h5 >"$out"
+    expect "the file says that it is complete" 'grep -q "\"complete\"" "$out"'
+else
+    skip "the file has its groups" "no h5ls"
+fi
+
+two_buildings lean.deck 'output -fields displacement -precision single -interval 20ms'
+run "$jostle" run -q lean.deck
+two_buildings alone.deck
+sed -i '/^contact/d' alone.deck
+run "$jostle" run -q alone.deck
+expect "decks with few fields and without contacts run" '[ $status -eq 0 ] && only {pair,lean,alone}.{deck,h5}'
+if python3 -c 'import h5py' 2>/dev/null; then
+    run python3 "$root/tests/support/check_result.py" pair.h5 lean.h5 alone.h5
+    expect "names, units and dimension scales are right" '[ $status -eq 0 ]'
+else
+    skip "names, units and dimension scales are right" "no h5py"
+fi

@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# jostle run: where the result goes, what is printed where, and the exit status.
+. tests/support/cli.sh
+
+two_buildings pair.deck
+run "$jostle" run pair.deck
+expect "a run ends with 0 and leaves only the result file" '[ $status -eq 0 ] && only pair.deck pair.h5'
+expect "the summary goes to stdout" 'grep -q "two buildings" "$out"'
+expect "the warning goes to stderr, with its place" 'said "pair.deck:7:11: warning: Rayleigh coefficient"'
+expect "neither is coloured" '! grep -q $'"'\033'"' "$out" "$err"'
+
+sum=$(cksum <pair.h5)
+run "$jostle" run pair.deck
+expect "an existing file is refused" '[ $status -eq 2 ] && said "pair.h5 exists; --force overwrites it" && [ ! -s "$out" ]'
+expect "and left untouched" '[ "$(cksum <pair.h5)" = "$sum" ] && only pair.deck pair.h5'
+run "$jostle" run pair.deck --force -D gap=6mm
+expect "--force overwrites it" '[ $status -eq 0 ] && [ "$(cksum <pair.h5)" != "$sum" ] && only pair.deck pair.h5'
+rm pair.h5
+
+run "$jostle" run pair.deck -q
+expect "-q prints nothing" '[ $status -eq 0 ] && [ ! -s "$out" ] && [ ! -s "$err" ] && [ -s pair.h5 ]'
+run "$jostle" run pair.deck -q
+expect "-q does not hide an error" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "exists"'
+rm pair.h5
+
+mkdir results
+run "$jostle" run pair.deck -o results/one.h5
+expect "-o names the result file" '[ $status -eq 0 ] && only pair.deck results/one.h5'
+run "$jostle" run -q --output=results/two.h5 pair.deck
+expect "--output=FILE may stand before the deck" '[ $status -eq 0 ] && [ -s results/two.h5 ]'
+run "$jostle" run pair.deck -o no/such/folder.h5
+expect "a folder that does not exist ends with 3" '[ $status -eq 3 ] && said "No such file or directory" && [ ! -s "$out" ]'
+run "$jostle" run pair.deck -o results
+expect "a folder in place of the file is refused" '[ $status -ge 2 ] && [ -d results ] && [ ! -s "$out" ]'
+run "$jostle" run pair.deck -o results --force
+expect "even with --force" '[ $status -ge 2 ] && only pair.deck results/one.h5 results/two.h5'
+rm -r results
+
+mkdir decks
+two_buildings decks/named.deck 'output -file "in here.h5"'
+run "$jostle" run decks/named.deck
+expect "the deck may name the file, from the current folder" '[ $status -eq 0 ] && [ -s "in here.h5" ]'
+run "$jostle" run decks/named.deck -o other.h5
+expect "-o comes first" '[ $status -eq 0 ] && [ -s other.h5 ]'
+rm -r decks ./*.h5
+
+mkdir "a folder" "a folder/motions"
+printf '0\n1\n-2\n1\n0\n' >"a folder/motions/short record.txt"
+printf '%s\n' 'building A -floors 1 -mass 1 -stiffness 400' \
+    'ground record "motions/short record.txt" -unit m/s2 -dt 0.5' 'step fixed 0.01' >"a folder/my deck.v2"
+run "$jostle" run "a folder/my deck.v2"
+expect "blanks in names do no harm; a record is found from its deck" '[ $status -eq 0 ] && [ -s "my deck.h5" ]'
+cd "a folder/motions" || exit 1
+run "$jostle" run "../my deck.v2"
+expect "from whatever folder" '[ $status -eq 0 ] && [ -s "my deck.h5" ]'
+cd "$here" || exit 1
+rm -r "a folder" ./*.h5
+
+sum=$(cksum <pair.deck)
+run "$jostle" run pair.deck -o ./pair.deck --force
+expect "the deck is not overwritten by its result, even with --force" '[ $status -eq 2 ] && said "is the deck" && [ "$(cksum <pair.deck)" = "$sum" ] && only pair.deck'
+
+cp pair.deck .hidden
+run "$jostle" run .hidden
+expect "a deck without an ending gets one" '[ $status -eq 0 ] && [ -s .hidden.h5 ]'
+rm .hidden .hidden.h5
+
+printf '%s\n' 'building A -floors 1 -mass 1e-300 -stiffness 1' 'load A:1 constant 1e300' \
+    'step fixed 0.01' 'duration 1' >fails.deck
+run "$jostle" run fails.deck
+expect "a state that is not finite ends with 1 and names floor and time" '[ $status -eq 1 ] && said "not finite at floor 1 of building A at t = 0.01" && [ ! -s "$out" ]'
+expect "and leaves nothing" 'only fails.deck pair.deck'
+sed -i 's/-gap \$gap/-gpa $gap/' pair.deck
+run "$jostle" run pair.deck
+expect "an error in the deck ends with 2 and leaves nothing" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "pair.deck:8:13: error: unknown option" && only fails.deck pair.deck'
+
+two_buildings pair.deck
+NO_COLOR=1 run "$jostle" check pair.deck
+expect "NO_COLOR is accepted" '[ $status -eq 0 ] && ! grep -q $'"'\033'"' "$err"'
+if command -v script >/dev/null; then
+    script -qec "'$jostle' check pair.deck" /dev/null >"$out" 2>"$err" </dev/null
+    expect "a terminal shows colours" 'grep -q $'"'\033'"' "$out"'
+    NO_COLOR=1 script -qec "'$jostle' check pair.deck" /dev/null >"$out" 2>"$err" </dev/null
+    expect "NO_COLOR takes them away" '! grep -q $'"'\033'"' "$out" && grep -q "warning:" "$out"'
+else
+    skip "a terminal shows colours" "no script(1)"
+fi
+run "$jostle" run -q pair.deck -o one.h5
+comma=$(locale -a 2>/dev/null | grep -iE '^(de|fr|it|es|nl)_.*utf-?8$' | head -n 1)
+if [ -n "$comma" ]; then
+    LC_ALL=$comma run "$jostle" check pair.deck
+    expect "a locale with a decimal comma changes nothing" '[ $status -eq 0 ] && grep -q "gap  *m\*" "$out" && grep -q "0\.005" "$out"'
+else
+    skip "a locale with a decimal comma changes nothing" "no such locale here"
+fi

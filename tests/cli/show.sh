@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# jostle show in its three forms, and show and plot on files that are no results.
+. tests/support/cli.sh
+
+two_buildings pair.deck
+run "$jostle" run -q pair.deck
+run "$jostle" show pair.h5
+expect "show prints the summary" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "two buildings" "$out" && grep -q "jankowski" "$out"'
+expect "no line is wider than 100 characters" '! grep -qE "^.{101,}" "$out"'
+
+run "$jostle" show --tsv pair.h5
+expect "--tsv prints lines of one length" '[ $status -eq 0 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u | wc -l)" -eq 1 ] && [ "$(wc -l <"$out")" -gt 50 ]'
+expect "its numbers are full and have a point" 'grep -qP "\tpeak_force\t|force\t.*\t[0-9]+\.[0-9]{6,}" "$out"'
+run "$jostle" show pair.h5 --json
+if command -v python3 >/dev/null; then
+    expect "--json is JSON" '[ $status -eq 0 ] && python3 -m json.tool "$out" >/dev/null'
+else
+    skip "--json is JSON" "no python3"
+fi
+run "$jostle" show pair.h5 --json --tsv
+expect "--json and --tsv exclude each other" '[ $status -eq 2 ] && [ ! -s "$out" ]'
+
+head -c 4000 pair.h5 >truncated.h5
+: >empty.h5
+echo 'these are only words' >words.h5
+head -c 20000 /dev/urandom >noise.h5
+cp pair.h5 scribbled.h5
+printf 'xxxxxxxxxxxxxxxx' | dd of=scribbled.h5 bs=1 seek=96 conv=notrunc 2>/dev/null
+files="truncated empty words noise scribbled"
+if python3 -c 'import h5py' 2>/dev/null; then
+    python3 -c 'import h5py; h5py.File("foreign.h5", "w")["x"] = [1, 2]'
+    files="$files foreign"
+fi
+for command in show plot; do
+    for file in $files; do
+        run "$jostle" $command $file.h5
+        expect "$command refuses a file that is $file" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "$file.h5"'
+    done
+    run "$jostle" $command .
+    expect "$command refuses a folder" '[ $status -ge 2 ] && [ ! -s "$out" ] && [ -s "$err" ]'
+done

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Where nothing can be written: a message that names file and cause, exit status 3, nothing left behind.
+. tests/support/cli.sh
+
+two_buildings pair.deck
+for words in "check pair.deck" "modes pair.deck" "--help" "run pair.deck -o full.h5"; do
+    # shellcheck disable=SC2086
+    "$jostle" $words >/dev/full 2>"$err" </dev/null
+    status=$?
+    : >"$out"
+    expect "$words > /dev/full ends with 3" '[ $status -eq 3 ] && said "cannot write to the standard output: No space left on device"'
+done
+expect "the result file is complete all the same" '"$jostle" show full.h5 >/dev/null'
+
+"$jostle" check pair.deck 2>"$err" | true
+expect "a reader that goes away does no harm" '! grep -qi "signal" "$err"'
+
+mkdir locked
+chmod a-w locked
+if touch locked/probe 2>/dev/null; then
+    rm locked/probe
+    run "$jostle" run pair.deck -o /proc/result.h5
+    expect "a folder that takes no file ends with 3" '[ $status -eq 3 ] && said "/proc/result.h5" && [ ! -s "$out" ]'
+else
+    run "$jostle" run pair.deck -o locked/result.h5
+    expect "a folder that takes no file ends with 3" '[ $status -eq 3 ] && said "locked/result.h5" && said "Permission denied" && [ ! -s "$out" ]'
+fi
+
+mkdir small
+if mount -t tmpfs -o size=64k tmpfs small 2>/dev/null; then
+    for times in 1 200; do
+        two_buildings long.deck "duration $((4 * times))s"
+        run "$jostle" run long.deck -o small/result.h5
+        expect "a full disk ends a run of $((4 * times)) s with 3" '[ $status -eq 3 ] && said "small/result.h5" && said "No space left on device" && [ ! -s "$out" ]'
+        expect "and leaves nothing on the disk ($times)" '[ -z "$(ls -A small)" ]'
+    done
+    umount small
+else
+    skip "a full disk ends a run with 3" "no disk can be mounted here"
+fi
+
+run bash -c "ulimit -f 16; exec '$jostle' run pair.deck -o limited.h5"
+expect "a limit to the size of files ends with 3" '[ $status -eq 3 ] && said "limited.h5" && [ ! -e limited.h5 ] && [ ! -e limited.h5.part ]'
+
+run bash -c "ulimit -v 60000; exec '$jostle' run pair.deck -o little.h5"
+case $status in
+0) expect "little memory is enough for a small deck" '[ -s little.h5 ]' ;;
+*) expect "too little memory ends with 3 and a message" '{ [ $status -eq 3 ] && said "out of memory"; } || [ $status -eq 127 ]' ;;
+esac

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Help, version, and wrong usage.
+. tests/support/cli.sh
+
+run "$jostle" --version
+expect "--version prints name and version" '[ $status -eq 0 ] && grep -qxE "jostle [0-9]+\.[0-9]+\.[0-9]+" "$out" && [ ! -s "$err" ]'
+for word in --help -h help; do
+    run "$jostle" $word
+    expect "$word explains the program" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^usage: jostle" "$out"'
+done
+commands=$(sed -n 's/^  \([a-z]*\)  .*/\1/p' "$out")
+expect "the help names the commands" '[ "$(wc -w <<<"$commands")" -ge 5 ]'
+
+run "$jostle"
+expect "no command is wrong usage, explained on stderr" '[ $status -eq 2 ] && [ ! -s "$out" ] && grep -q "^usage: jostle" "$err"'
+run "$jostle" chekc a.deck
+expect "an unknown command is named, and the nearest" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "unknown command '"'chekc'; did you mean 'check'?"'"'
+run "$jostle" --frob
+expect "an unknown option in place of the command is named" '[ $status -eq 2 ] && said "unknown option '"'--frob'"'"'
+
+for command in $commands; do
+    for word in --help -h; do
+        run "$jostle" "$command" $word
+        expect "$command $word explains the command" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^usage: jostle $command" "$out"'
+    done
+    run "$jostle" "$command" --frob
+    expect "$command refuses an unknown long option" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "option '"'--frob'"'"'
+    run "$jostle" "$command" -Z
+    expect "$command refuses an unknown short option" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "option '"'-Z'"'"'
+done
+
+for command in run check modes show plot; do
+    run "$jostle" "$command"
+    expect "$command needs a file" '[ $status -eq 2 ] && [ ! -s "$out" ] && [ -s "$err" ]'
+    run "$jostle" "$command" no_such_file
+    expect "$command says that the file does not exist" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "no_such_file: No such file or directory"'
+done
+for command in run check modes; do
+    run "$jostle" "$command" a.deck b.deck
+    expect "$command refuses a second deck" '[ $status -eq 2 ] && said "one deck is expected, not 2"'
+    run "$jostle" "$command" a.deck -D
+    expect "$command -D needs a value" '[ $status -eq 2 ] && said "option '"'-D' needs a value"'"'
+    run "$jostle" "$command" "$here"
+    expect "$command refuses a folder" '[ $status -eq 2 ] && said "is a directory"'
+done
+for threads in 0 -1 two 1.5 99999 ''; do
+    run "$jostle" run a.deck -j "$threads"
+    expect "-j '$threads' is no number of threads" '[ $status -eq 2 ] && said "-j takes a number of threads"'
+done
+expect "nothing was written" '[ -z "$(ls -A)" ]'

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the tests of the command line share; sourced by tests/cli/*.sh from the project's folder. Goes
+# to an empty folder, which is removed at the end.
+set -u
+root=$PWD
+jostle=$(realpath "${JOSTLE:-build/jostle}")
+folder=$(mktemp -d "${TMPDIR:-/tmp}/jostle-cli-XXXXXX")
+here=$folder/here
+out=$folder/out
+err=$folder/err
+failed=0
+mkdir "$here"
+cd "$here" || exit 1
+unset JOSTLE NO_COLOR
+
+finish() {
+    cd "$root" || exit 1
+    chmod -R u+w "$folder"
+    rm -rf "$folder"
+    exit $failed
+}
+trap finish EXIT
+
+# run WORD...: runs the command; $status, and its words in the files $out and $err.
+run() {
+    "$@" >"$out" 2>"$err" </dev/null
+    status=$?
+}
+
+# expect SENTENCE CONDITION: a line of the result; CONDITION is shell.
+expect() {
+    if eval "$2"; then
+        echo "ok $1"
+    else
+        failed=1
+        echo "not ok $1"
+        echo "failed: $2; exit status ${status-none}; stdout, stderr, files:"
+        head -n 20 "$out" "$err"
+        ls -la
+    fi
+}
+
+skip() {
+    echo "ok $1 # SKIP $2"
+}
+
+# Nothing in this folder but these files.
+only() {
+    [ "$(find . -mindepth 1 -type f -printf '%P\n' | sort)" = "$(printf '%s\n' "$@" | sort)" ]
+}
+
+said() {
+    grep -qF -- "$1" "$err"
+}
+
+# two_buildings FILE [LINE]...: a deck that runs within a blink, with impacts and one warning.
+two_buildings() {
+    local file=$1
+    shift
+    cat >"$file" <<'END'
+title "two buildings"
+units kN m s
+param gap 5mm
+building A -floors 2 -mass 100t -stiffness 50MN/m
+building B -floors 3 -mass 80t -stiffness 20MN/m
+damping A rayleigh 5%
+damping B rayleigh 1% 9%
+contact A B -gap $gap -law jankowski -k 1e6 -e 0.65
+ground sine -amplitude 0.3g -frequency 1.5 -cycles 4
+step fixed 1ms
+END
+    [ $# -eq 0 ] || printf '%s\n' "$@" >>"$file"
+}

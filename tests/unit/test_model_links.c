@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts and bilateral links as the statements of a deck make them: who faces whom, names, gaps,
+// effective masses.
+#include <math.h>
+#include <string.h>
+
+#include "support/analysis.h"
+#include "support/support.h"
+
+#define REST "\nstep fixed 0.01s\nduration 1s\n"
+
+static const struct link *link_called(const struct model *m, const char *name) {
+    for (int i = 0; i < m->n_link; i++) {
+        if (strcmp(m->link[i].name, name) == 0) {
+            return &m->link[i];
+        }
+    }
+    fail_msg("no link is called %s", name);
+    return NULL;
+}
+
+static void assert_names(const struct model *m, const char *const *name, int n) {
+    assert_int_equal(m->n_link, n);
+    for (int i = 0; i < n; i++) {
+        assert_string_equal(m->link[i].name, name[i]);
+    }
+}
+
+static void contacts_join_all_levels_that_both_buildings_have(void **state) {
+    (void)state;
+    struct model *m = analysis_model("building A -floors 3 -mass 2 -stiffness 800\n"
+                                     "building B -floors 2 -mass 6 -stiffness 800\n"
+                                     "contact A B -gap 10mm 20mm -law linear -k 1e6" REST);
+    static const char *const names[] = {"A:1-B:1", "A:2-B:2"};
+    assert_names(m, names, 2);
+    for (int i = 0; i < 2; i++) {
+        const struct link *l = &m->link[i];
+        assert_int_equal(l->dof[0], i);
+        assert_int_equal(l->dof[1], 3 + i);
+        assert_close(l->gap, 0.01 * (i + 1), 1e-14);
+        assert_close(l->mass, 1.5, 1e-14);
+        assert_false(l->bilateral || l->moving_ground);
+    }
+    assert_int_equal(m->n_contact, 2);
+    model_free(m);
+}
+
+static void floors_of_different_levels_can_face_each_other(void **state) {
+    (void)state;
+    struct model *m = analysis_model("building A -floors 3 -mass 2 -stiffness 800\n"
+                                     "building B -floors 4 -mass 6 -stiffness 800\n"
+                                     "contact A:1:3 B:2:4 -gap 0.1 -law linear -k 1\n"
+                                     "contact A:3 B -gap 0.1 -law linear -k 1 -name same\n"
+                                     "contact A B:1 -gap 0.1 -law linear -k 1 -meff 7" REST);
+    static const char *const names[] = {"A:1-B:2", "A:2-B:3", "A:3-B:4", "same", "A:1-B:1"};
+    assert_names(m, names, 5);
+    assert_int_equal(m->link[2].dof[1], 6);
+    assert_int_equal(link_called(m, "same")->floor[1], 3);
+    assert_close(link_called(m, "A:1-B:1")->mass, 7.0, 1e-14);
+    model_free(m);
+}
+
+static void a_wall_stands_on_either_side(void **state) {
+    (void)state;
+    struct model *m = analysis_model("building A -floors 2 -mass 2 3 -stiffness 800\n"
+                                     "contact wall A -gap 0.1 0.2 -law linear -k 1 -name left\n"
+                                     "contact A:2 wall -gap 0.1 -law linear -k 1" REST);
+    static const char *const names[] = {"left:1", "left:2", "A:2-wall"};
+    assert_names(m, names, 3);
+    const struct link *left = &m->link[1], *right = &m->link[2];
+    assert_int_equal(left->building[0], WALL);
+    assert_int_equal(left->dof[0], WALL);
+    assert_int_equal(left->floor[0], 0);
+    assert_int_equal(left->dof[1], 1);
+    assert_close(left->mass, 3.0, 1e-14);
+    assert_int_equal(right->dof[0], 1);
+    assert_int_equal(right->dof[1], WALL);
+    model_free(m);
+}
+
+static void several_contacts_of_a_name_are_numbered_by_floor(void **state) {
+    (void)state;
+    struct model *m = analysis_model("building A -floors 4 -mass 2 -stiffness 800\n"
+                                     "building B -floors 4 -mass 6 -stiffness 800\n"
+                                     "contact A:2,4 B:1,3 -gap 1 -law linear -k 1 -name joint\n"
+                                     "contact A:2 B:2 -gap 1 -law linear -k 1\n"
+                                     "contact A:2 B:2 -gap 2 -law linear -k 1" REST);
+    static const char *const names[] = {"joint:2", "joint:4", "A:2-B:2", "A:2-B:2#2"};
+    assert_names(m, names, 4);
+    model_free(m);
+}
+
+static void bilateral_links_stand_behind_the_contacts(void **state) {
+    (void)state;
+    struct model *m = analysis_model("units kN m s\n"
+                                     "building A -floors 2 -mass 2 -stiffness 800\n"
+                                     "building B -floors 2 -mass 2 -stiffness 800\n"
+                                     "link A:2 B:2 -stiffness 3MN/m -dashpot 2 -exponent 0.5\n"
+                                     "contact A:1 B:1 -gap 1 -law hertz -k 1N/m^1.5" REST);
+    static const char *const names[] = {"A:1-B:1", "A:2-B:2"};
+    assert_names(m, names, 2);
+    assert_int_equal(m->n_contact, 1);
+    const struct link *l = &m->link[1];
+    assert_true(l->bilateral && l->gap == 0.0);
+    struct contact_response r = l->law->force(l->constant, NULL, -0.01, 4.0);
+    assert_close(r.force, -30.0 + 2.0 * sqrt(4.0), 1e-13);
+    r = m->link[0].law->force(m->link[0].constant, NULL, 0.25, 0.0);
+    assert_close(r.force, 0.001 * 0.125, 1e-13);
+    model_free(m);
+}
+
+static void the_effective_mass_goes_into_the_damping_of_a_law(void **state) {
+    (void)state;
+    struct model *m = analysis_model(
+        "building A -floors 1 -mass 2 -stiffness 800\n"
+        "building B -floors 1 -mass 6 -stiffness 800\n"
+        "contact A B -gap 1 -law kelvin-voigt -k 100 -zeta 0.2\n"
+        "contact A B -gap 1 -law kelvin-voigt -k 100 -zeta 0.2 -meff 6 -name heavy" REST);
+    // c = 2 zeta sqrt(k m*)
+    assert_close(m->link[0].law->force(m->link[0].constant, NULL, 0.0, 1.0).force,
+                 0.4 * sqrt(150.0), 1e-14);
+    const struct link *heavy = link_called(m, "heavy");
+    assert_close(heavy->law->force(heavy->constant, NULL, 0.0, 1.0).force, 0.4 * sqrt(600.0),
+                 1e-14);
+    model_free(m);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(contacts_join_all_levels_that_both_buildings_have),
+        cmocka_unit_test(floors_of_different_levels_can_face_each_other),
+        cmocka_unit_test(a_wall_stands_on_either_side),
+        cmocka_unit_test(several_contacts_of_a_name_are_numbered_by_floor),
+        cmocka_unit_test(bilateral_links_stand_behind_the_contacts),
+        cmocka_unit_test(the_effective_mass_goes_into_the_damping_of_a_law),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
