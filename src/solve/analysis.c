@@ -85,8 +85,8 @@ static int split(struct run *r, const struct event *event, double end, double h,
     int status = STATUS_OK;
     if (event->time > 0.0) {
         r->work.held = event->link;
-        status = newmark_step(&r->work, r->now, r->next, r->now->time + event->time, event->time,
-                              r->error);
+        double instant = event->time < h ? r->now->time + event->time : end;
+        status = newmark_step(&r->work, r->now, r->next, instant, event->time, r->error);
         r->work.held = -1;
         status = status == STATUS_OK ? commit(r) : status;
     }
@@ -96,7 +96,8 @@ static int split(struct run *r, const struct event *event, double end, double h,
         peaks_update(r->results, m, r->now);
         status = impacts_toggle(&r->impacts, r->results, r->now, event->link, r->error);
     }
-    return status == STATUS_OK ? advance(r, end, h - event->time, cuts) : status;
+    double rest = h - event->time;
+    return status == STATUS_OK && rest > 0.0 ? advance(r, end, rest, cuts) : status;
 }
 
 static int balance(struct run *r) {

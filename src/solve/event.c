@@ -5,8 +5,12 @@
 
 #include "solve/crossing.h"
 
-// An event this close to an end of the step, relative to it, is at the end.
+// An event this close to an end of the step, relative to it, is at that end.
 static const double AT_END = 1e-9;
+
+static double snap(double time, double h) {
+    return time <= AT_END * h ? 0.0 : time >= (1.0 - AT_END) * h ? h : time;
+}
 
 static bool jumped(const struct link *l, const struct state *now, const struct state *next, int k) {
     return (l->law->traits & CONTACT_JUMPS) && !l->bilateral && now->closed[k] != next->closed[k] &&
@@ -25,12 +29,12 @@ static double instant(const struct state *now, const struct state *next, double 
 
 struct event event_first(const struct model *m, const struct state *now, const struct state *next,
                          double h) {
-    struct event first = {.link = -1, .time = (1.0 - AT_END) * h};
+    struct event first = {.link = -1, .time = INFINITY};
     for (int k = 0; k < m->n_contact; k++) {
         if (jumped(&m->link[k], now, next, k)) {
             double time = instant(now, next, h, k);
             if (time < first.time) {
-                first = (struct event){.link = k, .time = time > AT_END * h ? time : 0.0};
+                first = (struct event){.link = k, .time = snap(time, h)};
             }
         }
     }

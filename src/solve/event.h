@@ -11,8 +11,8 @@ struct event {
     double time;  // [T] from the start of the step
 };
 
-// The first closure or opening with a jump in the step from `now` to `next` of size h, if it lies inside
-// the step.
+// The first closure or opening with a jump in the step from `now` to `next` of size h; its time is
+// exactly 0 or h if it is at an end.
 struct event event_first(const struct model *m, const struct state *now, const struct state *next,
                          double h);
 

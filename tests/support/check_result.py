@@ -45,7 +45,7 @@ class Checker:
         self.expect(d.ndim == len(dims), f"{where} has {d.ndim} dimensions, not {len(dims)}")
         for i, scale in enumerate(dims[:d.ndim]):
             keys = [s.name.split("/")[-1] for s in d.dims[i].values()]
-            if not d.is_scale:
+            if not h5py.h5ds.is_scale(d.id):
                 self.expect(keys == [scale], f"{where} has scales {keys} on dimension {i}")
                 for s in d.dims[i].values():
                     self.expect(s.shape == (d.shape[i],), f"{where}: scale {scale} has another size")
@@ -59,7 +59,7 @@ class Checker:
         if time is None:
             return
         t = time[:]
-        self.expect(time.is_scale, "/time is no dimension scale")
+        self.expect(h5py.h5ds.is_scale(time.id), "/time is no dimension scale")
         self.expect(time.dtype == np.float64, "/time is not of double precision")
         self.expect(t.size > 0 and t[0] == 0, "/time does not start at 0")
         self.expect(np.all(np.diff(t) > 0), "/time does not rise")
