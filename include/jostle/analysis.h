@@ -44,11 +44,18 @@ struct observer {
 };
 
 // Largest absolute values over every computed step, and when. Arrays (n_dof).
-enum peak { PEAK_DISPLACEMENT, PEAK_VELOCITY, PEAK_ACCELERATION, PEAK_DRIFT, PEAK_SHEAR, PEAK_COUNT };
+enum peak {
+    PEAK_DISPLACEMENT,
+    PEAK_VELOCITY,
+    PEAK_ACCELERATION,
+    PEAK_DRIFT,
+    PEAK_SHEAR,
+    PEAK_COUNT
+};
 extern const char *const peak_names[];  // (PEAK_COUNT) displacement velocity acceleration ...
 
-// Totals of one link over all steps. Of a contact, force and penetration are the largest (not absolute);
-// of a bilateral link the largest absolute ones.
+// Totals of one link over all steps. Of a contact, force and penetration are the largest (not
+// absolute); of a bilateral link the largest absolute ones.
 struct link_peak {
     double force, force_time;              // [F] [T]; 0 without contact
     double penetration, penetration_time;  // [L] [T] largest delta, negative if never closed
@@ -59,12 +66,13 @@ struct link_peak {
 
 // One impact: a contact from closure to opening.
 struct impact {
-    int contact;             // index into model.link
-    double t_start, t_end;   // [T] located within the step; t_end is the analysis' end if still closed
-    double v_approach;       // [L/T] closing velocity at closure, >= 0
-    double v_rebound;        // [L/T] opening velocity at t_end
-    bool complete;           // it has opened; false: still closed at the end
-    double peak_force;       // [F]
+    int contact;  // index into model.link
+    double t_start,
+        t_end;          // [T] located within the step; t_end is the analysis' end if still closed
+    double v_approach;  // [L/T] closing velocity at closure, >= 0
+    double v_rebound;   // [L/T] opening velocity at t_end
+    bool complete;      // it has opened; false: still closed at the end
+    double peak_force;  // [F]
     double max_penetration;  // [L]
     double impulse;          // [F T]
     double dissipated;       // [F L]
@@ -72,19 +80,19 @@ struct impact {
 };
 
 struct totals {
-    long steps;        // computed, cut ones included
-    long cuts;         // steps that were not solved and halved
-    long events;       // steps split where a law that jumps closed or opened
-    long iterations;   // Newton iterations: storeys and contacts
-    long fast;         // contact solves settled by a single link or one sweep
-    long scalar;       // by further sweeps of exact scalar answers
-    long block;        // that took Newton steps on the cluster
-    long unsolved;     // accepted at the smallest step without meeting the tolerance
-    double seconds;    // wall time
+    long steps;       // computed, cut ones included
+    long cuts;        // steps that were not solved and halved
+    long events;      // steps split where a law that jumps closed or opened
+    long iterations;  // Newton iterations: storeys and contacts
+    long fast;        // contact solves settled by a single link or one sweep
+    long scalar;      // by further sweeps of exact scalar answers
+    long block;       // that took Newton steps on the cluster
+    long unsolved;    // accepted at the smallest step without meeting the tolerance
+    double seconds;   // wall time
 };
 
 struct results {
-    struct arena *arena;         // owns the arrays
+    struct arena *arena;            // owns the arrays
     double *peak[PEAK_COUNT];       // (n_dof)
     double *peak_time[PEAK_COUNT];  // (n_dof) [T]
     struct link_peak *link;         // (n_link) contacts first
@@ -96,8 +104,8 @@ struct results {
     struct totals totals;
 };
 
-// Runs the model from t = 0 to its duration. Errors: STATUS_FAILED (a state that is not finite; names
-// the floor and the time), STATUS_SYSTEM (no memory), or what the observer returned.
+// Runs the model from t = 0 to its duration. Errors: STATUS_FAILED (a state that is not finite;
+// names the floor and the time), STATUS_SYSTEM (no memory), or what the observer returned.
 int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
                  struct error *e);
 void results_free(struct results *r);  // NULL is allowed

@@ -12,9 +12,9 @@ enum { CONTACT_ROWS_MAX = 12, CONTACT_CONSTANTS_MAX = 16, CONTACT_HISTORY_MAX = 
 
 // What the solver must know about a law beyond its force.
 enum contact_trait {
-    CONTACT_JUMPS = 1,      // the force is not 0 at d = 0+ while approaching
-    CONTACT_MAY_PULL = 2,   // the force may be negative in contact
-    CONTACT_NEEDS_V0 = 4,   // uses the velocity at closure
+    CONTACT_JUMPS = 1,     // the force is not 0 at d = 0+ while approaching
+    CONTACT_MAY_PULL = 2,  // the force may be negative in contact
+    CONTACT_NEEDS_V0 = 4,  // uses the velocity at closure
 };
 
 // Force of a link in contact, positive in compression, and its tangents.
@@ -38,8 +38,7 @@ struct contact_law {
 
     // Values of the rows in the deck's units, NAN where not given, and the effective mass -> the
     // constants that `force` uses. Errors: STATUS_INPUT.
-    int (*prepare)(const double *value, double m_eff, double *constant,
-    struct error *e);
+    int (*prepare)(const double *value, double m_eff, double *constant, struct error *e);
 
     // History at the instant of closure with velocity v0 >= 0. NULL if n_history = 0.
     void (*close)(const double *constant, double v0, double *history);

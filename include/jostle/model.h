@@ -15,7 +15,8 @@
 enum { FLOORS_MAX = 1000 };  // of one building
 enum { WALL = -1 };          // in place of a building or degree of freedom
 
-// A shear building. Floors are numbered from 1; array index 0 is floor 1, storey i is below floor i.
+// A shear building. Floors are numbered from 1; array index 0 is floor 1, storey i is below floor
+// i.
 struct building {
     const char *name;
     int n_floor;
@@ -23,8 +24,8 @@ struct building {
     const double *mass;       // [M] (n_floor)
     const double *stiffness;  // [F/L] (n_floor) initial, of the storey below each floor
     const double *height;     // [L] (n_floor) storey heights; NULL: not given
-    const double *omega;      // [1/T] (n_floor) circular frequencies of the building alone, ascending
-    const double *shape;      // (n_floor, n_floor) row m: mode m+1, largest entry 1
+    const double *omega;  // [1/T] (n_floor) circular frequencies of the building alone, ascending
+    const double *shape;  // (n_floor, n_floor) row m: mode m+1, largest entry 1
     const double *damping_diagonal;  // [F T/L] (n_floor) of the damping matrix
     const double *damping_off;       // [F T/L] (n_floor) entry i couples floors i+1 and i+2; last 0
     const double *damping_full;      // (n_floor, n_floor); NULL: tridiagonal, the two arrays above
@@ -43,12 +44,12 @@ struct storey {
 // penetration are delta = x_left - x_right - gap.
 struct link {
     const char *name;
-    int building[2];        // left, right; WALL
-    int floor[2];           // from 1; 0: the wall
-    int dof[2];             // left, right; WALL
-    double gap;             // [L]; 0 for bilateral links
-    double mass;            // [M] effective mass m*
-    bool bilateral;         // acts whatever the sign of delta
+    int building[2];  // left, right; WALL
+    int floor[2];     // from 1; 0: the wall
+    int dof[2];       // left, right; WALL
+    double gap;       // [L]; 0 for bilateral links
+    double mass;      // [M] effective mass m*
+    bool bilateral;   // acts whatever the sign of delta
     const struct contact_law *law;
     const double *constant;  // (law->n_constant)
     int history;             // offset of its values in the state's link history
@@ -116,8 +117,8 @@ void model_free(struct model *m);  // NULL is allowed
 // The damping forces C v of building `g`; v and force are (n_floor) [L/T] [F].
 void building_damping_force(const struct building *g, const double *v, double *force);
 
-// Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN for a
-// rigid-body mode. Errors: STATUS_SYSTEM (no memory).
+// Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN
+// for a rigid-body mode. Errors: STATUS_SYSTEM (no memory).
 int building_damping_ratio(const struct building *g, int mode, double *ratio, struct error *e);
 
 // Time at the end of step `n` [T]: n dt, but the duration for the last.

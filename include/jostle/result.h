@@ -54,7 +54,7 @@ struct report {
     long n_impact;
     struct impact *impact;        // (n_impact) in order of time
     double energy[ENERGY_COUNT];  // [F L] at the end
-    double initial_energy;  // [F L] kinetic and strain energy at t = 0
+    double initial_energy;        // [F L] kinetic and strain energy at t = 0
     double residual_peak;         // [F L]
     struct totals totals;
 };

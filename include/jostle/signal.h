@@ -25,7 +25,8 @@ struct signal {
     const char *name;  // file name, "sine" or "constant"
 };
 
-// A sampled signal of n >= 2 values, scaled; integrates them exactly as a piecewise linear function.
+// A sampled signal of n >= 2 values, scaled; integrates them exactly as a piecewise linear
+// function.
 int signal_init_samples(struct signal *s, struct arena *a, const double *value, size_t n, double dt,
                         double scale, double start, struct error *e);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a restoring law of a storey is: one const descriptor in one file of src/law/storey/, named by
-// one line in storey_list.inc.
+// What a restoring law of a storey is: one const descriptor in one file of src/law/storey/, named
+// by one line in storey_list.inc.
 #ifndef JOSTLE_STOREY_LAW_H
 #define JOSTLE_STOREY_LAW_H
 

@@ -143,8 +143,8 @@ static void print_time(const struct model *m, const struct unit_texts *t) {
         const struct building *g = &m->building[k];
         omega = fmax(omega, g->omega[g->n_floor - 1]);
     }
-    printf("\nnewmark beta %g gamma %g, %ld steps of %.6g %s, duration %.6g %s\n", m->beta, m->gamma,
-           m->n_step, m->dt, t->time, m->duration, t->time);
+    printf("\nnewmark beta %g gamma %g, %ld steps of %.6g %s, duration %.6g %s\n", m->beta,
+           m->gamma, m->n_step, m->dt, t->time, m->duration, t->time);
     if (omega > 0.0) {
         printf("shortest period of a building %.4g %s, %.4g steps\n", 2.0 * M_PI / omega, t->time,
                2.0 * M_PI / omega / m->dt);

@@ -4,9 +4,8 @@
 #include <getopt.h>
 #include <stdlib.h>
 
-static const char details[] =
-    "  -D NAME=VALUE  overrides a param of the deck; may be repeated\n"
-    "  --help         this text\n";
+static const char details[] = "  -D NAME=VALUE  overrides a param of the deck; may be repeated\n"
+                              "  --help         this text\n";
 
 // True if the deck is to be loaded; else *status says why not.
 static bool parse(const struct command *c, int argc, char **argv, const char **define,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What commands that read a deck share: the options for it, and the model with its messages printed.
+// What commands that read a deck share: the options for it, and the model with its messages
+// printed.
 #ifndef JOSTLE_LOAD_H
 #define JOSTLE_LOAD_H
 

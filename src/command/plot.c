@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle plot: draws a figure by gnuplot, or writes its script. Script and picture are made in a
 // private folder; the picture gets its name when it is complete.
+#include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <getopt.h>
@@ -83,6 +84,7 @@ static int unknown_figure(const char *word) {
     const char *known[32];
     int n = 0;
     for (; n < n_figure && n < 32; n++) {
+        assert(figures[n]);
         known[n] = figures[n]->name;
     }
     const char *near = text_nearest(word, known, n);
@@ -149,6 +151,7 @@ static int write_script(const struct request *q, const struct result_file *file,
 
 static int keep_script(const struct request *q, const struct result_file *file, struct error *e) {
     char path[PATH_SIZE], part[PATH_SIZE], picture[64];
+    assert(q->figure);
     if (mkdir(q->script_folder, 0777) != 0 && errno != EEXIST) {
         return cannot_write(q->script_folder, e);
     }

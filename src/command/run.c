@@ -47,7 +47,8 @@ static void interrupt(int number) {
 static int poll_signals(void *context, double time, struct error *e) {
     (void)context;
     if (interrupted) {
-        return error_set(e, STATUS_SYSTEM, "interrupted by signal %d at t = %.6g; nothing was written",
+        return error_set(e, STATUS_SYSTEM,
+                         "interrupted by signal %d at t = %.6g; nothing was written",
                          (int)interrupted, time);
     }
     return STATUS_OK;
@@ -67,23 +68,40 @@ static int parse_threads(const char *text) {
 // EXIT_DONE with the options filled, else the status to return; *helped if help was asked for.
 static int parse(int argc, char **argv, const char **define, struct options *o, bool *helped) {
     static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'}, {"define", required_argument, NULL, 'D'},
-        {"threads", required_argument, NULL, 'j'}, {"quiet", no_argument, NULL, 'q'},
-        {"force", no_argument, NULL, 'f'},         {"help", no_argument, NULL, 'h'},
+        {"output", required_argument, NULL, 'o'},
+        {"define", required_argument, NULL, 'D'},
+        {"threads", required_argument, NULL, 'j'},
+        {"quiet", no_argument, NULL, 'q'},
+        {"force", no_argument, NULL, 'f'},
+        {"help", no_argument, NULL, 'h'},
         {NULL, 0, NULL, 0},
     };
     int status = EXIT_DONE;
     opterr = 0;
     optind = 1;
-    for (int c; status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:j:qh", option, NULL)) != -1;) {
+    for (int c;
+         status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:j:qh", option, NULL)) != -1;) {
         switch (c) {
-            case 'o': o->output = optarg; break;
-            case 'D': define[o->load.n_define++] = optarg; break;
-            case 'j': status = parse_threads(optarg); break;
-            case 'q': o->load.quiet = true; break;
-            case 'f': o->existing = RESULT_REPLACE; break;
-            case 'h': *helped = true; return command_help(&command_run, details);
-            default: return command_bad_option(&command_run, c, argv);
+            case 'o':
+                o->output = optarg;
+                break;
+            case 'D':
+                define[o->load.n_define++] = optarg;
+                break;
+            case 'j':
+                status = parse_threads(optarg);
+                break;
+            case 'q':
+                o->load.quiet = true;
+                break;
+            case 'f':
+                o->existing = RESULT_REPLACE;
+                break;
+            case 'h':
+                *helped = true;
+                return command_help(&command_run, details);
+            default:
+                return command_bad_option(&command_run, c, argv);
         }
     }
     if (status == EXIT_DONE && argc - optind != 1) {

@@ -115,7 +115,8 @@ static void put_building(struct json *j, const struct report_building *b) {
     close_list(j, '}');
 }
 
-static void put_link(struct json *j, const struct report_link *l, const struct column_table *peaks) {
+static void put_link(struct json *j, const struct report_link *l,
+                     const struct column_table *peaks) {
     open_list(j, NULL, '{');
     put_members(j, &layout_link, l);
     open_list(j, "envelope", '{');

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks of memory in a list, each twice as large as the last up to a limit. A request that does not
-// fit opens a new block.
+// Blocks of memory in a list, each twice as large as the last up to a limit. A request that does
+// not fit opens a new block.
 #include "core/arena.h"
 
-#include <stdarg.h>
 #include <stdalign.h>
+#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -241,7 +241,7 @@ const char *text_short(struct text_short *s, const char *text) {
         text_clean(s->text, sizeof s->text, text, n);
     } else {
         text_clean(s->text, sizeof s->text - 3, text, text_cut(text, sizeof s->text - 4));
-        strcat(s->text, "...");
+        memcpy(s->text + strlen(s->text), "...", sizeof "...");
     }
     return s->text;
 }

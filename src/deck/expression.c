@@ -292,7 +292,7 @@ static bool power(struct parser *p, struct quantity *out) {
         return true;
     }
     const char *op = p->at++;
-    struct quantity exponent;
+    struct quantity exponent = {0};
     return sign(p, &exponent) && combine(p, op, out, &exponent);
 }
 
@@ -307,7 +307,9 @@ static bool sign(struct parser *p, struct quantity *out) {
     if (c == '-' || c == '+') {
         p->at++;
         ok = sign(p, out);
-        out->value = c == '-' ? -out->value : out->value;
+        if (ok && c == '-') {
+            out->value = -out->value;
+        }
     } else {
         ok = power(p, out);
     }

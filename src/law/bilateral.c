@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bilateral connection: F = k d + c |v|^a sign(v), d and v of either sign. For a < 1 the slope in v is
-// infinite at v = 0.
+// Bilateral connection: F = k d + c |v|^a sign(v), d and v of either sign. For a < 1 the slope in v
+// is infinite at v = 0.
 #include "law/bilateral.h"
 
 #include <math.h>
@@ -9,16 +9,25 @@ static const struct range exponent_range = {
     .min = 0.0, .max = 3.0, .min_open = true, .text = "> 0 and <= 3"};
 
 const struct row bilateral_rows[BILATERAL_ROWS] = {
-    [BILATERAL_STIFFNESS] = {"stiffness", ROW_NUMBER, 0, {1, -1, 0}, &range_non_negative, 0.0,
-                             "spring stiffness"},
-    [BILATERAL_DASHPOT] = {"dashpot", ROW_NUMBER, ROW_PER_VELOCITY_POWER, {1, 0, 0},
-                           &range_non_negative, 0.0, "damper constant: force at unit velocity"},
-    [BILATERAL_EXPONENT] = {"exponent", ROW_NUMBER, ROW_POWER, {0}, &exponent_range, 1.0,
+    [BILATERAL_STIFFNESS] =
+        {"stiffness", ROW_NUMBER, 0, {1, -1, 0}, &range_non_negative, 0.0, "spring stiffness"},
+    [BILATERAL_DASHPOT] = {"dashpot",
+                           ROW_NUMBER,
+                           ROW_PER_VELOCITY_POWER,
+                           {1, 0, 0},
+                           &range_non_negative,
+                           0.0,
+                           "damper constant: force at unit velocity"},
+    [BILATERAL_EXPONENT] = {"exponent",
+                            ROW_NUMBER,
+                            ROW_POWER,
+                            {0},
+                            &exponent_range,
+                            1.0,
                             "exponent of the velocity in the damper"},
 };
 
-static int bilateral_prepare(const double *value, double m_eff, double *constant,
-    struct error *e) {
+static int bilateral_prepare(const double *value, double m_eff, double *constant, struct error *e) {
     (void)m_eff, (void)e;
     for (int i = 0; i < BILATERAL_ROWS; i++) {
         constant[i] = value[i];

@@ -33,8 +33,8 @@ struct building_draft {
     int n_floor;                        // 0: wrong in the deck, which is reported
     double *mass, *stiffness, *height;  // (n_floor); height NULL: not given
     struct damping_draft damping;
-    struct storey *storey;       // (n_floor)
-    struct word *storey_word;    // (n_floor) where its law was given; text NULL: elastic by default
+    struct storey *storey;     // (n_floor)
+    struct word *storey_word;  // (n_floor) where its law was given; text NULL: elastic by default
     double *displacement, *velocity;  // (n_floor)
     bool *initial;                    // (n_floor) given
 };
@@ -68,13 +68,13 @@ struct builder {
     double beta, gamma, tolerance, dt, run_time;
     int iterations;
     struct output out;
-    double out_interval;  // 0: not given
-    double longest;       // end of the longest record or load history; 0: none
+    double out_interval;             // 0: not given
+    double longest;                  // end of the longest record or load history; 0: none
     bool any_building, any_history;  // such a statement stands in the deck, right or wrong
 };
 
-// Room for one more zeroed item of `size` bytes at the end of the list; NULL (and no_memory) if there
-// is no memory. Items may move.
+// Room for one more zeroed item of `size` bytes at the end of the list; NULL (and no_memory) if
+// there is no memory. Items may move.
 void *builder_append(struct builder *b, struct list *list, size_t size);
 
 // A zeroed array from the arena; NULL and no_memory if there is no memory.
@@ -89,8 +89,8 @@ double *builder_spread(struct builder *b, const struct argument *a, int n, const
 bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
                    const char *usage);
 
-// Reports that the `n` words `known` do not have `text`, which stands at `w`: not in this version if
-// it is one of `later` (NULL-terminated; NULL: none), else unknown.
+// Reports that the `n` words `known` do not have `text`, which stands at `w`: not in this version
+// if it is one of `later` (NULL-terminated; NULL: none), else unknown.
 void builder_unknown(struct builder *b, const struct word *w, const char *text, const char *what,
                      const char *const *known, int n, const char *const *later);
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-void building_damping_force(const struct building *g, const double *v, double *out) {
+void building_damping_force(const struct building *g, const double *v, double *force) {
     int n = g->n_floor;
     if (g->damping_full) {
         for (int i = 0; i < n; i++) {
@@ -14,7 +14,7 @@ void building_damping_force(const struct building *g, const double *v, double *o
             for (int j = 0; j < n; j++) {
                 sum += row[j] * v[j];
             }
-            out[i] = sum;
+            force[i] = sum;
         }
         return;
     }
@@ -23,7 +23,7 @@ void building_damping_force(const struct building *g, const double *v, double *o
     double below = 0.0;
     for (int i = 0; i < n; i++) {
         double above = i + 1 < n ? off[i] * v[i + 1] : 0.0;
-        out[i] = below + diagonal[i] * v[i] + above;
+        force[i] = below + diagonal[i] * v[i] + above;
         below = off[i] * v[i];
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rayleigh: C = a0 M + a1 K, K the initial stiffness, with ratios zeta_i = a0 / (2 w_i) + a1 w_i / 2 at
-// two modes; a building of one storey is stiffness-proportional, a1 = 2 zeta / w.
-// Modal: C = M Phi diag(2 zeta w) Phi^T M, a full matrix (Chopra, Dynamics of Structures, section 11.4).
+// Rayleigh: C = a0 M + a1 K, K the initial stiffness, with ratios zeta_i = a0 / (2 w_i) + a1 w_i /
+// 2 at two modes; a building of one storey is stiffness-proportional, a1 = 2 zeta / w. Modal: C = M
+// Phi diag(2 zeta w) Phi^T M, a full matrix (Chopra, Dynamics of Structures, section 11.4).
 #include "model/damping.h"
 
 // a0 and a1 from ratios at two modes; false after a report.
@@ -35,8 +35,8 @@ static bool rayleigh(struct builder *b, const struct building_draft *d, const do
 }
 
 // C = a0 M + K(dashpot), where `dashpot` (n) stands in the places of the storey stiffnesses.
-static void tridiagonal(const struct building_draft *d, double a0, double a1,
-                        const double *dashpot, double *diagonal, double *off) {
+static void tridiagonal(const struct building_draft *d, double a0, double a1, const double *dashpot,
+                        double *diagonal, double *off) {
     for (int i = 0; i < d->n_floor; i++) {
         double above = i + 1 < d->n_floor ? dashpot[i + 1] : 0.0;
         diagonal[i] = a0 * d->mass[i] + a1 * (dashpot[i] + above);
@@ -87,25 +87,25 @@ void damping_matrix(struct builder *b, const struct building_draft *d, const dou
     double a0 = 0.0;
     double a1 = 0.0;
     switch (d->damping.kind) {
-    case DAMPING_NONE:
-        break;
-    case DAMPING_RATIOS:
-    case DAMPING_COEFFICIENTS:
-        if (d->damping.kind == DAMPING_COEFFICIENTS) {
-            a0 = d->damping.value[0];
-            a1 = d->damping.value[1];
-        } else if (!rayleigh(b, d, omega, &a0, &a1)) {
-            return;
-        }
-        warn_negative(b, d, a0, a1);
-        tridiagonal(d, a0, a1, d->stiffness, diagonal, off);
-        break;
-    case DAMPING_DASHPOT:
-        tridiagonal(d, 0.0, 1.0, d->damping.value, diagonal, off);
-        break;
-    case DAMPING_MODAL:
-        building->damping_full = modal(b, d, omega, shape);
-        break;
+        case DAMPING_NONE:
+            break;
+        case DAMPING_RATIOS:
+        case DAMPING_COEFFICIENTS:
+            if (d->damping.kind == DAMPING_COEFFICIENTS) {
+                a0 = d->damping.value[0];
+                a1 = d->damping.value[1];
+            } else if (!rayleigh(b, d, omega, &a0, &a1)) {
+                return;
+            }
+            warn_negative(b, d, a0, a1);
+            tridiagonal(d, a0, a1, d->stiffness, diagonal, off);
+            break;
+        case DAMPING_DASHPOT:
+            tridiagonal(d, 0.0, 1.0, d->damping.value, diagonal, off);
+            break;
+        case DAMPING_MODAL:
+            building->damping_full = modal(b, d, omega, shape);
+            break;
     }
     building->damping_diagonal = diagonal;
     building->damping_off = off;

@@ -47,7 +47,8 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
                          found->n_error == 1 ? "" : "s", b->deck->path);
     }
     if (!anything_moves(b, m)) {
-        deck_warning(b->deck, NULL, "nothing moves the buildings: no ground motion, load or initial state");
+        deck_warning(b->deck, NULL,
+                     "nothing moves the buildings: no ground motion, load or initial state");
     }
     return STATUS_OK;
 }

@@ -53,7 +53,8 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         struct storey *s = &storey[g->first + i];
         *s = d->storey[i];
         if (!s->law) {
-            double *constant = builder_array(b, (size_t)storey_elastic.n_constant, sizeof *constant);
+            double *constant =
+                builder_array(b, (size_t)storey_elastic.n_constant, sizeof *constant);
             if (!constant) {
                 return;
             }
@@ -95,8 +96,11 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     }
     for (int i = 0, first = 0; i < m->n_building; i++) {
         const struct building_draft *d = builder_draft(b, i);
-        building[i] = (struct building){.name = d->name, .n_floor = d->n_floor, .first = first,
-                                        .mass = d->mass, .stiffness = d->stiffness,
+        building[i] = (struct building){.name = d->name,
+                                        .n_floor = d->n_floor,
+                                        .first = first,
+                                        .mass = d->mass,
+                                        .stiffness = d->stiffness,
                                         .height = d->height};
         int status = finish_modes(b, building, i, e);
         if (status != STATUS_OK) {

@@ -31,7 +31,8 @@ static void count_rows(struct builder *b, struct model *m) {
     if (b->out_interval > 0.0) {
         double every = round(b->out_interval / m->dt);
         if (every < 1.0 || fabs(every * m->dt - b->out_interval) > 1e-6 * m->dt || every > 1e9) {
-            deck_error(b->deck, &b->output, "the interval %.6g %s is not a multiple of the step %.6g %s",
+            deck_error(b->deck, &b->output,
+                       "the interval %.6g %s is not a multiple of the step %.6g %s",
                        b->out_interval, unit, m->dt, unit);
         }
         m->output.every = (int)fmin(fmax(every, 1.0), 1e9);
@@ -66,8 +67,9 @@ static void check_sampling(struct builder *b, struct model *m) {
     for (int i = 0; i < b->grounds.n; i++) {
         const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
         if (g->signal.value && m->dt > g->signal.dt * (1.0 + ROUNDING)) {
-            deck_warning(b->deck, &b->step, "step %.6g %s is longer than the sampling %.6g %s of %s",
-                         m->dt, unit, g->signal.dt, unit, g->signal.name);
+            deck_warning(b->deck, &b->step,
+                         "step %.6g %s is longer than the sampling %.6g %s of %s", m->dt, unit,
+                         g->signal.dt, unit, g->signal.name);
         }
     }
 }
@@ -95,10 +97,11 @@ static void check_drift(struct builder *b, struct model *m) {
         double apart = ground_displacement(&m->ground[right->ground], m->duration) -
                        ground_displacement(&m->ground[left->ground], m->duration);
         if (fabs(apart) > l->gap) {
-            deck_warning(b->deck, NULL,
-                         "the grounds of %s and %s end %.4g %s apart, more than the gap of contact %s: "
-                         "their accelerations do not integrate to rest",
-                         left->name, right->name, apart, b->deck->units.length_name, l->name);
+            deck_warning(
+                b->deck, NULL,
+                "the grounds of %s and %s end %.4g %s apart, more than the gap of contact %s: "
+                "their accelerations do not integrate to rest",
+                left->name, right->name, apart, b->deck->units.length_name, l->name);
             return;
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With y = M^(1/2) phi the problem is the symmetric one A y = omega^2 y, A = M^(-1/2) K M^(-1/2), which
-// GSL solves by tridiagonal reduction and QR (Golub & Van Loan, Matrix Computations, section 8.3).
+// With y = M^(1/2) phi the problem is the symmetric one A y = omega^2 y, A = M^(-1/2) K M^(-1/2),
+// which GSL solves by tridiagonal reduction and QR (Golub & Van Loan, Matrix Computations,
+// section 8.3).
 #include "model/modes.h"
 
 #include <gsl/gsl_eigen.h>

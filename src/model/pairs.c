@@ -134,8 +134,8 @@ const char *pairs_name(struct builder *b, const struct argument *a, bool *good) 
     }
     const char *name = a->text[0];
     if (!name[0] || strlen(name) > 64 || strpbrk(name, "/#")) {
-        deck_error(b->deck, &a->word[0], "'%.70s' cannot name a link; use up to 64 characters, no / or #",
-                   name);
+        deck_error(b->deck, &a->word[0],
+                   "'%.70s' cannot name a link; use up to 64 characters, no / or #", name);
         *good = false;
     }
     return name;

@@ -6,9 +6,9 @@
 #include "model/builder.h"
 
 struct pairs {
-    int building[2];        // left, right; WALL
-    int n;                  // pairs of floors
-    const int *floor[2];    // (n) left, right; 0 on a wall
+    int building[2];          // left, right; WALL
+    int n;                    // pairs of floors
+    const int *floor[2];      // (n) left, right; 0 on a wall
     const struct word *word;  // (2) LEFT and RIGHT
 };
 
@@ -16,12 +16,13 @@ struct pairs {
 // pair up.
 bool pairs_read(struct builder *b, const struct statement *s, struct pairs *out);
 
-// Appends link k of the pairs to the builder: ends, masses and name (made from `name`, NULL: from the
-// ends). NULL after a report.
+// Appends link k of the pairs to the builder: ends, masses and name (made from `name`, NULL: from
+// the ends). NULL after a report.
 struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k, const char *name,
                                 const struct word *name_word);
 
-// Reads the text of option -name: a name for links; NULL where not given, *good = false after a report.
+// Reads the text of option -name: a name for links; NULL where not given, *good = false after a
+// report.
 const char *pairs_name(struct builder *b, const struct argument *a, bool *good);
 
 // Derives the constants of a law from its rows' arguments for one link of effective mass `mass`;

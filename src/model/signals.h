@@ -5,7 +5,8 @@
 
 #include "model/builder.h"
 
-// Options of a sine, to be put first into a table of rows; the amplitude's dimension is the table's own.
+// Options of a sine, to be put first into a table of rows; the amplitude's dimension is the table's
+// own.
 enum sine_row { SINE_AMPLITUDE, SINE_FREQUENCY, SINE_PHASE, SINE_CYCLES, SINE_ROWS };
 
 // A sine made from those options, starting at `start`; without cycles it never ends.

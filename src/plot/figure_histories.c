@@ -3,6 +3,7 @@
 // shaded and the impacts marked; without impacts, of the roofs. Below it the ground acceleration.
 //
 // The right floor is drawn where the left one sees it: x_left - delta = x_right + gap.
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -119,6 +120,7 @@ static int read_histories(struct view *v, struct error *e) {
 }
 
 static int write_data(const struct view *v, FILE *to, struct error *e) {
+    assert(v->time && v->left && v->ground);
     const size_t n = (size_t)v->r->n_row;
     const double *series[SERIES_MAX] = {v->left, v->ground, v->right};
     const int n_series = v->right ? 3 : 2;

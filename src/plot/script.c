@@ -86,7 +86,9 @@ void script_head_end(FILE *to) {
 
 void script_legend(FILE *to, int i, int width, enum script_mark mark, const char *colour,
                    const char *name) {
-    const double left = 0.065 + 0.235 * (i % 4), y = 0.882 - 0.028 * (i / 4);
+    const double left = 0.065 + 0.235 * (i % 4);
+    const int line = i / 4;
+    const double y = 0.882 - 0.028 * line;
     char cut[256];
     switch (mark) {
         case SCRIPT_LINE:

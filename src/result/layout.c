@@ -97,9 +97,9 @@ static const struct column link_peak_column[] = {
     {"work", "work done on the link, stored or dissipated", &dimension_energy, COLUMN_DOUBLE,
      offsetof(struct link_peak, dissipated), 0},
 };
-const struct column_table layout_link_peak = {
-    link_peak_column, sizeof link_peak_column / sizeof link_peak_column[0],
-    sizeof(struct link_peak)};
+const struct column_table layout_link_peak = {link_peak_column,
+                                              sizeof link_peak_column / sizeof link_peak_column[0],
+                                              sizeof(struct link_peak)};
 
 static const struct column impact_column[] = {
     {"contact", "number of the contact, from 1", NULL, COLUMN_INT, offsetof(struct impact, contact),
@@ -164,8 +164,7 @@ const struct quantity layout_peak[] = {
 };
 
 const struct quantity layout_energy[] = {
-    [ENERGY_INPUT] = {"work of the ground motion and the loads",
-                      &dimension_energy},
+    [ENERGY_INPUT] = {"work of the ground motion and the loads", &dimension_energy},
     [ENERGY_KINETIC] = {"kinetic energy relative to the ground", &dimension_energy},
     [ENERGY_STRAIN] = {"energy stored in the storeys", &dimension_energy},
     [ENERGY_DAMPING] = {"work of the buildings' damping", &dimension_energy},

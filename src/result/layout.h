@@ -30,12 +30,12 @@ struct column_table {
     size_t size;  // of the struct
 };
 
-extern const struct column_table layout_root;     // of struct report: attributes of /
-extern const struct column_table layout_totals;   // of struct totals: attributes of /
-extern const struct column_table layout_link;     // of struct report_link: /contacts and /links
-extern const struct column_table layout_contact;  // of struct link_peak: /contacts/envelope
+extern const struct column_table layout_root;       // of struct report: attributes of /
+extern const struct column_table layout_totals;     // of struct totals: attributes of /
+extern const struct column_table layout_link;       // of struct report_link: /contacts and /links
+extern const struct column_table layout_contact;    // of struct link_peak: /contacts/envelope
 extern const struct column_table layout_link_peak;  // of struct link_peak: /links/envelope
-extern const struct column_table layout_impact;   // of struct impact: /impacts
+extern const struct column_table layout_impact;     // of struct impact: /impacts
 extern const struct column_table
     layout_building;  // of struct report_building: pointers to (n_floor)
 

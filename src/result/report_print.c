@@ -183,7 +183,10 @@ static void print_displacements(const struct printer *p, const struct shown_buil
         number(to, b->peak[PEAK_DISPLACEMENT][roof], 12);
         number(to, b->peak_time[PEAK_DISPLACEMENT][roof], 8);
         number(to, b->peak[PEAK_DRIFT][storey], 12);
-        number(to, b->height[storey] > 0 ? 100 * b->peak[PEAK_DRIFT][storey] / b->height[storey] : (double)NAN, 9);
+        number(to,
+               b->height[storey] > 0 ? 100 * b->peak[PEAK_DRIFT][storey] / b->height[storey]
+                                     : (double)NAN,
+               9);
         fprintf(to, " %7d", storey + 1);
         number(to, b->peak_time[PEAK_DRIFT][storey], 8);
         fprintf(to, "\n");

@@ -70,6 +70,7 @@ static bool allocate(struct result_writer *w) {
     const size_t width = row_width(w->model);
     w->capacity = bytes_max / (width * sizeof(double));
     w->capacity = w->capacity < 1 ? 1 : w->capacity > ROWS_MAX ? ROWS_MAX : w->capacity;
+    assert(width > 0 && w->report->n_row > 0);
     if ((size_t)w->report->n_row < w->capacity) {
         w->capacity = (size_t)w->report->n_row;
     }

@@ -7,10 +7,10 @@
 
 // Works since t = 0 [F L], each the sum over steps of a mean force times a displacement.
 struct energy_account {
-    double initial;        // kinetic and strain energy at t = 0
+    double initial;  // kinetic and strain energy at t = 0
     double input, damping, contact;
-    double storey;         // work on storeys that are not elastic
-    double stored_start;   // their recoverable energy at t = 0
+    double storey;        // work on storeys that are not elastic
+    double stored_start;  // their recoverable energy at t = 0
 };
 
 // Energies of the start state.
@@ -32,7 +32,7 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
 
 // The impacts that are under way. Arrays (n_contact).
 struct impact_log {
-    long *open;    // index into results.impact of the impact under way; -1: none
+    long *open;  // index into results.impact of the impact under way; -1: none
 };
 
 bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *a);

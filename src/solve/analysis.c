@@ -2,6 +2,7 @@
 // The time loop: step, commit, account, and show a row to the observer now and then.
 #include "jostle/analysis.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>
@@ -70,16 +71,18 @@ static int advance(struct run *r, double end, double h, int cuts) {
         return status;
     }
     if (cuts == CUTS_MAX) {
-        return error_set(r->error, STATUS_FAILED,
-                         "no step is short enough at t = %.9g: the numbers are beyond double precision",
-                         r->now->time);
+        return error_set(
+            r->error, STATUS_FAILED,
+            "no step is short enough at t = %.9g: the numbers are beyond double precision",
+            r->now->time);
     }
     r->results->totals.cuts++;
     status = advance(r, end - h / 2.0, h / 2.0, cuts + 1);
     return status == STATUS_OK ? advance(r, end, h / 2.0, cuts + 1) : status;
 }
 
-// Steps to the event with its link held as it was, lets it close or open there, and goes on to `end`.
+// Steps to the event with its link held as it was, lets it close or open there, and goes on to
+// `end`.
 static int split(struct run *r, const struct event *event, double end, double h, int cuts) {
     const struct model *m = r->model;
     int status = STATUS_OK;
@@ -115,6 +118,7 @@ static int balance(struct run *r) {
 static int observe(struct run *r) {
     const struct model *m = r->model;
     const struct state *s = r->now;
+    assert(s->a && s->ground_a);
     if (balance(r) != STATUS_OK) {
         return STATUS_FAILED;
     }

@@ -8,8 +8,8 @@
 //
 // S is symmetric and positive semi-definite, so with D = T^(1/2) the step is
 //     df = r - D (I + D S D)^-1 D S r,
-// whose matrix has no eigenvalue below 1: Cholesky cannot break down. A link held within a jump behaves
-// like a very stiff spring, S_ll t = JUMP.
+// whose matrix has no eigenvalue below 1: Cholesky cannot break down. A link held within a jump
+// behaves like a very stiff spring, S_ll t = JUMP.
 #include "solve/block.h"
 
 #include <gsl/gsl_linalg.h>
@@ -20,7 +20,8 @@
 
 static const double JUMP = 1e7;
 
-// Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different buildings.
+// Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different
+// buildings.
 static double between(struct work *w, const struct link *l, int i, const struct link *k, int j) {
     if (l->building[i] == WALL || l->building[i] != k->building[j]) {
         return 0.0;
@@ -59,7 +60,8 @@ static double slope_at(const struct line *line, enum branch branch, double force
 }
 
 // Residual into `r` and the root of t into `weight`.
-static void linearise(struct work *w, const struct state *now, const struct state *next, double *r) {
+static void linearise(struct work *w, const struct state *now, const struct state *next,
+                      double *r) {
     for (int i = 0; i < w->n_active; i++) {
         int k = w->active[i];
         struct line line = contact_line(w, now, next, k);

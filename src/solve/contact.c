@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The contact iteration.
 //
-// With A the effective masses and B the links' directions, accelerations are a = a_free - A^-1 B' f, so
-// that link l sees d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l with the
-// flexibility S = B A^-1 B'. S is never formed: a column of A^-1 carries each change of a force into the
-// accelerations. A sweep gives every active link its exact answer (line.c) with the others held, which is
-// coordinate descent on a convex function where laws do not pull, and so converges whatever the step.
-// Where it is slow, because stiff links share a floor, a block Newton step (block.c) is put between
-// sweeps, and kept only if it halves the error.
+// With A the effective masses and B the links' directions, accelerations are a = a_free - A^-1 B'
+// f, so that link l sees d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l
+// with the flexibility S = B A^-1 B'. S is never formed: a column of A^-1 carries each change of a
+// force into the accelerations. A sweep gives every active link its exact answer (line.c) with the
+// others held, which is coordinate descent on a convex function where laws do not pull, and so
+// converges whatever the step. Where it is slow, because stiff links share a floor, a block Newton
+// step (block.c) is put between sweeps, and kept only if it halves the error.
 //
-// Converged: in one sweep no force changes by more than the tolerance relative to the largest, or the
-// change moves the link by less than the rounding of its displacements. The latter keeps grazing
-// contacts, whose force is all rounding, from iterating for ever.
+// Converged: in one sweep no force changes by more than the tolerance relative to the largest, or
+// the change moves the link by less than the rounding of its displacements. The latter keeps
+// grazing contacts, whose force is all rounding, from iterating for ever.
 //
-// A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration gives
-// a body back more energy than it brought (up to 1.8 times its velocity), and a few such impacts make
-// nonsense of a run. So a step is cut until it is a tenth of that at most, k S_ll h^2 <= (pi / 10)^2, and
-// until it resolves the decay that the dashpot of the law alone would cause, gamma h S_ll dF/dv <= 1/2.
-// k is the slope of the law at v = 0: with v, Jankowski's is infinite at every closure.
+// A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
+// gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
+// impacts make nonsense of a run. So a step is cut until it is a tenth of that at most, k S_ll h^2
+// <= (pi / 10)^2, and until it resolves the decay that the dashpot of the law alone would cause,
+// gamma h S_ll dF/dv <= 1/2. k is the slope of the law at v = 0: with v, Jankowski's is infinite at
+// every closure.
 #include "solve/contact.h"
 
 #include <float.h>
@@ -55,7 +56,8 @@ static double own_flexibility(struct work *w, const struct link *l) {
     double sum = 0.0;
     for (int i = 0; i < 2; i++) {
         if (l->dof[i] != WALL) {
-            sum += effective_column(&w->effective[l->building[i]], l->floor[i] - 1)[l->floor[i] - 1];
+            sum +=
+                effective_column(&w->effective[l->building[i]], l->floor[i] - 1)[l->floor[i] - 1];
         }
     }
     return sum;
@@ -100,8 +102,8 @@ void contact_apply(struct work *w, struct state *next, int k, double df) {
     }
 }
 
-// Takes link k into the active ones. One that closes gets its velocity at the instant of closure, from
-// its path without its own force, and the law's history from that.
+// Takes link k into the active ones. One that closes gets its velocity at the instant of closure,
+// from its path without its own force, and the law's history from that.
 static void activate(struct work *w, const struct state *now, struct state *next, int k) {
     const struct link *l = &w->model->link[k];
     w->is_active[k] = true;
@@ -109,7 +111,8 @@ static void activate(struct work *w, const struct state *now, struct state *next
     w->branch[k] = BRANCH_OPEN;
     double *history = next->link_history + l->history;
     if (now->closed[k]) {
-        memcpy(history, now->link_history + l->history, (size_t)l->law->n_history * sizeof *history);
+        memcpy(history, now->link_history + l->history,
+               (size_t)l->law->n_history * sizeof *history);
         return;
     }
     struct line line = contact_line(w, now, next, k);
@@ -181,8 +184,9 @@ static bool too_coarse(struct work *w, const struct state *now, const struct sta
         struct line line = contact_line(w, now, next, k);
         double f = next->force[k];
         bool at_start = !now->closed[k] || resolves(w, &line, now->delta[k], now->rate[k]);
-        bool at_end = w->branch[k] != BRANCH_CLOSED ||
-                      resolves(w, &line, line.d_free - line.d_force * f, line.v_free - line.v_force * f);
+        bool at_end =
+            w->branch[k] != BRANCH_CLOSED ||
+            resolves(w, &line, line.d_free - line.d_force * f, line.v_free - line.v_force * f);
         if (!at_start || !at_end) {
             return true;
         }

@@ -5,9 +5,9 @@
 
 #include "solve/work.h"
 
-// On entry next->a solves the buildings' equations under the link forces next->force; on return both
-// are changed so that every force also obeys its law. `now` is the committed state. STATUS_RETRY: not
-// solved to the model's tolerance.
+// On entry next->a solves the buildings' equations under the link forces next->force; on return
+// both are changed so that every force also obeys its law. `now` is the committed state.
+// STATUS_RETRY: not solved to the model's tolerance.
 int contact_solve(struct work *w, const struct state *now, struct state *next);
 
 // The line of link k at the trial state of `next`.

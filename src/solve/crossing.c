@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The path within a step is the cubic Hermite polynomial in x = t / h,
 //     d(x) = d0 + x (m0 + x (3 D - 2 m0 - m1 + x (m0 + m1 - 2 D))),  D = d1 - d0, m = h v,
-// whose velocity is right to third order. The zero is bracketed by the ends, so Newton steps that leave
-// the bracket are replaced by bisection and the search cannot fail.
+// whose velocity is right to third order. The zero is bracketed by the ends, so Newton steps that
+// leave the bracket are replaced by bisection and the search cannot fail.
 #include "solve/crossing.h"
 
 #include <math.h>

@@ -8,8 +8,8 @@ struct path {
     double d0, v0, d1, v1, h;
 };
 
-// Time from the start of the step [T] at which the cubic through both ends passes through zero, and its
-// velocity there. Needs d0 <= 0 < d1 or d0 > 0 >= d1 (or a zero at either end).
+// Time from the start of the step [T] at which the cubic through both ends passes through zero, and
+// its velocity there. Needs d0 <= 0 < d1 or d0 > 0 >= d1 (or a zero at either end).
 double crossing_find(const struct path *p, double *velocity);
 
 #endif

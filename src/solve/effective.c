@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tridiagonal case is L D L^T from the ground up (Golub & Van Loan, Matrix Computations, section
-// 4.3.6), with the reciprocal pivots stored, so that a solve has no division. The full case stores the
-// inverse, which costs n^2 per solve like a pair of triangular solves but has no chain of dependences.
+// The tridiagonal case is L D L^T from the ground up (Golub & Van Loan, Matrix Computations,
+// section 4.3.6), with the reciprocal pivots stored, so that a solve has no division. The full case
+// stores the inverse, which costs n^2 per solve like a pair of triangular solves but has no chain
+// of dependences.
 #include "solve/effective.h"
 
 #include <gsl/gsl_linalg.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The effective mass matrix of one building under Newmark, factorised:
 //     A = M + gamma h C + beta h^2 K,   A a = r.
-// It is tridiagonal for a shear building, and full with modal damping. Buildings never share a matrix:
-// contact forces couple them through columns of A^-1.
+// It is tridiagonal for a shear building, and full with modal damping. Buildings never share a
+// matrix: contact forces couple them through columns of A^-1.
 #ifndef JOSTLE_EFFECTIVE_H
 #define JOSTLE_EFFECTIVE_H
 
@@ -26,8 +26,8 @@ int effective_factor(struct effective *e, double b, double g);
 // Replaces r (n_floor) by A^-1 r.
 void effective_solve(const struct effective *e, double *r);
 
-// Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on floor
-// i + 1. Computed when first asked for after a factorisation.
+// Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on
+// floor i + 1. Computed when first asked for after a factorisation.
 const double *effective_column(struct effective *e, int i);
 
 #endif

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Energies relative to the ground. The work of a force over a step is the mean of its values at both
-// ends times the displacement. For the average acceleration method this is no approximation of the
-// balance: m (v1^2 - v0^2) / 2 = (u1 - u0) m (a0 + a1) / 2 holds exactly, so with equilibrium at both
-// ends the account closes to rounding, whatever the forces do in between (Hughes (2000), The Finite Element
-// Method, section 9.2). For other beta and gamma the residual is what the method itself gains or loses.
+// Energies relative to the ground. The work of a force over a step is the mean of its values at
+// both ends times the displacement. For the average acceleration method this is no approximation of
+// the balance: m (v1^2 - v0^2) / 2 = (u1 - u0) m (a0 + a1) / 2 holds exactly, so with equilibrium
+// at both ends the account closes to rounding, whatever the forces do in between (Hughes (2000),
+// The Finite Element Method, section 9.2). For other beta and gamma the residual is what the method
+// itself gains or loses.
 //
-// Where two buildings stand on grounds that move differently, link forces also work on the grounds; that
-// work enters by the input.
+// Where two buildings stand on grounds that move differently, link forces also work on the grounds;
+// that work enters by the input.
 #include "solve/account.h"
 
 static double kinetic(const struct model *m, const struct state *s) {
@@ -48,10 +49,10 @@ static void links_step(struct energy_account *a, const struct model *m, const st
         a->contact += sum / 2.0 * closing;
         if (m->link[k].moving_ground) {
             const struct link *l = &m->link[k];
-            double relative = state_gap(l, m, next->u, next->ground_u) -
-                              state_gap(l, m, now->u, now->ground_u);
-            double own = next->u[l->dof[0]] - next->u[l->dof[1]] -
-                         (now->u[l->dof[0]] - now->u[l->dof[1]]);
+            double relative =
+                state_gap(l, m, next->u, next->ground_u) - state_gap(l, m, now->u, now->ground_u);
+            double own =
+                next->u[l->dof[0]] - next->u[l->dof[1]] - (now->u[l->dof[0]] - now->u[l->dof[1]]);
             a->input += sum / 2.0 * (relative - own);
         }
     }
@@ -76,7 +77,7 @@ void energy_step(struct energy_account *a, const struct model *m, const struct s
     links_step(a, m, now, next);
 }
 
-const char *const energy_names[] = {"input",   "kinetic",    "strain",  "damping",
+const char *const energy_names[] = {"input",      "kinetic", "strain",  "damping",
                                     "hysteretic", "contact", "residual"};
 
 void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
@@ -89,6 +90,6 @@ void energy_balance(const struct energy_account *a, const struct model *m, const
     energy[ENERGY_HYSTERETIC] = a->storey - (other - a->stored_start);
     energy[ENERGY_CONTACT] = a->contact;
     energy[ENERGY_RESIDUAL] = a->initial + energy[ENERGY_INPUT] - energy[ENERGY_KINETIC] -
-                              energy[ENERGY_STRAIN] - energy[ENERGY_DAMPING] - energy[ENERGY_HYSTERETIC] -
-                              energy[ENERGY_CONTACT];
+                              energy[ENERGY_STRAIN] - energy[ENERGY_DAMPING] -
+                              energy[ENERGY_HYSTERETIC] - energy[ENERGY_CONTACT];
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closures and openings of contact laws whose force jumps there. Passing over a jump within a step is an
-// error of the first order in the step, so such steps are split at the jump.
+// Closures and openings of contact laws whose force jumps there. Passing over a jump within a step
+// is an error of the first order in the step, so such steps are split at the jump.
 #ifndef JOSTLE_EVENT_H
 #define JOSTLE_EVENT_H
 

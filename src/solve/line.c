@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solves g(f) = f - F(d(f), v(f)) = 0. Where F does not decrease with d and v, g increases by at least
-// as much as f, so the root is unique, and it is bracketed: F(d(0), v(0)) has the sign of the root and
-// is at least as large, and d = 0 bounds f from above by d_free / d_force. Newton steps that leave the
-// bracket are replaced by bisection, so the search ends whatever the law is.
+// Solves g(f) = f - F(d(f), v(f)) = 0. Where F does not decrease with d and v, g increases by at
+// least as much as f, so the root is unique, and it is bracketed: F(d(0), v(0)) has the sign of the
+// root and is at least as large, and d = 0 bounds f from above by d_free / d_force. Newton steps
+// that leave the bracket are replaced by bisection, so the search ends whatever the law is.
 //
-// At d = 0 the force may jump from 0 to F(0+, v). If that is more than the force that holds the link at
-// d = 0, the graph of the law is crossed inside the jump, and that force is the answer.
+// At d = 0 the force may jump from 0 to F(0+, v). If that is more than the force that holds the
+// link at d = 0, the graph of the law is crossed inside the jump, and that force is the answer.
 #include "solve/line.h"
 
 #include <float.h>
@@ -61,7 +61,8 @@ static bool bracket_below(const struct line *l, double *low) {
     return false;
 }
 
-// Root where d is free: bilateral links, and contacts whose d does not depend on the force (beta = 0).
+// Root where d is free: bilateral links, and contacts whose d does not depend on the force (beta =
+// 0).
 static double unbounded(const struct line *l, double guess) {
     double f = line_law(l, 0.0).force;
     if (f >= 0.0) {
@@ -88,8 +89,8 @@ static enum branch pressed(const struct line *l, double guess, double *force) {
     return BRANCH_CLOSED;
 }
 
-// d_free <= 0 for a closed link of a law that pulls: is there a tension that keeps d > 0? It is looked
-// for between d = 0, or the guess where that fails, and the law's own force there.
+// d_free <= 0 for a closed link of a law that pulls: is there a tension that keeps d > 0? It is
+// looked for between d = 0, or the guess where that fails, and the law's own force there.
 static enum branch held(const struct line *l, double guess, double *force) {
     double high = l->d_free / l->d_force;
     *force = 0.0;

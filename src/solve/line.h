@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One link, alone: under Newmark its penetration and velocity at the end of a step depend linearly on
-// its own force, so the step leaves it one equation in one unknown.
+// One link, alone: under Newmark its penetration and velocity at the end of a step depend linearly
+// on its own force, so the step leaves it one equation in one unknown.
 #ifndef JOSTLE_LINE_H
 #define JOSTLE_LINE_H
 
@@ -9,11 +9,11 @@
 // d = d_free - d_force f and v = v_free - v_force f.
 struct line {
     const struct link *link;
-    const double *history;   // of the link, at the start of the step or at its closure
-    double d_free, v_free;   // [L] [L/T] if its force were zero
-    double d_force, v_force; // [L/F] [L/T/F] both >= 0
-    bool closed;             // in contact at the start of the step
-    bool held;               // stays closed whatever d is: the step ends where it opens
+    const double *history;    // of the link, at the start of the step or at its closure
+    double d_free, v_free;    // [L] [L/T] if its force were zero
+    double d_force, v_force;  // [L/F] [L/T/F] both >= 0
+    bool closed;              // in contact at the start of the step
+    bool held;                // stays closed whatever d is: the step ends where it opens
 };
 
 // Which of its states a link takes at the end of a step.
@@ -21,12 +21,12 @@ enum branch {
     BRANCH_OPEN,    // force 0
     BRANCH_CLOSED,  // force of the law, d > 0
     BRANCH_JUMP,    // d = 0, the force within the jump of the law at closure
-    BRANCH_NONE,    // neither open nor closed: the opening lies inside the step; *force is the jump's
+    BRANCH_NONE,  // neither open nor closed: the opening lies inside the step; *force is the jump's
 };
 
-// The force of the link. A closed link stays closed as long as a closed solution exists; an open one
-// stays open as long as an open one does. `guess` starts the search. Cannot fail: where the law is not
-// monotone (it pulls) a solution is taken, and found from the guess.
+// The force of the link. A closed link stays closed as long as a closed solution exists; an open
+// one stays open as long as an open one does. `guess` starts the search. Cannot fail: where the law
+// is not monotone (it pulls) a solution is taken, and found from the guess.
 enum branch line_answer(const struct line *l, double guess, double *force);
 
 // The force of the law and its tangents at the state that `force` leads to.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Newmark (1959), J. Eng. Mech. Div. ASCE 85(3), 67-94. With the accelerations at the end of the step
-// as unknowns,
+// Newmark (1959), J. Eng. Mech. Div. ASCE 85(3), 67-94. With the accelerations at the end of the
+// step as unknowns,
 //     u = u_p + beta h^2 a,   u_p = u_n + h v_n + h^2 (1/2 - beta) a_n,
 //     v = v_p + gamma h a,    v_p = v_n + h (1 - gamma) a_n,
 // equilibrium M a + C v + f_s(u) + B' f = p is solved at the end of the step. This form serves any
 // beta >= 0, and loses no digits for small steps, where A = M + gamma h C + beta h^2 K -> M.
 //
-// Storeys: Newton with their consistent tangents, building by building; a building whose storeys turn
-// out to be on the branch that was assumed is settled, and an elastic one always is. Links: contact.c
-// solves them exactly about each linearisation. Both are consistent, so the two together are Newton's
-// method on all unknowns.
+// Storeys: Newton with their consistent tangents, building by building; a building whose storeys
+// turn out to be on the branch that was assumed is settled, and an elastic one always is. Links:
+// contact.c solves them exactly about each linearisation. Both are consistent, so the two together
+// are Newton's method on all unknowns.
 #include "solve/newmark.h"
 
 #include <float.h>
@@ -123,7 +123,8 @@ static bool settle(struct work *w, const struct state *next) {
     return all;
 }
 
-// Takes the tangents at the trial drifts of the buildings that are not settled, and factorises again.
+// Takes the tangents at the trial drifts of the buildings that are not settled, and factorises
+// again.
 static int relinearise(struct work *w, const struct state *next) {
     const struct model *m = w->model;
     for (int k = 0; k < m->n_building; k++) {
@@ -133,9 +134,10 @@ static int relinearise(struct work *w, const struct state *next) {
         const struct building *g = &m->building[k];
         for (int i = 0; i < g->n_floor; i++) {
             const struct storey *s = &m->storey[g->first + i];
-            w->effective[k].tangent[i] =
-                s->law->shear(s->constant, next->storey_history + s->history,
-                              next->drift[g->first + i]).tangent;
+            w->effective[k].tangent[i] = s->law
+                                             ->shear(s->constant, next->storey_history + s->history,
+                                                     next->drift[g->first + i])
+                                             .tangent;
         }
         int status = effective_factor(&w->effective[k], w->b, w->g);
         if (status != STATUS_OK) {
@@ -211,8 +213,8 @@ static int check_finite(const struct model *m, const struct state *s, struct err
             int j = g->first + i;
             if (!isfinite(s->u[j]) || !isfinite(s->v[j]) || !isfinite(s->a[j])) {
                 return error_set(e, STATUS_FAILED,
-                                 "the state is not finite at floor %d of building %s at t = %.9g", i + 1,
-                                 g->name, s->time);
+                                 "the state is not finite at floor %d of building %s at t = %.9g",
+                                 i + 1, g->name, s->time);
             }
         }
     }

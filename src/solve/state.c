@@ -15,13 +15,13 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
         double **array;
         size_t n;
     } part[] = {
-        {&s->u, n_dof},          {&s->v, n_dof},
-        {&s->a, n_dof},          {&s->drift, n_dof},
-        {&s->shear, n_dof},      {&s->damping_force, n_dof},
-        {&s->external, n_dof},   {&s->storey_history, (size_t)m->n_storey_history},
-        {&s->force, n_link},     {&s->delta, n_link},
-        {&s->rate, n_link},      {&s->t_close, n_link},
-        {&s->v_close, n_link},   {&s->link_history, (size_t)m->n_link_history},
+        {&s->u, n_dof},           {&s->v, n_dof},
+        {&s->a, n_dof},           {&s->drift, n_dof},
+        {&s->shear, n_dof},       {&s->damping_force, n_dof},
+        {&s->external, n_dof},    {&s->storey_history, (size_t)m->n_storey_history},
+        {&s->force, n_link},      {&s->delta, n_link},
+        {&s->rate, n_link},       {&s->t_close, n_link},
+        {&s->v_close, n_link},    {&s->link_history, (size_t)m->n_link_history},
         {&s->ground_a, n_ground}, {&s->ground_v, n_ground},
         {&s->ground_u, n_ground},
     };
@@ -73,8 +73,8 @@ double state_gap(const struct link *l, const struct model *m, const double *u,
         delta -= u[l->dof[1]];
     }
     if (l->moving_ground) {
-        delta += ground[m->building[l->building[0]].ground] -
-                 ground[m->building[l->building[1]].ground];
+        delta +=
+            ground[m->building[l->building[0]].ground] - ground[m->building[l->building[1]].ground];
     }
     return delta;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that changes while an analysis runs, and nothing else. A step reads the committed state
-// and writes the next one; committing swaps the two, so a failed step leaves no trace.
+// Everything that changes while an analysis runs, and nothing else. A step reads the committed
+// state and writes the next one; committing swaps the two, so a failed step leaves no trace.
 #ifndef JOSTLE_STATE_H
 #define JOSTLE_STATE_H
 
@@ -10,19 +10,19 @@ struct state {
     double time;  // [T]
 
     // Degrees of freedom, all (n_dof)
-    double *u, *v, *a;        // [L] [L/T] [L/T^2] relative to the ground
-    double *drift, *shear;    // [L] [F] of the storey below
-    double *damping_force;    // [F] C v
-    double *external;         // [F] loads and -m a_ground
-    double *storey_history;   // (model.n_storey_history)
+    double *u, *v, *a;       // [L] [L/T] [L/T^2] relative to the ground
+    double *drift, *shear;   // [L] [F] of the storey below
+    double *damping_force;   // [F] C v
+    double *external;        // [F] loads and -m a_ground
+    double *storey_history;  // (model.n_storey_history)
 
     // Links, all (n_link)
-    bool *closed;             // in contact; bilateral links always are
-    double *force;            // [F]
-    double *delta, *rate;     // [L] [L/T] penetration and its velocity
-    double *t_close;          // [T] instant of closure of a closed link
-    double *v_close;          // [L/T] closing velocity then
-    double *link_history;     // (model.n_link_history)
+    bool *closed;          // in contact; bilateral links always are
+    double *force;         // [F]
+    double *delta, *rate;  // [L] [L/T] penetration and its velocity
+    double *t_close;       // [T] instant of closure of a closed link
+    double *v_close;       // [L/T] closing velocity then
+    double *link_history;  // (model.n_link_history)
 
     // Ground motions, all (n_ground)
     double *ground_a, *ground_v, *ground_u;  // [L/T^2] [L/T] [L]
@@ -31,8 +31,8 @@ struct state {
 // Room for a state of the model in `a`; false: no memory.
 bool state_alloc(struct state *s, const struct model *m, struct arena *a);
 
-// The state at t = 0: initial displacements and velocities, links closed where delta > 0 or about to
-// close (delta = 0, rate > 0), accelerations from equilibrium.
+// The state at t = 0: initial displacements and velocities, links closed where delta > 0 or about
+// to close (delta = 0, rate > 0), accelerations from equilibrium.
 void state_start(struct state *s, const struct model *m);
 
 // Accelerations that bring the forces of `s` into equilibrium.
@@ -44,7 +44,9 @@ void state_close_link(struct state *s, const struct model *m, int k);
 // Drifts, storey shears and C v from u and v, with the storey history of `s`.
 void state_internal_forces(struct state *s, const struct model *m);
 
-// Penetration of link l from displacements (or its velocity from velocities), with the ground's share.
-double state_gap(const struct link *l, const struct model *m, const double *u, const double *ground);
+// Penetration of link l from displacements (or its velocity from velocities), with the ground's
+// share.
+double state_gap(const struct link *l, const struct model *m, const double *u,
+                 const double *ground);
 
 #endif

@@ -14,8 +14,9 @@ static bool alloc_arrays(struct work *w, const struct model *m, struct arena *a)
         double **array;
         size_t n;
     } part[] = {
-        {&w->u_predicted, n_dof}, {&w->v_predicted, n_dof},       {&w->residual, n_dof},
-        {&w->kept_a, n_dof},      {&w->kept_f, n_link},           {&w->vector, 2 * n_block},
+        {&w->u_predicted, n_dof}, {&w->v_predicted, n_dof},
+        {&w->residual, n_dof},    {&w->kept_a, n_dof},
+        {&w->kept_f, n_link},     {&w->vector, 2 * n_block},
         {&w->weight, n_block},    {&w->matrix, n_block * n_block},
     };
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scratch of the solver, meaningless between steps but for the factors, which are kept as long as the
-// step size and the tangents stay. All of it is allocated before the first step.
+// Scratch of the solver, meaningless between steps but for the factors, which are kept as long as
+// the step size and the tangents stay. All of it is allocated before the first step.
 #ifndef JOSTLE_WORK_H
 #define JOSTLE_WORK_H
 
@@ -21,17 +21,17 @@ struct work {
     double h;                     // [T] step of the factors; 0: none yet
     double b, g;                  // beta h^2 and gamma h
     enum strictness strictness;
-    int held;                     // link that stays open or closed in this step; -1: none
+    int held;  // link that stays open or closed in this step; -1: none
 
     double *u_predicted, *v_predicted;  // (n_dof) with a = 0 at the end of the step
     double *residual;                   // (n_dof) [F], then the correction of a
     bool *settled;                      // (n_building) storeys agree with the tangents used
 
-    int n_active;              // links whose force may change in this step
-    int *active;               // (n_link) their indices
-    bool *is_active;           // (n_link)
-    enum branch *branch;       // (n_link) of active links
-    double *kept_a, *kept_f;   // (n_dof), (n_link) to step back to
+    int n_active;                      // links whose force may change in this step
+    int *active;                       // (n_link) their indices
+    bool *is_active;                   // (n_link)
+    enum branch *branch;               // (n_link) of active links
+    double *kept_a, *kept_f;           // (n_dof), (n_link) to step back to
     double *matrix, *vector, *weight;  // (block_max, block_max), (block_max) of the block solve
     int block_max;
 };

@@ -174,7 +174,8 @@ static void any_state_a_newton_iterate_may_visit_gives_a_finite_force(void **sta
     }
 }
 
-// A touch at 1e-12 m/s must not make the dashpot grow without bound: at v = vmin the factor is 1 + q.
+// A touch at 1e-12 m/s must not make the dashpot grow without bound: at v = vmin the factor is 1 +
+// q.
 static void the_damping_of_a_touch_at_rest_is_bounded(void **state) {
     (void)state;
     struct bound_law gentle = bind(contact_law_find("hertz-damp"), 1e-12);
@@ -210,7 +211,8 @@ static void forces_agree_with_the_formulas(void **state) {
     assert_close(at(&b, d, v).force, 1e8 * 8.94427190999916e-5, 1e-14);
     b = bind(contact_law_find("hertz-damp"), V0);
     assert_close(at(&b, d, v).force, 8944.27190999916 * (1.0 + 0.433125 * v / V0), 1e-14);
-    // zeta of 0.65: 4.5 sqrt5 0.5775 / (0.65 (0.65 (9 pi - 16) + 16)) = 0.37283566526 (reference rows)
+    // zeta of 0.65: 4.5 sqrt5 0.5775 / (0.65 (0.65 (9 pi - 16) + 16)) = 0.37283566526 (reference
+    // rows)
     b = bind(contact_law_find("jankowski"), V0);
     double damper = 2.0 * 0.3728356652600535 * sqrt(1e8 * sqrt(d) * MASS);
     assert_close(at(&b, d, v).force, 8944.27190999916 + damper * v, 1e-14);

@@ -109,7 +109,8 @@ static void an_elastoplastic_loop_has_its_closed_form_area(void **state) {
     assert_true(at(&b, u + 0.001).tangent == 0.0);
 }
 
-// Kinematic hardening: after yielding to u1 the elastic range is still 2 V_y wide, about the back shear.
+// Kinematic hardening: after yielding to u1 the elastic range is still 2 V_y wide, about the back
+// shear.
 static void hardening_moves_the_elastic_range(void **state) {
     (void)state;
     double r = 0.05;

@@ -43,7 +43,8 @@ static void reserve(struct kept_rows *r) {
     }
     r->capacity = r->capacity ? 2 * r->capacity : 256;
     grow(&r->time, r->capacity, 1);
-    double **const floors[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift, &r->shear};
+    double **const floors[] = {&r->displacement, &r->velocity, &r->acceleration, &r->drift,
+                               &r->shear};
     for (size_t i = 0; i < sizeof floors / sizeof floors[0]; i++) {
         grow(floors[i], r->capacity, r->n_dof);
     }
@@ -104,8 +105,8 @@ struct analysis analysis_of(const char *format, ...) {
 
 void analysis_free(struct analysis *a) {
     struct kept_rows *r = &a->rows;
-    double *const arrays[] = {r->time, r->displacement, r->velocity, r->acceleration, r->drift,
-                              r->shear, r->force, r->penetration, r->energy};
+    double *const arrays[] = {r->time,  r->displacement, r->velocity,    r->acceleration, r->drift,
+                              r->shear, r->force,        r->penetration, r->energy};
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
         free(arrays[i]);
     }

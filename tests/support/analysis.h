@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a deck given as text inside a test, keeping the rows of its histories. Whatever goes wrong fails
-// the test.
+// Runs a deck given as text inside a test, keeping the rows of its histories. Whatever goes wrong
+// fails the test.
 #ifndef JOSTLE_TEST_ANALYSIS_H
 #define JOSTLE_TEST_ANALYSIS_H
 
@@ -10,10 +10,10 @@
 struct kept_rows {
     long n, capacity;
     int n_dof, n_link;
-    double *time;                                                      // (n)
-    double *displacement, *velocity, *acceleration, *drift, *shear;    // (n, n_dof)
-    double *force, *penetration;                                       // (n, n_link)
-    double *energy;                                                    // (n, ENERGY_COUNT)
+    double *time;                                                    // (n)
+    double *displacement, *velocity, *acceleration, *drift, *shear;  // (n, n_dof)
+    double *force, *penetration;                                     // (n, n_link)
+    double *energy;                                                  // (n, ENERGY_COUNT)
 };
 
 struct analysis {

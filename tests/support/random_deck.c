@@ -46,10 +46,17 @@ __attribute__((format(printf, 2, 3))) static void add(struct maker *m, const cha
 
 static void add_damping(struct maker *m, int i) {
     switch (below(m, 4)) {
-        case 0: add(m, "damping B%d rayleigh %.4g\n", i, uniform(m, 0.0, 0.1)); break;
-        case 1: add(m, "damping B%d modal %.4g\n", i, uniform(m, 0.0, 0.2)); break;
-        case 2: add(m, "damping B%d dashpot %.4g\n", i, logarithmic(m, 1.0, 1e6)); break;
-        default: break;
+        case 0:
+            add(m, "damping B%d rayleigh %.4g\n", i, uniform(m, 0.0, 0.1));
+            break;
+        case 1:
+            add(m, "damping B%d modal %.4g\n", i, uniform(m, 0.0, 0.2));
+            break;
+        case 2:
+            add(m, "damping B%d dashpot %.4g\n", i, logarithmic(m, 1.0, 1e6));
+            break;
+        default:
+            break;
     }
 }
 
@@ -58,7 +65,8 @@ static void add_building(struct maker *m, int i) {
     double mass = logarithmic(m, 1e2, 1e8);
     double omega = logarithmic(m, 1.0, 100.0);
     double stiffness = below(m, 12) ? mass * omega * omega : 0.0;
-    add(m, "building B%d -floors %d -mass %.6g -stiffness %.6g\n", i, m->floors[i], mass, stiffness);
+    add(m, "building B%d -floors %d -mass %.6g -stiffness %.6g\n", i, m->floors[i], mass,
+        stiffness);
     if (stiffness > 0.0) {
         add_damping(m, i);
     }
@@ -72,8 +80,8 @@ static void add_building(struct maker *m, int i) {
 }
 
 static void add_law(struct maker *m) {
-    static const char *const law[] = {"linear",     "kelvin-voigt", "komodromos",
-                                      "hertz", "hertz-damp",   "jankowski"};
+    static const char *const law[] = {"linear", "kelvin-voigt", "komodromos",
+                                      "hertz",  "hertz-damp",   "jankowski"};
     int i = below(m, 6);
     add(m, " -law %s -k %.6g", law[i], logarithmic(m, 1e6, 1e13));
     if (i != 0 && i != 3) {
@@ -119,6 +127,7 @@ static void add_ground(struct maker *m) {
 }
 
 void random_deck(uint64_t seed, char *text, size_t size) {
+    text[0] = '\0';
     struct maker m = {.state = seed, .text = text, .size = size};
     m.n_building = 2 + below(&m, 3);
     for (int i = 0; i < m.n_building; i++) {
@@ -128,7 +137,8 @@ void random_deck(uint64_t seed, char *text, size_t size) {
     add_ground(&m);
     if (below(&m, 4) == 0) {
         double gamma = uniform(&m, 0.5, 0.9);
-        add(&m, "integrator newmark -gamma %.4g -beta %.4g\n", gamma, uniform(&m, gamma / 2.0, 0.6));
+        add(&m, "integrator newmark -gamma %.4g -beta %.4g\n", gamma,
+            uniform(&m, gamma / 2.0, 0.6));
     }
     double dt = logarithmic(&m, 1e-5, 0.05);
     add(&m, "step fixed %.6g\nduration %.6g\n", dt, dt * 250.0 < 3.0 ? dt * 250.0 : 3.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decks made at random: two to four buildings with every contact and storey law, gaps from 0, steps from
-// far below to far above the duration of a contact.
+// Decks made at random: two to four buildings with every contact and storey law, gaps from 0, steps
+// from far below to far above the duration of a contact.
 #ifndef JOSTLE_TEST_RANDOM_DECK_H
 #define JOSTLE_TEST_RANDOM_DECK_H
 

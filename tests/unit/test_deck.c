@@ -200,9 +200,9 @@ static void includes_are_found_beside_the_deck_and_cycles_are_reported(void **st
     const char *file = deck_file(d, &s.word[2], "f");
     assert_int_equal(strncmp(file, directory, strlen(directory)), 0);
     assert_string_equal(file + strlen(directory), "/f");
-    struct argument argument[CASE_ROWS];
+    struct argument argument[CASE_ROWS] = {0};
     case_read(d, argument);
-    assert_true(argument[CASE_GAP].number[0] == 3);
+    assert_true(argument[CASE_GAP].number && argument[CASE_GAP].number[0] == 3);
     assert_int_equal(d->diagnostics.n_error, 1);
     assert_string_equal(d->diagnostics.item[0].file, other);
     assert_int_equal(d->diagnostics.item[0].line, 3);

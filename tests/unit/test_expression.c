@@ -110,7 +110,7 @@ static void deep_expressions_end_in_an_error(void **state) {
         for (size_t used = strlen(text); used < 100000; used += strlen(pieces[i])) {
             memcpy(text + used, pieces[i], strlen(pieces[i]) + 1);
         }
-        strcat(text, "1}");
+        memcpy(text + strlen(text), "1}", sizeof "1}");
         struct deck *d = case_open(text, NULL, 0);
         struct argument argument[CASE_ROWS];
         case_read(d, argument);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The account of energy: with average acceleration it closes to rounding whatever acts; what it says is
-// dissipated agrees with what the impacts say.
+// The account of energy: with average acceleration it closes to rounding whatever acts; what it
+// says is dissipated agrees with what the impacts say.
 #include <math.h>
 
 #include "support/analysis.h"
 #include "support/support.h"
 
-#define PAIR                                                                                    \
-    "building A -floors 4 -mass 200t -stiffness 150MN/m\n"                                      \
-    "building B -floors 3 -mass 150t -stiffness 250MN/m\n"                                      \
-    "damping A rayleigh 5%%\ndamping B modal 3%%\n"                                              \
+#define PAIR                                                                                       \
+    "building A -floors 4 -mass 200t -stiffness 150MN/m\n"                                         \
+    "building B -floors 3 -mass 150t -stiffness 250MN/m\n"                                         \
+    "damping A rayleigh 5%%\ndamping B modal 3%%\n"                                                \
     "ground record input/records/ELCENTRO_1940_NS.AT2\nduration 8\n"
 
 // Residual relative to the input.
@@ -29,12 +29,13 @@ static void the_account_closes_with_contact_and_yielding_at_any_step(void **stat
     (void)state;
     const double step[] = {2e-4, 2e-3, 1e-2, 2e-2};
     for (size_t i = 0; i < sizeof step / sizeof step[0]; i++) {
-        struct analysis a = analysis_of(
-            PAIR "storey A:all bilinear -yield 900kN -hardening 0\n"
-            "storey B:1 bilinear -yield 1.2MN -hardening 0.05\n"
-            "contact A B -gap 5mm -law kelvin-voigt -k 93.5MN/m -e 0.65\n"
-            "link A:3 B:3 -dashpot 300kN*s^0.5/m^0.5 -exponent 0.5\n"
-            "step fixed %g\n", step[i]);
+        struct analysis a =
+            analysis_of(PAIR "storey A:all bilinear -yield 900kN -hardening 0\n"
+                             "storey B:1 bilinear -yield 1.2MN -hardening 0.05\n"
+                             "contact A B -gap 5mm -law kelvin-voigt -k 93.5MN/m -e 0.65\n"
+                             "link A:3 B:3 -dashpot 300kN*s^0.5/m^0.5 -exponent 0.5\n"
+                             "step fixed %g\n",
+                        step[i]);
         assert_true(residual(&a) < 1e-11);
         assert_true(a.results->energy[ENERGY_HYSTERETIC] > 0.0);
         assert_int_equal(a.results->totals.unsolved, 0);
@@ -59,8 +60,8 @@ static void the_account_closes_on_grounds_that_move_differently(void **state) {
 // The contact energy is the sum over impacts, and no impact of a dissipative law gives energy back.
 static void impacts_add_up_to_the_contact_energy(void **state) {
     (void)state;
-    struct analysis a = analysis_of(PAIR
-        "contact A B -gap 5mm -law jankowski -k 2.75e9 -e 0.65\nstep fixed 0.2ms\n");
+    struct analysis a = analysis_of(
+        PAIR "contact A B -gap 5mm -law jankowski -k 2.75e9 -e 0.65\nstep fixed 0.2ms\n");
     double sum = 0.0;
     double impulse = 0.0;
     for (long i = 0; i < a.results->n_impact; i++) {

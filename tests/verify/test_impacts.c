@@ -13,13 +13,12 @@ static const double M1 = 25e3, M2 = 40e3;
 static const double MASS = 15384.615384615385;  // m1 m2 / (m1 + m2)
 
 static struct analysis impact(const char *law, double dt) {
-    return analysis_of(
-        "building A -floors 1 -mass 25t -stiffness 0\n"
-        "building B -floors 1 -mass 40t -stiffness 0\n"
-        "initial A:1 -velocity 0.5\n"
-        "contact A B -gap 10mm -law %s\n"
-        "duration 0.08\nstep fixed %.17g\noutput -every 1\n",
-        law, dt);
+    return analysis_of("building A -floors 1 -mass 25t -stiffness 0\n"
+                       "building B -floors 1 -mass 40t -stiffness 0\n"
+                       "initial A:1 -velocity 0.5\n"
+                       "contact A B -gap 10mm -law %s\n"
+                       "duration 0.08\nstep fixed %.17g\noutput -every 1\n",
+                       law, dt);
 }
 
 static double restitution(const struct analysis *a) {
@@ -74,18 +73,18 @@ static void kelvin_voigt_delivers_the_restitution_asked_for(void **state) {
     }
 }
 
-// Restitutions that the published relations deliver: solutions of each law's equation of motion to ten
-// digits by an independent program.
+// Restitutions that the published relations deliver: solutions of each law's equation of motion to
+// ten digits by an independent program.
 static void published_relations_deliver_what_they_deliver(void **state) {
     (void)state;
     const struct {
         const char *law;
         double delivered;
     } known[] = {
-        {"komodromos -k 93.5e6 -e 0.4", 0.4720},       {"komodromos -k 93.5e6 -e 0.65", 0.6748},
-        {"hertz-damp -k 2.75e9 -e 0.4", 0.7016},       {"hertz-damp -k 2.75e9 -e 0.65", 0.7748},
-        {"hertz-damp -k 2.75e9 -e 0.9", 0.9132},       {"jankowski -k 2.75e9 -e 0.4", 0.3930},
-        {"jankowski -k 2.75e9 -e 0.65", 0.6470},       {"jankowski -k 2.75e9 -e 0.9", 0.8997},
+        {"komodromos -k 93.5e6 -e 0.4", 0.4720}, {"komodromos -k 93.5e6 -e 0.65", 0.6748},
+        {"hertz-damp -k 2.75e9 -e 0.4", 0.7016}, {"hertz-damp -k 2.75e9 -e 0.65", 0.7748},
+        {"hertz-damp -k 2.75e9 -e 0.9", 0.9132}, {"jankowski -k 2.75e9 -e 0.4", 0.3930},
+        {"jankowski -k 2.75e9 -e 0.65", 0.6470}, {"jankowski -k 2.75e9 -e 0.9", 0.8997},
     };
     for (size_t q = 0; q < sizeof known / sizeof known[0]; q++) {
         struct analysis a = impact(known[q].law, 1e-5);
@@ -96,9 +95,9 @@ static void published_relations_deliver_what_they_deliver(void **state) {
 
 static void momentum_is_kept_to_rounding(void **state) {
     (void)state;
-    const char *const law[] = {"linear -k 93.5e6", "kelvin-voigt -k 93.5e6 -e 0.3",
-                               "komodromos -k 93.5e6 -e 0.3", "hertz -k 2.75e9",
-                               "hertz-damp -k 2.75e9 -e 0.3", "jankowski -k 2.75e9 -e 0.3"};
+    const char *const law[] = {
+        "linear -k 93.5e6", "kelvin-voigt -k 93.5e6 -e 0.3", "komodromos -k 93.5e6 -e 0.3",
+        "hertz -k 2.75e9",  "hertz-damp -k 2.75e9 -e 0.3",   "jankowski -k 2.75e9 -e 0.3"};
     for (size_t q = 0; q < sizeof law / sizeof law[0]; q++) {
         struct analysis a = impact(law[q], 1e-4);
         for (long i = 0; i < a.rows.n; i++) {
@@ -112,9 +111,9 @@ static void momentum_is_kept_to_rounding(void **state) {
 // The account of energy closes to rounding at any step, also one that does not resolve the contact.
 static void energy_closes_at_every_step_size(void **state) {
     (void)state;
-    const char *const law[] = {"linear -k 93.5e6", "kelvin-voigt -k 93.5e6 -e 0.3",
-                               "komodromos -k 93.5e6 -e 0.3", "hertz -k 2.75e9",
-                               "hertz-damp -k 2.75e9 -e 0.3", "jankowski -k 2.75e9 -e 0.3"};
+    const char *const law[] = {
+        "linear -k 93.5e6", "kelvin-voigt -k 93.5e6 -e 0.3", "komodromos -k 93.5e6 -e 0.3",
+        "hertz -k 2.75e9",  "hertz-damp -k 2.75e9 -e 0.3",   "jankowski -k 2.75e9 -e 0.3"};
     const double step[] = {1e-5, 1e-3, 1e-2, 4e-2};
     for (size_t q = 0; q < sizeof law / sizeof law[0]; q++) {
         for (size_t s = 0; s < sizeof step / sizeof step[0]; s++) {
@@ -135,7 +134,8 @@ static double order(const char *law, double exact, double dt) {
     return log(ratio) / log(4.0);
 }
 
-// Splitting steps at the jumps of the force makes the dashpot second order; over a jump it would be one.
+// Splitting steps at the jumps of the force makes the dashpot second order; over a jump it would be
+// one.
 static void kelvin_voigt_converges_with_the_second_order(void **state) {
     (void)state;
     double p = order("kelvin-voigt -k 93.5e6 -e 0.65", 0.65, 3.7e-4);
@@ -145,12 +145,11 @@ static void kelvin_voigt_converges_with_the_second_order(void **state) {
 // Two bodies pressed together at rest by equal forces, gap 0: no impact velocity, no blow-up.
 static void bodies_pressed_together_from_rest_come_to_rest(void **state) {
     (void)state;
-    struct analysis a = analysis_of(
-        "building A -floors 1 -mass 25t -stiffness 0\n"
-        "building B -floors 1 -mass 25t -stiffness 0\n"
-        "load A:1 constant 10kN\nload B:1 constant -10kN\n"
-        "contact A B -gap 0 -law hertz-damp -k 2.75e9 -e 0.5\n"
-        "duration 2\nstep fixed 1e-4\n");
+    struct analysis a = analysis_of("building A -floors 1 -mass 25t -stiffness 0\n"
+                                    "building B -floors 1 -mass 25t -stiffness 0\n"
+                                    "load A:1 constant 10kN\nload B:1 constant -10kN\n"
+                                    "contact A B -gap 0 -law hertz-damp -k 2.75e9 -e 0.5\n"
+                                    "duration 2\nstep fixed 1e-4\n");
     long last = a.rows.n - 1;
     assert_close(a.rows.force[last], 10e3, 0.05);
     assert_close(a.rows.penetration[last], pow(10e3 / 2.75e9, 2.0 / 3.0), 0.05);

@@ -69,9 +69,9 @@ static void free_vibration_decays_as_its_ratio_says(void **state) {
 // At resonance the steady amplitude is (A / w^2) / (2 zeta).
 static void resonance_reaches_its_steady_amplitude(void **state) {
     (void)state;
-    struct analysis a = analysis_of(
-        "building A -floors 1 -mass 1 -stiffness ${(2*pi)^2}\ndamping A rayleigh 10%%\n"
-        "ground sine -amplitude 1 -frequency 1\nduration 20\nstep fixed 0.5ms\n");
+    struct analysis a =
+        analysis_of("building A -floors 1 -mass 1 -stiffness ${(2*pi)^2}\ndamping A rayleigh 10%%\n"
+                    "ground sine -amplitude 1 -frequency 1\nduration 20\nstep fixed 0.5ms\n");
     double steady = 1.0 / (4.0 * PI * PI) / 0.2;
     assert_close(a.results->peak[PEAK_DISPLACEMENT][0], steady, 2e-5);
     analysis_free(&a);
@@ -80,10 +80,10 @@ static void resonance_reaches_its_steady_amplitude(void **state) {
 // A mode shape given as initial state vibrates at its own frequency and stays a multiple of itself.
 static void a_mode_vibrates_alone(void **state) {
     (void)state;
-    struct analysis a = analysis_of(
-        "building A -floors 2 -mass 1 -stiffness 100\n"
-        "initial A:1 -displacement ${(sqrt(5)-1)/2}\ninitial A:2 -displacement 1\n"
-        "duration 3\nstep fixed 1e-4\n");
+    struct analysis a =
+        analysis_of("building A -floors 2 -mass 1 -stiffness 100\n"
+                    "initial A:1 -displacement ${(sqrt(5)-1)/2}\ninitial A:2 -displacement 1\n"
+                    "duration 3\nstep fixed 1e-4\n");
     double omega = 10.0 * 2.0 * sin(PI / 10.0);
     for (long i = 0; i < a.rows.n; i += 10) {
         double exact = cos(omega * a.rows.time[i]);
@@ -93,9 +93,9 @@ static void a_mode_vibrates_alone(void **state) {
     analysis_free(&a);
 }
 
-// A free body stays where it is while the ground moves: u = -u_ground, and the gap to a body on another
-// ground does not change. The sine under B starts with a jump of 1.7 m/s2, which a step takes half a step early
-// or late: 1.7 / 2 x 1e-4 m/s, in 1.9 s 1.6e-4 m.
+// A free body stays where it is while the ground moves: u = -u_ground, and the gap to a body on
+// another ground does not change. The sine under B starts with a jump of 1.7 m/s2, which a step
+// takes half a step early or late: 1.7 / 2 x 1e-4 m/s, in 1.9 s 1.6e-4 m.
 static void free_bodies_on_different_grounds_keep_their_distance(void **state) {
     (void)state;
     struct analysis a = analysis_of(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order of accuracy of an isolated impact, law by law: the error of the restitution, its root mean
-// square over closures at eight different phases of the step, for steps of 1/40 and 1/80 of the contact.
+// The order of accuracy of an isolated impact, law by law: the error of the restitution, its root
+// mean square over closures at eight different phases of the step, for steps of 1/40 and 1/80 of
+// the contact.
 #include <math.h>
 #include <stdio.h>
 
@@ -39,7 +40,8 @@ static void linear_springs_are_second_order(void **state) {
     assert_near(order("linear -k 93.5e6", 1.0), 2.0, 0.1);
 }
 
-// Splitting steps where the force jumps keeps the second order; stepping over a jump gives the first.
+// Splitting steps where the force jumps keeps the second order; stepping over a jump gives the
+// first.
 static void dashpots_that_jump_are_second_order(void **state) {
     (void)state;
     assert_near(order("kelvin-voigt -k 93.5e6 -e 0.65", 0.65), 2.0, 0.1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any deck ends: with finite numbers, a closed account of energy and every contact solved, or with a
-// truthful error. JOSTLE_LONG=1 runs ten thousand of them.
+// Any deck ends: with finite numbers, a closed account of energy and every contact solved, or with
+// a truthful error. JOSTLE_LONG=1 runs ten thousand of them.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -53,8 +53,8 @@ static void run_deck(uint64_t seed) {
     check_rows(&a);
     check_impacts(a.results, a.model->duration);
     bool closes = a.model->gamma == 0.5;
-    bool good = a.results->totals.unsolved == 0 &&
-                (!closes || a.results->residual_peak <= 1e-9 * flow(&a));
+    bool good =
+        a.results->totals.unsolved == 0 && (!closes || a.results->residual_peak <= 1e-9 * flow(&a));
     if (!good) {
         print_error("deck %llu: %ld unsolved, residual %g of %g\n%s", (unsigned long long)seed,
                     a.results->totals.unsolved, a.results->residual_peak, flow(&a), text);

@@ -9,13 +9,17 @@
 enum { K, N, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k", ROW_NUMBER, ROW_REQUIRED | ROW_PER_LENGTH_POWER, {1, 0, 0}, &range_positive, NAN,
+    [K] = {"k",
+           ROW_NUMBER,
+           ROW_REQUIRED | ROW_PER_LENGTH_POWER,
+           {1, 0, 0},
+           &range_positive,
+           NAN,
            "impact stiffness"},
     [N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
 };
 
-static int hertz_prepare(const double *value, double m_eff, double *constant,
-    struct error *e) {
+static int hertz_prepare(const double *value, double m_eff, double *constant, struct error *e) {
     (void)m_eff, (void)e;
     constant[K] = value[K];
     constant[N] = value[N];

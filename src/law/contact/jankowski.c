@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Jankowski's non-linear viscoelastic law: F = k d^(3/2) + c v while v > 0, F = k d^(3/2) after, with
-// c = 2 zeta sqrt(k sqrt(d) m), m the effective mass.
+// Jankowski's non-linear viscoelastic law: F = k d^(3/2) + c v while v > 0, F = k d^(3/2) after,
+// with c = 2 zeta sqrt(k sqrt(d) m), m the effective mass.
 //
-// The printed relation zeta(e) is (9 sqrt5 / 2) (1 - e^2) / (e (e (9 pi - 16) + 16)) (one paper drops the
-// leading e of the denominator); it delivers 0.647 for 0.65. c grows like d^(1/4): the slope of the
-// force is infinite at d = 0, and jumps at v = 0. An approach renewed within one contact is damped again.
+// The printed relation zeta(e) is (9 sqrt5 / 2) (1 - e^2) / (e (e (9 pi - 16) + 16)) (one paper
+// drops the leading e of the denominator); it delivers 0.647 for 0.65. c grows like d^(1/4): the
+// slope of the force is infinite at d = 0, and jumps at v = 0. An approach renewed within one
+// contact is damped again.
 #include <gsl/gsl_math.h>
 #include <math.h>
 
@@ -25,8 +26,7 @@ static double published_zeta(double e) {
     return 4.5 * sqrt(5.0) * (1.0 - e * e) / (e * (e * (9.0 * M_PI - 16.0) + 16.0));
 }
 
-static int jankowski_prepare(const double *value, double m_eff, double *constant,
-    struct error *e) {
+static int jankowski_prepare(const double *value, double m_eff, double *constant, struct error *e) {
     (void)e;
     double zeta = restitution_ratio(value[E], value[ZETA], published_zeta);
     constant[STIFFNESS] = value[K];
@@ -52,8 +52,9 @@ const struct contact_law contact_jankowski = {
     .summary = "Hertz with a dashpot during approach",
     .formula = "F = k d^1.5 + c v while v > 0, k d^1.5 after; c = 2 zeta sqrt(k sqrt(d) m*), "
                "zeta = (9 sqrt5 / 2)(1 - e^2) / (e (e (9 pi - 16) + 16))",
-    .source = "Jankowski (2005), Earthquake Eng. Struct. Dyn. 34, 595-611; zeta(e): Jankowski (2006), "
-              "ibid. 35, 517-524",
+    .source =
+        "Jankowski (2005), Earthquake Eng. Struct. Dyn. 34, 595-611; zeta(e): Jankowski (2006), "
+        "ibid. 35, 517-524",
     .remarks = "never pulls; no jump at closure; close to e for e above 0.4",
     .row = rows,
     .n_row = N_ROW,

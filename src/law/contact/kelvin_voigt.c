@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kelvin-Voigt: linear spring and dashpot, F = k d + c v, c = 2 zeta sqrt(k m).
 //
-// The tension just before separation is kept, so that an isolated impact delivers exactly the e that
-// zeta was made from. The force jumps from 0 to c v0 at closure, and from its tension to 0 at opening.
+// The tension just before separation is kept, so that an isolated impact delivers exactly the e
+// that zeta was made from. The force jumps from 0 to c v0 at closure, and from its tension to 0 at
+// opening.
 #include <math.h>
 
 #include "law/contact_list.h"
@@ -18,7 +19,7 @@ static const struct row rows[N_ROW] = {
 };
 
 static int kelvin_voigt_prepare(const double *value, double m_eff, double *constant,
-    struct error *e) {
+                                struct error *e) {
     (void)e;
     double zeta = restitution_ratio(value[E], value[ZETA], restitution_kelvin_voigt);
     constant[STIFFNESS] = value[K];

@@ -2,8 +2,8 @@
 // Kelvin-Voigt without tension: F = max(0, k d + c v), c = 2 zeta sqrt(k m).
 //
 // The bodies part when the force reaches zero, while d is still positive; the spring then relaxes
-// without force. Less energy is lost than with the tension kept: with the published zeta an e of 0.65
-// comes out as 0.6748. The force jumps at closure; its slope jumps where it reaches zero.
+// without force. Less energy is lost than with the tension kept: with the published zeta an e of
+// 0.65 comes out as 0.6748. The force jumps at closure; its slope jumps where it reaches zero.
 #include <math.h>
 
 #include "law/contact_list.h"
@@ -19,7 +19,7 @@ static const struct row rows[N_ROW] = {
 };
 
 static int komodromos_prepare(const double *value, double m_eff, double *constant,
-    struct error *e) {
+                              struct error *e) {
     (void)e;
     double zeta = restitution_ratio(value[E], value[ZETA], restitution_kelvin_voigt);
     constant[STIFFNESS] = value[K];
@@ -34,16 +34,16 @@ static struct contact_response komodromos_force(const double *c, const double *h
     if (force <= 0.0) {
         return (struct contact_response){0};
     }
-    return (struct contact_response){
-        .force = force, .dfdd = c[STIFFNESS], .dfdv = c[DASHPOT]};
+    return (struct contact_response){.force = force, .dfdd = c[STIFFNESS], .dfdv = c[DASHPOT]};
 }
 
 const struct contact_law contact_komodromos = {
     .name = "komodromos",
     .summary = "linear spring and dashpot without tension",
     .formula = "F = max(0, k d + c v), c = 2 zeta sqrt(k m*), zeta = -ln e / sqrt(pi^2 + ln^2 e)",
-    .source = "Komodromos, Polycarpou, Papaloizou & Phocas (2007), Earthquake Eng. Struct. Dyn. 36, "
-              "1685-1703",
+    .source =
+        "Komodromos, Polycarpou, Papaloizou & Phocas (2007), Earthquake Eng. Struct. Dyn. 36, "
+        "1685-1703",
     .remarks = "never pulls; jumps at closure; delivers more than e",
     .row = rows,
     .n_row = N_ROW,

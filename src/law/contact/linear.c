@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Linear spring: F = k d.
 //
-// An isolated impact with approach velocity v0 and effective mass m is half a period of an oscillator:
-// d_max = v0 sqrt(m/k), F_max = v0 sqrt(k m), duration pi sqrt(m/k).
+// An isolated impact with approach velocity v0 and effective mass m is half a period of an
+// oscillator: d_max = v0 sqrt(m/k), F_max = v0 sqrt(k m), duration pi sqrt(m/k).
 #include "law/contact_list.h"
 
 enum { K, N_ROW };
@@ -11,8 +11,7 @@ static const struct row rows[N_ROW] = {
     [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
 };
 
-static int linear_prepare(const double *value, double m_eff, double *constant,
-    struct error *e) {
+static int linear_prepare(const double *value, double m_eff, double *constant, struct error *e) {
     (void)m_eff, (void)e;
     constant[K] = value[K];
     return STATUS_OK;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bilinear storey with kinematic hardening: an elastic spring R k beside an elastic, perfectly plastic
-// one of stiffness (1 - R) k and strength (1 - R) V_y; V_y is the storey shear at first yield.
+// Bilinear storey with kinematic hardening: an elastic spring R k beside an elastic, perfectly
+// plastic one of stiffness (1 - R) k and strength (1 - R) V_y; V_y is the storey shear at first
+// yield.
 //
 //     V = R k drift + S,   S = (1 - R) k (drift - plastic),   |S| <= (1 - R) V_y.
 //
-// The plastic drift follows by projecting the trial S onto its strength (return mapping, exact for a
-// path that does not turn within the step): Simo & Hughes (1998), Computational Inelasticity, ch. 1.
-// The tangent is k or R k and jumps between them. R = 0 is elastoplastic.
+// The plastic drift follows by projecting the trial S onto its strength (return mapping, exact for
+// a path that does not turn within the step): Simo & Hughes (1998), Computational Inelasticity,
+// ch. 1. The tangent is k or R k and jumps between them. R = 0 is elastoplastic.
 #include <math.h>
 
 #include "law/storey_list.h"
@@ -19,9 +20,19 @@ static const struct range hardening_range = {
     .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
 
 static const struct row rows[N_ROW] = {
-    [YIELD] = {"yield", ROW_LIST, ROW_REQUIRED, {1, 0, 0}, &range_positive, NAN,
+    [YIELD] = {"yield",
+               ROW_LIST,
+               ROW_REQUIRED,
+               {1, 0, 0},
+               &range_positive,
+               NAN,
                "storey shear at first yield"},
-    [HARDENING] = {"hardening", ROW_NUMBER, ROW_REQUIRED, {0}, &hardening_range, NAN,
+    [HARDENING] = {"hardening",
+                   ROW_NUMBER,
+                   ROW_REQUIRED,
+                   {0},
+                   &hardening_range,
+                   NAN,
                    "stiffness after yield over initial stiffness"},
 };
 
@@ -43,8 +54,8 @@ static struct storey_response bilinear_shear(const double *c, const double *h, d
     if (fabs(trial) <= c[STRENGTH]) {
         return (struct storey_response){.shear = back + trial, .tangent = c[BACK] + c[SPRING]};
     }
-    return (struct storey_response){
-        .shear = back + copysign(c[STRENGTH], trial), .tangent = c[BACK]};
+    return (struct storey_response){.shear = back + copysign(c[STRENGTH], trial),
+                                    .tangent = c[BACK]};
 }
 
 static void bilinear_commit(const double *c, double *h, double drift) {

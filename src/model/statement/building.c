@@ -14,9 +14,19 @@ static const struct range floors_range = {
 static const struct row rows[N_ROW] = {
     [FLOORS] = {"floors", ROW_INTEGER, ROW_REQUIRED, {0}, &floors_range, NAN, "number of floors"},
     [MASS] = {"mass", ROW_LIST, ROW_REQUIRED, {1, -1, 2}, &range_positive, NAN, "floor masses"},
-    [STIFFNESS] = {"stiffness", ROW_LIST, ROW_REQUIRED, {1, -1, 0}, &range_non_negative, NAN,
+    [STIFFNESS] = {"stiffness",
+                   ROW_LIST,
+                   ROW_REQUIRED,
+                   {1, -1, 0},
+                   &range_non_negative,
+                   NAN,
                    "storey stiffnesses; 0: a free body"},
-    [HEIGHT] = {"height", ROW_LIST, 0, {0, 1, 0}, &range_positive, NAN,
+    [HEIGHT] = {"height",
+                ROW_LIST,
+                0,
+                {0, 1, 0},
+                &range_positive,
+                NAN,
                 "storey heights, for drift ratios"},
 };
 
@@ -37,8 +47,8 @@ static bool check_name(struct builder *b, const struct word *w, const char *name
         return false;
     }
     if (!good_name(name)) {
-        deck_error(b->deck, w, "'%.70s' cannot name a building; use up to 64 letters, digits, _ and -",
-                   name);
+        deck_error(b->deck, w,
+                   "'%.70s' cannot name a building; use up to 64 letters, digits, _ and -", name);
         return false;
     }
     for (int i = 0; i < b->buildings.n; i++) {

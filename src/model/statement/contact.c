@@ -8,16 +8,26 @@ static const struct row rows[N_ROW] = {
     [GAP] = {"gap", ROW_LIST, ROW_REQUIRED, {0, 1, 0}, NULL, NAN, "clear distance at rest"},
     [LAW] = {"law", ROW_TEXT, ROW_REQUIRED, {0}, NULL, NAN, "contact law, see `jostle laws`"},
     [NAME] = {"name", ROW_TEXT, 0, {0}, NULL, NAN, "name of the contact"},
-    [MEFF] = {"meff", ROW_NUMBER, 0, {1, -1, 2}, &range_positive, NAN,
+    [MEFF] = {"meff",
+              ROW_NUMBER,
+              0,
+              {1, -1, 2},
+              &range_positive,
+              NAN,
               "effective mass in place of m1 m2 / (m1 + m2)"},
-    [OVERLAP] = {"allow-overlap", ROW_FLAG, 0, {0}, NULL, NAN,
+    [OVERLAP] = {"allow-overlap",
+                 ROW_FLAG,
+                 0,
+                 {0},
+                 NULL,
+                 NAN,
                  "allow a negative gap, or an initial penetration"},
 };
 
 static const struct contact_law *find_law(struct builder *b, const struct statement *s) {
-    static const char *const later[] = {
-        "stereomechanical", "bilinear", "ye-kelvin", "mahmoud-jankowski", "ye-hertz-damp",
-        "hunt-crossley",    "khatami",  "wang",      NULL};
+    static const char *const later[] = {"stereomechanical",  "bilinear",      "ye-kelvin",
+                                        "mahmoud-jankowski", "ye-hertz-damp", "hunt-crossley",
+                                        "khatami",           "wang",          NULL};
     int n = 0;
     const struct word *w = deck_option(s, "law", &n);
     if (!w || n == 0) {
@@ -57,7 +67,8 @@ static void append(struct builder *b, const struct pairs *p, const struct contac
     const char *name = pairs_name(b, &own[NAME], &good);
     const double *gap = builder_spread(b, &own[GAP], p->n, "contacts");
     for (int k = 0; good && gap && k < p->n; k++) {
-        struct link_draft *d = pairs_append(b, p, k, name, own[NAME].given ? own[NAME].word : p->word);
+        struct link_draft *d =
+            pairs_append(b, p, k, name, own[NAME].given ? own[NAME].word : p->word);
         if (!d) {
             return;
         }

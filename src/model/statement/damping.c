@@ -5,10 +5,8 @@
 
 enum { MODES, ALPHA, BETA, N_ROW };
 
-static const struct range mode_range = {
-    .min = 1.0, .max = FLOORS_MAX, .text = ">= 1 and <= 1000"};
-static const struct range ratio_range = {
-    .min = 0.0, .max = 2.0, .text = ">= 0 and <= 2"};
+static const struct range mode_range = {.min = 1.0, .max = FLOORS_MAX, .text = ">= 1 and <= 1000"};
+static const struct range ratio_range = {.min = 0.0, .max = 2.0, .text = ">= 0 and <= 2"};
 
 static const struct row rows[N_ROW] = {
     [MODES] = {"modes", ROW_LIST, 0, {0}, &mode_range, NAN, "the two modes of Rayleigh ratios"},
@@ -16,10 +14,10 @@ static const struct row rows[N_ROW] = {
     [BETA] = {"beta", ROW_NUMBER, 0, {0, 0, 1}, NULL, NAN, "stiffness-proportional coefficient"},
 };
 
-static const struct row ratio_row = {
-    "ratio", ROW_LIST, ROW_REQUIRED, {0, 0, 0}, &ratio_range, NAN, "damping ratio"};
-static const struct row dashpot_row = {
-    "dashpot", ROW_LIST, ROW_REQUIRED, {1, -1, 1}, &range_non_negative, NAN, "storey dashpots"};
+static const struct row ratio_row = {"ratio",      ROW_LIST, ROW_REQUIRED,   {0, 0, 0},
+                                     &ratio_range, NAN,      "damping ratio"};
+static const struct row dashpot_row = {"dashpot",           ROW_LIST, ROW_REQUIRED,     {1, -1, 1},
+                                       &range_non_negative, NAN,      "storey dashpots"};
 
 static bool refuse_options(struct builder *b, const struct argument *a, const char *kind) {
     for (int i = 0; i < N_ROW; i++) {
@@ -84,8 +82,9 @@ static void rayleigh(struct builder *b, struct building_draft *d, const struct a
         return;
     }
     if (ratio.n > 2 || (ratio.n == 2 && d->n_floor == 1)) {
-        deck_error(b->deck, &s->word[3], "rayleigh takes %s", d->n_floor == 1
-                       ? "one ratio for a building of one storey" : "one or two ratios");
+        deck_error(b->deck, &s->word[3], "rayleigh takes %s",
+                   d->n_floor == 1 ? "one ratio for a building of one storey"
+                                   : "one or two ratios");
         return;
     }
     double *value = builder_spread(b, &ratio, 2, "modes");
@@ -141,8 +140,9 @@ static void build(struct builder *b, const struct statement *s) {
 
 const struct statement_kind statement_damping = {
     .name = "damping",
-    .usage = "NAME rayleigh RATIO [RATIO2] [-modes I J] | rayleigh -alpha A0 -beta A1 | modal LIST | "
-             "dashpot LIST",
+    .usage =
+        "NAME rayleigh RATIO [RATIO2] [-modes I J] | rayleigh -alpha A0 -beta A1 | modal LIST | "
+        "dashpot LIST",
     .summary = "damping of a building alone, on its initial stiffness; without it there is none",
     .example = "damping A rayleigh 5% -modes 1 3",
     .row = rows,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/statement.h"
 
-static const struct row time_row = {
-    "duration", ROW_NUMBER, ROW_REQUIRED, {0, 0, 1}, &range_positive, NAN, "duration"};
+static const struct row time_row = {"duration",      ROW_NUMBER, ROW_REQUIRED, {0, 0, 1},
+                                    &range_positive, NAN,        "duration"};
 
 static void build(struct builder *b, const struct statement *s) {
     struct argument time = {0};

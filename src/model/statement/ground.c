@@ -14,25 +14,35 @@ static const struct row record_rows[N_RECORD_ROW] = {
     [R_UNIT] = {"unit", ROW_TEXT, 0, {0}, NULL, NAN, "unit of the values: g, m/s2, cm/s2, gal ..."},
     [R_DT] = {"dt", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "time between samples"},
     [R_SCALE] = {"scale", ROW_NUMBER, 0, {0}, NULL, 1.0, "factor; negative turns the record round"},
-    [R_PGA] = {"pga", ROW_NUMBER, 0, {0, 1, -2}, &range_positive, NAN,
+    [R_PGA] = {"pga",
+               ROW_NUMBER,
+               0,
+               {0, 1, -2},
+               &range_positive,
+               NAN,
                "peak ground acceleration to scale to"},
-    [R_DELAY] = {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0,
-                 "time of the first sample"},
-    [R_BUILDINGS] = {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN,
-                     "buildings it acts under; all if not given"},
+    [R_DELAY] =
+        {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0, "time of the first sample"},
+    [R_BUILDINGS] =
+        {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN, "buildings it acts under; all if not given"},
 };
 
 static const struct row sine_rows[N_SINE_ROW] = {
-    [SINE_AMPLITUDE] = {"amplitude", ROW_NUMBER, ROW_REQUIRED, {0, 1, -2}, NULL, NAN,
-                        "peak ground acceleration"},
-    [SINE_FREQUENCY] = {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN,
-                        "frequency"},
+    [SINE_AMPLITUDE] =
+        {"amplitude", ROW_NUMBER, ROW_REQUIRED, {0, 1, -2}, NULL, NAN, "peak ground acceleration"},
+    [SINE_FREQUENCY] =
+        {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN, "frequency"},
     [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},
-    [SINE_CYCLES] = {"cycles", ROW_NUMBER, 0, {0}, &range_positive, NAN,
+    [SINE_CYCLES] = {"cycles",
+                     ROW_NUMBER,
+                     0,
+                     {0},
+                     &range_positive,
+                     NAN,
                      "number of cycles; endless if not given"},
     [S_DELAY] = {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0, "time of the start"},
-    [S_BUILDINGS] = {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN,
-                     "buildings it acts under; all if not given"},
+    [S_BUILDINGS] =
+        {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN, "buildings it acts under; all if not given"},
 };
 
 enum { N_VARIANT = 2 };
@@ -162,9 +172,10 @@ static void build(struct builder *b, const struct statement *s) {
 
 const struct statement_kind statement_ground = {
     .name = "ground",
-    .usage = "record FILE [-format F] [-unit U] [-dt DT] [-scale S | -pga A] [-delay T] [-buildings "
-             "NAMES] | sine -amplitude A -frequency F [-phase P] [-cycles N] [-delay T] [-buildings "
-             "NAMES]",
+    .usage =
+        "record FILE [-format F] [-unit U] [-dt DT] [-scale S | -pga A] [-delay T] [-buildings "
+        "NAMES] | sine -amplitude A -frequency F [-phase P] [-cycles N] [-delay T] [-buildings "
+        "NAMES]",
     .summary = "ground acceleration; several under one building add up",
     .example = "ground record records/ELCENTRO_1940_NS.AT2 -pga 0.35g",
     .variant = variants,

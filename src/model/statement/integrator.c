@@ -10,15 +10,16 @@ static const struct range beta_range = {.min = 0.0, .max = 1.0, .text = ">= 0 an
 static const struct range gamma_range = {.min = 0.5, .max = 1.0, .text = ">= 0.5 and <= 1"};
 
 static const struct row rows[N_ROW] = {
-    [BETA] = {"beta", ROW_NUMBER, 0, {0}, &beta_range, 0.25, "0: explicit, 1/6: linear acceleration"},
+    [BETA] =
+        {"beta", ROW_NUMBER, 0, {0}, &beta_range, 0.25, "0: explicit, 1/6: linear acceleration"},
     [GAMMA] = {"gamma", ROW_NUMBER, 0, {0}, &gamma_range, 0.5, "above 1/2: numerical damping"},
 };
 
 static void build(struct builder *b, const struct statement *s) {
     static const char *const known[] = {"newmark"};
     struct argument a[N_ROW] = {0};
-    bool good = builder_plain(b, s, 1, 1, statement_integrator.usage) &&
-                builder_once(b, &b->integrator, s);
+    bool good =
+        builder_plain(b, s, 1, 1, statement_integrator.usage) && builder_once(b, &b->integrator, s);
     if (good && strcmp(s->word[1].text, "dormand-prince") == 0) {
         deck_error(b->deck, &s->word[1],
                    "dormand-prince is not available in this version; use newmark");

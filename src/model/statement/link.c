@@ -19,7 +19,8 @@ static void append(struct builder *b, const struct pairs *p, const struct argume
     bool good = true;
     const char *name = pairs_name(b, &own[NAME], &good);
     for (int k = 0; good && k < p->n; k++) {
-        struct link_draft *d = pairs_append(b, p, k, name, own[NAME].given ? own[NAME].word : p->word);
+        struct link_draft *d =
+            pairs_append(b, p, k, name, own[NAME].given ? own[NAME].word : p->word);
         if (!d) {
             return;
         }

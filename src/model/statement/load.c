@@ -10,10 +10,15 @@ enum { H_DT, H_SCALE, N_HISTORY_ROW };
 
 static const struct row sine_rows[SINE_ROWS] = {
     [SINE_AMPLITUDE] = {"amplitude", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0}, NULL, NAN, "peak force"},
-    [SINE_FREQUENCY] = {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN,
-                        "frequency"},
+    [SINE_FREQUENCY] =
+        {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN, "frequency"},
     [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},
-    [SINE_CYCLES] = {"cycles", ROW_NUMBER, 0, {0}, &range_positive, NAN,
+    [SINE_CYCLES] = {"cycles",
+                     ROW_NUMBER,
+                     0,
+                     {0},
+                     &range_positive,
+                     NAN,
                      "number of cycles; endless if not given"},
 };
 
@@ -22,7 +27,8 @@ static const struct row history_rows[N_HISTORY_ROW] = {
     [H_SCALE] = {"scale", ROW_NUMBER, 0, {0}, NULL, 1.0, "factor"},
 };
 
-static const struct row force_row = {"force", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0}, NULL, NAN, "force"};
+static const struct row force_row = {"force", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0},
+                                     NULL,    NAN,        "force"};
 
 enum { N_VARIANT = 3 };
 static const struct statement_variant variants[N_VARIANT] = {
@@ -45,7 +51,8 @@ static bool read_constant(struct builder *b, const struct statement *s, struct s
 
 static bool read_sine(struct builder *b, const struct statement *s, struct signal *out) {
     struct argument a[SINE_ROWS] = {0};
-    bool good = builder_plain(b, s, 2, 2, "BUILDING:FLOORS sine -amplitude A -frequency F [-phase P]");
+    bool good =
+        builder_plain(b, s, 2, 2, "BUILDING:FLOORS sine -amplitude A -frequency F [-phase P]");
     if (!deck_options(b->deck, s, &(struct row_set){sine_rows, SINE_ROWS, a}, 1) || !good) {
         return false;
     }
@@ -94,8 +101,8 @@ static void append(struct builder *b, const struct selection *floors, const stru
 
 static void build(struct builder *b, const struct statement *s) {
     static const char *const kinds[] = {"constant", "sine", "history"};
-    static bool (*const read[])(struct builder *, const struct statement *, struct signal *) = {
-        read_constant, read_sine, read_history};
+    static bool (*const read[])(struct builder *, const struct statement *,
+                                struct signal *) = {read_constant, read_sine, read_history};
     if (s->n_plain < 3) {
         deck_error(b->deck, &s->word[0], "too few words; usage: load %s", statement_load.usage);
         return;

@@ -9,7 +9,12 @@ static const struct range every_range = {.min = 1.0, .max = 1e9, .text = ">= 1 a
 
 static const struct row rows[N_ROW] = {
     [EVERY] = {"every", ROW_INTEGER, 0, {0}, &every_range, NAN, "steps from row to row"},
-    [INTERVAL] = {"interval", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN,
+    [INTERVAL] = {"interval",
+                  ROW_NUMBER,
+                  0,
+                  {0, 0, 1},
+                  &range_positive,
+                  NAN,
                   "time from row to row, a multiple of the step; default 0.01 s"},
     [FIELDS] = {"fields", ROW_TEXTS, 0, {0}, NULL, NAN, "histories written; all if not given"},
     [PRECISION] = {"precision", ROW_TEXT, 0, {0}, NULL, NAN, "single: histories in 32 bits"},

@@ -3,8 +3,8 @@
 
 #include "model/statement.h"
 
-static const struct row dt_row = {
-    "step", ROW_NUMBER, ROW_REQUIRED, {0, 0, 1}, &range_positive, NAN, "time step"};
+static const struct row dt_row = {"step",          ROW_NUMBER, ROW_REQUIRED, {0, 0, 1},
+                                  &range_positive, NAN,        "time step"};
 
 static void build(struct builder *b, const struct statement *s) {
     static const char *const known[] = {"fixed"};
