@@ -120,8 +120,9 @@ check-long: $(PROGRAM) $(TESTS) $(LONG)
 	    $(B)/log $(TESTS) $(LONG) $(SCRIPTS) $(LONG_SCRIPTS)
 
 asan: setup  ## the tests under the address and undefined-behaviour sanitizers
-	@ASAN_OPTIONS=abort_on_error=0:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
-	    $(MAKE) check BUILD=build/asan SANITIZE=address,undefined CFLAGS='-O1 -g'
+	@ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
+	    LSAN_OPTIONS=suppressions=$(CURDIR)/tests/support/lsan.supp:print_suppressions=0 \
+	    JOSTLE_SANITIZED=1 $(MAKE) check BUILD=build/asan SANITIZE=address,undefined CFLAGS='-O1 -g'
 
 coverage: setup  ## the tests, and the share of lines of each file that they run
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null || :

@@ -104,7 +104,8 @@ struct results {
     struct totals totals;
 };
 
-// Runs the model from t = 0 to its duration. Errors: STATUS_FAILED (a state that is not finite;
+// Runs the model from t = 0 to its duration. GSL must not abort on its own errors: call
+// gsl_set_error_handler_off() before. Errors: STATUS_FAILED (a state that is not finite;
 // names the floor and the time), STATUS_SYSTEM (no memory), or what the observer returned.
 int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
                  struct error *e);

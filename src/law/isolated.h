@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One isolated impact of two free bodies under a contact law, integrated to rounding: what a law and its
-// constants deliver, apart from any building. The solver does not use it.
+// One isolated impact of two free bodies under a contact law, integrated to rounding: what a law
+// and its constants deliver, apart from any building. The solver does not use it.
 #ifndef JOSTLE_ISOLATED_H
 #define JOSTLE_ISOLATED_H
 
@@ -26,11 +26,11 @@ struct isolated_observer {
     void *context;
 };
 
-// Integrates m d'' = -F(d, d') from d = 0, d' = velocity > 0 until d = 0 again, with m the effective
-// mass and the law's history kept as in an analysis (close, commit). Errors: STATUS_FAILED (the bodies do
-// not part, or not finite), STATUS_SYSTEM (no memory).
-int isolated_run(const struct contact_law *law, const double *constant, double mass, double velocity,
-                 const struct isolated_observer *observer, struct isolated_impact *out,
-                 struct error *e);
+// Integrates m d'' = -F(d, d') from d = 0, d' = velocity > 0 until d = 0 again, with m the
+// effective mass and the law's history kept as in an analysis (close, commit). Errors:
+// STATUS_FAILED (the bodies do not part, or not finite), STATUS_SYSTEM (no memory).
+int isolated_run(const struct contact_law *law, const double *constant, double mass,
+                 double velocity, const struct isolated_observer *observer,
+                 struct isolated_impact *out, struct error *e);
 
 #endif

@@ -21,12 +21,6 @@ static const struct building *twin(const struct building *first, int n, const st
 // Frequencies, shapes and damping matrix of building i.
 static int finish_modes(struct builder *b, struct building *all, int i, struct error *e) {
     struct building *g = &all[i];
-    size_t n = (size_t)g->n_floor;
-    double *omega = builder_array(b, n, sizeof *omega);
-    double *shape = builder_array(b, n * n, sizeof *shape);
-    if (!omega || !shape) {
-        return error_no_memory(e);
-    }
     const struct building *same = twin(all, i, g);
     const struct building_draft *d = builder_draft(b, i);
     if (same && d->damping.kind != DAMPING_MODAL) {
@@ -34,6 +28,12 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
         g->shape = same->shape;
         damping_matrix(b, d, g->omega, NULL, g);
         return STATUS_OK;
+    }
+    size_t n = (size_t)g->n_floor;
+    double *omega = builder_array(b, n, sizeof *omega);
+    double *shape = builder_array(b, n * n, sizeof *shape);
+    if (!omega || !shape) {
+        return error_no_memory(e);
     }
     int status = modes_solve(g->n_floor, g->mass, g->stiffness, omega, shape, e);
     if (status != STATUS_OK) {

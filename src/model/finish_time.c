@@ -2,8 +2,10 @@
 // A Newmark integrator with 2 beta < gamma is stable only up to a step of
 //     omega dt <= 1 / sqrt(gamma / 2 - beta)
 // for the undamped mode omega: Hughes (2000), The Finite Element Method, eq. 9.2.13.
+#include <float.h>
 #include <math.h>
 
+#include "law/bilateral.h"
 #include "model/finish.h"
 
 // More steps than this are taken for a mistake: they would run for hours.
@@ -14,7 +16,8 @@ static const double ROUNDING = 1e-9;          // of the step, in counting steps
 static void count_steps(struct builder *b, struct model *m) {
     m->dt = b->dt;
     m->duration = b->duration.text ? b->run_time : b->longest;
-    double n = ceil(m->duration / m->dt - ROUNDING);
+    double ratio = m->duration / m->dt;
+    double n = ceil(ratio - fmax(ROUNDING, 4.0 * DBL_EPSILON * ratio));
     if (!(n <= STEPS_MAX)) {
         deck_error(b->deck, &b->step, "%.3g steps are too many; at most %.3g", n, STEPS_MAX);
         n = 1.0;
@@ -42,6 +45,19 @@ static void count_rows(struct builder *b, struct model *m) {
     m->output.every = (int)fmin(fmax(every, 1.0), 1e9);
 }
 
+// The largest omega^2 of a floor's links alone, sum of k (1/m1 + 1/m2); contacts are left out, as
+// steps are cut for them.
+static double links_omega_square(const struct model *m, int dof) {
+    double sum = 0.0;
+    for (int k = m->n_contact; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        if (l->dof[0] == dof || l->dof[1] == dof) {
+            sum += l->constant[BILATERAL_STIFFNESS] / l->mass;
+        }
+    }
+    return sum;
+}
+
 static void check_stability(struct builder *b, struct model *m) {
     double excess = m->gamma / 2.0 - m->beta;
     if (excess <= 0.0) {
@@ -51,11 +67,17 @@ static void check_stability(struct builder *b, struct model *m) {
     const char *unit = b->deck->units.time_name;
     for (int i = 0; i < m->n_building; i++) {
         const struct building *g = &m->building[i];
-        double omega = g->omega[g->n_floor - 1];
+        double square = 0.0;
+        for (int j = g->first; j < g->first + g->n_floor; j++) {
+            square = fmax(square, links_omega_square(m, j));
+        }
+        double omega = sqrt(pow(g->omega[g->n_floor - 1], 2.0) + square);
         if (omega * m->dt > limit) {
-            deck_error(b->deck, &b->step,
-                       "step %.6g %s is unstable with beta = %g: building %s needs at most %.4g %s",
-                       m->dt, unit, m->beta, g->name, limit / omega, unit);
+            deck_error(
+                b->deck, &b->step,
+                "step %.6g %s is unstable with beta = %g: building %s%s needs at most %.4g %s",
+                m->dt, unit, m->beta, g->name, square > 0.0 ? " with its links" : "", limit / omega,
+                unit);
             return;
         }
     }

@@ -12,13 +12,6 @@
 // Converged: in one sweep no force changes by more than the tolerance relative to the largest, or
 // the change moves the link by less than the rounding of its displacements. The latter keeps
 // grazing contacts, whose force is all rounding, from iterating for ever.
-//
-// A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
-// gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
-// impacts make nonsense of a run. So a step is cut until it is a tenth of that at most, k S_ll h^2
-// <= (pi / 10)^2, and until it resolves the decay that the dashpot of the law alone would cause,
-// gamma h S_ll dF/dv <= 1/2. k is the slope of the law at v = 0: with v, Jankowski's is infinite at
-// every closure.
 #include "solve/contact.h"
 
 #include <float.h>
@@ -27,13 +20,10 @@
 
 #include "solve/block.h"
 #include "solve/crossing.h"
+#include "solve/resolve.h"
 
 // Sweeps before block steps are tried.
 enum { PLAIN_SWEEPS = 4 };
-
-// Largest k S_ll h^2 of a contact, (pi / 10)^2, and gamma h S_ll dF/dv.
-static const double COARSEST_SPRING = 0.09869604401089358;
-static const double COARSEST_DASHPOT = 0.5;
 
 // Sum of |x| at both ends of a link: what rounding of its difference scales with.
 static double magnitude(const struct link *l, const double *x) {
@@ -69,16 +59,20 @@ static double trial_penetration(const struct work *w, const struct state *next, 
            w->b * relative_acceleration(l, next->a);
 }
 
+static double trial_rate(const struct work *w, const struct state *next, int k) {
+    const struct link *l = &w->model->link[k];
+    return state_gap(l, w->model, w->v_predicted, next->ground_v) +
+           w->g * relative_acceleration(l, next->a);
+}
+
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
     const struct link *l = &w->model->link[k];
     double s = own_flexibility(w, l);
-    double v = state_gap(l, w->model, w->v_predicted, next->ground_v) +
-               w->g * relative_acceleration(l, next->a);
     return (struct line){
         .link = l,
         .history = next->link_history + l->history,
         .d_free = trial_penetration(w, next, k) + w->b * s * next->force[k],
-        .v_free = v + w->g * s * next->force[k],
+        .v_free = trial_rate(w, next, k) + w->g * s * next->force[k],
         .d_force = w->b * s,
         .v_force = w->g * s,
         .closed = now->closed[k],
@@ -125,12 +119,17 @@ static void activate(struct work *w, const struct state *now, struct state *next
     }
 }
 
-// Activates every link that is closed, bilateral or penetrating; returns how many were new.
+// Does an open link close in this step? One that has just opened may stand a rounding error inside;
+// it closes only if it goes deeper.
+static bool closes(const struct work *w, const struct state *now, const struct state *next, int k) {
+    return k != w->held && trial_penetration(w, next, k) > fmax(now->delta[k], 0.0);
+}
+
+// Activates every link that is closed, bilateral or closing; returns how many were new.
 static int search(struct work *w, const struct state *now, struct state *next) {
     int before = w->n_active;
     for (int k = 0; k < w->model->n_link; k++) {
-        bool closes = k != w->held && !w->is_active[k] && trial_penetration(w, next, k) > 0.0;
-        if (closes || (now->closed[k] && !w->is_active[k])) {
+        if (!w->is_active[k] && (now->closed[k] || closes(w, now, next, k))) {
             activate(w, now, next, k);
         }
     }
@@ -163,42 +162,12 @@ static bool sweep(struct work *w, const struct state *now, struct state *next) {
     return change <= w->model->tolerance * largest;
 }
 
-// Does a step of size h resolve the contact of link l at penetration d and velocity v?
-static bool resolves(const struct work *w, const struct line *line, double d, double v) {
-    const struct link *l = line->link;
-    double depth = fmax(d, 0.0);
-    double stiffness = l->law->force(l->constant, line->history, depth, 0.0).dfdd;
-    double dashpot = l->law->force(l->constant, line->history, depth, v).dfdv;
-    double flexibility = line->v_force / w->g;
-    return stiffness * flexibility * w->h * w->h <= COARSEST_SPRING &&
-           line->v_force * dashpot <= COARSEST_DASHPOT;
-}
-
-// Is the step too long for a contact that is closed at its start or at its end?
-static bool too_coarse(struct work *w, const struct state *now, const struct state *next) {
-    for (int i = 0; w->strictness == STEP_STRICT && i < w->n_active; i++) {
-        int k = w->active[i];
-        if (w->model->link[k].bilateral) {
-            continue;
-        }
-        struct line line = contact_line(w, now, next, k);
-        double f = next->force[k];
-        bool at_start = !now->closed[k] || resolves(w, &line, now->delta[k], now->rate[k]);
-        bool at_end =
-            w->branch[k] != BRANCH_CLOSED ||
-            resolves(w, &line, line.d_free - line.d_force * f, line.v_free - line.v_force * f);
-        if (!at_start || !at_end) {
-            return true;
-        }
-    }
-    return false;
-}
-
 // Sweeps, with block steps between them once plain sweeps are too slow.
 static int iterate(struct work *w, const struct state *now, struct state *next, bool *blocked) {
     for (int i = 0; i < w->model->iterations; i++) {
         bool converged = sweep(w, now, next) || w->n_active == 1;
-        if ((i == 0 || converged) && too_coarse(w, now, next)) {
+        bool judged = w->strictness == STEP_STRICT && (i == 0 || converged);
+        if (judged && !resolve_suffices(w, now, next)) {
             return STATUS_RETRY;
         }
         if (converged) {
@@ -212,11 +181,13 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-// A link that found neither an open nor a closed solution opens inside the step.
-static bool undecided(const struct work *w) {
-    for (int i = 0; i < w->n_active; i++) {
-        if (w->branch[w->active[i]] == BRANCH_NONE) {
-            return w->strictness == STEP_STRICT;
+// A link that found neither an open nor a closed solution opens inside the step, unless it has
+// bounced to rest.
+static bool undecided(const struct work *w, const struct state *now) {
+    for (int i = 0; w->strictness == STEP_STRICT && i < w->n_active; i++) {
+        int k = w->active[i];
+        if (w->branch[k] == BRANCH_NONE && !resolve_negligible(w, now->rate[k])) {
+            return true;
         }
     }
     return false;
@@ -234,7 +205,7 @@ int contact_solve(struct work *w, const struct state *now, struct state *next) {
             return status;
         }
     } while (search(w, now, next) > 0);
-    if (undecided(w)) {
+    if (undecided(w, now)) {
         return STATUS_RETRY;
     }
     long sweeps = w->totals->iterations - before;

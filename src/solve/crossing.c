@@ -50,7 +50,10 @@ double crossing_find(const struct path *p, double *velocity) {
     double rise = p->d1 - p->d0;
     struct cubic c = {p->d0, m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise};
     double x = 1.0;
-    if (p->d0 == 0.0) {
+    if (p->d0 == 0.0 && p->d1 < 0.0 && m0 > 0.0) {
+        struct cubic other = {c.c1, c.c2, c.c3, 0.0};  // the cubic without its root at x = 0
+        x = root(&other, -1.0);
+    } else if (p->d0 == 0.0) {
         x = 0.0;
     } else if (p->d1 != 0.0) {
         x = root(&c, p->d0 < 0.0 ? 1.0 : -1.0);

@@ -9,7 +9,8 @@ struct path {
 };
 
 // Time from the start of the step [T] at which the cubic through both ends passes through zero, and
-// its velocity there. Needs d0 <= 0 < d1 or d0 > 0 >= d1 (or a zero at either end).
+// its velocity there. Needs d0 <= 0 < d1 or d0 >= 0 > d1 (or a zero at either end); from d0 = 0
+// upwards and back it is the second zero.
 double crossing_find(const struct path *p, double *velocity);
 
 #endif

@@ -199,10 +199,13 @@ static void finish(struct work *w, struct state *next) {
     finish_links(w, next);
 }
 
-static int check_finite(const struct model *m, const struct state *s, struct error *e) {
+static int check_finite(struct work *w, const struct state *s, struct error *e) {
+    const struct model *m = w->model;
     double sum = 0.0;
     for (int i = 0; i < m->n_dof; i++) {
-        sum += fabs(s->u[i]) + fabs(s->v[i]) + fabs(s->a[i]);
+        double speed = fabs(s->v[i]);
+        sum += fabs(s->u[i]) + speed + fabs(s->a[i]);
+        w->speed = speed > w->speed ? speed : w->speed;
     }
     if (isfinite(sum)) {
         return STATUS_OK;
@@ -232,5 +235,5 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
         return status;
     }
     finish(w, next);
-    return check_finite(w->model, next, e);
+    return check_finite(w, next, e);
 }

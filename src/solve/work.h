@@ -21,7 +21,9 @@ struct work {
     double h;                     // [T] step of the factors; 0: none yet
     double b, g;                  // beta h^2 and gamma h
     enum strictness strictness;
-    int held;  // link that stays open or closed in this step; -1: none
+    int unresolved;  // link that last asked for a shorter step; -1: none did
+    double speed;    // [L/T] largest velocity of any floor so far
+    int held;        // link that stays open or closed in this step; -1: none
 
     double *u_predicted, *v_predicted;  // (n_dof) with a = 0 at the end of the step
     double *residual;                   // (n_dof) [F], then the correction of a

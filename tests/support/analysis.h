@@ -29,6 +29,9 @@ struct model *analysis_model(const char *format, ...) __attribute__((format(prin
 struct analysis analysis_of(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void analysis_free(struct analysis *a);
 
+// Builds the deck `text` and runs it; a run that fails leaves its error in `e` and no results.
+struct analysis analysis_try(const char *text, struct error *e);
+
 // Row number of time t; fails if no row is within 1e-9 of it.
 long analysis_row(const struct analysis *a, double t);
 

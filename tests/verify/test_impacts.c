@@ -124,24 +124,6 @@ static void energy_closes_at_every_step_size(void **state) {
     }
 }
 
-// Error of the rebound velocity at two steps that are 4 : 1.
-static double order(const char *law, double exact, double dt) {
-    struct analysis coarse = impact(law, dt);
-    struct analysis fine = impact(law, dt / 4.0);
-    double ratio = fabs(restitution(&coarse) - exact) / fabs(restitution(&fine) - exact);
-    analysis_free(&coarse);
-    analysis_free(&fine);
-    return log(ratio) / log(4.0);
-}
-
-// Splitting steps at the jumps of the force makes the dashpot second order; over a jump it would be
-// one.
-static void kelvin_voigt_converges_with_the_second_order(void **state) {
-    (void)state;
-    double p = order("kelvin-voigt -k 93.5e6 -e 0.65", 0.65, 3.7e-4);
-    assert_true(p > 1.9 && p < 2.2);
-}
-
 // Two bodies pressed together at rest by equal forces, gap 0: no impact velocity, no blow-up.
 static void bodies_pressed_together_from_rest_come_to_rest(void **state) {
     (void)state;
@@ -196,7 +178,6 @@ int main(void) {
         cmocka_unit_test(published_relations_deliver_what_they_deliver),
         cmocka_unit_test(momentum_is_kept_to_rounding),
         cmocka_unit_test(energy_closes_at_every_step_size),
-        cmocka_unit_test(kelvin_voigt_converges_with_the_second_order),
         cmocka_unit_test(bodies_pressed_together_from_rest_come_to_rest),
         cmocka_unit_test(a_row_of_equal_bodies_hands_an_impact_through),
         cmocka_unit_test(a_wall_stands_on_either_side),

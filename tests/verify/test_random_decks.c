@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "support/analysis.h"
 #include "support/random_deck.h"
@@ -46,29 +47,49 @@ static double flow(const struct analysis *a) {
     return largest;
 }
 
-static void run_deck(uint64_t seed) {
-    char text[4096];
-    random_deck(seed, text, sizeof text);
-    struct analysis a = analysis_of("%s", text);
-    check_rows(&a);
-    check_impacts(a.results, a.model->duration);
-    bool closes = a.model->gamma == 0.5;
-    bool good =
-        a.results->totals.unsolved == 0 && (!closes || a.results->residual_peak <= 1e-9 * flow(&a));
-    if (!good) {
-        print_error("deck %llu: %ld unsolved, residual %g of %g\n%s", (unsigned long long)seed,
-                    a.results->totals.unsolved, a.results->residual_peak, flow(&a), text);
-    }
-    assert_true(good);
-    analysis_free(&a);
+// What the contacts have given back beyond what was put in, relative to the flow of energy.
+static double created(const struct analysis *a) {
+    return -a->results->energy[ENERGY_CONTACT] / flow(a);
 }
 
+static bool average_acceleration(const struct model *m) {
+    return m->gamma == 0.5 && m->beta == 0.25;
+}
+
+static void check_deck(uint64_t seed, const char *text, const struct analysis *a) {
+    check_rows(a);
+    check_impacts(a->results, a->model->duration);
+    bool good = a->results->totals.unsolved == 0;
+    if (average_acceleration(a->model)) {
+        good = good && a->results->residual_peak <= 1e-9 * flow(a) && created(a) < 0.02;
+    }
+    if (!good) {
+        print_error("deck %llu: %ld unsolved, residual %g of %g, created %g\n%s",
+                    (unsigned long long)seed, a->results->totals.unsolved,
+                    a->results->residual_peak, flow(a), created(a), text);
+    }
+    assert_true(good);
+}
+
+// A hard contact that rattles for ever ends with an error that names it; such decks are rare.
 static void every_random_deck_ends_with_finite_numbers_and_a_closed_account(void **state) {
     (void)state;
-    uint64_t n = getenv("JOSTLE_LONG") ? 10000 : 150;
+    uint64_t n = getenv("JOSTLE_LONG") ? 10000 : 500;
+    uint64_t given_up = 0;
     for (uint64_t seed = 1; seed <= n; seed++) {
-        run_deck(seed);
+        char text[4096];
+        struct error e = {0};
+        random_deck(seed, text, sizeof text);
+        struct analysis a = analysis_try(text, &e);
+        if (e.status == STATUS_OK) {
+            check_deck(seed, text, &a);
+        } else {
+            assert_non_null(strstr(e.message, "is still too long for contact"));
+            given_up++;
+        }
+        analysis_free(&a);
     }
+    assert_true(given_up <= n / 200);
 }
 
 int main(void) {

@@ -18,7 +18,7 @@ static const double SMALL = 1e-3, SMALL_ENERGY = 1e-2;
 
 enum { ROWS_MAX = 200 };
 struct reference {
-    char quantity[32], owner[32];
+    char quantity[128], owner[128];
     int floor;
     double value;
 };
@@ -32,9 +32,14 @@ static const char *field(char **at) {
     return word;
 }
 
+static void copy_field(char *name, char **at) {
+    int n = snprintf(name, NAME_MAX_LENGTH, "%s", field(at));
+    assert_in_range(n, 1, NAME_MAX_LENGTH - 1);
+}
+
 static int read_reference(const char *name, struct reference *row) {
     char path[256];
-    char line[256];
+    char line[128];
     snprintf(path, sizeof path, "tests/verify/reference/%s.tsv", name);
     FILE *f = fopen(path, "r");
     assert_non_null(f);
@@ -42,8 +47,8 @@ static int read_reference(const char *name, struct reference *row) {
     while (fgets(line, sizeof line, f)) {
         assert_true(n < ROWS_MAX);
         char *at = line;
-        snprintf(row[n].quantity, sizeof row[n].quantity, "%s", field(&at));
-        snprintf(row[n].owner, sizeof row[n].owner, "%s", field(&at));
+        copy_field(row[n].quantity, &at);
+        copy_field(row[n].owner, &at);
         row[n].floor = (int)strtol(field(&at), NULL, 10);
         row[n].value = strtod(field(&at), NULL);
         n++;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a step is short enough for the contacts that act in it.
+#ifndef JOSTLE_RESOLVE_H
+#define JOSTLE_RESOLVE_H
+
+#include "solve/work.h"
+
+// A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
+// gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
+// impacts make nonsense of a run. True if the trial step from `now` to `next` resolves every active
+// contact, or if there is nothing to resolve because it is pressed together and hardly moves; else
+// w->unresolved is the contact that needs a shorter step.
+bool resolve_suffices(struct work *w, const struct state *now, const struct state *next);
+
+// A contact this slow is at rest, whatever the step does to it: its energy is 1e-10 of the floors'.
+// Without that a body that bounces to rest would ask for ever shorter steps.
+bool resolve_negligible(const struct work *w, double velocity);
+
+#endif
