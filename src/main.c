@@ -22,7 +22,22 @@ static void print_help(FILE *to) {
                 "3 the system failed.\n");
 }
 
+// Commands of the contract that this version does not have.
+static bool is_planned(const char *word) {
+    static const char *const planned[] = {"law", "spectrum"};
+    for (size_t i = 0; i < sizeof planned / sizeof planned[0]; i++) {
+        if (strcmp(word, planned[i]) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static int unknown(const char *word) {
+    if (is_planned(word)) {
+        fprintf(stderr, "jostle: error: command '%s' is not available in this version\n", word);
+        return EXIT_INPUT;
+    }
     enum { KNOWN_MAX = 64 };
     const char *known[KNOWN_MAX];
     int n = 0;
@@ -69,6 +84,9 @@ int main(int argc, char **argv) {
     int status = dispatch(argc, argv);
     errno = 0;
     if (fflush(stdout) != 0 || ferror(stdout)) {
+        if (errno == EPIPE) {
+            return EXIT_SYSTEM;  // whoever read has seen enough
+        }
         fprintf(stderr, "jostle: error: cannot write to the standard output%s%s\n",
                 errno ? ": " : "", errno ? strerror(errno) : "");
         return EXIT_SYSTEM;

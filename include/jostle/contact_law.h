@@ -50,6 +50,10 @@ struct contact_law {
 
     // Brings the history from the committed step to (d, v). NULL if it does not change in contact.
     void (*commit)(const double *constant, double *history, double d, double v);
+
+    // The value of row `zeta` that delivers exactly the restitution e, 0 < e <= 1, in an isolated
+    // impact; NAN where it is not found. NULL: the law does not take e.
+    double (*exact)(double e);
 };
 
 extern const struct contact_law *const contact_laws[];

@@ -34,13 +34,20 @@ struct statement {
     int n_plain;
 };
 
+// A file that the deck names as input.
+struct deck_path {
+    const char *path;
+    const struct deck_path *next;
+};
+
 struct deck {
     struct arena *arena;  // owns everything below
     struct diagnostics diagnostics;
     struct unit_system units;
-    const char *path;   // as given
-    const char *text;   // of the top file
-    const char *title;  // "" if none
+    const char *path;               // as given
+    const char *text;               // of the top file
+    const char *title;              // "" if none
+    const struct deck_path *files;  // included files, records and histories; not the deck itself
     struct reader *reader;
 };
 

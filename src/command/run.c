@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <errno.h>
 #include <getopt.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -83,6 +84,9 @@ static int parse(int argc, char **argv, const char **define, struct options *o, 
          status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:j:qh", option, NULL)) != -1;) {
         switch (c) {
             case 'o':
+                if (o->output) {
+                    return command_usage(&command_run, "-o is given twice");
+                }
                 o->output = optarg;
                 break;
             case 'D':
@@ -174,6 +178,33 @@ static bool is_same_file(const char *a, const char *b) {
            of_a.st_ino == of_b.st_ino;
 }
 
+// Results never replace what they are made from, not even with --force.
+static int check_output(const struct model *m, const struct options *o, const char *path,
+                        struct error *e) {
+    if (is_same_file(path, o->load.path)) {
+        return error_set(e, STATUS_INPUT, "%s is the deck; give the result another name", path);
+    }
+    for (const struct deck_path *file = m->deck->files; file; file = file->next) {
+        if (is_same_file(path, file->path)) {
+            return error_set(e, STATUS_INPUT,
+                             "%s is read by the deck; give the result another name", path);
+        }
+    }
+    return STATUS_OK;
+}
+
+static void warn_residual(const struct model *m, const struct results *r) {
+    double scale = fmax(fabs(r->energy[ENERGY_INPUT]), r->initial_energy);
+    bool closes = m->beta == 0.25 && m->gamma == 0.5;
+    if (closes && r->residual_peak > 1e-6 * scale) {
+        fprintf(
+            stderr,
+            "jostle: warning: the energy account misses %.2g of the input; stiffnesses or masses "
+            "differ by more than double precision can carry\n",
+            r->residual_peak / scale);
+    }
+}
+
 static int run_model(const struct model *m, const struct options *o, int argc, char **argv) {
     assert(o->load.path);
     struct arena *a = m->deck->arena;
@@ -189,8 +220,7 @@ static int run_model(const struct model *m, const struct options *o, int argc, c
         error_no_memory(&e);
         return command_fail(&e);
     }
-    if (is_same_file(result.path, o->load.path)) {
-        error_set(&e, STATUS_INPUT, "%s is the deck; give the result another name", result.path);
+    if (check_output(m, o, result.path, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     struct results *results;
@@ -198,7 +228,11 @@ static int run_model(const struct model *m, const struct options *o, int argc, c
     if (analyse(m, &result, &results, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    int status = o->load.quiet ? STATUS_OK : print_summary(m, results, result.path, &e);
+    int status = STATUS_OK;
+    if (!o->load.quiet) {
+        warn_residual(m, results);
+        status = print_summary(m, results, result.path, &e);
+    }
     results_free(results);
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }

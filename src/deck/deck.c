@@ -124,8 +124,12 @@ const char *deck_file(struct deck *d, const struct word *w, const char *name) {
     const struct source *from = w->place.line > 0 ? w->place.source : NULL;
     const struct source top = {.name = d->path};
     const char *path = source_path(d, from ? from : &top, name);
-    if (!path) {
+    struct deck_path *file = arena_alloc(d->arena, 1, sizeof *file);
+    if (!path || !file) {
         diagnostics_no_memory(&d->diagnostics);
+        return NULL;
     }
+    *file = (struct deck_path){.path = path, .next = d->files};
+    d->files = file;
     return path;
 }

@@ -59,6 +59,8 @@ struct parameter *parameter_get(struct deck *d, const struct word *w, const char
     if (!p) {
         struct word part = report_part(d, w, from, to);
         report_unknown(d, &part);
+    } else {
+        p->used = true;
     }
     return p;
 }
@@ -271,6 +273,26 @@ bool parameter_open(struct deck *d, const char *const *define, int n_define) {
     return true;
 }
 
+static const struct define *define_of(const struct deck *d, const struct parameter *p) {
+    for (int i = 0; i < d->reader->n_define; i++) {
+        if (strcmp(d->reader->define[i].name, p->name) == 0) {
+            return &d->reader->define[i];
+        }
+    }
+    return NULL;
+}
+
+static void report_unused(struct deck *d, const struct parameter *p) {
+    const struct define *define = define_of(d, p);
+    if (define) {
+        struct word value = define->value;
+        deck_error(d, &value, "nothing in the deck uses parameter '%s'", p->name);
+    } else {
+        struct word name = {.text = p->name, .place = p->place};
+        deck_warning(d, &name, "nothing uses parameter '%s'", p->name);
+    }
+}
+
 void parameter_close(struct deck *d) {
     for (int i = 0; i < d->reader->n_define; i++) {
         const struct define *define = &d->reader->define[i];
@@ -278,6 +300,12 @@ void parameter_close(struct deck *d) {
             struct word name = define->value;
             name.text = define->name;
             report_unknown(d, &name);
+        }
+    }
+    bool sound = d->diagnostics.n_error == 0;
+    for (const struct parameter *p = d->reader->first; sound && p; p = p->next) {
+        if (!p->used) {
+            report_unused(d, p);
         }
     }
 }

@@ -54,6 +54,7 @@ struct parameter {
     struct quantity number;
     const char *text;
     struct place place;
+    bool used;
     struct parameter *next_in_bucket;
     struct parameter *next;  // in the order of the deck
 };
@@ -122,7 +123,8 @@ struct parameter *parameter_find(const struct deck *d, const char *name, size_t 
 // The parameter called from `from` to `to` in `w`; NULL after having reported an error.
 struct parameter *parameter_get(struct deck *d, const struct word *w, const char *from,
                                 const char *to);
-// Reports the -D that no param took.
+// Reports the -D that no param took, and, in a deck without errors, parameters that nothing uses:
+// an error if -D sets one, else a warning.
 void parameter_close(struct deck *d);
 // The end of the name at `text`; `text` itself if there is none.
 const char *parameter_name_end(const char *text);

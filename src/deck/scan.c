@@ -110,7 +110,7 @@ static void scan_braces(struct scan *s) {
 static void scan_bare(struct scan *s) {
     const char *start = s->at;
     int column = s->column;
-    while (s->at < s->end && !is_blank(*s->at) && !s->wrong) {
+    while (s->at < s->end && !is_blank(*s->at) && *s->at != '#' && !s->wrong) {
         if (*s->at == '"') {
             fail(s, s->column, 1, "a quote inside a word; put the whole word in quotes");
         } else if (*s->at == '$' && s->at + 1 < s->end && s->at[1] == '{') {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "law/restitution.h"
 
+#include <float.h>
 #include <gsl/gsl_math.h>
+#include <gsl/gsl_sf_log.h>
 #include <math.h>
+
+#include "law/root.h"
 
 const struct range restitution_range = {
     .min = 0.0, .max = 1.0, .min_open = true, .text = "> 0 and <= 1"};
@@ -10,6 +14,64 @@ const struct range restitution_range = {
 double restitution_kelvin_voigt(double e) {
     double l = log(e);
     return -l / sqrt(M_PI * M_PI + l * l);
+}
+
+double restitution_lankarani_nikravesh(double e) {
+    return 0.75 * (1.0 - e * e);
+}
+
+// q (1 + e) - ln(1 + q) + ln(1 - e q), by ln(1 + x) - x so that small q lose no digits.
+static double exact_q_residual(double q, void *context) {
+    double e = *(const double *)context;
+    return gsl_sf_log_1plusx_mx(-e * q) - gsl_sf_log_1plusx_mx(q);
+}
+
+double restitution_exact_q(double e) {
+    double low = restitution_lankarani_nikravesh(e);  // always too small
+    double high = (1.0 - DBL_EPSILON) / e;
+    if (!(exact_q_residual(low, &e) > 0.0)) {
+        return low;
+    }
+    if (!(exact_q_residual(high, &e) < 0.0)) {
+        return high;
+    }
+    return root_find(exact_q_residual, &e, low, high, 4.0 * DBL_EPSILON);
+}
+
+// a / tan a with cos a = zeta; a series in tan^2 a where both vanish.
+static double phase_over_tangent(double zeta) {
+    double square = (1.0 - zeta) * (1.0 + zeta);
+    double x = square / (zeta * zeta);
+    if (fabs(x) < 1e-4) {
+        return 1.0 - x * (1.0 / 3.0 - x * (1.0 / 5.0 - x / 7.0));
+    }
+    double angle = x > 0.0 ? acos(zeta) : acosh(zeta);
+    return angle * zeta / sqrt(fabs(square));
+}
+
+static double approach_residual(double zeta, void *context) {
+    return phase_over_tangent(zeta) - *(const double *)context;
+}
+
+// The ratio with a / tan a = decay.
+static double ratio_of_decay(double decay) {
+    double low = decay * M_2_PI;  // a / tan a <= zeta pi / 2
+    double high = low;
+    if (decay == 0.0 || !(approach_residual(low, &decay) < 0.0)) {
+        return low;
+    }
+    while (approach_residual(high, &decay) <= 0.0) {
+        high *= 2.0;
+    }
+    return root_find(approach_residual, &decay, low, high, 4.0 * DBL_EPSILON);
+}
+
+double restitution_approach(double e) {
+    return ratio_of_decay(-log(e));
+}
+
+double restitution_no_tension(double e) {
+    return ratio_of_decay(-log(e) / 2.0);
 }
 
 double restitution_ratio(double e, double zeta, double (*relation)(double e)) {

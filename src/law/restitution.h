@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Published relations between the coefficient of restitution e and a damping parameter, shared by
-// the laws that use them.
+// Relations between the coefficient of restitution e and a damping parameter, published or exact,
+// shared by the laws that use them.
 #ifndef JOSTLE_RESTITUTION_H
 #define JOSTLE_RESTITUTION_H
 
@@ -14,6 +14,23 @@ extern const struct range restitution_range;
 // Anagnostopoulos (1988), eq. 4; the minus sign is missing in several later papers, where the
 // dashpot would feed energy in.
 double restitution_kelvin_voigt(double e);
+
+// q = 3 (1 - e^2) / 4 of F = k d^n (1 + q v / v0): Lankarani & Nikravesh (1990). Exact only near e
+// = 1: an e of 0.65 comes out as 0.7748.
+double restitution_lankarani_nikravesh(double e);
+
+// The q > 0 of F = k d^n (1 + q v / v0) that delivers e, whatever n is; from the energies at the
+// turning point of both halves of the impact,
+//     q (1 + e) = ln((1 + q) / (1 - e q)),   q < 1 / e.
+// NAN: no memory.
+double restitution_exact_q(double e);
+
+// Damping ratio of a linear dashpot that delivers e when it acts during approach only, or where it
+// does not pull. With zeta = cos a the approach ends after the phase a at the penetration
+// exp(-a / tan a), which gives e = exp(-a / tan a); without tension the release is the approach
+// backwards, and e = exp(-2 a / tan a). For zeta > 1, a is imaginary. NAN: no memory.
+double restitution_approach(double e);
+double restitution_no_tension(double e);
 
 // The ratio given by the user, or the one from e: exactly one of the two is not NAN.
 double restitution_ratio(double e, double zeta, double (*relation)(double e));

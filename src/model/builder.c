@@ -141,9 +141,28 @@ static int parse_floor(struct builder *b, const struct word *w, const char **tex
     return floor;
 }
 
-// `1:5`, `3` or `1,3,5:7` into marks; false after a report.
-static bool mark_floors(struct builder *b, const struct word *w, const char *text, bool *mark,
-                        int n_floor) {
+// Appends floors first to last to the selection; false after a report.
+static bool take_floors(struct builder *b, const struct word *w, int first, int last, int *floor,
+                        struct selection *out) {
+    if (last < first) {
+        deck_error(b->deck, w, "floors %d:%d run backwards", first, last);
+        return false;
+    }
+    for (int i = first; i <= last; i++) {
+        for (int k = 0; k < out->n_floor; k++) {
+            if (floor[k] == i) {
+                deck_error(b->deck, w, "floor %d is selected twice", i);
+                return false;
+            }
+        }
+        floor[out->n_floor++] = i;
+    }
+    return true;
+}
+
+// `1:5`, `3` or `1,3,5:7` in the order written; false after a report.
+static bool parse_floors(struct builder *b, const struct word *w, const char *text, int n_floor,
+                         int *floor, struct selection *out) {
     for (;;) {
         int first = parse_floor(b, w, &text, n_floor);
         int last = first;
@@ -151,19 +170,8 @@ static bool mark_floors(struct builder *b, const struct word *w, const char *tex
             text++;
             last = parse_floor(b, w, &text, n_floor);
         }
-        if (!first || !last) {
+        if (!first || !last || !take_floors(b, w, first, last, floor, out)) {
             return false;
-        }
-        if (last < first) {
-            deck_error(b->deck, w, "floors %d:%d run backwards", first, last);
-            return false;
-        }
-        for (int i = first; i <= last; i++) {
-            if (mark[i - 1]) {
-                deck_error(b->deck, w, "floor %d is selected twice", i);
-                return false;
-            }
-            mark[i - 1] = true;
         }
         if (*text == 0) {
             return true;
@@ -179,27 +187,16 @@ static bool mark_floors(struct builder *b, const struct word *w, const char *tex
 static bool select_floors(struct builder *b, const struct word *w, const char *floors,
                           struct selection *out) {
     int n = builder_draft(b, out->building)->n_floor;
-    if (n == 0) {
-        return false;
-    }
-    bool *mark = builder_array(b, (size_t)n, sizeof *mark);
-    int *floor = builder_array(b, (size_t)n, sizeof *floor);
-    if (!mark || !floor) {
+    int *floor = n > 0 ? builder_array(b, (size_t)n, sizeof *floor) : NULL;
+    if (!floor) {
         return false;
     }
     out->all = floors == NULL;
-    if (out->all || strcmp(floors, "all") == 0) {
-        memset(mark, true, (size_t)n);
-    } else if (!mark_floors(b, w, floors, mark, n)) {
-        return false;
-    }
-    for (int i = 0; i < n; i++) {
-        if (mark[i]) {
-            floor[out->n_floor++] = i + 1;
-        }
-    }
     out->floor = floor;
-    return true;
+    if (out->all || strcmp(floors, "all") == 0) {
+        return take_floors(b, w, 1, n, floor, out);
+    }
+    return parse_floors(b, w, floors, n, floor, out);
 }
 
 bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,

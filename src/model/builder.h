@@ -48,6 +48,7 @@ struct ground_draft {
 
 struct load_draft {
     int building, floor;
+    struct word word;
     struct signal signal;
 };
 
@@ -103,7 +104,7 @@ struct selection {
     int building;      // WALL, or index
     bool all;          // no floors were given
     int n_floor;       // selected
-    const int *floor;  // (n_floor) from 1
+    const int *floor;  // (n_floor) from 1, in the order written
 };
 
 // Parses `w`; walls only if `wall_allowed` is WALL. Reports and returns false if it is wrong.

@@ -15,14 +15,6 @@ static void check_deck(struct builder *b) {
     }
 }
 
-static bool anything_moves(const struct builder *b, const struct model *m) {
-    bool moves = b->grounds.n > 0 || b->loads.n > 0;
-    for (int i = 0; i < m->n_dof; i++) {
-        moves |= m->displacement[i] != 0.0 || m->velocity[i] != 0.0;
-    }
-    return moves;
-}
-
 int builder_finish(struct builder *b, struct model *m, struct error *e) {
     struct diagnostics *found = &b->deck->diagnostics;
     check_deck(b);
@@ -46,9 +38,6 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
         return error_set(e, STATUS_INPUT, "%d error%s in %s", found->n_error,
                          found->n_error == 1 ? "" : "s", b->deck->path);
     }
-    if (!anything_moves(b, m)) {
-        deck_warning(b->deck, NULL,
-                     "nothing moves the buildings: no ground motion, load or initial state");
-    }
+    finish_warnings(b, m);
     return STATUS_OK;
 }

@@ -18,4 +18,8 @@ void finish_loads(struct builder *b, struct model *m);
 // Duration, steps, rows of output, stability of the integrator.
 void finish_time(struct builder *b, struct model *m);
 
+// Warns of what is legal but hardly meant: excitation that does nothing, steps that skip it,
+// grounds that drift apart, floors that do not face each other.
+void finish_warnings(struct builder *b, const struct model *m);
+
 #endif

@@ -83,52 +83,6 @@ static void check_stability(struct builder *b, struct model *m) {
     }
 }
 
-// A step longer than the sampling of a record skips its peaks.
-static void check_sampling(struct builder *b, struct model *m) {
-    const char *unit = b->deck->units.time_name;
-    for (int i = 0; i < b->grounds.n; i++) {
-        const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
-        if (g->signal.value && m->dt > g->signal.dt * (1.0 + ROUNDING)) {
-            deck_warning(b->deck, &b->step,
-                         "step %.6g %s is longer than the sampling %.6g %s of %s", m->dt, unit,
-                         g->signal.dt, unit, g->signal.name);
-        }
-    }
-}
-
-static double ground_displacement(const struct ground *g, double t) {
-    double sum = 0.0;
-    for (int i = 0; i < g->n_signal; i++) {
-        double v;
-        double u;
-        signal_integrals(&g->signal[i], t, &v, &u);
-        sum += u;
-    }
-    return sum;
-}
-
-// Grounds that move differently part for good where their accelerations do not integrate to rest.
-static void check_drift(struct builder *b, struct model *m) {
-    for (int k = 0; k < m->n_contact; k++) {
-        const struct link *l = &m->link[k];
-        if (!l->moving_ground) {
-            continue;
-        }
-        const struct building *left = &m->building[l->building[0]];
-        const struct building *right = &m->building[l->building[1]];
-        double apart = ground_displacement(&m->ground[right->ground], m->duration) -
-                       ground_displacement(&m->ground[left->ground], m->duration);
-        if (fabs(apart) > l->gap) {
-            deck_warning(
-                b->deck, NULL,
-                "the grounds of %s and %s end %.4g %s apart, more than the gap of contact %s: "
-                "their accelerations do not integrate to rest",
-                left->name, right->name, apart, b->deck->units.length_name, l->name);
-            return;
-        }
-    }
-}
-
 void finish_time(struct builder *b, struct model *m) {
     m->beta = b->beta;
     m->gamma = b->gamma;
@@ -137,6 +91,4 @@ void finish_time(struct builder *b, struct model *m) {
     count_steps(b, m);
     count_rows(b, m);
     check_stability(b, m);
-    check_sampling(b, m);
-    check_drift(b, m);
 }

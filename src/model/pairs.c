@@ -24,6 +24,14 @@ static bool check_order(struct builder *b, const struct pairs *p) {
     return false;
 }
 
+static int highest(const struct selection *s) {
+    int floor = 0;
+    for (int i = 0; i < s->n_floor; i++) {
+        floor = s->floor[i] > floor ? s->floor[i] : floor;
+    }
+    return floor;
+}
+
 // A side without floors takes those of the other side, or all levels that both have.
 static bool match_floors(struct builder *b, struct selection side[2], const struct word *word) {
     for (int i = 0; i < 2; i++) {
@@ -36,10 +44,10 @@ static bool match_floors(struct builder *b, struct selection side[2], const stru
         if (other->all) {
             int common = builder_draft(b, other->building)->n_floor;
             open->n_floor = levels < common ? levels : common;
-        } else if (other->floor[other->n_floor - 1] > levels) {
+        } else if (highest(other) > levels) {
             deck_error(b->deck, &word[i], "building %s has no floor %d to face the other side",
                        open->building >= 0 ? builder_draft(b, open->building)->name : "",
-                       other->floor[other->n_floor - 1]);
+                       highest(other));
             return false;
         } else {
             open->n_floor = other->n_floor;

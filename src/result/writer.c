@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file of a run: made as PATH.part, rows streamed through a buffer, named PATH when complete.
-// Every block of rows is flushed, so that the file of a killed run can be read up to it.
+// The layout and every block of rows are flushed, so that the file of a killed run can be read up
+// to the last block.
 #include "result/writer.h"
 
 #include <assert.h>
@@ -179,6 +180,22 @@ static int writer_init(struct result_writer *w, const struct result_options *o, 
     return create_file(w, e);
 }
 
+static int flush(struct result_writer *w, struct error *e) {
+    for (int i = 0; i < w->n_stream && w->pending > 0; i++) {
+        const struct stream *s = &w->stream[i];
+        if (s->width > 0) {
+            h5_put_rows(&w->h, s->dataset, (hsize_t)w->n_written, w->pending,
+                        s->n_dim == 2 ? s->width : 0, s->row);
+        }
+    }
+    if (!w->h.failed) {
+        h5_failed(&w->h, H5Fflush(w->h.file, H5F_SCOPE_LOCAL));
+    }
+    w->n_written += (long)w->pending;
+    w->pending = 0;
+    return w->h.failed ? cannot_write(w, e) : STATUS_OK;
+}
+
 int result_create(const struct model *m, const struct result_options *options,
                   struct result_writer **out, struct error *e) {
     int status = check_options(m, options, e);
@@ -196,7 +213,7 @@ int result_create(const struct model *m, const struct result_options *options,
     if (status == STATUS_OK) {
         writer_layout(w);
         place_streams(w);
-        status = w->h.failed ? cannot_write(w, e) : STATUS_OK;
+        status = flush(w, e);
     }
     if (status != STATUS_OK) {
         result_abort(w);
@@ -204,22 +221,6 @@ int result_create(const struct model *m, const struct result_options *options,
     }
     *out = w;
     return STATUS_OK;
-}
-
-static int flush(struct result_writer *w, struct error *e) {
-    for (int i = 0; i < w->n_stream && w->pending > 0; i++) {
-        const struct stream *s = &w->stream[i];
-        if (s->width > 0) {
-            h5_put_rows(&w->h, s->dataset, (hsize_t)w->n_written, w->pending,
-                        s->n_dim == 2 ? s->width : 0, s->row);
-        }
-    }
-    if (!w->h.failed) {
-        h5_failed(&w->h, H5Fflush(w->h.file, H5F_SCOPE_LOCAL));
-    }
-    w->n_written += (long)w->pending;
-    w->pending = 0;
-    return w->h.failed ? cannot_write(w, e) : STATUS_OK;
 }
 
 static int write_row(void *context, const struct row_view *row, struct error *e) {

@@ -79,15 +79,39 @@ static void add_building(struct maker *m, int i) {
     }
 }
 
+// A law with a stiffness of about k.
 static void add_law(struct maker *m) {
-    static const char *const law[] = {"linear", "kelvin-voigt", "komodromos",
-                                      "hertz",  "hertz-damp",   "jankowski"};
-    int i = below(m, 6);
-    add(m, " -law %s -k %.6g", law[i], logarithmic(m, 1e6, 1e13));
-    if (i != 0 && i != 3) {
-        add(m, " -e %.4g", uniform(m, 0.05, 1.0));
+    enum { ELASTIC = 3, WITH_E = 10 };
+    static const char *const law[] = {
+        "linear",
+        "hertz",
+        "power -n 1.3",
+        "kelvin-voigt",
+        "komodromos",
+        "ye-kelvin",
+        "hertz-damp",
+        "lankarani-nikravesh",
+        "mahmoud-jankowski",
+        "jankowski",
+        "hunt-crossley",
+        "ye-hertz-damp",
+        "khatami",
+    };
+    int i = below(m, ELASTIC + WITH_E + 2);
+    double k = logarithmic(m, 1e6, 1e13);
+    if (i == ELASTIC + WITH_E) {
+        add(m, " -law bilinear -k1 %.6g -k2 %.6g -dy %.4g\n", k, k * uniform(m, 0.01, 1.0),
+            logarithmic(m, 1e-6, 0.1));
+    } else if (i == ELASTIC + WITH_E + 1) {
+        add(m, " -law wang -k %.6g -zeta %.6g -residual %.4g\n", k, k * logarithmic(m, 0.01, 10.0),
+            uniform(m, 0.0, 0.8));
+    } else {
+        add(m, " -law %s -k %.6g", law[i], k);
+        if (i >= ELASTIC) {
+            add(m, " -e %.4g%s", uniform(m, 0.05, 1.0), below(m, 3) ? "" : " -calibrate");
+        }
+        add(m, "\n");
     }
-    add(m, "\n");
 }
 
 static double gap(struct maker *m) {

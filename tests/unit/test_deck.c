@@ -129,11 +129,26 @@ static void doubling_texts_end_in_an_error(void **state) {
 static void a_define_overrides_a_param(void **state) {
     (void)state;
     const char *const define[] = {"gap=30mm", "f=0001", "b=${gap/2}"};
-    struct deck *d = case_open("param gap 20mm\nparam f \"x\"\nparam b 1\n", define, 3);
+    struct deck *d =
+        case_open("param gap 20mm\nparam f \"x\"\nparam b 1\ntitle \"$f $b\"\n", define, 3);
     struct statement s;
     assert_false(deck_next(d, &s));
     assert_int_equal(d->diagnostics.n_error, 0);
     assert_string_equal(deck_parameters(d), "gap = 0.03\nf = 0001\nb = 0.015\n");
+    deck_free(d);
+}
+
+static void parameters_that_nothing_uses_are_reported(void **state) {
+    (void)state;
+    const char *const define[] = {"gap=30mm"};
+    struct deck *d = case_open("param gap 20mm\nparam e 1\n", define, 1);
+    struct statement s;
+    assert_false(deck_next(d, &s));
+    assert_int_equal(d->diagnostics.n_error, 1);
+    assert_string_equal(d->diagnostics.item[0].message, "nothing in the deck uses parameter 'gap'");
+    assert_string_equal(d->diagnostics.item[0].file, "-D gap=30mm");
+    assert_int_equal(d->diagnostics.n_warning, 1);
+    assert_string_equal(d->diagnostics.item[1].message, "nothing uses parameter 'e'");
     deck_free(d);
 }
 
@@ -221,6 +236,7 @@ int main(void) {
         cmocka_unit_test(texts_take_parameters),
         cmocka_unit_test(doubling_texts_end_in_an_error),
         cmocka_unit_test(a_define_overrides_a_param),
+        cmocka_unit_test(parameters_that_nothing_uses_are_reported),
         cmocka_unit_test(wrong_defines_are_reported_under_their_own_name),
         cmocka_unit_test(gravity_sets_the_unit_g),
         cmocka_unit_test(includes_are_found_beside_the_deck_and_cycles_are_reported),

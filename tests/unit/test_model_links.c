@@ -125,8 +125,43 @@ static void the_effective_mass_goes_into_the_damping_of_a_law(void **state) {
     model_free(m);
 }
 
+static void floors_are_taken_in_the_order_written(void **state) {
+    (void)state;
+    struct model *m = analysis_model(
+        "building A -floors 3 -mass 1 -stiffness 1\nbuilding B -floors 3 -mass 1 -stiffness 1\n"
+        "contact A:3,2 B:1,2 -gap 2 3 -law linear -k 1\nstorey A:3,1 bilinear -yield 7 9 "
+        "-hardening 0\ninitial A:1 -velocity 1\nstep fixed 0.1\nduration 1\n");
+    assert_string_equal(m->link[0].name, "A:3-B:1");
+    assert_true(m->link[0].gap == 2.0);
+    assert_string_equal(m->link[1].name, "A:2-B:2");
+    assert_true(m->link[1].gap == 3.0);
+    const struct storey *first = &m->storey[0];
+    const struct storey *third = &m->storey[2];
+    assert_close(first->law->shear(first->constant, (double[]){0.0}, 100.0).shear, 9.0, 1e-14);
+    assert_close(third->law->shear(third->constant, (double[]){0.0}, 100.0).shear, 7.0, 1e-14);
+    model_free(m);
+}
+
+static void floors_that_do_not_face_each_other_are_warned_about(void **state) {
+    (void)state;
+    struct model *m =
+        analysis_model("building A -floors 2 -mass 1 -stiffness 1 -height 3\n"
+                       "building B -floors 2 -mass 1 -stiffness 1 -height 4.5\n"
+                       "building C -floors 2 -mass 1 -stiffness 1 -height 3\n"
+                       "contact A B -gap 1 -law linear -k 1\ncontact A C -gap 1 -law linear -k 1\n"
+                       "initial A:1 -velocity 1\nstep fixed 0.1\nduration 1\n");
+    const struct diagnostics *d = &m->deck->diagnostics;
+    assert_int_equal(d->n_warning, 2);
+    assert_string_equal(d->item[0].message, "the floors of contact A:1-B:1 are at 3 and 4.5 m");
+    assert_string_equal(d->item[1].message,
+                        "building B stands between the floors of contact A:1-C:1");
+    model_free(m);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(floors_are_taken_in_the_order_written),
+        cmocka_unit_test(floors_that_do_not_face_each_other_are_warned_about),
         cmocka_unit_test(contacts_join_all_levels_that_both_buildings_have),
         cmocka_unit_test(floors_of_different_levels_can_face_each_other),
         cmocka_unit_test(a_wall_stands_on_either_side),

@@ -295,7 +295,8 @@ static void what_moves_nothing_or_skips_samples_is_warned_about(void **state) {
     model_free(m);
     m = analysis_model(TWO "ground record %s -unit m/s2 -dt 0.1\nstep fixed 0.15\nduration 0.2\n",
                        series());
-    assert_int_equal(m->deck->diagnostics.n_warning, 1);
+    assert_int_equal(m->deck->diagnostics.n_warning, 2);
+    assert_non_null(strstr(m->deck->diagnostics.item[1].message, "is too long for building A"));
     assert_non_null(strstr(m->deck->diagnostics.item[0].message,
                            "step 0.15 s is longer than the sampling 0.1 s of "));
     model_free(m);

@@ -12,7 +12,7 @@
 static void words_stand_where_they_are_written(void **state) {
     (void)state;
     struct deck *d =
-        case_open("\xEF\xBB\xBFone \"two ß\" #x\r\n\tab#c ${a + b}x \\\n-9.81 -q\n", NULL, 0);
+        case_open("\xEF\xBB\xBFone \"two ß\" #x\r\n\tab ${a + b}x \\\n-9.81 -q#c\n", NULL, 0);
     struct statement s;
     assert_true(deck_next(d, &s));
     assert_int_equal(s.n_word, 2);
@@ -25,7 +25,7 @@ static void words_stand_where_they_are_written(void **state) {
     const struct {
         const char *text;
         int line, column, width;
-    } words[] = {{"ab#c", 2, 2, 4}, {"${a + b}x", 2, 7, 9}, {"-9.81", 3, 1, 5}, {"-q", 3, 7, 2}};
+    } words[] = {{"ab", 2, 2, 2}, {"${a + b}x", 2, 5, 9}, {"-9.81", 3, 1, 5}, {"-q", 3, 7, 2}};
     assert_int_equal(s.n_word, 4);
     assert_int_equal(s.n_plain, 3);
     for (int i = 0; i < 4; i++) {

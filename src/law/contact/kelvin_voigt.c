@@ -50,4 +50,5 @@ const struct contact_law contact_kelvin_voigt = {
     .traits = CONTACT_JUMPS | CONTACT_MAY_PULL,
     .prepare = kelvin_voigt_prepare,
     .force = kelvin_voigt_force,
+    .exact = restitution_kelvin_voigt,
 };

@@ -51,4 +51,5 @@ const struct contact_law contact_komodromos = {
     .traits = CONTACT_JUMPS,
     .prepare = komodromos_prepare,
     .force = komodromos_force,
+    .exact = restitution_no_tension,
 };

@@ -2,7 +2,7 @@
 #include "model/pairs.h"
 #include "model/statement.h"
 
-enum { GAP, LAW, NAME, MEFF, OVERLAP, N_ROW };
+enum { GAP, LAW, NAME, MEFF, OVERLAP, CALIBRATE, N_ROW };
 
 static const struct row rows[N_ROW] = {
     [GAP] = {"gap", ROW_LIST, ROW_REQUIRED, {0, 1, 0}, NULL, NAN, "clear distance at rest"},
@@ -22,12 +22,17 @@ static const struct row rows[N_ROW] = {
                  NULL,
                  NAN,
                  "allow a negative gap, or an initial penetration"},
+    [CALIBRATE] = {"calibrate",
+                   ROW_FLAG,
+                   0,
+                   {0},
+                   NULL,
+                   NAN,
+                   "replace the published damping by that which delivers -e exactly"},
 };
 
 static const struct contact_law *find_law(struct builder *b, const struct statement *s) {
-    static const char *const later[] = {"stereomechanical",  "bilinear",      "ye-kelvin",
-                                        "mahmoud-jankowski", "ye-hertz-damp", "hunt-crossley",
-                                        "khatami",           "wang",          NULL};
+    static const char *const later[] = {"stereomechanical", NULL};
     int n = 0;
     const struct word *w = deck_option(s, "law", &n);
     if (!w || n == 0) {
@@ -61,6 +66,36 @@ static bool check_gaps(struct builder *b, const struct argument *a) {
     return true;
 }
 
+// Puts the damping that delivers -e exactly in place of -e.
+static bool calibrate(struct builder *b, const struct contact_law *law, const struct word *flag,
+                      struct argument *given) {
+    int restitution = contact_law_row(law, "e");
+    if (!law->exact) {
+        deck_error(b->deck, flag, "contact law %s takes no -e that could be calibrated", law->name);
+        return false;
+    }
+    if (!given[restitution].given) {
+        deck_error(b->deck, flag, "-calibrate needs -e: coefficient of restitution to deliver");
+        return false;
+    }
+    double *zeta = builder_array(b, 1, sizeof *zeta);
+    if (!zeta) {
+        return false;
+    }
+    *zeta = law->exact(given[restitution].number[0]);
+    if (isnan(*zeta)) {
+        deck_error(b->deck, &given[restitution].word[0],
+                   "no damping is found with which %s delivers e = %.6g", law->name,
+                   given[restitution].number[0]);
+        return false;
+    }
+    given[restitution].n = 0;
+    struct argument *damping = &given[contact_law_row(law, "zeta")];
+    damping->number = zeta;
+    damping->n = 1;
+    return true;
+}
+
 static void append(struct builder *b, const struct pairs *p, const struct contact_law *law,
                    const struct argument *own, const struct argument *given) {
     bool good = check_gaps(b, own);
@@ -79,6 +114,7 @@ static void append(struct builder *b, const struct pairs *p, const struct contac
             d->link.mass = own[MEFF].number[0];
         }
         d->link.constant = pairs_constants(b, law, given, d->link.mass, own[LAW].word);
+        good = d->link.constant != NULL;
     }
 }
 
@@ -95,14 +131,19 @@ static void build(struct builder *b, const struct statement *s) {
     struct argument own[N_ROW] = {0};
     struct argument given[CONTACT_ROWS_MAX] = {0};
     struct row_set set[] = {{rows, N_ROW, own}, {law->row, law->n_row, given}};
-    if (deck_options(b->deck, s, set, 2) && paired) {
+    bool good = deck_options(b->deck, s, set, 2);
+    if (good && own[CALIBRATE].given) {
+        good = calibrate(b, law, &own[CALIBRATE].key, given);
+    }
+    if (good && paired) {
         append(b, &p, law, own, given);
     }
 }
 
 const struct statement_kind statement_contact = {
     .name = "contact",
-    .usage = "LEFT RIGHT -gap LIST -law LAW ... [-name NAME] [-meff M] [-allow-overlap]",
+    .usage = "LEFT RIGHT -gap LIST -law LAW ... [-name NAME] [-meff M] [-allow-overlap] "
+             "[-calibrate]",
     .summary = "unilateral contact links between facing floors, or floors and a wall",
     .example = "contact A B -gap 20mm -law jankowski -k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,

@@ -88,13 +88,16 @@ static bool read_history(struct builder *b, const struct statement *s, struct si
     return true;
 }
 
-static void append(struct builder *b, const struct selection *floors, const struct signal *signal) {
+static void append(struct builder *b, const struct statement *s, const struct selection *floors,
+                   const struct signal *signal) {
     signals_longest(b, signal);
     for (int k = 0; k < floors->n_floor; k++) {
         struct load_draft *d = builder_append(b, &b->loads, sizeof *d);
         if (d) {
-            *d = (struct load_draft){
-                .building = floors->building, .floor = floors->floor[k], .signal = *signal};
+            *d = (struct load_draft){.building = floors->building,
+                                     .floor = floors->floor[k],
+                                     .word = s->word[0],
+                                     .signal = *signal};
         }
     }
 }
@@ -113,7 +116,7 @@ static void build(struct builder *b, const struct statement *s) {
         struct signal signal;
         if (strcmp(s->word[2].text, kinds[i]) == 0) {
             if (read[i](b, s, &signal) && selected) {
-                append(b, &floors, &signal);
+                append(b, s, &floors, &signal);
             }
             return;
         }

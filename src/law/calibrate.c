@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "law/calibrate.h"
+
+#include <math.h>
+
+#include "law/isolated.h"
+#include "law/root.h"
+
+// The impacts are integrated to about 1e-12.
+static const double TOLERANCE = 1e-12;
+// A guess further off than 2 to this power is no guess.
+enum { DOUBLINGS_MAX = 20 };
+
+struct wanted {
+    const struct contact_law *law;
+    double restitution;
+};
+
+// Restitution delivered less the one wanted; NAN where the impact fails.
+static double excess(double zeta, void *context) {
+    const struct wanted *w = context;
+    double value[CONTACT_ROWS_MAX];
+    for (int i = 0; i < w->law->n_row; i++) {
+        value[i] = w->law->row[i].fallback;
+    }
+    value[contact_law_row(w->law, "k")] = 1.0;
+    value[contact_law_row(w->law, "zeta")] = zeta;
+    double constant[CONTACT_CONSTANTS_MAX];
+    struct isolated_impact impact;
+    struct error e;
+    if (w->law->prepare(value, 1.0, constant, &e) != STATUS_OK ||
+        isolated_run(w->law, constant, 1.0, 1.0, NULL, &impact, &e) != STATUS_OK) {
+        return NAN;
+    }
+    return impact.restitution - w->restitution;
+}
+
+double calibrate_by_impact(const struct contact_law *law, double e, double guess) {
+    if (e == 1.0) {
+        return 0.0;
+    }
+    struct wanted wanted = {.law = law, .restitution = e};
+    double low = guess;
+    double high = guess;
+    for (int i = 0; i < DOUBLINGS_MAX && excess(low, &wanted) < 0.0; i++) {
+        low /= 2.0;
+    }
+    for (int i = 0; i < DOUBLINGS_MAX && excess(high, &wanted) > 0.0; i++) {
+        high *= 2.0;
+    }
+    if (low == high) {
+        return excess(low, &wanted) == 0.0 ? low : NAN;
+    }
+    return root_find(excess, &wanted, low, high, TOLERANCE);
+}

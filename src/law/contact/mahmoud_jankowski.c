@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Linear spring with a dashpot during approach: F = k d + c v while v > 0, F = k d after, with
+// c = 2 zeta sqrt(k m).
+//
+// The relation of 2011, zeta = (1 - e^2) / (e (e (pi - 2) + 2)), delivers 0.6538 for 0.65; that of
+// 2008, (1 - e^2) / (pi e), delivers 0.6848. The force jumps from 0 to c v0 at closure; its slope
+// jumps at v = 0. An approach renewed within one contact is damped again.
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+#include "law/contact_list.h"
+#include "law/restitution.h"
+
+enum { K, E, ZETA, RELATION, N_ROW };
+enum { STIFFNESS, DASHPOT, N_CONSTANT };
+
+static const struct range relation_range = {.min = 2008, .max = 2011, .text = "2008 or 2011"};
+
+static const struct row rows[N_ROW] = {
+    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
+    [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
+    [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, {0}, &range_non_negative, NAN, "damping ratio"},
+    [RELATION] = {"relation",
+                  ROW_INTEGER,
+                  0,
+                  {0},
+                  &relation_range,
+                  NAN,
+                  "year of the relation zeta(e), 2011 if not given"},
+};
+
+static double relation_2011(double e) {
+    return (1.0 - e * e) / (e * (e * (M_PI - 2.0) + 2.0));
+}
+
+static double relation_2008(double e) {
+    return (1.0 - e * e) / (M_PI * e);
+}
+
+static int mahmoud_jankowski_prepare(const double *value, double m_eff, double *constant,
+                                     struct error *e) {
+    double year = isnan(value[RELATION]) ? 2011.0 : value[RELATION];
+    if (year != 2008.0 && year != 2011.0) {
+        return error_set(e, STATUS_INPUT, "relation is %g; it must be 2008 or 2011", year);
+    }
+    if (isnan(value[E]) && !isnan(value[RELATION])) {
+        return error_set(e, STATUS_INPUT,
+                         "-relation is of no use where -zeta or -calibrate sets the damping");
+    }
+    double zeta =
+        restitution_ratio(value[E], value[ZETA], year == 2008.0 ? relation_2008 : relation_2011);
+    constant[STIFFNESS] = value[K];
+    constant[DASHPOT] = 2.0 * zeta * sqrt(value[K] * m_eff);
+    return STATUS_OK;
+}
+
+static struct contact_response mahmoud_jankowski_force(const double *c, const double *h, double d,
+                                                       double v) {
+    (void)h;
+    struct contact_response r = {.force = c[STIFFNESS] * d, .dfdd = c[STIFFNESS]};
+    if (v > 0.0) {
+        r.force += c[DASHPOT] * v;
+        r.dfdv = c[DASHPOT];
+    }
+    return r;
+}
+
+const struct contact_law contact_mahmoud_jankowski = {
+    .name = "mahmoud-jankowski",
+    .summary = "linear spring with a dashpot during approach",
+    .formula = "F = k d + c v while v > 0, k d after; c = 2 zeta sqrt(k m*), "
+               "zeta = (1 - e^2) / (e (e (pi - 2) + 2))",
+    .source = "Mahmoud & Jankowski (2011), Eng. Struct. 33, 1567-1575; -relation 2008: Mahmoud, "
+              "Chen & Jankowski (2008), J. Appl. Sci. 8, 1850-1855",
+    .remarks = "never pulls; jumps at closure; close to e for e above 0.4",
+    .row = rows,
+    .n_row = N_ROW,
+    .n_constant = N_CONSTANT,
+    .traits = CONTACT_JUMPS,
+    .prepare = mahmoud_jankowski_prepare,
+    .force = mahmoud_jankowski_force,
+    .exact = restitution_approach,
+};

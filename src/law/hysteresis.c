@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "law/hysteresis.h"
+
+#include <math.h>
+
+#include "law/power.h"
+#include "law/restitution.h"
+
+enum { STIFFNESS, EXPONENT, Q, FLOOR };
+enum { DAMPING };  // q / v0 [T/L]
+
+const struct row hysteresis_rows[HYSTERESIS_ROWS] = {
+    [HYSTERESIS_K] = {"k",
+                      ROW_NUMBER,
+                      ROW_REQUIRED | ROW_PER_LENGTH_POWER,
+                      {1, 0, 0},
+                      &range_positive,
+                      NAN,
+                      "impact stiffness"},
+    [HYSTERESIS_E] =
+        {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
+    [HYSTERESIS_ZETA] = {"zeta",
+                         ROW_NUMBER,
+                         ROW_ONE_OF,
+                         {0},
+                         &range_non_negative,
+                         NAN,
+                         "dimensionless damping q = zeta v0 / k"},
+    [HYSTERESIS_VMIN] = HYSTERESIS_VMIN_ROW,
+    [HYSTERESIS_N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
+};
+
+int hysteresis_prepare(const double *value, double (*relation)(double e), double *constant,
+                       struct error *e) {
+    constant[STIFFNESS] = value[HYSTERESIS_K];
+    constant[EXPONENT] = value[HYSTERESIS_N];
+    constant[Q] = restitution_ratio(value[HYSTERESIS_E], value[HYSTERESIS_ZETA], relation);
+    constant[FLOOR] = value[HYSTERESIS_VMIN];
+    return isnan(constant[Q]) ? error_no_memory(e) : STATUS_OK;
+}
+
+void hysteresis_close(const double *constant, double v0, double *history) {
+    history[DAMPING] = constant[Q] / fmax(v0, constant[FLOOR]);
+}
+
+struct contact_response hysteresis_force(const double *constant, const double *history, double d,
+                                         double v) {
+    struct contact_response spring = power_spring(constant[STIFFNESS], constant[EXPONENT], d);
+    double factor = 1.0 + history[DAMPING] * v;
+    return (struct contact_response){
+        .force = spring.force * factor,
+        .dfdd = spring.dfdd * factor,
+        .dfdv = spring.force * history[DAMPING],
+    };
+}

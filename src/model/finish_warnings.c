@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gsl/gsl_math.h>
+
+#include "model/finish.h"
+
+static const double ROUNDING = 1e-9;
+static const double STEPS_PER_CYCLE = 10.0;  // fewer do not follow a vibration
+static const double SAME_LEVEL = 0.01;       // relative difference of two floors' heights
+
+// True if the signal acts in the analysis; warns if it does not, or if the step skips it.
+static bool check_signal(struct builder *b, const struct model *m, const struct signal *s,
+                         const struct word *w) {
+    const char *unit = b->deck->units.time_name;
+    if (s->start >= m->duration || signal_peak(s) == 0.0) {
+        deck_warning(b->deck, w,
+                     s->start >= m->duration ? "%s starts after the end of the analysis"
+                                             : "%s is zero throughout",
+                     s->name);
+        return false;
+    }
+    if (s->value && m->dt > s->dt * (1.0 + ROUNDING)) {
+        deck_warning(b->deck, &b->step, "step %.6g %s is longer than the sampling %.6g %s of %s",
+                     m->dt, unit, s->dt, unit, s->name);
+    }
+    double cycle = s->value || s->omega == 0.0 ? INFINITY : 2.0 * M_PI / s->omega;
+    if (m->dt * STEPS_PER_CYCLE > cycle * (1.0 + ROUNDING)) {
+        deck_warning(b->deck, &b->step, "step %.6g %s is too long for a sine of period %.6g %s",
+                     m->dt, unit, cycle, unit);
+    }
+    return true;
+}
+
+// Does anything set the buildings in motion?
+static bool check_signals(struct builder *b, const struct model *m) {
+    bool moves = false;
+    for (int i = 0; i < b->grounds.n; i++) {
+        const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
+        moves |= check_signal(b, m, &g->signal, &g->word);
+    }
+    for (int i = 0; i < b->loads.n; i++) {
+        const struct load_draft *l = (const struct load_draft *)b->loads.item + i;
+        const struct load_draft *before = i > 0 ? l - 1 : NULL;
+        bool same = before && before->word.place.line == l->word.place.line &&
+                    before->word.place.source == l->word.place.source;
+        moves |= same || check_signal(b, m, &l->signal, &l->word);
+    }
+    return moves;
+}
+
+static bool starts_moving(const struct builder *b, const struct model *m) {
+    bool moves = false;
+    for (int i = 0; i < m->n_dof; i++) {
+        moves |= m->displacement[i] != 0.0 || m->velocity[i] != 0.0;
+    }
+    for (int i = 0; i < b->links.n; i++) {
+        moves |= ((const struct link_draft *)b->links.item + i)->link.gap < 0.0;
+    }
+    return moves;
+}
+
+static void check_periods(struct builder *b, const struct model *m) {
+    for (int i = 0; i < m->n_building; i++) {
+        double period = 2.0 * M_PI / m->building[i].omega[0];
+        if (m->dt * STEPS_PER_CYCLE > period) {
+            const char *unit = b->deck->units.time_name;
+            deck_warning(b->deck, &b->step,
+                         "step %.6g %s is too long for building %s, whose first period is %.4g %s",
+                         m->dt, unit, m->building[i].name, period, unit);
+            return;
+        }
+    }
+}
+
+static double ground_displacement(const struct ground *g, double t) {
+    double sum = 0.0;
+    for (int i = 0; i < g->n_signal; i++) {
+        double v;
+        double u;
+        signal_integrals(&g->signal[i], t, &v, &u);
+        sum += u;
+    }
+    return sum;
+}
+
+// Grounds that move differently part for good where their accelerations do not integrate to rest.
+static void check_drift(struct builder *b, const struct model *m) {
+    for (int k = 0; k < m->n_contact; k++) {
+        const struct link *l = &m->link[k];
+        if (!l->moving_ground) {
+            continue;
+        }
+        const struct building *left = &m->building[l->building[0]];
+        const struct building *right = &m->building[l->building[1]];
+        double apart = ground_displacement(&m->ground[right->ground], m->duration) -
+                       ground_displacement(&m->ground[left->ground], m->duration);
+        if (fabs(apart) > l->gap) {
+            deck_warning(b->deck, NULL,
+                         "the grounds of %s and %s end %.4g %s apart, more than the gap of contact "
+                         "%s: their accelerations do not integrate to rest",
+                         left->name, right->name, apart, b->deck->units.length_name, l->name);
+            return;
+        }
+    }
+}
+
+static double level(const struct building *g, int floor) {
+    double height = 0.0;
+    for (int i = 0; g->height && i < floor; i++) {
+        height += g->height[i];
+    }
+    return height;
+}
+
+static void check_facing(struct builder *b, const struct model *m, const struct link_draft *d) {
+    const struct link *l = &d->link;
+    if (l->building[0] == WALL || l->building[1] == WALL) {
+        return;
+    }
+    double left = level(&m->building[l->building[0]], l->floor[0]);
+    double right = level(&m->building[l->building[1]], l->floor[1]);
+    if (left > 0.0 && right > 0.0 && fabs(left - right) > SAME_LEVEL * fmax(left, right)) {
+        deck_warning(b->deck, &d->word, "the floors of contact %s are at %.4g and %.4g %s", l->name,
+                     left, right, b->deck->units.length_name);
+    }
+    for (int k = l->building[0] + 1; k < l->building[1]; k++) {
+        if (m->building[k].n_floor >= l->floor[0] && m->building[k].n_floor >= l->floor[1]) {
+            deck_warning(b->deck, &d->word, "building %s stands between the floors of contact %s",
+                         m->building[k].name, l->name);
+        }
+    }
+}
+
+// One warning a statement: its first contact stands for the others.
+static void check_contacts(struct builder *b, const struct model *m) {
+    const struct link_draft *draft = b->links.item;
+    for (int i = 0; i < b->links.n; i++) {
+        bool same = i > 0 && draft[i - 1].word.place.line == draft[i].word.place.line &&
+                    draft[i - 1].word.place.source == draft[i].word.place.source;
+        if (!same && !draft[i].link.bilateral) {
+            check_facing(b, m, &draft[i]);
+        }
+    }
+}
+
+void finish_warnings(struct builder *b, const struct model *m) {
+    bool excited = check_signals(b, m);
+    if (!excited && !starts_moving(b, m)) {
+        deck_warning(b->deck, NULL,
+                     "nothing moves the buildings: no ground motion, load or initial state");
+    }
+    check_periods(b, m);
+    check_drift(b, m);
+    check_contacts(b, m);
+}
