@@ -118,6 +118,17 @@ static void print_loads(const struct model *m, const struct unit_texts *t) {
     }
 }
 
+// The law's parameters as a deck would give them.
+static void print_law(const struct link *l) {
+    printf("%s", l->law->name);
+    for (int r = 0; r < l->law->n_row; r++) {
+        if (!isnan(l->value[r])) {
+            printf(" -%s %.6g", l->law->row[r].key, l->value[r]);
+        }
+    }
+    printf("\n");
+}
+
 static void print_links(const struct model *m, const struct unit_texts *t) {
     if (m->n_link == 0) {
         printf("\nno contacts\n");
@@ -133,7 +144,8 @@ static void print_links(const struct model *m, const struct unit_texts *t) {
         } else {
             printf("%10.4g", l->gap);
         }
-        printf(" %12.6g  %s\n", l->mass, l->law->name);
+        printf(" %12.6g  ", l->mass);
+        print_law(l);
     }
 }
 

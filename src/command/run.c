@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 
 #include "command/load.h"
+#include "command/progress.h"
 #include "core/arena.h"
 #include "jostle/result.h"
 
@@ -44,9 +45,20 @@ static void interrupt(int number) {
     interrupted = number;
 }
 
-// Ends the run on a signal.
-static int poll_signals(void *context, double time, struct error *e) {
-    (void)context;
+// Passes rows on to the writer, shows progress, and ends the run on a signal.
+struct watch {
+    struct observer writer;
+    struct progress progress;
+};
+
+static int watch_row(void *context, const struct row_view *row, struct error *e) {
+    const struct watch *w = context;
+    return w->writer.row(w->writer.context, row, e);
+}
+
+static int watch_poll(void *context, double time, struct error *e) {
+    struct watch *w = context;
+    progress_show(&w->progress, time);
     if (interrupted) {
         return error_set(e, STATUS_SYSTEM,
                          "interrupted by signal %d at t = %.6g; nothing was written",
@@ -140,16 +152,19 @@ static void catch_signals(void) {
     sigaction(SIGHUP, &action, NULL);
 }
 
-static int analyse(const struct model *m, const struct result_options *result, struct results **out,
-                   struct error *e) {
+static int analyse(const struct model *m, const struct options *o,
+                   const struct result_options *result, struct results **out, struct error *e) {
     struct result_writer *writer;
     int status = result_create(m, result, &writer, e);
     if (status != STATUS_OK) {
         return status;
     }
-    struct observer observer = result_observer(writer);
-    observer.poll = poll_signals;
+    struct watch watch = {.writer = result_observer(writer)};
+    struct observer observer = {.row = watch_row, .poll = watch_poll, .context = &watch};
+    progress_start(&watch.progress, m->duration, m->deck->units.time_name);
+    watch.progress.enabled = watch.progress.enabled && !o->load.quiet;
     status = analysis_run(m, &observer, out, e);
+    progress_end(&watch.progress);
     if (status != STATUS_OK) {
         result_abort(writer);
         return status;
@@ -225,7 +240,7 @@ static int run_model(const struct model *m, const struct options *o, int argc, c
     }
     struct results *results;
     catch_signals();
-    if (analyse(m, &result, &results, &e) != STATUS_OK) {
+    if (analyse(m, o, &result, &results, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     int status = STATUS_OK;

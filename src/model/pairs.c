@@ -149,17 +149,23 @@ const char *pairs_name(struct builder *b, const struct argument *a, bool *good) 
     return name;
 }
 
-const double *pairs_constants(struct builder *b, const struct contact_law *law,
-                              const struct argument *given, double mass, const struct word *word) {
-    double value[CONTACT_ROWS_MAX];
+bool pairs_set_law(struct builder *b, struct link *link, const struct contact_law *law,
+                   const struct argument *given, const struct word *word) {
+    double *value = builder_array(b, (size_t)law->n_row, sizeof *value);
+    double *constant = builder_array(b, (size_t)law->n_constant, sizeof *constant);
+    if (!value || !constant) {
+        return false;
+    }
     for (int r = 0; r < law->n_row; r++) {
         value[r] = given[r].n > 0 ? given[r].number[0] : NAN;
     }
-    double *constant = builder_array(b, (size_t)law->n_constant, sizeof *constant);
     struct error e;
-    if (constant && law->prepare(value, mass, constant, &e) != STATUS_OK) {
+    if (law->prepare(value, link->mass, constant, &e) != STATUS_OK) {
         deck_error(b->deck, word, "%s", e.message);
-        return NULL;
+        return false;
     }
-    return constant;
+    link->law = law;
+    link->value = value;
+    link->constant = constant;
+    return true;
 }

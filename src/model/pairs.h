@@ -25,9 +25,9 @@ struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k,
 // report.
 const char *pairs_name(struct builder *b, const struct argument *a, bool *good);
 
-// Derives the constants of a law from its rows' arguments for one link of effective mass `mass`;
-// NULL after a report at `word`.
-const double *pairs_constants(struct builder *b, const struct contact_law *law,
-                              const struct argument *given, double mass, const struct word *word);
+// Gives a link its law: the values of the law's rows, and the constants that follow from them and
+// the link's effective mass. Reports at `word` what is wrong with them, and then returns false.
+bool pairs_set_law(struct builder *b, struct link *link, const struct contact_law *law,
+                   const struct argument *given, const struct word *word);
 
 #endif

@@ -225,9 +225,9 @@ static int peer_read(struct arena *a, const struct record_request *request,
         status = read_titles(request, t, &titles, out, e);
     }
     if (!status) {
-        status = check_count(t, &l, npts, e);
+        status = values_read(a, t, l, "", out, e);
     }
-    return status ? status : values_read(a, t, l, "", out, e);
+    return status ? status : check_count(t, &l, npts, e);
 }
 
 const struct record_format record_peer = {

@@ -208,6 +208,16 @@ static void what_is_not_a_number_is_named_with_line_and_index(void **state) {
     }
 }
 
+static void a_broken_word_is_named_before_a_wrong_count(void **state) {
+    struct reading *r = *state;
+    reading_of_text(r, PEER_TITLE "NPTS= 4, DT= .01 SEC\n.1 .2\nx.y .3 .4\n");
+    assert_refused(r, "a.txt:6: value 3 'x.y' is not a number");
+    reading_of_text(r, PEER_TITLE "NPTS= 4, DT= .01 SEC\n.1 .2\nx.y .3\n.4 .5\n");
+    assert_refused(r, "a.txt:6: value 3 'x.y' is not a number");
+    reading_of_text(r, PEER_TITLE "NPTS= 4, DT= .01 SEC\n.1 .2\n.3 .4\n*** End Data ***\n");
+    assert_read(r, "peer", 4, 0.01);
+}
+
 static void messages_show_little_of_the_file_and_no_control_characters(void **state) {
     struct reading *r = *state;
     char text[1200] = PEER_TITLE "NPTS= 1, DT= .01 SEC\n";
@@ -237,6 +247,7 @@ int main(void) {
         TEST_READING(numbers_in_the_ways_of_c_and_fortran_are_read),
         TEST_READING(a_negative_zero_keeps_its_sign),
         TEST_READING(what_is_not_a_number_is_named_with_line_and_index),
+        TEST_READING(a_broken_word_is_named_before_a_wrong_count),
         TEST_READING(messages_show_little_of_the_file_and_no_control_characters),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

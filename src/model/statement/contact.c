@@ -108,13 +108,11 @@ static void append(struct builder *b, const struct pairs *p, const struct contac
             return;
         }
         d->link.gap = gap[k];
-        d->link.law = law;
         d->overlap = own[OVERLAP].given;
         if (own[MEFF].given) {
             d->link.mass = own[MEFF].number[0];
         }
-        d->link.constant = pairs_constants(b, law, given, d->link.mass, own[LAW].word);
-        good = d->link.constant != NULL;
+        good = pairs_set_law(b, &d->link, law, given, own[LAW].word);
     }
 }
 

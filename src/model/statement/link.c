@@ -25,8 +25,7 @@ static void append(struct builder *b, const struct pairs *p, const struct argume
             return;
         }
         d->link.bilateral = true;
-        d->link.law = &bilateral_law;
-        d->link.constant = pairs_constants(b, &bilateral_law, given, d->link.mass, p->word);
+        pairs_set_law(b, &d->link, &bilateral_law, given, p->word);
     }
 }
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/progress.h"
+
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+static const double FIRST = 1.0, INTERVAL = 0.2;  // [s]
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void progress_start(struct progress *p, double duration, const char *unit) {
+    *p = (struct progress){
+        .duration = duration, .unit = unit, .enabled = isatty(STDERR_FILENO) != 0, .start = now()};
+    p->last = p->start;
+}
+
+void progress_show(struct progress *p, double time) {
+    double wall = now();
+    if (!p->enabled || wall - p->start < FIRST || wall - p->last < INTERVAL || time <= 0.0) {
+        return;
+    }
+    double share = time / p->duration;
+    fprintf(stderr, "\r%.4g of %.4g %s, %3.0f %%, %.0f s left \033[K", time, p->duration, p->unit,
+            100.0 * share, (wall - p->start) * (1.0 - share) / share);
+    fflush(stderr);
+    p->last = wall;
+    p->shown = true;
+}
+
+void progress_end(struct progress *p) {
+    if (p->shown) {
+        fprintf(stderr, "\r\033[K");
+        p->shown = false;
+    }
+}
