@@ -118,15 +118,29 @@ static void print_loads(const struct model *m, const struct unit_texts *t) {
     }
 }
 
-// The law's parameters as a deck would give them.
-static void print_law(const struct link *l) {
-    printf("%s", l->law->name);
-    for (int r = 0; r < l->law->n_row; r++) {
-        if (!isnan(l->value[r])) {
-            printf(" -%s %.6g", l->law->row[r].key, l->value[r]);
-        }
-    }
+static bool same_law(const struct link *a, const struct link *b) {
+    return a->law == b->law &&
+           memcmp(a->value, b->value, (size_t)a->law->n_row * sizeof *a->value) == 0;
+}
+
+// The parameters of the laws as a deck would give them, once for neighbours that share them.
+static void print_laws(const struct model *m) {
     printf("\n");
+    for (int first = 0, last; first < m->n_link; first = last + 1) {
+        const struct link *l = &m->link[first];
+        last = first;
+        while (last + 1 < m->n_link && same_law(l, &m->link[last + 1])) {
+            last++;
+        }
+        printf("%s%s%s: %s", l->name, last > first ? " to " : "",
+               last > first ? m->link[last].name : "", l->law->name);
+        for (int r = 0; r < l->law->n_row; r++) {
+            if (!isnan(l->value[r])) {
+                printf(" -%s %.6g", l->law->row[r].key, l->value[r]);
+            }
+        }
+        printf("\n");
+    }
 }
 
 static void print_links(const struct model *m, const struct unit_texts *t) {
@@ -144,9 +158,9 @@ static void print_links(const struct model *m, const struct unit_texts *t) {
         } else {
             printf("%10.4g", l->gap);
         }
-        printf(" %12.6g  ", l->mass);
-        print_law(l);
+        printf(" %12.6g  %s\n", l->mass, l->law->name);
     }
+    print_laws(m);
 }
 
 static void print_time(const struct model *m, const struct unit_texts *t) {

@@ -183,20 +183,26 @@ static int read_titles(const struct record_request *request, const struct record
     return STATUS_OK;
 }
 
-static int check_count(const struct record_text *t, const struct lines *l, double npts,
+// Fewer values than the header says: what comes last may be half a number.
+static int check_short(const struct record_text *t, const struct lines *l, double npts,
                        struct error *e) {
     int last_line;
     size_t n = values_count(*l, "", &last_line);
-    if ((double)n < npts) {
-        return lines_error(e, t->path, last_line ? last_line : l->number,
-                           "the file ends after %zu values; its header (line %d) says %.0f", n,
-                           l->number, npts);
+    if ((double)n >= npts) {
+        return STATUS_OK;
     }
-    if ((double)n > npts) {
-        return lines_error(e, t->path, l->number, "the header says %.0f values; the file holds %zu",
-                           npts, n);
+    return lines_error(e, t->path, last_line ? last_line : l->number,
+                       "the file ends after %zu values; its header (line %d) says %.0f", n,
+                       l->number, npts);
+}
+
+static int check_long(const struct record_text *t, const struct lines *l, double npts, size_t n,
+                      struct error *e) {
+    if ((double)n <= npts) {
+        return STATUS_OK;
     }
-    return STATUS_OK;
+    return lines_error(e, t->path, l->number, "the header says %.0f values; the file holds %zu",
+                       npts, n);
 }
 
 static int peer_read(struct arena *a, const struct record_request *request,
@@ -225,9 +231,12 @@ static int peer_read(struct arena *a, const struct record_request *request,
         status = read_titles(request, t, &titles, out, e);
     }
     if (!status) {
+        status = check_short(t, &l, npts, e);
+    }
+    if (!status) {
         status = values_read(a, t, l, "", out, e);
     }
-    return status ? status : check_count(t, &l, npts, e);
+    return status ? status : check_long(t, &l, npts, out->n, e);
 }
 
 const struct record_format record_peer = {
