@@ -68,6 +68,7 @@ static int watch_poll(void *context, double time, struct error *e) {
 }
 
 static int parse_threads(const char *text) {
+    assert(text);
     char *end;
     errno = 0;
     long n = strtol(text, &end, 10);

@@ -26,7 +26,7 @@ void impact_values(const struct contact_law *law, const char *parameters, double
 struct isolated_impact impact_of(const struct contact_law *law, const double *value, double mass,
                                  double velocity) {
     double constant[CONTACT_CONSTANTS_MAX];
-    struct isolated_impact impact;
+    struct isolated_impact impact = {0};
     struct error e = {0};
     if (law->prepare(value, mass, constant, &e) != STATUS_OK ||
         isolated_run(law, constant, mass, velocity, NULL, &impact, &e) != STATUS_OK) {
