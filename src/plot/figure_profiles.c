@@ -123,8 +123,8 @@ static double top_level(const struct selection *s) {
 static void write_panel(const struct selection *s, int at, FILE *to) {
     const struct panel *p = &panels[at];
     const double maximum = panel_maximum(s, p), step = script_step(maximum, 4);
-    const double left = 0.065 + 0.235 * at;
-    fprintf(to, "set lmargin at screen %.4f\nset rmargin at screen %.4f\n", left, left + 0.195);
+    const double left = 0.085 + 0.23 * at;
+    fprintf(to, "set lmargin at screen %.4f\nset rmargin at screen %.4f\n", left, left + 0.19);
     fprintf(to, "set xrange [0:%.9g]\nset xtics %.9g\nset xlabel ",
             maximum > 0 ? 1.06 * maximum : 1, step);
     if (p->peak == PEAK_DRIFT && s->heights) {
