@@ -149,23 +149,7 @@ const char *pairs_name(struct builder *b, const struct argument *a, bool *good) 
     return name;
 }
 
-bool pairs_set_law(struct builder *b, struct link *link, const struct contact_law *law,
-                   const struct argument *given, const struct word *word) {
-    double *value = builder_array(b, (size_t)law->n_row, sizeof *value);
-    double *constant = builder_array(b, (size_t)law->n_constant, sizeof *constant);
-    if (!value || !constant) {
-        return false;
-    }
-    for (int r = 0; r < law->n_row; r++) {
-        value[r] = given[r].n > 0 ? given[r].number[0] : NAN;
-    }
-    struct error e;
-    if (law->prepare(value, link->mass, constant, &e) != STATUS_OK) {
-        deck_error(b->deck, word, "%s", e.message);
-        return false;
-    }
-    link->law = law;
-    link->value = value;
-    link->constant = constant;
-    return true;
+bool pairs_set_law(struct builder *b, struct link *link, const struct law_choice *choice) {
+    link->law = choice->law;
+    return law_choice_prepare(b->deck, choice, link->mass, &link->value, &link->constant);
 }
