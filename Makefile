@@ -49,10 +49,14 @@ ALLOC_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/*/test_alloc*.c))
 LONG     := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/*/long_*.c)))
 LONG_SCRIPTS := $(sort $(wildcard tests/cli/long_*.sh))
 FUZZERS  := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
+BENCH_OBJECTS := $(patsubst %.c,$(B)/object/%.o,$(wildcard tests/bench/*.c))
 FORMATTED = $(shell find include src tests -name '*.[ch]')
 TIDIED    = $(shell find src tests -name '*.c')
 HEADERS  := $(wildcard include/jostle/*.h)
 SAYS_VERSION := $(patsubst %.c,$(B)/object/%.o,$(shell grep -rl --include='*.c' JOSTLE_VERSION src))
+
+BUILT = $(shell $(CC) --version | sed 's/ .*//;q') $(shell $(CC) -dumpversion | cut -d . -f 1) \
+        $(shell uname -m) $(strip $(CFLAGS))
 
 Q     = $(if $(filter 1,$(V)),,@)
 SAY   = $(if $(filter 1,$(V)),@:,@printf '  %-7s %s\n')
@@ -80,6 +84,7 @@ $(B)/object/%.o: %.c $(B)/flags
 	$(Q)$(COMPILE) $(DEFINE) -MMD -MP -c -o $@ $<
 
 $(B)/object/tests/%.o: DEFINE = -Itests
+$(B)/object/tests/bench/%.o: DEFINE = -Itests -DBENCH_FLAGS='"$(strip $(CFLAGS))"'
 $(SAYS_VERSION): DEFINE = -DJOSTLE_VERSION='"$(VERSION)"'
 $(SAYS_VERSION): $(B)/version
 
@@ -149,6 +154,21 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.
 	$(SAY) LINK $@
 	@mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) $(CMOCKA)
+
+# --- speed ---------------------------------------------------------------------------------------
+.PHONY: bench bench-count
+bench: setup  ## times per step of some models; BENCH='-t -f pair': with tabs, those of a pair
+	@$(MAKE) $(PROGRAM) $(B)/bench
+	@$(B)/bench $(BENCH) $(PROGRAM) $(B)
+
+bench-count: setup  ## instructions per step against those on record; ACCEPT=1 records them
+	$(SETUP) count
+	@$(MAKE) $(B)/bench
+	@ACCEPT='$(filter 1,$(ACCEPT))' BUILT='$(BUILT)' bash tests/bench/count.sh $(B)/bench
+
+$(B)/bench: $(BENCH_OBJECTS) $(LIBRARY)
+	$(SAY) LINK $@
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS)
 
 # --- the state of the source ---------------------------------------------------------------------
 .PHONY: lint tidy format check-format
