@@ -21,17 +21,19 @@ typedef int bench_measure(const struct bench_case *c, const struct model *m,
 
 struct bench_case {
     const char *name;
-    int n_building;             // 0: the pair of 8 and 5 storeys
-    int n_floor;                // of each building of a row
-    const char *law;            // of the contacts, with its options
-    const char *statements;     // further lines of the deck; NULL: none
-    double dt, duration;        // [s]
+    int n_building;          // 0: the pair of 8 and 5 storeys
+    int n_floor;             // of each building of a row
+    const char *law;         // of the contacts, with its options
+    const char *statements;  // further lines of the deck; NULL: none
+    double dt, duration;     // [s]
     bench_measure *measure;
-    double limit, target;       // [ns/step] see docs/performance.md; 0: none
+    double limit, target;  // [ns/step] see docs/performance.md; 0: none
 };
 
 extern const struct bench_case bench_cases[];  // for the table of times
 extern const int n_bench_case;
+extern const struct bench_case bench_built[];  // for the table of reading and building, by size
+extern const int n_bench_built;
 extern const struct bench_case bench_counted[];  // for the counts of instructions
 extern const int n_bench_counted;
 
@@ -50,5 +52,20 @@ bench_measure bench_histories;
 
 // Wall time of `jostle run`, from fork to its end.
 bench_measure bench_program;
+
+// CPU time of the thread in reading the deck and building the model.
+bench_measure bench_build;
+
+enum layout { LAYOUT_TABLE, LAYOUT_TABS };
+
+// Prints date, machine, compiler and its options.
+void bench_head(enum layout layout);
+
+// Measures and prints the cases whose names contain `filter`, one line each.
+int bench_table(const struct bench_place *place, const char *filter, enum layout layout,
+                struct error *e);
+
+// The same for reading and building.
+int bench_table_built(const struct bench_place *place, enum layout layout, struct error *e);
 
 #endif

@@ -31,6 +31,15 @@ const struct bench_case bench_cases[] = {
 };
 const int n_bench_case = sizeof bench_cases / sizeof bench_cases[0];
 
+const struct bench_case bench_built[] = {
+    {"pair", 0, 0, JANKOWSKI, NULL, 1e-3, 40.0, bench_build, 0.0, 0.0},
+    {"row 10x50", 10, 50, JANKOWSKI, NULL, 1e-3, 40.0, bench_build, 0.0, 0.0},
+    {"row 100x50", 100, 50, JANKOWSKI, NULL, 1e-3, 40.0, bench_build, 0.0, 0.0},
+    {"row 1000x50", 1000, 50, JANKOWSKI, NULL, 1e-3, 40.0, bench_build, 0.0, 0.0},
+    {"row 5000x10", 5000, 10, JANKOWSKI, NULL, 1e-3, 40.0, bench_build, 0.0, 0.0},
+};
+const int n_bench_built = sizeof bench_built / sizeof bench_built[0];
+
 // Short, but with impacts.
 const struct bench_case bench_counted[] = {
     {"pair", 0, 0, JANKOWSKI, NULL, 1e-3, 5.0, bench_analysis, 0.0, 0.0},
