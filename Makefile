@@ -156,10 +156,16 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) $(CMOCKA)
 
 # --- speed ---------------------------------------------------------------------------------------
-.PHONY: bench bench-count
-bench: setup  ## times per step of some models; BENCH='-t -f pair': with tabs, those of a pair
+.PHONY: bench bench-docs bench-count
+bench: setup  ## times per step of some models; BENCH=-t: columns separated by tabs
 	@$(MAKE) $(PROGRAM) $(B)/bench
 	@$(B)/bench $(BENCH) $(PROGRAM) $(B)
+
+bench-docs: setup  ## bench, and its table into docs/performance.md
+	@$(MAKE) $(PROGRAM) $(B)/bench
+	@$(B)/bench $(PROGRAM) $(B) >$(B)/bench.txt
+	@sh tests/support/with_block.sh bench $(B)/bench.txt <docs/performance.md >$(B)/performance.md
+	@cp $(B)/performance.md docs
 
 bench-count: setup  ## instructions per step against those on record; ACCEPT=1 records them
 	$(SETUP) count
