@@ -187,7 +187,7 @@ lint: setup-lint  ## layers, names, lengths and clang-tidy
 
 tidy: setup-lint
 	@printf '%s\n' $(TIDIED) | xargs -n 1 -P $(CORES) sh tests/support/tidy.sh $(LANGUAGE) \
-	    -Itests -DJOSTLE_VERSION='"$(VERSION)"' --
+	    -Itests -DJOSTLE_VERSION='"$(VERSION)"' -DBENCH_FLAGS='""' --
 
 format: setup-lint  ## lay out every C file by .clang-format
 	@clang-format -i $(FORMATTED)
