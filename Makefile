@@ -55,8 +55,8 @@ TIDIED    = $(shell find src tests -name '*.c')
 HEADERS  := $(wildcard include/jostle/*.h)
 SAYS_VERSION := $(patsubst %.c,$(B)/object/%.o,$(shell grep -rl --include='*.c' JOSTLE_VERSION src))
 
-BUILT = $(shell $(CC) --version | sed 's/ .*//;q') $(shell $(CC) -dumpversion | cut -d . -f 1) \
-        $(shell uname -m) $(strip $(CFLAGS))
+BUILT = $(if $(shell $(CC) -dM -E -x c /dev/null | grep __clang__),clang,gcc) \
+        $(shell $(CC) -dumpversion | cut -d . -f 1) $(shell uname -m) $(strip $(CFLAGS))
 
 Q     = $(if $(filter 1,$(V)),,@)
 SAY   = $(if $(filter 1,$(V)),@:,@printf '  %-7s %s\n')
