@@ -23,8 +23,8 @@ bool energy_alloc(struct energy_account *a, const struct model *m, struct arena 
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s);
 
 // Adds the step from `now` to `next`.
-void energy_step(struct energy_account *a, const struct model *m, const struct chain *c,
-                 const struct state *now, const struct state *next);
+void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
+                 const struct state *next);
 
 // Adds the impulse of a rigid impact of contact k at the instant of `s`, in which `work` was lost.
 void energy_impulse(struct energy_account *a, const struct model *m, const struct state *s, int k,
@@ -38,8 +38,7 @@ void energy_balance(const struct energy_account *a, const struct model *m, const
 bool peaks_alloc(struct results *r, const struct model *m, struct arena *a);
 
 // Takes state `s` into the envelopes of floors and contacts.
-void peaks_update(struct results *r, const struct model *m, const struct chain *c,
-                  const struct state *s);
+void peaks_update(struct results *r, const struct model *m, const struct state *s);
 
 // The impacts that are under way. Arrays (n_contact).
 struct impact_log {

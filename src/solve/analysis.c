@@ -55,8 +55,8 @@ static int poll(struct run *r) {
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
     struct results *out = r->results;
-    energy_step(&r->energy, r->model, &r->work.chain, r->now, r->next);
-    peaks_update(out, r->model, &r->work.chain, r->next);
+    energy_step(&r->energy, r->model, r->now, r->next);
+    peaks_update(out, r->model, r->next);
     int status = impacts_step(&r->impacts, out, r->model, r->now, r->next, r->error);
     struct state *old = r->now;
     r->now = r->next;
@@ -172,7 +172,7 @@ static int pass(struct run *r, struct event *event, double end, double h) {
         r->results->totals.events++;
         r->events[event->link]++;
         status = r->model->link[event->link].law->rebound ? meet(r, event) : jump(r, event);
-        peaks_update(r->results, r->model, &r->work.chain, r->now);
+        peaks_update(r->results, r->model, r->now);
     }
     return status;
 }
@@ -280,7 +280,7 @@ static bool run_alloc(struct run *r, struct arena *a) {
 static int run_start(struct run *r) {
     state_start(r->now, r->model);
     energy_start(&r->energy, r->model, r->now);
-    peaks_update(r->results, r->model, &r->work.chain, r->now);
+    peaks_update(r->results, r->model, r->now);
     return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
 }
 

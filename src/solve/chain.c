@@ -1,49 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/chain.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 
-#include "core/arena.h"
 #include "core/lanes.h"
-
-double *chain_array(const struct model *m, struct arena *a) {
-    // One zero behind the values stands for a wall.
-    size_t n = (size_t)lanes_whole(m->n_dof + 1);
-    double *x = arena_alloc(a, n + LANES_WIDTH, sizeof *x);
-    return x ? x + LANES_WIDTH : NULL;
-}
-
-static void fill(struct chain *c, const struct model *m) {
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = 0; i < g->n_floor; i++) {
-            int j = g->first + i;
-            c->mass[j] = g->mass[i];
-            c->stiffness[j] = g->stiffness[i];
-            c->joint[j] = i > 0 ? 1.0 : 0.0;
-            if (!g->damping_full) {
-                c->damping[j] = g->damping_diagonal[i];
-                c->damping_below[j] = i > 0 ? g->damping_off[i - 1] : 0.0;
-                c->damping_above[j] = i + 1 < g->n_floor ? g->damping_off[i] : 0.0;
-            }
-        }
-    }
-}
-
-bool chain_alloc(struct chain *c, const struct model *m, struct arena *a) {
-    c->n = lanes_whole(m->n_dof);
-    double **const part[] = {&c->mass,          &c->stiffness, &c->joint,
-                             &c->damping_below, &c->damping,   &c->damping_above};
-    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        *part[i] = chain_array(m, a);
-        if (!*part[i]) {
-            return false;
-        }
-    }
-    fill(c, m);
-    return true;
-}
 
 // The compiler sees from the mask that there are no elements beyond whole lanes.
 static inline int whole(int n) {
@@ -76,6 +38,14 @@ LANES void chain_damping(const struct chain *c, const double *restrict v, double
     const double *restrict above = c->damping_above;
     for (int i = 0, n = whole(c->n); i < n; i++) {
         force[i] = below[i] * v[i - 1] + own[i] * v[i] + above[i] * v[i + 1];
+    }
+}
+
+LANES void chain_inertia(const struct chain *c, const double *restrict base,
+                         double *restrict external) {
+    const double *restrict mass = c->mass;
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        external[i] = -mass[i] * base[i];
     }
 }
 
@@ -113,15 +83,17 @@ LANES void chain_work(const struct chain *c, const double *restrict f0, const do
     }
 }
 
-LANES bool chain_exceeds(const struct chain *c, const double *const x[CHAIN_PEAKS],
-                         double *const peak[CHAIN_PEAKS]) {
+LANES bool chain_exceeds(const struct chain *c, const double *const x[PEAK_COUNT],
+                         double *const peak[PEAK_COUNT]) {
+    const double *restrict x0 = x[0], *restrict x1 = x[1], *restrict x2 = x[2];
+    const double *restrict x3 = x[3], *restrict x4 = x[4];
+    const double *restrict p0 = peak[0], *restrict p1 = peak[1], *restrict p2 = peak[2];
+    const double *restrict p3 = peak[3], *restrict p4 = peak[4];
+    static_assert(PEAK_COUNT == 5, "all peaks are looked at");
     long above = 0;
-    for (int q = 0; q < CHAIN_PEAKS; q++) {
-        const double *restrict value = x[q];
-        const double *restrict limit = peak[q];
-        for (int i = 0, n = whole(c->n); i < n; i++) {
-            above |= fabs(value[i]) > limit[i];
-        }
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        above |= (fabs(x0[i]) > p0[i]) | (fabs(x1[i]) > p1[i]) | (fabs(x2[i]) > p2[i]) |
+                 (fabs(x3[i]) > p3[i]) | (fabs(x4[i]) > p4[i]);
     }
     return above != 0;
 }

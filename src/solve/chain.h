@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All floors of all buildings as one chain: what is done for every floor in every step runs over
-// flat arrays, whatever the number of buildings. The joint between the roof of one building and
-// the first floor of the next is 0. Arrays are those of core/lanes.h.
+// What is done for every floor in every step, over the flat arrays of struct chain. Arrays are
+// those of core/lanes.h.
 #ifndef JOSTLE_CHAIN_H
 #define JOSTLE_CHAIN_H
 
 #include "jostle/analysis.h"
-
-struct chain {
-    int n;              // degrees of freedom, in whole lanes
-    double *mass;       // [M] (n)
-    double *stiffness;  // [F/L] (n) initial, of the storey below
-    double *joint;      // (n + 1) 1: floor i stands on floor i - 1; else 0
-    double *damping_below, *damping, *damping_above;  // [F T/L] (n) bands of C; 0 where it is full
-};
-
-// An array for n_dof values and one zero behind them; NULL: no memory.
-double *chain_array(const struct model *m, struct arena *a);
-
-// The chain of a model; false: no memory.
-bool chain_alloc(struct chain *c, const struct model *m, struct arena *a);
 
 // u_t = u + h v + h^2 a / 2 and v_t = v + h a: the end of the step if the accelerations stay.
 void chain_trial(const struct chain *c, double h, const double *u, const double *v, const double *a,
@@ -30,6 +15,9 @@ void chain_drifts(const struct chain *c, const double *u, double *drift, double 
 
 // The damping forces C v, but for buildings whose C is full: there 0.
 void chain_damping(const struct chain *c, const double *v, double *force);
+
+// External forces -m base of the ground accelerations below each floor.
+void chain_inertia(const struct chain *c, const double *base, double *external);
 
 // r = external - m a - damping - shear below + shear above.
 void chain_residual(const struct chain *c, const double *external, const double *a,
@@ -45,8 +33,7 @@ void chain_work(const struct chain *c, const double *f0, const double *f1, const
                 const double *u1, double *work);
 
 // Is any |x[q][i]| greater than peak[q][i]?
-enum { CHAIN_PEAKS = PEAK_COUNT };
-bool chain_exceeds(const struct chain *c, const double *const x[CHAIN_PEAKS],
-                   double *const peak[CHAIN_PEAKS]);
+bool chain_exceeds(const struct chain *c, const double *const x[PEAK_COUNT],
+                   double *const peak[PEAK_COUNT]);
 
 #endif

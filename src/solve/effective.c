@@ -22,9 +22,8 @@ bool effective_alloc(struct effective *e, const struct building *building, struc
     e->factor = arena_alloc(a, n, sizeof *e->factor);
     e->stride = lanes_whole(building->n_floor);
     e->inverse = arena_alloc(a, n * (size_t)e->stride, sizeof *e->inverse);
-    e->product = arena_alloc(a, (size_t)e->stride, sizeof *e->product);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
-    if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->product || !e->ready) {
+    if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->ready) {
         return false;
     }
     memcpy(e->tangent, building->stiffness, n * sizeof *e->tangent);
@@ -101,33 +100,35 @@ static void solve_tridiagonal(const struct effective *e, double *r) {
     }
 }
 
-// y = sum of r_i times row i of the inverse, in whole lanes.
+// Adds to q (n) the sum of r_i times row i of the inverse.
 LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
-                           int n, double *restrict y) {
-    stride &= ~(LANES_WIDTH - 1);
-    memset(y, 0, (size_t)stride * sizeof *y);
-    for (int i = 0; i < n; i++) {
-        const double *restrict row = inverse + (size_t)i * (size_t)stride;
-        double factor = r[i];
-        for (int j = 0; j < stride; j++) {
-            y[j] += factor * row[j];
+                           int n, double *restrict q) {
+    for (int j = 0; j < n; j += LANES_WIDTH) {
+        const double *restrict row = inverse + j;
+        lanes y = {0.0};
+        for (int i = 0; i < n; i++, row += stride) {
+            y += r[i] * *(const lanes *)row;
+        }
+        if (j + LANES_WIDTH <= n) {
+            *(lanes *)(q + j) += y;
+        }
+        for (int lane = 0; j + LANES_WIDTH > n && j + lane < n; lane++) {
+            q[j + lane] += y[lane];
         }
     }
 }
 
 void effective_solve(struct effective *e, double *r, double *q) {
     int n = e->building->n_floor;
-    const double *x = r;
     if (e->n_ready == n) {
-        multiply(e->inverse, e->stride, r, n, e->product);
-        x = e->product;
-    } else {
-        solve_tridiagonal(e, r);
+        multiply(e->inverse, e->stride, r, n, q);
+        return;
     }
+    solve_tridiagonal(e, r);
     for (int i = 0; i < n; i++) {
-        q[i] += x[i];
+        q[i] += r[i];
     }
-    if (e->n_ready < n && n <= INVERSE_FLOORS_MAX) {
+    if (n <= INVERSE_FLOORS_MAX) {
         effective_column(e, e->n_ready);
     }
 }

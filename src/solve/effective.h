@@ -16,7 +16,6 @@ struct effective {
     double *inverse;                  // (n_floor, stride) A^-1; rows ready where marked
     bool *ready;                      // (n_floor) row of `inverse` is valid
     int n_ready;                      // rows below this are
-    double *product;                  // (stride) scratch
 };
 
 // Room for the factors of `building`, with the initial tangents; false: no memory.

@@ -8,6 +8,7 @@
 //
 // Where two buildings stand on grounds that move differently, link forces also work on the grounds;
 // that work enters by the input.
+#include "core/lanes.h"
 #include "solve/account.h"
 
 static double kinetic(const struct model *m, const struct state *s) {
@@ -34,8 +35,8 @@ static double stored(const struct model *m, const struct state *s, enum storey_k
 }
 
 bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena) {
-    a->input_2x = chain_array(m, arena);
-    a->damping_2x = chain_array(m, arena);
+    a->input_2x = lanes_array(arena, m->n_dof);
+    a->damping_2x = lanes_array(arena, m->n_dof);
     return a->input_2x && a->damping_2x;
 }
 
@@ -65,10 +66,10 @@ static void links_step(struct energy_account *a, const struct model *m, const st
     }
 }
 
-void energy_step(struct energy_account *a, const struct model *m, const struct chain *c,
-                 const struct state *now, const struct state *next) {
-    chain_work(c, now->external, next->external, now->u, next->u, a->input_2x);
-    chain_work(c, now->damping_force, next->damping_force, now->u, next->u, a->damping_2x);
+void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
+                 const struct state *next) {
+    chain_work(&m->chain, now->external, next->external, now->u, next->u, a->input_2x);
+    chain_work(&m->chain, now->damping_force, next->damping_force, now->u, next->u, a->damping_2x);
     for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
         if (m->storey[i].law->n_history > 0) {
             a->storey += (now->shear[i] + next->shear[i]) / 2.0 * (next->drift[i] - now->drift[i]);

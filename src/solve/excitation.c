@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/excitation.h"
 
+#include "solve/chain.h"
+
 // With one ground under all, nothing depends on its velocity and displacement.
 static void ground_at(struct state *s, const struct model *m, double t) {
     for (int k = 0; k < m->n_ground; k++) {
@@ -26,9 +28,9 @@ void excitation_at(struct state *s, const struct model *m, double t) {
         double a = s->ground_a[g->ground];
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             s->base[i] = a;
-            s->external[i] = -m->mass[i] * a;
         }
     }
+    chain_inertia(&m->chain, s->base, s->external);
     for (int k = 0; k < m->n_load; k++) {
         s->external[m->load[k].dof] += signal_value(&m->load[k].signal, t);
     }

@@ -34,19 +34,11 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
 }
 
-// Drifts, shears and damping forces of `next` at the displacements u and velocities v.
-static void forces_at(const struct work *w, struct state *next, const double *u, const double *v) {
-    chain_drifts(&w->chain, u, next->drift, next->shear);
-    state_other_shears(next, w->model);
-    chain_damping(&w->chain, v, next->damping_force);
-    state_other_damping(w->model, v, next->damping_force);
-}
-
 // residual = external - M a - C v - storey shears - link forces
 static void residuals(struct work *w, const struct state *next, const double *a) {
     const struct model *m = w->model;
     double *r = w->residual;
-    chain_residual(&w->chain, next->external, a, next->damping_force, next->shear, r);
+    chain_residual(&w->model->chain, next->external, a, next->damping_force, next->shear, r);
     for (int i = 0; i < next->n_live; i++) {
         int k = next->live[i];
         const int *dof = m->link[k].dof;
@@ -71,7 +63,7 @@ static void solve_buildings(struct work *w) {
 
 // The state that the correction leads to, and the penetrations in it. False: not finite.
 static bool correct(const struct work *w, const struct state *now, struct state *next) {
-    bool finite = chain_correct(&w->chain, w->b, w->g, w->correction, w->u_trial, w->v_trial,
+    bool finite = chain_correct(&w->model->chain, w->b, w->g, w->correction, w->u_trial, w->v_trial,
                                 now->a, next->base, next->u, next->v, next->a, next->total);
     contact_penetrations(w, next);
     return finite;
@@ -166,7 +158,7 @@ static int not_finite(const struct model *m, const struct state *s, struct error
 
 // Newton's iteration on storeys and links.
 static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
-    forces_at(w, next, w->u_trial, w->v_trial);
+    state_internal_forces(next, w->model, w->u_trial, w->v_trial);
     residuals(w, next, now->a);
     for (int i = 0; i < w->model->iterations; i++) {
         solve_buildings(w);
@@ -181,7 +173,7 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
         if (settle(w, next)) {
             return STATUS_OK;
         }
-        forces_at(w, next, next->u, next->v);
+        state_internal_forces(next, w->model, next->u, next->v);
         if (relinearise(w, next) != STATUS_OK) {
             return STATUS_RETRY;
         }
@@ -207,7 +199,7 @@ static void finish_links(struct work *w, struct state *next) {
 // Everything else that belongs to the end of the step: forces, and the histories of the laws.
 static void finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
-    forces_at(w, next, next->u, next->v);
+    state_internal_forces(next, w->model, next->u, next->v);
     for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
         const struct storey *s = &m->storey[i];
         if (s->law->commit) {
@@ -222,7 +214,7 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
     if (work_factor(w, h) != STATUS_OK) {
         return STATUS_RETRY;
     }
-    chain_trial(&w->chain, h, now->u, now->v, now->a, w->u_trial, w->v_trial);
+    chain_trial(&w->model->chain, h, now->u, now->v, now->a, w->u_trial, w->v_trial);
     begin(w, now, next, end);
     int status = solve(w, now, next, e);
     if (status == STATUS_OK) {

@@ -11,8 +11,8 @@ const char *const peak_names[] = {"displacement", "velocity", "acceleration", "d
 
 bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
     for (int q = 0; q < PEAK_COUNT; q++) {
-        r->peak[q] = chain_array(m, a);
-        r->peak_time[q] = chain_array(m, a);
+        r->peak[q] = lanes_array(a, m->n_dof);
+        r->peak_time[q] = lanes_array(a, m->n_dof);
         if (!r->peak[q] || !r->peak_time[q]) {
             return false;
         }
@@ -74,13 +74,12 @@ static void bilateral_update(struct link_peak *p, const struct state *s, int k) 
     }
 }
 
-void peaks_update(struct results *r, const struct model *m, const struct chain *c,
-                  const struct state *s) {
+void peaks_update(struct results *r, const struct model *m, const struct state *s) {
     const double *const value[PEAK_COUNT] = {
         [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
         [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
     };
-    if (chain_exceeds(c, value, r->peak)) {
+    if (chain_exceeds(&m->chain, value, r->peak)) {
         floors_update(r, m->n_dof, value, s->time);
     }
     if (any_exceeds(m->n_contact, s->delta, r->deepest)) {

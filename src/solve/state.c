@@ -16,7 +16,7 @@ static bool alloc_floors(struct state *s, const struct model *m, struct arena *a
                              &s->total,   &s->drift, &s->shear, &s->damping_force,
                              &s->external};
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        *part[i] = chain_array(m, a);
+        *part[i] = lanes_array(a, m->n_dof);
         if (!*part[i]) {
             return false;
         }
@@ -69,8 +69,8 @@ void state_enliven(struct state *s, int k) {
     }
 }
 
-void state_other_shears(struct state *s, const struct model *m) {
-    for (int k = 0; m->n_storey_history > 0 && k < m->n_building; k++) {
+static void inelastic_shears(struct state *s, const struct model *m) {
+    for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         for (int i = g->first; !g->elastic && i < g->first + g->n_floor; i++) {
             const struct storey *law = &m->storey[i];
@@ -80,27 +80,25 @@ void state_other_shears(struct state *s, const struct model *m) {
     }
 }
 
-void state_other_damping(const struct model *m, const double *v, double *force) {
+static void full_damping(struct state *s, const struct model *m, const double *v) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         if (g->damping_full) {
-            building_damping_force(g, v + g->first, force + g->first);
+            building_damping_force(g, v + g->first, s->damping_force + g->first);
         }
     }
 }
 
-void state_internal_forces(struct state *s, const struct model *m) {
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        double below = 0.0;
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            s->drift[i] = s->u[i] - below;
-            s->shear[i] = g->stiffness[i - g->first] * s->drift[i];
-            below = s->u[i];
-        }
-        building_damping_force(g, s->v + g->first, s->damping_force + g->first);
+void state_internal_forces(struct state *s, const struct model *m, const double *u,
+                           const double *v) {
+    chain_drifts(&m->chain, u, s->drift, s->shear);
+    if (m->n_storey_history > 0) {
+        inelastic_shears(s, m);
     }
-    state_other_shears(s, m);
+    chain_damping(&m->chain, v, s->damping_force);
+    if (m->chain.full_damping) {
+        full_damping(s, m, v);
+    }
 }
 
 double state_gap(const struct link *l, const struct model *m, const double *u,
@@ -170,14 +168,10 @@ bool state_rests(const struct state *s, const struct model *m, int k) {
 
 // M a = external - C v - storey shears - link forces
 static void accelerations(struct state *s, const struct model *m) {
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            double above = i + 1 < g->first + g->n_floor ? s->shear[i + 1] : 0.0;
-            s->a[i] = s->external[i] - s->damping_force[i] - s->shear[i] + above;
-        }
-    }
-    for (int k = 0; k < m->n_link; k++) {
+    memset(s->a, 0, (size_t)m->n_dof * sizeof *s->a);
+    chain_residual(&m->chain, s->external, s->a, s->damping_force, s->shear, s->a);
+    for (int i = 0; i < s->n_live; i++) {
+        int k = s->live[i];
         const int *dof = m->link[k].dof;
         if (dof[0] != WALL) {
             s->a[dof[0]] -= s->force[k];
@@ -204,7 +198,7 @@ void state_start(struct state *s, const struct model *m) {
     memcpy(s->v, m->velocity, (size_t)m->n_dof * sizeof *s->v);
     s->time = 0.0;
     excitation_at(s, m, 0.0);
-    state_internal_forces(s, m);
+    state_internal_forces(s, m, s->u, s->v);
     start_links(s, m);
     state_equilibrium(s, m);
 }

@@ -9,7 +9,7 @@
 struct state {
     double time;  // [T]
 
-    // Degrees of freedom, all (n_dof) and arrays of solve/chain.h
+    // Degrees of freedom, all (n_dof) and arrays of core/lanes.h
     double *u, *v, *a;       // [L] [L/T] [L/T^2] relative to the ground
     double *base, *total;    // [L/T^2] acceleration of the ground, and a + base
     double *drift, *shear;   // [L] [F] of the storey below
@@ -60,13 +60,10 @@ double state_link_force(const struct state *s, const struct model *m, int k);
 // Whether link k is a rigid contact at rest.
 bool state_rests(const struct state *s, const struct model *m, int k);
 
-// Drifts, storey shears and C v from u and v, with the storey history of `s`.
-void state_internal_forces(struct state *s, const struct model *m);
-
-// The parts of that which are not in struct chain: storeys that yield, and buildings with a full
-// damping matrix.
-void state_other_shears(struct state *s, const struct model *m);
-void state_other_damping(const struct model *m, const double *v, double *force);
+// Drifts, storey shears and C v at the displacements u and velocities v (n_dof), with the storey
+// history of `s`.
+void state_internal_forces(struct state *s, const struct model *m, const double *u,
+                           const double *v);
 
 // Penetration of link l from displacements (or its velocity from velocities), with the ground's
 // share.

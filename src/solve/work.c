@@ -2,6 +2,7 @@
 #include "solve/work.h"
 
 #include "core/arena.h"
+#include "core/lanes.h"
 
 // Clusters beyond this size are left to sweeps: the block matrix is full.
 enum { BLOCK_MAX = 400 };
@@ -9,7 +10,7 @@ enum { BLOCK_MAX = 400 };
 static bool alloc_floors(struct work *w, const struct model *m, struct arena *a) {
     double **const part[] = {&w->u_trial, &w->v_trial, &w->residual, &w->correction, &w->kept_q};
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        *part[i] = chain_array(m, a);
+        *part[i] = lanes_array(a, m->n_dof);
         if (!*part[i]) {
             return false;
         }
@@ -55,8 +56,7 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
     size_t n = (size_t)m->n_building;
     w->effective = arena_alloc(a, n, sizeof *w->effective);
     w->settled = arena_alloc(a, n, sizeof *w->settled);
-    if (!w->effective || !w->settled || !chain_alloc(&w->chain, m, a) || !alloc_floors(w, m, a) ||
-        !alloc_links(w, m, a)) {
+    if (!w->effective || !w->settled || !alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
         return false;
     }
     fill_links(w, m);

@@ -31,7 +31,6 @@ struct work {
     int unresolved;  // link that last asked for a shorter step; -1: none did
     int held;        // link that stays open or closed in this step; -1: none
 
-    struct chain chain;
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay
     double *residual;           // (n_dof) [F]
     double *correction;         // (n_dof) [L/T^2] of the accelerations
