@@ -19,6 +19,7 @@
 #include <string.h>
 
 #include "core/lanes.h"
+#include "core/number.h"
 #include "solve/block.h"
 #include "solve/crossing.h"
 #include "solve/resolve.h"
@@ -98,7 +99,7 @@ void contact_apply(struct work *w, struct state *next, int k, double df) {
 static double guess(const struct state *now, const struct state *before, int k) {
     double f = now->force[k];
     bool known = before->time < now->time && before->closed[k];
-    return known && f > 0.0 ? fmax(2.0 * f - before->force[k], 0.0) : f;
+    return known && f > 0.0 ? number_max(2.0 * f - before->force[k], 0.0) : f;
 }
 
 void contact_begin(struct work *w, const struct state *now, struct state *next) {
@@ -139,13 +140,14 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
     const struct link *l = &w->model->link[k];
     state_enliven(next, k);
     w->branch[k] = BRANCH_OPEN;
+    w->checked[k] = 0.0;
     w->flexibility[k] = own_flexibility(w, l);
     struct line line = contact_line(w, now, next, k);
     struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
                         line.v_free, w->h};
     double rate;
     next->t_close[k] = now->time + crossing_find(&path, &rate);
-    next->v_close[k] = fmax(rate, 0.0);
+    next->v_close[k] = number_max(rate, 0.0);
     if (l->law->close) {
         l->law->close(l->constant, next->v_close[k], next->link_history + l->history);
     }
@@ -154,7 +156,7 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
 // Does an open link close in this step? One that has just opened may stand a rounding error inside;
 // it closes only if it goes deeper. Rigid contacts close by an event.
 static bool closes(const struct work *w, const struct state *now, const struct state *next, int k) {
-    return next->delta[k] > fmax(now->delta[k], 0.0) && !next->is_live[k] && k != w->held &&
+    return next->delta[k] > number_max(now->delta[k], 0.0) && !next->is_live[k] && k != w->held &&
            !w->model->link[k].law->rebound;
 }
 
@@ -184,23 +186,32 @@ static bool negligible(const struct work *w, const struct line *l, double df) {
     return moved * fabs(df) <= state_rounding(l->link, x) + 4.0 * DBL_EPSILON * l->link->gap;
 }
 
-// One sweep of exact answers; *change is the largest that matters. True if there is none.
-static bool sweep(struct work *w, const struct state *now, struct state *next, double *change) {
-    double largest = 0.0;
+// How a sweep answers: exactly, or by Newton steps where they are safe.
+enum answer { ANSWER_EXACT, ANSWER_NEWTON };
+
+// One sweep; *change is the largest of a force that matters, *largest the largest force.
+static void sweep(struct work *w, const struct state *now, struct state *next, enum answer answer,
+                  double *change, double *largest) {
+    *largest = 0.0;
     *change = 0.0;
     for (int i = 0; i < next->n_live; i++) {
         int k = next->live[i];
         struct line line = contact_line(w, now, next, k);
         double force;
-        w->branch[k] = line_answer(&line, next->force[k], &force);
+        if (answer == ANSWER_NEWTON && line_step(&line, next->force[k], &force)) {
+            w->branch[k] = BRANCH_CLOSED;
+        } else {
+            w->branch[k] = line_answer(&line, next->force[k], &force);
+        }
         double df = force - next->force[k];
         contact_apply(w, next, k, df);
         next->force[k] = force;
-        largest = fmax(largest, fabs(force));
-        *change = fmax(*change, negligible(w, &line, df) ? 0.0 : fabs(df));
+        *largest = number_max(*largest, fabs(force));
+        if (fabs(df) > *change && !negligible(w, &line, df)) {
+            *change = fabs(df);
+        }
     }
     w->totals->iterations++;
-    return *change <= w->model->tolerance * largest;
 }
 
 // Is it worth going on? Asked when the answer is there, and early, so that a hopeless step costs
@@ -213,8 +224,9 @@ static bool suffices(struct work *w, const struct state *now, const struct state
 static int iterate(struct work *w, const struct state *now, struct state *next, bool *blocked) {
     double before = INFINITY;
     for (int i = 0; i < w->model->iterations; i++) {
-        double change;
-        bool converged = sweep(w, now, next, &change) || next->n_live == 1;
+        double change, largest;
+        sweep(w, now, next, i < PLAIN_SWEEPS ? ANSWER_NEWTON : ANSWER_EXACT, &change, &largest);
+        bool converged = change <= w->model->tolerance * largest;
         if ((converged || i == PLAIN_SWEEPS) && !suffices(w, now, next)) {
             return STATUS_RETRY;
         }

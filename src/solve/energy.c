@@ -68,8 +68,10 @@ static void links_step(struct energy_account *a, const struct model *m, const st
 
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next) {
-    chain_work(&m->chain, now->external, next->external, now->u, next->u, a->input_2x);
-    chain_work(&m->chain, now->damping_force, next->damping_force, now->u, next->u, a->damping_2x);
+    const double *const from[] = {now->external, now->damping_force};
+    const double *const to[] = {next->external, next->damping_force};
+    double *const work[] = {a->input_2x, a->damping_2x};
+    chain_works(&m->chain, from, to, now->u, next->u, work);
     for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
         if (m->storey[i].law->n_history > 0) {
             a->storey += (now->shear[i] + next->shear[i]) / 2.0 * (next->drift[i] - now->drift[i]);

@@ -21,13 +21,20 @@ static void ground_at(struct state *s, const struct model *m, double t) {
     }
 }
 
+static void fill(double *x, int n, double value) {
+    for (int i = 0; i < n; i++) {
+        x[i] = value;
+    }
+}
+
 void excitation_at(struct state *s, const struct model *m, double t) {
     ground_at(s, m, t);
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        double a = s->ground_a[g->ground];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            s->base[i] = a;
+    if (m->n_ground == 1) {
+        fill(s->base, m->n_dof, s->ground_a[0]);
+    } else {
+        for (int k = 0; k < m->n_building; k++) {
+            const struct building *g = &m->building[k];
+            fill(s->base + g->first, g->n_floor, s->ground_a[g->ground]);
         }
     }
     chain_inertia(&m->chain, s->base, s->external);

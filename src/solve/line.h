@@ -31,6 +31,10 @@ enum branch {
 // is not monotone (it pulls) a solution is taken, and found from the guess.
 enum branch line_answer(const struct line *l, double guess, double *force);
 
+// One Newton step from `guess` towards that answer. True where it stays well within the closed
+// branch, so that repeated steps converge to the answer; else use line_answer.
+bool line_step(const struct line *l, double guess, double *force);
+
 // The force of the law and its tangents at the state that `force` leads to.
 struct contact_response line_law(const struct line *l, double force);
 

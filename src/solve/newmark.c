@@ -34,21 +34,30 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
 }
 
-// residual = external - M a - C v - storey shears - link forces
-static void residuals(struct work *w, const struct state *next, const double *a) {
-    const struct model *m = w->model;
-    double *r = w->residual;
-    chain_residual(&w->model->chain, next->external, a, next->damping_force, next->shear, r);
+static void add_link_forces(struct work *w, const struct state *next) {
     for (int i = 0; i < next->n_live; i++) {
         int k = next->live[i];
-        const int *dof = m->link[k].dof;
+        const int *dof = w->model->link[k].dof;
         if (dof[0] != WALL) {
-            r[dof[0]] -= next->force[k];
+            w->residual[dof[0]] -= next->force[k];
         }
         if (dof[1] != WALL) {
-            r[dof[1]] += next->force[k];
+            w->residual[dof[1]] += next->force[k];
         }
     }
+}
+
+// residual = external - M a - C v - storey shears - link forces, at u, v and a.
+static void residuals(struct work *w, struct state *next, const double *u, const double *v,
+                      const double *a) {
+    const struct model *m = w->model;
+    if (m->n_storey_history == 0 && !m->chain.full_damping) {
+        chain_elastic_residual(&m->chain, next->external, a, u, v, w->residual);
+    } else {
+        state_internal_forces(next, m, u, v);
+        chain_residual(&m->chain, next->external, a, next->damping_force, next->shear, w->residual);
+    }
+    add_link_forces(w, next);
 }
 
 // Adds A^-1 residual to the correction of the buildings that are not settled.
@@ -158,8 +167,7 @@ static int not_finite(const struct model *m, const struct state *s, struct error
 
 // Newton's iteration on storeys and links.
 static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
-    state_internal_forces(next, w->model, w->u_trial, w->v_trial);
-    residuals(w, next, now->a);
+    residuals(w, next, w->u_trial, w->v_trial, now->a);
     for (int i = 0; i < w->model->iterations; i++) {
         solve_buildings(w);
         w->totals->iterations++;
@@ -173,11 +181,10 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
         if (settle(w, next)) {
             return STATUS_OK;
         }
-        state_internal_forces(next, w->model, next->u, next->v);
+        residuals(w, next, next->u, next->v, next->a);
         if (relinearise(w, next) != STATUS_OK) {
             return STATUS_RETRY;
         }
-        residuals(w, next, next->a);
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;

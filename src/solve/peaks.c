@@ -6,6 +6,9 @@
 #include "core/lanes.h"
 #include "solve/account.h"
 
+// Floors, in whole lanes, that are looked at together for a new peak.
+enum { BLOCK = 16 * LANES_WIDTH };
+
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
 
@@ -26,10 +29,10 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
     return r->link && r->deepest;
 }
 
-static void floors_update(struct results *r, int n, const double *const value[PEAK_COUNT],
-                          double time) {
+static void floors_update(struct results *r, int first, int n,
+                          const double *const value[PEAK_COUNT], double time) {
     for (int q = 0; q < PEAK_COUNT; q++) {
-        for (int i = 0; i < n; i++) {
+        for (int i = first; i < first + n; i++) {
             double size = fabs(value[q][i]);
             if (size > r->peak[q][i]) {
                 r->peak[q][i] = size;
@@ -79,8 +82,11 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
         [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
         [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
     };
-    if (chain_exceeds(&m->chain, value, r->peak)) {
-        floors_update(r, m->n_dof, value, s->time);
+    for (int first = 0; first < m->n_dof; first += BLOCK) {
+        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
+        if (chain_exceeds(first, lanes_whole(n), value, r->peak)) {
+            floors_update(r, first, n, value, s->time);
+        }
     }
     if (any_exceeds(m->n_contact, s->delta, r->deepest)) {
         penetrations_update(r, m->n_contact, s);

@@ -29,8 +29,9 @@ static bool resolved_at(const struct work *w, const struct line *line, double d,
     const struct link *l = line->link;
     double depth = fmax(d, 0.0);
     struct contact_response r = l->law->force(l->constant, line->history, depth, v);
-    double stiffness =
-        r.dfdv == 0.0 ? r.dfdd : l->law->force(l->constant, line->history, depth, 0.0).dfdd;
+    double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
+                           ? r.dfdd
+                           : l->law->force(l->constant, line->history, depth, 0.0).dfdd;
     double flexibility = line->v_force / w->g;
     return stiffness * flexibility * w->h * w->h <= COARSEST_SPRING &&
            line->v_force * r.dfdv <= COARSEST_DASHPOT;
@@ -46,7 +47,8 @@ static bool at_rest(const struct work *w, const struct path *p) {
 // resolved with a step as long.
 static bool starts_resolved(const struct work *w, const struct state *now, int k,
                             const struct line *line, const struct path *path) {
-    return !now->closed[k] || w->checked[k] >= w->h || resolved_at(w, line, path->d0, path->v0);
+    bool seen = w->checked[k] >= w->h && now->t_close[k] < now->time;
+    return !now->closed[k] || seen || resolved_at(w, line, path->d0, path->v0);
 }
 
 static bool resolved(struct work *w, const struct state *now, const struct state *next, int k) {

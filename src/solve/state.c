@@ -91,11 +91,10 @@ static void full_damping(struct state *s, const struct model *m, const double *v
 
 void state_internal_forces(struct state *s, const struct model *m, const double *u,
                            const double *v) {
-    chain_drifts(&m->chain, u, s->drift, s->shear);
+    chain_forces(&m->chain, u, v, s->drift, s->shear, s->damping_force);
     if (m->n_storey_history > 0) {
         inelastic_shears(s, m);
     }
-    chain_damping(&m->chain, v, s->damping_force);
     if (m->chain.full_damping) {
         full_damping(s, m, v);
     }
