@@ -13,9 +13,15 @@ static const double velocities[N_SAMPLE] = {-2.0, -0.3, -1e-3, 0.02, 1.5};
 static const double V0 = 0.5;
 static const double MASS = 15384.615384615385;
 
+// A pad that hardens, with a residual penetration: d, loading and unloading force.
+enum { CURVE_POINTS = 5 };
+static const double curve[CURVE_POINTS * CURVE_COLUMNS] = {
+    0.0, 0.0, 0.0, 1e-5, 0.0, 0.0, 2e-3, 2e5, 2e4, 1e-2, 8e5, 2e5, 2e-2, 4e6, 4e6,
+};
+
 struct bound_law {
     const struct contact_law *law;
-    double constant[CONTACT_CONSTANTS_MAX];
+    double constant[CONTACT_CONSTANTS_MAX + CURVE_POINTS * CURVE_COLUMNS];
     double history[CONTACT_HISTORY_MAX];
 };
 
@@ -40,13 +46,17 @@ static double parameter(const char *key) {
 // for wang.
 static struct bound_law bind(const struct contact_law *law, double v0) {
     struct bound_law b = {.law = law};
-    double value[CONTACT_ROWS_MAX];
+    double value[CONTACT_ROWS_MAX + CURVE_POINTS * CURVE_COLUMNS];
+    memcpy(value + law->n_row, curve, sizeof curve);
     bool wang = strcmp(law->name, "wang") == 0;
     for (int i = 0; i < law->n_row; i++) {
         const struct row *row = &law->row[i];
         bool damping = wang && strcmp(row->key, "zeta") == 0;
         double given = parameter(damping ? "zeta of wang" : row->key);
         value[i] = isnan(row->fallback) ? given : row->fallback;
+        if (row->kind == ROW_FILE) {
+            value[i] = CURVE_POINTS;
+        }
     }
     struct error e;
     assert_int_equal(law->prepare(value, MASS, b.constant, &e), STATUS_OK);

@@ -47,11 +47,12 @@ static void contacts_join_all_levels_that_both_buildings_have(void **state) {
 
 static void floors_of_different_levels_can_face_each_other(void **state) {
     (void)state;
-    struct model *m = analysis_model("building A -floors 3 -mass 2 -stiffness 800\n"
-                                     "building B -floors 4 -mass 6 -stiffness 800\n"
-                                     "contact A:1:3 B:2:4 -gap 0.1 -law linear -k 1\n"
-                                     "contact A:3 B -gap 0.1 -law linear -k 1 -name same\n"
-                                     "contact A B:1 -gap 0.1 -law linear -k 1 -meff 7" REST);
+    struct model *m =
+        analysis_model("building A -floors 3 -mass 2 -stiffness 800\n"
+                       "building B -floors 4 -mass 6 -stiffness 800\n"
+                       "contact A:1:3 B:2:4 -gap 0.1 -law linear -k 1\n"
+                       "contact A:3 B -gap 0.1 -law linear -k 1 -name same\n"
+                       "contact A B:1 -gap 0.1 -law komodromos -k 1 -e 1 -meff 7" REST);
     static const char *const names[] = {"A:1-B:2", "A:2-B:3", "A:3-B:4", "same", "A:1-B:1"};
     assert_names(m, names, 5);
     assert_int_equal(m->link[2].dof[1], 6);

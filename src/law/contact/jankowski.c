@@ -65,6 +65,7 @@ const struct contact_law contact_jankowski = {
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
+    .traits = CONTACT_NEEDS_MASS,
     .prepare = jankowski_prepare,
     .force = jankowski_force,
     .exact = exact_zeta,
