@@ -119,7 +119,7 @@ static void print_loads(const struct model *m, const struct unit_texts *t) {
 }
 
 static bool same_law(const struct link *a, const struct link *b) {
-    return a->law == b->law &&
+    return a->law == b->law && a->calibrated == b->calibrated &&
            contact_law_n_value(a->law, a->value) == contact_law_n_value(b->law, b->value) &&
            memcmp(a->value, b->value,
                   (size_t)contact_law_n_value(a->law, a->value) * sizeof *a->value) == 0;
@@ -142,6 +142,9 @@ static void print_laws(const struct model *m) {
             } else if (!isnan(l->value[r])) {
                 printf(" -%s %.6g", l->law->row[r].key, l->value[r]);
             }
+        }
+        if (l->calibrated) {
+            printf(", calibrated for e = %.6g", l->restitution);
         }
         printf("\n");
     }

@@ -180,10 +180,12 @@ const struct contact_law contact_bilinear = {
         "F = k1 d to d = dy, then k1 dy + k2 (d - dy); unloads with k1 to k2 d, then along it; "
         "from kh, e, v0: dy = a dm, k1 = K + E / (a dm^2), k2 = K - E / ((1 - a) dm^2), "
         "dm = (5 m* v0^2 / (4 kh))^(2/5), E = (1 - e^2) m* v0^2 / 2, K = kh sqrt(dm)",
-    .source = "Muthukumar & DesRoches (2006), Earthquake Eng. Struct. Dyn. 35, 811-828; two "
-              "stiffnesses as in Valles & Reinhorn (1997), NCEER-97-0001",
+    .source = "Muthukumar (2003), thesis, Georgia Institute of Technology, and Muthukumar & "
+              "DesRoches (2006), Earthquake Eng. Struct. Dyn. 35, 811-828; two stiffnesses as in "
+              "Valles & Reinhorn (1997), NCEER-97-0001",
     .remarks = "for inelastic faces; never pulls, no jumps; what is lost, (k1 - k2) dy (d_max - "
-               "dy), depends on the velocity, and below dy nothing is; with -kh as published 0.65 "
+               "dy), depends on the velocity (needs the v0 expected), and below dy nothing is; "
+               "with -kh as published 0.65 "
                "comes out as 0.758 at v0, exact with -calibrate",
     .row = rows,
     .n_row = N_ROW,

@@ -112,8 +112,11 @@ const struct contact_law contact_wang = {
     .formula = "F = k d^n + zeta d^n v while v >= 0; then f_e ((d - d_e) / (d_max - d_e))^n, "
                "f_e = k d_max^n, d_e = R d_max; 0 below d_e; zeta = q k / v0, "
                "e^2 = 2 (1 - R) (q - ln(1 + q)) / q^2",
-    .source = "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143(12), 04017139",
-    .remarks = "for contacts that keep a dent; never pulls; with -zeta e depends on the velocity, "
+    .source =
+        "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143, Advanced impact force model for "
+        "low-speed pounding between viscoelastic materials and steel; relation with e derived here",
+    .remarks = "for viscoelastic layers against steel, and contacts that keep a dent; never pulls; "
+               "with -zeta e depends on the velocity, "
                "with -e it is exact; e^2 <= 1 - R; an approach renewed within one contact jumps "
                "back to the first branch",
     .row = rows,
