@@ -21,6 +21,7 @@ enum contact_trait {
     CONTACT_MAY_PULL = 2,    // the force may be negative in contact
     CONTACT_NEEDS_V0 = 4,    // uses the velocity at closure
     CONTACT_NEEDS_MASS = 8,  // the constants depend on the effective mass
+    CONTACT_EXACT = 16,      // delivers e exactly as it is: -calibrate changes nothing
 };
 
 // Force of a link in contact, positive in compression, and its tangents.

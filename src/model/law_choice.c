@@ -68,7 +68,8 @@ static bool calibrate_now(struct deck *d, struct law_choice *c) {
 
 // Where the damping depends on the mass, law_choice_prepare finds it.
 static bool calibrate(struct deck *d, const struct word *flag, struct law_choice *c) {
-    if (!c->law->exact && !c->law->calibrate) {
+    bool exact = c->law->traits & CONTACT_EXACT;
+    if (!exact && !c->law->exact && !c->law->calibrate) {
         deck_error(d, flag, "contact law %s takes no -e that could be calibrated", c->law->name);
         return false;
     }

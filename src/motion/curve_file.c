@@ -138,7 +138,7 @@ static int read_row(struct curve_row *r, struct span line, size_t n_column, size
 
 static int read_rows(const struct record_text *t, const struct table *table, double *point,
                      struct error *e) {
-    struct curve_row r = {.text = t};
+    struct curve_row r = {.text = t, .value = point};
     struct lines l = table->rows;
     for (size_t i = 0; table_next(&l); i++) {
         r.line = l.number;
@@ -232,7 +232,10 @@ int curve_read_text(struct arena *a, const struct curve_request *request,
         return status;
     }
     double *point = arena_alloc(a, table.n_row, CURVE_COLUMNS * sizeof *point);
-    status = point ? read_rows(&text, &table, point, e) : error_no_memory(e);
+    if (!point) {
+        return error_no_memory(e);
+    }
+    status = read_rows(&text, &table, point, e);
     if (!status) {
         convert(point, table.n_row, length, force, request->units);
         *out = (struct curve){.n = (int)table.n_row, .point = point};

@@ -57,7 +57,9 @@ static struct isolated_impact calibrated(const struct contact_law *law, double e
         value[contact_law_row(law, "zeta")] = law->exact(e);
     } else {
         value[contact_law_row(law, "e")] = e;
-        assert_int_equal(law->calibrate(value, 2e4, &error), STATUS_OK);
+        if (law->calibrate) {
+            assert_int_equal(law->calibrate(value, 2e4, &error), STATUS_OK);
+        }
     }
     return impact_of(law, value, 2e4, 0.7);
 }
@@ -68,7 +70,8 @@ static void a_calibrated_law_delivers_e(void **state) {
     for (int k = 0; k < n_contact_law; k++) {
         const struct contact_law *law = contact_laws[k];
         bool takes_e = contact_law_row(law, "e") >= 0;
-        assert_int_equal(law->exact || law->calibrate, takes_e);
+        bool exact = law->traits & CONTACT_EXACT;
+        assert_int_equal(exact + (law->exact != NULL) + (law->calibrate != NULL), takes_e);
         for (int i = 2; takes_e && i < 20; i++) {
             double e = 0.05 * i;
             assert_close(calibrated(law, e).restitution, e, 1e-9);

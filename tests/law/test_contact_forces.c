@@ -81,7 +81,7 @@ static void wang_releases_to_its_residual_penetration(void **state) {
 static void a_table_goes_through_its_points_and_beyond(void **state) {
     (void)state;
     struct bound_law b = bind("table", "");
-    const double *last = curve + (CURVE_POINTS - 1) * CURVE_COLUMNS;
+    const double *last = curve + (ptrdiff_t)(CURVE_POINTS - 1) * CURVE_COLUMNS;
     for (int i = 0; i < CURVE_POINTS; i++) {
         const double *p = curve + (ptrdiff_t)i * CURVE_COLUMNS;
         assert_close(at(&b, p[0], 0.1).force, p[1], 1e-14);

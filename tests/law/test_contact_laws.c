@@ -301,7 +301,6 @@ static void only_laws_that_say_so_depend_on_the_effective_mass(void **state) {
         const char *text = contact_law_row(law, "kh") >= 0 ? "kh 1e8 e 0.5 v0 1" : "";
         double value[CONTACT_ROWS_MAX + CURVE_POINTS * CURVE_COLUMNS];
         double constant[2][CONTACT_CONSTANTS_MAX + CURVE_POINTS * CURVE_COLUMNS];
-        memset(constant, 0, sizeof constant);
         impact_values(law, text, value);
         if (!*text) {
             fill(law, value);
@@ -310,8 +309,11 @@ static void only_laws_that_say_so_depend_on_the_effective_mass(void **state) {
         for (int i = 0; i < 2; i++) {
             assert_int_equal(law->prepare(value, MASS * (i + 1), constant[i], &e), STATUS_OK);
         }
-        bool same = memcmp(constant[0], constant[1], sizeof constant[0]) == 0;
-        assert_int_equal(!same, (law->traits & CONTACT_NEEDS_MASS) != 0);
+        bool differs = false;
+        for (int i = 0; i < contact_law_n_constant(law, value); i++) {
+            differs |= constant[0][i] != constant[1][i];
+        }
+        assert_int_equal(differs, (law->traits & CONTACT_NEEDS_MASS) != 0);
     }
 }
 

@@ -100,12 +100,6 @@ static void wang_commit(const double *c, double *history, double d, double v) {
     history[DEEPEST] = fmax(history[DEEPEST], d);
 }
 
-// What follows from e is exact already.
-static int wang_calibrate(double *value, double m_eff, struct error *e) {
-    (void)value, (void)m_eff, (void)e;
-    return STATUS_OK;
-}
-
 const struct contact_law contact_wang = {
     .name = "wang",
     .summary = "Hertz with damped approach and residual penetration",
@@ -123,10 +117,9 @@ const struct contact_law contact_wang = {
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
     .n_history = N_HISTORY,
-    .traits = CONTACT_NEEDS_V0,
+    .traits = CONTACT_NEEDS_V0 | CONTACT_EXACT,
     .prepare = wang_prepare,
     .close = wang_close,
     .force = wang_force,
     .commit = wang_commit,
-    .calibrate = wang_calibrate,
 };
