@@ -212,6 +212,23 @@ static void convert(double *point, size_t n, double length, double force,
     }
 }
 
+// Slopes of what was converted must be numbers.
+static int check_slopes(const struct record_text *t, const double *point, size_t n,
+                        struct error *e) {
+    for (size_t i = 1; i < n; i++) {
+        const double *p = point + i * CURVE_COLUMNS;
+        double step = p[CURVE_PENETRATION] - p[CURVE_PENETRATION - CURVE_COLUMNS];
+        if (!isfinite(1.0 / step) || !isfinite(p[CURVE_PENETRATION]) ||
+            !isfinite(p[CURVE_LOADING] / step)) {
+            return lines_error(e, t->path, 0,
+                               "point %zu of %zu is out of range, or too close to the one before "
+                               "it, in the deck's units",
+                               i + 1, n);
+        }
+    }
+    return STATUS_OK;
+}
+
 int curve_read_text(struct arena *a, const struct curve_request *request,
                     const struct record_text *t, struct curve *out, struct error *e) {
     struct record_text text;
@@ -238,6 +255,9 @@ int curve_read_text(struct arena *a, const struct curve_request *request,
     status = read_rows(&text, &table, point, e);
     if (!status) {
         convert(point, table.n_row, length, force, request->units);
+        status = check_slopes(&text, point, table.n_row, e);
+    }
+    if (!status) {
         *out = (struct curve){.n = (int)table.n_row, .point = point};
     }
     return status;

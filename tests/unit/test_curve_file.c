@@ -87,6 +87,12 @@ static void what_is_no_curve_is_refused(void **state) {
     assert_refused("0 0 0 0\n1 1 1 1\n", "pad.txt:1: row of 4 values; a curve has 2 or 3 columns: "
                                          "penetration, loading force and unloading force");
     assert_refused("0 0\n1 nan\n", "pad.txt:2: loading force 2 'nan' is not a number");
+    assert_refused("(m) (MN)\n0 0\n1 1e308\n",
+                   "pad.txt: point 2 of 2 is out of range, or too close to the one before it, in "
+                   "the deck's units");
+    assert_refused("0 0\n1 1\n2 2\n2.0000000000000004 1e300\n",
+                   "pad.txt: point 4 of 4 is out of range, or too close to the one before it, in "
+                   "the deck's units");
     assert_refused("0 0 0\n1 5 -1\n2 6 6\n",
                    "pad.txt:2:5: unloading force is -1; it must be >= 0 and <= the loading force, "
                    "which is 5");
