@@ -72,6 +72,7 @@ static void a_calibrated_law_delivers_e(void **state) {
         bool takes_e = contact_law_row(law, "e") >= 0;
         bool exact = law->traits & CONTACT_EXACT;
         assert_int_equal(exact + (law->exact != NULL) + (law->calibrate != NULL), takes_e);
+        takes_e = takes_e && !law->rebound;  // rigid bodies have no impact to be integrated
         for (int i = 2; takes_e && i < 20; i++) {
             double e = 0.05 * i;
             assert_close(calibrated(law, e).restitution, e, 1e-9);

@@ -83,7 +83,7 @@ static void add_building(struct maker *m, int i) {
 static void add_odd_law(struct maker *m, double k) {
     static const char *const units[] = {"mm kN", "cm kN", "mm MN", "m MN"};
     const char *calibrate = below(m, 2) ? "" : " -calibrate";
-    switch (below(m, 6)) {
+    switch (below(m, 7)) {
         case 0:
             add(m, "bilinear -k1 %.6g -k2 %.6g -dy %.4g\n", k, k * uniform(m, 0.01, 1.0),
                 logarithmic(m, 1e-6, 0.1));
@@ -104,6 +104,9 @@ static void add_odd_law(struct maker *m, double k) {
             add(m, "rubber -k %.6g -n %.3g -e %.4g -du %.4g -ky %.6g%s\n", k, uniform(m, 1.0, 3.0),
                 uniform(m, 0.05, 1.0), logarithmic(m, 1e-4, 0.1), k, calibrate);
             break;
+        case 5:
+            add(m, "stereomechanical -e %.4g\n", uniform(m, 0.0, 1.0));
+            break;
         default:
             add(m, "table -file tests/deck/pad.txt -units %s\n", units[below(m, 4)]);
             break;
@@ -112,7 +115,7 @@ static void add_odd_law(struct maker *m, double k) {
 
 // A law with a stiffness of about k.
 static void add_law(struct maker *m) {
-    enum { ELASTIC = 3, WITH_E = 10, ODD = 4 };
+    enum { ELASTIC = 3, WITH_E = 10, ODD = 5 };
     static const char *const law[] = {
         "linear",
         "hertz",
