@@ -34,8 +34,9 @@ static void print_traits(enum page page, unsigned traits) {
         {CONTACT_JUMPS, "the force jumps at closure"},
         {CONTACT_MAY_PULL, "the force may be tension"},
         {CONTACT_NEEDS_V0, "the force depends on v0"},
+        {CONTACT_NEEDS_MASS, "the force depends on m*"},
     };
-    char text[128] = "";
+    char text[256] = "";
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         if (traits & known[i].trait) {
             size_t used = strlen(text);

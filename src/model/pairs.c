@@ -117,7 +117,7 @@ static double effective_mass(struct builder *b, const struct link *l) {
 
 struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k, const char *name,
                                 const struct word *name_word) {
-    struct link link = {0};
+    struct link link = {.restitution = NAN};
     for (int i = 0; i < 2; i++) {
         link.building[i] = p->building[i];
         link.floor[i] = p->floor[i][k];
@@ -151,5 +151,7 @@ const char *pairs_name(struct builder *b, const struct argument *a, bool *good) 
 
 bool pairs_set_law(struct builder *b, struct link *link, const struct law_choice *choice) {
     link->law = choice->law;
+    link->restitution = choice->restitution;
+    link->calibrated = choice->calibrated;
     return law_choice_prepare(b->deck, choice, link->mass, &link->value, &link->constant);
 }

@@ -29,7 +29,7 @@ level() {
 # The folder a public header speaks for.
 home() {
     case $1 in
-    error | units | row) echo core ;;
+    error | units | row | curve) echo core ;;
     contact_law | storey_law) echo law ;;
     record | signal) echo motion ;;
     analysis) echo solve ;;

@@ -41,6 +41,7 @@ const struct contact_law contact_stereomechanical = {
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_ROW,
+    .traits = CONTACT_EXACT,
     .prepare = stereomechanical_prepare,
     .rebound = stereomechanical_rebound,
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/pairs.h"
 #include "model/statement.h"
+#include "model/stiffness_estimate.h"
 
 enum { GAP, LAW, NAME, MEFF, OVERLAP, N_ROW };
 
@@ -83,20 +84,36 @@ static void build(struct builder *b, const struct statement *s) {
     struct argument own[N_ROW] = {0};
     struct row_set set = {rows, N_ROW, own};
     struct law_choice choice;
-    if (law_choice_read(b->deck, s, law, name, &set, &choice) && paired) {
+    bool read = law_choice_read(b->deck, s, law, name, &set, &choice);
+    if (own[MEFF].given && !(law->traits & CONTACT_NEEDS_MASS)) {
+        deck_error(b->deck, &own[MEFF].key,
+                   "-meff is of no use: %s does not depend on the effective mass", law->name);
+    } else if (read && paired) {
         append(b, &p, own, &choice);
     }
 }
 
-enum { N_VARIANT = 1 };
+enum { N_VARIANT = 3 };
 static const struct statement_variant variants[N_VARIANT] = {
     {.row = law_choice_rows, .n_row = LAW_CHOICE_ROWS},
+    {
+        .name = "-k-from hertz",
+        .summary = "k = (4/3) sqrt(R) E* of two spheres, or a sphere and a flat face",
+        .row = stiffness_hertz_rows,
+        .n_row = STIFFNESS_HERTZ_ROWS,
+    },
+    {
+        .name = "-k-from slab",
+        .summary = "k = E A / L of the slab that is struck",
+        .row = stiffness_slab_rows,
+        .n_row = STIFFNESS_SLAB_ROWS,
+    },
 };
 
 const struct statement_kind statement_contact = {
     .name = "contact",
     .usage = "LEFT RIGHT -gap LIST -law LAW ... [-name NAME] [-meff M] [-allow-overlap] "
-             "[-calibrate]",
+             "[-calibrate] [-k-from hertz|slab ...]",
     .summary = "unilateral contact links between facing floors, or floors and a wall",
     .example = "contact A B -gap 20mm -law jankowski -k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,

@@ -36,7 +36,7 @@ static void build(struct builder *b, const struct statement *s) {
     struct pairs p;
     bool paired = pairs_read(b, s, &p);
     struct argument own[N_ROW] = {0};
-    struct law_choice choice = {.law = &bilateral_law, .word = &s->word[1]};
+    struct law_choice choice = {.law = &bilateral_law, .word = &s->word[1], .restitution = NAN};
     const struct argument *given = choice.given;
     struct row_set set[] = {{rows, N_ROW, own}, {bilateral_rows, BILATERAL_ROWS, choice.given}};
     if (!deck_options(b->deck, s, set, 2)) {
