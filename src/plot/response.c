@@ -51,10 +51,9 @@ static void write_title(const struct response_sheet *sheet, FILE *to) {
     }
     if (s->n_record > 1) {
         snprintf(title, sizeof title, "Response spectra of %d records%s", s->n_record, damping);
-        snprintf(text, sizeof text,
-                 s->n_damping == 1
-                     ? "mean and 16 to 84 %% of the records; at each name its PGA and PGV"
-                     : "mean of the records");
+        const bool band = s->n_damping == 1;
+        snprintf(text, sizeof text, "mean%s of the records%s", band ? " and 16 to 84 %" : "",
+                 band && s->n_record <= NAMED_MAX ? "; at each name its PGA and PGV" : "");
     } else {
         snprintf(title, sizeof title, "Response spectrum of %s%s", sheet->name[0], damping);
         snprintf(text, sizeof text,
