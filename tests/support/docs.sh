@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # docs.sh JOSTLE FOLDER: writes into FOLDER what of the documentation the program itself prints:
-# laws.md, deck-statements.md, and README.md with its deck and its summary made anew.
+# laws.md, deck-statements.md, README.md with its deck and its summary made anew, and spectrum.md with
+# its table.
 set -eu
 jostle=$1
 folder=$2
@@ -15,3 +16,5 @@ sed '/^#/d' "$example" >"$folder/deck"
 sed "s|$folder/||" "$folder/printed" >"$folder/summary"
 sh tests/support/with_block.sh deck "$folder/deck" <README.md |
     sh tests/support/with_block.sh summary "$folder/summary" >"$folder/README.md"
+"$jostle" spectrum input/records/*.AT2 --periods 0,0.1,0.2,0.5,1,2,5 >"$folder/spectra"
+sh tests/support/with_block.sh spectrum "$folder/spectra" <docs/spectrum.md >"$folder/spectrum.md"
