@@ -46,6 +46,7 @@ struct flight {
     double next_step;
 
     const struct isolated_observer *observer;
+    int n_sampled;  // instants that the observer has seen
     double peak_force, deepest;
 };
 
@@ -113,17 +114,43 @@ static void note_peak(struct flight *f) {
     }
 }
 
+static struct isolated_point point_at(const struct flight *f, double time, const double *state) {
+    return (struct isolated_point){
+        .time = time * f->length / f->velocity,
+        .penetration = f->length * fmax(state[DEPTH], 0.0),
+        .velocity = f->velocity * state[SPEED],
+        .force = response(f, state).force,
+        .rate = force_rate(f, state),
+    };
+}
+
+// Shows the instants asked for that lie in the last step.
+static void show_samples(struct flight *f) {
+    const struct isolated_observer *o = f->observer;
+    for (; f->n_sampled < o->n_time; f->n_sampled++) {
+        double time = o->time[f->n_sampled] * f->velocity / f->length;
+        if (time > f->time) {
+            return;
+        }
+        double state[N_STATE];
+        retake(f, time - f->before, state);
+        struct isolated_point point = point_at(f, time, state);
+        o->sample(o->context, f->n_sampled, &point);
+    }
+}
+
 // Accepts the state: its peak, its history, and whoever looks.
 static void accept(struct flight *f) {
-    double d = f->length * fmax(f->state[DEPTH], 0.0);
-    double v = f->velocity * f->state[SPEED];
     note_peak(f);
+    if (f->observer) {
+        show_samples(f);
+    }
+    struct isolated_point point = point_at(f, f->time, f->state);
     if (f->law->commit) {
-        f->law->commit(f->constant, f->history, d, v);
+        f->law->commit(f->constant, f->history, point.penetration, point.velocity);
     }
     if (f->observer) {
-        struct isolated_point point = {f->time * f->length / f->velocity, d, v,
-                                       response(f, f->state).force};
+        point = point_at(f, f->time, f->state);
         f->observer->point(f->observer->context, &point);
     }
 }
