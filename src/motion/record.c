@@ -112,11 +112,16 @@ static struct record_text strip_marks(const struct record_text *t) {
     return s;
 }
 
+int record_clean(const struct record_text *t, struct record_text *out, struct error *e) {
+    *out = strip_marks(t);
+    return check_text(out, e);
+}
+
 int record_read_text(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record *out, struct error *e) {
     *out = (struct record){0};
-    struct record_text stripped = strip_marks(t);
-    int status = check_text(&stripped, e);
+    struct record_text stripped;
+    int status = record_clean(t, &stripped, e);
     if (status) {
         return status;
     }

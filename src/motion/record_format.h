@@ -37,6 +37,9 @@ struct record_content {
 int record_read_text(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record *out, struct error *e);
 
+// The text without byte-order mark and DOS end mark, refused if it is none.
+int record_clean(const struct record_text *t, struct record_text *out, struct error *e);
+
 // The name of a known format that cannot be read yet; NULL: none looks like it.
 const char *foreign_format(const struct record_text *t);
 

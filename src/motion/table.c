@@ -112,3 +112,21 @@ int table_check(const struct record_text *t, const struct table *table, struct e
     }
     return STATUS_OK;
 }
+
+bool table_bracket(struct span *rest, struct span *inside) {
+    while (rest->n > 0 && rest->text[0] != '(' && rest->text[0] != '[') {
+        rest->text++;
+        rest->n--;
+    }
+    size_t n = 1;
+    while (n < rest->n && rest->text[n] != ')' && rest->text[n] != ']') {
+        n++;
+    }
+    if (n >= rest->n) {
+        return false;
+    }
+    *inside = (struct span){rest->text + 1, n - 1};
+    rest->text += n + 1;
+    rest->n -= n + 1;
+    return true;
+}

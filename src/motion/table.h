@@ -31,4 +31,8 @@ bool table_next(struct lines *rows);
 // and commas beside other separators, which are decimal commas.
 int table_check(const struct record_text *t, const struct table *table, struct error *e);
 
+// Takes the text in the next brackets, round or square, off `rest`, which stood in a caption;
+// false: there are none.
+bool table_bracket(struct span *rest, struct span *inside);
+
 #endif
