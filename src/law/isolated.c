@@ -25,6 +25,7 @@ enum { DEPTH, SPEED, N_STATE };  // of the state, in units of L and v0
 static const double TOLERANCE = 1e-13;   // of a step
 static const double FIRST_STEP = 1e-12;  // in units of L / v0, as the longest one
 static const double LONGEST_STEP = 0.02;
+static const double JUMP = 1e-9;  // of the peak force: what is shown on both sides
 enum { STEPS_MAX = 200000 };
 
 enum phase { APPROACH, RELEASE };
@@ -139,19 +140,32 @@ static void show_samples(struct flight *f) {
     }
 }
 
+static void show(const struct flight *f) {
+    struct isolated_point point = point_at(f, f->time, f->state);
+    f->observer->point(f->observer->context, &point);
+}
+
 // Accepts the state: its peak, its history, and whoever looks.
 static void accept(struct flight *f) {
     note_peak(f);
     if (f->observer) {
         show_samples(f);
     }
-    struct isolated_point point = point_at(f, f->time, f->state);
     if (f->law->commit) {
-        f->law->commit(f->constant, f->history, point.penetration, point.velocity);
+        f->law->commit(f->constant, f->history, f->length * fmax(f->state[DEPTH], 0.0),
+                       f->velocity * f->state[SPEED]);
     }
     if (f->observer) {
-        point = point_at(f, f->time, f->state);
-        f->observer->point(f->observer->context, &point);
+        show(f);
+    }
+}
+
+// Goes over to the other phase, where the force may jump.
+static void turn(struct flight *f) {
+    const double before = response(f, f->state).force;
+    f->phase = f->phase == APPROACH ? RELEASE : APPROACH;
+    if (f->observer && fabs(response(f, f->state).force - before) > JUMP * f->peak_force) {
+        show(f);
     }
 }
 
@@ -183,7 +197,7 @@ static bool advance(struct flight *f, bool *parted) {
     }
     accept(f);
     if (turned && !*parted) {
-        f->phase = f->phase == APPROACH ? RELEASE : APPROACH;
+        turn(f);
     }
     return true;
 }

@@ -21,7 +21,8 @@ struct isolated_point {
     double rate;                                // [F/T] of the force; may be infinite at closure
 };
 
-// Who looks on. `point` is shown every accepted step of the integration, from closure to opening;
+// Who looks on. `point` is shown every accepted step of the integration, from closure to opening,
+// and twice an instant at which the force jumps in between;
 // `sample`, where `n_time` > 0, the state at time[i], for all that lie within the contact.
 struct isolated_observer {
     void (*point)(void *context, const struct isolated_point *p);

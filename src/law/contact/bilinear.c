@@ -70,6 +70,7 @@ const struct contact_law contact_bilinear = {
               "stiffnesses as in Valles & Reinhorn (1997), NCEER-97-0001",
     .remarks = "never pulls; no dashpot: what is lost, (k1 - k2) dy (d_max - dy), depends on the "
                "velocity",
+    .example = "-k1 560MN/m -k2 60MN/m -dy 0.5mm",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

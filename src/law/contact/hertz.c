@@ -38,6 +38,7 @@ const struct contact_law contact_hertz = {
     .source = "Hertz (1882), J. reine angew. Math. 92, 156-171; for pounding Jing & Young (1991), "
               "Earthquake Eng. Struct. Dyn. 20, 667-681",
     .remarks = "no energy is lost; the stiffness grows with the penetration",
+    .example = "-k 2.75e9N/m^1.5",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_ROW,

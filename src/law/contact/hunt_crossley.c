@@ -25,6 +25,7 @@ const struct contact_law contact_hunt_crossley = {
     .source = "Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445; relation derived from the "
               "energies of both halves of the impact",
     .remarks = "no jumps; delivers e exactly; pulls if bodies part faster than v0/q",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = hysteresis_rows,
     .n_row = HYSTERESIS_ROWS,
     .n_constant = HYSTERESIS_CONSTANTS,

@@ -62,6 +62,7 @@ const struct contact_law contact_jankowski = {
         "Jankowski (2005), Earthquake Eng. Struct. Dyn. 34, 595-611; zeta(e): Jankowski (2006), "
         "ibid. 35, 517-524",
     .remarks = "never pulls; no jump at closure; close to e for e above 0.4",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -44,6 +44,7 @@ const struct contact_law contact_kelvin_voigt = {
     .source = "Anagnostopoulos (1988), Earthquake Eng. Struct. Dyn. 16, 443-456, eq. 3-4; sign of "
               "zeta as derived there, missing in several later papers",
     .remarks = "delivers e exactly; jumps at closure and pulls before separation",
+    .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

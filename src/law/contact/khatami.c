@@ -65,6 +65,7 @@ const struct contact_law contact_khatami = {
     .source = "Khatami, Naderpour et al., as printed in reviews of impact models",
     .remarks = "dissipates next to nothing as printed: 0.9988 for an e of 0.65 at 0.5 m/s; exact "
                "with -calibrate",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

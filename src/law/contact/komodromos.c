@@ -45,6 +45,7 @@ const struct contact_law contact_komodromos = {
         "Komodromos, Polycarpou, Papaloizou & Phocas (2007), Earthquake Eng. Struct. Dyn. 36, "
         "1685-1703",
     .remarks = "never pulls; jumps at closure; delivers more than e",
+    .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -28,6 +28,7 @@ const struct contact_law contact_linear = {
     .formula = "F = k d",
     .source = "Maison & Kasai (1992), Earthquake Eng. Struct. Dyn. 21, 771-786",
     .remarks = "no energy is lost; the simplest law, for comparison",
+    .example = "-k 93.5MN/m",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_ROW,

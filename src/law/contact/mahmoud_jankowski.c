@@ -73,6 +73,7 @@ const struct contact_law contact_mahmoud_jankowski = {
     .source = "Mahmoud & Jankowski (2011), Eng. Struct. 33, 1567-1575; -relation 2008: Mahmoud, "
               "Chen & Jankowski (2008), J. Appl. Sci. 8, 1850-1855",
     .remarks = "never pulls; jumps at closure; close to e for e above 0.4",
+    .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

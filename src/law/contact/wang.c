@@ -84,6 +84,7 @@ const struct contact_law contact_wang = {
                "f_e = k d_max^n, d_e = R d_max; 0 below d_e",
     .source = "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143(12), 04017139",
     .remarks = "never pulls; e follows from zeta, R and the velocity: with zeta = 0, e^2 = 1 - R",
+    .example = "-k 2.75e9N/m^1.5 -zeta 5.5e9N*s/m^2.5 -residual 0.25",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
