@@ -44,6 +44,11 @@ struct contact_law {
     // History at the instant of closure with velocity v0 >= 0. NULL if n_history = 0.
     void (*close)(const double *constant, double v0, double *history);
 
+    // Velocity with which the bodies part at the instant at which they meet with velocity v >= 0: a
+    // law without a force, of rigid bodies. Then `force` is NULL, and so is whatever has to do with
+    // it. NULL: the law has a force.
+    double (*rebound)(const double *constant, double v);
+
     // The force at penetration d >= 0 and velocity v. Pure; every finite d >= 0 and v is valid.
     // At d = 0 the limit d -> 0+ is meant.
     struct contact_response (*force)(const double *constant, const double *history, double d,

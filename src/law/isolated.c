@@ -267,9 +267,30 @@ static void release(struct flight *f) {
     }
 }
 
+// An impact without a force is over at once.
+static void rigid(const struct contact_law *law, const double *constant, double mass,
+                  double velocity, const struct isolated_observer *observer,
+                  struct isolated_impact *out) {
+    double rebound = law->rebound(constant, velocity);
+    *out = (struct isolated_impact){
+        .restitution = rebound / velocity,
+        .peak_force = NAN,
+        .impulse = mass * (velocity + rebound),
+        .dissipated = mass * (velocity - rebound) * (velocity + rebound) / 2.0,
+    };
+    for (int i = 0; observer && i < 2; i++) {
+        struct isolated_point point = {.velocity = i == 0 ? velocity : -rebound, .force = NAN};
+        observer->point(observer->context, &point);
+    }
+}
+
 int isolated_run(const struct contact_law *law, const double *constant, double mass,
                  double velocity, const struct isolated_observer *observer,
                  struct isolated_impact *out, struct error *e) {
+    if (law->rebound) {
+        rigid(law, constant, mass, velocity, observer, out);
+        return STATUS_OK;
+    }
     struct flight f = {.law = law,
                        .constant = constant,
                        .mass = mass,

@@ -8,7 +8,7 @@
 
 struct isolated_impact {
     double restitution;      // opening over closing velocity
-    double peak_force;       // [F] largest
+    double peak_force;       // [F] largest; NAN under a law without a force
     double duration;         // [T] from closure until d = 0 again
     double max_penetration;  // [L]
     double impulse;          // [F T]

@@ -35,8 +35,12 @@ const struct contact_law *law_choice_find(struct deck *d, const struct word *nam
     return law;
 }
 
-// Puts the damping that delivers -e exactly in place of -e.
+// Puts the damping that delivers -e exactly in place of -e. A rigid impact delivers it as it is.
 static bool calibrate(struct deck *d, const struct word *flag, struct law_choice *c) {
+    if (c->law->rebound) {
+        c->calibrated = true;
+        return true;
+    }
     if (!c->law->exact) {
         deck_error(d, flag, "contact law %s takes no -e that could be calibrated", c->law->name);
         return false;

@@ -3,7 +3,7 @@
 #ifndef JOSTLE_ACCOUNT_H
 #define JOSTLE_ACCOUNT_H
 
-#include "solve/state.h"
+#include "solve/impulse.h"
 
 // Works since t = 0 [F L], each the sum over steps of a mean force times a displacement.
 struct energy_account {
@@ -19,6 +19,10 @@ void energy_start(struct energy_account *a, const struct model *m, const struct 
 // Adds the step from `now` to `next`.
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next);
+
+// Adds the impulse of a rigid impact of contact k at the instant of `s`, in which `work` was lost.
+void energy_impulse(struct energy_account *a, const struct model *m, const struct state *s, int k,
+                    double impulse, double work);
 
 // The account at state `s` into energy (ENERGY_COUNT).
 void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
@@ -49,7 +53,13 @@ int impacts_step(struct impact_log *log, struct results *r, const struct model *
 int impacts_toggle(struct impact_log *log, struct results *r, const struct state *s, int k,
                    struct error *e);
 
-// Ends the impacts still under way and puts all in order of time.
+// Takes account of the rigid contacts that have met at the instant of `s`: impacts that are over at
+// once, or have come to rest, or end a rest. `meeting` is (n_contact).
+int impacts_meet(struct impact_log *log, struct results *r, const struct model *m,
+                 const struct state *s, const struct meeting *meeting, struct error *e);
+
+// Ends the impacts still under way, blots out what rigid contacts say of forces, and puts all in
+// order of time.
 void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
                     const struct state *s);
 

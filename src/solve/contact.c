@@ -22,17 +22,13 @@
 #include "solve/crossing.h"
 #include "solve/resolve.h"
 
+// A rigid contact at rest is held by its velocity, as holding d = 0 would make the force oscillate;
+// in each step it gives back this share of what rounding and the ground motion let it stray from
+// d = 0. Any share between 0 and 1 is stable: d[n+1] = d[n] - share (d[n] + d[n-1]) / 2.
+static const double RECOVERY = 0.5;
+
 // Sweeps before block steps are tried.
 enum { PLAIN_SWEEPS = 4 };
-
-// Sum of |x| at both ends of a link: what rounding of its difference scales with.
-static double magnitude(const struct link *l, const double *x) {
-    double sum = 0.0;
-    for (int i = 0; i < 2; i++) {
-        sum += l->dof[i] == WALL ? 0.0 : fabs(x[l->dof[i]]);
-    }
-    return sum;
-}
 
 // Relative trial acceleration of the two ends.
 static double relative_acceleration(const struct link *l, const double *a) {
@@ -75,6 +71,8 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
         .v_free = trial_rate(w, next, k) + w->g * s * next->force[k],
         .d_force = w->b * s,
         .v_force = w->g * s,
+        .v_rest = -RECOVERY * now->delta[k] / w->h,
+        .v_rounding = l->law->rebound ? state_rounding(l, w->v_predicted) : 0.0,
         .closed = now->closed[k],
         .held = now->closed[k] && k == w->held,
     };
@@ -120,9 +118,10 @@ static void activate(struct work *w, const struct state *now, struct state *next
 }
 
 // Does an open link close in this step? One that has just opened may stand a rounding error inside;
-// it closes only if it goes deeper.
+// it closes only if it goes deeper. Rigid contacts close by an event.
 static bool closes(const struct work *w, const struct state *now, const struct state *next, int k) {
-    return k != w->held && trial_penetration(w, next, k) > fmax(now->delta[k], 0.0);
+    return k != w->held && !w->model->link[k].law->rebound &&
+           trial_penetration(w, next, k) > fmax(now->delta[k], 0.0);
 }
 
 // Activates every link that is closed, bilateral or closing; returns how many were new.
@@ -140,7 +139,7 @@ static int search(struct work *w, const struct state *now, struct state *next) {
 static bool negligible(const struct work *w, const struct line *l, double df) {
     double moved = l->d_force > 0.0 ? l->d_force : l->v_force;
     const double *x = l->d_force > 0.0 ? w->u_predicted : w->v_predicted;
-    return moved * fabs(df) <= 4.0 * DBL_EPSILON * (magnitude(l->link, x) + l->link->gap);
+    return moved * fabs(df) <= state_rounding(l->link, x) + 4.0 * DBL_EPSILON * l->link->gap;
 }
 
 // One sweep of exact answers. True if it changed nothing that matters.

@@ -77,6 +77,16 @@ void energy_step(struct energy_account *a, const struct model *m, const struct s
     links_step(a, m, now, next);
 }
 
+void energy_impulse(struct energy_account *a, const struct model *m, const struct state *s, int k,
+                    double impulse, double work) {
+    const struct link *l = &m->link[k];
+    a->contact += work;
+    if (l->moving_ground) {
+        a->input += impulse * (s->ground_v[m->building[l->building[0]].ground] -
+                               s->ground_v[m->building[l->building[1]].ground]);
+    }
+}
+
 const char *const energy_names[] = {"input",      "kinetic", "strain",  "damping",
                                     "hysteretic", "contact", "residual"};
 

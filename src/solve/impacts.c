@@ -98,17 +98,63 @@ int impacts_step(struct impact_log *log, struct results *r, const struct model *
     return STATUS_OK;
 }
 
-int impacts_toggle(struct impact_log *log, struct results *r, const struct state *s, int k,
-                   struct error *e) {
-    if (s->closed[k]) {
-        return open_impact(log, r, k, s, e);
-    }
+// Ends the impact under way of contact k at the instant of `s`.
+static void end_impact(struct impact_log *log, struct results *r, const struct state *s, int k) {
     struct impact *i = &r->impact[log->open[k]];
     i->t_end = s->time;
     i->v_rebound = -s->rate[k];
     i->complete = true;
     log->open[k] = -1;
+}
+
+int impacts_toggle(struct impact_log *log, struct results *r, const struct state *s, int k,
+                   struct error *e) {
+    if (s->closed[k]) {
+        return open_impact(log, r, k, s, e);
+    }
+    end_impact(log, r, s, k);
     return STATUS_OK;
+}
+
+int impacts_meet(struct impact_log *log, struct results *r, const struct model *m,
+                 const struct state *s, const struct meeting *meeting, struct error *e) {
+    for (int k = 0; k < m->n_contact; k++) {
+        const struct meeting *met = &meeting[k];
+        bool starts = log->open[k] < 0 && (met->struck || state_rests(s, m, k));
+        if (starts && open_impact(log, r, k, s, e) != STATUS_OK) {
+            return e->status;
+        }
+        if (met->struck) {
+            struct impact *i = &r->impact[log->open[k]];
+            if (starts) {
+                i->t_start = s->time;
+                i->v_approach = met->approach;
+            }
+            i->impulse += met->impulse;
+            i->dissipated += met->work;
+            r->link[k].impulse += met->impulse;
+            r->link[k].dissipated += met->work;
+        }
+        if (m->link[k].law->rebound && log->open[k] >= 0 && !s->closed[k]) {
+            end_impact(log, r, s, k);
+        }
+    }
+    return STATUS_OK;
+}
+
+// A rigid contact has no finite force at impact.
+static void blot_forces(struct results *r, const struct model *m) {
+    for (long i = 0; i < r->n_impact; i++) {
+        if (m->link[r->impact[i].contact].law->rebound) {
+            r->impact[i].peak_force = NAN;
+        }
+    }
+    for (int k = 0; k < m->n_contact; k++) {
+        if (m->link[k].law->rebound) {
+            r->link[k].force = NAN;
+            r->link[k].force_time = NAN;
+        }
+    }
 }
 
 static int compare_starts(const void *a, const void *b) {
@@ -129,6 +175,7 @@ void impacts_finish(struct impact_log *log, struct results *r, const struct mode
             i->v_rebound = -s->rate[k];
         }
     }
+    blot_forces(r, m);
     if (r->n_impact > 1) {
         qsort(r->impact, (size_t)r->n_impact, sizeof *r->impact, compare_starts);
     }

@@ -108,7 +108,17 @@ static enum branch held(const struct line *l, double guess, double *force) {
     return BRANCH_CLOSED;
 }
 
+// A rigid contact at rest: the force that keeps the bodies together, unless it would have to pull.
+static enum branch rest(const struct line *l, double *force) {
+    double excess = l->v_free - l->v_rest;
+    *force = fmax(excess / l->v_force, 0.0);
+    return excess >= -l->v_rounding ? BRANCH_JUMP : BRANCH_OPEN;
+}
+
 enum branch line_answer(const struct line *l, double guess, double *force) {
+    if (l->link->law->rebound) {
+        return rest(l, force);
+    }
     if (l->link->bilateral || l->held) {
         *force = unbounded(l, guess);
         return BRANCH_CLOSED;

@@ -61,7 +61,8 @@ static bool resolved(struct work *w, const struct state *now, const struct state
 bool resolve_suffices(struct work *w, const struct state *now, const struct state *next) {
     for (int i = 0; i < w->n_active; i++) {
         int k = w->active[i];
-        if (!w->model->link[k].bilateral && !resolved(w, now, next, k)) {
+        const struct link *l = &w->model->link[k];
+        if (!l->bilateral && !l->law->rebound && !resolved(w, now, next, k)) {
             w->unresolved = k;
             return false;
         }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/state.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "solve/excitation.h"
+#include "solve/rest.h"
 
 bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
     size_t n_dof = (size_t)m->n_dof;
@@ -79,17 +81,29 @@ double state_gap(const struct link *l, const struct model *m, const double *u,
     return delta;
 }
 
+double state_rounding(const struct link *l, const double *x) {
+    double sum = 0.0;
+    for (int i = 0; i < 2; i++) {
+        sum += l->dof[i] == WALL ? 0.0 : fabs(x[l->dof[i]]);
+    }
+    return 4.0 * DBL_EPSILON * sum;
+}
+
+double state_link_force(const struct state *s, const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    double d = l->bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
+    return l->law->force(l->constant, s->link_history + l->history, d, s->rate[k]).force;
+}
+
 void state_close_link(struct state *s, const struct model *m, int k) {
     const struct link *l = &m->link[k];
-    double *history = s->link_history + l->history;
     s->closed[k] = true;
     s->t_close[k] = s->time;
     s->v_close[k] = fmax(s->rate[k], 0.0);
     if (l->law->close) {
-        l->law->close(l->constant, s->v_close[k], history);
+        l->law->close(l->constant, s->v_close[k], s->link_history + l->history);
     }
-    double d = l->bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
-    s->force[k] = l->law->force(l->constant, history, d, s->rate[k]).force;
+    s->force[k] = state_link_force(s, m, k);
 }
 
 static void start_links(struct state *s, const struct model *m) {
@@ -98,7 +112,8 @@ static void start_links(struct state *s, const struct model *m) {
         s->delta[k] = state_gap(l, m, s->u, s->ground_u) - l->gap;
         s->rate[k] = state_gap(l, m, s->v, s->ground_v);
         s->closed[k] =
-            l->bilateral || s->delta[k] > 0.0 || (s->delta[k] == 0.0 && s->rate[k] > 0.0);
+            l->bilateral ||
+            (!l->law->rebound && (s->delta[k] > 0.0 || (s->delta[k] == 0.0 && s->rate[k] > 0.0)));
         s->force[k] = 0.0;
         if (s->closed[k]) {
             state_close_link(s, m, k);
@@ -106,8 +121,12 @@ static void start_links(struct state *s, const struct model *m) {
     }
 }
 
+bool state_rests(const struct state *s, const struct model *m, int k) {
+    return s->closed[k] && m->link[k].law->rebound;
+}
+
 // M a = external - C v - storey shears - link forces
-void state_equilibrium(struct state *s, const struct model *m) {
+static void accelerations(struct state *s, const struct model *m) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         for (int i = g->first; i < g->first + g->n_floor; i++) {
@@ -127,6 +146,11 @@ void state_equilibrium(struct state *s, const struct model *m) {
     for (int i = 0; i < m->n_dof; i++) {
         s->a[i] /= m->mass[i];
     }
+}
+
+void state_equilibrium(struct state *s, const struct model *m) {
+    accelerations(s, m);
+    rest_forces(s, m);
 }
 
 void state_start(struct state *s, const struct model *m) {

@@ -35,11 +35,18 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a);
 // to close (delta = 0, rate > 0), accelerations from equilibrium.
 void state_start(struct state *s, const struct model *m);
 
-// Accelerations that bring the forces of `s` into equilibrium.
+// Accelerations that bring the forces of `s` into equilibrium, with the forces of rigid contacts at
+// rest that keep them so; one that would have to pull opens.
 void state_equilibrium(struct state *s, const struct model *m);
 
 // Closes link k at this instant: history and force from the velocity it closes with.
 void state_close_link(struct state *s, const struct model *m, int k);
+
+// The force of the law of link k at its penetration and velocity, with its history as it is.
+double state_link_force(const struct state *s, const struct model *m, int k);
+
+// Whether link k is a rigid contact at rest.
+bool state_rests(const struct state *s, const struct model *m, int k);
 
 // Drifts, storey shears and C v from u and v, with the storey history of `s`.
 void state_internal_forces(struct state *s, const struct model *m);
@@ -48,5 +55,8 @@ void state_internal_forces(struct state *s, const struct model *m);
 // share.
 double state_gap(const struct link *l, const struct model *m, const double *u,
                  const double *ground);
+
+// Rounding of the difference of `x` (n_dof) between both ends of a link.
+double state_rounding(const struct link *l, const double *x);
 
 #endif

@@ -43,7 +43,7 @@ static void a_calibrated_law_delivers_e(void **state) {
     int n = 0;
     for (int k = 0; k < n_contact_law; k++) {
         const struct contact_law *law = contact_laws[k];
-        assert_int_equal(law->exact != NULL, contact_law_row(law, "e") >= 0);
+        assert_int_equal(law->exact || law->rebound, contact_law_row(law, "e") >= 0);
         for (int i = 2; law->exact && i < 20; i++) {
             double e = 0.05 * i;
             assert_close(calibrated(law, e).restitution, e, 1e-9);

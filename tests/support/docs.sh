@@ -7,19 +7,11 @@ jostle=$1
 folder=$2
 example=input/multistorey.deck
 
-# README.md with the code block behind the line `<!-- NAME -->` replaced by the file NAME.
-with_block() {
-    awk -v name="$1" -v file="$2" '
-        inside && /^```$/ { while ((getline line < file) > 0) print line; inside = 0 }
-        !inside { print }
-        $0 == "<!-- " name " -->" { due = 1 }
-        due && /^```/ { inside = 1; due = 0 }'
-}
-
 mkdir -p "$folder"
 "$jostle" laws --markdown >"$folder/laws.md"
 "$jostle" deck --markdown >"$folder/deck-statements.md"
 sed '/^#/d' "$example" >"$folder/deck"
 "$jostle" run "$example" -o "$folder/multistorey.h5" --force >"$folder/printed"
 sed "s|$folder/||" "$folder/printed" >"$folder/summary"
-with_block deck "$folder/deck" <README.md | with_block summary "$folder/summary" >"$folder/README.md"
+sh tests/support/with_block.sh deck "$folder/deck" <README.md |
+    sh tests/support/with_block.sh summary "$folder/summary" >"$folder/README.md"

@@ -97,7 +97,7 @@ static void add_law(struct maker *m) {
         "ye-hertz-damp",
         "khatami",
     };
-    int i = below(m, ELASTIC + WITH_E + 2);
+    int i = below(m, ELASTIC + WITH_E + 3);
     double k = logarithmic(m, 1e6, 1e13);
     if (i == ELASTIC + WITH_E) {
         add(m, " -law bilinear -k1 %.6g -k2 %.6g -dy %.4g\n", k, k * uniform(m, 0.01, 1.0),
@@ -105,6 +105,8 @@ static void add_law(struct maker *m) {
     } else if (i == ELASTIC + WITH_E + 1) {
         add(m, " -law wang -k %.6g -zeta %.6g -residual %.4g\n", k, k * logarithmic(m, 0.01, 10.0),
             uniform(m, 0.0, 0.8));
+    } else if (i == ELASTIC + WITH_E + 2) {
+        add(m, " -law stereomechanical -e %.4g\n", uniform(m, 0.0, 1.0));
     } else {
         add(m, " -law %s -k %.6g", law[i], k);
         if (i >= ELASTIC) {
