@@ -175,14 +175,14 @@ static int write_history(const struct options *o, const struct law_impact *i, st
     return result_publish(part, o->history, o->existing, e);
 }
 
-// "e 0.647 (0.65 asked for), peak 692.5 kN, ..." of one impact.
+// "e 0.647 (asked 0.65), 692.5 kN, ..." of one impact.
 static void key_numbers(const struct law_impact *i, char *text, size_t size) {
     char nominal[48] = "";
     if (!isnan(i->nominal)) {
-        snprintf(nominal, sizeof nominal, " (%.4g asked for)", i->nominal);
+        snprintf(nominal, sizeof nominal, " (asked %.4g)", i->nominal);
     }
-    snprintf(text, size, "e %.4g%s, peak %.4g kN, %.4g ms, %.4g mm, %.4g kJ lost",
-             i->impact.restitution, nominal, i->impact.peak_force / 1e3, 1e3 * i->impact.duration,
+    snprintf(text, size, "e %.4g%s, %.4g kN, %.4g ms, %.4g mm, %.4g kJ lost", i->impact.restitution,
+             nominal, i->impact.peak_force / 1e3, 1e3 * i->impact.duration,
              1e3 * i->impact.max_penetration, i->impact.dissipated / 1e3);
 }
 

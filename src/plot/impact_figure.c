@@ -9,6 +9,9 @@
 
 enum { SAMPLES_SHOWN = 1500 };  // pairs of a smallest and a largest one
 
+// Of the contact, how much of a record is shown before and after.
+static const double AROUND = 0.15;
+
 // A unit in which values need few digits.
 struct scale {
     double size;
@@ -18,7 +21,7 @@ static const struct scale forces[] = {{1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {0.0
 static const struct scale times[] = {{1.0, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {0.0, NULL}};
 static const struct scale lengths[] = {{1.0, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {0.0, NULL}};
 
-// Largest and smallest values of all that is shown.
+// Largest and smallest values of what is shown.
 struct extent {
     double force_min, force_max, time_min, time_max, depth_max;
 };
@@ -52,8 +55,15 @@ static struct extent extent_of(const struct impact_figure *f) {
             widen(&x, curve->start + p->time, p->force, p->penetration);
         }
     }
+    if (f->n_sample > 0) {
+        const double margin = AROUND * (x.time_max - x.time_min);
+        x.time_min -= margin;
+        x.time_max += margin;
+    }
     for (size_t i = 0; i < f->n_sample; i++) {
-        widen(&x, f->time[i], f->force[i], 0.0);
+        if (f->time[i] >= x.time_min && f->time[i] <= x.time_max) {
+            widen(&x, f->time[i], f->force[i], 0.0);
+        }
     }
     return x;
 }

@@ -26,5 +26,6 @@ if ! sh tests/support/docs.sh "$JOSTLE" "$folder"; then
 fi
 same docs/laws.md
 same docs/deck-statements.md
+same docs/restitution.md
 same README.md
 exit $status
