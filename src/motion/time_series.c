@@ -43,19 +43,25 @@ static int read_caption(struct file *f, struct dimension dimension, struct error
     return STATUS_OK;
 }
 
+static int check_columns(const struct file *f, int line, size_t n, struct error *e) {
+    return n == N_COLUMN
+               ? STATUS_OK
+               : lines_error(e, f->text.path, line, "%zu column%s; two are read, time and value", n,
+                             n == 1 ? "" : "s");
+}
+
 // Reads row `i`, on which `l` stands.
 static int read_row(struct file *f, const struct lines *l, size_t i, struct error *e) {
     static const char *const names[N_COLUMN] = {"time", "value"};
-    size_t n = lines_count(l->line, table_separators);
     struct span rest = l->line;
-    if (n != N_COLUMN) {
-        return lines_error(e, f->text.path, l->number, "%zu columns; two are read, time and value",
-                           n);
+    int status = check_columns(f, l->number, lines_count(l->line, table_separators), e);
+    if (status != STATUS_OK) {
+        return status;
     }
     for (int c = 0; c < N_COLUMN; c++) {
         struct number_field field = {f->text.path, l->number, names[c], i + 1, {0}};
         lines_field(&rest, table_separators, &field.field);
-        int status = lines_read_number(&field, &f->column[c][i], e);
+        status = lines_read_number(&field, &f->column[c][i], e);
         if (status != STATUS_OK) {
             return status;
         }
@@ -94,6 +100,9 @@ static int read_text(struct arena *a, struct file *f, struct dimension dimension
     }
     if (status == STATUS_OK) {
         status = table_check(&f->text, &f->table, e);
+    }
+    if (status == STATUS_OK) {
+        status = check_columns(f, f->table.first_line, f->table.n_column, e);
     }
     if (status == STATUS_OK) {
         status = read_caption(f, dimension, e);

@@ -67,7 +67,7 @@ static void what_is_wrong_is_named_with_its_line(void **state) {
     refused("", "force.txt: the file is empty");
     refused("no numbers\n", "there is no line of numbers");
     refused("0 1 2\n", "force.txt:1: 3 columns; two are read, time and value");
-    refused("0 1\n1 2\n2\n", "force.txt:3: 1 columns");
+    refused("0 1\n1 2\n2\n", "force.txt:3: 1 column; two are read");
     refused("0 1\n1 2\n1 3\n", "force.txt:3: time 1 s after 1 s; times must grow");
     refused("0 1\n1 2x\n", "force.txt:2: value 2 '2x' is not a number");
     refused("0 1\n1 nan\n", "force.txt:2: value 2 'nan' is not a number");
