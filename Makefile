@@ -199,7 +199,9 @@ check-format: setup-lint  ## fail if `make format` would change a file
 .PHONY: docs
 docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and draw the pictures
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
-	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/restitution.md docs
+	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg
+	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/restitution.md \
+	    $(B)/docs/law-command.md docs
 	@cp $(B)/docs/README.md README.md
 	@$(PROGRAM) run input/two_towers.deck -o $(B)/docs/two_towers.h5 -q --force
 	@mkdir -p docs/pictures

@@ -5,6 +5,7 @@
 #include <string.h>
 
 enum { NAME_SIZE = 512, LAWS_IN_A_ROW = 4 };
+static const double ROUNDING = 1e-10;
 
 // Quantities of an impact, in the order of the tables.
 static const struct quantity {
@@ -70,6 +71,15 @@ static void print_laws(const struct law_impacts *l, FILE *to) {
     }
 }
 
+// What a reader is shown: the energy lost is known to ROUNDING of the kinetic energy.
+static double shown(const struct law_impacts *l, int i, int q) {
+    const double value = quantity(&l->impact[i], q);
+    const double energy = l->mass * l->velocity * l->velocity / 2.0;
+    const bool none =
+        quantities[q].dimension == &dimension_energy && fabs(value) < ROUNDING * energy;
+    return none ? 0.0 : value;
+}
+
 // The laws from `first` up to `last`, side by side.
 static void print_columns(const struct law_impacts *l, int first, int last, FILE *to) {
     struct unit_system si;
@@ -84,7 +94,7 @@ static void print_columns(const struct law_impacts *l, int first, int last, FILE
         unit_text(&si, *quantities[q].dimension, unit, sizeof unit);
         fprintf(to, "%-21s %4s", quantities[q].words, strcmp(unit, "1") == 0 ? "" : unit);
         for (int i = first; i < last; i++) {
-            const double value = quantity(&l->impact[i], q);
+            const double value = shown(l, i, q);
             if (isnan(value)) {
                 fprintf(to, " %17s", "-");
             } else {
