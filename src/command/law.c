@@ -176,14 +176,23 @@ static int write_history(const struct options *o, const struct law_impact *i, st
 }
 
 // "e 0.647 (asked 0.65), 692.5 kN, ..." of one impact.
-static void key_numbers(const struct law_impact *i, char *text, size_t size) {
+static void key_numbers(const struct law_impacts *l, const struct law_impact *i, char *text,
+                        size_t size) {
     char nominal[48] = "";
     if (!isnan(i->nominal)) {
         snprintf(nominal, sizeof nominal, " (asked %.4g)", i->nominal);
     }
-    snprintf(text, size, "e %.4g%s, %.4g kN, %.4g ms, %.4g mm, %.4g kJ lost", i->impact.restitution,
-             nominal, i->impact.peak_force / 1e3, 1e3 * i->impact.duration,
-             1e3 * i->impact.max_penetration, i->impact.dissipated / 1e3);
+    const int n = snprintf(text, size, "e %.4g%s, %.4g kN, %.4g ms, %.4g mm, ",
+                           i->impact.restitution, nominal, i->impact.peak_force / 1e3,
+                           1e3 * i->impact.duration, 1e3 * i->impact.max_penetration);
+    if (n < 0 || (size_t)n >= size) {
+        return;
+    }
+    if (l->measured.n > 0) {
+        snprintf(text + n, size - (size_t)n, "error %.3g %%", 100.0 * i->fit.normalised_error);
+    } else {
+        snprintf(text + n, size - (size_t)n, "%.4g kJ lost", i->impact.dissipated / 1e3);
+    }
 }
 
 static int write_figure(void *context, const char *picture, FILE *to, struct error *e) {
@@ -194,7 +203,7 @@ static int write_figure(void *context, const char *picture, FILE *to, struct err
     law_print_name(&l->impact[0], title, sizeof title);
     if (l->n == 1) {
         char numbers[256];
-        key_numbers(&l->impact[0], numbers, sizeof numbers);
+        key_numbers(l, &l->impact[0], numbers, sizeof numbers);
         snprintf(subtitle, sizeof subtitle, "%s: %s", bodies, numbers);
     }
     int n = 0;

@@ -95,8 +95,7 @@ static void write_curve(const struct impact_curve *curve, int c, const struct sc
 
 static int write_samples(const struct impact_figure *f, const struct scales *s, FILE *to,
                          struct error *e) {
-    size_t *row =
-        calloc(f->n_sample < 4 * SAMPLES_SHOWN ? 4 * SAMPLES_SHOWN : f->n_sample, sizeof *row);
+    size_t *row = calloc(f->n_sample, sizeof *row);
     if (!row) {
         return error_no_memory(e);
     }
@@ -137,7 +136,7 @@ static void write_panel(const struct impact_figure *f, int column, double left, 
     fprintf(to, "set lmargin at screen %.4f\nset rmargin at screen %.4f\nplot \\\n", left,
             left + 0.395);
     if (f->n_sample > 0 && column == 1) {
-        fprintf(to, "  $measured using 1:2 with points pt 7 ps 0.45 lc rgb '#808080', \\\n");
+        fprintf(to, "  $measured using 1:2 with points pt 7 ps 0.6 lc rgb '#808080', \\\n");
     }
     for (int c = 0; c < f->n_curve; c++) {
         fprintf(to, "  $curve%d using %d:2 with lines lw 1.4 lc rgb '%s'%s\n", c, column,
