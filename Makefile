@@ -5,7 +5,7 @@
 # --- settings: each can be given on the command line, `make CC=clang BUILD=build/clang` ----------
 VERSION = 0.1.0
 BUILD   = build#      everything that is made goes below this folder
-CFLAGS  = -O2 -g
+CFLAGS  = -O3 -g
 WERROR  = #           1: warnings are errors
 V       = #           1: show whole commands
 SANITIZE = #          for example address,undefined

@@ -3,22 +3,28 @@
 #ifndef JOSTLE_ACCOUNT_H
 #define JOSTLE_ACCOUNT_H
 
+#include "solve/chain.h"
 #include "solve/impulse.h"
 
 // Works since t = 0 [F L], each the sum over steps of a mean force times a displacement.
 struct energy_account {
-    double initial;  // kinetic and strain energy at t = 0
-    double input, damping, contact;
+    double initial;                 // kinetic and strain energy at t = 0
+    double *input_2x, *damping_2x;  // (n_dof) twice the work of external and damping forces
+    double input;                   // beyond that: of links on the grounds
+    double contact;
     double storey;        // work on storeys that are not elastic
     double stored_start;  // their recoverable energy at t = 0
 };
+
+// Room for the account of a model; false: no memory.
+bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena);
 
 // Energies of the start state.
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s);
 
 // Adds the step from `now` to `next`.
-void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
-                 const struct state *next);
+void energy_step(struct energy_account *a, const struct model *m, const struct chain *c,
+                 const struct state *now, const struct state *next);
 
 // Adds the impulse of a rigid impact of contact k at the instant of `s`, in which `work` was lost.
 void energy_impulse(struct energy_account *a, const struct model *m, const struct state *s, int k,
@@ -32,7 +38,8 @@ void energy_balance(const struct energy_account *a, const struct model *m, const
 bool peaks_alloc(struct results *r, const struct model *m, struct arena *a);
 
 // Takes state `s` into the envelopes of floors and contacts.
-void peaks_update(struct results *r, const struct model *m, const struct state *s);
+void peaks_update(struct results *r, const struct model *m, const struct chain *c,
+                  const struct state *s);
 
 // The impacts that are under way. Arrays (n_contact).
 struct impact_log {
@@ -50,8 +57,8 @@ int impacts_step(struct impact_log *log, struct results *r, const struct model *
                  const struct state *now, const struct state *next, struct error *e);
 
 // Takes account of a link that has just been closed or opened at the instant of state `s`.
-int impacts_toggle(struct impact_log *log, struct results *r, const struct state *s, int k,
-                   struct error *e);
+int impacts_toggle(struct impact_log *log, struct results *r, const struct model *m,
+                   const struct state *s, int k, struct error *e);
 
 // Takes account of the rigid contacts that have met at the instant of `s`: impacts that are over at
 // once, or have come to rest, or end a rest. `meeting` is (n_contact).

@@ -2,7 +2,6 @@
 // The time loop: step, commit, account, and show a row to the observer now and then.
 #include "jostle/analysis.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,7 +40,6 @@ struct run {
     long events_before;       // totals.events at the start of it
     struct meeting *meeting;  // (n_contact) scratch of rigid impacts
     struct results *results;
-    double *total_acceleration;  // (n_dof) for the observer
     struct error *error;
 };
 
@@ -57,8 +55,8 @@ static int poll(struct run *r) {
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
     struct results *out = r->results;
-    energy_step(&r->energy, r->model, r->now, r->next);
-    peaks_update(out, r->model, r->next);
+    energy_step(&r->energy, r->model, &r->work.chain, r->now, r->next);
+    peaks_update(out, r->model, &r->work.chain, r->next);
     int status = impacts_step(&r->impacts, out, r->model, r->now, r->next, r->error);
     struct state *old = r->now;
     r->now = r->next;
@@ -103,7 +101,7 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
         int status = newmark_step(&r->work, r->now, r->next, instant, event->time, r->error);
         r->work.held = -1;
         double d = r->next->delta[event->link];
-        double v = r->next->rate[event->link];
+        double v = state_rate(r->next, r->model, event->link);
         *(sign * d < 0.0 ? &low : &high) = event->time;
         bool near = fabs(d) <= located * fabs(v) * h || high - low <= 1e-9 * h;
         if (status != STATUS_OK || near) {
@@ -118,7 +116,7 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
 // Lets the force of the event's link jump.
 static int jump(struct run *r, const struct event *event) {
     event_apply(r->now, r->model, event->link);
-    return impacts_toggle(&r->impacts, r->results, r->now, event->link, r->error);
+    return impacts_toggle(&r->impacts, r->results, r->model, r->now, event->link, r->error);
 }
 
 // Lets the bodies of a rigid contact meet.
@@ -143,7 +141,7 @@ static int step_to_first(struct run *r, struct event *event, double end, double 
             return status;
         }
         struct event other =
-            event_first(r->model, r->now, r->next, event->time, r->events, event->link);
+            event_first(&r->work, r->now, r->next, event->time, r->events, event->link);
         if (other.link < 0 || other.time >= (1.0 - TOGETHER) * event->time) {
             return STATUS_OK;
         }
@@ -174,7 +172,7 @@ static int pass(struct run *r, struct event *event, double end, double h) {
         r->results->totals.events++;
         r->events[event->link]++;
         status = r->model->link[event->link].law->rebound ? meet(r, event) : jump(r, event);
-        peaks_update(r->results, r->model, r->now);
+        peaks_update(r->results, r->model, &r->work.chain, r->now);
     }
     return status;
 }
@@ -187,7 +185,7 @@ static int step(struct run *r, double end, double h, int cuts, double *rest) {
     if (status != STATUS_OK) {
         return status;
     }
-    struct event event = event_first(r->model, r->now, r->next, h, r->events, -1);
+    struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);
     if (event.link < 0) {
         return commit(r);
     }
@@ -227,23 +225,15 @@ static int balance(struct run *r) {
 }
 
 static int observe(struct run *r) {
-    const struct model *m = r->model;
     const struct state *s = r->now;
-    assert(s->a && s->ground_a);
     if (balance(r) != STATUS_OK) {
         return STATUS_FAILED;
-    }
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            r->total_acceleration[i] = s->a[i] + s->ground_a[g->ground];
-        }
     }
     struct row_view row = {
         .time = s->time,
         .displacement = s->u,
         .velocity = s->v,
-        .acceleration = r->total_acceleration,
+        .acceleration = s->total,
         .drift = s->drift,
         .storey_shear = s->shear,
         .force = s->force,
@@ -280,10 +270,9 @@ static bool run_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->now = &r->store[0];
     r->next = &r->store[1];
-    r->total_acceleration = arena_alloc(a, (size_t)m->n_dof, sizeof(double));
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
-    return r->total_acceleration && r->events && r->meeting && state_alloc(r->now, m, a) &&
+    return r->events && r->meeting && energy_alloc(&r->energy, m, a) && state_alloc(r->now, m, a) &&
            state_alloc(r->next, m, a) && work_alloc(&r->work, m, &r->results->totals, a) &&
            impacts_alloc(&r->impacts, m, a) && peaks_alloc(r->results, m, a);
 }
@@ -291,7 +280,7 @@ static bool run_alloc(struct run *r, struct arena *a) {
 static int run_start(struct run *r) {
     state_start(r->now, r->model);
     energy_start(&r->energy, r->model, r->now);
-    peaks_update(r->results, r->model, r->now);
+    peaks_update(r->results, r->model, &r->work.chain, r->now);
     return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
 }
 

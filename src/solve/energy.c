@@ -33,14 +33,21 @@ static double stored(const struct model *m, const struct state *s, enum storey_k
     return sum;
 }
 
+bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena) {
+    a->input_2x = chain_array(m, arena);
+    a->damping_2x = chain_array(m, arena);
+    return a->input_2x && a->damping_2x;
+}
+
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s) {
-    *a = (struct energy_account){.stored_start = stored(m, s, STOREYS_OTHER)};
+    a->stored_start = stored(m, s, STOREYS_OTHER);
     a->initial = kinetic(m, s) + stored(m, s, STOREYS_ELASTIC) + a->stored_start;
 }
 
 static void links_step(struct energy_account *a, const struct model *m, const struct state *now,
                        const struct state *next) {
-    for (int k = 0; k < m->n_link; k++) {
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
         double sum = now->force[k] + next->force[k];
         if (sum == 0.0) {
             continue;
@@ -58,23 +65,24 @@ static void links_step(struct energy_account *a, const struct model *m, const st
     }
 }
 
-void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
-                 const struct state *next) {
-    double input = 0.0;
-    double damping = 0.0;
-    for (int i = 0; i < m->n_dof; i++) {
-        double du = next->u[i] - now->u[i];
-        input += (now->external[i] + next->external[i]) * du;
-        damping += (now->damping_force[i] + next->damping_force[i]) * du;
-    }
-    a->input += input / 2.0;
-    a->damping += damping / 2.0;
+void energy_step(struct energy_account *a, const struct model *m, const struct chain *c,
+                 const struct state *now, const struct state *next) {
+    chain_work(c, now->external, next->external, now->u, next->u, a->input_2x);
+    chain_work(c, now->damping_force, next->damping_force, now->u, next->u, a->damping_2x);
     for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
         if (m->storey[i].law->n_history > 0) {
             a->storey += (now->shear[i] + next->shear[i]) / 2.0 * (next->drift[i] - now->drift[i]);
         }
     }
     links_step(a, m, now, next);
+}
+
+static double half_sum(const double *x, int n) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        sum += x[i];
+    }
+    return sum / 2.0;
 }
 
 void energy_impulse(struct energy_account *a, const struct model *m, const struct state *s, int k,
@@ -93,10 +101,10 @@ const char *const energy_names[] = {"input",      "kinetic", "strain",  "damping
 void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
                     double *energy) {
     double other = m->n_storey_history > 0 ? stored(m, s, STOREYS_OTHER) : 0.0;
-    energy[ENERGY_INPUT] = a->input;
+    energy[ENERGY_INPUT] = a->input + half_sum(a->input_2x, m->n_dof);
     energy[ENERGY_KINETIC] = kinetic(m, s);
     energy[ENERGY_STRAIN] = stored(m, s, STOREYS_ELASTIC) + other;
-    energy[ENERGY_DAMPING] = a->damping;
+    energy[ENERGY_DAMPING] = half_sum(a->damping_2x, m->n_dof);
     energy[ENERGY_HYSTERETIC] = a->storey - (other - a->stored_start);
     energy[ENERGY_CONTACT] = a->contact;
     energy[ENERGY_RESIDUAL] = a->initial + energy[ENERGY_INPUT] - energy[ENERGY_KINETIC] -

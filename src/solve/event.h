@@ -20,7 +20,7 @@ enum { EVENTS_JUMP_MAX = 50, EVENTS_RIGID_MAX = 500, EVENTS_ENDLESS = 100000 };
 // The first event in the step from `now` to `next` of size h; its time is exactly 0 or h if it is
 // at an end. `count` (n_contact): events of each contact in this step of the deck so far. Link
 // `except` is passed over; -1: none.
-struct event event_first(const struct model *m, const struct state *now, const struct state *next,
+struct event event_first(const struct work *w, const struct state *now, const struct state *next,
                          double h, const int *count, int except);
 
 // Closes or opens the link of a jump of force at the instant of `s`, with the accelerations that

@@ -24,8 +24,9 @@ void excitation_at(struct state *s, const struct model *m, double t) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         double a = s->ground_a[g->ground];
-        for (int i = 0; i < g->n_floor; i++) {
-            s->external[g->first + i] = -g->mass[i] * a;
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            s->base[i] = a;
+            s->external[i] = -m->mass[i] * a;
         }
     }
     for (int k = 0; k < m->n_load; k++) {

@@ -48,11 +48,11 @@ int impacts_start(struct impact_log *log, struct results *r, const struct model 
     return STATUS_OK;
 }
 
-static void close_impact(struct impact_log *log, struct impact *i, const struct state *now,
-                         const struct state *next) {
+static void close_impact(struct impact_log *log, const struct model *m, struct impact *i,
+                         const struct state *now, const struct state *next) {
     int k = i->contact;
-    struct path path = {fmax(now->delta[k], 0.0), now->rate[k], fmin(next->delta[k], 0.0),
-                        next->rate[k], next->time - now->time};
+    struct path path = {fmax(now->delta[k], 0.0), state_rate(now, m, k), fmin(next->delta[k], 0.0),
+                        state_rate(next, m, k), next->time - now->time};
     double rate;
     i->t_end = now->time + crossing_find(&path, &rate);
     i->v_rebound = -rate;
@@ -79,40 +79,40 @@ static void carry(struct impact *i, struct link_peak *p, int k, const struct sta
 
 int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
                  const struct state *now, const struct state *next, struct error *e) {
-    for (int k = 0; k < m->n_contact; k++) {
-        if (!now->closed[k] && !next->closed[k]) {
-            continue;
+    for (int j = 0; j < next->n_live; j++) {
+        int k = next->live[j];
+        if (k >= m->n_contact) {
+            carry(NULL, &r->link[k], k, now, next);
+        } else if (now->closed[k] || next->closed[k]) {
+            if (!now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
+                return e->status;
+            }
+            struct impact *i = &r->impact[log->open[k]];
+            carry(i, &r->link[k], k, now, next);
+            if (!next->closed[k]) {
+                close_impact(log, m, i, now, next);
+            }
         }
-        if (!now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
-            return e->status;
-        }
-        struct impact *i = &r->impact[log->open[k]];
-        carry(i, &r->link[k], k, now, next);
-        if (!next->closed[k]) {
-            close_impact(log, i, now, next);
-        }
-    }
-    for (int k = m->n_contact; k < m->n_link; k++) {
-        carry(NULL, &r->link[k], k, now, next);
     }
     return STATUS_OK;
 }
 
 // Ends the impact under way of contact k at the instant of `s`.
-static void end_impact(struct impact_log *log, struct results *r, const struct state *s, int k) {
+static void end_impact(struct impact_log *log, struct results *r, const struct model *m,
+                       const struct state *s, int k) {
     struct impact *i = &r->impact[log->open[k]];
     i->t_end = s->time;
-    i->v_rebound = -s->rate[k];
+    i->v_rebound = -state_rate(s, m, k);
     i->complete = true;
     log->open[k] = -1;
 }
 
-int impacts_toggle(struct impact_log *log, struct results *r, const struct state *s, int k,
-                   struct error *e) {
+int impacts_toggle(struct impact_log *log, struct results *r, const struct model *m,
+                   const struct state *s, int k, struct error *e) {
     if (s->closed[k]) {
         return open_impact(log, r, k, s, e);
     }
-    end_impact(log, r, s, k);
+    end_impact(log, r, m, s, k);
     return STATUS_OK;
 }
 
@@ -136,7 +136,7 @@ int impacts_meet(struct impact_log *log, struct results *r, const struct model *
             r->link[k].dissipated += met->work;
         }
         if (m->link[k].law->rebound && log->open[k] >= 0 && !s->closed[k]) {
-            end_impact(log, r, s, k);
+            end_impact(log, r, m, s, k);
         }
     }
     return STATUS_OK;
@@ -172,7 +172,7 @@ void impacts_finish(struct impact_log *log, struct results *r, const struct mode
         if (log->open[k] >= 0) {
             struct impact *i = &r->impact[log->open[k]];
             i->t_end = s->time;
-            i->v_rebound = -s->rate[k];
+            i->v_rebound = -state_rate(s, m, k);
         }
     }
     blot_forces(r, m);

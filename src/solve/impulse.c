@@ -22,10 +22,6 @@ static const double SHORTEST_BOUNCE = 0.01;  // of the step
 
 enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
 
-static double approach(const struct state *s, const struct model *m, int k) {
-    return state_gap(&m->link[k], m, s->v, s->ground_v);
-}
-
 static double rounding(const struct state *s, const struct model *m, int k) {
     return 16.0 * state_rounding(&m->link[k], s->v);
 }
@@ -42,7 +38,7 @@ static double slowest_rebound(const struct state *s, const struct model *m, int 
 static double strike(struct state *s, const struct model *m, int k, enum rebound rebound,
                      struct meeting *meeting) {
     const struct link *l = &m->link[k];
-    double r = approach(s, m, k);
+    double r = state_rate(s, m, k);
     double w = rebound == REBOUND_BY_LAW ? l->law->rebound(l->constant, r) : 0.0;
     if (w <= slowest_rebound(s, m, k)) {
         w = 0.0;
@@ -68,7 +64,7 @@ static void settle(struct state *s, const struct model *m, struct meeting *meeti
     for (int i = 0; i < SWEEPS_MAX && struck; i++) {
         struck = false;
         for (int k = 0; k < m->n_contact; k++) {
-            if (state_rests(s, m, k) && approach(s, m, k) > rounding(s, m, k)) {
+            if (state_rests(s, m, k) && state_rate(s, m, k) > rounding(s, m, k)) {
                 strike(s, m, k, i < SWEEPS_BY_LAW ? REBOUND_BY_LAW : REBOUND_NONE, &meeting[k]);
                 struck = true;
             }
@@ -79,7 +75,7 @@ static void settle(struct state *s, const struct model *m, struct meeting *meeti
 // Opens contacts at rest whose bodies leave each other for longer than the shortest bounce.
 static void part(struct state *s, const struct model *m) {
     for (int k = 0; k < m->n_contact; k++) {
-        if (state_rests(s, m, k) && approach(s, m, k) < -slowest_rebound(s, m, k)) {
+        if (state_rests(s, m, k) && state_rate(s, m, k) < -slowest_rebound(s, m, k)) {
             s->closed[k] = false;
             s->force[k] = 0.0;
         }
@@ -90,7 +86,6 @@ static void part(struct state *s, const struct model *m) {
 static void follow(struct state *s, const struct model *m) {
     state_internal_forces(s, m);
     for (int k = 0; k < m->n_link; k++) {
-        s->rate[k] = approach(s, m, k);
         if (s->closed[k] && m->link[k].law->force) {
             s->force[k] = state_link_force(s, m, k);
         }
@@ -101,8 +96,9 @@ static void follow(struct state *s, const struct model *m) {
 void impulse_meet(struct state *s, const struct model *m, int k, enum rebound rebound,
                   struct meeting *meeting) {
     memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
-    double approached = fmax(approach(s, m, k), 0.0);
+    double approached = fmax(state_rate(s, m, k), 0.0);
     if (approached == 0.0 || strike(s, m, k, rebound, &meeting[k]) == 0.0) {
+        state_enliven(s, k);
         s->closed[k] = true;
         s->t_close[k] = s->time;
         s->v_close[k] = approached;
