@@ -199,13 +199,16 @@ check-format: setup-lint  ## fail if `make format` would change a file
 .PHONY: docs
 docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and draw the pictures
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
-	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/spectrum.md docs
+	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg
+	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/restitution.md \
+	    $(B)/docs/law-command.md $(B)/docs/spectrum.md docs
 	@cp $(B)/docs/README.md README.md
 	@$(PROGRAM) run input/two_towers.deck -o $(B)/docs/two_towers.h5 -q --force
 	@mkdir -p docs/pictures
 	@$(PROGRAM) plot $(B)/docs/two_towers.h5 -o docs/pictures/two_towers.png --force
 	@$(PROGRAM) plot $(B)/docs/multistorey.h5 profiles -o docs/pictures/multistorey.png --force
 	@$(PROGRAM) spectrum input/records/*.AT2 -o docs/pictures/spectrum.png --force >/dev/null
+	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures
 
 # --- installing ----------------------------------------------------------------------------------
 .PHONY: install uninstall clean setup setup-lint help

@@ -37,6 +37,7 @@ struct contact_law {
     const char *formula;  // ASCII
     const char *source;   // authors, year, equation
     const char *remarks;  // what it is good for and where it fails
+    const char *example;  // options for its picture, for floors of 25 t and 40 t; NULL: no picture
     const struct row *row;
     int n_row;
     int n_constant;   // derived once per link; those of a curve not counted

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # docs.sh JOSTLE FOLDER: writes into FOLDER what of the documentation the program itself prints:
-# laws.md, deck-statements.md, README.md with its deck and its summary made anew, and spectrum.md with
-# its table.
+# laws.md, deck-statements.md and restitution.md; law-command.md, spectrum.md and README.md with what
+# they show made anew.
 set -eu
 jostle=$1
 folder=$2
@@ -11,6 +11,8 @@ example=input/multistorey.deck
 mkdir -p "$folder"
 "$jostle" laws --markdown >"$folder/laws.md"
 "$jostle" deck --markdown >"$folder/deck-statements.md"
+sh tests/support/restitution.sh "$jostle" >"$folder/restitution.md"
+sh tests/support/law_outputs.sh "$jostle" "$folder"
 sed '/^#/d' "$example" >"$folder/deck"
 "$jostle" run "$example" -o "$folder/multistorey.h5" --force >"$folder/printed"
 sed "s|$folder/||" "$folder/printed" >"$folder/summary"

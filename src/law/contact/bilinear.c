@@ -187,6 +187,7 @@ const struct contact_law contact_bilinear = {
                "dy), depends on the velocity (needs the v0 expected), and below dy nothing is; "
                "with -kh as published 0.65 "
                "comes out as 0.758 at v0, exact with -calibrate",
+    .example = "-k1 560MN/m -k2 60MN/m -dy 0.5mm",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -39,6 +39,7 @@ const struct contact_law contact_hertz = {
               "Earthquake Eng. Struct. Dyn. 20, 667-681",
     .remarks =
         "for curved faces; loses no energy; never pulls, no jumps; the slope vanishes at closure",
+    .example = "-k 2.75e9N/m^1.5",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_ROW,

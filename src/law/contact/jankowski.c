@@ -63,6 +63,7 @@ const struct contact_law contact_jankowski = {
         "ibid. 35, 517-524",
     .remarks = "for curved faces; never pulls; no jump at closure, but an infinite slope; close to "
                "e for e above 0.4; does not need v0",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -45,6 +45,7 @@ const struct contact_law contact_kelvin_voigt = {
               "zeta as derived there, missing in several later papers",
     .remarks = "for comparison with the literature; delivers e exactly in an isolated impact, "
                "whatever v0; jumps at closure and pulls before separation",
+    .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

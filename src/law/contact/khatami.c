@@ -66,6 +66,7 @@ const struct contact_law contact_khatami = {
               "reviews of impact models",
     .remarks = "for comparison only: dissipates next to nothing as printed, 0.9988 for an e of "
                "0.65 at 0.5 m/s; exact with -calibrate; never pulls; jumps at v = 0; needs v0",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

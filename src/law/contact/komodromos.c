@@ -46,6 +46,7 @@ const struct contact_law contact_komodromos = {
         "1605-1622",
     .remarks = "for flat faces, where tension is not wanted; never pulls; jumps at closure; "
                "delivers more than e: 0.675 for 0.65; does not need v0",
+    .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -18,6 +18,7 @@ const struct contact_law contact_lankarani_nikravesh = {
     .source = "Lankarani & Nikravesh (1990), J. Mech. Des. 112, 369-376",
     .remarks = "the same force as hertz-damp, for those who know it by this name: for curved faces "
                "and e near 1; needs v0, and pulls if bodies part faster than v0/q",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = hysteresis_rows,
     .n_row = HYSTERESIS_ROWS,
     .n_constant = HYSTERESIS_CONSTANTS,

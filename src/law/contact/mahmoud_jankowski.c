@@ -74,6 +74,7 @@ const struct contact_law contact_mahmoud_jankowski = {
               "-relation 2008: Mahmoud, Chen & Jankowski (2008), J. Appl. Sci. 8, 1850-1858",
     .remarks = "for flat faces; never pulls; jumps at closure; close to e for e above 0.4; does "
                "not need v0",
+    .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

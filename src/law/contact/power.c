@@ -59,6 +59,7 @@ const struct contact_law contact_power = {
               "energies of both halves of the impact",
     .remarks = "for faces between flat and curved; no jumps; delivers e exactly; needs v0, and "
                "pulls if bodies part faster than v0/q",
+    .example = "-k 30e9N/m^2 -n 2 -e 0.65",
     .row = rows,
     .n_row = HYSTERESIS_ROWS,
     .n_constant = HYSTERESIS_CONSTANTS,

@@ -113,6 +113,7 @@ const struct contact_law contact_wang = {
                "with -zeta e depends on the velocity, "
                "with -e it is exact; e^2 <= 1 - R; an approach renewed within one contact jumps "
                "back to the first branch",
+    .example = "-k 2.75e9N/m^1.5 -zeta 5.5e9N*s/m^2.5 -residual 0.25",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
