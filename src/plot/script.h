@@ -16,26 +16,10 @@ extern const char *const script_colour[];
 // `text` as a gnuplot string in single quotes. Line ends become blanks.
 void script_text(FILE *to, const char *text);
 
-// "name [unit]" as a gnuplot string, powers as raised digits.
-void script_axis(FILE *to, const char *name, const struct unit_system *units,
-                 struct dimension dimension);
-
 // A text whose end is cut off behind `columns` characters.
 void script_cut(const char *text, int columns, char *cut, size_t size);
 
-// Title and subtitle above everything. Unset them behind the first plot with script_head_end, which
-// takes the legend away too.
-void script_head(FILE *to, const char *title, const char *subtitle);
-void script_head_end(FILE *to);
-
-// An entry of the legend at place `i`, four in a row, `width` places wide: what stands for the
-// data, and its name.
-enum script_mark { SCRIPT_LINE, SCRIPT_DASHED, SCRIPT_AREA, SCRIPT_POINT };
-enum { SCRIPT_LEGEND_MAX = 8 };
-void script_legend(FILE *to, int i, int width, enum script_mark mark, const char *colour,
-                   const char *name);
-
-// The unit alone, for running text.
+// The unit, powers as raised digits.
 void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
                  size_t size);
 
