@@ -15,8 +15,8 @@ struct part {
     const char *name, *colour;
 };
 static const struct part parts[PARTS] = {
-    {ENERGY_DAMPING, "damping", "#0072b2"},  {ENERGY_HYSTERETIC, "yielding", "#d55e00"},
-    {ENERGY_CONTACT, "contacts", "#000000"}, {ENERGY_STRAIN, "strain", "#e69f00"},
+    {ENERGY_DAMPING, "damping", "#0072b2"},  {ENERGY_HYSTERETIC, "yielding", "#009e73"},
+    {ENERGY_CONTACT, "contacts", "#d55e00"}, {ENERGY_STRAIN, "strain", "#e69f00"},
     {ENERGY_KINETIC, "kinetic", "#56b4e9"},
 };
 

@@ -96,7 +96,7 @@ static void find_largest(struct view *v) {
 
 // Area goes with the force.
 static double point_size(const struct view *v, double size) {
-    return 0.35 + 3.2 * sqrt(size / v->largest);
+    return 0.5 + 5 * sqrt(size / v->largest);
 }
 
 static void write_impact(const struct view *v, const struct report *r, long i, FILE *to) {
@@ -211,7 +211,7 @@ static void write_head(const struct view *v, struct canvas *c) {
     const double step = script_step(v->largest, 2);
     const double shown[] = {step / 10, step / 2, step};
     for (size_t i = 0; i < 3 && v->largest > 0; i++) {
-        snprintf(text, sizeof text, "%.4g %s", shown[i], unit);
+        snprintf(text, sizeof text, "%.5g %s", shown[i], unit);
         canvas_legend(c, (struct mark){MARK_POINT, "#707070", point_size(v, shown[i])}, text);
     }
 }

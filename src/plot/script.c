@@ -36,8 +36,19 @@ static void raise(char *text) {
 
 void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
                  size_t size) {
-    unit_text(units, dimension, text, size);
-    raise(text);
+    char plain[64];
+    size_t n = 0;
+    unit_text(units, dimension, plain, sizeof plain);
+    raise(plain);
+    for (const char *s = plain; *s && n + 2 < size; s++) {
+        if (*s == '*') {
+            text[n++] = (char)0xC2;
+            text[n++] = (char)0xB7;
+        } else {
+            text[n++] = *s;
+        }
+    }
+    text[n] = '\0';
 }
 
 double script_step(double largest, int n) {

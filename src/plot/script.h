@@ -19,7 +19,7 @@ void script_text(FILE *to, const char *text);
 // A text whose end is cut off behind `columns` characters.
 void script_cut(const char *text, int columns, char *cut, size_t size);
 
-// The unit, powers as raised digits.
+// The unit, powers as raised digits, products with raised points.
 void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
                  size_t size);
 
