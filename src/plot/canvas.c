@@ -15,17 +15,9 @@ static void write_place(const struct canvas *c, double x, double y) {
     fprintf(c->to, " at screen %.4f,%.4f", x / c->width, y / c->height);
 }
 
-static int text_columns(const char *text) {
-    int n = 0;
-    for (const char *s = text; *s; s++) {
-        n += ((unsigned char)*s & 0xC0) != 0x80;
-    }
-    return n;
-}
-
 static void write_label(const struct canvas *c, const char *text, double width) {
     char cut[512];
-    script_cut(text, (int)(width / character) - 2, cut, sizeof cut);
+    script_cut(text, (int)(width / character), cut, sizeof cut);
     fprintf(c->to, "set label ");
     script_text(c->to, cut);
 }
@@ -68,9 +60,13 @@ static void write_mark(const struct canvas *c, struct mark mark, double x, doubl
             break;
         case MARK_POINT:
         case MARK_RING:
+        case MARK_CROSS:
             fprintf(c->to, "set label ''");
             write_place(c, x + 0.8, y);
-            fprintf(c->to, " point pt %d ps %.3g lc rgb '%s'\n", mark.kind == MARK_POINT ? 7 : 6,
+            fprintf(c->to, " point pt %d ps %.3g lc rgb '%s'\n",
+                    mark.kind == MARK_POINT  ? 7
+                    : mark.kind == MARK_RING ? 6
+                                             : 2,
                     size, mark.colour);
             break;
     }
@@ -78,8 +74,8 @@ static void write_mark(const struct canvas *c, struct mark mark, double x, doubl
 
 void canvas_legend(struct canvas *c, struct mark mark, const char *name) {
     char cut[128];
-    script_cut(name, 30, cut, sizeof cut);
-    const double width = 2.1 + character * text_columns(cut) + 1.6;
+    script_cut(name, 40, cut, sizeof cut);
+    const double width = 2.1 + character * script_columns(cut) + 1.6;
     const double left = c->area.left + (c->kind == CANVAS_SHEET ? 1 : 0);
     if (c->entry == 0 || c->entry + width > c->area.right + 1) {
         c->entry = left;
@@ -105,19 +101,35 @@ struct area canvas_inset(struct area a, double left, double right, double bottom
     return (struct area){a.left + left, a.right - right, a.bottom + bottom, a.top - top};
 }
 
+// Numbers too long to stand beside an axis are shown in this power of ten; 0: as they are.
+static int axis_power(const struct axis *axis) {
+    const double most = fmax(fabs(axis->span.low), fabs(axis->span.high));
+    const bool signs = axis->span.low < 0;
+    const bool fits = most < (signs ? 1e4 : 1e5) && most >= (signs ? 0.02 : 0.005);
+    return fits || most == 0 || axis->kind != AXIS_FULL ? 0 : 3 * (int)floor(log10(most) / 3);
+}
+
 static void axis_text(const struct axis *axis, const struct unit_system *units, char *text,
                       size_t size) {
-    char unit[64];
+    char unit[64], power[32] = "";
     script_unit(units, axis->dimension, unit, sizeof unit);
+    if (axis_power(axis) != 0) {
+        script_power(axis_power(axis), power, sizeof power);
+    }
     const char *shown = axis->unit ? axis->unit : unit;
-    snprintf(text, size, shown[0] ? "%s [%s]" : "%s", axis->name, shown);
+    const char *between = power[0] && shown[0] ? " " : "";
+    snprintf(text, size, power[0] || shown[0] ? "%s [%s%s%s]" : "%s", axis->name, power, between,
+             shown);
 }
 
 // The longest of the numbers at the ends of an axis with this step, in characters.
 static int number_columns(const struct axis *axis, double step) {
     char low[32], high[32];
-    const int n = snprintf(low, sizeof low, "%.5g", step * ceil(axis->span.low / step));
-    const int m = snprintf(high, sizeof high, "%.5g", step * (floor(axis->span.high / step) - 0.5));
+    const double unit = pow(10, axis_power(axis));
+    const double first = step * ceil(axis->span.low / step);
+    const double last = step * (floor(axis->span.high / step) - 1);
+    const int n = snprintf(low, sizeof low, "%.5g", first / unit);
+    const int m = snprintf(high, sizeof high, "%.5g", last / unit);
     return n > m ? n : m;
 }
 
@@ -128,7 +140,7 @@ static double fitting_step(const struct axis *axis, double length, double line) 
     double step = 0;
     for (int n = 8; n > 1; n--) {
         step = fmax(script_step(size, n), axis->step);
-        const double room = line > 0 ? line : 0.65 * number_columns(axis, step) + 1;
+        const double room = line > 0 ? line : 0.62 * number_columns(axis, step) + 0.6;
         if (step / size * length >= room) {
             break;
         }
@@ -141,6 +153,19 @@ static double fitting_step(const struct axis *axis, double length, double line) 
     return power * floor(most / power);
 }
 
+// The tics one by one, as multiples of the axis's power of ten.
+static void write_numbers(const struct canvas *c, char letter, const struct axis *axis,
+                          double step) {
+    const double unit = pow(10, axis_power(axis));
+    const long first = (long)ceil(axis->span.low / step), last = (long)(axis->span.high / step);
+    fprintf(c->to, "set %ctics (", letter);
+    for (long i = first; i <= last; i++) {
+        fprintf(c->to, "%s'%.5g' %.9g", i > first ? ", " : "", (double)i * step / unit,
+                (double)i * step);
+    }
+    fprintf(c->to, ")\n");
+}
+
 static void write_scale(const struct canvas *c, char letter, const struct axis *axis, double length,
                         double line) {
     fprintf(c->to, "set %crange [%.9g:%.9g]\n", letter, axis->span.low, axis->span.high);
@@ -148,8 +173,13 @@ static void write_scale(const struct canvas *c, char letter, const struct axis *
         fprintf(c->to, "unset %ctics\n", letter);
         return;
     }
-    fprintf(c->to, "set %ctics %.9g\nset format %c '%s'\n", letter,
-            fitting_step(axis, length, line), letter, axis->kind == AXIS_FULL ? "%h" : "");
+    const double step = fitting_step(axis, length, line);
+    if (axis_power(axis) != 0) {
+        write_numbers(c, letter, axis, step);
+        return;
+    }
+    fprintf(c->to, "set %ctics %.9g\nset format %c '%s'\n", letter, step, letter,
+            axis->kind == AXIS_FULL ? "%h" : "");
 }
 
 void canvas_upright(const struct canvas *c, struct area a, const struct unit_system *units,
@@ -157,7 +187,7 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
     char text[160], name[160];
     axis_text(axis, units, text, sizeof text);
     const char *unit = strstr(text, " [");
-    const bool fits = !unit || character * text_columns(text) <= a.top - a.bottom + 1;
+    const bool fits = !unit || character * script_columns(text) <= a.top - a.bottom;
     fprintf(c->to, "set label ");
     if (!fits) {
         snprintf(name, sizeof name, "%.*s", (int)(unit - text), text);
@@ -191,7 +221,10 @@ void canvas_panel(const struct canvas *c, struct area a, const struct unit_syste
 }
 
 void canvas_caption(const struct canvas *c, struct area a, const char *text) {
-    write_label(c, text, a.right - a.left);
+    char cut[256];
+    script_shorten(text, (int)((a.right - a.left + 3) / character), cut, sizeof cut);
+    fprintf(c->to, "set label ");
+    script_text(c->to, cut);
     write_place(c, a.left, a.top + 0.65);
     fprintf(c->to, " left\n");
 }

@@ -30,7 +30,7 @@ struct canvas {
 void canvas_head(struct canvas *c, const char *title, const char *subtitle);
 
 // An entry of the legend behind the last one: what stands for the data, and its name.
-enum mark_kind { MARK_LINE, MARK_DASHED, MARK_AREA, MARK_POINT, MARK_RING };
+enum mark_kind { MARK_LINE, MARK_DASHED, MARK_AREA, MARK_POINT, MARK_RING, MARK_CROSS };
 struct mark {
     enum mark_kind kind;
     const char *colour;

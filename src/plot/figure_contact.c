@@ -24,7 +24,7 @@ struct view {
 
 static const char *lacks(const struct runs *s) {
     if (s->r[0]->n_contact + s->r[0]->n_link == 0) {
-        return "contacts";
+        return s->n > 1 ? "contacts; name the run that has them first" : "contacts";
     }
     return runs_have(s, FIELD_FORCE) ? NULL : "contact forces; see output -fields";
 }
@@ -33,11 +33,39 @@ static const struct report_link *link_of(const struct report *r, int i) {
     return i < r->n_contact ? &r->contact[i] : &r->link[i - r->n_contact];
 }
 
+// Index of the first run's contact or link in another run; -1: it has none.
+static int index_in(const struct view *v, int run, int i) {
+    const int n = v->s->r[0]->n_contact;
+    if (i < n) {
+        return runs_same_contact(v->s, run, i);
+    }
+    return i - n < v->s->r[run]->n_link ? v->s->r[run]->n_contact + i - n : -1;
+}
+
+// The largest force of all runs.
+static double largest_force(const struct view *v, int i) {
+    double force = 0;
+    for (int k = 0; k < v->s->n; k++) {
+        const int at = index_in(v, k, i);
+        force = fmax(force, at < 0 ? 0 : link_of(v->s->r[k], at)->peak.force);
+    }
+    return force;
+}
+
+// Links always, contacts that were hit in any run.
+static bool is_active(const struct view *v, int i) {
+    bool active = i >= v->s->r[0]->n_contact;
+    for (int k = 0; k < v->s->n && !active; k++) {
+        const int at = index_in(v, k, i);
+        active = at >= 0 && v->s->r[k]->contact[at].peak.impacts > 0;
+    }
+    return active;
+}
+
 // Puts `i` among the strips, the largest force first; the last one falls out.
 static void place(struct view *v, int i) {
-    const struct report *r = v->s->r[0];
     int at = v->n;
-    while (at > 0 && link_of(r, i)->peak.force > link_of(r, v->strip[at - 1])->peak.force) {
+    while (at > 0 && largest_force(v, i) > largest_force(v, v->strip[at - 1])) {
         at--;
     }
     if (at == STRIPS_MAX) {
@@ -59,10 +87,10 @@ static void choose(struct view *v) {
     const struct report *r = v->s->r[0];
     const int n = r->n_contact + r->n_link;
     for (int i = 0; i < n; i++) {
-        v->n_active += i >= r->n_contact || r->contact[i].peak.impacts > 0;
+        v->n_active += is_active(v, i);
     }
     for (int i = 0; i < n; i++) {
-        if (v->n_active == 0 || i >= r->n_contact || r->contact[i].peak.impacts > 0) {
+        if (v->n_active == 0 || is_active(v, i)) {
             place(v, i);
         }
     }
@@ -73,39 +101,44 @@ static void choose(struct view *v) {
     }
 }
 
-// Index of the strip's contact or link in another run, by its place there; -1: it has none.
-static int strip_in(const struct view *v, int run, int strip) {
-    const int n = v->s->r[0]->n_contact, i = v->strip[strip];
-    if (i < n) {
-        return runs_same_contact(v->s, run, i);
+// The largest force among the impact's rows and its time; of one between two rows, its middle.
+static double largest_row(const struct impact *p, const struct data *d, double *time) {
+    double most = 0;
+    *time = (p->t_start + p->t_end) / 2;
+    for (size_t i = data_row(d, p->t_start); i < d->n_row && d->column[0][i] <= p->t_end; i++) {
+        if (d->column[1][i] > most) {
+            most = d->column[1][i];
+            *time = d->column[0][i];
+        }
     }
-    return i - n < v->s->r[run]->n_link ? v->s->r[run]->n_contact + i - n : -1;
+    return most;
 }
 
-// The largest force of each impact, thinned to the hardest of equal parts of the duration.
-static int write_peaks(const struct report *r, int contact, const char *name, FILE *to,
-                       struct error *e) {
-    double *peak = calloc(2 * PEAKS_MAX, sizeof *peak);
-    if (!peak) {
+// The largest force of each impact that the rows miss, thinned to the hardest of equal parts of the
+// duration.
+static int write_peaks(const struct report *r, int contact, const struct data *d, const char *name,
+                       FILE *to, struct error *e) {
+    const struct impact **hardest = calloc(PEAKS_MAX, sizeof *hardest);
+    if (!hardest) {
         return error_no_memory(e);
     }
     for (long i = 0; i < r->n_impact; i++) {
         const struct impact *p = &r->impact[i];
         const double part = p->t_start / r->duration * PEAKS_MAX;
         const int b = part >= 0 && part < PEAKS_MAX ? (int)part : PEAKS_MAX - 1;
-        if (p->contact == contact && p->peak_force > peak[2 * b + 1]) {
-            peak[2 * b] = (p->t_start + p->t_end) / 2;
-            peak[2 * b + 1] = p->peak_force;
+        if (p->contact == contact && (!hardest[b] || p->peak_force > hardest[b]->peak_force)) {
+            hardest[b] = p;
         }
     }
     fprintf(to, "$%s << EOD\n# time of an impact, its largest force\nNaN NaN\n", name);
     for (int b = 0; b < PEAKS_MAX; b++) {
-        if (peak[2 * b + 1] > 0) {
-            fprintf(to, "%.7g %.7g\n", peak[2 * b], peak[2 * b + 1]);
+        double time;
+        if (hardest[b] && largest_row(hardest[b], d, &time) < 0.98 * hardest[b]->peak_force) {
+            fprintf(to, "%.7g %.7g\n", time, hardest[b]->peak_force);
         }
     }
     fprintf(to, "EOD\n");
-    free(peak);
+    free(hardest);
     return STATUS_OK;
 }
 
@@ -140,7 +173,7 @@ static void write_pulse(const struct view *v, int run, const struct data *d, FIL
 }
 
 static int write_strip_data(struct view *v, int run, int strip, FILE *to, struct error *e) {
-    const int i = strip_in(v, run, strip);
+    const int i = index_in(v, run, v->strip[strip]);
     const struct report *r = v->s->r[run];
     char name[32];
     struct data d;
@@ -159,7 +192,7 @@ static int write_strip_data(struct view *v, int run, int strip, FILE *to, struct
         data_span(&d, 1, &v->force);
         span_add(&v->force, r->contact[i].peak.force);
         snprintf(name, sizeof name, "peaks%d%d", run, strip);
-        status = write_peaks(r, i, name, to, e);
+        status = write_peaks(r, i, &d, name, to, e);
     }
     if (status == STATUS_OK && i == v->contact[run] && v->impact[run] >= 0) {
         write_pulse(v, run, &d, to);
@@ -185,13 +218,12 @@ static void write_strip(const struct view *v, struct canvas *c, struct area a, i
                            .dimension = dimension_time,
                            .span = {0, runs_duration(v->s)},
                            .kind = last ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
-    const struct axis y = {
-        .name = "force", .dimension = dimension_force, .span = strip_span(v, strip)};
+    const struct axis y = {.dimension = dimension_force, .span = strip_span(v, strip)};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     canvas_caption(c, a, link_of(v->s->r[0], v->strip[strip])->name);
     const char *before = "plot";
     for (int k = 0; k < v->s->n; k++) {
-        const int i = strip_in(v, k, strip);
+        const int i = index_in(v, k, v->strip[strip]);
         if (i < 0) {
             continue;
         }
@@ -209,7 +241,7 @@ static void write_strip(const struct view *v, struct canvas *c, struct area a, i
 
 static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
     struct span force = v->force, time = span_none;
-    char text[160], name[96];
+    char text[320];
     for (int k = 0; k < v->s->n; k++) {
         if (v->impact[k] >= 0) {
             const struct impact *p = &v->s->r[k]->impact[v->impact[k]];
@@ -221,8 +253,7 @@ static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
     const struct axis y = {
         .name = NULL, .dimension = dimension_force, .span = span_with_room(force, 0)};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    script_cut(link_of(v->s->r[0], v->contact[0])->name, 14, name, sizeof name);
-    snprintf(text, sizeof text, "hardest at %s", name);
+    snprintf(text, sizeof text, "hardest: %s", link_of(v->s->r[0], v->contact[0])->name);
     canvas_caption(c, a, text);
     const char *before = "plot";
     for (int k = 0; k < v->s->n; k++) {
@@ -238,15 +269,13 @@ static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
 
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
-    const int n = r->n_contact + r->n_link;
     char text[160];
     if (v->n_active == 0) {
         snprintf(text, sizeof text, "contact forces; no contact closed");
-    } else if (n > v->n) {
-        snprintf(text, sizeof text, "contact forces; the %d largest of %d that hit, of %d", v->n,
-                 v->n_active, n);
+    } else if (v->n < v->n_active) {
+        snprintf(text, sizeof text, "contact forces; the %d largest of %d", v->n, v->n_active);
     } else {
-        snprintf(text, sizeof text, "contact forces");
+        snprintf(text, sizeof text, "contact forces%s", r->n_link > 0 ? " and link forces" : "");
     }
     canvas_head(c, runs_title(v->s), text);
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
@@ -269,7 +298,8 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     const double right = zoom ? 0.62 : 1;
     struct canvas strips = *c;
     strips.area.bottom += 3.2;
-    const struct axis force = {.name = "force", .dimension = dimension_force};
+    const struct axis force = {
+        .name = "force", .dimension = dimension_force, .span = strip_span(&v, 0)};
     canvas_upright(c, canvas_inset(canvas_part(&strips, 0, right, 0, 1), 5.8, 0.5, 0.2, 1.6),
                    &s->r[0]->units, &force);
     for (int i = 0; i < v.n; i++) {

@@ -71,9 +71,10 @@ static void write_stack(const struct runs *s, struct canvas *c, struct area a, i
 
 static void write_residual(const struct runs *s, struct canvas *c, struct area a, int run,
                            const struct scale *scale) {
-    char unit[64], text[96];
+    char unit[64], power[32], text[128];
     script_unit(&s->r[0]->units, dimension_energy, unit, sizeof unit);
-    snprintf(text, sizeof text, "1e%.0f %s", scale->power, unit);
+    script_power((int)scale->power, power, sizeof power);
+    snprintf(text, sizeof text, "%s %s", power, unit);
     const struct axis x = {
         .name = "time", .dimension = dimension_time, .span = {0, runs_duration(s)}};
     const struct axis y = {.name = run == 0 ? "residual" : NULL,
@@ -88,11 +89,12 @@ static void write_residual(const struct runs *s, struct canvas *c, struct area a
 
 static void write_head(const struct runs *s, struct canvas *c) {
     const struct report *r = s->r[0];
-    char text[200], unit[64];
+    char text[256], unit[64], in[32], contact[32];
     script_unit(&r->units, dimension_energy, unit, sizeof unit);
-    const double in = r->initial_energy + r->energy[ENERGY_INPUT];
-    snprintf(text, sizeof text, "energy: %.4g %s came in, %.4g %s went into contacts", in, unit,
-             r->energy[ENERGY_CONTACT], unit);
+    script_number(r->initial_energy + r->energy[ENERGY_INPUT], in, sizeof in);
+    script_number(r->energy[ENERGY_CONTACT], contact, sizeof contact);
+    snprintf(text, sizeof text, "energy: %s %s came in, %s %s went into contacts", in, unit,
+             contact, unit);
     canvas_head(c, runs_title(s), s->n > 1 ? "where the energy went" : text);
     for (int p = 0; p < PARTS; p++) {
         bool any = false;
@@ -143,9 +145,9 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     const double top = s->n > 1 ? 1.6 : 0.7;
     for (int k = 0; k < s->n; k++) {
         const double left = (double)k / s->n, right = (k + 1.0) / s->n;
-        write_stack(s, c, canvas_inset(canvas_part(c, left, right, 0.34, 1), 0, 0.8, 0.4, top), k,
+        write_stack(s, c, canvas_inset(canvas_part(c, left, right, 0.36, 1), 0, 0.8, 0.4, top), k,
                     &scale);
-        write_residual(s, c, canvas_inset(canvas_part(c, left, right, 0, 0.34), 0, 0.8, 3.2, 0.6),
+        write_residual(s, c, canvas_inset(canvas_part(c, left, right, 0, 0.36), 0, 0.8, 3.2, 0.6),
                        k, &scale);
     }
     return STATUS_OK;

@@ -131,13 +131,13 @@ static void side_name(const struct view *v, int side, char *text, size_t size) {
         snprintf(text, size, "wall");
         return;
     }
-    script_cut(v->s->r[0]->building[v->building[side]].name, 16, name, sizeof name);
+    script_shorten(v->s->r[0]->building[v->building[side]].name, 16, name, sizeof name);
     snprintf(text, size, "%s, floor %d", name, v->floor[side] + 1);
 }
 
 static void write_subtitle(const struct view *v, char *text, size_t size) {
     const struct report *r = v->s->r[0];
-    char length[64], force[64], name[64];
+    char length[64], unit[64], name[64], force[2][32] = {"0", "0"};
     if (v->contact[0] < 0) {
         snprintf(text, size, "displacement of the roofs; %s",
                  r->n_contact > 0 ? "no contact closed" : "there are no contacts");
@@ -145,17 +145,21 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
     }
     const struct report_link *c = &r->contact[v->contact[0]];
     script_unit(&r->units, dimension_length, length, sizeof length);
-    script_unit(&r->units, dimension_force, force, sizeof force);
-    script_cut(c->name, 20, name, sizeof name);
+    script_unit(&r->units, dimension_force, unit, sizeof unit);
+    script_shorten(c->name, 20, name, sizeof name);
+    for (int k = 0; k < v->s->n; k++) {
+        if (v->contact[k] >= 0) {
+            const double value = v->s->r[k]->contact[v->contact[k]].peak.force;
+            script_number(value, force[k], sizeof force[k]);
+        }
+    }
     if (v->s->n > 1) {
-        snprintf(text, size, "floors of contact %s; largest force %.4g and %.4g %s", name,
-                 c->peak.force,
-                 v->contact[1] < 0 ? 0 : v->s->r[1]->contact[v->contact[1]].peak.force, force);
+        snprintf(text, size, "contact %s: largest force %s and %s %s", name, force[0], force[1],
+                 unit);
         return;
     }
-    snprintf(text, size, "contact %s: gap %.4g %s, %ld %s, largest force %.4g %s", name, c->gap,
-             length, c->peak.impacts, c->peak.impacts == 1 ? "impact" : "impacts", c->peak.force,
-             force);
+    snprintf(text, size, "contact %s: gap %.4g %s, %ld %s, largest force %s %s", name, c->gap,
+             length, c->peak.impacts, c->peak.impacts == 1 ? "impact" : "impacts", force[0], unit);
 }
 
 static struct axis time_axis(const struct view *v, enum axis_kind kind) {

@@ -30,7 +30,10 @@ struct view {
 };
 
 static const char *lacks(const struct runs *s) {
-    return s->r[0]->n_contact > 0 ? NULL : "contacts";
+    if (s->r[0]->n_contact > 0) {
+        return NULL;
+    }
+    return s->n > 1 ? "contacts; name the run that has them first" : "contacts";
 }
 
 static int floor_of(const struct report_link *c) {
@@ -63,12 +66,11 @@ static void collect(struct view *v) {
         band->high = floor > band->high ? floor : band->high;
         band->impacts += c->peak.impacts;
     }
-    // A band takes a line more than its floors, for its name.
     for (int b = 0; b < v->n; b++) {
         struct band *band = &v->band[b];
-        const double head = v->n > 1 ? fmax(1.2, 0.12 * (band->high - band->low + 2)) : 0.6;
-        band->base = v->top + 0.8 - band->low;
-        v->top = band->base + band->high + head;
+        const double room = fmax(0.8, 0.1 * (band->high - band->low));
+        band->base = v->top + room - band->low;
+        v->top = band->base + band->high + room;
     }
 }
 
@@ -94,9 +96,10 @@ static void find_largest(struct view *v) {
     }
 }
 
-// Area goes with the force.
+// Area goes with the force. Where floors are close together all points are smaller.
 static double point_size(const struct view *v, double size) {
-    return 0.5 + 5 * sqrt(size / v->largest);
+    const double most = fmin(5, fmax(1.8, 80 / v->top));
+    return 0.4 + most * sqrt(size / v->largest);
 }
 
 static void write_impact(const struct view *v, const struct report *r, long i, FILE *to) {
@@ -139,7 +142,25 @@ static int write_data(const struct view *v, int run, FILE *to, struct error *e) 
     return STATUS_OK;
 }
 
-// Numbers of the floors in each band, and its name above them.
+static void band_name(const struct band *band, char *text, size_t size) {
+    char left[64], right[64];
+    script_shorten(band->left, 11, left, sizeof left);
+    script_shorten(band->right, 11, right, sizeof right);
+    snprintf(text, size, "%s | %s: %ld", left, right, band->impacts);
+}
+
+// Room for the names of the bands [em].
+static double names_width(const struct view *v) {
+    int most = 0;
+    for (int b = 0; b < v->n && v->n > 1; b++) {
+        char text[160];
+        band_name(&v->band[b], text, sizeof text);
+        most = script_columns(text) > most ? script_columns(text) : most;
+    }
+    return most > 0 ? 0.45 * most + 1 : 0.5;
+}
+
+// Numbers of the floors in each band, and its name beside it.
 static void write_bands(const struct view *v, const struct canvas *c, struct area a) {
     const double em = (a.top - a.bottom) / v->top;  // of one floor
     const char *before = "set ytics (";
@@ -154,19 +175,19 @@ static void write_bands(const struct view *v, const struct canvas *c, struct are
     fprintf(c->to, ")\n");
     for (int b = 0; b < v->n && v->n > 1; b++) {
         const struct band *band = &v->band[b];
-        char left[64], right[64], text[160];
-        script_cut(band->left, 16, left, sizeof left);
-        script_cut(band->right, 16, right, sizeof right);
-        snprintf(text, sizeof text, "%s | %s: %ld", left, right, band->impacts);
+        char text[160];
+        band_name(band, text, sizeof text);
         fprintf(c->to, "set label ");
         script_text(c->to, text);
-        fprintf(c->to, " at graph 1, first %.7g right font small_font\n",
-                band->base + band->high + 0.6);
+        fprintf(c->to, " at graph 1, first %.7g left offset 0.8,0 font small_font\n",
+                band->base + (band->low + band->high) / 2.0);
         if (b > 0) {
+            const struct band *below = &v->band[b - 1];
+            const double edge = (below->base + below->high + band->base + band->low) / 2;
             fprintf(c->to,
                     "set arrow from graph 0, first %.7g to graph 1, first %.7g nohead lc rgb "
                     "'#404040' lw 0.6\n",
-                    band->base + band->low - 0.8, band->base + band->low - 0.8);
+                    edge, edge);
         }
     }
 }
@@ -188,20 +209,19 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a) {
 
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
-    char text[160], unit[64];
+    char text[160], unit[64], number[32];
     const struct dimension dimension = v->impulse ? dimension_impulse : dimension_force;
     script_unit(&r->units, dimension, unit, sizeof unit);
     if (v->s->n > 1) {
         snprintf(text, sizeof text, "%ld and %ld impacts", r->n_impact, v->s->r[1]->n_impact);
     } else if (v->n == 1) {
         char left[64], right[64];
-        script_cut(v->band[0].left, 16, left, sizeof left);
-        script_cut(v->band[0].right, 16, right, sizeof right);
+        script_shorten(v->band[0].left, 16, left, sizeof left);
+        script_shorten(v->band[0].right, 16, right, sizeof right);
         snprintf(text, sizeof text, "%ld impact%s between %s and %s", r->n_impact,
                  r->n_impact == 1 ? "" : "s", left, right);
     } else {
-        snprintf(text, sizeof text, "%ld impacts, counted for each pair of neighbours",
-                 r->n_impact);
+        snprintf(text, sizeof text, "%ld impacts, counted for each pair", r->n_impact);
     }
     canvas_head(c, runs_title(v->s), text);
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
@@ -211,7 +231,8 @@ static void write_head(const struct view *v, struct canvas *c) {
     const double step = script_step(v->largest, 2);
     const double shown[] = {step / 10, step / 2, step};
     for (size_t i = 0; i < 3 && v->largest > 0; i++) {
-        snprintf(text, sizeof text, "%.5g %s", shown[i], unit);
+        script_number(shown[i], number, sizeof number);
+        snprintf(text, sizeof text, "%s %s", number, unit);
         canvas_legend(c, (struct mark){MARK_POINT, "#707070", point_size(v, shown[i])}, text);
     }
 }
@@ -226,7 +247,8 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     }
     if (status == STATUS_OK) {
         write_head(&v, c);
-        write_panel(&v, c, canvas_inset(canvas_part(c, 0, 1, 0, 1), 4.8, 0.5, 3.2, 0.7));
+        write_panel(&v, c,
+                    canvas_inset(canvas_part(c, 0, 1, 0, 1), 4.8, names_width(&v), 3.2, 0.7));
     }
     return status;
 }

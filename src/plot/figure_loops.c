@@ -59,9 +59,12 @@ static void choose(struct view *v) {
             const struct report_link *c = &r->contact[v->contact[0]];
             building = runs_building(r, side == 0 ? c->left : c->right);
         }
-        if (building >= 0) {
+        if (building >= 0 && r->building[building].stiffness[0] > 0) {
             add_storey(v, building);
         }
+    }
+    if (v->n_storey == 0 && v->contact[0] < 0) {
+        add_storey(v, 0);
     }
 }
 
@@ -80,6 +83,17 @@ static void write_loop(const struct data *d, const struct impact *p, FILE *to) {
         fprintf(to, "%.7g %.7g\n", d->column[1][i], d->column[2][i]);
     }
     fprintf(to, "\n");
+}
+
+// Penetration and force of each impact shown, the largest over all computed steps.
+static void write_largest(const struct report *r, int contact, int run, FILE *to) {
+    fprintf(to, "$largest%d << EOD\n# largest penetration, largest force\n", run);
+    for (long i = 0; i < r->n_impact; i++) {
+        if (r->impact[i].contact == contact && is_shown(r, i)) {
+            fprintf(to, "%.7g %.7g\n", r->impact[i].max_penetration, r->impact[i].peak_force);
+        }
+    }
+    fprintf(to, "EOD\n");
 }
 
 static int write_contact_data(struct view *v, int run, FILE *to, struct error *e) {
@@ -107,6 +121,7 @@ static int write_contact_data(struct view *v, int run, FILE *to, struct error *e
         fprintf(to, "EOD\n$hardest%d << EOD\n# penetration force\nNaN NaN\n", run);
         write_loop(&d, &r->impact[v->impact[run]], to);
         fprintf(to, "EOD\n");
+        write_largest(r, contact, run, to);
         span_add(&v->x[0], r->contact[contact].peak.penetration);
         span_add(&v->y[0], r->contact[contact].peak.force);
         data_span(&d, 2, &v->y[0]);
@@ -154,8 +169,10 @@ static void write_contact(const struct view *v, struct canvas *c, struct area a)
         if (v->impact[k] >= 0) {
             fprintf(c->to,
                     "%s \\\n  $loops%d using 1:2 with lines lc rgb '%s' lw 0.5, \\\n"
-                    "  $hardest%d using 1:2 with linespoints pt %d ps 0.8 lc rgb '%s' lw 1.3",
-                    before, k, script_colour[k], k, k > 0 ? 6 : 7, script_colour[k]);
+                    "  $hardest%d using 1:2 with linespoints pt %d ps 0.8 lc rgb '%s' lw 1.3, \\\n"
+                    "  $largest%d using 1:2 with points pt 2 ps 1.3 lc rgb '%s'",
+                    before, k, script_colour[k], k, k > 0 ? 6 : 7, script_colour[k], k,
+                    k > 0 ? script_colour[k] : "#404040");
             before = ",";
         }
     }
@@ -171,7 +188,7 @@ static void write_storey(const struct view *v, struct canvas *c, struct area a, 
                            .dimension = dimension_force,
                            .span = span_with_room(v->y[1 + k], NAN)};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    script_cut(v->s->r[0]->building[v->building[k]].name, 12, name, sizeof name);
+    script_shorten(v->s->r[0]->building[v->building[k]].name, 11, name, sizeof name);
     snprintf(text, sizeof text, "%s, storey %d", name, v->storey[k] + 1);
     canvas_caption(c, a, text);
     fprintf(c->to, "plot");
@@ -196,6 +213,9 @@ static void write_head(const struct view *v, struct canvas *c) {
         text = "forces against deformations; output -every 1 gives whole contact loops";
     }
     canvas_head(c, runs_title(v->s), text);
+    if (v->impact[0] >= 0) {
+        canvas_legend(c, (struct mark){MARK_CROSS, "#404040", 1.3}, "largest force, penetration");
+    }
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
         canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, v->s->name[k]);
     }

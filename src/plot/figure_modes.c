@@ -80,7 +80,7 @@ static int write_shapes(const struct view *v, int run, int k, FILE *to, struct e
 
 static void write_panel(const struct view *v, struct canvas *c, struct area a, int mode) {
     char text[32];
-    const struct axis x = {.span = {-1.1, 1.1}, .step = 1};
+    const struct axis x = {.name = "shape", .unit = "", .span = {-1.1, 1.1}, .step = 1};
     const struct axis y = {.name = mode > 0     ? NULL
                                    : v->heights ? "height"
                                                 : "floor",
@@ -108,14 +108,17 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a, i
 static void write_entry(const struct view *v, struct canvas *c, int k) {
     const struct report_building *b = shown(v, 0, k);
     char text[160], name[64];
-    script_cut(b->name, 12, name, sizeof name);
+    script_shorten(b->name, 9, name, sizeof name);
     size_t n = (size_t)snprintf(text, sizeof text, "%s:", name);
     for (int m = 0; m < v->n_mode && m < b->n_floor && m < 3; m++) {
         n += (size_t)(isfinite(b->period[m])
-                          ? snprintf(text + n, sizeof text - n, " %.3g", b->period[m])
-                          : snprintf(text + n, sizeof text - n, " -"));
+                          ? snprintf(text + n, sizeof text - n, "%s %#.3g", m > 0 ? "," : "",
+                                     b->period[m])
+                          : snprintf(text + n, sizeof text - n, "%s rigid body", m > 0 ? "," : ""));
     }
-    snprintf(text + n, sizeof text - n, " %s", v->s->r[0]->units.time_name);
+    if (isfinite(b->period[0])) {
+        snprintf(text + n, sizeof text - n, " %s", v->s->r[0]->units.time_name);
+    }
     canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, text);
 }
 
@@ -148,9 +151,10 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     }
     write_head(&v, c);
     c->area.left += 4.2;
+    const double width = 1.0 / (v.n_mode > 2 ? v.n_mode : 3), first = (1 - v.n_mode * width) / 2;
     for (int m = 0; m < v.n_mode; m++) {
-        const struct area part = canvas_part(c, (double)m / v.n_mode, (m + 1.0) / v.n_mode, 0, 1);
-        write_panel(&v, c, canvas_inset(part, 0.9, 0.9, 2, 1.8), m);
+        const struct area part = canvas_part(c, first + m * width, first + (m + 1) * width, 0, 1);
+        write_panel(&v, c, canvas_inset(part, 0.9, 0.9, 3.2, 1.8), m);
     }
     return STATUS_OK;
 }

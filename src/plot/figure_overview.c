@@ -9,10 +9,10 @@ struct strip {
     double height;  // share of the page
 };
 static const struct strip strips[] = {
-    {{"histories", NULL}, 25},
-    {{"contact", NULL}, 24},
+    {{"histories", NULL}, 23},
+    {{"contact", NULL}, 23},
     {{"profiles", NULL}, 23},
-    {{"impacts", "energy"}, 22},
+    {{"impacts", "energy"}, 25},
 };
 enum { STRIPS = sizeof strips / sizeof strips[0] };
 

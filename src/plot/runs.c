@@ -16,7 +16,7 @@ static void name_run(struct runs *s, int run, bool whole) {
     const int n = dot && dot != base && !whole ? (int)(dot - base) : (int)strlen(base);
     char text[1024];
     snprintf(text, sizeof text, "%.*s", n, base);
-    script_cut(text, 28, s->name[run], sizeof s->name[run]);
+    script_shorten(text, 28, s->name[run], sizeof s->name[run]);
 }
 
 static int other(const struct runs *s, struct error *e, const char *what, const char *first,

@@ -51,6 +51,21 @@ void script_unit(const struct unit_system *units, struct dimension dimension, ch
     text[n] = '\0';
 }
 
+void script_power(int exponent, char *text, size_t size) {
+    static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    char digits[16];
+    snprintf(digits, sizeof digits, "%d", abs(exponent));
+    size_t n = (size_t)snprintf(text, size, "10%s", exponent < 0 ? "⁻" : "");
+    for (const char *s = digits; *s && n < size; s++) {
+        n += (size_t)snprintf(text + n, size - n, "%s", raised[*s - '0']);
+    }
+}
+
+void script_number(double value, char *text, size_t size) {
+    const double magnitude = fabs(value);
+    snprintf(text, size, magnitude >= 1e4 && magnitude < 1e7 ? "%.0f" : "%.4g", value);
+}
+
 double script_step(double largest, int n) {
     if (!(largest > 0) || !isfinite(largest)) {
         return 1;
@@ -61,15 +76,38 @@ double script_step(double largest, int n) {
     return power * (ratio <= 1 ? 1 : ratio <= 2 ? 2 : ratio <= 5 ? 5 : 10);
 }
 
-void script_cut(const char *text, int columns, char *cut, size_t size) {
-    const char *end = text;
-    for (int n = 0; *end && n < columns; n++) {
-        end++;
-        while (((unsigned char)*end & 0xC0) == 0x80) {
-            end++;
+// Behind the next `n` characters.
+static const char *skip(const char *text, int n) {
+    for (int i = 0; *text && i < n; i++) {
+        text++;
+        while (((unsigned char)*text & 0xC0) == 0x80) {
+            text++;
         }
     }
-    snprintf(cut, size, "%.*s%s", (int)(end - text), text, *end ? "..." : "");
+    return text;
+}
+
+int script_columns(const char *text) {
+    int n = 0;
+    for (; *text; text = skip(text, 1)) {
+        n++;
+    }
+    return n;
+}
+
+void script_shorten(const char *name, int columns, char *cut, size_t size) {
+    const int n = script_columns(name);
+    if (n <= columns) {
+        snprintf(cut, size, "%s", name);
+        return;
+    }
+    const int tail = (columns - 1) / 2, head = columns - 1 - tail;
+    snprintf(cut, size, "%.*s\u2026%s", (int)(skip(name, head) - name), name, skip(name, n - tail));
+}
+
+void script_cut(const char *text, int columns, char *cut, size_t size) {
+    const char *end = skip(text, columns);
+    snprintf(cut, size, "%.*s%s", (int)(end - text), text, *end ? "\u2026" : "");
 }
 
 static int ascending(const void *left, const void *right) {

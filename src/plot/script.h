@@ -19,9 +19,21 @@ void script_text(FILE *to, const char *text);
 // A text whose end is cut off behind `columns` characters.
 void script_cut(const char *text, int columns, char *cut, size_t size);
 
+// A name with its middle left out, so that it has at most `columns` characters.
+void script_shorten(const char *name, int columns, char *cut, size_t size);
+
+// The number of characters of an UTF-8 text.
+int script_columns(const char *text);
+
 // The unit, powers as raised digits, products with raised points.
 void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
                  size_t size);
+
+// Ten to the power `exponent`, in raised digits.
+void script_power(int exponent, char *text, size_t size);
+
+// A number for running text: four digits, or all before the point.
+void script_number(double value, char *text, size_t size);
 
 // A step of 1, 2 or 5 times a power of ten that divides [0, largest] into at most `n` parts.
 double script_step(double largest, int n);
