@@ -24,7 +24,7 @@ static void print_help(FILE *to) {
 
 // Commands of the contract that this version does not have.
 static bool is_planned(const char *word) {
-    static const char *const planned[] = {"law", "spectrum"};
+    static const char *const planned[] = {"law"};
     for (size_t i = 0; i < sizeof planned / sizeof planned[0]; i++) {
         if (strcmp(word, planned[i]) == 0) {
             return true;

@@ -31,7 +31,7 @@ home() {
     case $1 in
     error | units | row) echo core ;;
     contact_law | storey_law) echo law ;;
-    record | signal) echo motion ;;
+    record | signal | spectrum | intensity) echo motion ;;
     analysis) echo solve ;;
     *) echo "$1" ;;
     esac
