@@ -24,20 +24,21 @@ struct sheet_size {
 static const struct sheet_size sheets[] = {
     [SHEET_ACROSS] = {46, 29},
     [SHEET_PAGE] = {70, 99},
+    [SHEET_WIDE] = {70, 44},
 };
 
 // One em in the terminal's unit of size, and the number that makes gnuplot set text of one em: it
 // counts points, 4/3 pixels each for pngcairo, and pdfcairo halves them.
 struct picture {
     const char *ending, *format;
-    double em[2], point;
+    double em[3], point;
 };
 static const struct picture pictures[] = {
-    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 2", {36, 28}, 0.75},
-    {"svg", "svg size %.0f,%.0f font 'Sans,%g' linewidth 1 background '#ffffff'", {16, 14}, 1},
+    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 2", {36, 28, 23}, 0.75},
+    {"svg", "svg size %.0f,%.0f font 'Sans,%g' linewidth 1 background '#ffffff'", {16, 14, 15}, 1},
     {"pdf",
      "pdfcairo size %.4fin,%.4fin font 'Sans,%g' linewidth 1.3",
-     {10 / 72.0, 8.4 / 72.0},
+     {10 / 72.0, 8.4 / 72.0, 9 / 72.0},
      108},
 };
 enum { N_PICTURE = sizeof pictures / sizeof pictures[0] };
@@ -102,7 +103,7 @@ static int write_head(const struct figure *f, const char *version, const char *o
 
 int figure_head(const char *name, const char *doc, const char *version, const char *output,
                 FILE *to, struct error *e) {
-    const struct figure f = {.name = name, .doc = doc, .sheet = SHEET_ACROSS};
+    const struct figure f = {.name = name, .doc = doc, .sheet = SHEET_WIDE};
     return write_head(&f, version, output, to, e);
 }
 

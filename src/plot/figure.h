@@ -9,8 +9,8 @@
 #include "plot/canvas.h"
 #include "plot/runs.h"
 
-// The shape of the picture: across, or upright like a page.
-enum sheet { SHEET_ACROSS, SHEET_PAGE };
+// The shape of the picture: across, upright like a page, or across with smaller text.
+enum sheet { SHEET_ACROSS, SHEET_PAGE, SHEET_WIDE };
 
 struct figure {
     const char *name;
@@ -36,7 +36,7 @@ const char *figure_ending(const char *path);
 
 // Writes what every script begins with: a comment that says what it draws (half a line) and by
 // which version, the terminal that makes `output`, a file name with one of the endings, text and
-// lines; and what it ends with. The picture lies across.
+// lines; and what it ends with. The sheet is SHEET_WIDE.
 int figure_head(const char *name, const char *doc, const char *version, const char *output,
                 FILE *to, struct error *e);
 void figure_end(FILE *to);
