@@ -105,7 +105,7 @@ struct area canvas_inset(struct area a, double left, double right, double bottom
 static int axis_power(const struct axis *axis) {
     const double most = fmax(fabs(axis->span.low), fabs(axis->span.high));
     const bool signs = axis->span.low < 0;
-    const bool fits = most < (signs ? 1e4 : 1e5) && most >= (signs ? 0.02 : 0.005);
+    const bool fits = most < 1e4 && most >= (signs ? 0.02 : 0.005);
     return fits || most == 0 || axis->kind != AXIS_FULL ? 0 : 3 * (int)floor(log10(most) / 3);
 }
 
@@ -166,11 +166,29 @@ static void write_numbers(const struct canvas *c, char letter, const struct axis
     fprintf(c->to, ")\n");
 }
 
+// Tics at 1, 2 and 5 of every decade.
+static void write_decades(const struct canvas *c, char letter, const struct axis *axis) {
+    static const double leading[] = {1, 2, 5};
+    const double low = axis->span.low, high = axis->span.high;
+    const char *between = "";
+    fprintf(c->to, "set logscale %c\nset %ctics (", letter, letter);
+    for (double decade = pow(10, floor(log10(low))); decade <= high; decade *= 10) {
+        for (int i = 0; i < 3; i++) {
+            const double at = leading[i] * decade;
+            if (at >= low * (1 - 1e-9) && at <= high * (1 + 1e-9)) {
+                fprintf(c->to, "%s'%g' %g", between, at, at);
+                between = ", ";
+            }
+        }
+    }
+    fprintf(c->to, ")\n");
+}
+
 static void write_scale(const struct canvas *c, char letter, const struct axis *axis, double length,
                         double line) {
     fprintf(c->to, "set %crange [%.9g:%.9g]\n", letter, axis->span.low, axis->span.high);
-    if (axis->kind == AXIS_WITHOUT_TICS) {
-        fprintf(c->to, "unset %ctics\n", letter);
+    if (axis->kind == AXIS_LOGARITHMIC) {
+        write_decades(c, letter, axis);
         return;
     }
     const double step = fitting_step(axis, length, line);
@@ -203,7 +221,7 @@ void canvas_panel(const struct canvas *c, struct area a, const struct unit_syste
                   const struct axis *x, const struct axis *y) {
     char text[160];
     fprintf(c->to,
-            "set lmargin at screen %.4f\nset rmargin at screen %.4f\n"
+            "unset logscale\nset lmargin at screen %.4f\nset rmargin at screen %.4f\n"
             "set bmargin at screen %.4f\nset tmargin at screen %.4f\n",
             a.left / c->width, a.right / c->width, a.bottom / c->height, a.top / c->height);
     write_scale(c, 'x', x, a.right - a.left, 0);
@@ -222,7 +240,7 @@ void canvas_panel(const struct canvas *c, struct area a, const struct unit_syste
 
 void canvas_caption(const struct canvas *c, struct area a, const char *text) {
     char cut[256];
-    script_shorten(text, (int)((a.right - a.left + 3) / character), cut, sizeof cut);
+    script_shorten(text, (int)((a.right - a.left + 1) / 0.58), cut, sizeof cut);
     fprintf(c->to, "set label ");
     script_text(c->to, cut);
     write_place(c, a.left, a.top + 0.65);

@@ -44,7 +44,7 @@ struct area canvas_part(const struct canvas *c, double x0, double x1, double y0,
 // Room for the texts at the axes within an area [em].
 struct area canvas_inset(struct area a, double left, double right, double bottom, double top);
 
-enum axis_kind { AXIS_FULL, AXIS_WITHOUT_NUMBERS, AXIS_WITHOUT_TICS };
+enum axis_kind { AXIS_FULL, AXIS_WITHOUT_NUMBERS, AXIS_LOGARITHMIC };
 struct axis {
     const char *name;  // NULL: none
     const char *unit;  // in place of `dimension`; "": a number

@@ -238,7 +238,7 @@ static void write_ground(const struct view *v, struct canvas *c, struct area a) 
     data_span(&v->data[0], first, &span);
     data_span(&v->data[other], second, &span);
     const struct axis x = time_axis(v, AXIS_FULL);
-    const struct axis y = {.name = "ground acc.",
+    const struct axis y = {.name = v->s->n > 1 ? "ground" : "ground acc.",
                            .dimension = dimension_acceleration,
                            .span = span_with_room(span, NAN)};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);

@@ -167,9 +167,12 @@ static void write_bands(const struct view *v, const struct canvas *c, struct are
     for (int b = 0; b < v->n; b++) {
         const struct band *band = &v->band[b];
         const int step = (int)ceil(1.3 / em);
+        const double below = b > 0 ? v->band[b - 1].base + v->band[b - 1].high : -INFINITY;
         for (int floor = band->high; floor >= band->low; floor -= step) {
-            fprintf(c->to, "%s'%d' %.7g", before, floor, band->base + floor);
-            before = ", ";
+            if (floor == band->high || (band->base + floor - below) * em > 1.3) {
+                fprintf(c->to, "%s'%d' %.7g", before, floor, band->base + floor);
+                before = ", ";
+            }
         }
     }
     fprintf(c->to, ")\n");

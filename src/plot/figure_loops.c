@@ -188,7 +188,7 @@ static void write_storey(const struct view *v, struct canvas *c, struct area a, 
                            .dimension = dimension_force,
                            .span = span_with_room(v->y[1 + k], NAN)};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    script_shorten(v->s->r[0]->building[v->building[k]].name, 11, name, sizeof name);
+    script_shorten(v->s->r[0]->building[v->building[k]].name, 9, name, sizeof name);
     snprintf(text, sizeof text, "%s, storey %d", name, v->storey[k] + 1);
     canvas_caption(c, a, text);
     fprintf(c->to, "plot");

@@ -154,7 +154,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     const double width = 1.0 / (v.n_mode > 2 ? v.n_mode : 3), first = (1 - v.n_mode * width) / 2;
     for (int m = 0; m < v.n_mode; m++) {
         const struct area part = canvas_part(c, first + m * width, first + (m + 1) * width, 0, 1);
-        write_panel(&v, c, canvas_inset(part, 0.9, 0.9, 3.2, 1.8), m);
+        write_panel(&v, c, canvas_inset(part, 1.1, 1.1, 3.2, 1.8), m);
     }
     return STATUS_OK;
 }

@@ -145,7 +145,7 @@ static void write_panel(const struct selection *s, int at, struct canvas *c) {
     struct canvas within = *c;
     within.area.left += 4.2;
     const struct area part = canvas_part(&within, at / 4.0, (at + 1) / 4.0, 0, 1);
-    canvas_panel(c, canvas_inset(part, 0.9, 0.9, 3.2, 0.5), &s->s->r[0]->units, &x, &y);
+    canvas_panel(c, canvas_inset(part, 1.1, 1.1, 3.2, 0.5), &s->s->r[0]->units, &x, &y);
     fprintf(c->to, "plot");
     for (int k = 0; k < s->n * s->s->n; k++) {
         const int run = k / s->n, building = k % s->n;
