@@ -63,7 +63,7 @@ static void write_mark(const struct canvas *c, struct mark mark, double x, doubl
         case MARK_CROSS:
             fprintf(c->to, "set label ''");
             write_place(c, x + 0.8, y);
-            fprintf(c->to, " point pt %d ps %.3g lc rgb '%s'\n",
+            fprintf(c->to, " point pt %d ps %.3g*point lc rgb '%s'\n",
                     mark.kind == MARK_POINT  ? 7
                     : mark.kind == MARK_RING ? 6
                                              : 2,

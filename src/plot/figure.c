@@ -27,19 +27,25 @@ static const struct sheet_size sheets[] = {
     [SHEET_WIDE] = {70, 44},
 };
 
-// One em in the terminal's unit of size, and the number that makes gnuplot set text of one em: it
-// counts points, 4/3 pixels each for pngcairo, and pdfcairo halves them.
+// One em in the terminal's unit of size; the number that makes gnuplot set text of one em: it
+// counts points, 4/3 pixels each for pngcairo, and pdfcairo halves them; and what makes a point of
+// size 1 a quarter of an em on the sheet across, which each terminal sees differently.
 struct picture {
     const char *ending, *format;
-    double em[3], point;
+    double em[3], font, point;
 };
 static const struct picture pictures[] = {
-    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 2", {36, 28, 23}, 0.75},
-    {"svg", "svg size %.0f,%.0f font 'Sans,%g' linewidth 1 background '#ffffff'", {16, 14, 15}, 1},
+    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 2", {36, 28, 23}, 0.75, 1.4},
+    {"svg",
+     "svg size %.0f,%.0f font 'Sans,%g' linewidth 1 background '#ffffff'",
+     {16, 14, 15},
+     1,
+     0.33},
     {"pdf",
-     "pdfcairo size %.4fin,%.4fin font 'Sans,%g' linewidth 1.3",
+     "pdfcairo size %.4fin,%.4fin font 'Sans,%g' linewidth 1",
      {10 / 72.0, 8.4 / 72.0, 9 / 72.0},
-     108},
+     108,
+     0.4},
 };
 enum { N_PICTURE = sizeof pictures / sizeof pictures[0] };
 
@@ -83,21 +89,21 @@ static int write_head(const struct figure *f, const char *version, const char *o
                          output);
     }
     const struct sheet_size *size = &sheets[f->sheet];
-    const double em = p->em[f->sheet], font = em * p->point;
+    const double em = p->em[f->sheet], font = em * p->font;
     fprintf(to, "# %s: %s. Written by jostle %s; run with gnuplot.\n", f->name, f->doc, version);
     fprintf(to, "set encoding utf8\nset terminal ");
     fprintf(to, p->format, size->width * em, size->height * em, font);
     fprintf(to, "\nset output ");
     script_text(to, output);
     fprintf(to,
-            "\nset termoption noenhanced\n"
+            "\nset termoption noenhanced\npoint = %.3g\n"
             "title_font = 'Sans,%g'\nblock_font = 'Sans Bold,%g'\nsmall_font = 'Sans,%g'\n"
             "unset key\n"
             "set border 3 lc rgb '#404040' lw 0.8\n"
             "set tics nomirror out scale 0.5 textcolor rgb '#202020'\n"
             "set grid lc rgb '#e4e4e4' lt 1 lw 0.6\n"
             "set style fill solid noborder\n",
-            1.2 * font, font, 0.75 * font);
+            p->point * em / p->em[SHEET_ACROSS], 1.2 * font, font, 0.75 * font);
     return STATUS_OK;
 }
 

@@ -258,7 +258,8 @@ static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
     const char *before = "plot";
     for (int k = 0; k < v->s->n; k++) {
         if (v->impact[k] >= 0) {
-            fprintf(c->to, "%s \\\n  $pulse%d using 1:2 with linespoints pt %d ps 0.8 lc rgb '%s'",
+            fprintf(c->to,
+                    "%s \\\n  $pulse%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s'",
                     before, k, k > 0 ? 6 : 7, script_colour[k]);
             before = ",";
         }

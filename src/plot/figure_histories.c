@@ -191,7 +191,8 @@ static void write_facing(const struct view *v, struct canvas *c, struct area a) 
     }
     fprintf(c->to, "  $rows0 using 1:2 with lines lc rgb '%s'", script_colour[0]);
     if (v->contact[0] >= 0) {
-        fprintf(c->to, ", \\\n  $impacts0 using 1:2 with points pt 7 ps 0.8 lc rgb '#000000'");
+        fprintf(c->to,
+                ", \\\n  $impacts0 using 1:2 with points pt 7 ps 0.8*point lc rgb '#000000'");
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);
@@ -216,8 +217,8 @@ static void write_floor(const struct view *v, struct canvas *c, struct area a, i
                 LEFT + side + 1, script_colour[k]);
     }
     for (int k = 0; k < v->s->n && v->contact[0] >= 0; k++) {
-        fprintf(c->to, ", \\\n  $impacts%d%d using 1:2 with points pt %d ps 0.9 lc rgb '%s'", k,
-                side, k == 0 ? 7 : 6, script_colour[k]);
+        fprintf(c->to, ", \\\n  $impacts%d%d using 1:2 with points pt %d ps 0.9*point lc rgb '%s'",
+                k, side, k == 0 ? 7 : 6, script_colour[k]);
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);

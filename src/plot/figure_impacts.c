@@ -98,7 +98,7 @@ static void find_largest(struct view *v) {
 
 // Area goes with the force. Where floors are close together all points are smaller.
 static double point_size(const struct view *v, double size) {
-    const double most = fmin(5, fmax(1.8, 80 / v->top));
+    const double most = fmin(4, fmax(1.3, 60 / v->top));
     return 0.4 + most * sqrt(size / v->largest);
 }
 
@@ -203,8 +203,10 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a) {
     write_bands(v, c, a);
     fprintf(c->to, "plot");
     for (int k = 0; k < v->s->n; k++) {
-        fprintf(c->to, "%s \\\n  $impacts%d using 1:2:3 with points pt %d ps variable lc rgb '%s'",
-                k > 0 ? "," : "", k, k > 0 ? 6 : 7, k > 0 ? script_colour[1] : "#700072b2");
+        fprintf(
+            c->to,
+            "%s \\\n  $impacts%d using 1:2:($3*point) with points pt %d ps variable lc rgb '%s'",
+            k > 0 ? "," : "", k, k > 0 ? 6 : 7, k > 0 ? script_colour[1] : "#700072b2");
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);

@@ -95,10 +95,11 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a, i
     fprintf(c->to, "plot");
     for (int k = 0; k < v->n_building * v->s->n; k++) {
         const int run = k / v->n_building, building = k % v->n_building;
-        fprintf(c->to,
-                "%s \\\n  $shapes%d%d using %d:1 with linespoints pt %d ps 1 lc rgb '%s' dt %s",
-                k > 0 ? "," : "", run, building, mode + 2, run > 0 ? 6 : 7, script_colour[building],
-                run > 0 ? "(10,6)" : "solid");
+        fprintf(
+            c->to,
+            "%s \\\n  $shapes%d%d using %d:1 with linespoints pt %d ps 1*point lc rgb '%s' dt %s",
+            k > 0 ? "," : "", run, building, mode + 2, run > 0 ? 6 : 7, script_colour[building],
+            run > 0 ? "(10,6)" : "solid");
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);

@@ -20,7 +20,7 @@ static const struct panel panels[PANELS] = {
     {PEAK_DISPLACEMENT, "displacement", &dimension_length, "floors", 2},
     {PEAK_DRIFT, "storey drift", &dimension_length, "storeys", 2},
     {PEAK_ACCELERATION, "acceleration", &dimension_acceleration, "floors", 3},
-    {PEAK_SHEAR, "storey shear", &dimension_force, "storeys", 3},
+    {PEAK_SHEAR, "shear", &dimension_force, "storeys", 3},
 };
 
 struct selection {
@@ -152,7 +152,7 @@ static void write_panel(const struct selection *s, int at, struct canvas *c) {
         fprintf(c->to, "%s \\\n  $%s%d%d using %d:1 with %s lc rgb '%s' dt %s", k > 0 ? "," : "",
                 p->data, run, building, p->column, p->data[0] == 'f' ? "linespoints" : "lines",
                 script_colour[building], run > 0 ? "(10,6)" : "solid");
-        fprintf(c->to, p->data[0] == 'f' ? " pt %d ps 1" : "", run > 0 ? 6 : 7);
+        fprintf(c->to, p->data[0] == 'f' ? " pt %d ps 1*point" : "", run > 0 ? 6 : 7);
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);
