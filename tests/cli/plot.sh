@@ -52,6 +52,10 @@ drawable() {
     done
 }
 
+mkdir none
+run env PATH="$here/none" "$jostle" plot pair.h5 energy -o energy.png --script scripts
+expect "without gnuplot the script is still written" '[ $status -eq 3 ] && said "not installed" && [ -s scripts/energy.gp ] && [ ! -e energy.png ]'
+
 if ! command -v gnuplot >/dev/null; then
     skip "pictures" "no gnuplot"
     exit
