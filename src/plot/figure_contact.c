@@ -118,23 +118,17 @@ static double largest_row(const struct impact *p, const struct data *d, double *
 // duration.
 static int write_peaks(const struct report *r, int contact, const struct data *d, const char *name,
                        FILE *to, struct error *e) {
-    const struct impact **hardest = calloc(PEAKS_MAX, sizeof *hardest);
+    long *hardest = malloc(PEAKS_MAX * sizeof *hardest);
     if (!hardest) {
         return error_no_memory(e);
     }
-    for (long i = 0; i < r->n_impact; i++) {
-        const struct impact *p = &r->impact[i];
-        const double part = p->t_start / r->duration * PEAKS_MAX;
-        const int b = part >= 0 && part < PEAKS_MAX ? (int)part : PEAKS_MAX - 1;
-        if (p->contact == contact && (!hardest[b] || p->peak_force > hardest[b]->peak_force)) {
-            hardest[b] = p;
-        }
-    }
+    runs_hardest_of_parts(r, contact, PEAKS_MAX, hardest);
     fprintf(to, "$%s << EOD\n# time of an impact, its largest force\nNaN NaN\n", name);
-    for (int b = 0; b < PEAKS_MAX; b++) {
+    for (int k = 0; k < PEAKS_MAX; k++) {
+        const struct impact *p = hardest[k] < 0 ? NULL : &r->impact[hardest[k]];
         double time;
-        if (hardest[b] && largest_row(hardest[b], d, &time) < 0.98 * hardest[b]->peak_force) {
-            fprintf(to, "%.7g %.7g\n", time, hardest[b]->peak_force);
+        if (p && largest_row(p, d, &time) < 0.98 * p->peak_force) {
+            fprintf(to, "%.7g %.7g\n", time, p->peak_force);
         }
     }
     fprintf(to, "EOD\n");

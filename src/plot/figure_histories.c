@@ -101,17 +101,7 @@ static int write_marks(const struct view *v, int run, int column, const char *na
     if (!hardest) {
         return error_no_memory(e);
     }
-    for (int b = 0; b < MARKS_MAX; b++) {
-        hardest[b] = -1;
-    }
-    for (long i = 0; i < r->n_impact; i++) {
-        const double part = r->impact[i].t_start / r->duration * MARKS_MAX;
-        const int b = part >= 0 && part < MARKS_MAX ? (int)part : MARKS_MAX - 1;
-        if (r->impact[i].contact == v->contact[run] &&
-            (hardest[b] < 0 || r->impact[i].peak_force > r->impact[hardest[b]].peak_force)) {
-            hardest[b] = i;
-        }
-    }
+    runs_hardest_of_parts(r, v->contact[run], MARKS_MAX, hardest);
     fprintf(to, "$%s << EOD\n# time displacement force\nNaN NaN NaN\n", name);
     for (int b = 0; b < MARKS_MAX; b++) {
         if (hardest[b] >= 0) {

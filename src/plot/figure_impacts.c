@@ -114,27 +114,18 @@ static void write_impact(const struct view *v, const struct report *r, long i, F
 
 static int write_data(const struct view *v, int run, FILE *to, struct error *e) {
     const struct report *r = v->s->r[run];
-    const size_t n = (size_t)r->n_contact * PARTS;
-    long *hardest = malloc((n > 0 ? n : 1) * sizeof *hardest);
+    long *hardest = malloc(PARTS * sizeof *hardest);
     if (!hardest) {
         return error_no_memory(e);
     }
-    for (size_t k = 0; k < n; k++) {
-        hardest[k] = -1;
-    }
-    for (long i = 0; i < r->n_impact; i++) {
-        const double part = r->impact[i].t_start / r->duration * PARTS;
-        const int at = part >= 0 && part < PARTS ? (int)part : PARTS - 1;
-        long *old = &hardest[(size_t)r->impact[i].contact * PARTS + (size_t)at];
-        if (*old < 0 || size_of(v, &r->impact[i]) > size_of(v, &r->impact[*old])) {
-            *old = i;
-        }
-    }
     fprintf(to, "$impacts%d << EOD\n# time place size %s floor\nNaN NaN NaN NaN NaN\n", run,
             v->impulse ? "impulse" : "force");
-    for (size_t k = 0; k < n; k++) {
-        if (hardest[k] >= 0) {
-            write_impact(v, r, hardest[k], to);
+    for (int contact = 0; contact < r->n_contact; contact++) {
+        runs_hardest_of_parts(r, contact, PARTS, hardest);
+        for (int k = 0; k < PARTS; k++) {
+            if (hardest[k] >= 0) {
+                write_impact(v, r, hardest[k], to);
+            }
         }
     }
     fprintf(to, "EOD\n");

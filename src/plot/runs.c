@@ -134,6 +134,22 @@ long runs_hardest_impact(const struct report *r, int contact) {
     return at;
 }
 
+void runs_hardest_of_parts(const struct report *r, int contact, int parts, long *hardest) {
+    for (int k = 0; k < parts; k++) {
+        hardest[k] = -1;
+    }
+    for (long i = 0; i < r->n_impact; i++) {
+        if (r->impact[i].contact != contact) {
+            continue;
+        }
+        const double part = r->impact[i].t_start / r->duration * parts;
+        const int k = part >= 0 && part < parts ? (int)part : parts - 1;
+        if (hardest[k] < 0 || r->impact[i].peak_force > r->impact[hardest[k]].peak_force) {
+            hardest[k] = i;
+        }
+    }
+}
+
 int runs_building(const struct report *r, const char *name) {
     for (int i = 0; i < r->n_building; i++) {
         if (strcmp(r->building[i].name, name) == 0) {

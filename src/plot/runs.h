@@ -31,6 +31,10 @@ int runs_same_contact(const struct runs *s, int run, int i);
 // Index of the hardest impact of the contact; -1 if it has none. A contact of -1 has none.
 long runs_hardest_impact(const struct report *r, int contact);
 
+// Index of the contact's hardest impact in each of `parts` equal parts of the duration; -1: it has
+// none there. `hardest` is (parts).
+void runs_hardest_of_parts(const struct report *r, int contact, int parts, long *hardest);
+
 // The building called `name`; -1: a wall.
 int runs_building(const struct report *r, const char *name);
 

@@ -52,10 +52,12 @@ void script_unit(const struct unit_system *units, struct dimension dimension, ch
 }
 
 void script_power(int exponent, char *text, size_t size) {
-    static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    // The digits as UTF-8; those of Latin-1 are shorter.
+    static const char raised[][4] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                     "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
     char digits[16];
     snprintf(digits, sizeof digits, "%d", abs(exponent));
-    size_t n = (size_t)snprintf(text, size, "10%s", exponent < 0 ? "⁻" : "");
+    size_t n = (size_t)snprintf(text, size, "10%s", exponent < 0 ? "\u207b" : "");
     for (const char *s = digits; *s && n < size; s++) {
         n += (size_t)snprintf(text + n, size - n, "%s", raised[*s - '0']);
     }
