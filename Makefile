@@ -175,10 +175,7 @@ docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
 	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md docs
 	@cp $(B)/docs/README.md README.md
-	@$(PROGRAM) run input/two_towers.deck -o $(B)/docs/two_towers.h5 -q --force
-	@mkdir -p docs/pictures
-	@$(PROGRAM) plot $(B)/docs/two_towers.h5 -o docs/pictures/two_towers.png --force
-	@$(PROGRAM) plot $(B)/docs/multistorey.h5 profiles -o docs/pictures/multistorey.png --force
+	@sh tests/support/pictures.sh $(PROGRAM) $(B)/docs docs/pictures
 
 # --- installing ----------------------------------------------------------------------------------
 .PHONY: install uninstall clean setup setup-lint help

@@ -35,7 +35,7 @@ struct picture {
     double em[3], font, point;
 };
 static const struct picture pictures[] = {
-    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 2", {36, 28, 23}, 0.75, 1.4},
+    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 1.5", {26, 19, 23}, 0.75, 1},
     {"svg",
      "svg size %.0f,%.0f font 'Sans,%g' linewidth 1 background '#ffffff'",
      {16, 14, 15},

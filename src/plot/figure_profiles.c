@@ -152,7 +152,9 @@ static void write_panel(const struct selection *s, int at, struct canvas *c) {
         fprintf(c->to, "%s \\\n  $%s%d%d using %d:1 with %s lc rgb '%s' dt %s", k > 0 ? "," : "",
                 p->data, run, building, p->column, p->data[0] == 'f' ? "linespoints" : "lines",
                 script_colour[building], run > 0 ? "(10,6)" : "solid");
-        fprintf(c->to, p->data[0] == 'f' ? " pt %d ps 1*point" : "", run > 0 ? 6 : 7);
+        if (p->data[0] == 'f') {
+            fprintf(c->to, " pt %d ps 1*point", run > 0 ? 6 : 7);
+        }
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);
