@@ -213,7 +213,7 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
         fprintf(c->to, ".\"\\n\".");
     }
     script_text(c->to, fits ? text : unit + 1);
-    write_place(c, a.left - (fits ? 4.4 : 4.7), (a.top + a.bottom) / 2);
+    write_place(c, a.left - (fits ? 4.4 : 5.0), (a.top + a.bottom) / 2);
     fprintf(c->to, " center rotate by 90\n");
 }
 

@@ -27,5 +27,5 @@ draw contact multistorey contact
 draw loops elastoplastic loops
 draw impacts row_of_five impacts
 draw energy multistorey energy --compare "$folder/apart.h5"
-draw spectrum multistorey spectrum
+draw floor_spectrum multistorey spectrum
 draw modes multistorey modes
