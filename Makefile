@@ -173,9 +173,10 @@ check-format: setup-lint  ## fail if `make format` would change a file
 .PHONY: docs
 docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and draw the pictures
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
-	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md docs
+	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/spectrum.md docs
 	@cp $(B)/docs/README.md README.md
 	@sh tests/support/pictures.sh $(PROGRAM) $(B)/docs docs/pictures
+	@$(PROGRAM) spectrum input/records/*.AT2 -o docs/pictures/spectrum.png --force >/dev/null
 
 # --- installing ----------------------------------------------------------------------------------
 .PHONY: install uninstall clean setup setup-lint help

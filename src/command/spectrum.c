@@ -20,7 +20,7 @@ const struct command command_spectrum = {
     .run = spectrum_command,
 };
 
-// The file without folder and ending; all of the path where that is the name of another one too.
+// The file without folder and ending.
 static const char *base_name(struct arena *a, const char *path) {
     const char *slash = strrchr(path, '/');
     const char *base = slash ? slash + 1 : path;
@@ -28,6 +28,7 @@ static const char *base_name(struct arena *a, const char *path) {
     return arena_text(a, base, dot && dot != base ? (size_t)(dot - base) : strlen(base));
 }
 
+// Base names; the whole path where another record has the same one.
 static int name_records(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
                         struct error *e) {
     const char **base = arena_alloc(a, (size_t)q->n_record, sizeof *base);

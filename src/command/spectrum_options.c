@@ -2,6 +2,7 @@
 // The command line of `jostle spectrum`. Options of records may also be written as in a deck, with
 // one dash, as messages about records name them so.
 #include <getopt.h>
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,9 +14,24 @@
 enum { DAMPING_MAX = 7, PERIODS_MAX = 100000 };
 static const double PERIOD_MIN = 1e-3, PERIOD_MAX = 1e3;  // [s]
 
-// Default periods: ten a decade in a table to be read, more where a curve is wanted.
+// Default periods: ten a decade in a table to be read, a hundred where a curve is wanted.
 static const double DEFAULT_FROM = 0.01, DEFAULT_TO = 10.0;
-enum { DEFAULT_TABLE = 31, DEFAULT_CURVE = 200 };
+enum { DEFAULT_TABLE = 31, DEFAULT_CURVE = 301 };
+
+// Options without a letter.
+enum {
+    OPTION_DAMPING = UCHAR_MAX + 1,
+    OPTION_PERIODS,
+    OPTION_FORMAT,
+    OPTION_UNIT,
+    OPTION_DT,
+    OPTION_SCALE,
+    OPTION_PGA,
+    OPTION_INTENSITIES,
+    OPTION_TSV,
+    OPTION_SCRIPT,
+    OPTION_FORCE,
+};
 
 static const double default_damping[] = {0.05};
 
@@ -30,7 +46,7 @@ static const char details[] =
     "  --damping LIST   damping ratios, 0.02,0.05 or 2%,5% (default: 5%)\n"
     "  --periods P      FROM:TO:N, evenly spaced by their logarithms, or LIST, ascending; in s,\n"
     "                   0 or 0.001 to 1000 (default: 0.01:10:31 for a table,\n"
-    "                   0.01:10:200 for TSV and pictures)\n"
+    "                   0.01:10:301 for TSV and pictures)\n"
     "  --scale S        multiplies each record by S\n"
     "  --pga A          scales each record to this peak, 0.35g or 3.4m/s2\n"
     "  --format F       format of the records; found if not given\n"
@@ -193,10 +209,10 @@ static int parse_number(const struct command *c, int option, const char *text,
                         struct spectrum_request *q) {
     bool good;
     switch (option) {
-        case 'S':
+        case OPTION_SCALE:
             good = read_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0;
             return good ? -1 : command_usage(c, "--scale takes a factor, not 0, not '%s'", text);
-        case 'A':
+        case OPTION_PGA:
             good = read_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0;
             return good ? -1
                         : command_usage(c,
@@ -213,29 +229,29 @@ static int parse_number(const struct command *c, int option, const char *text,
 static int take_option(const struct command *c, int option, struct arena *a,
                        struct spectrum_request *q) {
     switch (option) {
-        case 'd':
+        case OPTION_DAMPING:
             return parse_damping(c, optarg, a, q);
-        case 'p':
+        case OPTION_PERIODS:
             return parse_periods(c, optarg, a, q);
-        case 'F':
+        case OPTION_FORMAT:
             q->record.format = optarg;
             return -1;
-        case 'U':
+        case OPTION_UNIT:
             q->record.unit = optarg;
             return -1;
-        case 'i':
+        case OPTION_INTENSITIES:
             q->content = CONTENT_INTENSITIES;
             return -1;
-        case 't':
+        case OPTION_TSV:
             q->form = FORM_TSV;
             return -1;
         case 'o':
             q->output = optarg;
             return -1;
-        case 's':
+        case OPTION_SCRIPT:
             q->script_folder = optarg;
             return -1;
-        case 'f':
+        case OPTION_FORCE:
             q->existing = RESULT_REPLACE;
             return -1;
         case 'h':
@@ -248,13 +264,20 @@ static int take_option(const struct command *c, int option, struct arena *a,
 static int parse_options(const struct command *c, int argc, char **argv, struct arena *a,
                          struct spectrum_request *q) {
     static const struct option option[] = {
-        {"damping", required_argument, NULL, 'd'}, {"periods", required_argument, NULL, 'p'},
-        {"format", required_argument, NULL, 'F'},  {"unit", required_argument, NULL, 'U'},
-        {"dt", required_argument, NULL, 'D'},      {"scale", required_argument, NULL, 'S'},
-        {"pga", required_argument, NULL, 'A'},     {"intensities", no_argument, NULL, 'i'},
-        {"tsv", no_argument, NULL, 't'},           {"output", required_argument, NULL, 'o'},
-        {"script", required_argument, NULL, 's'},  {"force", no_argument, NULL, 'f'},
-        {"help", no_argument, NULL, 'h'},          {NULL, 0, NULL, 0},
+        {"damping", required_argument, NULL, OPTION_DAMPING},
+        {"periods", required_argument, NULL, OPTION_PERIODS},
+        {"format", required_argument, NULL, OPTION_FORMAT},
+        {"unit", required_argument, NULL, OPTION_UNIT},
+        {"dt", required_argument, NULL, OPTION_DT},
+        {"scale", required_argument, NULL, OPTION_SCALE},
+        {"pga", required_argument, NULL, OPTION_PGA},
+        {"intensities", no_argument, NULL, OPTION_INTENSITIES},
+        {"tsv", no_argument, NULL, OPTION_TSV},
+        {"output", required_argument, NULL, 'o'},
+        {"script", required_argument, NULL, OPTION_SCRIPT},
+        {"force", no_argument, NULL, OPTION_FORCE},
+        {"help", no_argument, NULL, 'h'},
+        {NULL, 0, NULL, 0},
     };
     opterr = 0;
     optind = 1;

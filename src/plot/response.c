@@ -2,6 +2,7 @@
 #include "plot/response.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "plot/figure.h"
 #include "plot/script.h"
@@ -50,8 +51,9 @@ static void write_title(const struct response_sheet *sheet, FILE *to) {
     }
     if (s->n_record > 1) {
         snprintf(title, sizeof title, "Response spectra of %d records%s", s->n_record, damping);
-        snprintf(text, sizeof text,
-                 s->n_damping == 1 ? "mean and 16 to 84 %% of the records" : "mean of the records");
+        const bool band = s->n_damping == 1;
+        snprintf(text, sizeof text, "mean%s of the records%s", band ? " and 16 to 84 %" : "",
+                 band && s->n_record <= NAMED_MAX ? "; at each name its PGA and PGV" : "");
     } else {
         snprintf(title, sizeof title, "Response spectrum of %s%s", sheet->name[0], damping);
         snprintf(text, sizeof text,
@@ -68,8 +70,8 @@ static int write_record_legend(const struct response_sheet *sheet, FILE *to) {
     char text[320], name[256];
     if (s->n_record > NAMED_MAX) {
         snprintf(text, sizeof text, "%d records", s->n_record);
-        script_legend(to, 4, 1, SCRIPT_LINE, other_colour, text);
-        return 5;
+        script_legend(to, 0, 1, SCRIPT_LINE, other_colour, text);
+        return 1;
     }
     for (int r = 0; r < s->n_record; r++) {
         script_cut(sheet->name[r], 24, name, sizeof name);
@@ -80,41 +82,54 @@ static int write_record_legend(const struct response_sheet *sheet, FILE *to) {
     return 2 * s->n_record;
 }
 
-static void write_legend(const struct response_sheet *sheet, FILE *to) {
+// Returns how many lines of four places it takes.
+static int write_legend(const struct response_sheet *sheet, FILE *to) {
     const struct spectra *s = sheet->spectra;
+    int n = 0;
     if (s->n_damping == 1 && s->n_record > 1) {
-        const int place = write_record_legend(sheet, to);
-        script_legend(to, place, 1, SCRIPT_LINE, mean_colour, "mean");
-        script_legend(to, place + 1, 1, SCRIPT_AREA, band_colour, "16 to 84 %");
+        n = write_record_legend(sheet, to);
+        script_legend(to, n++, 1, SCRIPT_LINE, mean_colour, "mean");
+        script_legend(to, n++, 1, SCRIPT_AREA, band_colour, "16 to 84 %");
     }
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
         char text[64];
         snprintf(text, sizeof text, "%g %% damping", 100.0 * s->damping[d]);
-        script_legend(to, d, 1, SCRIPT_LINE, script_colour[d % SCRIPT_COLOURS], text);
+        script_legend(to, n++, 1, SCRIPT_LINE, script_colour[d % SCRIPT_COLOURS], text);
     }
+    return (n + 3) / 4;
 }
 
-// A tic at 1, 2 and 5 of every decade.
+// A tic at 1, 2 and 5 of every decade; at every digit where there is little more than one decade.
+static void write_tics(double first, double last, FILE *to) {
+    const char *comma = "";
+    fprintf(to, "set logscale x\nset xtics (");
+    for (int decade = (int)floor(log10(first)); decade <= (int)ceil(log10(last)); decade++) {
+        for (int digit = 1; digit <= 9; digit++) {
+            const bool wanted = digit == 1 || digit == 2 || digit == 5 || last < 15.0 * first;
+            const double tic = digit * pow(10.0, decade);
+            if (wanted && tic >= first * (1.0 - 1e-9) && tic <= last * (1.0 + 1e-9)) {
+                fprintf(to, "%s'%g' %g", comma, tic, tic);
+                comma = ", ";
+            }
+        }
+    }
+    fprintf(to, ")\n");
+}
+
+// Periods within a factor of 2 are drawn without logarithms.
 static void write_axes(const struct spectra *s, FILE *to) {
     const double last = s->period[s->n_period - 1];
     double first = last;
     for (int p = s->n_period - 1; p >= 0 && s->period[p] > 0.0; p--) {
         first = s->period[p];
     }
-    fprintf(to, "set logscale x\nset xrange [%.9g:%.9g]\nset yrange [0:*]\nset xtics (", first,
-            last);
-    const char *comma = "";
-    for (int decade = (int)floor(log10(first)); decade <= (int)ceil(log10(last)); decade++) {
-        for (int i = 0; i < 3; i++) {
-            const double tic = (i == 0 ? 1.0 : i == 1 ? 2.0 : 5.0) * pow(10.0, decade);
-            if (tic >= first * (1.0 - 1e-9) && tic <= last * (1.0 + 1e-9)) {
-                fprintf(to, "%s'%g' %g", comma, tic, tic);
-                comma = ", ";
-            }
-        }
+    if (last > 2.0 * first) {
+        write_tics(first, last, to);
     }
-    fprintf(to, ")\nset offsets 0, 0, graph 0.04, 0\n"
-                "set xlabel 'period [s]'\nset ylabel 'pseudo-acceleration [g]'\n");
+    fprintf(to,
+            "set xrange [%.9g:%.9g]\nset yrange [0:*]\nset offsets 0, 0, graph 0.04, 0\n"
+            "set xlabel 'period [s]'\nset ylabel 'pseudo-acceleration [g]'\n",
+            first, last);
 }
 
 static void write_line(FILE *to, const char **comma, int at, const char *colour, double width) {
@@ -160,9 +175,11 @@ int response_write(const struct response_sheet *sheet, const char *picture, FILE
     }
     write_data(sheet, to);
     write_title(sheet, to);
-    write_legend(sheet, to);
-    fprintf(to, "set lmargin at screen 0.085\nset rmargin at screen 0.975\n"
-                "set tmargin at screen 0.775\nset bmargin at screen 0.105\n");
+    const double top = 0.859 - 0.028 * write_legend(sheet, to);
+    fprintf(to,
+            "set lmargin at screen 0.085\nset rmargin at screen 0.975\n"
+            "set tmargin at screen %.3f\nset bmargin at screen 0.105\n",
+            top);
     write_axes(sheet->spectra, to);
     write_plot(sheet->spectra, to);
     figure_end(to);

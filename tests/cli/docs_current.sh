@@ -26,5 +26,6 @@ if ! sh tests/support/docs.sh "$JOSTLE" "$folder"; then
 fi
 same docs/laws.md
 same docs/deck-statements.md
+same docs/spectrum.md
 same README.md
 exit $status
