@@ -39,13 +39,28 @@ void law_print_bodies(const struct law_impacts *l, char *text, size_t size) {
     }
 }
 
+// The option of a row as it was given, or its value. Empty: it has none.
+static void option_text(const struct law_impact *i, int row, char *text, size_t size) {
+    const struct argument *given = &i->choice.given[row];
+    text[0] = '\0';
+    if (given->text) {
+        size_t used = 0;
+        for (int k = 0; k < given->n && used < size; k++) {
+            used += (size_t)snprintf(text + used, size - used, " %s", given->text[k]);
+        }
+    } else if (!isnan(i->value[row])) {
+        snprintf(text, size, " %.6g", i->value[row]);
+    }
+}
+
 void law_print_name(const struct law_impact *i, char *text, size_t size) {
     const struct contact_law *law = i->choice.law;
     size_t used = (size_t)snprintf(text, size, "%s", law->name);
     for (int r = 0; r < law->n_row && used < size; r++) {
-        if (!isnan(i->value[r])) {
-            used += (size_t)snprintf(text + used, size - used, " -%s %.6g", law->row[r].key,
-                                     i->value[r]);
+        char value[NAME_SIZE];
+        option_text(i, r, value, sizeof value);
+        if (value[0]) {
+            used += (size_t)snprintf(text + used, size - used, " -%s%s", law->row[r].key, value);
         }
     }
 }
