@@ -191,7 +191,7 @@ static void key_numbers(const struct law_impacts *l, const struct law_impact *i,
     if (l->measured.n > 0) {
         snprintf(text + n, size - (size_t)n, "error %.3g %%", 100.0 * i->fit.normalised_error);
     } else {
-        snprintf(text + n, size - (size_t)n, "%.4g kJ lost", i->impact.dissipated / 1e3);
+        snprintf(text + n, size - (size_t)n, "%.3g kJ lost", law_print_dissipated(l, i) / 1e3);
     }
 }
 
