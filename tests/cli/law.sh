@@ -42,7 +42,7 @@ expect "and fits 100 columns" '[ "$(wc -L <"$out")" -le 100 ]'
 
 printf '0 0\n1 100\n' >curve.txt
 law table -file curve.txt -units mm kN $bodies
-expect "texts among the options are told as they were given" '[ $status -eq 0 ] && grep -qx "table -file curve.txt -units mm kN" "$out"'
+expect "of a curve the number of points is told" '[ $status -eq 0 ] && grep -qx "table -file (2 points)" "$out"'
 rm curve.txt
 law kelvin-voigt -k 93.5MN/m -e 1 -calibrate $bodies
 expect "no damping is 0" '[ $status -eq 0 ] && grep -qx "kelvin-voigt -k 9.35e+07 -zeta 0 (calibrated)" "$out"'
