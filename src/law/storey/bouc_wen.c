@@ -17,7 +17,7 @@ enum { YIELD, HARDENING, N, BETA, GAMMA, N_ROW };
 enum { BACK, STRENGTH, DRIFT_OF_YIELD, EXPONENT, PLUS, MINUS, N_CONSTANT };  // gamma +- beta
 enum { DRIFT, Z, N_HISTORY };
 
-static const double STEP = 0.05;    // of the drift, in units of d_y
+static const double STEP = 0.02;    // of the drift, in units of d_y
 static const double ENOUGH = 60.0;  // drift in units of d_y after which z does not change any more
 
 static const struct range exponent_range = {.min = 1.0, .max = 20.0, .text = ">= 1 and <= 20"};
