@@ -35,6 +35,17 @@ struct impact_log {
     long *open;  // index into results.impact of the impact under way; -1: none
 };
 
+// What one step brings to a link.
+struct impact_share {
+    double impulse, work;       // [F T] [F L]
+    double force, penetration;  // [F] [L] largest
+    long steps;                 // 1 if it counts as a step in contact
+};
+
+// Adds to the totals of link k and, if one is under way, to its impact.
+void impacts_add(struct impact_log *log, struct results *r, const struct model *m, int k,
+                 const struct impact_share *share);
+
 bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *a);
 
 // Opens an impact for each contact that is closed at the start.

@@ -9,6 +9,7 @@
 
 #include "core/arena.h"
 #include "solve/account.h"
+#include "solve/dormand_prince.h"
 #include "solve/event.h"
 #include "solve/newmark.h"
 
@@ -30,7 +31,10 @@ struct run {
     const struct observer *observer;
     struct state *now, *next;
     struct state store[2];
-    struct work work;
+    // Takes `now` to the time `end`, h later.
+    int (*advance)(struct run *r, double end, double h);
+    struct work work;               // of Newmark's method
+    struct dp *adaptive;            // Dormand & Prince's method; NULL: Newmark's
     struct energy_account energy;
     struct impact_log impacts;
     int events;  // at which the current step was split
@@ -40,12 +44,12 @@ struct run {
 };
 
 // Asks the observer now and then whether to go on.
-static int poll(struct run *r) {
+static int poll(struct run *r, double time) {
     const struct observer *o = r->observer;
     if (!o || !o->poll || r->results->totals.steps % POLL_STEPS != 0) {
         return STATUS_OK;
     }
-    return o->poll(o->context, r->now->time, r->error);
+    return o->poll(o->context, time, r->error);
 }
 
 // Takes `next` as the new committed state.
@@ -58,7 +62,7 @@ static int commit(struct run *r) {
     r->now = r->next;
     r->next = old;
     out->totals.steps++;
-    return status == STATUS_OK ? poll(r) : status;
+    return status == STATUS_OK ? poll(r, r->now->time) : status;
 }
 
 // Steps from the committed state to `end`, h later; a step that is not solved is cut in two.
@@ -145,6 +149,25 @@ static int split(struct run *r, struct event *event, double end, double h, int c
     return status == STATUS_OK && rest > 0.0 ? advance(r, end, rest, cuts) : status;
 }
 
+static int advance_fixed(struct run *r, double end, double h) {
+    r->events = 0;
+    return advance(r, end, h, 0);
+}
+
+// The steps need not end at `end`: `now` is the state within the last of them.
+static int advance_adaptive(struct run *r, double end, double h) {
+    (void)h;
+    while (dormand_prince_time(r->adaptive) < end) {
+        int status = dormand_prince_step(r->adaptive, r->error);
+        status = status == STATUS_OK ? poll(r, dormand_prince_time(r->adaptive)) : status;
+        if (status != STATUS_OK) {
+            return status;
+        }
+    }
+    dormand_prince_row(r->adaptive, end, r->now, &r->energy);
+    return STATUS_OK;
+}
+
 static int balance(struct run *r) {
     struct results *out = r->results;
     energy_balance(&r->energy, r->model, r->now, out->energy);
@@ -191,8 +214,7 @@ static int loop(struct run *r) {
     for (long n = 1; status == STATUS_OK && n <= m->n_step; n++) {
         double end = model_time(m, n);
         double h = n < m->n_step ? m->dt : end - r->now->time;
-        r->events = 0;
-        status = advance(r, end, h, 0);
+        status = r->advance(r, end, h);
         if (status == STATUS_OK && (n % m->output.every == 0 || n == m->n_step)) {
             status = observe(r);
         }
@@ -205,15 +227,26 @@ static bool run_alloc(struct run *r, struct arena *a) {
     r->now = &r->store[0];
     r->next = &r->store[1];
     r->total_acceleration = arena_alloc(a, (size_t)m->n_dof, sizeof(double));
-    return r->total_acceleration && state_alloc(r->now, m, a) && state_alloc(r->next, m, a) &&
-           work_alloc(&r->work, m, &r->results->totals, a) && impacts_alloc(&r->impacts, m, a) &&
-           peaks_alloc(r->results, m, a);
+    if (!r->total_acceleration || !state_alloc(r->now, m, a) || !impacts_alloc(&r->impacts, m, a) ||
+        !peaks_alloc(r->results, m, a)) {
+        return false;
+    }
+    if (m->adaptive) {
+        r->advance = advance_adaptive;
+        r->adaptive = dormand_prince_create(m, r->results, &r->impacts, a);
+        return r->adaptive != NULL;
+    }
+    r->advance = advance_fixed;
+    return state_alloc(r->next, m, a) && work_alloc(&r->work, m, &r->results->totals, a);
 }
 
 static int run_start(struct run *r) {
     state_start(r->now, r->model);
     energy_start(&r->energy, r->model, r->now);
     peaks_update(r->results, r->model, r->now);
+    if (r->adaptive) {
+        dormand_prince_start(r->adaptive, r->now, &r->energy);
+    }
     return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
 }
 

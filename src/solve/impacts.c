@@ -60,21 +60,30 @@ static void close_impact(struct impact_log *log, struct impact *i, const struct 
     log->open[k] = -1;
 }
 
-// The share of one step in the totals of link k and, if one is under way, in its impact.
-static void carry(struct impact *i, struct link_peak *p, int k, const struct state *now,
-                  const struct state *next) {
-    double mean = (now->force[k] + next->force[k]) / 2.0;
-    double impulse = mean * (next->time - now->time);
-    double work = mean * (next->delta[k] - now->delta[k]);
-    p->impulse += impulse;
-    p->dissipated += work;
-    if (i) {
-        i->impulse += impulse;
-        i->dissipated += work;
-        i->peak_force = fmax(i->peak_force, next->force[k]);
-        i->max_penetration = fmax(i->max_penetration, next->delta[k]);
-        i->steps += next->closed[k];
+void impacts_add(struct impact_log *log, struct results *r, const struct model *m, int k,
+                 const struct impact_share *share) {
+    r->link[k].impulse += share->impulse;
+    r->link[k].dissipated += share->work;
+    if (k < m->n_contact && log->open[k] >= 0) {
+        struct impact *i = &r->impact[log->open[k]];
+        i->impulse += share->impulse;
+        i->dissipated += share->work;
+        i->peak_force = fmax(i->peak_force, share->force);
+        i->max_penetration = fmax(i->max_penetration, share->penetration);
+        i->steps += share->steps;
     }
+}
+
+// The share of one step by the trapezoidal rule.
+static struct impact_share share_of(int k, const struct state *now, const struct state *next) {
+    double mean = (now->force[k] + next->force[k]) / 2.0;
+    return (struct impact_share){
+        .impulse = mean * (next->time - now->time),
+        .work = mean * (next->delta[k] - now->delta[k]),
+        .force = next->force[k],
+        .penetration = next->delta[k],
+        .steps = next->closed[k],
+    };
 }
 
 int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
@@ -86,14 +95,15 @@ int impacts_step(struct impact_log *log, struct results *r, const struct model *
         if (!now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
             return e->status;
         }
-        struct impact *i = &r->impact[log->open[k]];
-        carry(i, &r->link[k], k, now, next);
+        struct impact_share share = share_of(k, now, next);
+        impacts_add(log, r, m, k, &share);
         if (!next->closed[k]) {
-            close_impact(log, i, now, next);
+            close_impact(log, &r->impact[log->open[k]], now, next);
         }
     }
     for (int k = m->n_contact; k < m->n_link; k++) {
-        carry(NULL, &r->link[k], k, now, next);
+        struct impact_share share = share_of(k, now, next);
+        impacts_add(log, r, m, k, &share);
     }
     return STATUS_OK;
 }

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Works and impulses are integrals of powers and forces over time. The stages of the method are the
+// nodes of a quadrature whose weights are those of the solution, so that they have its order 5; up
+// to a place within the step, its continuous extension has order 4. Positions and velocities there
+// are those of the Hermite polynomial of degree 5, and everything else follows from them.
+#include <math.h>
+#include <string.h>
+
+#include "solve/dp.h"
+
+// Powers of the system that enter the energy account.
+static void integrate(const struct dp *p, double x, double *work) {
+    double weight[DP_STAGES];
+    dp_stages_weights(x, weight);
+    work[0] = work[1] = work[2] = 0.0;
+    for (int s = 0; s < DP_STAGES; s++) {
+        work[0] += p->h * weight[s] * p->stage[s].input;
+        work[1] += p->h * weight[s] * p->stage[s].damping;
+        work[2] += p->h * weight[s] * p->stage[s].storey;
+    }
+}
+
+// Work done on link number i of the active ones up to place x, and its impulse.
+static double link_work(const struct dp *p, const double *weight, int i, double *impulse) {
+    double work = 0.0;
+    *impulse = 0.0;
+    for (int s = 0; s < DP_STAGES; s++) {
+        work += p->h * weight[s] * p->stage[s].power[i];
+        *impulse += p->h * weight[s] * p->stage[s].force[i];
+    }
+    return work;
+}
+
+static void add_work(struct energy_account *e, const double *work, double contact) {
+    e->input += work[0];
+    e->damping += work[1];
+    e->storey += work[2];
+    e->contact += contact;
+}
+
+void dp_account_step(struct dp *p) {
+    double weight[DP_STAGES];
+    double work[3];
+    double contact = 0.0;
+    dp_stages_weights(1.0, weight);
+    for (int i = 0; i < p->system.n_active; i++) {
+        int k = p->system.active[i];
+        struct impact_share share = {.steps = 1};
+        share.work = link_work(p, weight, i, &share.impulse);
+        dp_peaks_link(p, k, &share);
+        impacts_add(p->impacts, p->results, p->model, k, &share);
+        contact += share.work;
+    }
+    integrate(p, 1.0, work);
+    p->before = p->energy;
+    add_work(&p->energy, work, contact);
+}
+
+const struct dp_rates *dp_account_at(struct dp *p, double x) {
+    struct dp_rates *r = &p->stage[1];
+    for (int i = 0; i < p->model->n_dof; i++) {
+        struct motion m = dp_event_floor(p, i);
+        struct polynomial u = hermite_position(&m);
+        p->stage_u[i] = polynomial_value(&u, x);
+        p->stage_v[i] = polynomial_slope(&u, x) / p->h;
+    }
+    dp_system_rates(&p->system, &p->now, p->now.time + x * p->h, r);
+    return r;
+}
+
+// Links of a row: open ones as their floors stand, the others with the forces of `rates`.
+static void row_links(const struct dp *p, const struct dp_rates *rates, struct state *row) {
+    const struct model *m = p->model;
+    for (int k = 0; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        row->delta[k] = state_gap(l, m, rates->u, rates->ground.u) - l->gap;
+        row->rate[k] = state_gap(l, m, rates->v, rates->ground.v);
+        row->closed[k] = p->now.closed[k];
+        row->force[k] = 0.0;
+    }
+    for (int i = 0; i < p->system.n_active; i++) {
+        row->force[p->system.active[i]] = rates->force[i];
+    }
+}
+
+static void row_storeys(const struct dp *p, struct state *row) {
+    const struct model *m = p->model;
+    memcpy(row->storey_history, p->now.storey_history,
+           (size_t)m->n_storey_history * sizeof *row->storey_history);
+    state_internal_forces(row, m);
+    for (int n = 0; n < p->system.n_inelastic; n++) {
+        int i = p->system.inelastic[n];
+        const struct storey *law = &m->storey[i];
+        law->law->commit(law->constant, row->storey_history + law->history, row->drift[i]);
+    }
+}
+
+void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy) {
+    const struct model *m = p->model;
+    size_t size = (size_t)m->n_dof * sizeof(double);
+    double x = t < p->next.time ? (t - p->now.time) / p->h : 1.0;
+    double work[3];
+    double weight[DP_STAGES];
+    double contact = 0.0;
+    integrate(p, x, work);
+    dp_stages_weights(x, weight);
+    for (int i = 0; i < p->system.n_active; i++) {
+        double impulse;
+        contact += link_work(p, weight, i, &impulse);
+    }
+    const struct dp_rates *rates = x < 1.0 ? dp_account_at(p, x) : &p->stage[DP_STAGES - 1];
+    row->time = t;
+    memcpy(row->u, rates->u, size);
+    memcpy(row->v, rates->v, size);
+    memcpy(row->a, rates->a, size);
+    memcpy(row->ground_a, rates->ground.a, (size_t)m->n_ground * sizeof(double));
+    row_storeys(p, row);
+    row_links(p, rates, row);
+    *energy = p->before;
+    add_work(energy, work, contact);
+}

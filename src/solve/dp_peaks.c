@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Largest values within a step. A quantity has an extremum inside where its rate changes sign;
+// displacements, velocities and drifts have it on their interpolation. Of an acceleration, the
+// interpolation gives the place only: the right-hand side is evaluated there and beside it, and a
+// parabola put through the three. Most steps are far from any peak, and cost a few comparisons.
+#include <math.h>
+
+#include "solve/dp.h"
+
+// Distance in the step of the three values, and how much an acceleration may exceed those at the
+// stages.
+static const double BESIDE = 0.02, BEYOND = 1.5;
+
+enum { ITERATIONS_MAX = 40 };
+static const double PLACED = 1e-6;  // of the step, of an extremum of a force
+
+static void note(struct dp *p, enum peak q, int i, double value, double time) {
+    double size = fabs(value);
+    if (size > p->results->peak[q][i]) {
+        p->results->peak[q][i] = size;
+        p->results->peak_time[q][i] = time;
+    }
+}
+
+// Could a quantity with these values and rates at its ends go beyond the peak inside the step? It
+// turns, and does not get further than its largest rate takes it.
+static bool may_exceed(double peak, double d0, double d1, double v0, double v1, double h) {
+    return v0 * v1 < 0.0 &&
+           fmax(fabs(d0), fabs(d1)) + h * fmin(fabs(v0), fabs(v1)) > peak;
+}
+
+static void inner_displacement(struct dp *p, int i) {
+    struct motion m = dp_event_floor(p, i);
+    struct polynomial u = hermite_position(&m);
+    double x[TURNS_MAX];
+    int n = hermite_turns(&m, x);
+    for (int j = 0; j < n; j++) {
+        note(p, PEAK_DISPLACEMENT, i, polynomial_value(&u, x[j]), p->now.time + x[j] * p->h);
+    }
+}
+
+static void inner_drift(struct dp *p, int i) {
+    struct motion m = dp_event_storey(p, i);
+    struct polynomial drift = hermite_position(&m);
+    double x[TURNS_MAX];
+    int n = hermite_turns(&m, x);
+    for (int j = 0; j < n; j++) {
+        double d = polynomial_value(&drift, x[j]);
+        double time = p->now.time + x[j] * p->h;
+        note(p, PEAK_DRIFT, i, d, time);
+        note(p, PEAK_SHEAR, i, dp_system_shear(&p->system, &p->now, i, d), time);
+    }
+}
+
+// The velocity turns where the relative acceleration is zero.
+static void inner_velocity(struct dp *p, int i) {
+    struct motion m = dp_event_floor(p, i);
+    struct polynomial v = hermite_velocity(&m);
+    struct polynomial u = hermite_position(&m);
+    double a0 = v.c[1];
+    struct polynomial slope = {{a0, 2.0 * v.c[2], 3.0 * v.c[3]}};
+    double x = polynomial_root(&slope, 0.0, 1.0);
+    note(p, PEAK_VELOCITY, i, polynomial_slope(&u, x) / p->h, p->now.time + x * p->h);
+}
+
+static double total(const struct dp_rates *r, const struct building *g, int i) {
+    return r->a[i] + r->ground.a[g->ground];
+}
+
+// Where the interpolated total acceleration has its largest value inside; < 0: at an end.
+static double acceleration_place(const struct dp *p, const struct building *g, int i) {
+    struct motion m = dp_event_floor(p, i);
+    struct polynomial u = hermite_position(&m);
+    double square = p->h * p->h;
+    double ground0 = p->now.ground_a[g->ground];
+    double ground1 = p->next.ground_a[g->ground];
+    struct polynomial a = {{2.0 * u.c[2] / square + ground0, 6.0 * u.c[3] / square + ground1 - ground0,
+                            12.0 * u.c[4] / square, 20.0 * u.c[5] / square, 0.0, 0.0}};
+    double best = fmax(fabs(total(&p->stage[0], g, i)), fabs(total(&p->stage[6], g, i)));
+    double place = -1.0;
+    double x[2];
+    int n = polynomial_extrema(&a, x);
+    for (int j = 0; j < n; j++) {
+        double size = fabs(polynomial_value(&a, x[j]));
+        if (size > best) {
+            best = size;
+            place = x[j];
+        }
+    }
+    return place;
+}
+
+static void inner_acceleration(struct dp *p, const struct building *g, int i) {
+    double x = acceleration_place(p, g, i);
+    if (x < 0.0) {
+        return;
+    }
+    double beside = fmin(BESIDE, fmin(x, 1.0 - x));
+    double low = total(dp_account_at(p, x - beside), g, i);
+    double high = total(dp_account_at(p, x + beside), g, i);
+    double middle = total(dp_account_at(p, x), g, i);
+    double bend = low - 2.0 * middle + high;
+    double slope = (high - low) / 2.0;
+    double shift = fabs(bend) > fabs(slope) ? -slope / bend : 0.0;
+    note(p, PEAK_ACCELERATION, i, middle + shift * slope / 2.0,
+         p->now.time + (x + shift * beside) * p->h);
+}
+
+static bool near_acceleration(const struct dp *p, const struct building *g, int i) {
+    double size = 0.0;
+    for (int s = 2; s < DP_STAGES; s++) {
+        size = fmax(size, fabs(total(&p->stage[s], g, i)));
+    }
+    return BEYOND * size > p->results->peak[PEAK_ACCELERATION][i];
+}
+
+static void floor_step(struct dp *p, const struct building *g, int i) {
+    const struct state *now = &p->now;
+    const struct state *next = &p->next;
+    const struct results *r = p->results;
+    double h = p->h;
+    if (may_exceed(r->peak[PEAK_DISPLACEMENT][i], now->u[i], next->u[i], now->v[i], next->v[i],
+                   h)) {
+        inner_displacement(p, i);
+    }
+    if (may_exceed(r->peak[PEAK_VELOCITY][i], now->v[i], next->v[i], now->a[i], next->a[i], h)) {
+        inner_velocity(p, i);
+    }
+    int below = p->system.below[i];
+    double v0 = now->v[i] - (below < 0 ? 0.0 : now->v[below]);
+    double v1 = next->v[i] - (below < 0 ? 0.0 : next->v[below]);
+    if (may_exceed(r->peak[PEAK_DRIFT][i], now->drift[i], next->drift[i], v0, v1, h)) {
+        inner_drift(p, i);
+    }
+    if (near_acceleration(p, g, i)) {
+        inner_acceleration(p, g, i);
+    }
+}
+
+static void floors_at(struct dp *p, const struct state *s) {
+    for (int k = 0; k < p->model->n_building; k++) {
+        const struct building *g = &p->model->building[k];
+        double ground = s->ground_a[g->ground];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            note(p, PEAK_DISPLACEMENT, i, s->u[i], s->time);
+            note(p, PEAK_VELOCITY, i, s->v[i], s->time);
+            note(p, PEAK_ACCELERATION, i, s->a[i] + ground, s->time);
+            note(p, PEAK_DRIFT, i, s->drift[i], s->time);
+            note(p, PEAK_SHEAR, i, dp_system_shear(&p->system, &p->now, i, s->drift[i]), s->time);
+        }
+    }
+}
+
+static void note_force(struct link_peak *l, double force, double time) {
+    if (force > l->force) {
+        l->force = force;
+        l->force_time = time;
+    }
+}
+
+static void note_penetration(struct link_peak *l, double d, double time) {
+    if (d > l->penetration) {
+        l->penetration = d;
+        l->penetration_time = time;
+    }
+}
+
+// Largest penetration in the step: at its end, or where it turns.
+static double link_penetration(struct dp *p, int k, const struct motion *m) {
+    bool both = p->model->link[k].bilateral;
+    struct link_peak *l = &p->results->link[k];
+    double largest = both ? fabs(m->d[1]) : m->d[1];
+    note_penetration(l, largest, p->next.time);
+    if (m->v[0] * m->v[1] < 0.0) {
+        struct polynomial path = hermite_position(m);
+        double x[TURNS_MAX];
+        int n = hermite_turns(m, x);
+        for (int j = 0; j < n; j++) {
+            double d = polynomial_value(&path, x[j]);
+            largest = fmax(largest, both ? fabs(d) : d);
+            note_penetration(l, both ? fabs(d) : d, p->now.time + x[j] * p->h);
+        }
+    }
+    return largest;
+}
+
+static void open_step(struct dp *p, int k) {
+    double most = p->results->link[k].penetration;
+    double d = fmax(p->now.delta[k], p->next.delta[k]);
+    bool turns = p->now.rate[k] > 0.0 && p->next.rate[k] < 0.0;
+    if (d > most || (turns && d + p->h * p->now.rate[k] > most)) {
+        struct motion m = dp_event_link(p, k);
+        link_penetration(p, k, &m);
+    }
+}
+
+// The force of link k and its rate at place x of its motion.
+static double force_at(const struct dp *p, int k, const struct polynomial *path, double x,
+                       double *rate) {
+    const double *c = path->c;
+    double h = p->h;
+    double d = polynomial_value(path, x);
+    double v = polynomial_slope(path, x) / h;
+    double a = (2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * 20.0 * c[5]))) / (h * h);
+    struct contact_response r = dp_system_response(&p->system, &p->now, k, d, v);
+    *rate = r.dfdd * v + r.dfdv * a;
+    return r.force;
+}
+
+// The force where its rate changes its sign inside the step, and when; the one at the end where it
+// does not.
+static double inner_force(const struct dp *p, int k, const struct motion *m, double *time) {
+    struct polynomial path = hermite_position(m);
+    double start;
+    double rate;
+    double low = 0.0;
+    double high = 1.0;
+    force_at(p, k, &path, low, &start);
+    double force = force_at(p, k, &path, high, &rate);
+    *time = p->next.time;
+    for (int i = 0; start * rate < 0.0 && i < ITERATIONS_MAX && high - low > PLACED; i++) {
+        double x = 0.5 * (low + high);
+        double slope;
+        force = force_at(p, k, &path, x, &slope);
+        *time = p->now.time + x * p->h;
+        *(start * slope > 0.0 ? &low : &high) = x;
+    }
+    return force;
+}
+
+void dp_peaks_link(struct dp *p, int k, struct impact_share *share) {
+    bool both = p->model->link[k].bilateral;
+    struct motion m = dp_event_link(p, k);
+    double time;
+    double force = inner_force(p, k, &m, &time);
+    share->penetration = link_penetration(p, k, &m);
+    share->force = p->next.force[k];
+    note_force(&p->results->link[k], both ? fabs(share->force) : share->force, p->next.time);
+    note_force(&p->results->link[k], both ? fabs(force) : force, time);
+    share->force = fmax(share->force, force);
+}
+
+void dp_peaks_step(struct dp *p) {
+    for (int k = 0; k < p->model->n_building; k++) {
+        const struct building *g = &p->model->building[k];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            floor_step(p, g, i);
+        }
+    }
+    floors_at(p, &p->next);
+    for (int k = 0; k < p->model->n_contact; k++) {
+        if (!p->now.closed[k]) {
+            open_step(p, k);
+        }
+    }
+}
+
+void dp_peaks_now(struct dp *p) {
+    floors_at(p, &p->now);
+    for (int i = 0; i < p->system.n_active; i++) {
+        int k = p->system.active[i];
+        bool both = p->model->link[k].bilateral;
+        double force = p->stage[0].force[i];
+        note_force(&p->results->link[k], both ? fabs(force) : force, p->now.time);
+    }
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The right-hand side of the equations of motion for the method of Dormand & Prince, with every
+// law held on the branch that it is on at the start of the step.
+#ifndef JOSTLE_DP_SYSTEM_H
+#define JOSTLE_DP_SYSTEM_H
+
+#include "solve/forcing.h"
+#include "solve/state.h"
+
+// The branch of a contact in a step: what its law sees is a velocity of this sign.
+enum phase {
+    PHASE_RELEASE = -1,
+    PHASE_ANY = 0,  // bilateral links
+    PHASE_APPROACH = 1,
+};
+
+struct dp_system {
+    const struct model *model;  // borrowed
+    struct forcing forcing;
+    double *mobility;         // [1/M] (n_dof) 1 / m
+    double *stiffness;        // [F/L] (n_dof) initial, of the storeys
+    double *base, *tangent;   // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
+    double *damping;          // [F] (n_dof) scratch
+    int n_active;             // links that act in the step
+    int *active;              // (n_link) their indices
+    enum phase *phase;        // (n_link)
+    int n_inelastic;          // storeys with a history
+    int *inelastic;           // (n_dof) their indices
+    int *below;               // (n_dof) index of the floor below; -1: the ground
+    bool *calls;              // (n_dof) the storey's law is called, as it is not made of lines
+};
+
+// The system at one instant.
+struct dp_rates {
+    const double *u, *v;           // [L] [L/T] (n_dof)
+    double *a;                     // [L/T^2] (n_dof)
+    struct forcing_values ground;  // (n_ground)
+    double *force;                 // [F] (n_active)
+    double *power;                 // [F L/T] (n_active) of those forces
+    double input, damping;         // [F L/T]
+    double storey;                 // [F L/T] done on storeys that are not elastic
+};
+
+// Room for a system; false: no memory.
+bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a);
+bool dp_system_alloc_rates(struct dp_rates *r, const struct model *m, struct arena *a);
+
+// The branches at state `now`: forcing, storeys and links.
+void dp_system_start(struct dp_system *s, const struct state *now);
+
+// Takes link k among those that act, or from them.
+void dp_system_add(struct dp_system *s, int k);
+void dp_system_remove(struct dp_system *s, int k);
+
+// The branch of the inelastic storey below floor i at its committed state when its drift goes on in
+// `direction` (its sign).
+void dp_system_branch(struct dp_system *s, const struct state *now, int i, double direction);
+
+// Tangent of the storey at `drift` with the committed history, and the smallest change of its drift
+// that counts.
+double dp_system_tangent(const struct dp_system *s, const struct state *now, int i, double drift);
+double dp_system_storey_noise(const struct dp_system *s, const struct state *now, int i);
+
+// Shear of the storey below floor i at `drift`, on its branch [F].
+double dp_system_shear(const struct dp_system *s, const struct state *now, int i, double drift);
+
+// Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`.
+void dp_system_rates(struct dp_system *s, const struct state *now, double t, struct dp_rates *r);
+
+// The response of link k at (d, v) on its branch; d and v may lie beyond it.
+struct contact_response dp_system_response(const struct dp_system *s, const struct state *now,
+                                           int k, double d, double v);
+
+// Brings the histories of `now` to its present drifts, penetrations and velocities.
+void dp_system_commit(const struct dp_system *s, struct state *now);
+
+#endif
