@@ -34,24 +34,24 @@ static const double CROWD_TIME = 1e-7;
 enum { STEPS_BUDGET = 200000000 };
 
 static bool alloc_state(struct state *s, const struct model *m, struct arena *a) {
-    size_t n = (size_t)m->n_dof + DP_LANES;
-    return state_alloc(s, m, a) && (s->u = arena_alloc(a, n, sizeof(double))) &&
-           (s->v = arena_alloc(a, n, sizeof(double))) && (s->a = arena_alloc(a, n, sizeof(double)));
+    return state_alloc(s, m, a) && (s->u = dp_system_vector(m, a)) &&
+           (s->v = dp_system_vector(m, a)) && (s->a = dp_system_vector(m, a));
 }
 
 static bool alloc_stages(struct dp *p, struct arena *a) {
-    size_t n = (size_t)p->model->n_dof + DP_LANES;
-    p->stage_u = arena_alloc(a, n, sizeof(double));
-    p->stage_v = arena_alloc(a, n, sizeof(double));
+    p->stage_u = dp_system_vector(p->model, a);
+    p->stage_v = dp_system_vector(p->model, a);
+    p->error_u = dp_system_vector(p->model, a);
+    p->error_v = dp_system_vector(p->model, a);
     for (int s = 0; s < DP_STAGES; s++) {
         p->stage[s].u = p->stage_u;
         p->stage[s].v = p->stage_v;
-        p->stage[s].a = arena_alloc(a, n, sizeof(double));
+        p->stage[s].a = dp_system_vector(p->model, a);
         if (!p->stage[s].a || !dp_system_alloc_rates(&p->stage[s], p->model, a)) {
             return false;
         }
     }
-    return p->stage_u && p->stage_v;
+    return p->stage_u && p->stage_v && p->error_u && p->error_v;
 }
 
 struct dp *dormand_prince_create(const struct model *m, struct results *r, struct impact_log *log,
@@ -115,7 +115,6 @@ void dormand_prince_start(struct dp *p, const struct state *start,
     bind(p);
     dp_system_start(&p->system, now);
     rates_now(p);
-    dp_stages_scale(p, now);
     dp_peaks_now(p);
     p->energy = *energy;
     p->trial = fmax(first_step(m), m->control.shortest);
@@ -297,7 +296,6 @@ int dormand_prince_step(struct dp *p, struct error *e) {
     if (p->event.kind != DP_NONE) {
         dp_event_locate(p);
     }
-    dp_stages_scale(p, &p->next);
     dp_account_step(p);
     dp_peaks_step(p);
     p->results->totals.steps++;

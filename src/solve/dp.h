@@ -9,7 +9,7 @@
 #include "solve/dp_system.h"
 #include "solve/hermite.h"
 
-enum { DP_STAGES = 7, DP_LANES = 4 };
+enum { DP_STAGES = 7 };
 
 enum dp_event_kind {
     DP_NONE,
@@ -37,6 +37,7 @@ struct dp {
     struct state now, next;       // the ends of the step; histories and closed links are in `now`
     struct dp_rates stage[DP_STAGES];  // the first at `now`, the last at `next`
     double *stage_u, *stage_v;         // (n_dof) of the stages between
+    double *error_u, *error_v;         // (n_dof) scratch
     double *largest_u, *largest_v;     // [L] [L/T] (n_building) so far
     double most_u, most_v;             // of any building
     struct energy_account before, energy;  // up to the start and to the end of the step
@@ -55,14 +56,12 @@ struct dp {
 void dp_stages_take(struct dp *p, double h, double end);
 
 // The estimated error of that step over the tolerance.
-double dp_stages_error(const struct dp *p);
-
-// Takes the motion of `now` (next) into the largest displacements and velocities.
-void dp_stages_scale(struct dp *p, const struct state *s);
+double dp_stages_error(struct dp *p);
 
 // Integral over the step, up to the place x in it, of what has the values f at the stages: h sum
-// b_i(x) f_i.
+// b_i(x) f_i; and over the whole of it.
 void dp_stages_weights(double x, double *weight);
+extern const double dp_stages_whole[DP_STAGES];
 
 // Fills what `next` has besides its motion: time, drifts, penetrations and forces of links.
 void dp_stages_ends(struct dp *p);

@@ -9,9 +9,7 @@
 #include "solve/dp.h"
 
 // Powers of the system that enter the energy account.
-static void integrate(const struct dp *p, double x, double *work) {
-    double weight[DP_STAGES];
-    dp_stages_weights(x, weight);
+static void integrate(const struct dp *p, const double *weight, double *work) {
     work[0] = work[1] = work[2] = 0.0;
     for (int s = 0; s < DP_STAGES; s++) {
         work[0] += p->h * weight[s] * p->stage[s].input;
@@ -39,19 +37,17 @@ static void add_work(struct energy_account *e, const double *work, double contac
 }
 
 void dp_account_step(struct dp *p) {
-    double weight[DP_STAGES];
     double work[3];
     double contact = 0.0;
-    dp_stages_weights(1.0, weight);
     for (int i = 0; i < p->system.n_active; i++) {
         int k = p->system.active[i];
         struct impact_share share = {.steps = 1};
-        share.work = link_work(p, weight, i, &share.impulse);
+        share.work = link_work(p, dp_stages_whole, i, &share.impulse);
         dp_peaks_link(p, k, &share);
         impacts_add(p->impacts, p->results, p->model, k, &share);
         contact += share.work;
     }
-    integrate(p, 1.0, work);
+    integrate(p, dp_stages_whole, work);
     p->before = p->energy;
     add_work(&p->energy, work, contact);
 }
@@ -102,8 +98,8 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
     double work[3];
     double weight[DP_STAGES];
     double contact = 0.0;
-    integrate(p, x, work);
     dp_stages_weights(x, weight);
+    integrate(p, weight, work);
     for (int i = 0; i < p->system.n_active; i++) {
         double impulse;
         contact += link_work(p, weight, i, &impulse);

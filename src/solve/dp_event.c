@@ -6,7 +6,8 @@
 // Between the turning points of a motion it is monotone, so that each piece can pass a value once,
 // and a touch that begins and ends within the step is seen by the turning point inside it. The
 // instant found on the interpolation is only the first guess: the step is taken again to it, and
-// mended by Newton's method on the state that the step itself gives, until nothing changes.
+// mended by Newton's method on the state that the step itself gives, until the next correction would
+// be below rounding.
 //
 // What is smaller than rounding is no event: links within some units of the last place of zero, and
 // drifts within that of the end of their line, stay as they are.
@@ -16,7 +17,7 @@
 #include "solve/dp.h"
 
 enum { ITERATIONS_MAX = 60 };
-static const double LOCATED = 1e-12;   // of the step
+static const double LOCATED = 1e-7;    // of the step: the next correction is about its square
 static const double ROUNDING = 64.0;   // units in the last place that mean nothing
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
@@ -252,10 +253,13 @@ void dp_event_locate(struct dp *p) {
         if (!(next > low && next < high)) {
             next = 0.5 * (low + high);
         }
-        if (fabs(next - h) <= LOCATED * whole) {
+        bool located = fabs(next - h) <= LOCATED * whole;
+        h = next;
+        if (located) {
+            dp_stages_take(p, h, p->now.time + h);
+            dp_stages_ends(p);
             break;
         }
-        h = next;
     }
     p->event.place = 1.0;
 }

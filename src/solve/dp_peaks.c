@@ -9,7 +9,7 @@
 
 // Distance in the step of the three values, and how much an acceleration may exceed those at the
 // stages.
-static const double BESIDE = 0.02, BEYOND = 1.5;
+static const double BESIDE = 0.02, BEYOND = 1.1;
 
 enum { ITERATIONS_MAX = 40 };
 static const double PLACED = 1e-6;  // of the step, of an extremum of a force
@@ -22,11 +22,16 @@ static void note(struct dp *p, enum peak q, int i, double value, double time) {
     }
 }
 
-// Could a quantity with these values and rates at its ends go beyond the peak inside the step? It
-// turns, and does not get further than its largest rate takes it.
-static bool may_exceed(double peak, double d0, double d1, double v0, double v1, double h) {
-    return v0 * v1 < 0.0 &&
-           fmax(fabs(d0), fabs(d1)) + h * fmin(fabs(v0), fabs(v1)) > peak;
+// A new largest drift of a storey, and its shear.
+static void note_drift(struct dp *p, int i, double drift, double time) {
+    note(p, PEAK_DRIFT, i, drift, time);
+    note(p, PEAK_SHEAR, i, dp_system_shear(&p->system, &p->now, i, drift), time);
+}
+
+// Could a quantity with this value and rate at the start, which turns in the step, go beyond the
+// peak?
+static bool may_exceed(double peak, double value, double rate, double h) {
+    return fabs(value) + h * fabs(rate) > peak;
 }
 
 static void inner_displacement(struct dp *p, int i) {
@@ -46,9 +51,7 @@ static void inner_drift(struct dp *p, int i) {
     int n = hermite_turns(&m, x);
     for (int j = 0; j < n; j++) {
         double d = polynomial_value(&drift, x[j]);
-        double time = p->now.time + x[j] * p->h;
-        note(p, PEAK_DRIFT, i, d, time);
-        note(p, PEAK_SHEAR, i, dp_system_shear(&p->system, &p->now, i, d), time);
+        note_drift(p, i, d, p->now.time + x[j] * p->h);
     }
 }
 
@@ -106,48 +109,78 @@ static void inner_acceleration(struct dp *p, const struct building *g, int i) {
          p->now.time + (x + shift * beside) * p->h);
 }
 
-static bool near_acceleration(const struct dp *p, const struct building *g, int i) {
-    double size = 0.0;
-    for (int s = 2; s < DP_STAGES; s++) {
-        size = fmax(size, fabs(total(&p->stage[s], g, i)));
-    }
-    return BEYOND * size > p->results->peak[PEAK_ACCELERATION][i];
+// The largest acceleration of floor i at stages within the step.
+static double inner_size(const struct dp_rates *early, const struct dp_rates *late, int ground,
+                         int i) {
+    double x = fabs(early->a[i] + early->ground.a[ground]);
+    double y = fabs(late->a[i] + late->ground.a[ground]);
+    return x > y ? x : y;
 }
 
-static void floor_step(struct dp *p, const struct building *g, int i) {
+static void building_step(struct dp *p, const struct building *g) {
     const struct state *now = &p->now;
     const struct state *next = &p->next;
-    const struct results *r = p->results;
+    double *const *peak = p->results->peak;
     double h = p->h;
-    if (may_exceed(r->peak[PEAK_DISPLACEMENT][i], now->u[i], next->u[i], now->v[i], next->v[i],
-                   h)) {
-        inner_displacement(p, i);
+    double below0 = 0.0;
+    double below1 = 0.0;
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        double v0 = now->v[i];
+        double v1 = next->v[i];
+        if (v0 * v1 < 0.0 && may_exceed(peak[PEAK_DISPLACEMENT][i], now->u[i], v0, h)) {
+            inner_displacement(p, i);
+        }
+        if (now->a[i] * next->a[i] < 0.0 &&
+            may_exceed(peak[PEAK_VELOCITY][i], v0, now->a[i], h)) {
+            inner_velocity(p, i);
+        }
+        if ((v0 - below0) * (v1 - below1) < 0.0 &&
+            may_exceed(peak[PEAK_DRIFT][i], now->drift[i], v0 - below0, h)) {
+            inner_drift(p, i);
+        }
+        if (BEYOND * inner_size(&p->stage[2], &p->stage[3], g->ground, i) >
+            peak[PEAK_ACCELERATION][i]) {
+            inner_acceleration(p, g, i);
+        }
+        below0 = v0;
+        below1 = v1;
     }
-    if (may_exceed(r->peak[PEAK_VELOCITY][i], now->v[i], next->v[i], now->a[i], next->a[i], h)) {
-        inner_velocity(p, i);
+}
+
+// Values at one instant. The shear of an elastic storey is largest with its drift.
+static void building_at(struct dp *p, const struct state *s, int k) {
+    const struct building *g = &p->model->building[k];
+    double *const *peak = p->results->peak;
+    double ground = s->ground_a[g->ground];
+    double u = p->largest_u[k];
+    double v = p->largest_v[k];
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        double u_size = fabs(s->u[i]);
+        double v_size = fabs(s->v[i]);
+        u = u_size > u ? u_size : u;
+        v = v_size > v ? v_size : v;
+        if (u_size > peak[PEAK_DISPLACEMENT][i]) {
+            note(p, PEAK_DISPLACEMENT, i, s->u[i], s->time);
+        }
+        if (v_size > peak[PEAK_VELOCITY][i]) {
+            note(p, PEAK_VELOCITY, i, s->v[i], s->time);
+        }
+        if (fabs(s->a[i] + ground) > peak[PEAK_ACCELERATION][i]) {
+            note(p, PEAK_ACCELERATION, i, s->a[i] + ground, s->time);
+        }
+        if (!g->elastic || fabs(s->drift[i]) > peak[PEAK_DRIFT][i]) {
+            note_drift(p, i, s->drift[i], s->time);
+        }
     }
-    int below = p->system.below[i];
-    double v0 = now->v[i] - (below < 0 ? 0.0 : now->v[below]);
-    double v1 = next->v[i] - (below < 0 ? 0.0 : next->v[below]);
-    if (may_exceed(r->peak[PEAK_DRIFT][i], now->drift[i], next->drift[i], v0, v1, h)) {
-        inner_drift(p, i);
-    }
-    if (near_acceleration(p, g, i)) {
-        inner_acceleration(p, g, i);
-    }
+    p->largest_u[k] = u;
+    p->largest_v[k] = v;
+    p->most_u = fmax(p->most_u, u);
+    p->most_v = fmax(p->most_v, v);
 }
 
 static void floors_at(struct dp *p, const struct state *s) {
     for (int k = 0; k < p->model->n_building; k++) {
-        const struct building *g = &p->model->building[k];
-        double ground = s->ground_a[g->ground];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            note(p, PEAK_DISPLACEMENT, i, s->u[i], s->time);
-            note(p, PEAK_VELOCITY, i, s->v[i], s->time);
-            note(p, PEAK_ACCELERATION, i, s->a[i] + ground, s->time);
-            note(p, PEAK_DRIFT, i, s->drift[i], s->time);
-            note(p, PEAK_SHEAR, i, dp_system_shear(&p->system, &p->now, i, s->drift[i]), s->time);
-        }
+        building_at(p, s, k);
     }
 }
 
@@ -242,10 +275,7 @@ void dp_peaks_link(struct dp *p, int k, struct impact_share *share) {
 
 void dp_peaks_step(struct dp *p) {
     for (int k = 0; k < p->model->n_building; k++) {
-        const struct building *g = &p->model->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            floor_step(p, g, i);
-        }
+        building_step(p, &p->model->building[k]);
     }
     floors_at(p, &p->next);
     for (int k = 0; k < p->model->n_contact; k++) {

@@ -9,11 +9,11 @@
 // which is the same method with half the sums (ibid., section II.14). The error estimates h E and
 // h^2 (E A) follow in the same way.
 //
-// Floors are summed in lanes of four, so that the compiler can use vector instructions; arrays are
-// that much longer than the model (DP_LANES).
+// Floors are summed in blocks, so that the compiler can use vector instructions.
 #include <math.h>
 
 #include "solve/dp.h"
+#include "solve/lanes.h"
 
 static const double node[DP_STAGES] = {0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0};
 
@@ -49,35 +49,51 @@ static const struct sums error_sums = {
      0.0},
 };
 
-// Four floors from number i on: sums of the stages' accelerations.
-static void sum_lanes(const struct dp *p, const struct sums *s, int i, double *restrict v,
-                      double *restrict u) {
-    for (int l = 0; l < DP_LANES; l++) {
-        v[l] = u[l] = 0.0;
-    }
+// Sums over the stages' accelerations of some floors from number i on. All are kept in registers.
+enum { BLOCK = 4 };
+struct block {
+    struct lanes v[BLOCK], u[BLOCK];
+};
+
+static inline struct block sum_stages(const struct dp *p, const struct sums *s, int i) {
+    struct lanes v0 = lanes_of(0.0), v1 = v0, v2 = v0, v3 = v0;
+    struct lanes u0 = v0, u1 = v0, u2 = v0, u3 = v0;
     for (int j = 0; j < s->n; j++) {
         const double *a = p->stage[j].a + i;
-        double to_v = s->v[j];
-        double to_u = s->u[j];
-        for (int l = 0; l < DP_LANES; l++) {
-            v[l] += to_v * a[l];
-            u[l] += to_u * a[l];
-        }
+        struct lanes a0 = lanes_load(a), a1 = lanes_load(a + LANES);
+        struct lanes a2 = lanes_load(a + 2 * LANES), a3 = lanes_load(a + 3 * LANES);
+        struct lanes to_v = lanes_of(s->v[j]);
+        struct lanes to_u = lanes_of(s->u[j]);
+        v0.x += to_v.x * a0.x;
+        v1.x += to_v.x * a1.x;
+        v2.x += to_v.x * a2.x;
+        v3.x += to_v.x * a3.x;
+        u0.x += to_u.x * a0.x;
+        u1.x += to_u.x * a1.x;
+        u2.x += to_u.x * a2.x;
+        u3.x += to_u.x * a3.x;
     }
+    return (struct block){{v0, v1, v2, v3}, {u0, u1, u2, u3}};
 }
 
-static void combine(const struct dp *p, int stage, double h, double *restrict u_out,
-                    double *restrict v_out) {
-    const double *restrict u = p->now.u;
-    const double *restrict v = p->now.v;
-    double drift = node[stage] * h;
-    for (int i = 0; i < p->model->n_dof; i += DP_LANES) {
-        double dv[DP_LANES];
-        double du[DP_LANES];
-        sum_lanes(p, &stage_sums[stage], i, dv, du);
-        for (int l = 0; l < DP_LANES; l++) {
-            v_out[i + l] = v[i + l] + h * dv[l];
-            u_out[i + l] = u[i + l] + (drift * v[i + l] + h * h * du[l]);
+static void combine(const struct dp *p, int stage, double h, double *restrict u,
+                    double *restrict v) {
+    const double *restrict u_start = p->now.u;
+    const double *restrict v_start = p->now.v;
+    struct lanes drift = lanes_of(node[stage] * h);
+    struct lanes h1 = lanes_of(h);
+    struct lanes h2 = lanes_of(h * h);
+    int n = p->model->n_dof;
+    for (int i = 0; i < n; i += BLOCK * LANES) {
+        struct block sum = sum_stages(p, &stage_sums[stage], i);
+        for (int l = 0; l < BLOCK; l++) {
+            int j = i + l * LANES;
+            struct lanes v0 = lanes_load(v_start + j);
+            struct lanes u0 = lanes_load(u_start + j);
+            struct lanes v1 = {v0.x + h1.x * sum.v[l].x};
+            struct lanes u1 = {u0.x + (drift.x * v0.x + h2.x * sum.u[l].x)};
+            lanes_store(v + j, v1);
+            lanes_store(u + j, u1);
         }
     }
 }
@@ -115,22 +131,6 @@ void dp_stages_ends(struct dp *p) {
     }
 }
 
-void dp_stages_scale(struct dp *p, const struct state *s) {
-    for (int k = 0; k < p->model->n_building; k++) {
-        const struct building *g = &p->model->building[k];
-        double u = p->largest_u[k];
-        double v = p->largest_v[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            u = larger(u, fabs(s->u[i]));
-            v = larger(v, fabs(s->v[i]));
-        }
-        p->largest_u[k] = u;
-        p->largest_v[k] = v;
-        p->most_u = larger(p->most_u, u);
-        p->most_v = larger(p->most_v, v);
-    }
-}
-
 // A building that has hardly moved yet is measured by a hundredth of what others have: without
 // that, the first touch of a building at rest would take endless steps.
 static const double SHARE = 1e-2;
@@ -144,35 +144,42 @@ static double building_error(const struct dp *p, int k) {
     double u_error = 0.0;
     double v_error = 0.0;
     double sum = 0.0;
-    for (int i = g->first; i < g->first + g->n_floor; i += DP_LANES) {
-        double dv[DP_LANES];
-        double du[DP_LANES];
-        sum_lanes(p, &error_sums, i, dv, du);
-        for (int l = 0; l < DP_LANES && i + l < g->first + g->n_floor; l++) {
-            sum += du[l] + dv[l];
-            u_error = larger(u_error, fabs(du[l]));
-            v_error = larger(v_error, fabs(dv[l]));
-            u_size = larger(u_size, fabs(p->next.u[i + l]));
-            v_size = larger(v_size, fabs(p->next.v[i + l]));
-        }
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        double u = p->error_u[i];
+        double v = p->error_v[i];
+        sum += u + v;
+        u_error = larger(u_error, fabs(u));
+        v_error = larger(v_error, fabs(v));
+        u_size = larger(u_size, fabs(p->next.u[i]));
+        v_size = larger(v_size, fabs(p->next.v[i]));
     }
     double u = u_error == 0.0 ? 0.0 : p->h * p->h * u_error / u_size;
     double v = v_error == 0.0 ? 0.0 : p->h * v_error / v_size;
     return isfinite(sum) ? larger(u, v) : INFINITY;
 }
 
-double dp_stages_error(const struct dp *p) {
+double dp_stages_error(struct dp *p) {
     double largest = 0.0;
+    for (int i = 0; i < p->model->n_dof; i += BLOCK * LANES) {
+        struct block error = sum_stages(p, &error_sums, i);
+        for (int l = 0; l < BLOCK; l++) {
+            lanes_store(p->error_u + i + l * LANES, error.u[l]);
+            lanes_store(p->error_v + i + l * LANES, error.v[l]);
+        }
+    }
     for (int k = 0; k < p->model->n_building; k++) {
         largest = larger(largest, building_error(p, k));
     }
     return largest / p->model->control.tolerance;
 }
 
+const double dp_stages_whole[DP_STAGES] = {
+    35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0, 0.0};
+
 // The continuous extension of order 4: Shampine (1986), Math. Comp. 46, 135-150; here as in Hairer,
 // Norsett & Wanner, eq. II.6.12.
 void dp_stages_weights(double x, double *weight) {
-    const double *b = stage_sums[DP_STAGES - 1].v;
+    const double *b = dp_stages_whole;
     double rise = x * x * (3.0 - 2.0 * x);
     double bump = x * x * (x - 1.0) * (x - 1.0);
     weight[0] = rise * b[0] + x * (x - 1.0) * (x - 1.0) -

@@ -14,29 +14,39 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "solve/lanes.h"
 
 // How far beyond its drift a storey is asked for its tangent, relative to its drift or to that
 // which its shear would take elastically: far above rounding, far below any tolerance.
 static const double PROBE = 1e-12;
 
+// Values behind the last that blocks of lanes may touch.
+enum { MARGIN = 16 };
+
+double *dp_system_vector(const struct model *m, struct arena *a) {
+    double *x = arena_alloc(a, (size_t)m->n_dof + MARGIN + LANES, sizeof *x);
+    return x ? x + LANES : NULL;
+}
+
 bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a) {
     size_t n = (size_t)m->n_dof;
-    size_t n_link = (size_t)m->n_link;
-    *s = (struct dp_system){
-        .model = m,
-        .mobility = arena_alloc(a, n, sizeof(double)),
-        .stiffness = arena_alloc(a, n, sizeof(double)),
-        .base = arena_alloc(a, n, sizeof(double)),
-        .tangent = arena_alloc(a, n, sizeof(double)),
-        .damping = arena_alloc(a, n, sizeof(double)),
-        .active = arena_alloc(a, n_link, sizeof *s->active),
-        .phase = arena_alloc(a, n_link, sizeof *s->phase),
-        .inelastic = arena_alloc(a, n, sizeof *s->inelastic),
-        .below = arena_alloc(a, n, sizeof *s->below),
-        .calls = arena_alloc(a, n, sizeof *s->calls),
-    };
-    return s->mobility && s->stiffness && s->base && s->tangent && s->damping && s->active && s->phase &&
-           s->inelastic && s->below && s->calls && forcing_alloc(&s->forcing, m, a);
+    *s = (struct dp_system){.model = m};
+    double **vector[] = {&s->mobility, &s->stiffness, &s->base, &s->tangent, &s->damping};
+    for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++) {
+        *vector[i] = dp_system_vector(m, a);
+        if (!*vector[i]) {
+            return false;
+        }
+    }
+    s->row = arena_alloc(a, (n + LANES) * DP_ROWS, sizeof *s->row);
+    s->active = arena_alloc(a, (size_t)m->n_link, sizeof *s->active);
+    s->phase = arena_alloc(a, (size_t)m->n_link, sizeof *s->phase);
+    s->inelastic = arena_alloc(a, n, sizeof *s->inelastic);
+    s->below = arena_alloc(a, n, sizeof *s->below);
+    s->calls = arena_alloc(a, n, sizeof *s->calls);
+    s->building = arena_alloc(a, n, sizeof *s->building);
+    return s->row && s->active && s->phase && s->inelastic && s->below && s->calls && s->building &&
+           forcing_alloc(&s->forcing, m, a);
 }
 
 bool dp_system_alloc_rates(struct dp_rates *r, const struct model *m, struct arena *a) {
@@ -69,34 +79,64 @@ double dp_system_storey_noise(const struct dp_system *s, const struct state *now
     return PROBE * (fabs(now->drift[i]) + fabs(elastic));
 }
 
-void dp_system_branch(struct dp_system *s, const struct state *now, int i, double direction) {
-    double drift = now->drift[i];
-    double beyond = drift + copysign(dp_system_storey_noise(s, now, i), direction);
-    s->tangent[i] = storey_at(s, now, i, beyond).tangent;
-    s->base[i] = storey_at(s, now, i, drift).shear - s->tangent[i] * drift;
+static double *row_of(const struct dp_system *s, int i, enum dp_row row) {
+    return s->row + (i / LANES * DP_ROWS + (int)row) * LANES + i % LANES;
 }
 
-static void start_building(struct dp_system *s, const struct state *now, int k) {
-    const struct building *g = &s->model->building[k];
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        const struct storey *law = &s->model->storey[i];
-        s->mobility[i] = 1.0 / s->model->mass[i];
-        s->stiffness[i] = s->tangent[i] = g->stiffness[i - g->first];
-        s->below[i] = i > g->first ? i - 1 : -1;
-        s->calls[i] = !is_straight(law);
-        if (law->law->n_history > 0) {
-            double rate = now->v[i] - (i > g->first ? now->v[i - 1] : 0.0);
-            s->inelastic[s->n_inelastic++] = i;
-            dp_system_branch(s, now, i, rate);
-        }
+// The rows of the matrices that have to do with storey i: those of the floors above and below it.
+static void fill_rows(struct dp_system *s, int i) {
+    const struct building *g = &s->model->building[s->building[i]];
+    for (int j = i > g->first ? i - 1 : i; j <= i; j++) {
+        bool roof = j + 1 == g->first + g->n_floor;
+        double above = roof ? 0.0 : s->tangent[j + 1];
+        *row_of(s, j, DP_K_BELOW) = j > g->first ? -s->tangent[j] * s->mobility[j] : 0.0;
+        *row_of(s, j, DP_K_OWN) = (s->tangent[j] + above) * s->mobility[j];
+        *row_of(s, j, DP_K_ABOVE) = -above * s->mobility[j];
+        *row_of(s, j, DP_CONSTANT) = ((roof ? 0.0 : s->base[j + 1]) - s->base[j]) * s->mobility[j];
     }
+}
+
+void dp_system_branch(struct dp_system *s, const struct state *now, int i, double direction) {
+    if (!s->calls[i]) {
+        double drift = now->drift[i];
+        double beyond = drift + copysign(dp_system_storey_noise(s, now, i), direction);
+        s->tangent[i] = storey_at(s, now, i, beyond).tangent;
+        s->base[i] = storey_at(s, now, i, drift).shear - s->tangent[i] * drift;
+    }
+    fill_rows(s, i);
+}
+
+static void start_floor(struct dp_system *s, const struct state *now, int k, int floor) {
+    const struct building *g = &s->model->building[k];
+    int i = g->first + floor;
+    const struct storey *law = &s->model->storey[i];
+    *row_of(s, i, DP_MASS) = g->mass[floor];
+    s->mobility[i] = 1.0 / g->mass[floor];
+    s->stiffness[i] = g->stiffness[floor];
+    s->building[i] = k;
+    s->below[i] = floor > 0 ? i - 1 : -1;
+    s->calls[i] = !is_straight(law);
+    s->tangent[i] = s->calls[i] ? 0.0 : g->stiffness[floor];
+    if (!g->damping_full) {
+        *row_of(s, i, DP_C_BELOW) = floor > 0 ? g->damping_off[floor - 1] * s->mobility[i] : 0.0;
+        *row_of(s, i, DP_C_OWN) = g->damping_diagonal[floor] * s->mobility[i];
+        *row_of(s, i, DP_C_ABOVE) = g->damping_off[floor] * s->mobility[i];
+    }
+    if (law->law->n_history > 0) {
+        s->inelastic[s->n_inelastic++] = i;
+        dp_system_branch(s, now, i, now->v[i] - (floor > 0 ? now->v[i - 1] : 0.0));
+    }
+    fill_rows(s, i);
 }
 
 void dp_system_start(struct dp_system *s, const struct state *now) {
     const struct model *m = s->model;
     (void)forcing_turn(&s->forcing, now->time);
     for (int k = 0; k < m->n_building; k++) {
-        start_building(s, now, k);
+        s->any_full |= m->building[k].damping_full != NULL;
+        for (int i = 0; i < m->building[k].n_floor; i++) {
+            start_floor(s, now, k, i);
+        }
     }
     for (int k = 0; k < m->n_link; k++) {
         s->phase[k] = m->link[k].bilateral ? PHASE_ANY
@@ -144,41 +184,88 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
     return s->calls[i] ? storey_at(s, now, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
-// Restoring and damping forces of one building; the powers of its dampers and storeys.
-static void building_rates(struct dp_system *s, const struct state *now, int k,
-                           struct dp_rates *r) {
-    const struct building *g = &s->model->building[k];
-    const double *u = r->u + g->first;
-    const double *v = r->v + g->first;
-    double *a = r->a + g->first;
-    double *damping = s->damping + g->first;
-    double below = 0.0;
-    double below_v = 0.0;
-    double momentum = 0.0;
-    building_damping_force(g, v, damping);
-    for (int i = 0; i < g->n_floor; i++) {
-        int j = g->first + i;
-        double shear = dp_system_shear(s, now, j, u[i] - below);
-        if (!g->elastic && s->model->storey[j].law->n_history > 0) {
-            r->storey += shear * (v[i] - below_v);
-        }
-        a[i] = -damping[i] - shear;
-        if (i > 0) {
-            a[i - 1] += shear;
-        }
-        r->damping += damping[i] * v[i];
-        momentum += g->mass[i] * v[i];
-        below = u[i];
-        below_v = v[i];
+// Accelerations of all floors without links, loads and what is special, under the ground
+// acceleration `ground`.
+static void floor_rates(const struct dp_system *s, double ground, struct dp_rates *r) {
+    const double *restrict u = r->u;
+    const double *restrict v = r->v;
+    const double *restrict row = s->row;
+    double *restrict a = r->a;
+    struct lanes under = lanes_of(ground);
+    struct lanes power = lanes_of(0.0);
+    struct lanes momentum = lanes_of(0.0);
+    int n = s->model->n_dof;
+    for (int i = 0; i < n; i += LANES, row += DP_ROWS * LANES) {
+        struct lanes own = lanes_load(v + i);
+        struct lanes damping = {
+            lanes_load(row + DP_C_BELOW * LANES).x * lanes_load(v + i - 1).x +
+            lanes_load(row + DP_C_OWN * LANES).x * own.x +
+            lanes_load(row + DP_C_ABOVE * LANES).x * lanes_load(v + i + 1).x};
+        struct lanes spring = {
+            lanes_load(row + DP_K_BELOW * LANES).x * lanes_load(u + i - 1).x +
+            lanes_load(row + DP_K_OWN * LANES).x * lanes_load(u + i).x +
+            lanes_load(row + DP_K_ABOVE * LANES).x * lanes_load(u + i + 1).x};
+        struct lanes carried = {lanes_load(row + DP_MASS * LANES).x * own.x};
+        momentum.x += carried.x;
+        power.x += carried.x * damping.x;
+        struct lanes sum = {lanes_load(row + DP_CONSTANT * LANES).x - under.x -
+                            (spring.x + damping.x)};
+        lanes_store(a + i, sum);
     }
-    r->input -= r->ground.a[g->ground] * momentum;
+    r->damping = lanes_sum(power);
+    r->input = -ground * lanes_sum(momentum);
+}
+
+// Ground accelerations where there are several.
+static void ground_rates(const struct dp_system *s, struct dp_rates *r) {
+    for (int k = 0; k < s->model->n_building; k++) {
+        const struct building *g = &s->model->building[k];
+        double ground = r->ground.a[g->ground];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            r->a[i] -= ground;
+            r->input -= ground * s->model->mass[i] * r->v[i];
+        }
+    }
+}
+
+// Buildings with a full damping matrix.
+static void full_damping(const struct dp_system *s, struct dp_rates *r) {
+    for (int k = 0; k < s->model->n_building; k++) {
+        const struct building *g = &s->model->building[k];
+        if (!g->damping_full) {
+            continue;
+        }
+        building_damping_force(g, r->v + g->first, s->damping + g->first);
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            r->a[i] -= s->damping[i] * s->mobility[i];
+            r->damping += s->damping[i] * r->v[i];
+        }
+    }
+}
+
+// Storeys with a history: their power, and the shear of those whose law is called.
+static void storey_rates(const struct dp_system *s, const struct state *now, struct dp_rates *r) {
+    r->storey = 0.0;
+    for (int n = 0; n < s->n_inelastic; n++) {
+        int i = s->inelastic[n];
+        int below = s->below[i];
+        double drift = r->u[i] - (below < 0 ? 0.0 : r->u[below]);
+        double shear = dp_system_shear(s, now, i, drift);
+        r->storey += shear * (r->v[i] - (below < 0 ? 0.0 : r->v[below]));
+        if (s->calls[i]) {
+            r->a[i] -= shear * s->mobility[i];
+        }
+        if (s->calls[i] && below >= 0) {
+            r->a[below] += shear * s->mobility[below];
+        }
+    }
 }
 
 static void load_rates(const struct dp_system *s, double t, struct dp_rates *r) {
     for (int k = 0; k < s->model->n_load; k++) {
         int i = s->model->load[k].dof;
         double p = forcing_load(&s->forcing, k, t);
-        r->a[i] += p;
+        r->a[i] += p * s->mobility[i];
         r->input += p * r->v[i];
     }
 }
@@ -194,10 +281,10 @@ static void link_rates(const struct dp_system *s, const struct state *now, struc
         r->force[i] = force;
         r->power[i] = force * rate;
         if (l->dof[0] != WALL) {
-            r->a[l->dof[0]] -= force;
+            r->a[l->dof[0]] -= force * s->mobility[l->dof[0]];
         }
         if (l->dof[1] != WALL) {
-            r->a[l->dof[1]] += force;
+            r->a[l->dof[1]] += force * s->mobility[l->dof[1]];
         }
         if (l->moving_ground) {
             r->input += force * (rate - (r->v[l->dof[0]] - r->v[l->dof[1]]));
@@ -205,22 +292,20 @@ static void link_rates(const struct dp_system *s, const struct state *now, struc
     }
 }
 
-void dp_system_rates(struct dp_system *s, const struct state *now, double t, struct dp_rates *r) {
+void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
+                     struct dp_rates *r) {
     const struct model *m = s->model;
     forcing_ground(&s->forcing, t, &r->ground);
-    r->input = r->damping = r->storey = 0.0;
-    for (int k = 0; k < m->n_building; k++) {
-        building_rates(s, now, k, r);
+    floor_rates(s, m->n_ground == 1 ? r->ground.a[0] : 0.0, r);
+    if (m->n_ground > 1) {
+        ground_rates(s, r);
     }
+    if (s->any_full) {
+        full_damping(s, r);
+    }
+    storey_rates(s, now, r);
     load_rates(s, t, r);
     link_rates(s, now, r);
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        double ground = r->ground.a[g->ground];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            r->a[i] = r->a[i] * s->mobility[i] - ground;
-        }
-    }
 }
 
 void dp_system_commit(const struct dp_system *s, struct state *now) {

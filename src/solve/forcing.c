@@ -48,10 +48,10 @@ static struct piece line_from(const struct signal *s, double t) {
 static struct piece piece_from(const struct signal *s, double t) {
     double near = slack(s, t);
     if (t < s->start - near) {
-        return (struct piece){.signal = s, .shape = PIECE_ZERO, .end = s->start};
+        return (struct piece){.signal = s, .shape = PIECE_LINE, .end = s->start};
     }
     if (t >= s->end - near) {
-        return (struct piece){.signal = s, .shape = PIECE_ZERO, .end = INFINITY};
+        return (struct piece){.signal = s, .shape = PIECE_LINE, .end = INFINITY};
     }
     if (s->value) {
         return line_from(s, t);
@@ -61,14 +61,10 @@ static struct piece piece_from(const struct signal *s, double t) {
 
 static double piece_value(const struct piece *p, double t) {
     const struct signal *s = p->signal;
-    switch (p->shape) {
-        case PIECE_LINE:
-            return p->value + p->slope * (t - p->start);
-        case PIECE_SINE:
-            return s->amplitude * sin(s->omega * (t - s->start) + s->phase);
-        default:
-            return 0.0;
+    if (p->shape == PIECE_SINE) {
+        return s->amplitude * sin(s->omega * (t - s->start) + s->phase);
     }
+    return p->value + p->slope * (t - p->start);
 }
 
 // True if the piece gives way to another that jumps.

@@ -7,7 +7,7 @@
 
 #include "jostle/model.h"
 
-enum piece_shape { PIECE_ZERO, PIECE_LINE, PIECE_SINE };
+enum piece_shape { PIECE_LINE, PIECE_SINE };
 
 // A signal between two of its corners.
 struct piece {

@@ -18,7 +18,7 @@ static const struct row adaptive_rows[N_ROW] = {
                    0,
                    {0},
                    &tolerance_range,
-                   1e-7,
+                   1e-6,
                    "error of a step relative to the largest displacement and velocity so far"},
     [LONGEST] =
         {"max", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "longest step; any if not given"},
