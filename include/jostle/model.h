@@ -88,6 +88,9 @@ struct output {
     const char *file;  // result file named by the deck; NULL: none
 };
 
+// An adaptive analysis that needs more steps than this is refused, or given up.
+enum { ADAPTIVE_STEPS_MAX = 2000000 };
+
 // How the steps of an adaptive analysis are chosen.
 struct step_control {
     double tolerance;  // error of one step relative to the largest displacement and velocity

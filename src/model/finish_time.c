@@ -13,9 +13,6 @@ static const double STEPS_MAX = 2e10;
 static const double DEFAULT_INTERVAL = 0.01;  // [s]
 static const double ROUNDING = 1e-9;          // of the step, in counting steps
 
-// An adaptive run is refused where stability alone would take more steps than this.
-static const double ADAPTIVE_STEPS_MAX = 5e7;
-
 // Without a shortest step the numbers end before this share of the duration does.
 static const double SHORTEST_SHARE = 1e-13;
 

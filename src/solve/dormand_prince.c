@@ -23,15 +23,17 @@ static const double STRETCH = 0.05;
 // closes (d^(1/4)), and with a kink where its velocity turns.
 static const double AFTER_CLOSURE = 1e-3, AFTER_TURN = 0.3;
 
-// First step over the shortest period of a building over 2 pi, or over the duration.
 static const double FIRST_OF_PERIOD = 1e-2, FIRST_OF_DURATION = 1e-6;
+
+// Share of the expected motion that counts as its size from the start.
+static const double EXPECTED = 1e-2;
 
 // More events than this in such a share of the duration do not come from bodies that bounce.
 enum { CROWD = 4000, CROWD_PER_LINK = 4 };
 static const double CROWD_TIME = 1e-7;
 
-// Steps after which a run is given up; it would take minutes at least.
-enum { STEPS_BUDGET = 200000000 };
+// A run in which this many steps get less far than their share of ADAPTIVE_STEPS_MAX is given up.
+enum { PACE_STEPS = 20000 };
 
 static bool alloc_state(struct state *s, const struct model *m, struct arena *a) {
     return state_alloc(s, m, a) && (s->u = dp_system_vector(m, a)) &&
@@ -85,6 +87,7 @@ static void rates_now(struct dp *p) {
     dp_system_rates(&p->system, &p->now, p->now.time, &p->stage[0]);
 }
 
+// First step over the shortest period of a building over 2 pi, or over the duration.
 static double first_step(const struct model *m) {
     double omega = 0.0;
     for (int k = 0; k < m->n_building; k++) {
@@ -92,6 +95,28 @@ static double first_step(const struct model *m) {
         omega = fmax(omega, g->omega[g->n_floor - 1]);
     }
     return omega > 0.0 ? FIRST_OF_PERIOD / omega : FIRST_OF_DURATION * m->duration;
+}
+
+// Sizes that motions will reach at least: those of the slowest mode under a hundredth of the
+// excitation. Without them a start from rest under forces with a kink at rest would take endless
+// steps.
+static void expect(struct dp *p) {
+    const struct model *m = p->model;
+    double acceleration = 0.0;
+    double time = m->duration;
+    for (int k = 0; k < m->n_ground; k++) {
+        for (int i = 0; i < m->ground[k].n_signal; i++) {
+            acceleration = fmax(acceleration, signal_peak(&m->ground[k].signal[i]));
+        }
+    }
+    for (int k = 0; k < m->n_load; k++) {
+        acceleration = fmax(acceleration, signal_peak(&m->load[k].signal) / m->mass[m->load[k].dof]);
+    }
+    for (int k = 0; k < m->n_building; k++) {
+        time = fmin(time, 1.0 / m->building[k].omega[0]);
+    }
+    p->most_v = EXPECTED * acceleration * time;
+    p->most_u = p->most_v * time;
 }
 
 void dormand_prince_start(struct dp *p, const struct state *start,
@@ -116,6 +141,7 @@ void dormand_prince_start(struct dp *p, const struct state *start,
     dp_system_start(&p->system, now);
     rates_now(p);
     dp_peaks_now(p);
+    expect(p);
     p->energy = *energy;
     p->trial = fmax(first_step(m), m->control.shortest);
     p->error = FIRST_ERROR;
@@ -161,10 +187,10 @@ static int too_crowded(struct dp *p, struct error *e) {
         return STATUS_OK;
     }
     return error_set(e, STATUS_FAILED,
-                     "at t = %.9g %s contact %s rattles: %ld events within %.2g %s; it wants a "
-                     "softer or a damped contact, or step fixed DT",
+                     "at t = %.9g %s %s rattles: %ld events within %.2g %s; it wants a softer or a "
+                     "damped contact, or step fixed DT",
                      p->now.time, m->deck->units.time_name,
-                     p->last_link < 0 ? "forces" : m->link[p->last_link].name,
+                     p->last_link < 0 ? "a storey" : m->link[p->last_link].name,
                      t->events - p->events_before, p->now.time - p->time_before,
                      m->deck->units.time_name);
 }
@@ -222,27 +248,53 @@ static void take(struct dp *p) {
     }
 }
 
-static int too_short(const struct dp *p, double h, double error, struct error *e) {
+// What makes steps of h short, as text: the link that is stiffest at its state, the last contact
+// that had an event, or the tolerance.
+static const char *cause(const struct dp *p, double h) {
     const struct model *m = p->model;
-    const char *unit = m->deck->units.time_name;
+    const char *name = p->last_link < 0 ? "the tolerance" : m->link[p->last_link].name;
+    double fastest = 0.5 / h;  // slower ones do not matter
+    for (int i = 0; i < p->system.n_active; i++) {
+        int k = p->system.active[i];
+        struct contact_response r = dp_system_response(&p->system, &p->now, k, p->now.delta[k],
+                                                       p->now.rate[k]);
+        double rate = fmax(fabs(r.dfdv) / m->link[k].mass, sqrt(fabs(r.dfdd) / m->link[k].mass));
+        if (rate > fastest) {
+            fastest = rate;
+            name = m->link[k].name;
+        }
+    }
+    return name;
+}
+
+static int too_short(const struct dp *p, double h, double error, struct error *e) {
+    const char *unit = p->model->deck->units.time_name;
     if (!isfinite(error)) {
         return error_set(e, STATUS_FAILED, "the state is not finite at t = %.9g %s", p->now.time,
                          unit);
     }
     return error_set(e, STATUS_FAILED,
-                     "at t = %.9g %s a step of %.3g %s is still too long for the tolerance, the "
-                     "last event was at contact %s; use a larger tolerance, a smaller -min or step "
-                     "fixed DT",
-                     p->now.time, unit, h, unit,
-                     p->last_link < 0 ? "none" : m->link[p->last_link].name);
+                     "at t = %.9g %s a step of %.3g %s is still too long for %s; use a larger "
+                     "-tolerance, a smaller -min or step fixed DT",
+                     p->now.time, unit, h, unit, cause(p, h));
 }
 
-static int too_many(const struct dp *p, struct error *e) {
+// Are the steps so short that the run would take too many?
+static int too_slow(struct dp *p, struct error *e) {
     const char *unit = p->model->deck->units.time_name;
+    double way = p->now.time - p->pace_time;
+    if (++p->tried % PACE_STEPS != 0) {
+        return STATUS_OK;
+    }
+    p->pace_time = p->now.time;
+    if (way * ADAPTIVE_STEPS_MAX >= PACE_STEPS * p->model->duration) {
+        return STATUS_OK;
+    }
     return error_set(e, STATUS_FAILED,
-                     "%ld steps have led to t = %.6g %s only; use a larger tolerance or step fixed "
-                     "DT",
-                     p->tried, p->now.time, unit);
+                     "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
+                     "%.0e of them; use a larger -tolerance or step fixed DT",
+                     p->now.time, unit, way / PACE_STEPS, unit, cause(p, way / PACE_STEPS),
+                     (double)ADAPTIVE_STEPS_MAX);
 }
 
 // Tries steps until one meets the tolerance.
@@ -251,8 +303,8 @@ static int attempt(struct dp *p, struct error *e) {
         take(p);
         double error = dp_stages_error(p);
         double shrink = SAFETY * pow(error, -PROPORTIONAL);
-        if (p->tried++ >= STEPS_BUDGET) {
-            return too_many(p, e);
+        if (too_slow(p, e) != STATUS_OK) {
+            return e->status;
         }
         if (error <= 1.0) {
             double grow = error > 0.0 ? shrink * pow(p->error, INTEGRAL) : GROW_MOST;

@@ -50,6 +50,7 @@ struct dp {
     long events_before;     // events when time was last seen to move
     double time_before;     // [T] then
     long tried;             // steps, rejected ones included
+    double pace_time;       // [T] when their pace was last looked at
 };
 
 // dp_stages.c: takes the step from `now` of length h to time `end` into `next`.
