@@ -60,8 +60,9 @@ static void build_adaptive(struct builder *b, const struct statement *s) {
         .shortest = a[SHORTEST].given ? a[SHORTEST].number[0] : 0.0,
     };
     if (b->control.shortest > b->control.longest) {
-        deck_error(b->deck, &a[SHORTEST].key, "-min is %.6g; it must be <= -max, which is %.6g",
-                   b->control.shortest, b->control.longest);
+        const char *unit = b->deck->units.time_name;
+        deck_error(b->deck, &a[SHORTEST].key, "-min is %.6g %s; it must be <= -max, %.6g %s",
+                   b->control.shortest, unit, b->control.longest, unit);
     }
 }
 
