@@ -95,7 +95,7 @@ static double noise(const struct dp *p, int k) {
     const struct link *l = &p->model->link[k];
     double size = fabs(l->gap);
     for (int i = 0; i < 2; i++) {
-        size += l->dof[i] == WALL ? 0.0 : fabs(p->now.u[l->dof[i]]);
+        size += l->dof[i] == WALL ? 0.0 : fmax(fabs(p->now.u[l->dof[i]]), fabs(p->next.u[l->dof[i]]));
         if (l->moving_ground) {
             size += fabs(p->now.ground_u[p->model->building[l->building[i]].ground]);
         }
