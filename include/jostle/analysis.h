@@ -81,10 +81,10 @@ struct impact {
 };
 
 struct totals {
-    long steps;       // computed, cut ones included
-    long cuts;        // steps that were not solved and halved; adaptive: rejected
-    long events;      // steps split where a law that jumps closed or opened; adaptive: ended where a
-                      // law changed its branch
+    long steps;   // computed, cut ones included
+    long cuts;    // steps that were not solved and halved; adaptive: rejected
+    long events;  // steps split where a law that jumps closed or opened; adaptive: ended where a
+                  // law changed its branch
     long iterations;  // Newton iterations: storeys and contacts
     long fast;        // contact solves settled by a single link or one sweep
     long scalar;      // by further sweeps of exact scalar answers

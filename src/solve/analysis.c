@@ -33,8 +33,8 @@ struct run {
     struct state store[2];
     // Takes `now` to the time `end`, h later.
     int (*advance)(struct run *r, double end, double h);
-    struct work work;               // of Newmark's method
-    struct dp *adaptive;            // Dormand & Prince's method; NULL: Newmark's
+    struct work work;     // of Newmark's method
+    struct dp *adaptive;  // Dormand & Prince's method; NULL: Newmark's
     struct energy_account energy;
     struct impact_log impacts;
     int events;  // at which the current step was split

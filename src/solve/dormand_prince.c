@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The control of the steps. Their length follows from the estimated error by the PI controller of
 // Gustafsson, with the exponents of Hairer, Norsett & Wanner (1993), Solving Ordinary Differential
-// Equations I, section IV.2 of volume II (DOPRI5). Steps end at the corners of the forcing, in equal
-// parts from one to the next, and at events (dp_event.c).
+// Equations I, section IV.2 of volume II (DOPRI5). Steps end at the corners of the forcing, in
+// equal parts from one to the next, and at events (dp_event.c).
 #include "solve/dormand_prince.h"
 
 #include <float.h>
@@ -110,7 +110,8 @@ static void expect(struct dp *p) {
         }
     }
     for (int k = 0; k < m->n_load; k++) {
-        acceleration = fmax(acceleration, signal_peak(&m->load[k].signal) / m->mass[m->load[k].dof]);
+        acceleration =
+            fmax(acceleration, signal_peak(&m->load[k].signal) / m->mass[m->load[k].dof]);
     }
     for (int k = 0; k < m->n_building; k++) {
         time = fmin(time, 1.0 / m->building[k].omega[0]);
@@ -161,10 +162,10 @@ static void swap(double **x, double **y) {
 static void swap_ends(struct dp *p) {
     struct state *now = &p->now;
     struct state *next = &p->next;
-    double **of_now[] = {&now->u,     &now->v,     &now->a,        &now->drift,    &now->delta,
-                         &now->rate,  &now->force, &now->ground_a, &now->ground_v, &now->ground_u};
-    double **of_next[] = {&next->u,    &next->v,     &next->a,        &next->drift,
-                          &next->delta, &next->rate, &next->force,    &next->ground_a,
+    double **of_now[] = {&now->u,    &now->v,     &now->a,        &now->drift,    &now->delta,
+                         &now->rate, &now->force, &now->ground_a, &now->ground_v, &now->ground_u};
+    double **of_next[] = {&next->u,        &next->v,       &next->a,     &next->drift,
+                          &next->delta,    &next->rate,    &next->force, &next->ground_a,
                           &next->ground_v, &next->ground_u};
     for (size_t i = 0; i < sizeof of_now / sizeof of_now[0]; i++) {
         swap(of_now[i], of_next[i]);
@@ -256,8 +257,8 @@ static const char *cause(const struct dp *p, double h) {
     double fastest = 0.5 / h;  // slower ones do not matter
     for (int i = 0; i < p->system.n_active; i++) {
         int k = p->system.active[i];
-        struct contact_response r = dp_system_response(&p->system, &p->now, k, p->now.delta[k],
-                                                       p->now.rate[k]);
+        struct contact_response r =
+            dp_system_response(&p->system, &p->now, k, p->now.delta[k], p->now.rate[k]);
         double rate = fmax(fabs(r.dfdv) / m->link[k].mass, sqrt(fabs(r.dfdd) / m->link[k].mass));
         if (rate > fastest) {
             fastest = rate;

@@ -30,21 +30,21 @@ struct dp_event {
 };
 
 struct dp {
-    const struct model *model;    // borrowed
-    struct results *results;      // borrowed
-    struct impact_log *impacts;   // borrowed
+    const struct model *model;   // borrowed
+    struct results *results;     // borrowed
+    struct impact_log *impacts;  // borrowed
     struct dp_system system;
-    struct state now, next;       // the ends of the step; histories and closed links are in `now`
-    struct dp_rates stage[DP_STAGES];  // the first at `now`, the last at `next`
-    double *stage_u, *stage_v;         // (n_dof) of the stages between
-    double *error_u, *error_v;         // (n_dof) scratch
-    double *largest_u, *largest_v;     // [L] [L/T] (n_building) so far
-    double most_u, most_v;             // of any building
+    struct state now, next;  // the ends of the step; histories and closed links are in `now`
+    struct dp_rates stage[DP_STAGES];      // the first at `now`, the last at `next`
+    double *stage_u, *stage_v;             // (n_dof) of the stages between
+    double *error_u, *error_v;             // (n_dof) scratch
+    double *largest_u, *largest_v;         // [L] [L/T] (n_building) so far
+    double most_u, most_v;                 // of any building
     struct energy_account before, energy;  // up to the start and to the end of the step
 
-    double h;        // [T] the step; 0: none has been made
-    double trial;    // [T] what the error control would take next
-    double error;    // of the last accepted step, 1: the tolerance
+    double h;               // [T] the step; 0: none has been made
+    double trial;           // [T] what the error control would take next
+    double error;           // of the last accepted step, 1: the tolerance
     struct dp_event event;  // at the end of the step
     int last_link;          // of the last event; -1: none
     long events_before;     // events when time was last seen to move

@@ -57,8 +57,8 @@ const struct dp_rates *dp_account_at(struct dp *p, double x) {
     for (int i = 0; i < p->model->n_dof; i++) {
         struct motion m = dp_event_floor(p, i);
         struct polynomial u = hermite_position(&m);
-        p->stage_u[i] = polynomial_value(&u, x);
-        p->stage_v[i] = polynomial_slope(&u, x) / p->h;
+        p->stage_u[i] = hermite_value(&u, x);
+        p->stage_v[i] = hermite_slope(&u, x) / p->h;
     }
     dp_system_rates(&p->system, &p->now, p->now.time + x * p->h, r);
     return r;

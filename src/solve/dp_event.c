@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a step has to end: a contact closes or opens (d passes through zero), the velocity of a
-// closed contact changes its sign, a storey comes to the end of its line, or the drift of a yielding
-// storey turns round.
+// closed contact changes its sign, a storey comes to the end of its line, or the drift of a
+// yielding storey turns round.
 //
 // Between the turning points of a motion it is monotone, so that each piece can pass a value once,
 // and a touch that begins and ends within the step is seen by the turning point inside it. The
 // instant found on the interpolation is only the first guess: the step is taken again to it, and
-// mended by Newton's method on the state that the step itself gives, until the next correction would
-// be below rounding.
+// mended by Newton's method on the state that the step itself gives, until the next correction
+// would be below rounding.
 //
 // What is smaller than rounding is no event: links within some units of the last place of zero, and
 // drifts within that of the end of their line, stay as they are.
@@ -17,8 +17,8 @@
 #include "solve/dp.h"
 
 enum { ITERATIONS_MAX = 60 };
-static const double LOCATED = 1e-7;    // of the step: the next correction is about its square
-static const double ROUNDING = 64.0;   // units in the last place that mean nothing
+static const double LOCATED = 1e-7;   // of the step: the next correction is about its square
+static const double ROUNDING = 64.0;  // units in the last place that mean nothing
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 static void motion_accelerations(const struct dp *p, const struct link *l, struct motion *m) {
@@ -75,7 +75,7 @@ static struct pieces cut(const struct motion *m) {
     s.d[0] = m->d[0];
     s.d[s.n] = m->d[1];
     for (int i = 1; i < s.n; i++) {
-        s.d[i] = polynomial_value(&s.path, s.x[i]);
+        s.d[i] = hermite_value(&s.path, s.x[i]);
     }
     return s;
 }
@@ -88,14 +88,15 @@ static double reach(const struct pieces *s, int i, double target) {
     }
     struct polynomial path = s->path;
     path.c[0] -= target;
-    return polynomial_root(&path, s->x[i], s->x[i + 1]);
+    return hermite_root(&path, s->x[i], s->x[i + 1]);
 }
 
 static double noise(const struct dp *p, int k) {
     const struct link *l = &p->model->link[k];
     double size = fabs(l->gap);
     for (int i = 0; i < 2; i++) {
-        size += l->dof[i] == WALL ? 0.0 : fmax(fabs(p->now.u[l->dof[i]]), fabs(p->next.u[l->dof[i]]));
+        size +=
+            l->dof[i] == WALL ? 0.0 : fmax(fabs(p->now.u[l->dof[i]]), fabs(p->next.u[l->dof[i]]));
         if (l->moving_ground) {
             size += fabs(p->now.ground_u[p->model->building[l->building[i]].ground]);
         }
@@ -195,8 +196,7 @@ static struct dp_event storey_event(const struct dp *p, int i) {
             return (struct dp_event){
                 .kind = DP_UNLOAD, .index = i, .place = s.x[n], .direction = rise};
         }
-        if (is_straight(p, i) &&
-            dp_system_tangent(&p->system, &p->now, i, s.d[n + 1]) != tangent) {
+        if (is_straight(p, i) && dp_system_tangent(&p->system, &p->now, i, s.d[n + 1]) != tangent) {
             double end = branch_end(p, i, s.d[n], s.d[n + 1]);
             return (struct dp_event){.kind = DP_BRANCH,
                                      .index = i,

@@ -40,7 +40,7 @@ static void inner_displacement(struct dp *p, int i) {
     double x[TURNS_MAX];
     int n = hermite_turns(&m, x);
     for (int j = 0; j < n; j++) {
-        note(p, PEAK_DISPLACEMENT, i, polynomial_value(&u, x[j]), p->now.time + x[j] * p->h);
+        note(p, PEAK_DISPLACEMENT, i, hermite_value(&u, x[j]), p->now.time + x[j] * p->h);
     }
 }
 
@@ -50,7 +50,7 @@ static void inner_drift(struct dp *p, int i) {
     double x[TURNS_MAX];
     int n = hermite_turns(&m, x);
     for (int j = 0; j < n; j++) {
-        double d = polynomial_value(&drift, x[j]);
+        double d = hermite_value(&drift, x[j]);
         note_drift(p, i, d, p->now.time + x[j] * p->h);
     }
 }
@@ -62,8 +62,8 @@ static void inner_velocity(struct dp *p, int i) {
     struct polynomial u = hermite_position(&m);
     double a0 = v.c[1];
     struct polynomial slope = {{a0, 2.0 * v.c[2], 3.0 * v.c[3]}};
-    double x = polynomial_root(&slope, 0.0, 1.0);
-    note(p, PEAK_VELOCITY, i, polynomial_slope(&u, x) / p->h, p->now.time + x * p->h);
+    double x = hermite_root(&slope, 0.0, 1.0);
+    note(p, PEAK_VELOCITY, i, hermite_slope(&u, x) / p->h, p->now.time + x * p->h);
 }
 
 static double total(const struct dp_rates *r, const struct building *g, int i) {
@@ -77,14 +77,15 @@ static double acceleration_place(const struct dp *p, const struct building *g, i
     double square = p->h * p->h;
     double ground0 = p->now.ground_a[g->ground];
     double ground1 = p->next.ground_a[g->ground];
-    struct polynomial a = {{2.0 * u.c[2] / square + ground0, 6.0 * u.c[3] / square + ground1 - ground0,
-                            12.0 * u.c[4] / square, 20.0 * u.c[5] / square, 0.0, 0.0}};
+    struct polynomial a = {{2.0 * u.c[2] / square + ground0,
+                            6.0 * u.c[3] / square + ground1 - ground0, 12.0 * u.c[4] / square,
+                            20.0 * u.c[5] / square, 0.0, 0.0}};
     double best = fmax(fabs(total(&p->stage[0], g, i)), fabs(total(&p->stage[6], g, i)));
     double place = -1.0;
     double x[2];
-    int n = polynomial_extrema(&a, x);
+    int n = hermite_extrema(&a, x);
     for (int j = 0; j < n; j++) {
-        double size = fabs(polynomial_value(&a, x[j]));
+        double size = fabs(hermite_value(&a, x[j]));
         if (size > best) {
             best = size;
             place = x[j];
@@ -130,8 +131,7 @@ static void building_step(struct dp *p, const struct building *g) {
         if (v0 * v1 < 0.0 && may_exceed(peak[PEAK_DISPLACEMENT][i], now->u[i], v0, h)) {
             inner_displacement(p, i);
         }
-        if (now->a[i] * next->a[i] < 0.0 &&
-            may_exceed(peak[PEAK_VELOCITY][i], v0, now->a[i], h)) {
+        if (now->a[i] * next->a[i] < 0.0 && may_exceed(peak[PEAK_VELOCITY][i], v0, now->a[i], h)) {
             inner_velocity(p, i);
         }
         if ((v0 - below0) * (v1 - below1) < 0.0 &&
@@ -209,7 +209,7 @@ static double link_penetration(struct dp *p, int k, const struct motion *m) {
         double x[TURNS_MAX];
         int n = hermite_turns(m, x);
         for (int j = 0; j < n; j++) {
-            double d = polynomial_value(&path, x[j]);
+            double d = hermite_value(&path, x[j]);
             largest = fmax(largest, both ? fabs(d) : d);
             note_penetration(l, both ? fabs(d) : d, p->now.time + x[j] * p->h);
         }
@@ -232,8 +232,8 @@ static double force_at(const struct dp *p, int k, const struct polynomial *path,
                        double *rate) {
     const double *c = path->c;
     double h = p->h;
-    double d = polynomial_value(path, x);
-    double v = polynomial_slope(path, x) / h;
+    double d = hermite_value(path, x);
+    double v = hermite_slope(path, x) / h;
     double a = (2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * 20.0 * c[5]))) / (h * h);
     struct contact_response r = dp_system_response(&p->system, &p->now, k, d, v);
     *rate = r.dfdd * v + r.dfdv * a;

@@ -197,14 +197,12 @@ static void floor_rates(const struct dp_system *s, double ground, struct dp_rate
     int n = s->model->n_dof;
     for (int i = 0; i < n; i += LANES, row += DP_ROWS * LANES) {
         struct lanes own = lanes_load(v + i);
-        struct lanes damping = {
-            lanes_load(row + DP_C_BELOW * LANES).x * lanes_load(v + i - 1).x +
-            lanes_load(row + DP_C_OWN * LANES).x * own.x +
-            lanes_load(row + DP_C_ABOVE * LANES).x * lanes_load(v + i + 1).x};
-        struct lanes spring = {
-            lanes_load(row + DP_K_BELOW * LANES).x * lanes_load(u + i - 1).x +
-            lanes_load(row + DP_K_OWN * LANES).x * lanes_load(u + i).x +
-            lanes_load(row + DP_K_ABOVE * LANES).x * lanes_load(u + i + 1).x};
+        struct lanes damping = {lanes_load(row + DP_C_BELOW * LANES).x * lanes_load(v + i - 1).x +
+                                lanes_load(row + DP_C_OWN * LANES).x * own.x +
+                                lanes_load(row + DP_C_ABOVE * LANES).x * lanes_load(v + i + 1).x};
+        struct lanes spring = {lanes_load(row + DP_K_BELOW * LANES).x * lanes_load(u + i - 1).x +
+                               lanes_load(row + DP_K_OWN * LANES).x * lanes_load(u + i).x +
+                               lanes_load(row + DP_K_ABOVE * LANES).x * lanes_load(u + i + 1).x};
         struct lanes carried = {lanes_load(row + DP_MASS * LANES).x * own.x};
         momentum.x += carried.x;
         power.x += carried.x * damping.x;

@@ -32,22 +32,22 @@ enum dp_row {
 struct dp_system {
     const struct model *model;  // borrowed
     struct forcing forcing;
-    double *mobility;         // [1/M] (n_dof) 1 / m
-    double *stiffness;        // [F/L] (n_dof) initial, of the storeys
-    double *base, *tangent;   // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
+    double *mobility;        // [1/M] (n_dof) 1 / m
+    double *stiffness;       // [F/L] (n_dof) initial, of the storeys
+    double *base, *tangent;  // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
 
     // Coefficients of the accelerations on this branch, (n_dof / LANES, DP_ROWS, LANES).
     double *row;
-    double *damping;          // [F] (n_dof) scratch
-    bool any_full;            // a building has a full damping matrix
-    int n_active;             // links that act in the step
-    int *active;              // (n_link) their indices
-    enum phase *phase;        // (n_link)
-    int n_inelastic;          // storeys with a history
-    int *inelastic;           // (n_dof) their indices
-    int *below;               // (n_dof) index of the floor below; -1: the ground
-    int *building;            // (n_dof) index of the floor's building
-    bool *calls;              // (n_dof) the storey's law is called, as it is not made of lines
+    double *damping;    // [F] (n_dof) scratch
+    bool any_full;      // a building has a full damping matrix
+    int n_active;       // links that act in the step
+    int *active;        // (n_link) their indices
+    enum phase *phase;  // (n_link)
+    int n_inelastic;    // storeys with a history
+    int *inelastic;     // (n_dof) their indices
+    int *below;         // (n_dof) index of the floor below; -1: the ground
+    int *building;      // (n_dof) index of the floor's building
+    bool *calls;        // (n_dof) the storey's law is called, as it is not made of lines
 };
 
 // The system at one instant.
@@ -89,7 +89,8 @@ double dp_system_storey_noise(const struct dp_system *s, const struct state *now
 double dp_system_shear(const struct dp_system *s, const struct state *now, int i, double drift);
 
 // Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`.
-void dp_system_rates(const struct dp_system *s, const struct state *now, double t, struct dp_rates *r);
+void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
+                     struct dp_rates *r);
 
 // The response of link k at (d, v) on its branch; d and v may lie beyond it.
 struct contact_response dp_system_response(const struct dp_system *s, const struct state *now,

@@ -10,31 +10,31 @@
 enum { ITERATIONS_MAX = 100 };
 static const double PRECISION = 1e-15;  // of x
 
-double polynomial_value(const struct polynomial *p, double x) {
+double hermite_value(const struct polynomial *p, double x) {
     const double *c = p->c;
     return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
 }
 
-double polynomial_slope(const struct polynomial *p, double x) {
+double hermite_slope(const struct polynomial *p, double x) {
     const double *c = p->c;
     return c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
 }
 
-double polynomial_root(const struct polynomial *p, double low, double high) {
-    double start = polynomial_value(p, low);
-    double end = polynomial_value(p, high);
+double hermite_root(const struct polynomial *p, double low, double high) {
+    double start = hermite_value(p, low);
+    double end = hermite_value(p, high);
     if (start == 0.0 || start == end) {
         return low;
     }
     double sign = end > start ? 1.0 : -1.0;
     double x = low + (high - low) * fmin(fmax(start / (start - end), 0.0), 1.0);
     for (int i = 0; i < ITERATIONS_MAX && high - low > PRECISION; i++) {
-        double y = polynomial_value(p, x);
+        double y = hermite_value(p, x);
         if (y == 0.0) {
             return x;
         }
         *(sign * y > 0.0 ? &high : &low) = x;
-        double next = x - y / polynomial_slope(p, x);
+        double next = x - y / hermite_slope(p, x);
         if (!(next > low && next < high)) {
             next = 0.5 * (low + high);
         }
@@ -65,7 +65,7 @@ struct polynomial hermite_velocity(const struct motion *m) {
         {m->v[0], c1, 3.0 * rise - 2.0 * c1 - end, c1 + end - 2.0 * rise, 0.0, 0.0}};
 }
 
-int polynomial_extrema(const struct polynomial *p, double *at) {
+int hermite_extrema(const struct polynomial *p, double *at) {
     double a = 3.0 * p->c[3];
     double b = p->c[2];  // a x^2 + 2 b x + c
     double c = p->c[1];
@@ -96,13 +96,13 @@ int hermite_turns(const struct motion *m, double *at) {
     }
     struct polynomial v = hermite_velocity(m);
     double end[TURNS_MAX + 1];
-    int n_end = polynomial_extrema(&v, end);
+    int n_end = hermite_extrema(&v, end);
     end[n_end++] = 1.0;
     int n = 0;
     double low = 0.0;
     for (int i = 0; i < n_end; i++) {
-        if (polynomial_value(&v, low) * polynomial_value(&v, end[i]) < 0.0) {
-            double x = polynomial_root(&v, low, end[i]);
+        if (hermite_value(&v, low) * hermite_value(&v, end[i]) < 0.0) {
+            double x = hermite_root(&v, low, end[i]);
             if (x > 0.0 && x < 1.0) {
                 at[n++] = x;
             }

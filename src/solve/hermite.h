@@ -15,14 +15,14 @@ struct polynomial {
     double c[POLYNOMIAL_SIZE];
 };
 
-double polynomial_value(const struct polynomial *p, double x);
-double polynomial_slope(const struct polynomial *p, double x);
+double hermite_value(const struct polynomial *p, double x);
+double hermite_slope(const struct polynomial *p, double x);
 
 // The zero between low and high, where the values differ in sign (or are zero).
-double polynomial_root(const struct polynomial *p, double low, double high);
+double hermite_root(const struct polynomial *p, double low, double high);
 
 // The zeros in (0, 1) of the slope of a cubic, ascending; returns how many, at most 2.
-int polynomial_extrema(const struct polynomial *p, double *at);
+int hermite_extrema(const struct polynomial *p, double *at);
 
 // The position, a polynomial of degree 5, right to order 6.
 struct polynomial hermite_position(const struct motion *m);

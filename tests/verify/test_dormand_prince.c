@@ -17,14 +17,13 @@ static const double OMEGA = 4.0 * M_PI;
 
 static void a_free_vibration_follows_the_cosine_and_its_peaks_are_exact(void **state) {
     (void)state;
-    struct analysis a =
-        analysis_of(OSCILLATOR "initial A:1 -displacement 0.1 -velocity 0.5\n"
-                               "step adaptive -tolerance 1e-10\nduration 3\n");
+    struct analysis a = analysis_of(OSCILLATOR "initial A:1 -displacement 0.1 -velocity 0.5\n"
+                                               "step adaptive -tolerance 1e-10\nduration 3\n");
     double amplitude = hypot(0.1, 0.5 / OMEGA);
     for (long i = 0; i < a.rows.n; i++) {
         double t = a.rows.time[i];
-        assert_near(a.rows.displacement[i],
-                    0.1 * cos(OMEGA * t) + 0.5 / OMEGA * sin(OMEGA * t), 1e-8 * amplitude);
+        assert_near(a.rows.displacement[i], 0.1 * cos(OMEGA * t) + 0.5 / OMEGA * sin(OMEGA * t),
+                    1e-8 * amplitude);
     }
     assert_close(a.results->peak[PEAK_DISPLACEMENT][0], amplitude, 1e-8);
     assert_close(a.results->peak[PEAK_VELOCITY][0], OMEGA * amplitude, 1e-8);
@@ -97,8 +96,9 @@ static void a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not(vo
     for (int i = 0; i < 2; i++) {
         double gap = i == 0 ? 0.1 - 1e-7 : 0.1 + 1e-7;
         struct analysis a = analysis_of(
-            OSCILLATOR "initial A:1 -displacement -0.1\ncontact A wall -gap %.10g -law linear -k 1\n"
-                       "step adaptive -tolerance 1e-10\nduration 2\n",
+            OSCILLATOR
+            "initial A:1 -displacement -0.1\ncontact A wall -gap %.10g -law linear -k 1\n"
+            "step adaptive -tolerance 1e-10\nduration 2\n",
             gap);
         assert_int_equal(a.results->n_impact, i == 0 ? 4 : 0);
         assert_near(a.results->link[0].penetration, 0.1 - gap, 1e-9);
@@ -112,10 +112,9 @@ static void a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not(vo
 
 static void yielding_and_unloading_are_located(void **state) {
     (void)state;
-    struct analysis a =
-        analysis_of(OSCILLATOR "storey A:1 bilinear -yield 5000 -hardening 0.1\n"
-                               "ground sine -amplitude 0.8g -frequency 1.5Hz\n"
-                               "step adaptive -tolerance 1e-10\nduration 4\n");
+    struct analysis a = analysis_of(OSCILLATOR "storey A:1 bilinear -yield 5000 -hardening 0.1\n"
+                                               "ground sine -amplitude 0.8g -frequency 1.5Hz\n"
+                                               "step adaptive -tolerance 1e-10\nduration 4\n");
     const struct results *r = a.results;
     assert_true(r->totals.events >= 10);
     assert_true(r->energy[ENERGY_HYSTERETIC] > 0.1 * r->energy[ENERGY_INPUT]);

@@ -81,7 +81,8 @@ static struct analysis run_adaptive(const char *name) {
     const char *deck_text = support_read(path, &size);
     const char *step = strstr(deck_text, "\nstep fixed");
     assert_non_null(step);
-    snprintf(text, sizeof text, "%.*s\nstep adaptive -tolerance 1e-9\n", (int)(step - deck_text), deck_text);
+    snprintf(text, sizeof text, "%.*s\nstep adaptive -tolerance 1e-9\n", (int)(step - deck_text),
+             deck_text);
     struct analysis a = {0};
     struct deck *deck;
     struct error e = {0};

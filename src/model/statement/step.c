@@ -33,8 +33,7 @@ static const struct row adaptive_rows[N_ROW] = {
 
 enum { N_VARIANT = 2 };
 static const struct statement_variant variants[N_VARIANT] = {
-    {"fixed", "steps of DT; the last one is shorter where the duration is not a multiple", NULL,
-     0},
+    {"fixed", "steps of DT; the last one is shorter where the duration is not a multiple", NULL, 0},
     {"adaptive", "steps as long as the tolerance allows, which end at impacts", adaptive_rows,
      N_ROW},
 };
