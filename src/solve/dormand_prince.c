@@ -73,13 +73,14 @@ struct dp *dormand_prince_create(const struct model *m, struct results *r, struc
 
 // The first and the last stage stand at the ends of the step.
 static void bind(struct dp *p) {
-    struct state *end[2] = {&p->now, &p->next};
+    const struct state *end[2] = {&p->now, &p->next};
+    struct dp_rates *rates[2] = {&p->stage[0], &p->stage[DP_STAGES - 1]};
     for (int i = 0; i < 2; i++) {
-        struct dp_rates *r = &p->stage[i * (DP_STAGES - 1)];
-        r->u = end[i]->u;
-        r->v = end[i]->v;
-        r->a = end[i]->a;
-        r->ground = (struct forcing_values){end[i]->ground_a, end[i]->ground_v, end[i]->ground_u};
+        rates[i]->u = end[i]->u;
+        rates[i]->v = end[i]->v;
+        rates[i]->a = end[i]->a;
+        rates[i]->ground =
+            (struct forcing_values){end[i]->ground_a, end[i]->ground_v, end[i]->ground_u};
     }
 }
 

@@ -60,8 +60,8 @@ static inline struct block sum_stages(const struct dp *p, const struct sums *s, 
     struct lanes u0 = v0, u1 = v0, u2 = v0, u3 = v0;
     for (int j = 0; j < s->n; j++) {
         const double *a = p->stage[j].a + i;
-        struct lanes a0 = lanes_load(a), a1 = lanes_load(a + LANES);
-        struct lanes a2 = lanes_load(a + 2 * LANES), a3 = lanes_load(a + 3 * LANES);
+        struct lanes a0 = lanes_at(a, 0), a1 = lanes_at(a, 1);
+        struct lanes a2 = lanes_at(a, 2), a3 = lanes_at(a, 3);
         struct lanes to_v = lanes_of(s->v[j]);
         struct lanes to_u = lanes_of(s->u[j]);
         v0.x += to_v.x * a0.x;
@@ -86,14 +86,13 @@ static void combine(const struct dp *p, int stage, double h, double *restrict u,
     int n = p->model->n_dof;
     for (int i = 0; i < n; i += BLOCK * LANES) {
         struct block sum = sum_stages(p, &stage_sums[stage], i);
-        for (int l = 0; l < BLOCK; l++) {
-            int j = i + l * LANES;
-            struct lanes v0 = lanes_load(v_start + j);
-            struct lanes u0 = lanes_load(u_start + j);
+        for (size_t l = 0; l < BLOCK; l++) {
+            struct lanes v0 = lanes_at(v_start + i, l);
+            struct lanes u0 = lanes_at(u_start + i, l);
             struct lanes v1 = {v0.x + h1.x * sum.v[l].x};
             struct lanes u1 = {u0.x + (drift.x * v0.x + h2.x * sum.u[l].x)};
-            lanes_store(v + j, v1);
-            lanes_store(u + j, u1);
+            lanes_put(v + i, l, v1);
+            lanes_put(u + i, l, u1);
         }
     }
 }
@@ -162,9 +161,9 @@ double dp_stages_error(struct dp *p) {
     double largest = 0.0;
     for (int i = 0; i < p->model->n_dof; i += BLOCK * LANES) {
         struct block error = sum_stages(p, &error_sums, i);
-        for (int l = 0; l < BLOCK; l++) {
-            lanes_store(p->error_u + i + l * LANES, error.u[l]);
-            lanes_store(p->error_v + i + l * LANES, error.v[l]);
+        for (size_t l = 0; l < BLOCK; l++) {
+            lanes_put(p->error_u + i, l, error.u[l]);
+            lanes_put(p->error_v + i, l, error.v[l]);
         }
     }
     for (int k = 0; k < p->model->n_building; k++) {

@@ -80,7 +80,8 @@ double dp_system_storey_noise(const struct dp_system *s, const struct state *now
 }
 
 static double *row_of(const struct dp_system *s, int i, enum dp_row row) {
-    return s->row + (i / LANES * DP_ROWS + (int)row) * LANES + i % LANES;
+    size_t lane = (size_t)i / LANES * DP_ROWS + row;
+    return s->row + lane * LANES + (size_t)i % LANES;
 }
 
 // The rows of the matrices that have to do with storey i: those of the floors above and below it.
@@ -184,6 +185,9 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
     return s->calls[i] ? storey_at(s, now, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
+// From the rows of one lane of floors to those of the next.
+enum { ROW_STRIDE = DP_ROWS * LANES };
+
 // Accelerations of all floors without links, loads and what is special, under the ground
 // acceleration `ground`.
 static void floor_rates(const struct dp_system *s, double ground, struct dp_rates *r) {
@@ -195,18 +199,18 @@ static void floor_rates(const struct dp_system *s, double ground, struct dp_rate
     struct lanes power = lanes_of(0.0);
     struct lanes momentum = lanes_of(0.0);
     int n = s->model->n_dof;
-    for (int i = 0; i < n; i += LANES, row += DP_ROWS * LANES) {
+    for (int i = 0; i < n; i += LANES, row += ROW_STRIDE) {
         struct lanes own = lanes_load(v + i);
-        struct lanes damping = {lanes_load(row + DP_C_BELOW * LANES).x * lanes_load(v + i - 1).x +
-                                lanes_load(row + DP_C_OWN * LANES).x * own.x +
-                                lanes_load(row + DP_C_ABOVE * LANES).x * lanes_load(v + i + 1).x};
-        struct lanes spring = {lanes_load(row + DP_K_BELOW * LANES).x * lanes_load(u + i - 1).x +
-                               lanes_load(row + DP_K_OWN * LANES).x * lanes_load(u + i).x +
-                               lanes_load(row + DP_K_ABOVE * LANES).x * lanes_load(u + i + 1).x};
-        struct lanes carried = {lanes_load(row + DP_MASS * LANES).x * own.x};
+        struct lanes damping = {lanes_at(row, DP_C_BELOW).x * lanes_load(v + i - 1).x +
+                                lanes_at(row, DP_C_OWN).x * own.x +
+                                lanes_at(row, DP_C_ABOVE).x * lanes_load(v + i + 1).x};
+        struct lanes spring = {lanes_at(row, DP_K_BELOW).x * lanes_load(u + i - 1).x +
+                               lanes_at(row, DP_K_OWN).x * lanes_load(u + i).x +
+                               lanes_at(row, DP_K_ABOVE).x * lanes_load(u + i + 1).x};
+        struct lanes carried = {lanes_at(row, DP_MASS).x * own.x};
         momentum.x += carried.x;
         power.x += carried.x * damping.x;
-        struct lanes sum = {lanes_load(row + DP_CONSTANT * LANES).x - under.x -
+        struct lanes sum = {lanes_at(row, DP_CONSTANT).x - under.x -
                             (spring.x + damping.x)};
         lanes_store(a + i, sum);
     }

@@ -11,7 +11,7 @@ struct lanes {
     double x __attribute__((vector_size(LANES * sizeof(double))));
 };
 
-// From and to an array, aligned or not.
+// From and to an array, aligned or not: at its start, or lane number n of it.
 static inline struct lanes lanes_load(const double *a) {
     struct lanes l;
     memcpy(&l, a, sizeof l);
@@ -20,6 +20,14 @@ static inline struct lanes lanes_load(const double *a) {
 
 static inline void lanes_store(double *a, struct lanes l) {
     memcpy(a, &l, sizeof l);
+}
+
+static inline struct lanes lanes_at(const double *a, size_t n) {
+    return lanes_load(a + n * LANES);
+}
+
+static inline void lanes_put(double *a, size_t n, struct lanes l) {
+    lanes_store(a + n * LANES, l);
 }
 
 static inline struct lanes lanes_of(double x) {
