@@ -17,7 +17,7 @@ static const double SHRINK_MOST = 0.2, GROW_MOST = 5.0;
 static const double FIRST_ERROR = 1e-4;  // taken as that of the step before the first
 
 // The last of the equal parts may be this much longer than the error control asks for.
-static const double STRETCH = 0.05;
+static const double STRETCH = 0.1;
 
 // Step after an event over the one before it. Forces begin with an infinite slope where a contact
 // closes (d^(1/4)), and with a kink where its velocity turns.

@@ -90,8 +90,7 @@ void dp_peaks_link(struct dp *p, int k, struct impact_share *share);
 void dp_account_step(struct dp *p);
 void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy);
 
-// The state at place x of the step: u and v, and with them the rates in the second stage, which is
-// free between steps.
-const struct dp_rates *dp_account_at(struct dp *p, double x);
+// The total acceleration of floor i at place x of the step.
+double dp_account_acceleration(struct dp *p, double x, int i);
 
 #endif

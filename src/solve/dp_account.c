@@ -52,14 +52,39 @@ void dp_account_step(struct dp *p) {
     add_work(&p->energy, work, contact);
 }
 
-const struct dp_rates *dp_account_at(struct dp *p, double x) {
-    struct dp_rates *r = &p->stage[1];
-    for (int i = 0; i < p->model->n_dof; i++) {
+// The motion of n floors from `first` on at place x, into the stages' vectors.
+static void interpolate(struct dp *p, double x, int first, int n) {
+    for (int i = first; i < first + n; i++) {
         struct motion m = dp_event_floor(p, i);
         struct polynomial u = hermite_position(&m);
         p->stage_u[i] = hermite_value(&u, x);
         p->stage_v[i] = hermite_slope(&u, x) / p->h;
     }
+}
+
+double dp_account_acceleration(struct dp *p, double x, int i) {
+    const struct model *m = p->model;
+    const struct building *g = &m->building[p->system.building[i]];
+    bool roof = i + 1 == g->first + g->n_floor;
+    if (g->damping_full) {
+        interpolate(p, x, g->first, g->n_floor);
+    } else {
+        interpolate(p, x, i > g->first ? i - 1 : i, 1 + (i > g->first) + !roof);
+    }
+    for (int n = 0; n < p->system.n_active; n++) {
+        const int *dof = m->link[p->system.active[n]].dof;
+        if ((dof[0] == i || dof[1] == i) && dof[0] != WALL && dof[1] != WALL) {
+            interpolate(p, x, dof[0] == i ? dof[1] : dof[0], 1);
+        }
+    }
+    return dp_system_acceleration(&p->system, &p->now, p->now.time + x * p->h, &p->stage[1], i);
+}
+
+// The state at place x of the step: u and v, and with them the rates in the second stage, which is
+// free between steps.
+static const struct dp_rates *rates_at(struct dp *p, double x) {
+    struct dp_rates *r = &p->stage[1];
+    interpolate(p, x, 0, p->model->n_dof);
     dp_system_rates(&p->system, &p->now, p->now.time + x * p->h, r);
     return r;
 }
@@ -104,7 +129,7 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
         double impulse;
         contact += link_work(p, weight, i, &impulse);
     }
-    const struct dp_rates *rates = x < 1.0 ? dp_account_at(p, x) : &p->stage[DP_STAGES - 1];
+    const struct dp_rates *rates = x < 1.0 ? rates_at(p, x) : &p->stage[DP_STAGES - 1];
     row->time = t;
     memcpy(row->u, rates->u, size);
     memcpy(row->v, rates->v, size);

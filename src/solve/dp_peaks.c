@@ -70,7 +70,8 @@ static double total(const struct dp_rates *r, const struct building *g, int i) {
     return r->a[i] + r->ground.a[g->ground];
 }
 
-// Where the interpolated total acceleration has its largest value inside; < 0: at an end.
+// Where the interpolated total acceleration has its largest value inside; < 0: at an end, or far
+// below the peak so far.
 static double acceleration_place(const struct dp *p, const struct building *g, int i) {
     struct motion m = dp_event_floor(p, i);
     struct polynomial u = hermite_position(&m);
@@ -81,6 +82,7 @@ static double acceleration_place(const struct dp *p, const struct building *g, i
                             6.0 * u.c[3] / square + ground1 - ground0, 12.0 * u.c[4] / square,
                             20.0 * u.c[5] / square, 0.0, 0.0}};
     double best = fmax(fabs(total(&p->stage[0], g, i)), fabs(total(&p->stage[6], g, i)));
+    best = fmax(best, p->results->peak[PEAK_ACCELERATION][i] / BEYOND);
     double place = -1.0;
     double x[2];
     int n = hermite_extrema(&a, x);
@@ -100,9 +102,9 @@ static void inner_acceleration(struct dp *p, const struct building *g, int i) {
         return;
     }
     double beside = fmin(BESIDE, fmin(x, 1.0 - x));
-    double low = total(dp_account_at(p, x - beside), g, i);
-    double high = total(dp_account_at(p, x + beside), g, i);
-    double middle = total(dp_account_at(p, x), g, i);
+    double low = dp_account_acceleration(p, x - beside, i);
+    double high = dp_account_acceleration(p, x + beside, i);
+    double middle = dp_account_acceleration(p, x, i);
     double bend = low - 2.0 * middle + high;
     double slope = (high - low) / 2.0;
     double shift = fabs(bend) > fabs(slope) ? -slope / bend : 0.0;

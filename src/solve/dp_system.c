@@ -210,8 +210,7 @@ static void floor_rates(const struct dp_system *s, double ground, struct dp_rate
         struct lanes carried = {lanes_at(row, DP_MASS).x * own.x};
         momentum.x += carried.x;
         power.x += carried.x * damping.x;
-        struct lanes sum = {lanes_at(row, DP_CONSTANT).x - under.x -
-                            (spring.x + damping.x)};
+        struct lanes sum = {lanes_at(row, DP_CONSTANT).x - under.x - (spring.x + damping.x)};
         lanes_store(a + i, sum);
     }
     r->damping = lanes_sum(power);
@@ -308,6 +307,51 @@ void dp_system_rates(const struct dp_system *s, const struct state *now, double 
     storey_rates(s, now, r);
     load_rates(s, t, r);
     link_rates(s, now, r);
+}
+
+// Acceleration of floor i by its storeys and dampers.
+static double own_acceleration(const struct dp_system *s, const struct state *now,
+                               const struct dp_rates *r, int i) {
+    const struct building *g = &s->model->building[s->building[i]];
+    const double *u = r->u + i;
+    const double *v = r->v + i;
+    double a = *row_of(s, i, DP_CONSTANT);
+    a -= *row_of(s, i, DP_K_BELOW) * u[-1] + *row_of(s, i, DP_K_OWN) * u[0] +
+         *row_of(s, i, DP_K_ABOVE) * u[1];
+    a -= *row_of(s, i, DP_C_BELOW) * v[-1] + *row_of(s, i, DP_C_OWN) * v[0] +
+         *row_of(s, i, DP_C_ABOVE) * v[1];
+    if (g->damping_full) {
+        building_damping_force(g, r->v + g->first, s->damping + g->first);
+        a -= s->damping[i] * s->mobility[i];
+    }
+    if (s->calls[i]) {
+        double below = s->below[i] < 0 ? 0.0 : u[-1];
+        a -= dp_system_shear(s, now, i, u[0] - below) * s->mobility[i];
+    }
+    if (i + 1 < g->first + g->n_floor && s->calls[i + 1]) {
+        a += dp_system_shear(s, now, i + 1, u[1] - u[0]) * s->mobility[i];
+    }
+    return a;
+}
+
+double dp_system_acceleration(const struct dp_system *s, const struct state *now, double t,
+                              struct dp_rates *r, int i) {
+    const struct model *m = s->model;
+    double a = own_acceleration(s, now, r, i);
+    forcing_ground(&s->forcing, t, &r->ground);
+    for (int k = 0; k < m->n_load; k++) {
+        a += m->load[k].dof == i ? forcing_load(&s->forcing, k, t) * s->mobility[i] : 0.0;
+    }
+    for (int n = 0; n < s->n_active; n++) {
+        const struct link *l = &m->link[s->active[n]];
+        if (l->dof[0] == i || l->dof[1] == i) {
+            double d = state_gap(l, m, r->u, r->ground.u) - l->gap;
+            double rate = state_gap(l, m, r->v, r->ground.v);
+            double force = dp_system_response(s, now, s->active[n], d, rate).force;
+            a += (l->dof[0] == i ? -force : force) * s->mobility[i];
+        }
+    }
+    return a;
 }
 
 void dp_system_commit(const struct dp_system *s, struct state *now) {

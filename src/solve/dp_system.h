@@ -92,6 +92,11 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
 void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
                      struct dp_rates *r);
 
+// The total acceleration of floor i alone, from the motion of its building and of the floors that
+// its links join it to.
+double dp_system_acceleration(const struct dp_system *s, const struct state *now, double t,
+                              struct dp_rates *r, int i);
+
 // The response of link k at (d, v) on its branch; d and v may lie beyond it.
 struct contact_response dp_system_response(const struct dp_system *s, const struct state *now,
                                            int k, double d, double v);
