@@ -5,7 +5,7 @@
 # --- settings: each can be given on the command line, `make CC=clang BUILD=build/clang` ----------
 VERSION = 0.1.0
 BUILD   = build#      everything that is made goes below this folder
-CFLAGS  = -O2 -g
+CFLAGS  = -O3 -g
 WERROR  = #           1: warnings are errors
 V       = #           1: show whole commands
 SANITIZE = #          for example address,undefined
@@ -49,10 +49,14 @@ ALLOC_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/*/test_alloc*.c))
 LONG     := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/*/long_*.c)))
 LONG_SCRIPTS := $(sort $(wildcard tests/cli/long_*.sh))
 FUZZERS  := $(patsubst %.c,$(B)/%,$(sort $(wildcard tests/fuzz/fuzz_*.c)))
+BENCH_OBJECTS := $(patsubst %.c,$(B)/object/%.o,$(wildcard tests/bench/*.c))
 FORMATTED = $(shell find include src tests -name '*.[ch]')
 TIDIED    = $(shell find src tests -name '*.c')
 HEADERS  := $(wildcard include/jostle/*.h)
 SAYS_VERSION := $(patsubst %.c,$(B)/object/%.o,$(shell grep -rl --include='*.c' JOSTLE_VERSION src))
+
+BUILT = $(if $(shell $(CC) -dM -E -x c /dev/null | grep __clang__),clang,gcc) \
+        $(shell $(CC) -dumpversion | cut -d . -f 1) $(shell uname -m) $(strip $(CFLAGS))
 
 Q     = $(if $(filter 1,$(V)),,@)
 SAY   = $(if $(filter 1,$(V)),@:,@printf '  %-7s %s\n')
@@ -80,6 +84,7 @@ $(B)/object/%.o: %.c $(B)/flags
 	$(Q)$(COMPILE) $(DEFINE) -MMD -MP -c -o $@ $<
 
 $(B)/object/tests/%.o: DEFINE = -Itests
+$(B)/object/tests/bench/%.o: DEFINE = -Itests -DBENCH_FLAGS='"$(strip $(CFLAGS))"'
 $(SAYS_VERSION): DEFINE = -DJOSTLE_VERSION='"$(VERSION)"'
 $(SAYS_VERSION): $(B)/version
 
@@ -150,6 +155,27 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.
 	@mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) $(CMOCKA)
 
+# --- speed ---------------------------------------------------------------------------------------
+.PHONY: bench bench-docs bench-count
+bench: setup  ## times per step of some models; BENCH=-t: columns separated by tabs
+	@$(MAKE) $(PROGRAM) $(B)/bench
+	@$(B)/bench $(BENCH) $(PROGRAM) $(B)
+
+bench-docs: setup  ## bench, and its table into docs/performance.md
+	@$(MAKE) $(PROGRAM) $(B)/bench
+	@$(B)/bench $(PROGRAM) $(B) >$(B)/bench.txt
+	@sh tests/support/with_block.sh bench $(B)/bench.txt <docs/performance.md >$(B)/performance.md
+	@cp $(B)/performance.md docs
+
+bench-count: setup  ## instructions per step against those on record; ACCEPT=1 records them
+	$(SETUP) count
+	@$(MAKE) $(B)/bench
+	@ACCEPT='$(filter 1,$(ACCEPT))' BUILT='$(BUILT)' bash tests/bench/count.sh $(B)/bench
+
+$(B)/bench: $(BENCH_OBJECTS) $(LIBRARY)
+	$(SAY) LINK $@
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS)
+
 # --- the state of the source ---------------------------------------------------------------------
 .PHONY: lint tidy format check-format
 lint: setup-lint  ## layers, names, lengths and clang-tidy
@@ -161,7 +187,7 @@ lint: setup-lint  ## layers, names, lengths and clang-tidy
 
 tidy: setup-lint
 	@printf '%s\n' $(TIDIED) | xargs -n 1 -P $(CORES) sh tests/support/tidy.sh $(LANGUAGE) \
-	    -Itests -DJOSTLE_VERSION='"$(VERSION)"' --
+	    -Itests -DJOSTLE_VERSION='"$(VERSION)"' -DBENCH_FLAGS='""' --
 
 format: setup-lint  ## lay out every C file by .clang-format
 	@clang-format -i $(FORMATTED)
@@ -173,12 +199,16 @@ check-format: setup-lint  ## fail if `make format` would change a file
 .PHONY: docs
 docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and draw the pictures
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
-	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md docs
+	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg
+	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/restitution.md \
+	    $(B)/docs/law-command.md $(B)/docs/spectrum.md docs
 	@cp $(B)/docs/README.md README.md
 	@$(PROGRAM) run input/two_towers.deck -o $(B)/docs/two_towers.h5 -q --force
 	@mkdir -p docs/pictures
 	@$(PROGRAM) plot $(B)/docs/two_towers.h5 -o docs/pictures/two_towers.png --force
 	@$(PROGRAM) plot $(B)/docs/multistorey.h5 profiles -o docs/pictures/multistorey.png --force
+	@$(PROGRAM) spectrum input/records/*.AT2 -o docs/pictures/spectrum.png --force >/dev/null
+	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures
 
 # --- installing ----------------------------------------------------------------------------------
 .PHONY: install uninstall clean setup setup-lint help

@@ -22,22 +22,7 @@ static void print_help(FILE *to) {
                 "3 the system failed.\n");
 }
 
-// Commands of the contract that this version does not have.
-static bool is_planned(const char *word) {
-    static const char *const planned[] = {"law", "spectrum"};
-    for (size_t i = 0; i < sizeof planned / sizeof planned[0]; i++) {
-        if (strcmp(word, planned[i]) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static int unknown(const char *word) {
-    if (is_planned(word)) {
-        fprintf(stderr, "jostle: error: command '%s' is not available in this version\n", word);
-        return EXIT_INPUT;
-    }
     enum { KNOWN_MAX = 64 };
     const char *known[KNOWN_MAX];
     int n = 0;

@@ -90,6 +90,7 @@ struct totals {
     long scalar;      // by further sweeps of exact scalar answers
     long block;       // that took Newton steps on the cluster
     long unsolved;    // accepted at the smallest step without meeting the tolerance
+    double speed;     // [L/T] largest velocity of any floor
     double seconds;   // wall time
 };
 
@@ -97,6 +98,7 @@ struct results {
     struct arena *arena;            // owns the arrays
     double *peak[PEAK_COUNT];       // (n_dof)
     double *peak_time[PEAK_COUNT];  // (n_dof) [T]
+    double *deepest;                // (n_contact) [L] largest delta so far
     struct link_peak *link;         // (n_link) contacts first
     struct impact *impact;          // (n_impact) in order of t_start; malloc'd
     long n_impact, impact_capacity;

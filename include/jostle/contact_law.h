@@ -4,17 +4,24 @@
 #ifndef JOSTLE_CONTACT_LAW_H
 #define JOSTLE_CONTACT_LAW_H
 
+#include "jostle/curve.h"
 #include "jostle/error.h"
 #include "jostle/row.h"
 
 // A law has at most this many rows, constants and history values.
 enum { CONTACT_ROWS_MAX = 12, CONTACT_CONSTANTS_MAX = 16, CONTACT_HISTORY_MAX = 8 };
 
+// A law may have one row of kind ROW_FILE: the file of a curve of force against penetration. The
+// value of that row is the number of points, which follow behind the values of all rows, each with
+// CURVE_COLUMNS numbers; behind the constants is room for as many.
+
 // What the solver must know about a law beyond its force.
 enum contact_trait {
-    CONTACT_JUMPS = 1,     // the force is not 0 at d = 0+ while approaching
-    CONTACT_MAY_PULL = 2,  // the force may be negative in contact
-    CONTACT_NEEDS_V0 = 4,  // uses the velocity at closure
+    CONTACT_JUMPS = 1,       // the force is not 0 at d = 0+ while approaching
+    CONTACT_MAY_PULL = 2,    // the force may be negative in contact
+    CONTACT_NEEDS_V0 = 4,    // uses the velocity at closure
+    CONTACT_NEEDS_MASS = 8,  // the constants depend on the effective mass
+    CONTACT_EXACT = 16,      // delivers e exactly as it is: -calibrate changes nothing
 };
 
 // Force of a link in contact, positive in compression, and its tangents.
@@ -30,9 +37,10 @@ struct contact_law {
     const char *formula;  // ASCII
     const char *source;   // authors, year, equation
     const char *remarks;  // what it is good for and where it fails
+    const char *example;  // options for its picture, for floors of 25 t and 40 t; NULL: no picture
     const struct row *row;
     int n_row;
-    int n_constant;   // derived once per link
+    int n_constant;   // derived once per link; those of a curve not counted
     int n_history;    // kept through one contact
     unsigned traits;  // enum contact_trait
 
@@ -42,6 +50,11 @@ struct contact_law {
 
     // History at the instant of closure with velocity v0 >= 0. NULL if n_history = 0.
     void (*close)(const double *constant, double v0, double *history);
+
+    // Velocity with which the bodies part at the instant at which they meet with velocity v >= 0: a
+    // law without a force, of rigid bodies. Then `force` is NULL, and so is whatever has to do with
+    // it. NULL: the law has a force.
+    double (*rebound)(const double *constant, double v);
 
     // The force at penetration d >= 0 and velocity v. Pure; every finite d >= 0 and v is valid.
     // At d = 0 the limit d -> 0+ is meant.
@@ -54,6 +67,11 @@ struct contact_law {
     // The value of row `zeta` that delivers exactly the restitution e, 0 < e <= 1, in an isolated
     // impact; NAN where it is not found. NULL: the law does not take e.
     double (*exact)(double e);
+
+    // In place of `exact` where the damping that delivers e depends on more than e: puts parameters
+    // that deliver it in an isolated impact of the effective mass in place of e. Errors:
+    // STATUS_INPUT (no parameters do), STATUS_SYSTEM.
+    int (*calibrate)(double *value, double m_eff, struct error *e);
 };
 
 extern const struct contact_law *const contact_laws[];
@@ -64,5 +82,12 @@ const struct contact_law *contact_law_find(const char *name);
 
 // Index of the row called `key`; -1 if the law has none.
 int contact_law_row(const struct contact_law *law, const char *key);
+
+// Index of the row of kind ROW_FILE; -1 if the law has none.
+int contact_law_curve(const struct contact_law *law);
+
+// Values of the law's rows and its curve, and constants, as many as `value` says.
+int contact_law_n_value(const struct contact_law *law, const double *value);
+int contact_law_n_constant(const struct contact_law *law, const double *value);
 
 #endif

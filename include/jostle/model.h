@@ -33,6 +33,18 @@ struct building {
     int ground;                      // index into model.ground
 };
 
+// All floors of all buildings as one chain, for loops over flat arrays whatever the number of
+// buildings. The joint between the roof of one building and the first floor of the next is 0.
+// Arrays are those of core/lanes.h.
+struct chain {
+    int n;                    // degrees of freedom, in whole lanes
+    const double *mass;       // [M] (n)
+    const double *stiffness;  // [F/L] (n) initial, of the storey below
+    const double *joint;      // (n + 1) 1: floor i stands on floor i - 1; else 0
+    const double *damping_below, *damping, *damping_above;  // [F T/L] (n) bands of C; 0 where full
+    bool full_damping;                                      // somewhere
+};
+
 // The restoring law of one storey.
 struct storey {
     const struct storey_law *law;
@@ -51,8 +63,10 @@ struct link {
     double mass;      // [M] effective mass m*
     bool bilateral;   // acts whatever the sign of delta
     const struct contact_law *law;
-    const double *value;     // (law->n_row) of the law's rows; NAN: not given
-    const double *constant;  // (law->n_constant)
+    const double *value;     // (contact_law_n_value) of the law's rows; NAN: not given
+    const double *constant;  // (contact_law_n_constant)
+    double restitution;      // coefficient asked for; NAN: none
+    bool calibrated;         // the damping is the one that delivers it exactly
     int history;             // offset of its values in the state's link history
     bool moving_ground;      // the grounds of its ends move differently
 };
@@ -103,6 +117,7 @@ struct model {
     int n_building, n_dof, n_contact, n_link, n_ground, n_load;
     const struct building *building;  // (n_building) from left to right
     const double *mass;               // [M] (n_dof)
+    struct chain chain;               // the same floors
     const struct storey *storey;      // (n_dof) the storey below each floor
     const struct link *link;          // (n_link) contacts first (n_contact), then bilateral links
     const struct ground *ground;      // (n_ground)

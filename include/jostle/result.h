@@ -34,6 +34,8 @@ struct report_link {
     int left_floor, right_floor;      // from 1; 0: the wall
     double gap;                       // [L]
     double mass;                      // [M] effective
+    double restitution;               // coefficient asked for; NAN: none
+    bool calibrated;                  // the damping delivers it exactly
     struct link_peak peak;
 };
 

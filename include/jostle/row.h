@@ -15,6 +15,7 @@ enum row_kind {
     ROW_INTEGER,  // one whole number
     ROW_TEXT,     // one word
     ROW_TEXTS,    // one or more words
+    ROW_FILE,     // one word: the path of a file
     ROW_FLAG,     // no value
 };
 

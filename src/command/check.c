@@ -119,8 +119,10 @@ static void print_loads(const struct model *m, const struct unit_texts *t) {
 }
 
 static bool same_law(const struct link *a, const struct link *b) {
-    return a->law == b->law &&
-           memcmp(a->value, b->value, (size_t)a->law->n_row * sizeof *a->value) == 0;
+    return a->law == b->law && a->calibrated == b->calibrated &&
+           contact_law_n_value(a->law, a->value) == contact_law_n_value(b->law, b->value) &&
+           memcmp(a->value, b->value,
+                  (size_t)contact_law_n_value(a->law, a->value) * sizeof *a->value) == 0;
 }
 
 // The parameters of the laws as a deck would give them, once for neighbours that share them.
@@ -135,9 +137,14 @@ static void print_laws(const struct model *m) {
         printf("%s%s%s: %s", l->name, last > first ? " to " : "",
                last > first ? m->link[last].name : "", l->law->name);
         for (int r = 0; r < l->law->n_row; r++) {
-            if (!isnan(l->value[r])) {
+            if (l->law->row[r].kind == ROW_FILE) {
+                printf(" -%s (%.0f points)", l->law->row[r].key, l->value[r]);
+            } else if (!isnan(l->value[r])) {
                 printf(" -%s %.6g", l->law->row[r].key, l->value[r]);
             }
+        }
+        if (l->calibrated) {
+            printf(", calibrated for e = %.6g", l->restitution);
         }
         printf("\n");
     }

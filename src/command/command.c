@@ -3,6 +3,7 @@
 #include "command/command.h"
 
 #include <getopt.h>
+#include <limits.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -56,10 +57,11 @@ int command_help(const struct command *c, const char *details) {
 
 int command_bad_option(const struct command *c, int answer, char **argv) {
     // getopt_long leaves the letter in optopt; for a long option the word is the one before optind.
+    // With getopt_long_only a long option may have one dash; its value is above all letters.
     const char *word = optind > 1 ? argv[optind - 1] : "";
     const bool is_long = word[0] == '-' && word[1] == '-';
     const char letter[] = {'-', (char)optopt, '\0'};
-    const char *shown = is_long || optopt == 0 ? word : letter;
+    const char *shown = is_long || optopt == 0 || optopt > UCHAR_MAX ? word : letter;
     if (answer == ':') {
         return command_usage(c, "option '%s' needs a value", shown);
     }

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// jostle plot: draws a figure by gnuplot, or writes its script. Script and picture are made in a
-// private folder; the picture gets its name when it is complete.
+// jostle plot: draws a figure of a result file by gnuplot, or writes its script.
 #include <assert.h>
-#include <errno.h>
-#include <fcntl.h>
 #include <getopt.h>
-#include <signal.h>
-#include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "command/command.h"
+#include "command/picture.h"
 #include "core/text.h"
 #include "plot/figure.h"
 
@@ -25,11 +18,12 @@ const struct command command_plot = {
     .run = plot_command,
 };
 
-enum { PATH_SIZE = 4096, NOT_FOUND = 127 };
+enum { PATH_SIZE = 4096 };
 
 struct request {
     const char *result, *output, *script_folder;
     const struct figure *figure;
+    struct result_file *file;
     enum result_existing existing;
     char default_output[PATH_SIZE];
 };
@@ -127,196 +121,27 @@ static int parse(int argc, char **argv, struct request *q) {
     return -1;
 }
 
-static int cannot_write(const char *path, struct error *e) {
-    return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, strerror(errno));
+static int write_figure(void *context, const char *picture, FILE *to, struct error *e) {
+    const struct request *q = context;
+    return figure_write(q->figure, q->file, picture, to, e);
 }
 
-// Writes the script to `path`, which must not exist.
-static int write_script(const struct request *q, const struct result_file *file,
-                        const char *picture, const char *path, struct error *e) {
-    FILE *to = fopen(path, "wx");
-    if (!to) {
-        return cannot_write(path, e);
-    }
-    int status = figure_write(q->figure, file, picture, to, e);
-    const int failed = ferror(to);
-    if ((fclose(to) != 0 || failed) && status == STATUS_OK) {
-        status = cannot_write(path, e);
-    }
-    if (status != STATUS_OK) {
-        unlink(path);
-    }
-    return status;
-}
-
-static int keep_script(const struct request *q, const struct result_file *file, struct error *e) {
-    char path[PATH_SIZE], part[PATH_SIZE], picture[64];
+static int make(struct request *q, struct error *e) {
     assert(q->figure);
-    if (mkdir(q->script_folder, 0777) != 0 && errno != EEXIST) {
-        return cannot_write(q->script_folder, e);
-    }
-    const int n = snprintf(part, sizeof part, "%s/%s.gp.part", q->script_folder, q->figure->name);
-    if (n < 0 || (size_t)n >= sizeof part) {
-        return error_set(e, STATUS_INPUT, "the name of folder %.40s... is too long",
-                         q->script_folder);
-    }
-    snprintf(path, sizeof path, "%.*s", n - (int)strlen(".part"), part);
-    snprintf(picture, sizeof picture, "%s.%s", q->figure->name,
-             q->output ? figure_ending(q->output) : "png");
-    unlink(part);
-    int status = write_script(q, file, picture, part, e);
-    return status == STATUS_OK ? result_publish(part, path, q->existing, e) : status;
-}
-
-// In the child: gnuplot in `folder`, its messages in the file `messages`.
-static void become_gnuplot(const char *folder) {
-    signal(SIGPIPE, SIG_DFL);
-    signal(SIGXFSZ, SIG_DFL);
-    signal(SIGINT, SIG_DFL);
-    if (chdir(folder) != 0) {
-        _exit(NOT_FOUND - 1);
-    }
-    int messages = open("messages", O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    if (messages >= 0) {
-        dup2(messages, STDOUT_FILENO);
-        dup2(messages, STDERR_FILENO);
-    }
-    execlp("gnuplot", "gnuplot", "figure.gp", (char *)NULL);
-    _exit(errno == ENOENT ? NOT_FOUND : NOT_FOUND - 1);
-}
-
-// The first line with text that gnuplot printed.
-static void first_message(const char *folder, char *line, int size) {
-    char path[PATH_SIZE];
-    snprintf(path, sizeof path, "%s/messages", folder);
-    line[0] = '\0';
-    FILE *from = fopen(path, "r");
-    while (from && fgets(line, size, from)) {
-        line[strcspn(line, "\n")] = '\0';
-        if (strstr(line, "line ") || strstr(line, "rror")) {
-            break;
-        }
-    }
-    if (from) {
-        fclose(from);
-    }
-}
-
-// Starts gnuplot and waits. An interrupt ends the child only, so that the folder can be removed.
-static int spawn(const char *folder, int *state, struct error *e) {
-    fflush(NULL);
-    void (*const before)(int) = signal(SIGINT, SIG_IGN);
-    pid_t child = fork();
-    if (child == 0) {
-        become_gnuplot(folder);
-    }
-    int cause = child < 0 ? errno : 0;
-    while (cause == 0 && waitpid(child, state, 0) < 0) {
-        cause = errno == EINTR ? 0 : errno;
-    }
-    signal(SIGINT, before);
-    return cause == 0 ? STATUS_OK
-                      : error_set(e, STATUS_SYSTEM, "cannot run gnuplot: %s", strerror(cause));
-}
-
-static int run_gnuplot(const char *folder, struct error *e) {
-    int state = 0;
-    int status = spawn(folder, &state, e);
+    int status = result_open(q->result, &q->file, e);
     if (status != STATUS_OK) {
         return status;
     }
-    if (WIFEXITED(state) && WEXITSTATUS(state) == 0) {
-        return STATUS_OK;
-    }
-    if (WIFEXITED(state) && WEXITSTATUS(state) == NOT_FOUND) {
-        return error_set(e, STATUS_SYSTEM, "cannot run gnuplot: it is not installed");
-    }
-    if (WIFSIGNALED(state)) {
-        return error_set(e, STATUS_SYSTEM, "gnuplot was ended by signal %d", WTERMSIG(state));
-    }
-    char line[256];
-    first_message(folder, line, sizeof line);
-    return error_set(e, STATUS_SYSTEM, "gnuplot failed: %s", line[0] ? line : "no message");
-}
-
-// Copies the picture next to its name, so that it can be given the name in one step.
-static int copy(const char *from_path, const char *to_path, struct error *e) {
-    FILE *from = fopen(from_path, "rb");
-    if (!from) {
-        return error_set(e, STATUS_SYSTEM, "gnuplot made no picture");
-    }
-    unlink(to_path);
-    FILE *to = fopen(to_path, "wbx");
-    if (!to) {
-        int status = cannot_write(to_path, e);
-        fclose(from);
-        return status;
-    }
-    char block[1 << 14];
-    size_t total = 0;
-    for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0; total += n) {
-        if (fwrite(block, 1, n, to) < n) {
-            break;
-        }
-    }
-    const bool failed = ferror(from) || ferror(to);
-    fclose(from);
-    int status = STATUS_OK;
-    if (fclose(to) != 0 || failed) {
-        status = cannot_write(to_path, e);
-    } else if (total == 0) {
-        status = error_set(e, STATUS_SYSTEM, "gnuplot made an empty picture");
-    }
-    if (status != STATUS_OK) {
-        unlink(to_path);
-    }
-    return status;
-}
-
-static void remove_folder(const char *folder, const char *picture) {
-    const char *const name[] = {"figure.gp", "messages", picture};
-    for (size_t i = 0; i < sizeof name / sizeof name[0]; i++) {
-        char path[PATH_SIZE];
-        snprintf(path, sizeof path, "%s/%s", folder, name[i]);
-        unlink(path);
-    }
-    rmdir(folder);
-}
-
-static int draw_in(const struct request *q, const struct result_file *file, const char *folder,
-                   const char *picture, struct error *e) {
-    char script[PATH_SIZE], drawn[PATH_SIZE], part[PATH_SIZE];
-    snprintf(script, sizeof script, "%s/figure.gp", folder);
-    snprintf(drawn, sizeof drawn, "%s/%s", folder, picture);
-    const int n = snprintf(part, sizeof part, "%s.part", q->output);
-    if (n < 0 || (size_t)n >= sizeof part) {
-        return error_set(e, STATUS_INPUT, "the name %.40s... is too long", q->output);
-    }
-    int status = write_script(q, file, picture, script, e);
-    if (status == STATUS_OK) {
-        status = run_gnuplot(folder, e);
-    }
-    if (status == STATUS_OK) {
-        status = copy(drawn, part, e);
-    }
-    return status == STATUS_OK ? result_publish(part, q->output, q->existing, e) : status;
-}
-
-static int draw(const struct request *q, const struct result_file *file, struct error *e) {
-    if (q->existing == RESULT_KEEP && access(q->output, F_OK) == 0) {
-        return error_set(e, STATUS_INPUT, "%s exists; --force overwrites it", q->output);
-    }
-    const char *root = getenv("TMPDIR");
-    char folder[1024], picture[32];
-    const int n =
-        snprintf(folder, sizeof folder, "%s/jostle-plot-XXXXXX", root && root[0] ? root : "/tmp");
-    if (n < 0 || (size_t)n >= sizeof folder || !mkdtemp(folder)) {
-        return error_set(e, STATUS_SYSTEM, "cannot make a temporary folder in %s: %s",
-                         root && root[0] ? root : "/tmp", strerror(errno));
-    }
-    snprintf(picture, sizeof picture, "figure.%s", figure_ending(q->output));
-    int status = draw_in(q, file, folder, picture, e);
-    remove_folder(folder, picture);
+    const struct picture_request picture = {
+        .name = q->figure->name,
+        .output = q->output,
+        .script_folder = q->script_folder,
+        .existing = q->existing,
+        .write = write_figure,
+        .context = q,
+    };
+    status = picture_make(&picture, e);
+    result_close(q->file);
     return status;
 }
 
@@ -326,20 +151,8 @@ static int plot_command(int argc, char **argv) {
     if (done >= 0) {
         return done;
     }
-    struct result_file *file;
     struct error e;
-    int status = result_open(q.result, &file, &e);
-    if (status != STATUS_OK) {
-        return command_fail(&e);
-    }
-    if (q.script_folder) {
-        status = keep_script(&q, file, &e);
-    }
-    if (status == STATUS_OK && q.output) {
-        status = draw(&q, file, &e);
-    }
-    result_close(file);
-    if (status != STATUS_OK) {
+    if (make(&q, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     if (q.output) {

@@ -33,7 +33,8 @@ static const char *power_key(const struct row *row, int n_row) {
 static void put_option(const struct row *row, char *cell) {
     static const char *const value[] = {
         [ROW_NUMBER] = " NUMBER", [ROW_LIST] = " LIST",   [ROW_INTEGER] = " INTEGER",
-        [ROW_TEXT] = " WORD",     [ROW_TEXTS] = " WORDS", [ROW_FLAG] = "",
+        [ROW_TEXT] = " WORD",     [ROW_TEXTS] = " WORDS", [ROW_FILE] = " FILE",
+        [ROW_FLAG] = "",
     };
     snprintf(cell, CELL, "-%s%s", row->key, value[row->kind]);
 }

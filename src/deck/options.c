@@ -71,7 +71,7 @@ static bool clear(struct deck *d, const struct row_set *set, double power) {
         const struct row *row = &set->row[j];
         set->argument[j] = (struct argument){.given = false};
         if (row->kind == ROW_FLAG || row->kind == ROW_TEXT || row->kind == ROW_TEXTS ||
-            isnan(row->fallback)) {
+            row->kind == ROW_FILE || isnan(row->fallback)) {
             continue;
         }
         struct dimension dimension = row_dimension(row, power);

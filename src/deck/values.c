@@ -220,7 +220,7 @@ bool deck_values(struct deck *d, const struct row *row, double power, const stru
         deck_error(d, NULL, "%s needs a value", row->key);
         return false;
     }
-    if (row->kind == ROW_TEXT || row->kind == ROW_TEXTS) {
+    if (row->kind == ROW_TEXT || row->kind == ROW_TEXTS || row->kind == ROW_FILE) {
         return read_texts(d, row, word, n_word, out);
     }
     return read_numbers(d, row, power, word, n_word, out);

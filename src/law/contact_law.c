@@ -31,3 +31,26 @@ int contact_law_row(const struct contact_law *law, const char *key) {
     }
     return -1;
 }
+
+int contact_law_curve(const struct contact_law *law) {
+    for (int i = 0; i < law->n_row; i++) {
+        if (law->row[i].kind == ROW_FILE) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+// Numbers of the curve.
+static int n_curve(const struct contact_law *law, const double *value) {
+    int row = contact_law_curve(law);
+    return row >= 0 ? CURVE_COLUMNS * (int)value[row] : 0;
+}
+
+int contact_law_n_value(const struct contact_law *law, const double *value) {
+    return law->n_row + n_curve(law, value);
+}
+
+int contact_law_n_constant(const struct contact_law *law, const double *value) {
+    return law->n_constant + n_curve(law, value);
+}

@@ -25,6 +25,7 @@ enum { DEPTH, SPEED, N_STATE };  // of the state, in units of L and v0
 static const double TOLERANCE = 1e-13;   // of a step
 static const double FIRST_STEP = 1e-12;  // in units of L / v0, as the longest one
 static const double LONGEST_STEP = 0.02;
+static const double JUMP = 1e-9;  // of the peak force: what is shown on both sides
 enum { STEPS_MAX = 200000 };
 
 enum phase { APPROACH, RELEASE };
@@ -46,6 +47,7 @@ struct flight {
     double next_step;
 
     const struct isolated_observer *observer;
+    int n_sampled;  // instants that the observer has seen
     double peak_force, deepest;
 };
 
@@ -113,18 +115,57 @@ static void note_peak(struct flight *f) {
     }
 }
 
+static struct isolated_point point_at(const struct flight *f, double time, const double *state) {
+    return (struct isolated_point){
+        .time = time * f->length / f->velocity,
+        .penetration = f->length * fmax(state[DEPTH], 0.0),
+        .velocity = f->velocity * state[SPEED],
+        .force = response(f, state).force,
+        .rate = force_rate(f, state),
+    };
+}
+
+// Shows the instants asked for that lie in the last step.
+static void show_samples(struct flight *f) {
+    const struct isolated_observer *o = f->observer;
+    for (; f->n_sampled < o->n_time; f->n_sampled++) {
+        double time = o->time[f->n_sampled] * f->velocity / f->length;
+        if (time > f->time) {
+            return;
+        }
+        double state[N_STATE];
+        retake(f, time - f->before, state);
+        struct isolated_point point = point_at(f, time, state);
+        o->sample(o->context, f->n_sampled, &point);
+    }
+}
+
+static void show(const struct flight *f) {
+    struct isolated_point point = point_at(f, f->time, f->state);
+    f->observer->point(f->observer->context, &point);
+}
+
 // Accepts the state: its peak, its history, and whoever looks.
 static void accept(struct flight *f) {
-    double d = f->length * fmax(f->state[DEPTH], 0.0);
-    double v = f->velocity * f->state[SPEED];
     note_peak(f);
+    if (f->observer) {
+        show_samples(f);
+    }
     if (f->law->commit) {
-        f->law->commit(f->constant, f->history, d, v);
+        f->law->commit(f->constant, f->history, f->length * fmax(f->state[DEPTH], 0.0),
+                       f->velocity * f->state[SPEED]);
     }
     if (f->observer) {
-        struct isolated_point point = {f->time * f->length / f->velocity, d, v,
-                                       response(f, f->state).force};
-        f->observer->point(f->observer->context, &point);
+        show(f);
+    }
+}
+
+// Goes over to the other phase, where the force may jump.
+static void turn(struct flight *f) {
+    const double before = response(f, f->state).force;
+    f->phase = f->phase == APPROACH ? RELEASE : APPROACH;
+    if (f->observer && fabs(response(f, f->state).force - before) > JUMP * f->peak_force) {
+        show(f);
     }
 }
 
@@ -156,7 +197,7 @@ static bool advance(struct flight *f, bool *parted) {
     }
     accept(f);
     if (turned && !*parted) {
-        f->phase = f->phase == APPROACH ? RELEASE : APPROACH;
+        turn(f);
     }
     return true;
 }
@@ -226,9 +267,30 @@ static void release(struct flight *f) {
     }
 }
 
+// An impact without a force is over at once.
+static void rigid(const struct contact_law *law, const double *constant, double mass,
+                  double velocity, const struct isolated_observer *observer,
+                  struct isolated_impact *out) {
+    double rebound = law->rebound(constant, velocity);
+    *out = (struct isolated_impact){
+        .restitution = rebound / velocity,
+        .peak_force = NAN,
+        .impulse = mass * (velocity + rebound),
+        .dissipated = mass * (velocity - rebound) * (velocity + rebound) / 2.0,
+    };
+    for (int i = 0; observer && i < 2; i++) {
+        struct isolated_point point = {.velocity = i == 0 ? velocity : -rebound, .force = NAN};
+        observer->point(observer->context, &point);
+    }
+}
+
 int isolated_run(const struct contact_law *law, const double *constant, double mass,
                  double velocity, const struct isolated_observer *observer,
                  struct isolated_impact *out, struct error *e) {
+    if (law->rebound) {
+        rigid(law, constant, mass, velocity, observer, out);
+        return STATUS_OK;
+    }
     struct flight f = {.law = law,
                        .constant = constant,
                        .mass = mass,

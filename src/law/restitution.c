@@ -38,6 +38,37 @@ double restitution_exact_q(double e) {
     return root_find(exact_q_residual, &e, low, high, 4.0 * DBL_EPSILON);
 }
 
+// Half the share less half the one wanted, by ln(1 + q) - q so that small q lose no digits.
+static double stored_residual(double q, void *context) {
+    double share = *(const double *)context;
+    return -gsl_sf_log_1plusx_mx(q) / (q * q) - share / 2.0;
+}
+
+double restitution_stored_q(double share) {
+    double low = 1.5 * (1.0 - share);  // the share is above 1 - 2 q / 3
+    double high = 2.0 / share;         // and below 2 / q
+    if (low == 0.0 || !(stored_residual(low, &share) > 0.0)) {
+        return low;
+    }
+    return root_find(stored_residual, &share, low, high, 4.0 * DBL_EPSILON);
+}
+
+static double release_residual(double q, void *context) {
+    double e = *(const double *)context;
+    return gsl_sf_log_1plusx_mx(-e * q) + q * q / 2.0;
+}
+
+double restitution_release_q(double e) {
+    double low = (1.0 - e) * (1.0 + e) / e;  // where the residual is largest
+    double high = (1.0 - DBL_EPSILON) / e;
+    if (low == 0.0) {
+        return 0.0;
+    }
+    return release_residual(high, &e) < 0.0
+               ? root_find(release_residual, &e, low, high, 4.0 * DBL_EPSILON)
+               : high;
+}
+
 // a / tan a with cos a = zeta; a series in tan^2 a where both vanish.
 static double phase_over_tangent(double zeta) {
     double square = (1.0 - zeta) * (1.0 + zeta);

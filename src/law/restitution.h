@@ -25,6 +25,18 @@ double restitution_lankarani_nikravesh(double e);
 // NAN: no memory.
 double restitution_exact_q(double e);
 
+// The q >= 0 of an approach under F = k d^n (1 + q v / v0), whatever n is, after which the spring
+// holds the share s of the energy, 0 < s <= 1:
+//     s = 2 (q - ln(1 + q)) / q^2.
+// NAN: no memory.
+double restitution_stored_q(double share);
+
+// The q > 0 of a release under F = f(d) (1 + q v / v0), v < 0, after an elastic approach under any
+// spring f, that delivers e:
+//     ln(1 - e q) + e q + q^2 / 2 = 0,   q < 1 / e.
+// NAN: no memory.
+double restitution_release_q(double e);
+
 // Damping ratio of a linear dashpot that delivers e when it acts during approach only, or where it
 // does not pull. With zeta = cos a the approach ends after the phase a at the penetration
 // exp(-a / tan a), which gives e = exp(-a / tan a); without tension the release is the approach

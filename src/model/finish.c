@@ -27,6 +27,7 @@ int builder_finish(struct builder *b, struct model *m, struct error *e) {
         return status;
     }
     if (!b->no_memory && found->n_error == 0) {
+        finish_chain(b, m);
         finish_links(b, m);
         finish_loads(b, m);
         finish_time(b, m);

@@ -8,6 +8,9 @@
 // Buildings with their modes and damping, floor masses, storeys and initial state.
 int finish_buildings(struct builder *b, struct model *m, struct error *e);
 
+// The floors of all buildings as one chain.
+void finish_chain(struct builder *b, struct model *m);
+
 // Which ground motions act under which building; buildings with the same ones share a ground.
 void finish_grounds(struct builder *b, struct model *m, struct building *building);
 

@@ -11,7 +11,12 @@ static void check_overlap(struct builder *b, const struct model *m, const struct
         double u = d->link.dof[i] == WALL ? 0.0 : m->displacement[d->link.dof[i]];
         delta += i == 0 ? u : -u;
     }
-    if (!d->link.bilateral && !d->overlap && delta > 0.0) {
+    if (d->link.law->rebound && delta > 0.0) {
+        deck_error(b->deck, &d->word,
+                   "contact %s is closed by %.6g %s at t = 0, but its law, %s, has no force that "
+                   "would part the bodies",
+                   d->link.name, delta, b->deck->units.length_name, d->link.law->name);
+    } else if (!d->link.bilateral && !d->overlap && delta > 0.0) {
         deck_error(b->deck, &d->word,
                    "contact %s is closed by %.6g %s at t = 0; give -allow-overlap if that is meant",
                    d->link.name, delta, b->deck->units.length_name);

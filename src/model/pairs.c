@@ -117,7 +117,7 @@ static double effective_mass(struct builder *b, const struct link *l) {
 
 struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k, const char *name,
                                 const struct word *name_word) {
-    struct link link = {0};
+    struct link link = {.restitution = NAN};
     for (int i = 0; i < 2; i++) {
         link.building[i] = p->building[i];
         link.floor[i] = p->floor[i][k];
@@ -149,23 +149,9 @@ const char *pairs_name(struct builder *b, const struct argument *a, bool *good) 
     return name;
 }
 
-bool pairs_set_law(struct builder *b, struct link *link, const struct contact_law *law,
-                   const struct argument *given, const struct word *word) {
-    double *value = builder_array(b, (size_t)law->n_row, sizeof *value);
-    double *constant = builder_array(b, (size_t)law->n_constant, sizeof *constant);
-    if (!value || !constant) {
-        return false;
-    }
-    for (int r = 0; r < law->n_row; r++) {
-        value[r] = given[r].n > 0 ? given[r].number[0] : NAN;
-    }
-    struct error e;
-    if (law->prepare(value, link->mass, constant, &e) != STATUS_OK) {
-        deck_error(b->deck, word, "%s", e.message);
-        return false;
-    }
-    link->law = law;
-    link->value = value;
-    link->constant = constant;
-    return true;
+bool pairs_set_law(struct builder *b, struct link *link, const struct law_choice *choice) {
+    link->law = choice->law;
+    link->restitution = choice->restitution;
+    link->calibrated = choice->calibrated;
+    return law_choice_prepare(b->deck, choice, link->mass, &link->value, &link->constant);
 }

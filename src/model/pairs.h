@@ -4,6 +4,7 @@
 #define JOSTLE_PAIRS_H
 
 #include "model/builder.h"
+#include "model/law_choice.h"
 
 struct pairs {
     int building[2];          // left, right; WALL
@@ -25,9 +26,7 @@ struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k,
 // report.
 const char *pairs_name(struct builder *b, const struct argument *a, bool *good);
 
-// Gives a link its law: the values of the law's rows, and the constants that follow from them and
-// the link's effective mass. Reports at `word` what is wrong with them, and then returns false.
-bool pairs_set_law(struct builder *b, struct link *link, const struct contact_law *law,
-                   const struct argument *given, const struct word *word);
+// Gives a link its law, for the link's effective mass. Reports what is wrong, then false.
+bool pairs_set_law(struct builder *b, struct link *link, const struct law_choice *choice);
 
 #endif

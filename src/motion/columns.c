@@ -23,25 +23,6 @@ static bool columns_matches(const struct record_text *t) {
     return table_find(t, &table);
 }
 
-// The text in the next brackets, round or square; false: none.
-static bool next_bracket(struct span *rest, struct span *inside) {
-    while (rest->n > 0 && rest->text[0] != '(' && rest->text[0] != '[') {
-        rest->text++;
-        rest->n--;
-    }
-    size_t n = 1;
-    while (n < rest->n && rest->text[n] != ')' && rest->text[n] != ']') {
-        n++;
-    }
-    if (n >= rest->n) {
-        return false;
-    }
-    *inside = (struct span){rest->text + 1, n - 1};
-    rest->text += n + 1;
-    rest->n -= n + 1;
-    return true;
-}
-
 static int check_time_unit(const struct record_text *t, const struct table *table, struct span unit,
                            struct dimension dimension, double si, struct error *e) {
     if (dimension_equal(dimension, dimension_time) && si != 1) {
@@ -58,7 +39,7 @@ static int read_caption(const struct record_request *request, const struct recor
     struct span rest = table->caption;
     struct span unit;
     int status = STATUS_OK;
-    while (!status && next_bracket(&rest, &unit)) {
+    while (!status && lines_bracket(&rest, &unit)) {
         struct dimension dimension;
         double si;
         if (!record_unit(unit, request->gravity, &dimension, &si)) {

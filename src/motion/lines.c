@@ -264,3 +264,21 @@ int lines_read_number(const struct number_field *f, double *value, struct error 
     return lines_error(e, f->path, f->line, "%s %zu '%s' %s", f->what, f->index, shown.text,
                        reason);
 }
+
+bool lines_bracket(struct span *rest, struct span *inside) {
+    while (rest->n > 0 && rest->text[0] != '(' && rest->text[0] != '[') {
+        rest->text++;
+        rest->n--;
+    }
+    size_t n = 1;
+    while (n < rest->n && rest->text[n] != ')' && rest->text[n] != ']') {
+        n++;
+    }
+    if (n >= rest->n) {
+        return false;
+    }
+    *inside = (struct span){rest->text + 1, n - 1};
+    rest->text += n + 1;
+    rest->n -= n + 1;
+    return true;
+}

@@ -37,6 +37,9 @@ bool lines_field(struct span *rest, const char *separators, struct span *field);
 // Fields of the whole line.
 size_t lines_count(struct span line, const char *separators);
 
+// Takes the text in the next brackets, round or square, off `rest`; false: none is left.
+bool lines_bracket(struct span *rest, struct span *inside);
+
 // True for a line that begins with # % ! * or //.
 bool lines_is_comment(struct span line);
 

@@ -97,7 +97,6 @@ static int check_text(const struct record_text *t, struct error *e) {
     return STATUS_OK;
 }
 
-// Without the byte-order mark that spreadsheets write, and the Ctrl-Z that DOS ended files with.
 static struct record_text strip_marks(const struct record_text *t) {
     struct record_text s = *t;
     if (s.size >= 3 && memcmp(s.text, "\xef\xbb\xbf", 3) == 0) {
@@ -112,11 +111,16 @@ static struct record_text strip_marks(const struct record_text *t) {
     return s;
 }
 
+int record_clean(const struct record_text *t, struct record_text *out, struct error *e) {
+    *out = strip_marks(t);
+    return check_text(out, e);
+}
+
 int record_read_text(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record *out, struct error *e) {
     *out = (struct record){0};
-    struct record_text stripped = strip_marks(t);
-    int status = check_text(&stripped, e);
+    struct record_text stripped;
+    int status = record_clean(t, &stripped, e);
     if (status) {
         return status;
     }

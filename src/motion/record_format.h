@@ -37,6 +37,10 @@ struct record_content {
 int record_read_text(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record *out, struct error *e);
 
+// `t` without the byte-order mark that spreadsheets write and the Ctrl-Z that DOS ended files with.
+// Errors: STATUS_INPUT (empty, or no text).
+int record_clean(const struct record_text *t, struct record_text *out, struct error *e);
+
 // The name of a known format that cannot be read yet; NULL: none looks like it.
 const char *foreign_format(const struct record_text *t);
 

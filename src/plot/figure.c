@@ -51,15 +51,14 @@ const char *figure_ending(const char *path) {
     return p ? p->ending : NULL;
 }
 
-int figure_write(const struct figure *f, const struct result_file *file, const char *output,
-                 FILE *to, struct error *e) {
+int figure_head(const char *name, const char *doc, const char *version, const char *output,
+                FILE *to, struct error *e) {
     const struct picture *p = picture_of(output);
     if (!p) {
         return error_set(e, STATUS_INPUT, "%s is no picture: it must end in .png, .svg or .pdf",
                          output);
     }
-    fprintf(to, "# %s: %s. Written by jostle %s; run with gnuplot.\n", f->name, f->doc,
-            result_report(file)->version);
+    fprintf(to, "# %s: %s. Written by jostle %s; run with gnuplot.\n", name, doc, version);
     fprintf(to, "set encoding utf8\nset terminal %s\nset output ", p->terminal);
     script_text(to, output);
     fprintf(to,
@@ -71,7 +70,19 @@ int figure_write(const struct figure *f, const struct result_file *file, const c
             "set grid lc rgb '#e4e4e4' lt 1 lw 0.6\n"
             "set tics textcolor rgb '#202020'\n",
             p->title_font);
-    int status = f->draw(file, to, e);
+    return STATUS_OK;
+}
+
+void figure_end(FILE *to) {
     fprintf(to, "unset output\n");
+}
+
+int figure_write(const struct figure *f, const struct result_file *file, const char *output,
+                 FILE *to, struct error *e) {
+    int status = figure_head(f->name, f->doc, result_report(file)->version, output, to, e);
+    if (status == STATUS_OK) {
+        status = f->draw(file, to, e);
+        figure_end(to);
+    }
     return status;
 }

@@ -24,6 +24,13 @@ const struct figure *figure_find(const char *name);
 // Endings of picture files: "png", "svg", "pdf". NULL: `path` ends in none of them.
 const char *figure_ending(const char *path);
 
+// Writes what every script begins with: a comment that says what it draws (half a line) and by
+// which version, the terminal that makes `output`, a file name with one of the endings, text and
+// lines; and what it ends with.
+int figure_head(const char *name, const char *doc, const char *version, const char *output,
+                FILE *to, struct error *e);
+void figure_end(FILE *to);
+
 // Writes the whole script; run by gnuplot it makes `output`, a file name with one of the endings.
 int figure_write(const struct figure *f, const struct result_file *file, const char *output,
                  FILE *to, struct error *e);

@@ -9,6 +9,8 @@
 
 #include "result/h5.h"
 
+enum { CONVERSION_BUFFER = 16384 };  // bytes
+
 static void put_attribute(struct h5 *h, hid_t object, const char *name, hid_t type,
                           const void *value) {
     if (h->failed) {
@@ -118,13 +120,25 @@ hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     return dataset;
 }
 
+// Writes the whole dataset. The library converts in a buffer that is 1 MiB, cleared for each call,
+// unless it is told otherwise: a fifth of the time of a short run.
+static void write_all(struct h5 *h, hid_t dataset, hid_t memory_type, const void *data) {
+    hid_t list = H5Pcreate(H5P_DATASET_XFER);
+    if (!h5_failed(h, list) && !h5_failed(h, H5Pset_buffer(list, CONVERSION_BUFFER, NULL, NULL))) {
+        h5_failed(h, H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, list, data));
+    }
+    if (list >= 0) {
+        H5Pclose(list);
+    }
+}
+
 void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data) {
     hid_t dataset = h5_dataset(h, parent, d);
     if (dataset < 0) {
         return;
     }
     if (d->dim[0] > 0) {
-        h5_failed(h, H5Dwrite(dataset, d->memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
+        write_all(h, dataset, d->memory_type, data);
     }
     h5_close(h, dataset);
 }
@@ -148,7 +162,7 @@ hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *lon
     };
     hid_t scale = h5_dataset(h, parent, &d);
     if (scale >= 0 && n > 0) {
-        h5_failed(h, H5Dwrite(scale, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, number));
+        write_all(h, scale, H5T_NATIVE_INT, number);
     }
     free(number);
     return scale;

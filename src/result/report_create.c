@@ -44,9 +44,13 @@ static int building_fill(struct report_building *to, struct arena *a, const stru
 }
 
 static const char *constants_text(struct arena *a, const struct link *l) {
-    const char *text = "";
-    for (int i = 0; text && i < l->law->n_constant; i++) {
-        text = arena_format(a, "%s%s%.9g", text, i > 0 ? " " : "", l->constant[i]);
+    enum { NUMBER_MAX = 24 };
+    size_t n = (size_t)contact_law_n_constant(l->law, l->value);
+    char *text = arena_alloc(a, n + 1, NUMBER_MAX);
+    size_t used = 0;
+    for (size_t i = 0; text && i < n; i++) {
+        used +=
+            (size_t)snprintf(text + used, NUMBER_MAX, "%s%.9g", i > 0 ? " " : "", l->constant[i]);
     }
     return text;
 }
@@ -63,6 +67,8 @@ static int link_fill(struct report_link *to, const struct report *r, const struc
         .right_floor = l->floor[1],
         .gap = l->gap,
         .mass = l->mass,
+        .restitution = l->restitution,
+        .calibrated = l->calibrated,
     };
     return to->name && to->constants ? STATUS_OK : error_no_memory(e);
 }

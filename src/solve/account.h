@@ -3,15 +3,21 @@
 #ifndef JOSTLE_ACCOUNT_H
 #define JOSTLE_ACCOUNT_H
 
-#include "solve/state.h"
+#include "solve/chain.h"
+#include "solve/impulse.h"
 
 // Works since t = 0 [F L], each the sum over steps of a mean force times a displacement.
 struct energy_account {
-    double initial;  // kinetic and strain energy at t = 0
-    double input, damping, contact;
+    double initial;                 // kinetic and strain energy at t = 0
+    double *input_2x, *damping_2x;  // (n_dof) twice the work of external and damping forces
+    double input, damping;          // beyond that: of links on the grounds, of adaptive steps
+    double contact;
     double storey;        // work on storeys that are not elastic
     double stored_start;  // their recoverable energy at t = 0
 };
+
+// Room for the account of a model; false: no memory.
+bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena);
 
 // Energies of the start state.
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s);
@@ -19,6 +25,10 @@ void energy_start(struct energy_account *a, const struct model *m, const struct 
 // Adds the step from `now` to `next`.
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next);
+
+// Adds what rigid contacts that met at the instant of `s` have lost. `meeting` is (n_contact).
+void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
+                 const struct meeting *meeting);
 
 // The account at state `s` into energy (ENERGY_COUNT).
 void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
@@ -57,10 +67,16 @@ int impacts_step(struct impact_log *log, struct results *r, const struct model *
                  const struct state *now, const struct state *next, struct error *e);
 
 // Takes account of a link that has just been closed or opened at the instant of state `s`.
-int impacts_toggle(struct impact_log *log, struct results *r, const struct state *s, int k,
-                   struct error *e);
+int impacts_toggle(struct impact_log *log, struct results *r, const struct model *m,
+                   const struct state *s, int k, struct error *e);
 
-// Ends the impacts still under way and puts all in order of time.
+// Takes account of the rigid contacts that have met at the instant of `s`: impacts that are over at
+// once, or have come to rest, or end a rest. `meeting` is (n_contact).
+int impacts_meet(struct impact_log *log, struct results *r, const struct model *m,
+                 const struct state *s, const struct meeting *meeting, struct error *e);
+
+// Ends the impacts still under way, blots out what rigid contacts say of forces, and puts all in
+// order of time.
 void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
                     const struct state *s);
 

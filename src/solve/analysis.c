@@ -2,9 +2,9 @@
 // The time loop: step, commit, account, and show a row to the observer now and then.
 #include "jostle/analysis.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "core/arena.h"
@@ -13,14 +13,19 @@
 #include "solve/event.h"
 #include "solve/newmark.h"
 
-// A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is. A
-// step is split at no more events than this: chattering contacts are left to the step.
-enum { CUTS_MAX = 30, EVENTS_MAX = 50 };
+// A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
+enum { CUTS_MAX = 30 };
 enum { POLL_STEPS = 4096 };
 
-// Tries at the instant of an event, and how near is near enough.
+// Tries at the instant of an event, and how near d = 0 is near enough, as a share of the way that
+// the link would make in the whole step. Rigid contacts keep what they penetrate.
 enum { LOCATIONS_MAX = 40 };
-static const double LOCATED = 1e-3;
+static const double LOCATED_JUMP = 1e-3;
+static const double LOCATED_RIGID = 1e-8;
+// Bounces shorter than this share of the step are not followed.
+static const double SHORTEST_BOUNCE = 0.01;
+// Events nearer to each other than this share of their time are at the same instant.
+static const double TOGETHER = 1e-6;
 
 // A run in which steps were cut more often than this, and this often per step of the deck, will not
 // end in a reasonable time.
@@ -37,9 +42,10 @@ struct run {
     struct dp *adaptive;  // Dormand & Prince's method; NULL: Newmark's
     struct energy_account energy;
     struct impact_log impacts;
-    int events;  // at which the current step was split
+    int *events;              // (n_contact) at which the current step of the deck was split
+    long events_before;       // totals.events at the start of it
+    struct meeting *meeting;  // (n_contact) scratch of rigid impacts
     struct results *results;
-    double *total_acceleration;  // (n_dof) for the observer
     struct error *error;
 };
 
@@ -65,9 +71,6 @@ static int commit(struct run *r) {
     return status == STATUS_OK ? poll(r, r->now->time) : status;
 }
 
-// Steps from the committed state to `end`, h later; a step that is not solved is cut in two.
-static int split(struct run *r, struct event *event, double end, double h, int cuts);
-
 static int give_up(struct run *r, double h) {
     const struct model *m = r->model;
     const char *unit = m->deck->units.time_name;
@@ -79,38 +82,23 @@ static int give_up(struct run *r, double h) {
         r->now->time, unit, h, unit, k < 0 ? "forces" : m->link[k].name, r->results->totals.cuts);
 }
 
-static int advance(struct run *r, double end, double h, int cuts) {
-    r->work.strictness = cuts < CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
-    int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
-    if (status == STATUS_OK) {
-        struct event event = event_first(r->model, r->now, r->next, h);
-        if (event.link < 0 || r->events == EVENTS_MAX) {
-            return commit(r);
-        }
-        r->events++;
-        status = split(r, &event, end, h, cuts);
-    }
-    if (status != STATUS_RETRY) {
-        return status;
-    }
+// May a step of size h, itself of so many cuts, be cut once more?
+static int spend_cut(struct run *r, double h, int cuts) {
     if (cuts == CUTS_MAX) {
         return error_set(
             r->error, STATUS_FAILED,
             "no step is short enough at t = %.9g: the numbers are beyond double precision",
             r->now->time);
     }
-    if (r->results->totals.cuts++ >= CUTS_BUDGET + CUTS_BUDGET_PER_STEP * r->model->n_step) {
-        return give_up(r, h);
-    }
-    status = advance(r, end - h / 2.0, h / 2.0, cuts + 1);
-    return status == STATUS_OK ? advance(r, end, h / 2.0, cuts + 1) : status;
+    long budget = CUTS_BUDGET + CUTS_BUDGET_PER_STEP * r->model->n_step;
+    return r->results->totals.cuts++ < budget ? STATUS_OK : give_up(r, h);
 }
 
 // Steps to the instant of an event with its link held as it was. Where the step is long the instant
-// is only an estimate: it is mended until the link stands at d = 0, but for a thousandth of the way
-// it would make in the whole step. STATUS_RETRY: not found.
+// is only an estimate: it is mended until the link stands near d = 0. STATUS_RETRY: not found.
 static int step_to_event(struct run *r, struct event *event, double end, double h) {
     double sign = r->now->closed[event->link] ? -1.0 : 1.0;
+    double located = r->model->link[event->link].law->rebound ? LOCATED_RIGID : LOCATED_JUMP;
     double low = 0.0;
     double high = h;
     for (int i = 0; i < LOCATIONS_MAX; i++) {
@@ -119,9 +107,9 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
         int status = newmark_step(&r->work, r->now, r->next, instant, event->time, r->error);
         r->work.held = -1;
         double d = r->next->delta[event->link];
-        double v = r->next->rate[event->link];
+        double v = state_rate(r->next, r->model, event->link);
         *(sign * d < 0.0 ? &low : &high) = event->time;
-        bool near = fabs(d) <= LOCATED * fabs(v) * h || high - low <= 1e-9 * h;
+        bool near = fabs(d) <= located * fabs(v) * h || high - low <= 1e-9 * h;
         if (status != STATUS_OK || near) {
             return status;
         }
@@ -131,26 +119,111 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
     return r->work.strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-// Goes to the event, lets its link close or open there, and goes on to `end`.
-static int split(struct run *r, struct event *event, double end, double h, int cuts) {
+// Lets the force of the event's link jump.
+static int jump(struct run *r, const struct event *event) {
+    event_apply(r->now, r->model, event->link);
+    return impacts_toggle(&r->impacts, r->results, r->model, r->now, event->link, r->error);
+}
+
+// Lets the bodies of a rigid contact meet.
+static int meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
+    bool chatters = r->events[event->link] > EVENTS_RIGID_MAX;
+    enum rebound rebound = chatters ? REBOUND_NONE : REBOUND_BY_LAW;
+    const struct least_bounce least = {.time = SHORTEST_BOUNCE * m->dt};
+    impulse_meet(r->now, m, event->link, rebound, &least, r->meeting);
+    energy_meet(&r->energy, m, r->now, r->meeting);
+    return impacts_meet(&r->impacts, r->results, m, r->now, r->meeting, r->error);
+}
+
+// Steps to the first event, which may turn out to be another one than was seen from the whole step.
+static int step_to_first(struct run *r, struct event *event, double end, double h) {
+    for (int i = 0; i < LOCATIONS_MAX; i++) {
+        int status = step_to_event(r, event, end, h);
+        if (status != STATUS_OK) {
+            return status;
+        }
+        struct event other =
+            event_first(&r->work, r->now, r->next, event->time, r->events, event->link);
+        if (other.link < 0 || other.time >= (1.0 - TOGETHER) * event->time) {
+            return STATUS_OK;
+        }
+        *event = other;
+        if (event->time == 0.0) {
+            return STATUS_OK;
+        }
+    }
+    return r->work.strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
+}
+
+static int endless(const struct run *r, const struct event *event) {
+    return error_set(r->error, STATUS_FAILED, "contact %s meets without end at t = %.9g",
+                     r->model->link[event->link].name, r->now->time);
+}
+
+// Goes to the event and lets happen what happens there.
+static int pass(struct run *r, struct event *event, double end, double h) {
     int status = STATUS_OK;
+    if (r->events[event->link] == EVENTS_ENDLESS) {
+        return endless(r, event);
+    }
     if (event->time > 0.0) {
-        status = step_to_event(r, event, end, h);
-        status = status == STATUS_OK ? commit(r) : status;
+        status = step_to_first(r, event, end, h);
+        status = status == STATUS_OK && event->time > 0.0 ? commit(r) : status;
     }
     if (status == STATUS_OK) {
         r->results->totals.events++;
-        event_apply(r->now, m, event->link);
-        peaks_update(r->results, m, r->now);
-        status = impacts_toggle(&r->impacts, r->results, r->now, event->link, r->error);
+        r->events[event->link]++;
+        status = r->model->link[event->link].law->rebound ? meet(r, event) : jump(r, event);
+        peaks_update(r->results, r->model, r->now);
     }
-    double rest = h - event->time;
-    return status == STATUS_OK && rest > 0.0 ? advance(r, end, rest, cuts) : status;
+    return status;
+}
+
+// Steps to `end`, h later, or to the first event on the way; *rest is what is left of h.
+static int step(struct run *r, double end, double h, int cuts, double *rest) {
+    r->work.strictness = cuts < CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
+    *rest = 0.0;
+    int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);
+    if (event.link < 0) {
+        return commit(r);
+    }
+    status = pass(r, &event, end, h);
+    *rest = h - event.time;
+    return status;
+}
+
+// Goes from the committed state to `end`, h later; a step that is not solved is cut in two.
+static int advance(struct run *r, double end, double h, int cuts) {
+    while (h > 0.0) {
+        double rest;
+        int status = step(r, end, h, cuts, &rest);
+        if (status == STATUS_RETRY) {
+            status = spend_cut(r, h, cuts++);
+            rest = h / 2.0;
+            status = status == STATUS_OK ? advance(r, end - rest, rest, cuts) : status;
+        }
+        if (status != STATUS_OK) {
+            return status;
+        }
+        h = rest;
+    }
+    return STATUS_OK;
+}
+
+static void forget_events(struct run *r) {
+    if (r->results->totals.events > r->events_before) {
+        memset(r->events, 0, (size_t)r->model->n_contact * sizeof *r->events);
+        r->events_before = r->results->totals.events;
+    }
 }
 
 static int advance_fixed(struct run *r, double end, double h) {
-    r->events = 0;
+    forget_events(r);
     return advance(r, end, h, 0);
 }
 
@@ -181,23 +254,15 @@ static int balance(struct run *r) {
 }
 
 static int observe(struct run *r) {
-    const struct model *m = r->model;
     const struct state *s = r->now;
-    assert(s->a && s->ground_a);
     if (balance(r) != STATUS_OK) {
         return STATUS_FAILED;
-    }
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            r->total_acceleration[i] = s->a[i] + s->ground_a[g->ground];
-        }
     }
     struct row_view row = {
         .time = s->time,
         .displacement = s->u,
         .velocity = s->v,
-        .acceleration = r->total_acceleration,
+        .acceleration = s->total,
         .drift = s->drift,
         .storey_shear = s->shear,
         .force = s->force,
@@ -226,9 +291,8 @@ static bool run_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->now = &r->store[0];
     r->next = &r->store[1];
-    r->total_acceleration = arena_alloc(a, (size_t)m->n_dof, sizeof(double));
-    if (!r->total_acceleration || !state_alloc(r->now, m, a) || !impacts_alloc(&r->impacts, m, a) ||
-        !peaks_alloc(r->results, m, a)) {
+    if (!energy_alloc(&r->energy, m, a) || !state_alloc(r->now, m, a) ||
+        !impacts_alloc(&r->impacts, m, a) || !peaks_alloc(r->results, m, a)) {
         return false;
     }
     if (m->adaptive) {
@@ -237,7 +301,10 @@ static bool run_alloc(struct run *r, struct arena *a) {
         return r->adaptive != NULL;
     }
     r->advance = advance_fixed;
-    return state_alloc(r->next, m, a) && work_alloc(&r->work, m, &r->results->totals, a);
+    r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
+    r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
+    return r->events && r->meeting && state_alloc(r->next, m, a) &&
+           work_alloc(&r->work, m, &r->results->totals, a);
 }
 
 static int run_start(struct run *r) {

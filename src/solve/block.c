@@ -34,12 +34,12 @@ static double flexibility(struct work *w, const struct link *l, const struct lin
            between(w, l, 1, k, 1);
 }
 
-static void fill_flexibility(struct work *w) {
-    int n = w->n_active;
+static void fill_flexibility(struct work *w, const struct state *next) {
+    int n = next->n_live;
     for (int i = 0; i < n; i++) {
-        const struct link *l = &w->model->link[w->active[i]];
+        const struct link *l = &w->model->link[next->live[i]];
         for (int j = i; j < n; j++) {
-            double s = flexibility(w, l, &w->model->link[w->active[j]]);
+            double s = flexibility(w, l, &w->model->link[next->live[j]]);
             w->matrix[(size_t)i * (size_t)n + (size_t)j] = s;
             w->matrix[(size_t)j * (size_t)n + (size_t)i] = s;
         }
@@ -62,8 +62,8 @@ static double slope_at(const struct line *line, enum branch branch, double force
 // Residual into `r` and the root of t into `weight`.
 static void linearise(struct work *w, const struct state *now, const struct state *next,
                       double *r) {
-    for (int i = 0; i < w->n_active; i++) {
-        int k = w->active[i];
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
         struct line line = contact_line(w, now, next, k);
         double force;
         enum branch branch = line_answer(&line, next->force[k], &force);
@@ -74,8 +74,7 @@ static void linearise(struct work *w, const struct state *now, const struct stat
 }
 
 // y = S x for the symmetric matrix in `matrix`.
-static void multiply(const struct work *w, const double *x, double *y) {
-    int n = w->n_active;
+static void multiply(const struct work *w, int n, const double *x, double *y) {
     for (int i = 0; i < n; i++) {
         double sum = 0.0;
         for (int j = 0; j < n; j++) {
@@ -88,11 +87,11 @@ static void multiply(const struct work *w, const double *x, double *y) {
 // The Newton step into `df`; false: not finite.
 static bool newton_step(struct work *w, const struct state *now, const struct state *next,
                         double *df) {
-    size_t n = (size_t)w->n_active;
+    size_t n = (size_t)next->n_live;
     double *y = df + n;
-    fill_flexibility(w);
+    fill_flexibility(w, next);
     linearise(w, now, next, df);
-    multiply(w, df, y);
+    multiply(w, next->n_live, df, y);
     for (size_t i = 0; i < n; i++) {
         y[i] *= w->weight[i];
         for (size_t j = 0; j < n; j++) {
@@ -117,8 +116,8 @@ static bool newton_step(struct work *w, const struct state *now, const struct st
 // How far the forces move the links from where their exact single answers would.
 static double distance(struct work *w, const struct state *now, const struct state *next) {
     double sum = 0.0;
-    for (int i = 0; i < w->n_active; i++) {
-        int k = w->active[i];
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
         struct line line = contact_line(w, now, next, k);
         double force;
         line_answer(&line, next->force[k], &force);
@@ -128,14 +127,14 @@ static double distance(struct work *w, const struct state *now, const struct sta
 }
 
 static void restore(const struct work *w, struct state *next) {
-    memcpy(next->a, w->kept_a, (size_t)w->model->n_dof * sizeof *next->a);
-    for (int i = 0; i < w->n_active; i++) {
-        next->force[w->active[i]] = w->kept_f[w->active[i]];
+    memcpy(w->correction, w->kept_q, (size_t)w->model->n_dof * sizeof *w->correction);
+    for (int i = 0; i < next->n_live; i++) {
+        next->force[next->live[i]] = w->kept_f[next->live[i]];
     }
 }
 
 bool block_step(struct work *w, const struct state *now, struct state *next) {
-    if (w->n_active > w->block_max) {
+    if (next->n_live > w->block_max) {
         return false;
     }
     double *df = w->vector;
@@ -143,11 +142,11 @@ bool block_step(struct work *w, const struct state *now, struct state *next) {
     if (!newton_step(w, now, next, df)) {
         return false;
     }
-    memcpy(w->kept_a, next->a, (size_t)w->model->n_dof * sizeof *next->a);
+    memcpy(w->kept_q, w->correction, (size_t)w->model->n_dof * sizeof *w->correction);
     memcpy(w->kept_f, next->force, (size_t)w->model->n_link * sizeof *next->force);
     for (double part = 1.0; part > 0.1; part *= 0.5) {
-        for (int i = 0; i < w->n_active; i++) {
-            contact_apply(w, next, w->active[i], part * df[i]);
+        for (int i = 0; i < next->n_live; i++) {
+            contact_apply(w, next, next->live[i], part * df[i]);
         }
         if (distance(w, now, next) <= 0.5 * before) {
             return true;

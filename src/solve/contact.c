@@ -18,63 +18,60 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/lanes.h"
+#include "core/number.h"
 #include "solve/block.h"
 #include "solve/crossing.h"
 #include "solve/resolve.h"
 
-// Sweeps before block steps are tried.
+// A rigid contact at rest is held by its velocity, as holding d = 0 would make the force oscillate;
+// in each step it gives back this share of what rounding and the ground motion let it stray from
+// d = 0. Any share between 0 and 1 is stable: d[n+1] = d[n] - share (d[n] + d[n-1]) / 2.
+static const double RECOVERY = 0.5;
+
+// Block steps are tried after so many sweeps, where the last one brought the change of the forces
+// down by less than this factor.
 enum { PLAIN_SWEEPS = 4 };
+static const double SLOW = 0.2;
 
-// Sum of |x| at both ends of a link: what rounding of its difference scales with.
-static double magnitude(const struct link *l, const double *x) {
-    double sum = 0.0;
-    for (int i = 0; i < 2; i++) {
-        sum += l->dof[i] == WALL ? 0.0 : fabs(x[l->dof[i]]);
-    }
-    return sum;
-}
-
-// Relative trial acceleration of the two ends.
-static double relative_acceleration(const struct link *l, const double *a) {
-    double left = l->dof[0] == WALL ? 0.0 : a[l->dof[0]];
-    double right = l->dof[1] == WALL ? 0.0 : a[l->dof[1]];
-    return left - right;
-}
-
-// Acceleration of the link's ends towards each other per unit of its force, negative: S_ll.
+// Acceleration of the ends of a link towards each other per unit of its force, negative: S_ll.
 static double own_flexibility(struct work *w, const struct link *l) {
     double sum = 0.0;
     for (int i = 0; i < 2; i++) {
         if (l->dof[i] != WALL) {
-            sum +=
-                effective_column(&w->effective[l->building[i]], l->floor[i] - 1)[l->floor[i] - 1];
+            int floor = l->floor[i] - 1;
+            sum += effective_column(&w->effective[l->building[i]], floor)[floor];
         }
     }
     return sum;
 }
 
-static double trial_penetration(const struct work *w, const struct state *next, int k) {
-    const struct link *l = &w->model->link[k];
-    return state_gap(l, w->model, w->u_predicted, next->ground_u) - l->gap +
-           w->b * relative_acceleration(l, next->a);
+static double ends_difference(const struct ends *e, const double *x) {
+    return x[e->left] - x[e->right];
 }
 
-static double trial_rate(const struct work *w, const struct state *next, int k) {
-    const struct link *l = &w->model->link[k];
-    return state_gap(l, w->model, w->v_predicted, next->ground_v) +
-           w->g * relative_acceleration(l, next->a);
+static double ground_difference(const struct model *m, const struct link *l, const double *ground) {
+    return l->moving_ground ? ground[m->building[l->building[0]].ground] -
+                                  ground[m->building[l->building[1]].ground]
+                            : 0.0;
 }
 
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
     const struct link *l = &w->model->link[k];
-    double s = own_flexibility(w, l);
+    const struct ends *e = &w->ends[k];
+    double s = w->flexibility[k];
+    double corrected = ends_difference(e, w->correction) + s * next->force[k];
     return (struct line){
         .link = l,
         .history = next->link_history + l->history,
-        .d_free = trial_penetration(w, next, k) + w->b * s * next->force[k],
-        .v_free = trial_rate(w, next, k) + w->g * s * next->force[k],
+        .d_free = ends_difference(e, w->u_trial) - e->gap + w->b * corrected +
+                  ground_difference(w->model, l, next->ground_u),
+        .v_free = ends_difference(e, w->v_trial) + w->g * corrected +
+                  ground_difference(w->model, l, next->ground_v),
         .d_force = w->b * s,
         .v_force = w->g * s,
+        .v_rest = -RECOVERY * now->delta[k] / w->h,
+        .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
         .closed = now->closed[k],
         .held = now->closed[k] && k == w->held,
     };
@@ -88,94 +85,158 @@ void contact_apply(struct work *w, struct state *next, int k, double df) {
             continue;
         }
         const struct building *g = &w->model->building[l->building[i]];
-        const double *column = effective_column(&w->effective[l->building[i]], l->floor[i] - 1);
+        const double *restrict column =
+            effective_column(&w->effective[l->building[i]], l->floor[i] - 1);
+        double *restrict q = w->correction + g->first;
         double push = i == 0 ? -df : df;
         for (int j = 0; j < g->n_floor; j++) {
-            next->a[g->first + j] += push * column[j];
+            q[j] += push * column[j];
         }
     }
 }
 
-// Takes link k into the active ones. One that closes gets its velocity at the instant of closure,
-// from its path without its own force, and the law's history from that.
-static void activate(struct work *w, const struct state *now, struct state *next, int k) {
-    const struct link *l = &w->model->link[k];
-    w->is_active[k] = true;
-    w->active[w->n_active++] = k;
-    w->branch[k] = BRANCH_OPEN;
-    double *history = next->link_history + l->history;
-    if (now->closed[k]) {
-        memcpy(history, now->link_history + l->history,
-               (size_t)l->law->n_history * sizeof *history);
-        return;
+// A first guess of the force: the line through the last two steps, where there were two.
+static double guess(const struct state *now, const struct state *before, int k) {
+    double f = now->force[k];
+    bool known = before->time < now->time && before->closed[k];
+    return known && f > 0.0 ? number_max(2.0 * f - before->force[k], 0.0) : f;
+}
+
+void contact_begin(struct work *w, const struct state *now, struct state *next) {
+    for (int i = 0; i < now->n_live; i++) {
+        w->kept_f[now->live[i]] = guess(now, next, now->live[i]);
     }
+    state_open_links(next);
+    for (int i = 0; i < now->n_live; i++) {
+        int k = now->live[i];
+        const struct link *l = &w->model->link[k];
+        if (now->closed[k]) {
+            state_enliven(next, k);
+            next->force[k] = w->kept_f[k];
+            next->t_close[k] = now->t_close[k];
+            next->v_close[k] = now->v_close[k];
+            memcpy(next->link_history + l->history, now->link_history + l->history,
+                   (size_t)l->law->n_history * sizeof *next->link_history);
+            w->branch[k] = BRANCH_CLOSED;
+        }
+    }
+}
+
+void contact_penetrations(const struct work *w, struct state *next) {
+    const double *restrict u = next->u;
+    double *restrict delta = next->delta;
+    for (int k = 0; k < w->model->n_link; k++) {
+        const struct ends *e = &w->ends[k];
+        delta[k] = u[e->left] - u[e->right] - e->gap;
+    }
+    for (int k = 0; w->model->n_ground > 1 && k < w->model->n_link; k++) {
+        delta[k] += ground_difference(w->model, &w->model->link[k], next->ground_u);
+    }
+}
+
+// Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
+// of closure from its path without its own force, and the law's history from that.
+static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
+    const struct link *l = &w->model->link[k];
+    state_enliven(next, k);
+    w->branch[k] = BRANCH_OPEN;
+    w->checked[k] = 0.0;
+    w->flexibility[k] = own_flexibility(w, l);
     struct line line = contact_line(w, now, next, k);
-    struct path path = {fmin(now->delta[k], 0.0), now->rate[k], line.d_free, line.v_free, w->h};
+    struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
+                        line.v_free, w->h};
     double rate;
     next->t_close[k] = now->time + crossing_find(&path, &rate);
-    next->v_close[k] = fmax(rate, 0.0);
+    next->v_close[k] = number_max(rate, 0.0);
     if (l->law->close) {
-        l->law->close(l->constant, next->v_close[k], history);
+        l->law->close(l->constant, next->v_close[k], next->link_history + l->history);
     }
 }
 
 // Does an open link close in this step? One that has just opened may stand a rounding error inside;
-// it closes only if it goes deeper.
+// it closes only if it goes deeper. Rigid contacts close by an event.
 static bool closes(const struct work *w, const struct state *now, const struct state *next, int k) {
-    return k != w->held && trial_penetration(w, next, k) > fmax(now->delta[k], 0.0);
+    return next->delta[k] > number_max(now->delta[k], 0.0) && !next->is_live[k] && k != w->held &&
+           !w->model->link[k].law->rebound;
 }
 
-// Activates every link that is closed, bilateral or closing; returns how many were new.
-static int search(struct work *w, const struct state *now, struct state *next) {
-    int before = w->n_active;
-    for (int k = 0; k < w->model->n_link; k++) {
-        if (!w->is_active[k] && (now->closed[k] || closes(w, now, next, k))) {
-            activate(w, now, next, k);
+LANES static bool any_positive(const double *restrict x, int n) {
+    long found = 0;
+    for (int i = 0, end = lanes_whole(n); i < end; i++) {
+        found |= x[i] > 0.0;
+    }
+    return found != 0;
+}
+
+int contact_search(struct work *w, const struct state *now, struct state *next) {
+    int before = next->n_live;
+    int n = any_positive(next->delta, w->model->n_contact) ? w->model->n_contact : 0;
+    for (int k = 0; k < n; k++) {
+        if (closes(w, now, next, k)) {
+            close_link(w, now, next, k);
         }
     }
-    return w->n_active - before;
+    return next->n_live - before;
 }
 
 // True if changing the force by df moves the link by no more than rounding.
 static bool negligible(const struct work *w, const struct line *l, double df) {
     double moved = l->d_force > 0.0 ? l->d_force : l->v_force;
-    const double *x = l->d_force > 0.0 ? w->u_predicted : w->v_predicted;
-    return moved * fabs(df) <= 4.0 * DBL_EPSILON * (magnitude(l->link, x) + l->link->gap);
+    const double *x = l->d_force > 0.0 ? w->u_trial : w->v_trial;
+    return moved * fabs(df) <= state_rounding(l->link, x) + 4.0 * DBL_EPSILON * l->link->gap;
 }
 
-// One sweep of exact answers. True if it changed nothing that matters.
-static bool sweep(struct work *w, const struct state *now, struct state *next) {
-    double largest = 0.0;
-    double change = 0.0;
-    for (int i = 0; i < w->n_active; i++) {
-        int k = w->active[i];
+// How a sweep answers: exactly, or by Newton steps where they are safe.
+enum answer { ANSWER_EXACT, ANSWER_NEWTON };
+
+// One sweep; *change is the largest of a force that matters, *largest the largest force.
+static void sweep(struct work *w, const struct state *now, struct state *next, enum answer answer,
+                  double *change, double *largest) {
+    *largest = 0.0;
+    *change = 0.0;
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
         struct line line = contact_line(w, now, next, k);
         double force;
-        w->branch[k] = line_answer(&line, next->force[k], &force);
+        if (answer == ANSWER_NEWTON && line_step(&line, next->force[k], &force)) {
+            w->branch[k] = BRANCH_CLOSED;
+        } else {
+            w->branch[k] = line_answer(&line, next->force[k], &force);
+        }
         double df = force - next->force[k];
         contact_apply(w, next, k, df);
         next->force[k] = force;
-        largest = fmax(largest, fabs(force));
-        change = fmax(change, negligible(w, &line, df) ? 0.0 : fabs(df));
+        *largest = number_max(*largest, fabs(force));
+        if (fabs(df) > *change && !negligible(w, &line, df)) {
+            *change = fabs(df);
+        }
     }
     w->totals->iterations++;
-    return change <= w->model->tolerance * largest;
+}
+
+// Is it worth going on? Asked when the answer is there, and early, so that a hopeless step costs
+// little.
+static bool suffices(struct work *w, const struct state *now, const struct state *next) {
+    return w->strictness == STEP_ACCEPT || resolve_suffices(w, now, next);
 }
 
 // Sweeps, with block steps between them once plain sweeps are too slow.
 static int iterate(struct work *w, const struct state *now, struct state *next, bool *blocked) {
+    double before = INFINITY;
     for (int i = 0; i < w->model->iterations; i++) {
-        bool converged = sweep(w, now, next) || w->n_active == 1;
-        bool judged = w->strictness == STEP_STRICT && (i == 0 || converged);
-        if (judged && !resolve_suffices(w, now, next)) {
+        double change, largest;
+        sweep(w, now, next, i < PLAIN_SWEEPS ? ANSWER_NEWTON : ANSWER_EXACT, &change, &largest);
+        bool converged = change <= w->model->tolerance * largest;
+        if ((converged || i == PLAIN_SWEEPS) && !suffices(w, now, next)) {
             return STATUS_RETRY;
         }
         if (converged) {
             return STATUS_OK;
         }
-        if (i + 1 >= PLAIN_SWEEPS && block_step(w, now, next)) {
+        if (i + 1 >= PLAIN_SWEEPS && change > SLOW * before && block_step(w, now, next)) {
             *blocked = true;
         }
+        before = change;
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
@@ -183,10 +244,10 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
 
 // A link that found neither an open nor a closed solution opens inside the step, unless it has
 // bounced to rest.
-static bool undecided(const struct work *w, const struct state *now) {
-    for (int i = 0; w->strictness == STEP_STRICT && i < w->n_active; i++) {
-        int k = w->active[i];
-        if (w->branch[k] == BRANCH_NONE && !resolve_negligible(w, now->rate[k])) {
+static bool undecided(const struct work *w, const struct state *now, const struct state *next) {
+    for (int i = 0; w->strictness == STEP_STRICT && i < next->n_live; i++) {
+        int k = next->live[i];
+        if (w->branch[k] == BRANCH_NONE && !resolve_negligible(w, state_rate(now, w->model, k))) {
             return true;
         }
     }
@@ -196,16 +257,14 @@ static bool undecided(const struct work *w, const struct state *now) {
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
     bool blocked = false;
     long before = w->totals->iterations;
-    if (search(w, now, next) == 0 && w->n_active == 0) {
-        return STATUS_OK;
+    for (int i = 0; i < next->n_live; i++) {
+        w->flexibility[next->live[i]] = own_flexibility(w, &w->model->link[next->live[i]]);
     }
-    do {
-        int status = iterate(w, now, next, &blocked);
-        if (status != STATUS_OK) {
-            return status;
-        }
-    } while (search(w, now, next) > 0);
-    if (undecided(w, now)) {
+    int status = iterate(w, now, next, &blocked);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    if (undecided(w, now, next)) {
         return STATUS_RETRY;
     }
     long sweeps = w->totals->iterations - before;

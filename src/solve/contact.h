@@ -5,15 +5,25 @@
 
 #include "solve/work.h"
 
-// On entry next->a solves the buildings' equations under the link forces next->force; on return
-// both are changed so that every force also obeys its law. `now` is the committed state.
-// STATUS_RETRY: not solved to the model's tolerance.
+// Makes the links that are closed in `now` live in `next`, with a guess of their forces; the others
+// are open.
+void contact_begin(struct work *w, const struct state *now, struct state *next);
+
+// Penetrations of all links at the displacements of `next`.
+void contact_penetrations(const struct work *w, struct state *next);
+
+// Makes the links live that close on the way to the penetrations of `next`; returns how many.
+int contact_search(struct work *w, const struct state *now, struct state *next);
+
+// On entry w->correction solves the buildings' equations under the link forces next->force; on
+// return both are changed so that the force of every live link also obeys its law. `now` is the
+// committed state. STATUS_RETRY: not solved to the model's tolerance.
 int contact_solve(struct work *w, const struct state *now, struct state *next);
 
 // The line of link k at the trial state of `next`.
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k);
 
-// Changes the force of link k by df, and the accelerations of its buildings with it.
+// Changes the force of link k by df, and the correction of its buildings with it.
 void contact_apply(struct work *w, struct state *next, int k, double df);
 
 #endif

@@ -44,20 +44,31 @@ static double root(const struct cubic *c, double sign) {
     return x;
 }
 
-double crossing_find(const struct path *p, double *velocity) {
+static struct cubic cubic_through(const struct path *p) {
     double m0 = p->h * p->v0;
     double m1 = p->h * p->v1;
     double rise = p->d1 - p->d0;
-    struct cubic c = {p->d0, m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise};
+    return (struct cubic){p->d0, m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise};
+}
+
+double crossing_find(const struct path *p, double *velocity) {
+    struct cubic c = cubic_through(p);
     double x = 1.0;
-    if (p->d0 == 0.0 && p->d1 < 0.0 && m0 > 0.0) {
+    if (p->d0 == 0.0 && p->d1 * c.c1 < 0.0) {
         struct cubic other = {c.c1, c.c2, c.c3, 0.0};  // the cubic without its root at x = 0
-        x = root(&other, -1.0);
+        x = root(&other, p->d1 > 0.0 ? 1.0 : -1.0);
     } else if (p->d0 == 0.0) {
         x = 0.0;
     } else if (p->d1 != 0.0) {
         x = root(&c, p->d0 < 0.0 ? 1.0 : -1.0);
     }
     *velocity = slope(&c, x) / p->h;
+    return x * p->h;
+}
+
+double crossing_summit(const struct path *p, double *largest) {
+    struct cubic c = cubic_through(p);
+    double x = c.c1 / (sqrt(c.c2 * c.c2 - 3.0 * c.c3 * c.c1) - c.c2);
+    *largest = value(&c, x);
     return x * p->h;
 }

@@ -10,7 +10,11 @@ struct path {
 
 // Time from the start of the step [T] at which the cubic through both ends passes through zero, and
 // its velocity there. Needs d0 <= 0 < d1 or d0 >= 0 > d1 (or a zero at either end); from d0 = 0
-// upwards and back it is the second zero.
+// there and back it is the second zero.
 double crossing_find(const struct path *p, double *velocity);
+
+// For v0 > 0 > v1: time from the start of the step [T] at which the cubic is largest, and how
+// large.
+double crossing_summit(const struct path *p, double *largest);
 
 #endif

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/lanes.h"
 #include "solve/dp.h"
 
 static const double SAFETY = 0.9, PROPORTIONAL = 0.17, INTEGRAL = 0.04;
@@ -35,25 +36,16 @@ static const double CROWD_TIME = 1e-7;
 // A run in which this many steps get less far than their share of ADAPTIVE_STEPS_MAX is given up.
 enum { PACE_STEPS = 20000 };
 
-static bool alloc_state(struct state *s, const struct model *m, struct arena *a) {
-    return state_alloc(s, m, a) && (s->u = dp_system_vector(m, a)) &&
-           (s->v = dp_system_vector(m, a)) && (s->a = dp_system_vector(m, a));
-}
-
 static bool alloc_stages(struct dp *p, struct arena *a) {
-    p->stage_u = dp_system_vector(p->model, a);
-    p->stage_v = dp_system_vector(p->model, a);
-    p->error_u = dp_system_vector(p->model, a);
-    p->error_v = dp_system_vector(p->model, a);
-    for (int s = 0; s < DP_STAGES; s++) {
-        p->stage[s].u = p->stage_u;
-        p->stage[s].v = p->stage_v;
-        p->stage[s].a = dp_system_vector(p->model, a);
-        if (!p->stage[s].a || !dp_system_alloc_rates(&p->stage[s], p->model, a)) {
-            return false;
-        }
+    double **const part[] = {&p->zero, &p->error_u, &p->error_v, &p->input, &p->damping};
+    bool good = true;
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        good = good && (*part[i] = lanes_array(a, p->model->n_dof));
     }
-    return p->stage_u && p->stage_v && p->error_u && p->error_v;
+    for (int s = 0; s < DP_STAGES; s++) {
+        good = good && dp_system_alloc_rates(&p->stage[s], p->model, a);
+    }
+    return good;
 }
 
 struct dp *dormand_prince_create(const struct model *m, struct results *r, struct impact_log *log,
@@ -66,8 +58,9 @@ struct dp *dormand_prince_create(const struct model *m, struct results *r, struc
     *p = (struct dp){.model = m, .results = r, .impacts = log, .last_link = -1};
     p->largest_u = arena_alloc(a, n, sizeof(double));
     p->largest_v = arena_alloc(a, n, sizeof(double));
-    bool good = p->largest_u && p->largest_v && dp_system_alloc(&p->system, m, a) &&
-                alloc_state(&p->now, m, a) && alloc_state(&p->next, m, a) && alloc_stages(p, a);
+    p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
+    bool good = p->meeting && p->largest_u && p->largest_v && dp_system_alloc(&p->system, m, a) &&
+                state_alloc(&p->now, m, a) && state_alloc(&p->next, m, a) && alloc_stages(p, a);
     return good ? p : NULL;
 }
 
@@ -132,10 +125,13 @@ void dormand_prince_start(struct dp *p, const struct state *start,
     memcpy(now->v, start->v, n_dof);
     memcpy(now->drift, start->drift, n_dof);
     memcpy(now->delta, start->delta, n_link);
-    memcpy(now->rate, start->rate, n_link);
     memcpy(now->t_close, start->t_close, n_link);
     memcpy(now->v_close, start->v_close, n_link);
+    memcpy(now->ground_v, start->ground_v, (size_t)m->n_ground * sizeof *now->ground_v);
     memcpy(now->closed, start->closed, (size_t)m->n_link * sizeof *now->closed);
+    for (int i = 0; i < start->n_live; i++) {
+        state_enliven(now, start->live[i]);
+    }
     memcpy(now->storey_history, start->storey_history,
            (size_t)m->n_storey_history * sizeof(double));
     memcpy(now->link_history, start->link_history, (size_t)m->n_link_history * sizeof(double));
@@ -163,11 +159,10 @@ static void swap(double **x, double **y) {
 static void swap_ends(struct dp *p) {
     struct state *now = &p->now;
     struct state *next = &p->next;
-    double **of_now[] = {&now->u,    &now->v,     &now->a,        &now->drift,    &now->delta,
-                         &now->rate, &now->force, &now->ground_a, &now->ground_v, &now->ground_u};
-    double **of_next[] = {&next->u,        &next->v,       &next->a,     &next->drift,
-                          &next->delta,    &next->rate,    &next->force, &next->ground_a,
-                          &next->ground_v, &next->ground_u};
+    double **of_now[] = {&now->u,     &now->v,     &now->a,        &now->drift,   &now->delta,
+                         &now->force, &now->ground_a, &now->ground_v, &now->ground_u};
+    double **of_next[] = {&next->u,     &next->v,     &next->a,        &next->drift,   &next->delta,
+                         &next->force, &next->ground_a, &next->ground_v, &next->ground_u};
     for (size_t i = 0; i < sizeof of_now / sizeof of_now[0]; i++) {
         swap(of_now[i], of_next[i]);
     }
@@ -256,10 +251,10 @@ static const char *cause(const struct dp *p, double h) {
     const struct model *m = p->model;
     const char *name = p->last_link < 0 ? "the tolerance" : m->link[p->last_link].name;
     double fastest = 0.5 / h;  // slower ones do not matter
-    for (int i = 0; i < p->system.n_active; i++) {
-        int k = p->system.active[i];
-        struct contact_response r =
-            dp_system_response(&p->system, &p->now, k, p->now.delta[k], p->now.rate[k]);
+    for (int i = 0; i < p->now.n_live; i++) {
+        int k = p->now.live[i];
+        struct contact_response r = dp_system_response(&p->system, &p->now, k, p->now.delta[k],
+                                                       state_rate(&p->now, m, k));
         double rate = fmax(fabs(r.dfdv) / m->link[k].mass, sqrt(fabs(r.dfdd) / m->link[k].mass));
         if (rate > fastest) {
             fastest = rate;

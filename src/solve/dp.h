@@ -15,6 +15,7 @@ enum dp_event_kind {
     DP_NONE,
     DP_CLOSE,   // a contact closes
     DP_OPEN,    // or opens
+    DP_MEET,    // the bodies of a rigid contact meet
     DP_TURN,    // the velocity of a closed contact changes its sign
     DP_BRANCH,  // a storey comes to the end of its line
     DP_UNLOAD,  // the drift of a yielding storey turns round
@@ -36,8 +37,10 @@ struct dp {
     struct dp_system system;
     struct state now, next;  // the ends of the step; histories and closed links are in `now`
     struct dp_rates stage[DP_STAGES];      // the first at `now`, the last at `next`
-    double *stage_u, *stage_v;             // (n_dof) of the stages between
+    struct meeting *meeting;               // (n_contact) scratch of rigid impacts
+    double *zero;                          // (n_dof) zeros
     double *error_u, *error_v;             // (n_dof) scratch
+    double *input, *damping;               // [F L] (n_dof) scratch
     double *largest_u, *largest_v;         // [L] [L/T] (n_building) so far
     double most_u, most_v;                 // of any building
     struct energy_account before, energy;  // up to the start and to the end of the step

@@ -8,14 +8,32 @@
 
 #include "solve/dp.h"
 
-// Powers of the system that enter the energy account.
-static void integrate(const struct dp *p, const double *weight, double *work) {
-    work[0] = work[1] = work[2] = 0.0;
-    for (int s = 0; s < DP_STAGES; s++) {
-        work[0] += p->h * weight[s] * p->stage[s].input;
-        work[1] += p->h * weight[s] * p->stage[s].damping;
-        work[2] += p->h * weight[s] * p->stage[s].storey;
+static double sum_of(const double *x, int n) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        sum += x[i];
     }
+    return sum;
+}
+
+// Works that enter the energy account.
+static void integrate(struct dp *p, const double *weight, double *work) {
+    int n = p->model->n_dof;
+    work[0] = work[1] = work[2] = 0.0;
+    memset(p->input, 0, (size_t)n * sizeof *p->input);
+    memset(p->damping, 0, (size_t)n * sizeof *p->damping);
+    for (int s = 0; s < DP_STAGES; s++) {
+        const struct dp_rates *r = &p->stage[s];
+        double time = p->h * weight[s];
+        work[0] += time * r->input;
+        work[1] += time * r->damping;
+        work[2] += time * r->storey;
+        if (time != 0.0) {
+            dp_system_works(&p->system, r, time, p->input, p->damping);
+        }
+    }
+    work[0] += sum_of(p->input, n);
+    work[1] += sum_of(p->damping, n);
 }
 
 // Work done on link number i of the active ones up to place x, and its impulse.
@@ -39,8 +57,8 @@ static void add_work(struct energy_account *e, const double *work, double contac
 void dp_account_step(struct dp *p) {
     double work[3];
     double contact = 0.0;
-    for (int i = 0; i < p->system.n_active; i++) {
-        int k = p->system.active[i];
+    for (int i = 0; i < p->now.n_live; i++) {
+        int k = p->now.live[i];
         struct impact_share share = {.steps = 1};
         share.work = link_work(p, dp_stages_whole, i, &share.impulse);
         dp_peaks_link(p, k, &share);
@@ -52,13 +70,14 @@ void dp_account_step(struct dp *p) {
     add_work(&p->energy, work, contact);
 }
 
-// The motion of n floors from `first` on at place x, into the stages' vectors.
+// The motion of n floors from `first` on at place x, into the second stage: its weight in the works
+// is 0, so it is free between steps.
 static void interpolate(struct dp *p, double x, int first, int n) {
     for (int i = first; i < first + n; i++) {
         struct motion m = dp_event_floor(p, i);
         struct polynomial u = hermite_position(&m);
-        p->stage_u[i] = hermite_value(&u, x);
-        p->stage_v[i] = hermite_slope(&u, x) / p->h;
+        p->stage[1].u[i] = hermite_value(&u, x);
+        p->stage[1].v[i] = hermite_slope(&u, x) / p->h;
     }
 }
 
@@ -71,8 +90,8 @@ double dp_account_acceleration(struct dp *p, double x, int i) {
     } else {
         interpolate(p, x, i > g->first ? i - 1 : i, 1 + (i > g->first) + !roof);
     }
-    for (int n = 0; n < p->system.n_active; n++) {
-        const int *dof = m->link[p->system.active[n]].dof;
+    for (int n = 0; n < p->now.n_live; n++) {
+        const int *dof = m->link[p->now.live[n]].dof;
         if ((dof[0] == i || dof[1] == i) && dof[0] != WALL && dof[1] != WALL) {
             interpolate(p, x, dof[0] == i ? dof[1] : dof[0], 1);
         }
@@ -80,8 +99,7 @@ double dp_account_acceleration(struct dp *p, double x, int i) {
     return dp_system_acceleration(&p->system, &p->now, p->now.time + x * p->h, &p->stage[1], i);
 }
 
-// The state at place x of the step: u and v, and with them the rates in the second stage, which is
-// free between steps.
+// The state at place x of the step, and the rates there.
 static const struct dp_rates *rates_at(struct dp *p, double x) {
     struct dp_rates *r = &p->stage[1];
     interpolate(p, x, 0, p->model->n_dof);
@@ -95,12 +113,11 @@ static void row_links(const struct dp *p, const struct dp_rates *rates, struct s
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         row->delta[k] = state_gap(l, m, rates->u, rates->ground.u) - l->gap;
-        row->rate[k] = state_gap(l, m, rates->v, rates->ground.v);
         row->closed[k] = p->now.closed[k];
         row->force[k] = 0.0;
     }
-    for (int i = 0; i < p->system.n_active; i++) {
-        row->force[p->system.active[i]] = rates->force[i];
+    for (int i = 0; i < p->now.n_live; i++) {
+        row->force[p->now.live[i]] = rates->force[i];
     }
 }
 
@@ -108,7 +125,7 @@ static void row_storeys(const struct dp *p, struct state *row) {
     const struct model *m = p->model;
     memcpy(row->storey_history, p->now.storey_history,
            (size_t)m->n_storey_history * sizeof *row->storey_history);
-    state_internal_forces(row, m);
+    state_internal_forces(row, m, row->u, row->v);
     for (int n = 0; n < p->system.n_inelastic; n++) {
         int i = p->system.inelastic[n];
         const struct storey *law = &m->storey[i];
@@ -125,7 +142,7 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
     double contact = 0.0;
     dp_stages_weights(x, weight);
     integrate(p, weight, work);
-    for (int i = 0; i < p->system.n_active; i++) {
+    for (int i = 0; i < p->now.n_live; i++) {
         double impulse;
         contact += link_work(p, weight, i, &impulse);
     }
@@ -135,6 +152,11 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
     memcpy(row->v, rates->v, size);
     memcpy(row->a, rates->a, size);
     memcpy(row->ground_a, rates->ground.a, (size_t)m->n_ground * sizeof(double));
+    memcpy(row->ground_v, rates->ground.v, (size_t)m->n_ground * sizeof(double));
+    for (int i = 0; i < m->n_dof; i++) {
+        int ground = m->building[p->system.building[i]].ground;
+        row->total[i] = row->a[i] + row->ground_a[ground];
+    }
     row_storeys(p, row);
     row_links(p, rates, row);
     *energy = p->before;

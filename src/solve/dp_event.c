@@ -15,6 +15,7 @@
 #include <math.h>
 
 #include "solve/dp.h"
+#include "solve/excitation.h"
 
 enum { ITERATIONS_MAX = 60 };
 static const double LOCATED = 1e-7;   // of the step: the next correction is about its square
@@ -29,7 +30,7 @@ static void motion_accelerations(const struct dp *p, const struct link *l, struc
 struct motion dp_event_link(const struct dp *p, int k) {
     struct motion m = {
         .d = {p->now.delta[k], p->next.delta[k]},
-        .v = {p->now.rate[k], p->next.rate[k]},
+        .v = {state_rate(&p->now, p->model, k), state_rate(&p->next, p->model, k)},
         .h = p->h,
     };
     motion_accelerations(p, &p->model->link[k], &m);
@@ -109,8 +110,10 @@ static struct dp_event closing(const struct dp *p, int k, const struct motion *m
     double least = noise(p, k);
     for (int i = 0; i < s.n; i++) {
         if (s.d[i + 1] > least && s.d[i + 1] > s.d[i]) {
-            return (struct dp_event){
-                .kind = DP_CLOSE, .index = k, .place = reach(&s, i, 0.0), .direction = 1.0};
+            return (struct dp_event){.kind = p->model->link[k].law->rebound ? DP_MEET : DP_CLOSE,
+                                     .index = k,
+                                     .place = reach(&s, i, 0.0),
+                                     .direction = 1.0};
         }
     }
     return nothing;
@@ -137,7 +140,7 @@ static struct dp_event leaving(const struct dp *p, int k, const struct motion *m
 // Could an open link close in the step? An upper bound of its penetration.
 static bool may_close(const struct dp *p, int k) {
     double d = fmax(p->now.delta[k], p->next.delta[k]);
-    return d + p->h * fmax(fabs(p->now.rate[k]), fabs(p->next.rate[k])) > 0.0;
+    return d + p->h * fmax(fabs(state_rate(&p->now, p->model, k)), fabs(state_rate(&p->next, p->model, k))) > 0.0;
 }
 
 static struct dp_event link_event(const struct dp *p, int k) {
@@ -267,20 +270,37 @@ void dp_event_locate(struct dp *p) {
 static int toggle(struct dp *p, int k, struct error *e) {
     struct state *now = &p->now;
     if (now->closed[k]) {
-        now->closed[k] = false;
-        now->force[k] = 0.0;
-        dp_system_remove(&p->system, k);
+        state_open_link(now, k);
     } else {
         p->system.phase[k] = PHASE_APPROACH;
         state_close_link(now, p->model, k);
-        dp_system_add(&p->system, k);
     }
-    return impacts_toggle(p->impacts, p->results, now, k, e);
+    return impacts_toggle(p->impacts, p->results, p->model, now, k, e);
+}
+
+// Lets the bodies of rigid contact k meet.
+static int meet(struct dp *p, int k, struct error *e) {
+    const struct model *m = p->model;
+    struct state *now = &p->now;
+    const struct least_bounce least = {.velocity = m->control.tolerance * p->most_v};
+    excitation_at(now, m, now->time);
+    impulse_meet(now, m, k, REBOUND_BY_LAW, &least, p->meeting);
+    energy_meet(&p->energy, m, now, p->meeting);
+    if (now->closed[k]) {
+        return error_set(e, STATUS_FAILED,
+                         "at t = %.9g %s contact %s comes to rest, which adaptive steps do not "
+                         "follow; use step fixed DT",
+                         now->time, m->deck->units.time_name, m->link[k].name);
+    }
+    return impacts_meet(p->impacts, p->results, m, now, p->meeting, e);
 }
 
 int dp_event_apply(struct dp *p, const struct dp_event *event, struct error *e) {
     int k = event->index;
     switch (event->kind) {
+        case DP_MEET:
+            p->last_link = k;
+            return meet(p, k, e);
         case DP_CLOSE:
         case DP_OPEN:
             p->last_link = k;

@@ -222,8 +222,8 @@ static double link_penetration(struct dp *p, int k, const struct motion *m) {
 static void open_step(struct dp *p, int k) {
     double most = p->results->link[k].penetration;
     double d = fmax(p->now.delta[k], p->next.delta[k]);
-    bool turns = p->now.rate[k] > 0.0 && p->next.rate[k] < 0.0;
-    if (d > most || (turns && d + p->h * p->now.rate[k] > most)) {
+    bool turns = state_rate(&p->now, p->model, k) > 0.0 && state_rate(&p->next, p->model, k) < 0.0;
+    if (d > most || (turns && d + p->h * state_rate(&p->now, p->model, k) > most)) {
         struct motion m = dp_event_link(p, k);
         link_penetration(p, k, &m);
     }
@@ -289,8 +289,8 @@ void dp_peaks_step(struct dp *p) {
 
 void dp_peaks_now(struct dp *p) {
     floors_at(p, &p->now);
-    for (int i = 0; i < p->system.n_active; i++) {
-        int k = p->system.active[i];
+    for (int i = 0; i < p->now.n_live; i++) {
+        int k = p->now.live[i];
         bool both = p->model->link[k].bilateral;
         double force = p->stage[0].force[i];
         note_force(&p->results->link[k], both ? fabs(force) : force, p->now.time);

@@ -8,101 +8,138 @@
 //     V_s = v + h sum A_sj a_j,    U_s = u + c_s h v + h^2 sum Q_sj a_j,
 // which is the same method with half the sums (ibid., section II.14). The error estimates h E and
 // h^2 (E A) follow in the same way.
-//
-// Floors are summed in blocks, so that the compiler can use vector instructions.
 #include <math.h>
 
+#include "core/lanes.h"
 #include "solve/dp.h"
-#include "solve/lanes.h"
 
 static const double node[DP_STAGES] = {0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0};
 
-enum { TERMS_MAX = DP_STAGES };
+// Sums over the accelerations of n stages.
+enum { TERMS_MAX = 6 };
 struct sums {
-    int n;  // terms
+    int n;
+    int stage[TERMS_MAX];
     double v[TERMS_MAX], u[TERMS_MAX];
 };
 
 // Rows of A and of A A.
 static const struct sums stage_sums[DP_STAGES] = {
     {0},
-    {1, {1.0 / 5.0}, {0.0}},
-    {2, {3.0 / 40.0, 9.0 / 40.0}, {9.0 / 200.0, 0.0}},
-    {3, {44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0}, {-12.0 / 25.0, 4.0 / 5.0, 0.0}},
+    {1, {0}, {1.0 / 5.0}, {0.0}},
+    {2, {0, 1}, {3.0 / 40.0, 9.0 / 40.0}, {9.0 / 200.0, 0.0}},
+    {3, {0, 1, 2}, {44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0}, {-12.0 / 25.0, 4.0 / 5.0, 0.0}},
     {4,
+     {0, 1, 2, 3},
      {19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0},
      {-12248.0 / 6561.0, 7208.0 / 2187.0, -6784.0 / 6561.0, 0.0}},
     {5,
+     {0, 1, 2, 3, 4},
      {9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0},
      {-533.0 / 264.0, 91.0 / 22.0, -56.0 / 33.0, 7.0 / 88.0, 0.0}},
-    {6,
-     {35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0},
-     {35.0 / 384.0, 0.0, 50.0 / 159.0, 25.0 / 192.0, -243.0 / 6784.0, 0.0}},
+    {5,
+     {0, 2, 3, 4, 5},
+     {35.0 / 384.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0},
+     {35.0 / 384.0, 50.0 / 159.0, 25.0 / 192.0, -243.0 / 6784.0, 0.0}},
 };
 
 // The difference of the solutions of order 5 and 4.
 static const struct sums error_sums = {
-    7,
-    {71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0,
+    6,
+    {0, 2, 3, 4, 5, 6},
+    {71.0 / 57600.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0,
      -1.0 / 40.0},
-    {611.0 / 230400.0, 0.0, -514.0 / 83475.0, 391.0 / 38400.0, -4617.0 / 1356800.0, -11.0 / 3360.0,
-     0.0},
+    {611.0 / 230400.0, -514.0 / 83475.0, 391.0 / 38400.0, -4617.0 / 1356800.0, -11.0 / 3360.0, 0.0},
 };
 
-// Sums over the stages' accelerations of some floors from number i on. All are kept in registers.
-enum { BLOCK = 4 };
-struct block {
-    struct lanes v[BLOCK], u[BLOCK];
+// One set of sums for all floors: the accelerations to add and their factors.
+struct terms {
+    const double *a[TERMS_MAX];
+    double v[TERMS_MAX], u[TERMS_MAX];
 };
 
-static inline struct block sum_stages(const struct dp *p, const struct sums *s, int i) {
-    struct lanes v0 = lanes_of(0.0), v1 = v0, v2 = v0, v3 = v0;
-    struct lanes u0 = v0, u1 = v0, u2 = v0, u3 = v0;
-    for (int j = 0; j < s->n; j++) {
-        const double *a = p->stage[j].a + i;
-        struct lanes a0 = lanes_at(a, 0), a1 = lanes_at(a, 1);
-        struct lanes a2 = lanes_at(a, 2), a3 = lanes_at(a, 3);
-        struct lanes to_v = lanes_of(s->v[j]);
-        struct lanes to_u = lanes_of(s->u[j]);
-        v0.x += to_v.x * a0.x;
-        v1.x += to_v.x * a1.x;
-        v2.x += to_v.x * a2.x;
-        v3.x += to_v.x * a3.x;
-        u0.x += to_u.x * a0.x;
-        u1.x += to_u.x * a1.x;
-        u2.x += to_u.x * a2.x;
-        u3.x += to_u.x * a3.x;
+static struct terms terms_of(const struct dp *p, const struct sums *s, double h) {
+    struct terms t;
+    for (int j = 0; j < TERMS_MAX; j++) {
+        t.a[j] = p->stage[s->stage[j]].a;
+        t.v[j] = h * s->v[j];
+        t.u[j] = h * h * s->u[j];
     }
-    return (struct block){{v0, v1, v2, v3}, {u0, u1, u2, u3}};
+    return t;
 }
 
-static void combine(const struct dp *p, int stage, double h, double *restrict u,
-                    double *restrict v) {
-    const double *restrict u_start = p->now.u;
-    const double *restrict v_start = p->now.v;
-    struct lanes drift = lanes_of(node[stage] * h);
-    struct lanes h1 = lanes_of(h);
-    struct lanes h2 = lanes_of(h * h);
-    int n = p->model->n_dof;
-    for (int i = 0; i < n; i += BLOCK * LANES) {
-        struct block sum = sum_stages(p, &stage_sums[stage], i);
-        for (size_t l = 0; l < BLOCK; l++) {
-            struct lanes v0 = lanes_at(v_start + i, l);
-            struct lanes u0 = lanes_at(u_start + i, l);
-            struct lanes v1 = {v0.x + h1.x * sum.v[l].x};
-            struct lanes u1 = {u0.x + (drift.x * v0.x + h2.x * sum.u[l].x)};
-            lanes_put(v + i, l, v1);
-            lanes_put(u + i, l, u1);
-        }
+// v = v0 + sum of the first n terms and u = u0 + c v0 + sum. Where this is expanded n is a
+// constant, so that the compiler makes one loop in lanes of it.
+static inline void combine(int n, const struct terms *t, int n_dof, double c,
+                           const double *restrict u0, const double *restrict v0,
+                           double *restrict u, double *restrict v) {
+    const double *restrict a0 = t->a[0], *restrict a1 = t->a[1], *restrict a2 = t->a[2];
+    const double *restrict a3 = t->a[3], *restrict a4 = t->a[4], *restrict a5 = t->a[5];
+    double v_0 = t->v[0], v_1 = t->v[1], v_2 = t->v[2], v_3 = t->v[3], v_4 = t->v[4];
+    double u_0 = t->u[0], u_1 = t->u[1], u_2 = t->u[2], u_3 = t->u[3], u_4 = t->u[4];
+    double v_5 = t->v[5], u_5 = t->u[5];
+    for (int i = 0, end = lanes_whole(n_dof); i < end; i++) {
+        double to_v = v_0 * a0[i];
+        double to_u = u_0 * a0[i];
+        to_v += n > 1 ? v_1 * a1[i] : 0.0;
+        to_u += n > 1 ? u_1 * a1[i] : 0.0;
+        to_v += n > 2 ? v_2 * a2[i] : 0.0;
+        to_u += n > 2 ? u_2 * a2[i] : 0.0;
+        to_v += n > 3 ? v_3 * a3[i] : 0.0;
+        to_u += n > 3 ? u_3 * a3[i] : 0.0;
+        to_v += n > 4 ? v_4 * a4[i] : 0.0;
+        to_u += n > 4 ? u_4 * a4[i] : 0.0;
+        to_v += n > 5 ? v_5 * a5[i] : 0.0;
+        to_u += n > 5 ? u_5 * a5[i] : 0.0;
+        v[i] = v0[i] + to_v;
+        u[i] = u0[i] + (c * v0[i] + to_u);
     }
 }
+
+typedef void combine_fn(const struct terms *t, int n_dof, double c, const double *u0,
+                        const double *v0, double *u, double *v);
+
+LANES static void combine_1(const struct terms *t, int n_dof, double c, const double *u0,
+                            const double *v0, double *u, double *v) {
+    combine(1, t, n_dof, c, u0, v0, u, v);
+}
+
+LANES static void combine_2(const struct terms *t, int n_dof, double c, const double *u0,
+                            const double *v0, double *u, double *v) {
+    combine(2, t, n_dof, c, u0, v0, u, v);
+}
+
+LANES static void combine_3(const struct terms *t, int n_dof, double c, const double *u0,
+                            const double *v0, double *u, double *v) {
+    combine(3, t, n_dof, c, u0, v0, u, v);
+}
+
+LANES static void combine_4(const struct terms *t, int n_dof, double c, const double *u0,
+                            const double *v0, double *u, double *v) {
+    combine(4, t, n_dof, c, u0, v0, u, v);
+}
+
+LANES static void combine_5(const struct terms *t, int n_dof, double c, const double *u0,
+                            const double *v0, double *u, double *v) {
+    combine(5, t, n_dof, c, u0, v0, u, v);
+}
+
+LANES static void combine_6(const struct terms *t, int n_dof, double c, const double *u0,
+                            const double *v0, double *u, double *v) {
+    combine(6, t, n_dof, c, u0, v0, u, v);
+}
+
+static combine_fn *const combine_terms[TERMS_MAX + 1] = {NULL,      combine_1, combine_2, combine_3,
+                                                         combine_4, combine_5, combine_6};
 
 void dp_stages_take(struct dp *p, double h, double end) {
     p->h = h;
     p->next.time = end;
     for (int s = 1; s < DP_STAGES; s++) {
-        bool last = s + 1 == DP_STAGES;
-        combine(p, s, h, last ? p->next.u : p->stage_u, last ? p->next.v : p->stage_v);
+        const struct sums *sums = &stage_sums[s];
+        struct terms t = terms_of(p, sums, h);
+        combine_terms[sums->n](&t, p->model->n_dof, node[s] * h, p->now.u, p->now.v, p->stage[s].u,
+                               p->stage[s].v);
         dp_system_rates(&p->system, &p->now, node[s] == 1.0 ? end : p->now.time + node[s] * h,
                         &p->stage[s]);
     }
@@ -120,13 +157,11 @@ void dp_stages_ends(struct dp *p) {
         next->drift[i] = next->u[i] - (p->system.below[i] < 0 ? 0.0 : next->u[p->system.below[i]]);
     }
     for (int k = 0; k < m->n_link; k++) {
-        const struct link *l = &m->link[k];
-        next->delta[k] = state_gap(l, m, next->u, next->ground_u) - l->gap;
-        next->rate[k] = state_gap(l, m, next->v, next->ground_v);
+        next->delta[k] = state_gap(&m->link[k], m, next->u, next->ground_u) - m->link[k].gap;
         next->force[k] = 0.0;
     }
-    for (int i = 0; i < p->system.n_active; i++) {
-        next->force[p->system.active[i]] = p->stage[DP_STAGES - 1].force[i];
+    for (int i = 0; i < p->now.n_live; i++) {
+        next->force[p->now.live[i]] = p->stage[DP_STAGES - 1].force[i];
     }
 }
 
@@ -152,20 +187,15 @@ static double building_error(const struct dp *p, int k) {
         u_size = larger(u_size, fabs(p->next.u[i]));
         v_size = larger(v_size, fabs(p->next.v[i]));
     }
-    double u = u_error == 0.0 ? 0.0 : p->h * p->h * u_error / u_size;
-    double v = v_error == 0.0 ? 0.0 : p->h * v_error / v_size;
+    double u = u_error == 0.0 ? 0.0 : u_error / u_size;
+    double v = v_error == 0.0 ? 0.0 : v_error / v_size;
     return isfinite(sum) ? larger(u, v) : INFINITY;
 }
 
 double dp_stages_error(struct dp *p) {
     double largest = 0.0;
-    for (int i = 0; i < p->model->n_dof; i += BLOCK * LANES) {
-        struct block error = sum_stages(p, &error_sums, i);
-        for (size_t l = 0; l < BLOCK; l++) {
-            lanes_put(p->error_u + i, l, error.u[l]);
-            lanes_put(p->error_v + i, l, error.v[l]);
-        }
-    }
+    struct terms t = terms_of(p, &error_sums, p->h);
+    combine_terms[error_sums.n](&t, p->model->n_dof, 0.0, p->zero, p->zero, p->error_u, p->error_v);
     for (int k = 0; k < p->model->n_building; k++) {
         largest = larger(largest, building_error(p, k));
     }

@@ -14,50 +14,44 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "solve/lanes.h"
+#include "core/lanes.h"
 
 // How far beyond its drift a storey is asked for its tangent, relative to its drift or to that
 // which its shear would take elastically: far above rounding, far below any tolerance.
 static const double PROBE = 1e-12;
 
-// Values behind the last that blocks of lanes may touch.
-enum { MARGIN = 16 };
-
-double *dp_system_vector(const struct model *m, struct arena *a) {
-    double *x = arena_alloc(a, (size_t)m->n_dof + MARGIN + LANES, sizeof *x);
-    return x ? x + LANES : NULL;
-}
-
 bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a) {
     size_t n = (size_t)m->n_dof;
     *s = (struct dp_system){.model = m};
-    double **vector[] = {&s->mobility, &s->stiffness, &s->base, &s->tangent, &s->damping};
-    for (size_t i = 0; i < sizeof vector / sizeof vector[0]; i++) {
-        *vector[i] = dp_system_vector(m, a);
-        if (!*vector[i]) {
-            return false;
-        }
+    double **const part[] = {&s->mobility, &s->base, &s->tangent, &s->damping};
+    bool good = true;
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        good = good && (*part[i] = lanes_array(a, m->n_dof));
     }
-    s->row = arena_alloc(a, (n + LANES) * DP_ROWS, sizeof *s->row);
-    s->active = arena_alloc(a, (size_t)m->n_link, sizeof *s->active);
+    for (int q = 0; q < DP_ROWS; q++) {
+        good = good && (s->row[q] = lanes_array(a, m->n_dof));
+    }
     s->phase = arena_alloc(a, (size_t)m->n_link, sizeof *s->phase);
     s->inelastic = arena_alloc(a, n, sizeof *s->inelastic);
     s->below = arena_alloc(a, n, sizeof *s->below);
     s->calls = arena_alloc(a, n, sizeof *s->calls);
     s->building = arena_alloc(a, n, sizeof *s->building);
-    return s->row && s->active && s->phase && s->inelastic && s->below && s->calls && s->building &&
+    return good && s->phase && s->inelastic && s->below && s->calls && s->building &&
            forcing_alloc(&s->forcing, m, a);
 }
 
 bool dp_system_alloc_rates(struct dp_rates *r, const struct model *m, struct arena *a) {
     size_t n_link = (size_t)m->n_link;
     size_t n_ground = (size_t)m->n_ground;
+    r->u = lanes_array(a, m->n_dof);
+    r->v = lanes_array(a, m->n_dof);
+    r->a = lanes_array(a, m->n_dof);
     r->force = arena_alloc(a, n_link, sizeof(double));
     r->power = arena_alloc(a, n_link, sizeof(double));
     r->ground.a = arena_alloc(a, n_ground, sizeof(double));
     r->ground.v = arena_alloc(a, n_ground, sizeof(double));
     r->ground.u = arena_alloc(a, n_ground, sizeof(double));
-    return r->force && r->power && r->ground.a && r->ground.v && r->ground.u;
+    return r->u && r->v && r->a && r->force && r->power && r->ground.a && r->ground.v && r->ground.u;
 }
 
 static bool is_straight(const struct storey *law) {
@@ -75,13 +69,8 @@ double dp_system_tangent(const struct dp_system *s, const struct state *now, int
 }
 
 double dp_system_storey_noise(const struct dp_system *s, const struct state *now, int i) {
-    double elastic = storey_at(s, now, i, now->drift[i]).shear / s->stiffness[i];
+    double elastic = storey_at(s, now, i, now->drift[i]).shear / s->model->chain.stiffness[i];
     return PROBE * (fabs(now->drift[i]) + fabs(elastic));
-}
-
-static double *row_of(const struct dp_system *s, int i, enum dp_row row) {
-    size_t lane = (size_t)i / LANES * DP_ROWS + row;
-    return s->row + lane * LANES + (size_t)i % LANES;
 }
 
 // The rows of the matrices that have to do with storey i: those of the floors above and below it.
@@ -90,10 +79,10 @@ static void fill_rows(struct dp_system *s, int i) {
     for (int j = i > g->first ? i - 1 : i; j <= i; j++) {
         bool roof = j + 1 == g->first + g->n_floor;
         double above = roof ? 0.0 : s->tangent[j + 1];
-        *row_of(s, j, DP_K_BELOW) = j > g->first ? -s->tangent[j] * s->mobility[j] : 0.0;
-        *row_of(s, j, DP_K_OWN) = (s->tangent[j] + above) * s->mobility[j];
-        *row_of(s, j, DP_K_ABOVE) = -above * s->mobility[j];
-        *row_of(s, j, DP_CONSTANT) = ((roof ? 0.0 : s->base[j + 1]) - s->base[j]) * s->mobility[j];
+        s->row[DP_K_BELOW][j] = j > g->first ? -s->tangent[j] * s->mobility[j] : 0.0;
+        s->row[DP_K_OWN][j] = (s->tangent[j] + above) * s->mobility[j];
+        s->row[DP_K_ABOVE][j] = -above * s->mobility[j];
+        s->row[DP_CONSTANT][j] = ((roof ? 0.0 : s->base[j + 1]) - s->base[j]) * s->mobility[j];
     }
 }
 
@@ -111,17 +100,16 @@ static void start_floor(struct dp_system *s, const struct state *now, int k, int
     const struct building *g = &s->model->building[k];
     int i = g->first + floor;
     const struct storey *law = &s->model->storey[i];
-    *row_of(s, i, DP_MASS) = g->mass[floor];
+    s->row[DP_GROUND][i] = s->model->n_ground == 1 ? 1.0 : 0.0;
     s->mobility[i] = 1.0 / g->mass[floor];
-    s->stiffness[i] = g->stiffness[floor];
     s->building[i] = k;
     s->below[i] = floor > 0 ? i - 1 : -1;
     s->calls[i] = !is_straight(law);
     s->tangent[i] = s->calls[i] ? 0.0 : g->stiffness[floor];
     if (!g->damping_full) {
-        *row_of(s, i, DP_C_BELOW) = floor > 0 ? g->damping_off[floor - 1] * s->mobility[i] : 0.0;
-        *row_of(s, i, DP_C_OWN) = g->damping_diagonal[floor] * s->mobility[i];
-        *row_of(s, i, DP_C_ABOVE) = g->damping_off[floor] * s->mobility[i];
+        s->row[DP_C_BELOW][i] = floor > 0 ? g->damping_off[floor - 1] * s->mobility[i] : 0.0;
+        s->row[DP_C_OWN][i] = g->damping_diagonal[floor] * s->mobility[i];
+        s->row[DP_C_ABOVE][i] = g->damping_off[floor] * s->mobility[i];
     }
     if (law->law->n_history > 0) {
         s->inelastic[s->n_inelastic++] = i;
@@ -134,31 +122,15 @@ void dp_system_start(struct dp_system *s, const struct state *now) {
     const struct model *m = s->model;
     (void)forcing_turn(&s->forcing, now->time);
     for (int k = 0; k < m->n_building; k++) {
-        s->any_full |= m->building[k].damping_full != NULL;
         for (int i = 0; i < m->building[k].n_floor; i++) {
             start_floor(s, now, k, i);
         }
     }
     for (int k = 0; k < m->n_link; k++) {
         s->phase[k] = m->link[k].bilateral ? PHASE_ANY
-                      : now->rate[k] < 0.0 ? PHASE_RELEASE
-                                           : PHASE_APPROACH;
-        if (now->closed[k]) {
-            dp_system_add(s, k);
-        }
+                      : state_rate(now, m, k) < 0.0 ? PHASE_RELEASE
+                                                    : PHASE_APPROACH;
     }
-}
-
-void dp_system_add(struct dp_system *s, int k) {
-    s->active[s->n_active++] = k;
-}
-
-void dp_system_remove(struct dp_system *s, int k) {
-    int i = 0;
-    while (s->active[i] != k) {
-        i++;
-    }
-    s->active[i] = s->active[--s->n_active];
 }
 
 struct contact_response dp_system_response(const struct dp_system *s, const struct state *now,
@@ -185,36 +157,40 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
     return s->calls[i] ? storey_at(s, now, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
-// From the rows of one lane of floors to those of the next.
-enum { ROW_STRIDE = DP_ROWS * LANES };
-
 // Accelerations of all floors without links, loads and what is special, under the ground
 // acceleration `ground`.
-static void floor_rates(const struct dp_system *s, double ground, struct dp_rates *r) {
-    const double *restrict u = r->u;
-    const double *restrict v = r->v;
-    const double *restrict row = s->row;
-    double *restrict a = r->a;
-    struct lanes under = lanes_of(ground);
-    struct lanes power = lanes_of(0.0);
-    struct lanes momentum = lanes_of(0.0);
-    int n = s->model->n_dof;
-    for (int i = 0; i < n; i += LANES, row += ROW_STRIDE) {
-        struct lanes own = lanes_load(v + i);
-        struct lanes damping = {lanes_at(row, DP_C_BELOW).x * lanes_load(v + i - 1).x +
-                                lanes_at(row, DP_C_OWN).x * own.x +
-                                lanes_at(row, DP_C_ABOVE).x * lanes_load(v + i + 1).x};
-        struct lanes spring = {lanes_at(row, DP_K_BELOW).x * lanes_load(u + i - 1).x +
-                               lanes_at(row, DP_K_OWN).x * lanes_load(u + i).x +
-                               lanes_at(row, DP_K_ABOVE).x * lanes_load(u + i + 1).x};
-        struct lanes carried = {lanes_at(row, DP_MASS).x * own.x};
-        momentum.x += carried.x;
-        power.x += carried.x * damping.x;
-        struct lanes sum = {lanes_at(row, DP_CONSTANT).x - under.x - (spring.x + damping.x)};
-        lanes_store(a + i, sum);
+LANES static void floor_rates(int n, double *const row[DP_ROWS], double ground,
+                              const double *restrict u, const double *restrict v,
+                              double *restrict a) {
+    const double *restrict k_below = row[DP_K_BELOW], *restrict k_own = row[DP_K_OWN];
+    const double *restrict k_above = row[DP_K_ABOVE], *restrict c_below = row[DP_C_BELOW];
+    const double *restrict c_own = row[DP_C_OWN], *restrict c_above = row[DP_C_ABOVE];
+    const double *restrict constant = row[DP_CONSTANT], *restrict share = row[DP_GROUND];
+    for (int i = 0, end = lanes_whole(n); i < end; i++) {
+        double spring = k_below[i] * u[i - 1] + k_own[i] * u[i] + k_above[i] * u[i + 1];
+        double damping = c_below[i] * v[i - 1] + c_own[i] * v[i] + c_above[i] * v[i + 1];
+        a[i] = constant[i] - ground * share[i] - (spring + damping);
     }
-    r->damping = lanes_sum(power);
-    r->input = -ground * lanes_sum(momentum);
+}
+
+LANES static void add_works(const struct chain *c, double weight, double to_ground,
+                            const double *restrict v, double *restrict input,
+                            double *restrict damping) {
+    const double *restrict mass = c->mass;
+    const double *restrict below = c->damping_below;
+    const double *restrict own = c->damping;
+    const double *restrict above = c->damping_above;
+    for (int i = 0, end = lanes_whole(c->n); i < end; i++) {
+        double force = below[i] * v[i - 1] + own[i] * v[i] + above[i] * v[i + 1];
+        damping[i] += weight * v[i] * force;
+        input[i] -= to_ground * mass[i] * v[i];
+    }
+}
+
+void dp_system_works(const struct dp_system *s, const struct dp_rates *r, double weight,
+                     double *input, double *damping) {
+    double ground = s->model->n_ground == 1 ? r->ground.a[0] : 0.0;
+    add_works(&s->model->chain, weight, weight * ground, r->v, input, damping);
 }
 
 // Ground accelerations where there are several.
@@ -273,8 +249,8 @@ static void load_rates(const struct dp_system *s, double t, struct dp_rates *r) 
 
 static void link_rates(const struct dp_system *s, const struct state *now, struct dp_rates *r) {
     const struct model *m = s->model;
-    for (int i = 0; i < s->n_active; i++) {
-        int k = s->active[i];
+    for (int i = 0; i < now->n_live; i++) {
+        int k = now->live[i];
         const struct link *l = &m->link[k];
         double rate = state_gap(l, m, r->v, r->ground.v);
         double d = state_gap(l, m, r->u, r->ground.u) - l->gap;
@@ -297,11 +273,12 @@ void dp_system_rates(const struct dp_system *s, const struct state *now, double 
                      struct dp_rates *r) {
     const struct model *m = s->model;
     forcing_ground(&s->forcing, t, &r->ground);
-    floor_rates(s, m->n_ground == 1 ? r->ground.a[0] : 0.0, r);
+    r->input = r->damping = 0.0;
+    floor_rates(m->n_dof, s->row, m->n_ground == 1 ? r->ground.a[0] : 0.0, r->u, r->v, r->a);
     if (m->n_ground > 1) {
         ground_rates(s, r);
     }
-    if (s->any_full) {
+    if (m->chain.full_damping) {
         full_damping(s, r);
     }
     storey_rates(s, now, r);
@@ -315,11 +292,11 @@ static double own_acceleration(const struct dp_system *s, const struct state *no
     const struct building *g = &s->model->building[s->building[i]];
     const double *u = r->u + i;
     const double *v = r->v + i;
-    double a = *row_of(s, i, DP_CONSTANT);
-    a -= *row_of(s, i, DP_K_BELOW) * u[-1] + *row_of(s, i, DP_K_OWN) * u[0] +
-         *row_of(s, i, DP_K_ABOVE) * u[1];
-    a -= *row_of(s, i, DP_C_BELOW) * v[-1] + *row_of(s, i, DP_C_OWN) * v[0] +
-         *row_of(s, i, DP_C_ABOVE) * v[1];
+    double a = s->row[DP_CONSTANT][i];
+    a -= s->row[DP_K_BELOW][i] * u[-1] + s->row[DP_K_OWN][i] * u[0] +
+         s->row[DP_K_ABOVE][i] * u[1];
+    a -= s->row[DP_C_BELOW][i] * v[-1] + s->row[DP_C_OWN][i] * v[0] +
+         s->row[DP_C_ABOVE][i] * v[1];
     if (g->damping_full) {
         building_damping_force(g, r->v + g->first, s->damping + g->first);
         a -= s->damping[i] * s->mobility[i];
@@ -342,12 +319,12 @@ double dp_system_acceleration(const struct dp_system *s, const struct state *now
     for (int k = 0; k < m->n_load; k++) {
         a += m->load[k].dof == i ? forcing_load(&s->forcing, k, t) * s->mobility[i] : 0.0;
     }
-    for (int n = 0; n < s->n_active; n++) {
-        const struct link *l = &m->link[s->active[n]];
+    for (int n = 0; n < now->n_live; n++) {
+        const struct link *l = &m->link[now->live[n]];
         if (l->dof[0] == i || l->dof[1] == i) {
             double d = state_gap(l, m, r->u, r->ground.u) - l->gap;
             double rate = state_gap(l, m, r->v, r->ground.v);
-            double force = dp_system_response(s, now, s->active[n], d, rate).force;
+            double force = dp_system_response(s, now, now->live[n], d, rate).force;
             a += (l->dof[0] == i ? -force : force) * s->mobility[i];
         }
     }
@@ -361,11 +338,12 @@ void dp_system_commit(const struct dp_system *s, struct state *now) {
         law->law->commit(law->constant, now->storey_history + law->history,
                          now->drift[s->inelastic[i]]);
     }
-    for (int i = 0; i < s->n_active; i++) {
-        const struct link *l = &m->link[s->active[i]];
+    for (int i = 0; i < now->n_live; i++) {
+        int k = now->live[i];
+        const struct link *l = &m->link[k];
         if (l->law->commit) {
-            l->law->commit(l->constant, now->link_history + l->history,
-                           fmax(now->delta[s->active[i]], 0.0), now->rate[s->active[i]]);
+            l->law->commit(l->constant, now->link_history + l->history, fmax(now->delta[k], 0.0),
+                           state_rate(now, m, k));
         }
     }
 }

@@ -14,9 +14,9 @@ enum phase {
     PHASE_APPROACH = 1,
 };
 
-// What a floor's acceleration is made of, besides loads and links: M^-1 K and M^-1 C, each with the
-// floor below, the floor itself and the one above; M^-1 times the forces that do not depend on the
-// motion; and the mass.
+// What a floor's acceleration is made of, besides loads and links, each an array of core/lanes.h:
+// M^-1 K and M^-1 C, each with the floor below, the floor itself and the one above; M^-1 times the
+// forces that do not depend on the motion; and the share of the ground's acceleration, 1.
 enum dp_row {
     DP_K_BELOW,
     DP_K_OWN,
@@ -25,45 +25,35 @@ enum dp_row {
     DP_C_OWN,
     DP_C_ABOVE,
     DP_CONSTANT,
-    DP_MASS,
+    DP_GROUND,
     DP_ROWS
 };
 
 struct dp_system {
     const struct model *model;  // borrowed
     struct forcing forcing;
+    double *row[DP_ROWS];    // (n_dof) coefficients of the accelerations on this branch
     double *mobility;        // [1/M] (n_dof) 1 / m
-    double *stiffness;       // [F/L] (n_dof) initial, of the storeys
     double *base, *tangent;  // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
-
-    // Coefficients of the accelerations on this branch, (n_dof / LANES, DP_ROWS, LANES).
-    double *row;
-    double *damping;    // [F] (n_dof) scratch
-    bool any_full;      // a building has a full damping matrix
-    int n_active;       // links that act in the step
-    int *active;        // (n_link) their indices
-    enum phase *phase;  // (n_link)
-    int n_inelastic;    // storeys with a history
-    int *inelastic;     // (n_dof) their indices
-    int *below;         // (n_dof) index of the floor below; -1: the ground
-    int *building;      // (n_dof) index of the floor's building
-    bool *calls;        // (n_dof) the storey's law is called, as it is not made of lines
+    double *damping;         // [F] (n_dof) scratch
+    enum phase *phase;       // (n_link)
+    int n_inelastic;         // storeys with a history
+    int *inelastic;          // (n_dof) their indices
+    int *below;              // (n_dof) index of the floor below; -1: the ground
+    int *building;           // (n_dof) index of the floor's building
+    bool *calls;             // (n_dof) the storey's law is called, as it is not made of lines
 };
 
-// The system at one instant.
+// The system at one instant. Links are those live in the state at the start of the step.
 struct dp_rates {
-    const double *u, *v;           // [L] [L/T] (n_dof)
+    double *u, *v;                 // [L] [L/T] (n_dof)
     double *a;                     // [L/T^2] (n_dof)
     struct forcing_values ground;  // (n_ground)
-    double *force;                 // [F] (n_active)
-    double *power;                 // [F L/T] (n_active) of those forces
-    double input, damping;         // [F L/T]
+    double *force;                 // [F] (n_live)
+    double *power;                 // [F L/T] (n_live) of those forces
+    double input, damping;         // [F L/T] besides what dp_system_works has
     double storey;                 // [F L/T] done on storeys that are not elastic
 };
-
-// Vectors (n_dof) are summed in lanes and read one place before their first value and some behind
-// their last; so they are made with this. NULL: no memory.
-double *dp_system_vector(const struct model *m, struct arena *a);
 
 // Room for a system; false: no memory.
 bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a);
@@ -71,10 +61,6 @@ bool dp_system_alloc_rates(struct dp_rates *r, const struct model *m, struct are
 
 // The branches at state `now`: forcing, storeys and links.
 void dp_system_start(struct dp_system *s, const struct state *now);
-
-// Takes link k among those that act, or from them.
-void dp_system_add(struct dp_system *s, int k);
-void dp_system_remove(struct dp_system *s, int k);
 
 // The branch of the inelastic storey below floor i at its committed state when its drift goes on in
 // `direction` (its sign).
@@ -91,6 +77,11 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
 // Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`.
 void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
                      struct dp_rates *r);
+
+// Adds to input[i] and damping[i] (n_dof) the works on floor i of one ground and of the dampers of
+// its building over a time of `weight`, at the rates `r`.
+void dp_system_works(const struct dp_system *s, const struct dp_rates *r, double weight,
+                     double *input, double *damping);
 
 // The total acceleration of floor i alone, from the motion of its building and of the floors that
 // its links join it to.

@@ -2,13 +2,17 @@
 // The tridiagonal case is L D L^T from the ground up (Golub & Van Loan, Matrix Computations,
 // section 4.3.6), with the reciprocal pivots stored, so that a solve has no division. The full case
 // stores the inverse, which costs n^2 per solve like a pair of triangular solves but has no chain
-// of dependences.
+// of dependences. So do low buildings, once a factorisation has been used some times: there a
+// product in lanes takes less time than the chain.
 #include "solve/effective.h"
 
 #include <gsl/gsl_linalg.h>
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/lanes.h"
+
+enum { INVERSE_FLOORS_MAX = 16 };
 
 bool effective_alloc(struct effective *e, const struct building *building, struct arena *a) {
     size_t n = (size_t)building->n_floor;
@@ -16,7 +20,8 @@ bool effective_alloc(struct effective *e, const struct building *building, struc
     e->tangent = arena_alloc(a, n, sizeof *e->tangent);
     e->pivot = arena_alloc(a, n, sizeof *e->pivot);
     e->factor = arena_alloc(a, n, sizeof *e->factor);
-    e->inverse = arena_alloc(a, n * n, sizeof *e->inverse);
+    e->stride = lanes_whole(building->n_floor);
+    e->inverse = arena_alloc(a, n * (size_t)e->stride, sizeof *e->inverse);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
     if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->ready) {
         return false;
@@ -49,27 +54,33 @@ static int factor_tridiagonal(struct effective *e, double b, double g) {
         carried = off * e->factor[i];
     }
     memset(e->ready, 0, (size_t)building->n_floor * sizeof *e->ready);
+    e->n_ready = 0;
     return STATUS_OK;
 }
 
 static int factor_full(struct effective *e, double b, double g) {
     const struct building *building = e->building;
     size_t n = (size_t)building->n_floor;
-    for (size_t i = 0; i < n * n; i++) {
-        e->inverse[i] = g * building->damping_full[i];
-    }
+    size_t stride = (size_t)e->stride;
     for (size_t i = 0; i < n; i++) {
-        e->inverse[i * n + i] += diagonal(e, b, (int)i);
+        double *row = e->inverse + i * stride;
+        for (size_t j = 0; j < n; j++) {
+            row[j] = g * building->damping_full[i * n + j];
+        }
+        row[i] += diagonal(e, b, (int)i);
+        if (i > 0) {
+            row[i - 1] += right_of(e, b, (int)i - 1);
+        }
         if (i + 1 < n) {
-            e->inverse[i * n + i + 1] += right_of(e, b, (int)i);
-            e->inverse[(i + 1) * n + i] += right_of(e, b, (int)i);
+            row[i + 1] += right_of(e, b, (int)i);
         }
     }
-    gsl_matrix_view a = gsl_matrix_view_array(e->inverse, n, n);
+    gsl_matrix_view a = gsl_matrix_view_array_with_tda(e->inverse, n, n, stride);
     if (gsl_linalg_cholesky_decomp1(&a.matrix) != 0 || gsl_linalg_cholesky_invert(&a.matrix) != 0) {
         return STATUS_RETRY;
     }
     memset(e->ready, true, n * sizeof *e->ready);
+    e->n_ready = building->n_floor;
     return STATUS_OK;
 }
 
@@ -89,36 +100,49 @@ static void solve_tridiagonal(const struct effective *e, double *r) {
     }
 }
 
-// pivot and factor are free in the full case: `pivot` takes the product.
-static void solve_full(const struct effective *e, double *r) {
-    int n = e->building->n_floor;
-    for (int i = 0; i < n; i++) {
-        const double *row = e->inverse + (size_t)i * (size_t)n;
-        double sum = 0.0;
-        for (int j = 0; j < n; j++) {
-            sum += row[j] * r[j];
+// Adds to q (n) the sum of r_i times row i of the inverse.
+LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
+                           int n, double *restrict q) {
+    for (int j = 0; j < n; j += LANES_WIDTH) {
+        const double *restrict row = inverse + j;
+        lanes y = {0.0};
+        for (int i = 0; i < n; i++, row += stride) {
+            y += r[i] * *(const lanes *)row;
         }
-        e->pivot[i] = sum;
+        if (j + LANES_WIDTH <= n) {
+            *(lanes *)(q + j) += y;
+        }
+        for (int lane = 0; j + LANES_WIDTH > n && j + lane < n; lane++) {
+            q[j + lane] += y[lane];
+        }
     }
-    memcpy(r, e->pivot, (size_t)n * sizeof *r);
 }
 
-void effective_solve(const struct effective *e, double *r) {
-    if (e->building->damping_full) {
-        solve_full(e, r);
-    } else {
-        solve_tridiagonal(e, r);
+void effective_solve(struct effective *e, double *r, double *q) {
+    int n = e->building->n_floor;
+    if (e->n_ready == n) {
+        multiply(e->inverse, e->stride, r, n, q);
+        return;
+    }
+    solve_tridiagonal(e, r);
+    for (int i = 0; i < n; i++) {
+        q[i] += r[i];
+    }
+    if (n <= INVERSE_FLOORS_MAX) {
+        effective_column(e, e->n_ready);
     }
 }
 
 const double *effective_column(struct effective *e, int i) {
-    int n = e->building->n_floor;
-    double *column = e->inverse + (size_t)i * (size_t)n;
+    double *column = e->inverse + (size_t)i * (size_t)e->stride;
     if (!e->ready[i]) {
-        memset(column, 0, (size_t)n * sizeof *column);
+        memset(column, 0, (size_t)e->stride * sizeof *column);
         column[i] = 1.0;
         solve_tridiagonal(e, column);
         e->ready[i] = true;
+        while (e->n_ready < e->building->n_floor && e->ready[e->n_ready]) {
+            e->n_ready++;
+        }
     }
     return column;
 }

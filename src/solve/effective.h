@@ -12,8 +12,10 @@ struct effective {
     const struct building *building;  // borrowed
     double *tangent;                  // [F/L] (n_floor) storey tangents it was factorised with
     double *pivot, *factor;           // (n_floor) 1/d_i and l_i of A = L D L^T; tridiagonal
-    double *inverse;                  // (n_floor, n_floor) A^-1; rows ready where marked
+    int stride;                       // of the rows of `inverse`: n_floor in whole lanes
+    double *inverse;                  // (n_floor, stride) A^-1; rows ready where marked
     bool *ready;                      // (n_floor) row of `inverse` is valid
+    int n_ready;                      // rows below this are
 };
 
 // Room for the factors of `building`, with the initial tangents; false: no memory.
@@ -23,8 +25,8 @@ bool effective_alloc(struct effective *e, const struct building *building, struc
 // positive definite to working accuracy.
 int effective_factor(struct effective *e, double b, double g);
 
-// Replaces r (n_floor) by A^-1 r.
-void effective_solve(const struct effective *e, double *r);
+// Adds A^-1 r to q; both (n_floor), r is overwritten.
+void effective_solve(struct effective *e, double *r, double *q);
 
 // Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on
 // floor i + 1. Computed when first asked for after a factorisation.

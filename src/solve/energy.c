@@ -8,6 +8,7 @@
 //
 // Where two buildings stand on grounds that move differently, link forces also work on the grounds;
 // that work enters by the input.
+#include "core/lanes.h"
 #include "solve/account.h"
 
 static double kinetic(const struct model *m, const struct state *s) {
@@ -33,14 +34,21 @@ static double stored(const struct model *m, const struct state *s, enum storey_k
     return sum;
 }
 
+bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena) {
+    a->input_2x = lanes_array(arena, m->n_dof);
+    a->damping_2x = lanes_array(arena, m->n_dof);
+    return a->input_2x && a->damping_2x;
+}
+
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s) {
-    *a = (struct energy_account){.stored_start = stored(m, s, STOREYS_OTHER)};
+    a->stored_start = stored(m, s, STOREYS_OTHER);
     a->initial = kinetic(m, s) + stored(m, s, STOREYS_ELASTIC) + a->stored_start;
 }
 
 static void links_step(struct energy_account *a, const struct model *m, const struct state *now,
                        const struct state *next) {
-    for (int k = 0; k < m->n_link; k++) {
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
         double sum = now->force[k] + next->force[k];
         if (sum == 0.0) {
             continue;
@@ -60,15 +68,10 @@ static void links_step(struct energy_account *a, const struct model *m, const st
 
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next) {
-    double input = 0.0;
-    double damping = 0.0;
-    for (int i = 0; i < m->n_dof; i++) {
-        double du = next->u[i] - now->u[i];
-        input += (now->external[i] + next->external[i]) * du;
-        damping += (now->damping_force[i] + next->damping_force[i]) * du;
-    }
-    a->input += input / 2.0;
-    a->damping += damping / 2.0;
+    const double *const from[] = {now->external, now->damping_force};
+    const double *const to[] = {next->external, next->damping_force};
+    double *const work[] = {a->input_2x, a->damping_2x};
+    chain_works(&m->chain, from, to, now->u, next->u, work);
     for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
         if (m->storey[i].law->n_history > 0) {
             a->storey += (now->shear[i] + next->shear[i]) / 2.0 * (next->drift[i] - now->drift[i]);
@@ -77,16 +80,37 @@ void energy_step(struct energy_account *a, const struct model *m, const struct s
     links_step(a, m, now, next);
 }
 
+static double half_sum(const double *x, int n) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        sum += x[i];
+    }
+    return sum / 2.0;
+}
+
+void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
+                 const struct meeting *meeting) {
+    for (int k = 0; k < m->n_contact; k++) {
+        const struct link *l = &m->link[k];
+        a->contact += meeting[k].work;
+        if (meeting[k].struck && l->moving_ground) {
+            a->input +=
+                meeting[k].impulse * (s->ground_v[m->building[l->building[0]].ground] -
+                                      s->ground_v[m->building[l->building[1]].ground]);
+        }
+    }
+}
+
 const char *const energy_names[] = {"input",      "kinetic", "strain",  "damping",
                                     "hysteretic", "contact", "residual"};
 
 void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
                     double *energy) {
     double other = m->n_storey_history > 0 ? stored(m, s, STOREYS_OTHER) : 0.0;
-    energy[ENERGY_INPUT] = a->input;
+    energy[ENERGY_INPUT] = a->input + half_sum(a->input_2x, m->n_dof);
     energy[ENERGY_KINETIC] = kinetic(m, s);
     energy[ENERGY_STRAIN] = stored(m, s, STOREYS_ELASTIC) + other;
-    energy[ENERGY_DAMPING] = a->damping;
+    energy[ENERGY_DAMPING] = a->damping + half_sum(a->damping_2x, m->n_dof);
     energy[ENERGY_HYSTERETIC] = a->storey - (other - a->stored_start);
     energy[ENERGY_CONTACT] = a->contact;
     energy[ENERGY_RESIDUAL] = a->initial + energy[ENERGY_INPUT] - energy[ENERGY_KINETIC] -

@@ -13,29 +13,69 @@ static double snap(double time, double h) {
 }
 
 static bool jumped(const struct link *l, const struct state *now, const struct state *next, int k) {
-    return (l->law->traits & CONTACT_JUMPS) && !l->bilateral && now->closed[k] != next->closed[k] &&
+    return (l->law->traits & CONTACT_JUMPS) && now->closed[k] != next->closed[k] &&
            (now->force[k] != 0.0 || next->force[k] != 0.0);
 }
 
-static double instant(const struct state *now, const struct state *next, double h, int k) {
+static struct path path_of(const struct model *m, const struct state *now, const struct state *next,
+                           double h, int k) {
+    return (struct path){now->delta[k], state_rate(now, m, k), next->delta[k],
+                         state_rate(next, m, k), h};
+}
+
+// Time from the start of the step at which the force of link k jumps.
+static double jump_time(const struct model *m, const struct state *now, const struct state *next,
+                        double h, int k) {
     if (next->closed[k]) {
         return next->t_close[k] - now->time;
     }
-    struct path path = {fmax(now->delta[k], 0.0), now->rate[k], fmin(next->delta[k], 0.0),
-                        next->rate[k], h};
+    struct path path = path_of(m, now, next, h, k);
+    path.d0 = fmax(path.d0, 0.0);
+    path.d1 = fmin(path.d1, 0.0);
     double rate;
     return crossing_find(&path, &rate);
 }
 
-struct event event_first(const struct model *m, const struct state *now, const struct state *next,
-                         double h) {
+// Time from the start of the step at which the bodies of rigid contact k meet; infinite if they do
+// not, but for rounding.
+static double meeting_time(const struct model *m, const struct state *now, const struct state *next,
+                           double h, int k) {
+    struct path path = path_of(m, now, next, h, k);
+    double rate;
+    bool meets = path.d1 > fmax(path.d0, 0.0) + state_rounding(&m->link[k], next->u);
+    path.d0 = fmin(path.d0, 0.0);
+    if (meets) {
+        return crossing_find(&path, &rate);
+    }
+    if (path.d0 < 0.0 && path.v0 > 0.0 && path.v1 < 0.0) {
+        struct path rising = path;
+        rising.h = crossing_summit(&path, &rising.d1);
+        rising.v1 = 0.0;
+        return rising.d1 > 0.0 ? crossing_find(&rising, &rate) : INFINITY;
+    }
+    return INFINITY;
+}
+
+static void take_earlier(struct event *first, int k, double time, double h) {
+    if (time < first->time) {
+        *first = (struct event){.link = k, .time = snap(time, h)};
+    }
+}
+
+struct event event_first(const struct work *w, const struct state *now, const struct state *next,
+                         double h, const int *count, int except) {
+    const struct model *m = w->model;
     struct event first = {.link = -1, .time = INFINITY};
-    for (int k = 0; k < m->n_contact; k++) {
-        if (jumped(&m->link[k], now, next, k)) {
-            double time = instant(now, next, h, k);
-            if (time < first.time) {
-                first = (struct event){.link = k, .time = snap(time, h)};
-            }
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
+        if (k != except && jumped(&m->link[k], now, next, k) && count[k] < EVENTS_JUMP_MAX) {
+            take_earlier(&first, k, jump_time(m, now, next, h, k), h);
+        }
+    }
+    for (int i = 0; i < w->n_rigid; i++) {
+        int k = w->rigid[i];
+        if (k != except && !now->closed[k]) {
+            take_earlier(&first, k, meeting_time(m, now, next, h, k), h);
         }
     }
     return first;

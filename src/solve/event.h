@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closures and openings of contact laws whose force jumps there. Passing over a jump within a step
-// is an error of the first order in the step, so such steps are split at the jump.
+// Instants within a step at which forces or velocities jump: closures and openings of contact laws
+// whose force jumps there, and closures of rigid ones. Passing over a jump is an error of the first
+// order in the step, so such steps are split at the jump.
 #ifndef JOSTLE_EVENT_H
 #define JOSTLE_EVENT_H
 
@@ -11,12 +12,19 @@ struct event {
     double time;  // [T] from the start of the step
 };
 
-// The first closure or opening with a jump in the step from `now` to `next` of size h; its time is
-// exactly 0 or h if it is at an end.
-struct event event_first(const struct model *m, const struct state *now, const struct state *next,
-                         double h);
+// At most so many events of one contact in one step of the deck: a contact whose force jumps is
+// then left to the step, a rigid one is settled without rebound, and if that does not help, the run
+// is ended.
+enum { EVENTS_JUMP_MAX = 50, EVENTS_RIGID_MAX = 500, EVENTS_ENDLESS = 100000 };
 
-// Closes or opens the link of an event at the instant of `s`, with the accelerations that follow.
+// The first event in the step from `now` to `next` of size h; its time is exactly 0 or h if it is
+// at an end. `count` (n_contact): events of each contact in this step of the deck so far. Link
+// `except` is passed over; -1: none.
+struct event event_first(const struct work *w, const struct state *now, const struct state *next,
+                         double h, const int *count, int except);
+
+// Closes or opens the link of a jump of force at the instant of `s`, with the accelerations that
+// follow.
 void event_apply(struct state *s, const struct model *m, int link);
 
 #endif

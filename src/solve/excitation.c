@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/excitation.h"
 
+#include "solve/chain.h"
+
 // With one ground under all, nothing depends on its velocity and displacement.
 static void ground_at(struct state *s, const struct model *m, double t) {
     for (int k = 0; k < m->n_ground; k++) {
@@ -19,15 +21,23 @@ static void ground_at(struct state *s, const struct model *m, double t) {
     }
 }
 
+static void fill(double *x, int n, double value) {
+    for (int i = 0; i < n; i++) {
+        x[i] = value;
+    }
+}
+
 void excitation_at(struct state *s, const struct model *m, double t) {
     ground_at(s, m, t);
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        double a = s->ground_a[g->ground];
-        for (int i = 0; i < g->n_floor; i++) {
-            s->external[g->first + i] = -g->mass[i] * a;
+    if (m->n_ground == 1) {
+        fill(s->base, m->n_dof, s->ground_a[0]);
+    } else {
+        for (int k = 0; k < m->n_building; k++) {
+            const struct building *g = &m->building[k];
+            fill(s->base + g->first, g->n_floor, s->ground_a[g->ground]);
         }
     }
+    chain_inertia(&m->chain, s->base, s->external);
     for (int k = 0; k < m->n_load; k++) {
         s->external[m->load[k].dof] += signal_value(&m->load[k].signal, t);
     }

@@ -48,11 +48,11 @@ int impacts_start(struct impact_log *log, struct results *r, const struct model 
     return STATUS_OK;
 }
 
-static void close_impact(struct impact_log *log, struct impact *i, const struct state *now,
-                         const struct state *next) {
+static void close_impact(struct impact_log *log, const struct model *m, struct impact *i,
+                         const struct state *now, const struct state *next) {
     int k = i->contact;
-    struct path path = {fmax(now->delta[k], 0.0), now->rate[k], fmin(next->delta[k], 0.0),
-                        next->rate[k], next->time - now->time};
+    struct path path = {fmax(now->delta[k], 0.0), state_rate(now, m, k), fmin(next->delta[k], 0.0),
+                        state_rate(next, m, k), next->time - now->time};
     double rate;
     i->t_end = now->time + crossing_find(&path, &rate);
     i->v_rebound = -rate;
@@ -88,37 +88,79 @@ static struct impact_share share_of(int k, const struct state *now, const struct
 
 int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
                  const struct state *now, const struct state *next, struct error *e) {
-    for (int k = 0; k < m->n_contact; k++) {
-        if (!now->closed[k] && !next->closed[k]) {
-            continue;
-        }
-        if (!now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
+    for (int j = 0; j < next->n_live; j++) {
+        int k = next->live[j];
+        bool acts = now->closed[k] || next->closed[k];
+        if (acts && !now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
             return e->status;
         }
-        struct impact_share share = share_of(k, now, next);
-        impacts_add(log, r, m, k, &share);
-        if (!next->closed[k]) {
-            close_impact(log, &r->impact[log->open[k]], now, next);
+        if (acts) {
+            struct impact_share share = share_of(k, now, next);
+            impacts_add(log, r, m, k, &share);
         }
-    }
-    for (int k = m->n_contact; k < m->n_link; k++) {
-        struct impact_share share = share_of(k, now, next);
-        impacts_add(log, r, m, k, &share);
+        if (acts && !next->closed[k]) {
+            close_impact(log, m, &r->impact[log->open[k]], now, next);
+        }
     }
     return STATUS_OK;
 }
 
-int impacts_toggle(struct impact_log *log, struct results *r, const struct state *s, int k,
-                   struct error *e) {
+// Ends the impact under way of contact k at the instant of `s`.
+static void end_impact(struct impact_log *log, struct results *r, const struct model *m,
+                       const struct state *s, int k) {
+    struct impact *i = &r->impact[log->open[k]];
+    i->t_end = s->time;
+    i->v_rebound = -state_rate(s, m, k);
+    i->complete = true;
+    log->open[k] = -1;
+}
+
+int impacts_toggle(struct impact_log *log, struct results *r, const struct model *m,
+                   const struct state *s, int k, struct error *e) {
     if (s->closed[k]) {
         return open_impact(log, r, k, s, e);
     }
-    struct impact *i = &r->impact[log->open[k]];
-    i->t_end = s->time;
-    i->v_rebound = -s->rate[k];
-    i->complete = true;
-    log->open[k] = -1;
+    end_impact(log, r, m, s, k);
     return STATUS_OK;
+}
+
+int impacts_meet(struct impact_log *log, struct results *r, const struct model *m,
+                 const struct state *s, const struct meeting *meeting, struct error *e) {
+    for (int k = 0; k < m->n_contact; k++) {
+        const struct meeting *met = &meeting[k];
+        bool starts = log->open[k] < 0 && (met->struck || state_rests(s, m, k));
+        if (starts && open_impact(log, r, k, s, e) != STATUS_OK) {
+            return e->status;
+        }
+        if (met->struck) {
+            struct impact *i = &r->impact[log->open[k]];
+            if (starts) {
+                i->t_start = s->time;
+                i->v_approach = met->approach;
+            }
+            struct impact_share share = {.impulse = met->impulse, .work = met->work};
+            impacts_add(log, r, m, k, &share);
+        }
+        if (m->link[k].law->rebound && log->open[k] >= 0 && !s->closed[k]) {
+            end_impact(log, r, m, s, k);
+        }
+    }
+    return STATUS_OK;
+}
+
+// A rigid contact has no finite force at impact.
+static void blot_forces(struct results *r, const struct model *m) {
+    for (long i = 0; i < r->n_impact; i++) {
+        if (m->link[r->impact[i].contact].law->rebound) {
+            r->impact[i].peak_force = NAN;
+        }
+    }
+    for (int k = 0; k < m->n_contact; k++) {
+        if (m->link[k].law->rebound) {
+            r->link[k].force = NAN;
+            r->link[k].force_time = NAN;
+        }
+    }
 }
 
 static int compare_starts(const void *a, const void *b) {
@@ -136,9 +178,10 @@ void impacts_finish(struct impact_log *log, struct results *r, const struct mode
         if (log->open[k] >= 0) {
             struct impact *i = &r->impact[log->open[k]];
             i->t_end = s->time;
-            i->v_rebound = -s->rate[k];
+            i->v_rebound = -state_rate(s, m, k);
         }
     }
+    blot_forces(r, m);
     if (r->n_impact > 1) {
         qsort(r->impact, (size_t)r->n_impact, sizeof *r->impact, compare_starts);
     }

@@ -11,13 +11,23 @@
 #include <float.h>
 #include <math.h>
 
+#include "core/number.h"
+
+// A Newton step is trusted if it changes force and penetration by no more than this share, and if
+// the law is no steeper than this against the flexibility of the link.
+static const double NEAR = 0.1;
+static const double STEEPEST = 0.1;
+
+// A Newton step as small as this, relative to the force, leaves an error of its square.
+static const double SQUARED = 1e-9;
+
 enum { NEWTON_MAX = 25, ITERATIONS_MAX = 200, EXPANSIONS_MAX = 200 };
 
 struct contact_response line_law(const struct line *l, double force) {
     double d = l->d_free - l->d_force * force;
     double v = l->v_free - l->v_force * force;
     if (!l->link->bilateral) {
-        d = fmax(d, 0.0);
+        d = number_max(d, 0.0);
     }
     return l->link->law->force(l->link->constant, l->history, d, v);
 }
@@ -39,10 +49,11 @@ static double root(const struct line *l, double low, double high, double f) {
         }
         *(g > 0.0 ? &high : &low) = f;
         double next = f - g / (1.0 + l->d_force * r.dfdd + l->v_force * r.dfdv);
-        if (i >= NEWTON_MAX || !(next >= low && next <= high)) {
+        bool newton = i < NEWTON_MAX && next >= low && next <= high;
+        if (!newton) {
             next = low + 0.5 * (high - low);
         }
-        if (fabs(next - f) <= DBL_EPSILON * fabs(f) || next == f) {
+        if (fabs(next - f) <= (newton ? SQUARED : DBL_EPSILON) * fabs(f) || next == f) {
             return next;
         }
         f = next;
@@ -108,7 +119,32 @@ static enum branch held(const struct line *l, double guess, double *force) {
     return BRANCH_CLOSED;
 }
 
+bool line_step(const struct line *l, double guess, double *force) {
+    const struct contact_law *law = l->link->law;
+    double d = l->d_free - l->d_force * guess;
+    if (!l->closed || !law->force || (!(d > 0.0) && !l->link->bilateral)) {
+        return false;
+    }
+    double v = l->v_free - l->v_force * guess;
+    struct contact_response r = law->force(l->link->constant, l->history, d, v);
+    double slope = l->d_force * r.dfdd + l->v_force * r.dfdv;
+    double change = (r.force - guess) / (1.0 + slope);
+    *force = guess + change;
+    bool inside = l->link->bilateral || fabs(l->d_force * change) <= NEAR * d;
+    return inside && slope >= 0.0 && slope <= STEEPEST && fabs(change) <= NEAR * fabs(guess);
+}
+
+// A rigid contact at rest: the force that keeps the bodies together, unless it would have to pull.
+static enum branch rest(const struct line *l, double *force) {
+    double excess = l->v_free - l->v_rest;
+    *force = number_max(excess / l->v_force, 0.0);
+    return excess >= -l->v_rounding ? BRANCH_JUMP : BRANCH_OPEN;
+}
+
 enum branch line_answer(const struct line *l, double guess, double *force) {
+    if (l->link->law->rebound) {
+        return rest(l, force);
+    }
     if (l->link->bilateral || l->held) {
         *force = unbounded(l, guess);
         return BRANCH_CLOSED;

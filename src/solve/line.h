@@ -9,18 +9,20 @@
 // d = d_free - d_force f and v = v_free - v_force f.
 struct line {
     const struct link *link;
-    const double *history;    // of the link, at the start of the step or at its closure
-    double d_free, v_free;    // [L] [L/T] if its force were zero
-    double d_force, v_force;  // [L/F] [L/T/F] both >= 0
-    bool closed;              // in contact at the start of the step
-    bool held;                // stays closed whatever d is: the step ends where it opens
+    const double *history;      // of the link, at the start of the step or at its closure
+    double d_free, v_free;      // [L] [L/T] if its force were zero
+    double d_force, v_force;    // [L/F] [L/T/F] both >= 0
+    double v_rest, v_rounding;  // [L/T] of a rigid contact: the velocity it shall end with, and
+                                // what is rounding
+    bool closed;                // in contact at the start of the step
+    bool held;                  // stays closed whatever d is: the step ends where it opens
 };
 
 // Which of its states a link takes at the end of a step.
 enum branch {
     BRANCH_OPEN,    // force 0
     BRANCH_CLOSED,  // force of the law, d > 0
-    BRANCH_JUMP,    // d = 0, the force within the jump of the law at closure
+    BRANCH_JUMP,    // d = 0, the force within the jump of the law at closure, or of a rigid contact
     BRANCH_NONE,  // neither open nor closed: the opening lies inside the step; *force is the jump's
 };
 
@@ -28,6 +30,10 @@ enum branch {
 // one stays open as long as an open one does. `guess` starts the search. Cannot fail: where the law
 // is not monotone (it pulls) a solution is taken, and found from the guess.
 enum branch line_answer(const struct line *l, double guess, double *force);
+
+// One Newton step from `guess` towards that answer. True where it stays well within the closed
+// branch, so that repeated steps converge to the answer; else use line_answer.
+bool line_step(const struct line *l, double guess, double *force);
 
 // The force of the law and its tangents at the state that `force` leads to.
 struct contact_response line_law(const struct line *l, double force);

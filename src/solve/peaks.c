@@ -3,64 +3,100 @@
 #include <math.h>
 
 #include "core/arena.h"
+#include "core/lanes.h"
 #include "solve/account.h"
+
+// Floors, in whole lanes, that are looked at together for a new peak.
+enum { BLOCK = 16 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
 
 bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
-    size_t n = (size_t)m->n_dof;
     for (int q = 0; q < PEAK_COUNT; q++) {
-        r->peak[q] = arena_alloc(a, n, sizeof(double));
-        r->peak_time[q] = arena_alloc(a, n, sizeof(double));
+        r->peak[q] = lanes_array(a, m->n_dof);
+        r->peak_time[q] = lanes_array(a, m->n_dof);
         if (!r->peak[q] || !r->peak_time[q]) {
             return false;
         }
     }
     r->link = arena_alloc(a, (size_t)m->n_link, sizeof *r->link);
-    for (int k = 0; r->link && k < m->n_contact; k++) {
+    r->deepest = arena_alloc(a, (size_t)m->n_link + LANES_WIDTH, sizeof *r->deepest);
+    for (int k = 0; r->link && r->deepest && k < m->n_contact; k++) {
+        r->deepest[k] = -INFINITY;
         r->link[k].penetration = -INFINITY;
     }
-    return r->link != NULL;
+    return r->link && r->deepest;
 }
 
-static void floors_update(struct results *r, enum peak q, const double *value, int first, int n,
-                          double shift, double time) {
-    double *peak = r->peak[q];
-    for (int i = first; i < first + n; i++) {
-        double size = fabs(value[i] + shift);
-        if (size > peak[i]) {
-            peak[i] = size;
-            r->peak_time[q][i] = time;
+static void floors_update(struct results *r, int first, int n,
+                          const double *const value[PEAK_COUNT], double time) {
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        for (int i = first; i < first + n; i++) {
+            double size = fabs(value[q][i]);
+            if (size > r->peak[q][i]) {
+                r->peak[q][i] = size;
+                r->peak_time[q][i] = time;
+                r->totals.speed =
+                    q == PEAK_VELOCITY ? fmax(r->totals.speed, size) : r->totals.speed;
+            }
         }
     }
 }
 
-static void link_update(struct link_peak *p, double force, double delta, double time) {
+LANES static bool any_exceeds(int n, const double *restrict x, const double *restrict limit) {
+    long above = 0;
+    for (int i = 0, end = lanes_whole(n); i < end; i++) {
+        above |= x[i] > limit[i];
+    }
+    return above != 0;
+}
+
+static void penetrations_update(struct results *r, int n, const struct state *s) {
+    for (int k = 0; k < n; k++) {
+        if (s->delta[k] > r->deepest[k]) {
+            r->deepest[k] = s->delta[k];
+            r->link[k].penetration = s->delta[k];
+            r->link[k].penetration_time = s->time;
+        }
+    }
+}
+
+static void force_update(struct link_peak *p, double force, double time) {
     if (force > p->force) {
         p->force = force;
         p->force_time = time;
     }
-    if (delta > p->penetration) {
-        p->penetration = delta;
-        p->penetration_time = time;
+}
+
+static void bilateral_update(struct link_peak *p, const struct state *s, int k) {
+    force_update(p, fabs(s->force[k]), s->time);
+    if (fabs(s->delta[k]) > p->penetration) {
+        p->penetration = fabs(s->delta[k]);
+        p->penetration_time = s->time;
     }
 }
 
 void peaks_update(struct results *r, const struct model *m, const struct state *s) {
-    floors_update(r, PEAK_DISPLACEMENT, s->u, 0, m->n_dof, 0.0, s->time);
-    floors_update(r, PEAK_VELOCITY, s->v, 0, m->n_dof, 0.0, s->time);
-    floors_update(r, PEAK_DRIFT, s->drift, 0, m->n_dof, 0.0, s->time);
-    floors_update(r, PEAK_SHEAR, s->shear, 0, m->n_dof, 0.0, s->time);
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        floors_update(r, PEAK_ACCELERATION, s->a, g->first, g->n_floor, s->ground_a[g->ground],
-                      s->time);
+    const double *const value[PEAK_COUNT] = {
+        [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
+        [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
+    };
+    for (int first = 0; first < m->n_dof; first += BLOCK) {
+        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
+        if (chain_exceeds(first, lanes_whole(n), value, r->peak)) {
+            floors_update(r, first, n, value, s->time);
+        }
     }
-    for (int k = 0; k < m->n_contact; k++) {
-        link_update(&r->link[k], s->force[k], s->delta[k], s->time);
+    if (any_exceeds(m->n_contact, s->delta, r->deepest)) {
+        penetrations_update(r, m->n_contact, s);
     }
-    for (int k = m->n_contact; k < m->n_link; k++) {
-        link_update(&r->link[k], fabs(s->force[k]), fabs(s->delta[k]), s->time);
+    for (int i = 0; i < s->n_live; i++) {
+        int k = s->live[i];
+        if (m->link[k].bilateral) {
+            bilateral_update(&r->link[k], s, k);
+        } else {
+            force_update(&r->link[k], s->force[k], s->time);
+        }
     }
 }

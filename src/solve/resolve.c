@@ -22,17 +22,19 @@ static const double AT_REST = 0.1;
 static const double NEGLIGIBLE = 1e-5;
 
 bool resolve_negligible(const struct work *w, double velocity) {
-    return fabs(velocity) <= NEGLIGIBLE * w->speed;
+    return fabs(velocity) <= NEGLIGIBLE * w->totals->speed;
 }
 
 static bool resolved_at(const struct work *w, const struct line *line, double d, double v) {
     const struct link *l = line->link;
     double depth = fmax(d, 0.0);
-    double stiffness = l->law->force(l->constant, line->history, depth, 0.0).dfdd;
-    double dashpot = l->law->force(l->constant, line->history, depth, v).dfdv;
+    struct contact_response r = l->law->force(l->constant, line->history, depth, v);
+    double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
+                           ? r.dfdd
+                           : l->law->force(l->constant, line->history, depth, 0.0).dfdd;
     double flexibility = line->v_force / w->g;
     return stiffness * flexibility * w->h * w->h <= COARSEST_SPRING &&
-           line->v_force * dashpot <= COARSEST_DASHPOT;
+           line->v_force * r.dfdv <= COARSEST_DASHPOT;
 }
 
 static bool at_rest(const struct work *w, const struct path *p) {
@@ -41,16 +43,26 @@ static bool at_rest(const struct work *w, const struct path *p) {
     return fabs(p->d1 - p->d0) <= allowed && fastest * w->h <= allowed;
 }
 
+// The start of the step was the end of the last one, and need not be looked at again where that was
+// resolved with a step as long.
+static bool starts_resolved(const struct work *w, const struct state *now, int k,
+                            const struct line *line, const struct path *path) {
+    bool seen = w->checked[k] >= w->h && now->t_close[k] < now->time;
+    return !now->closed[k] || seen || resolved_at(w, line, path->d0, path->v0);
+}
+
 static bool resolved(struct work *w, const struct state *now, const struct state *next, int k) {
     struct line line = contact_line(w, now, next, k);
     double f = next->force[k];
-    struct path path = {now->delta[k], now->rate[k], line.d_free - line.d_force * f,
+    struct path path = {now->delta[k], state_rate(now, w->model, k), line.d_free - line.d_force * f,
                         line.v_free - line.v_force * f, w->h};
     bool ends_closed = w->branch[k] == BRANCH_CLOSED;
-    if ((!now->closed[k] || resolved_at(w, &line, path.d0, path.v0)) &&
+    if (starts_resolved(w, now, k, &line, &path) &&
         (!ends_closed || resolved_at(w, &line, path.d1, path.v1))) {
+        w->checked[k] = w->h;
         return true;
     }
+    w->checked[k] = 0.0;
     if (now->closed[k] && ends_closed) {
         return at_rest(w, &path);
     }
@@ -59,9 +71,10 @@ static bool resolved(struct work *w, const struct state *now, const struct state
 }
 
 bool resolve_suffices(struct work *w, const struct state *now, const struct state *next) {
-    for (int i = 0; i < w->n_active; i++) {
-        int k = w->active[i];
-        if (!w->model->link[k].bilateral && !resolved(w, now, next, k)) {
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
+        const struct link *l = &w->model->link[k];
+        if (!l->bilateral && !l->law->rebound && !resolved(w, now, next, k)) {
             w->unresolved = k;
             return false;
         }

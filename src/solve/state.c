@@ -1,28 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/state.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/lanes.h"
+#include "solve/chain.h"
 #include "solve/excitation.h"
+#include "solve/rest.h"
+
+static bool alloc_floors(struct state *s, const struct model *m, struct arena *a) {
+    double **const part[] = {&s->u,       &s->v,     &s->a,     &s->base,
+                             &s->total,   &s->drift, &s->shear, &s->damping_force,
+                             &s->external};
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        *part[i] = lanes_array(a, m->n_dof);
+        if (!*part[i]) {
+            return false;
+        }
+    }
+    return true;
+}
 
 bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
-    size_t n_dof = (size_t)m->n_dof;
     size_t n_link = (size_t)m->n_link;
     size_t n_ground = (size_t)m->n_ground;
     struct {
         double **array;
         size_t n;
     } part[] = {
-        {&s->u, n_dof},           {&s->v, n_dof},
-        {&s->a, n_dof},           {&s->drift, n_dof},
-        {&s->shear, n_dof},       {&s->damping_force, n_dof},
-        {&s->external, n_dof},    {&s->storey_history, (size_t)m->n_storey_history},
-        {&s->force, n_link},      {&s->delta, n_link},
-        {&s->rate, n_link},       {&s->t_close, n_link},
-        {&s->v_close, n_link},    {&s->link_history, (size_t)m->n_link_history},
-        {&s->ground_a, n_ground}, {&s->ground_v, n_ground},
+        {&s->storey_history, (size_t)m->n_storey_history},
+        {&s->force, n_link},
+        {&s->delta, n_link + LANES_WIDTH},
+        {&s->t_close, n_link},
+        {&s->v_close, n_link},
+        {&s->link_history, (size_t)m->n_link_history},
+        {&s->ground_a, n_ground},
+        {&s->ground_v, n_ground},
         {&s->ground_u, n_ground},
     };
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
@@ -31,35 +47,66 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
             return false;
         }
     }
+    s->live = arena_alloc(a, n_link, sizeof *s->live);
+    s->is_live = arena_alloc(a, n_link, sizeof *s->is_live);
     s->closed = arena_alloc(a, n_link, sizeof *s->closed);
-    return s->closed != NULL;
+    return s->live && s->is_live && s->closed && alloc_floors(s, m, a);
 }
 
-static void storey_shears(struct state *s, const struct model *m, const struct building *g) {
-    double below = 0.0;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        s->drift[i] = s->u[i] - below;
-        below = s->u[i];
+void state_open_links(struct state *s) {
+    for (int i = 0; i < s->n_live; i++) {
+        int k = s->live[i];
+        s->is_live[k] = s->closed[k] = false;
+        s->force[k] = 0.0;
     }
-    if (g->elastic) {
-        const double *k = g->stiffness;
-        for (int i = 0; i < g->n_floor; i++) {
-            s->shear[g->first + i] = k[i] * s->drift[g->first + i];
-        }
-        return;
-    }
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        const struct storey *law = &m->storey[i];
-        s->shear[i] =
-            law->law->shear(law->constant, s->storey_history + law->history, s->drift[i]).shear;
+    s->n_live = 0;
+}
+
+void state_enliven(struct state *s, int k) {
+    if (!s->is_live[k]) {
+        s->is_live[k] = true;
+        s->live[s->n_live++] = k;
     }
 }
 
-void state_internal_forces(struct state *s, const struct model *m) {
+void state_open_link(struct state *s, int k) {
+    int i = 0;
+    while (s->live[i] != k) {
+        i++;
+    }
+    s->live[i] = s->live[--s->n_live];
+    s->is_live[k] = s->closed[k] = false;
+    s->force[k] = 0.0;
+}
+
+static void inelastic_shears(struct state *s, const struct model *m) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
-        storey_shears(s, m, g);
-        building_damping_force(g, s->v + g->first, s->damping_force + g->first);
+        for (int i = g->first; !g->elastic && i < g->first + g->n_floor; i++) {
+            const struct storey *law = &m->storey[i];
+            s->shear[i] =
+                law->law->shear(law->constant, s->storey_history + law->history, s->drift[i]).shear;
+        }
+    }
+}
+
+static void full_damping(struct state *s, const struct model *m, const double *v) {
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        if (g->damping_full) {
+            building_damping_force(g, v + g->first, s->damping_force + g->first);
+        }
+    }
+}
+
+void state_internal_forces(struct state *s, const struct model *m, const double *u,
+                           const double *v) {
+    chain_forces(&m->chain, u, v, s->drift, s->shear, s->damping_force);
+    if (m->n_storey_history > 0) {
+        inelastic_shears(s, m);
+    }
+    if (m->chain.full_damping) {
+        full_damping(s, m, v);
     }
 }
 
@@ -79,43 +126,61 @@ double state_gap(const struct link *l, const struct model *m, const double *u,
     return delta;
 }
 
+double state_rounding(const struct link *l, const double *x) {
+    double sum = 0.0;
+    for (int i = 0; i < 2; i++) {
+        sum += l->dof[i] == WALL ? 0.0 : fabs(x[l->dof[i]]);
+    }
+    return 4.0 * DBL_EPSILON * sum;
+}
+
+double state_link_force(const struct state *s, const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    double d = l->bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
+    return l->law->force(l->constant, s->link_history + l->history, d, state_rate(s, m, k)).force;
+}
+
+double state_rate(const struct state *s, const struct model *m, int k) {
+    return state_gap(&m->link[k], m, s->v, s->ground_v);
+}
+
 void state_close_link(struct state *s, const struct model *m, int k) {
     const struct link *l = &m->link[k];
-    double *history = s->link_history + l->history;
+    state_enliven(s, k);
     s->closed[k] = true;
     s->t_close[k] = s->time;
-    s->v_close[k] = fmax(s->rate[k], 0.0);
+    s->v_close[k] = fmax(state_rate(s, m, k), 0.0);
     if (l->law->close) {
-        l->law->close(l->constant, s->v_close[k], history);
+        l->law->close(l->constant, s->v_close[k], s->link_history + l->history);
     }
-    double d = l->bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
-    s->force[k] = l->law->force(l->constant, history, d, s->rate[k]).force;
+    s->force[k] = state_link_force(s, m, k);
+}
+
+static bool starts_closed(const struct link *l, double delta, double rate) {
+    bool meets = delta > 0.0 || (delta == 0.0 && rate > 0.0);
+    return l->bilateral || (meets && !l->law->rebound);
 }
 
 static void start_links(struct state *s, const struct model *m) {
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         s->delta[k] = state_gap(l, m, s->u, s->ground_u) - l->gap;
-        s->rate[k] = state_gap(l, m, s->v, s->ground_v);
-        s->closed[k] =
-            l->bilateral || s->delta[k] > 0.0 || (s->delta[k] == 0.0 && s->rate[k] > 0.0);
-        s->force[k] = 0.0;
-        if (s->closed[k]) {
+        if (starts_closed(l, s->delta[k], state_rate(s, m, k))) {
             state_close_link(s, m, k);
         }
     }
 }
 
+bool state_rests(const struct state *s, const struct model *m, int k) {
+    return s->closed[k] && m->link[k].law->rebound;
+}
+
 // M a = external - C v - storey shears - link forces
-void state_equilibrium(struct state *s, const struct model *m) {
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            double above = i + 1 < g->first + g->n_floor ? s->shear[i + 1] : 0.0;
-            s->a[i] = s->external[i] - s->damping_force[i] - s->shear[i] + above;
-        }
-    }
-    for (int k = 0; k < m->n_link; k++) {
+static void accelerations(struct state *s, const struct model *m) {
+    memset(s->a, 0, (size_t)m->n_dof * sizeof *s->a);
+    chain_residual(&m->chain, s->external, s->a, s->damping_force, s->shear, s->a);
+    for (int i = 0; i < s->n_live; i++) {
+        int k = s->live[i];
         const int *dof = m->link[k].dof;
         if (dof[0] != WALL) {
             s->a[dof[0]] -= s->force[k];
@@ -129,12 +194,20 @@ void state_equilibrium(struct state *s, const struct model *m) {
     }
 }
 
+void state_equilibrium(struct state *s, const struct model *m) {
+    accelerations(s, m);
+    rest_forces(s, m);
+    for (int i = 0; i < m->n_dof; i++) {
+        s->total[i] = s->a[i] + s->base[i];
+    }
+}
+
 void state_start(struct state *s, const struct model *m) {
     memcpy(s->u, m->displacement, (size_t)m->n_dof * sizeof *s->u);
     memcpy(s->v, m->velocity, (size_t)m->n_dof * sizeof *s->v);
     s->time = 0.0;
     excitation_at(s, m, 0.0);
-    state_internal_forces(s, m);
+    state_internal_forces(s, m, s->u, s->v);
     start_links(s, m);
     state_equilibrium(s, m);
 }

@@ -9,19 +9,22 @@
 struct state {
     double time;  // [T]
 
-    // Degrees of freedom, all (n_dof)
+    // Degrees of freedom, all (n_dof) and arrays of core/lanes.h
     double *u, *v, *a;       // [L] [L/T] [L/T^2] relative to the ground
+    double *base, *total;    // [L/T^2] acceleration of the ground, and a + base
     double *drift, *shear;   // [L] [F] of the storey below
     double *damping_force;   // [F] C v
     double *external;        // [F] loads and -m a_ground
     double *storey_history;  // (model.n_storey_history)
 
-    // Links, all (n_link)
-    bool *closed;          // in contact; bilateral links always are
-    double *force;         // [F]
-    double *delta, *rate;  // [L] [L/T] penetration and its velocity
-    double *t_close;       // [T] instant of closure of a closed link
-    double *v_close;       // [L/T] closing velocity then
+    // Links. Those not in `live` are open, with force 0.
+    int n_live, *live;     // links that were closed in the step to this state, or are
+    bool *is_live;         // (n_link)
+    bool *closed;          // (n_link) in contact; bilateral links always are
+    double *force;         // [F] (n_link)
+    double *delta;         // [L] (n_link) penetration
+    double *t_close;       // [T] (n_link) instant of closure of a closed link
+    double *v_close;       // [L/T] (n_link) closing velocity then
     double *link_history;  // (model.n_link_history)
 
     // Ground motions, all (n_ground)
@@ -31,22 +34,46 @@ struct state {
 // Room for a state of the model in `a`; false: no memory.
 bool state_alloc(struct state *s, const struct model *m, struct arena *a);
 
+// Empties `live`: all links open, with force 0.
+void state_open_links(struct state *s);
+
+// Takes link k into `live`, if it is not there.
+void state_enliven(struct state *s, int k);
+
+// Opens link k and takes it out of `live`.
+void state_open_link(struct state *s, int k);
+
 // The state at t = 0: initial displacements and velocities, links closed where delta > 0 or about
 // to close (delta = 0, rate > 0), accelerations from equilibrium.
 void state_start(struct state *s, const struct model *m);
 
-// Accelerations that bring the forces of `s` into equilibrium.
+// Accelerations that bring the forces of `s` into equilibrium, with the forces of rigid contacts at
+// rest that keep them so; one that would have to pull opens.
 void state_equilibrium(struct state *s, const struct model *m);
+
+// Velocity at which the penetration of link k grows [L/T].
+double state_rate(const struct state *s, const struct model *m, int k);
 
 // Closes link k at this instant: history and force from the velocity it closes with.
 void state_close_link(struct state *s, const struct model *m, int k);
 
-// Drifts, storey shears and C v from u and v, with the storey history of `s`.
-void state_internal_forces(struct state *s, const struct model *m);
+// The force of the law of link k at its penetration and velocity, with its history as it is.
+double state_link_force(const struct state *s, const struct model *m, int k);
+
+// Whether link k is a rigid contact at rest.
+bool state_rests(const struct state *s, const struct model *m, int k);
+
+// Drifts, storey shears and C v at the displacements u and velocities v (n_dof), with the storey
+// history of `s`.
+void state_internal_forces(struct state *s, const struct model *m, const double *u,
+                           const double *v);
 
 // Penetration of link l from displacements (or its velocity from velocities), with the ground's
 // share.
 double state_gap(const struct link *l, const struct model *m, const double *u,
                  const double *ground);
+
+// Rounding of the difference of `x` (n_dof) between both ends of a link.
+double state_rounding(const struct link *l, const double *x);
 
 #endif

@@ -2,33 +2,47 @@
 #include "solve/work.h"
 
 #include "core/arena.h"
+#include "core/lanes.h"
 
 // Clusters beyond this size are left to sweeps: the block matrix is full.
 enum { BLOCK_MAX = 400 };
 
-static bool alloc_arrays(struct work *w, const struct model *m, struct arena *a) {
-    size_t n_dof = (size_t)m->n_dof;
-    size_t n_link = (size_t)m->n_link;
-    size_t n_block = (size_t)w->block_max;
-    struct {
-        double **array;
-        size_t n;
-    } part[] = {
-        {&w->u_predicted, n_dof}, {&w->v_predicted, n_dof},
-        {&w->residual, n_dof},    {&w->kept_a, n_dof},
-        {&w->kept_f, n_link},     {&w->vector, 2 * n_block},
-        {&w->weight, n_block},    {&w->matrix, n_block * n_block},
-    };
+static bool alloc_floors(struct work *w, const struct model *m, struct arena *a) {
+    double **const part[] = {&w->u_trial, &w->v_trial, &w->residual, &w->correction, &w->kept_q};
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        *part[i].array = arena_alloc(a, part[i].n, sizeof(double));
-        if (!*part[i].array) {
+        *part[i] = lanes_array(a, m->n_dof);
+        if (!*part[i]) {
             return false;
         }
     }
-    w->active = arena_alloc(a, n_link, sizeof *w->active);
-    w->is_active = arena_alloc(a, n_link, sizeof *w->is_active);
+    return true;
+}
+
+static bool alloc_links(struct work *w, const struct model *m, struct arena *a) {
+    size_t n_link = (size_t)m->n_link;
+    size_t n_block = (size_t)w->block_max;
+    w->ends = arena_alloc(a, n_link, sizeof *w->ends);
+    w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->branch = arena_alloc(a, n_link, sizeof *w->branch);
-    return w->active && w->is_active && w->branch;
+    w->flexibility = arena_alloc(a, n_link, sizeof *w->flexibility);
+    w->checked = arena_alloc(a, n_link, sizeof *w->checked);
+    w->kept_f = arena_alloc(a, n_link, sizeof *w->kept_f);
+    w->vector = arena_alloc(a, 2 * n_block, sizeof *w->vector);
+    w->weight = arena_alloc(a, n_block, sizeof *w->weight);
+    w->matrix = arena_alloc(a, n_block * n_block, sizeof *w->matrix);
+    return w->ends && w->rigid && w->branch && w->flexibility && w->checked && w->kept_f &&
+           w->vector && w->weight && w->matrix;
+}
+
+static void fill_links(struct work *w, const struct model *m) {
+    for (int k = 0; k < m->n_link; k++) {
+        const int *dof = m->link[k].dof;
+        w->ends[k] = (struct ends){dof[0] == WALL ? m->n_dof : dof[0],
+                                   dof[1] == WALL ? m->n_dof : dof[1], m->link[k].gap};
+        if (m->link[k].law->rebound) {
+            w->rigid[w->n_rigid++] = k;
+        }
+    }
 }
 
 bool work_alloc(struct work *w, const struct model *m, struct totals *totals, struct arena *a) {
@@ -42,9 +56,10 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
     size_t n = (size_t)m->n_building;
     w->effective = arena_alloc(a, n, sizeof *w->effective);
     w->settled = arena_alloc(a, n, sizeof *w->settled);
-    if (!w->effective || !w->settled || !alloc_arrays(w, m, a)) {
+    if (!w->effective || !w->settled || !alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
         return false;
     }
+    fill_links(w, m);
     for (int k = 0; k < m->n_building; k++) {
         if (!effective_alloc(&w->effective[k], &m->building[k], a)) {
             return false;

@@ -4,6 +4,7 @@
 #ifndef JOSTLE_WORK_H
 #define JOSTLE_WORK_H
 
+#include "solve/chain.h"
 #include "solve/effective.h"
 #include "solve/line.h"
 #include "solve/state.h"
@@ -14,6 +15,12 @@ enum strictness {
     STEP_ACCEPT,  // take the last iterate and count it: the step is as short as it gets
 };
 
+// The two ends of a link among the arrays of struct chain; a wall is the zero behind them.
+struct ends {
+    int left, right;
+    double gap;  // [L]
+};
+
 struct work {
     const struct model *model;    // borrowed
     struct totals *totals;        // borrowed: counters
@@ -22,18 +29,19 @@ struct work {
     double b, g;                  // beta h^2 and gamma h
     enum strictness strictness;
     int unresolved;  // link that last asked for a shorter step; -1: none did
-    double speed;    // [L/T] largest velocity of any floor so far
     int held;        // link that stays open or closed in this step; -1: none
 
-    double *u_predicted, *v_predicted;  // (n_dof) with a = 0 at the end of the step
-    double *residual;                   // (n_dof) [F], then the correction of a
-    bool *settled;                      // (n_building) storeys agree with the tangents used
+    double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay
+    double *residual;           // (n_dof) [F]
+    double *correction;         // (n_dof) [L/T^2] of the accelerations
+    bool *settled;              // (n_building) storeys agree with the tangents used
 
-    int n_active;                      // links whose force may change in this step
-    int *active;                       // (n_link) their indices
-    bool *is_active;                   // (n_link)
-    enum branch *branch;               // (n_link) of active links
-    double *kept_a, *kept_f;           // (n_dof), (n_link) to step back to
+    struct ends *ends;                 // (n_link)
+    int n_rigid, *rigid;               // contacts of laws without a force
+    double *flexibility;               // [L/T^2/F] (n_link) S_ll of live links
+    double *checked;                   // [T] (n_link) step with which the end was last resolved
+    enum branch *branch;               // (n_link) of live links
+    double *kept_q, *kept_f;           // (n_dof), (n_link) to step back to
     double *matrix, *vector, *weight;  // (block_max, block_max), (block_max) of the block solve
     int block_max;
 };

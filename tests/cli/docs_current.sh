@@ -26,5 +26,8 @@ if ! sh tests/support/docs.sh "$JOSTLE" "$folder"; then
 fi
 same docs/laws.md
 same docs/deck-statements.md
+same docs/spectrum.md
+same docs/restitution.md
+same docs/law-command.md
 same README.md
 exit $status

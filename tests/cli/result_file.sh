@@ -13,7 +13,7 @@ if command -v h5ls >/dev/null; then
         expect "$group is a group" 'grep -qE "^$group  *Group" "$out"'
     done
     for dataset in time buildings/B/{floor,mass,stiffness,height,period,displacement,velocity,acceleration,drift,storey_shear} \
-        buildings/B/envelope/{displacement,drift_time} contacts/{contact,name,left,right,law,left_floor,right_floor,gap,force,penetration} \
+        buildings/B/envelope/{displacement,drift_time} contacts/{contact,name,left,right,law,left_floor,right_floor,gap,effective_mass,restitution,calibrated,force,penetration} \
         contacts/envelope/{force,force_time,penetration,impulse,impacts,dissipated} \
         impacts/{impact,contact,t_start,t_end,v_approach,v_rebound,peak_force,max_penetration,impulse,dissipated} \
         energy/{input,kinetic,strain,damping,hysteretic,contact,residual} ground/{A,B}; do

@@ -29,9 +29,9 @@ level() {
 # The folder a public header speaks for.
 home() {
     case $1 in
-    error | units | row) echo core ;;
+    error | units | row | curve) echo core ;;
     contact_law | storey_law) echo law ;;
-    record | signal) echo motion ;;
+    record | signal | spectrum | intensity) echo motion ;;
     analysis) echo solve ;;
     *) echo "$1" ;;
     esac

@@ -1,25 +1,22 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # docs.sh JOSTLE FOLDER: writes into FOLDER what of the documentation the program itself prints:
-# laws.md, deck-statements.md, and README.md with its deck and its summary made anew.
+# laws.md, deck-statements.md and restitution.md; law-command.md, spectrum.md and README.md with what
+# they show made anew.
 set -eu
 jostle=$1
 folder=$2
 example=input/multistorey.deck
 
-# README.md with the code block behind the line `<!-- NAME -->` replaced by the file NAME.
-with_block() {
-    awk -v name="$1" -v file="$2" '
-        inside && /^```$/ { while ((getline line < file) > 0) print line; inside = 0 }
-        !inside { print }
-        $0 == "<!-- " name " -->" { due = 1 }
-        due && /^```/ { inside = 1; due = 0 }'
-}
-
 mkdir -p "$folder"
 "$jostle" laws --markdown >"$folder/laws.md"
 "$jostle" deck --markdown >"$folder/deck-statements.md"
+sh tests/support/restitution.sh "$jostle" >"$folder/restitution.md"
+sh tests/support/law_outputs.sh "$jostle" "$folder"
 sed '/^#/d' "$example" >"$folder/deck"
 "$jostle" run "$example" -o "$folder/multistorey.h5" --force >"$folder/printed"
 sed "s|$folder/||" "$folder/printed" >"$folder/summary"
-with_block deck "$folder/deck" <README.md | with_block summary "$folder/summary" >"$folder/README.md"
+sh tests/support/with_block.sh deck "$folder/deck" <README.md |
+    sh tests/support/with_block.sh summary "$folder/summary" >"$folder/README.md"
+"$jostle" spectrum input/records/*.AT2 --periods 0,0.1,0.2,0.5,1,2,5 >"$folder/spectra"
+sh tests/support/with_block.sh spectrum "$folder/spectra" <docs/spectrum.md >"$folder/spectrum.md"

@@ -79,9 +79,43 @@ static void add_building(struct maker *m, int i) {
     }
 }
 
+// A law with parameters of its own, of a stiffness of about k.
+static void add_odd_law(struct maker *m, double k) {
+    static const char *const units[] = {"mm kN", "cm kN", "mm MN", "m MN"};
+    const char *calibrate = below(m, 2) ? "" : " -calibrate";
+    switch (below(m, 7)) {
+        case 0:
+            add(m, "bilinear -k1 %.6g -k2 %.6g -dy %.4g\n", k, k * uniform(m, 0.01, 1.0),
+                logarithmic(m, 1e-6, 0.1));
+            break;
+        case 1:
+            add(m, "bilinear -kh %.6g -e %.4g -v0 %.4g%s\n", k, uniform(m, 0.05, 1.0),
+                logarithmic(m, 0.01, 3.0), calibrate);
+            break;
+        case 2:
+            add(m, "wang -k %.6g -zeta %.6g -residual %.4g\n", k, k * logarithmic(m, 0.01, 10.0),
+                uniform(m, 0.0, 0.8));
+            break;
+        case 3:
+            add(m, "wang -k %.6g -e %.4g -residual 0.3 -n %.3g%s\n", k, uniform(m, 0.05, 0.8),
+                uniform(m, 1.0, 2.5), calibrate);
+            break;
+        case 4:
+            add(m, "rubber -k %.6g -n %.3g -e %.4g -du %.4g -ky %.6g%s\n", k, uniform(m, 1.0, 3.0),
+                uniform(m, 0.05, 1.0), logarithmic(m, 1e-4, 0.1), k, calibrate);
+            break;
+        case 5:
+            add(m, "stereomechanical -e %.4g\n", uniform(m, 0.0, 1.0));
+            break;
+        default:
+            add(m, "table -file tests/deck/pad.txt -units %s\n", units[below(m, 4)]);
+            break;
+    }
+}
+
 // A law with a stiffness of about k.
 static void add_law(struct maker *m) {
-    enum { ELASTIC = 3, WITH_E = 10 };
+    enum { ELASTIC = 3, WITH_E = 10, ODD = 5 };
     static const char *const law[] = {
         "linear",
         "hertz",
@@ -97,21 +131,18 @@ static void add_law(struct maker *m) {
         "ye-hertz-damp",
         "khatami",
     };
-    int i = below(m, ELASTIC + WITH_E + 2);
+    int i = below(m, ELASTIC + WITH_E + ODD);
     double k = logarithmic(m, 1e6, 1e13);
-    if (i == ELASTIC + WITH_E) {
-        add(m, " -law bilinear -k1 %.6g -k2 %.6g -dy %.4g\n", k, k * uniform(m, 0.01, 1.0),
-            logarithmic(m, 1e-6, 0.1));
-    } else if (i == ELASTIC + WITH_E + 1) {
-        add(m, " -law wang -k %.6g -zeta %.6g -residual %.4g\n", k, k * logarithmic(m, 0.01, 10.0),
-            uniform(m, 0.0, 0.8));
-    } else {
-        add(m, " -law %s -k %.6g", law[i], k);
-        if (i >= ELASTIC) {
-            add(m, " -e %.4g%s", uniform(m, 0.05, 1.0), below(m, 3) ? "" : " -calibrate");
-        }
-        add(m, "\n");
+    add(m, " -law ");
+    if (i >= ELASTIC + WITH_E) {
+        add_odd_law(m, k);
+        return;
     }
+    add(m, "%s -k %.6g", law[i], k);
+    if (i >= ELASTIC) {
+        add(m, " -e %.4g%s", uniform(m, 0.05, 1.0), below(m, 3) ? "" : " -calibrate");
+    }
+    add(m, "\n");
 }
 
 static double gap(struct maker *m) {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # setup.sh [--check] GROUP...: finds out which of the libraries and tools of the groups (build, test,
-# demo, lint, fuzz) are missing. Nothing is: silent, status 0. On Debian and its kin they are
+# demo, lint, count, fuzz) are missing. Nothing is: silent, status 0. On Debian and its kin they are
 # installed with apt-get; elsewhere, and with --check, the command that would do it is printed and
 # the status is 3.
 set -u
@@ -38,6 +38,9 @@ find_missing_of() {
         have clang-tidy || need clang-tidy
         have clang-format || need clang-format
         ;;
+    count)
+        have valgrind || need valgrind
+        ;;
     fuzz)
         have clang || need clang
         printf 'int LLVMFuzzerTestOneInput(const char *d, long n) { return d && n < 0; }\n' |
@@ -68,6 +71,7 @@ gnuplot     gnuplot-nox        gnuplot             gnuplot     gnuplot
 hdf5-tools  hdf5-tools         hdf5                hdf5        hdf5
 clang-tidy  clang-tidy         clang-tools-extra   clang       llvm
 clang-format clang-format      clang-tools-extra   clang       clang-format
+valgrind    valgrind           valgrind            valgrind    valgrind
 clang       clang              clang               clang       llvm
 fuzzer      $(fuzzer_package)  compiler-rt         compiler-rt llvm
 END

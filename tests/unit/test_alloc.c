@@ -28,6 +28,11 @@ static const char everything[] = "units kN m s\n"
                                  "contact B:1 C -gap 2mm -law kelvin-voigt -k 1e5 -e 0.6\n"
                                  "contact B:1 C -gap 3mm -law jankowski -k 1e5 -e 0.6\n"
                                  "contact D:1,2 wall -gap 1 1 -law linear -k 1e5\n"
+                                 "contact A wall -gap 1 -law table -file pad.txt -units mm kN\n"
+                                 "contact wall A -gap 1 -law wang -residual 0.2 -e 0.5 -k-from "
+                                 "hertz -radius1 1 -modulus1 30GPa -poisson1 0.2\n"
+                                 "contact wall B -gap 1 -law bilinear -kh 1e6 -e 0.5 -v0 1 "
+                                 "-calibrate\n"
                                  "link C D:1 -stiffness 100 -dashpot 10 -exponent 0.5\n"
                                  "ground record record.txt -unit g -dt 0.02 -pga 0.4g\n"
                                  "ground sine -amplitude 0.1g -frequency 2 -buildings A D\n"
@@ -107,6 +112,7 @@ static int attempt(const char *path, long k, long *n) {
 
 static const char *write_deck(const char *text) {
     support_write("record.txt", "0\n1\n-2\n4\n-3\n2\n0\n");
+    support_write("pad.txt", "0 0 0\n1 5 1\n2 20 20\n");
     support_write("part.deck", "building A -floors 2 -mass 100t -stiffness 30MN/m 20MN/m\n");
     return support_write("top.deck", text);
 }

@@ -47,11 +47,12 @@ static void contacts_join_all_levels_that_both_buildings_have(void **state) {
 
 static void floors_of_different_levels_can_face_each_other(void **state) {
     (void)state;
-    struct model *m = analysis_model("building A -floors 3 -mass 2 -stiffness 800\n"
-                                     "building B -floors 4 -mass 6 -stiffness 800\n"
-                                     "contact A:1:3 B:2:4 -gap 0.1 -law linear -k 1\n"
-                                     "contact A:3 B -gap 0.1 -law linear -k 1 -name same\n"
-                                     "contact A B:1 -gap 0.1 -law linear -k 1 -meff 7" REST);
+    struct model *m =
+        analysis_model("building A -floors 3 -mass 2 -stiffness 800\n"
+                       "building B -floors 4 -mass 6 -stiffness 800\n"
+                       "contact A:1:3 B:2:4 -gap 0.1 -law linear -k 1\n"
+                       "contact A:3 B -gap 0.1 -law linear -k 1 -name same\n"
+                       "contact A B:1 -gap 0.1 -law komodromos -k 1 -e 1 -meff 7" REST);
     static const char *const names[] = {"A:1-B:2", "A:2-B:3", "A:3-B:4", "same", "A:1-B:1"};
     assert_names(m, names, 5);
     assert_int_equal(m->link[2].dof[1], 6);
@@ -125,6 +126,75 @@ static void the_effective_mass_goes_into_the_damping_of_a_law(void **state) {
     model_free(m);
 }
 
+// 1/R = 1/R1 + 1/R2, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, k = (4/3) sqrt(R) E*; E A / L.
+static void the_stiffness_of_a_contact_follows_from_its_bodies(void **state) {
+    (void)state;
+    struct model *m = analysis_model(
+        "units kN mm s\nbuilding A -floors 1 -mass 2 -stiffness 800\n"
+        "contact A wall -gap 1 -law hertz -name flat -k-from hertz -radius1 4m -modulus1 30GPa "
+        "-poisson1 0.2\n"
+        "contact A wall -gap 1 -law power -n 1.5 -name two -k-from hertz -radius1 3m -radius2 6m "
+        "-modulus1 30GPa -modulus2 200GPa -poisson1 0.2 -poisson2 0.3\n"
+        "contact A wall -gap 1 -law bilinear -e 0.65 -v0 1m/s -name recipe -k-from hertz "
+        "-radius1 4m -modulus1 30GPa -poisson1 0.2\n"
+        "contact A wall -gap 1 -law komodromos -e 0.5 -name slab -k-from slab -modulus 30GPa "
+        "-area 6m2 -length 12m" REST);
+    // In N and m; one kN/mm^1.5 is 1000 * 1000^1.5 N/m^1.5.
+    const double kilo = 1000.0 * sqrt(1e9);
+    double flat = 4.0 / 3.0 * 2.0 * 30e9 / (2.0 * 0.96);
+    double two = 4.0 / 3.0 * sqrt(2.0) / (0.96 / 30e9 + 0.91 / 200e9);
+    assert_close(link_called(m, "flat")->value[0], flat / kilo, 1e-13);
+    assert_close(link_called(m, "two")->value[0], two / kilo, 1e-13);
+    assert_close(link_called(m, "slab")->value[0], 15e9 / 1e6, 1e-13);
+    const struct link *recipe = link_called(m, "recipe");
+    assert_close(recipe->value[contact_law_row(recipe->law, "kh")], flat / kilo, 1e-13);
+    model_free(m);
+}
+
+static void a_link_knows_the_restitution_asked_for_and_whether_it_is_exact(void **state) {
+    (void)state;
+    struct model *m = analysis_model(
+        "building A -floors 1 -mass 2 -stiffness 800\n"
+        "contact A wall -gap 1 -law jankowski -k 1e6 -e 0.6 -name published\n"
+        "contact A wall -gap 1 -law jankowski -k 1e6 -e 0.6 -calibrate -name exact\n"
+        "contact A wall -gap 1 -law jankowski -k 1e6 -zeta 0.3 -name ratio\n"
+        "contact A wall -gap 1 -law bilinear -kh 1e6 -e 0.7 -v0 1 -calibrate -name later\n"
+        "link A wall -stiffness 5 -name both" REST);
+    static const struct {
+        const char *name;
+        double restitution;
+        bool calibrated;
+    } want[] = {{"published", 0.6, false},
+                {"exact", 0.6, true},
+                {"ratio", NAN, false},
+                {"later", 0.7, true},
+                {"both", NAN, false}};
+    for (size_t i = 0; i < sizeof want / sizeof want[0]; i++) {
+        const struct link *l = link_called(m, want[i].name);
+        assert_true(l->restitution == want[i].restitution || isnan(want[i].restitution));
+        assert_int_equal(isnan(l->restitution), isnan(want[i].restitution));
+        assert_int_equal(l->calibrated, want[i].calibrated);
+    }
+    model_free(m);
+}
+
+// The curve in the file's units, and the file among those that results must not overwrite.
+static void a_curve_is_read_from_a_file_of_its_own_units(void **state) {
+    (void)state;
+    struct model *m = analysis_model(
+        "units kN m s\nbuilding A -floors 2 -mass 2 -stiffness 800\n"
+        "contact A wall -gap 1 -law table -file tests/deck/pad.txt -units mm N" REST);
+    for (int k = 0; k < 2; k++) {
+        const struct link *l = &m->link[k];
+        double h[CONTACT_HISTORY_MAX];
+        l->law->close(l->constant, 1.0, h);
+        assert_close(l->law->force(l->constant, h, 2e-3, 1.0).force, 25e-3, 1e-13);
+        assert_close(l->law->force(l->constant, h, 7e-3, 1.0).force, 310e-3, 1e-13);
+    }
+    assert_non_null(strstr(m->deck->files->path, "pad.txt"));
+    model_free(m);
+}
+
 static void floors_are_taken_in_the_order_written(void **state) {
     (void)state;
     struct model *m = analysis_model(
@@ -160,6 +230,9 @@ static void floors_that_do_not_face_each_other_are_warned_about(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_stiffness_of_a_contact_follows_from_its_bodies),
+        cmocka_unit_test(a_link_knows_the_restitution_asked_for_and_whether_it_is_exact),
+        cmocka_unit_test(a_curve_is_read_from_a_file_of_its_own_units),
         cmocka_unit_test(floors_are_taken_in_the_order_written),
         cmocka_unit_test(floors_that_do_not_face_each_other_are_warned_about),
         cmocka_unit_test(contacts_join_all_levels_that_both_buildings_have),

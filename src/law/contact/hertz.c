@@ -37,7 +37,9 @@ const struct contact_law contact_hertz = {
     .formula = "F = k d^n, n = 3/2",
     .source = "Hertz (1882), J. reine angew. Math. 92, 156-171; for pounding Jing & Young (1991), "
               "Earthquake Eng. Struct. Dyn. 20, 667-681",
-    .remarks = "no energy is lost; the stiffness grows with the penetration",
+    .remarks =
+        "for curved faces; loses no energy; never pulls, no jumps; the slope vanishes at closure",
+    .example = "-k 2.75e9N/m^1.5",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_ROW,

@@ -24,7 +24,9 @@ const struct contact_law contact_hunt_crossley = {
                "q = zeta v0 / k",
     .source = "Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445; relation derived from the "
               "energies of both halves of the impact",
-    .remarks = "no jumps; delivers e exactly; pulls if bodies part faster than v0/q",
+    .remarks = "for flat (n = 1) or curved faces; no jumps; delivers e exactly; needs v0, and "
+               "pulls if bodies part faster than v0/q",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = hysteresis_rows,
     .n_row = HYSTERESIS_ROWS,
     .n_constant = HYSTERESIS_CONSTANTS,

@@ -61,10 +61,13 @@ const struct contact_law contact_jankowski = {
     .source =
         "Jankowski (2005), Earthquake Eng. Struct. Dyn. 34, 595-611; zeta(e): Jankowski (2006), "
         "ibid. 35, 517-524",
-    .remarks = "never pulls; no jump at closure; close to e for e above 0.4",
+    .remarks = "for curved faces; never pulls; no jump at closure, but an infinite slope; close to "
+               "e for e above 0.4; does not need v0",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
+    .traits = CONTACT_NEEDS_MASS,
     .prepare = jankowski_prepare,
     .force = jankowski_force,
     .exact = exact_zeta,

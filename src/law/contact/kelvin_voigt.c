@@ -43,11 +43,13 @@ const struct contact_law contact_kelvin_voigt = {
     .formula = "F = k d + c v, c = 2 zeta sqrt(k m*), zeta = -ln e / sqrt(pi^2 + ln^2 e)",
     .source = "Anagnostopoulos (1988), Earthquake Eng. Struct. Dyn. 16, 443-456, eq. 3-4; sign of "
               "zeta as derived there, missing in several later papers",
-    .remarks = "delivers e exactly; jumps at closure and pulls before separation",
+    .remarks = "for comparison with the literature; delivers e exactly in an isolated impact, "
+               "whatever v0; jumps at closure and pulls before separation",
+    .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
-    .traits = CONTACT_JUMPS | CONTACT_MAY_PULL,
+    .traits = CONTACT_JUMPS | CONTACT_MAY_PULL | CONTACT_NEEDS_MASS,
     .prepare = kelvin_voigt_prepare,
     .force = kelvin_voigt_force,
     .exact = restitution_kelvin_voigt,

@@ -62,9 +62,11 @@ const struct contact_law contact_khatami = {
     .name = "khatami",
     .summary = "Hertz, stiffer during approach",
     .formula = "F = k d^1.5 (1 + f) while v > 0, k d^1.5 after; f = alpha e^beta v0 (1 - e)",
-    .source = "Khatami, Naderpour et al., as printed in reviews of impact models",
-    .remarks = "dissipates next to nothing as printed: 0.9988 for an e of 0.65 at 0.5 m/s; exact "
-               "with -calibrate",
+    .source = "Naderpour, Barros & Khatami (2015), Scientia Iranica 22, 59-68; force as printed in "
+              "reviews of impact models",
+    .remarks = "for comparison only: dissipates next to nothing as printed, 0.9988 for an e of "
+               "0.65 at 0.5 m/s; exact with -calibrate; never pulls; jumps at v = 0; needs v0",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -16,7 +16,9 @@ const struct contact_law contact_lankarani_nikravesh = {
     .summary = "Hertz with hysteresis damping, as in multibody dynamics",
     .formula = "F = k d^n (1 + (3 (1 - e^2) / 4) v / v0)",
     .source = "Lankarani & Nikravesh (1990), J. Mech. Des. 112, 369-376",
-    .remarks = "the same force as hertz-damp; delivers much more than a small e",
+    .remarks = "the same force as hertz-damp, for those who know it by this name: for curved faces "
+               "and e near 1; needs v0, and pulls if bodies part faster than v0/q",
+    .example = "-k 2.75e9N/m^1.5 -e 0.65",
     .row = hysteresis_rows,
     .n_row = HYSTERESIS_ROWS,
     .n_constant = HYSTERESIS_CONSTANTS,

@@ -27,7 +27,9 @@ const struct contact_law contact_linear = {
     .summary = "linear spring",
     .formula = "F = k d",
     .source = "Maison & Kasai (1992), Earthquake Eng. Struct. Dyn. 21, 771-786",
-    .remarks = "no energy is lost; the simplest law, for comparison",
+    .remarks = "the simplest law, for comparison and stiff stops; loses no energy; never pulls, no "
+               "jumps; does not need v0",
+    .example = "-k 93.5MN/m",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_ROW,

@@ -70,13 +70,15 @@ const struct contact_law contact_mahmoud_jankowski = {
     .summary = "linear spring with a dashpot during approach",
     .formula = "F = k d + c v while v > 0, k d after; c = 2 zeta sqrt(k m*), "
                "zeta = (1 - e^2) / (e (e (pi - 2) + 2))",
-    .source = "Mahmoud & Jankowski (2011), Eng. Struct. 33, 1567-1575; -relation 2008: Mahmoud, "
-              "Chen & Jankowski (2008), J. Appl. Sci. 8, 1850-1855",
-    .remarks = "never pulls; jumps at closure; close to e for e above 0.4",
+    .source = "Mahmoud & Jankowski (2011), Iranian J. Sci. Technol., Trans. Civil Eng. 35, 51-62; "
+              "-relation 2008: Mahmoud, Chen & Jankowski (2008), J. Appl. Sci. 8, 1850-1858",
+    .remarks = "for flat faces; never pulls; jumps at closure; close to e for e above 0.4; does "
+               "not need v0",
+    .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
-    .traits = CONTACT_JUMPS,
+    .traits = CONTACT_JUMPS | CONTACT_NEEDS_MASS,
     .prepare = mahmoud_jankowski_prepare,
     .force = mahmoud_jankowski_force,
     .exact = restitution_approach,

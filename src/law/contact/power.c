@@ -57,7 +57,9 @@ const struct contact_law contact_power = {
     .formula = "F = k d^n (1 + q v / v0), 1 + e = (1/q) ln((1 + q) / (1 - e q))",
     .source = "Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445; relation derived from the "
               "energies of both halves of the impact",
-    .remarks = "no jumps; delivers e exactly; pulls if bodies part faster than v0/q",
+    .remarks = "for faces between flat and curved; no jumps; delivers e exactly; needs v0, and "
+               "pulls if bodies part faster than v0/q",
+    .example = "-k 30e9N/m^2 -n 2 -e 0.65",
     .row = rows,
     .n_row = HYSTERESIS_ROWS,
     .n_constant = HYSTERESIS_CONSTANTS,

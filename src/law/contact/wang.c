@@ -4,16 +4,25 @@
 // and there is no force below the residual penetration d_e.
 //
 // As f_e / (d_max - d_e)^n = k / (1 - R)^n, only d_max is kept, the largest penetration of the
-// contact. The slope of the force jumps at v = 0; the force itself does only where an approach is
+// contact. With -e, zeta is q k / v0 with the q that delivers e: the approach leaves the share
+// 2 (q - ln(1 + q)) / q^2 of the energy in the spring (restitution_stored_q), of which the release
+// gives back 1 - R,
+//
+//     e^2 = 2 (1 - R) (q - ln(1 + q)) / q^2,   so e^2 <= 1 - R.
+//
+// The slope of the force jumps at v = 0; the force itself does only where an approach is
 // renewed within one contact, which follows the first branch again.
 #include <math.h>
 
 #include "law/contact_list.h"
+#include "law/hysteresis.h"
 #include "law/power.h"
+#include "law/restitution.h"
 
-enum { K, ZETA, RESIDUAL, N, N_ROW };
-enum { STIFFNESS, DAMPING, SHARE, RELEASE, EXPONENT, N_CONSTANT };  // RELEASE: k / (1 - R)^n
-enum { DEEPEST, N_HISTORY };
+enum { K, E, ZETA, RESIDUAL, VMIN, N, N_ROW };
+// DAMPING: zeta, if given; PER_VELOCITY: q k; RELEASE: k / (1 - R)^n
+enum { STIFFNESS, DAMPING, PER_VELOCITY, FLOOR, SHARE, RELEASE, EXPONENT, N_CONSTANT };
+enum { DEEPEST, DASHPOT, N_HISTORY };
 
 static const struct range residual_range = {
     .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
@@ -26,9 +35,10 @@ static const struct row rows[N_ROW] = {
            &range_positive,
            NAN,
            "impact stiffness"},
+    [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
     [ZETA] = {"zeta",
               ROW_NUMBER,
-              ROW_REQUIRED | ROW_PER_LENGTH_POWER,
+              ROW_ONE_OF | ROW_PER_LENGTH_POWER,
               {1, -1, 1},
               &range_non_negative,
               NAN,
@@ -40,13 +50,26 @@ static const struct row rows[N_ROW] = {
                   &residual_range,
                   NAN,
                   "residual over largest penetration"},
+    [VMIN] = HYSTERESIS_VMIN_ROW,
     [N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
 };
 
 static int wang_prepare(const double *value, double m_eff, double *constant, struct error *e) {
-    (void)m_eff, (void)e;
+    (void)m_eff;
+    double stored = value[E] * value[E] / (1.0 - value[RESIDUAL]);
+    if (stored > 1.0) {
+        return error_set(e, STATUS_INPUT,
+                         "e is %.6g; with a residual of %.6g it must be <= %.6g, sqrt(1 - R)",
+                         value[E], value[RESIDUAL], sqrt(1.0 - value[RESIDUAL]));
+    }
+    double q = isnan(value[E]) ? 0.0 : restitution_stored_q(stored);
+    if (isnan(q)) {
+        return error_no_memory(e);
+    }
     constant[STIFFNESS] = value[K];
-    constant[DAMPING] = value[ZETA];
+    constant[DAMPING] = isnan(value[E]) ? value[ZETA] : 0.0;
+    constant[PER_VELOCITY] = q * value[K];
+    constant[FLOOR] = value[VMIN];
     constant[SHARE] = value[RESIDUAL];
     constant[RELEASE] = value[K] / pow(1.0 - value[RESIDUAL], value[N]);
     constant[EXPONENT] = value[N];
@@ -54,8 +77,8 @@ static int wang_prepare(const double *value, double m_eff, double *constant, str
 }
 
 static void wang_close(const double *c, double v0, double *history) {
-    (void)c, (void)v0;
     history[DEEPEST] = 0.0;
+    history[DASHPOT] = c[DAMPING] + c[PER_VELOCITY] / fmax(v0, c[FLOOR]);
 }
 
 static struct contact_response wang_force(const double *c, const double *h, double d, double v) {
@@ -64,7 +87,7 @@ static struct contact_response wang_force(const double *c, const double *h, doub
     }
     struct contact_response r = power_spring(c[STIFFNESS], c[EXPONENT], d);
     if (v >= 0.0) {
-        struct contact_response damper = power_spring(c[DAMPING], c[EXPONENT], d);
+        struct contact_response damper = power_spring(h[DASHPOT], c[EXPONENT], d);
         r.force += damper.force * v;
         r.dfdd += damper.dfdd * v;
         r.dfdv = damper.force;
@@ -81,13 +104,21 @@ const struct contact_law contact_wang = {
     .name = "wang",
     .summary = "Hertz with damped approach and residual penetration",
     .formula = "F = k d^n + zeta d^n v while v >= 0; then f_e ((d - d_e) / (d_max - d_e))^n, "
-               "f_e = k d_max^n, d_e = R d_max; 0 below d_e",
-    .source = "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143(12), 04017139",
-    .remarks = "never pulls; e follows from zeta, R and the velocity: with zeta = 0, e^2 = 1 - R",
+               "f_e = k d_max^n, d_e = R d_max; 0 below d_e; zeta = q k / v0, "
+               "e^2 = 2 (1 - R) (q - ln(1 + q)) / q^2",
+    .source =
+        "Wang, Hua, Wang, Chen & Song (2017), J. Eng. Mech. 143, Advanced impact force model for "
+        "low-speed pounding between viscoelastic materials and steel; relation with e derived here",
+    .remarks = "for viscoelastic layers against steel, and contacts that keep a dent; never pulls; "
+               "with -zeta e depends on the velocity, "
+               "with -e it is exact; e^2 <= 1 - R; an approach renewed within one contact jumps "
+               "back to the first branch",
+    .example = "-k 2.75e9N/m^1.5 -zeta 5.5e9N*s/m^2.5 -residual 0.25",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
     .n_history = N_HISTORY,
+    .traits = CONTACT_NEEDS_V0 | CONTACT_EXACT,
     .prepare = wang_prepare,
     .close = wang_close,
     .force = wang_force,

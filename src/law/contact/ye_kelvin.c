@@ -40,7 +40,9 @@ const struct contact_law contact_ye_kelvin = {
     .summary = "linear spring with hysteresis damping",
     .formula = "F = k d + zeta d v, zeta = 3 k (1 - e) / (2 e v0)",
     .source = "Ye, Li & Zhu (2009), Earthquake Eng. Eng. Vib. 8, 433-446",
-    .remarks = "no jumps; delivers a little less than e; pulls if bodies part faster than v0/q",
+    .remarks = "for flat faces; no jumps; delivers a little less than e; needs v0, and pulls if "
+               "bodies part faster than v0/q",
+    .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = HYSTERESIS_CONSTANTS,

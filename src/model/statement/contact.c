@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/pairs.h"
 #include "model/statement.h"
+#include "model/stiffness_estimate.h"
 
-enum { GAP, LAW, NAME, MEFF, OVERLAP, CALIBRATE, N_ROW };
+enum { GAP, LAW, NAME, MEFF, OVERLAP, N_ROW };
 
 static const struct row rows[N_ROW] = {
     [GAP] = {"gap", ROW_LIST, ROW_REQUIRED, {0, 1, 0}, NULL, NAN, "clear distance at rest"},
@@ -22,17 +23,10 @@ static const struct row rows[N_ROW] = {
                  NULL,
                  NAN,
                  "allow a negative gap, or an initial penetration"},
-    [CALIBRATE] = {"calibrate",
-                   ROW_FLAG,
-                   0,
-                   {0},
-                   NULL,
-                   NAN,
-                   "replace the published damping by that which delivers -e exactly"},
 };
 
-static const struct contact_law *find_law(struct builder *b, const struct statement *s) {
-    static const char *const later[] = {"stereomechanical", NULL};
+static const struct contact_law *find_law(struct builder *b, const struct statement *s,
+                                          const struct word **name) {
     int n = 0;
     const struct word *w = deck_option(s, "law", &n);
     if (!w || n == 0) {
@@ -40,18 +34,8 @@ static const struct contact_law *find_law(struct builder *b, const struct statem
                    w ? "-law needs a value" : "contact needs -law", rows[LAW].doc);
         return NULL;
     }
-    const char *name = deck_text(b->deck, w);
-    const struct contact_law *law = name ? contact_law_find(name) : NULL;
-    if (name && !law) {
-        const char **known = builder_array(b, (size_t)n_contact_law, sizeof *known);
-        for (int i = 0; known && i < n_contact_law; i++) {
-            known[i] = contact_laws[i]->name;
-        }
-        if (known) {
-            builder_unknown(b, w, name, "contact law", known, n_contact_law, later);
-        }
-    }
-    return law;
+    *name = w;
+    return law_choice_find(b->deck, w);
 }
 
 static bool check_gaps(struct builder *b, const struct argument *a) {
@@ -66,38 +50,8 @@ static bool check_gaps(struct builder *b, const struct argument *a) {
     return true;
 }
 
-// Puts the damping that delivers -e exactly in place of -e.
-static bool calibrate(struct builder *b, const struct contact_law *law, const struct word *flag,
-                      struct argument *given) {
-    int restitution = contact_law_row(law, "e");
-    if (!law->exact) {
-        deck_error(b->deck, flag, "contact law %s takes no -e that could be calibrated", law->name);
-        return false;
-    }
-    if (!given[restitution].given) {
-        deck_error(b->deck, flag, "-calibrate needs -e: coefficient of restitution to deliver");
-        return false;
-    }
-    double *zeta = builder_array(b, 1, sizeof *zeta);
-    if (!zeta) {
-        return false;
-    }
-    *zeta = law->exact(given[restitution].number[0]);
-    if (isnan(*zeta)) {
-        deck_error(b->deck, &given[restitution].word[0],
-                   "no damping is found with which %s delivers e = %.6g", law->name,
-                   given[restitution].number[0]);
-        return false;
-    }
-    given[restitution].n = 0;
-    struct argument *damping = &given[contact_law_row(law, "zeta")];
-    damping->number = zeta;
-    damping->n = 1;
-    return true;
-}
-
-static void append(struct builder *b, const struct pairs *p, const struct contact_law *law,
-                   const struct argument *own, const struct argument *given) {
+static void append(struct builder *b, const struct pairs *p, const struct argument *own,
+                   const struct law_choice *choice) {
     bool good = check_gaps(b, own);
     const char *name = pairs_name(b, &own[NAME], &good);
     const double *gap = builder_spread(b, &own[GAP], p->n, "contacts");
@@ -112,7 +66,7 @@ static void append(struct builder *b, const struct pairs *p, const struct contac
         if (own[MEFF].given) {
             d->link.mass = own[MEFF].number[0];
         }
-        good = pairs_set_law(b, &d->link, law, given, own[LAW].word);
+        good = pairs_set_law(b, &d->link, choice);
     }
 }
 
@@ -122,29 +76,49 @@ static void build(struct builder *b, const struct statement *s) {
     }
     struct pairs p;
     bool paired = pairs_read(b, s, &p);
-    const struct contact_law *law = find_law(b, s);
+    const struct word *name;
+    const struct contact_law *law = find_law(b, s, &name);
     if (!law) {
         return;
     }
     struct argument own[N_ROW] = {0};
-    struct argument given[CONTACT_ROWS_MAX] = {0};
-    struct row_set set[] = {{rows, N_ROW, own}, {law->row, law->n_row, given}};
-    bool good = deck_options(b->deck, s, set, 2);
-    if (good && own[CALIBRATE].given) {
-        good = calibrate(b, law, &own[CALIBRATE].key, given);
-    }
-    if (good && paired) {
-        append(b, &p, law, own, given);
+    struct row_set set = {rows, N_ROW, own};
+    struct law_choice choice;
+    bool read = law_choice_read(b->deck, s, law, name, &set, &choice);
+    if (own[MEFF].given && !(law->traits & CONTACT_NEEDS_MASS)) {
+        deck_error(b->deck, &own[MEFF].key,
+                   "-meff is of no use: %s does not depend on the effective mass", law->name);
+    } else if (read && paired) {
+        append(b, &p, own, &choice);
     }
 }
+
+enum { N_VARIANT = 3 };
+static const struct statement_variant variants[N_VARIANT] = {
+    {.row = law_choice_rows, .n_row = LAW_CHOICE_ROWS},
+    {
+        .name = "-k-from hertz",
+        .summary = "k = (4/3) sqrt(R) E* of two spheres, or a sphere and a flat face",
+        .row = stiffness_hertz_rows,
+        .n_row = STIFFNESS_HERTZ_ROWS,
+    },
+    {
+        .name = "-k-from slab",
+        .summary = "k = E A / L of the slab that is struck",
+        .row = stiffness_slab_rows,
+        .n_row = STIFFNESS_SLAB_ROWS,
+    },
+};
 
 const struct statement_kind statement_contact = {
     .name = "contact",
     .usage = "LEFT RIGHT -gap LIST -law LAW ... [-name NAME] [-meff M] [-allow-overlap] "
-             "[-calibrate]",
+             "[-calibrate] [-k-from hertz|slab ...]",
     .summary = "unilateral contact links between facing floors, or floors and a wall",
     .example = "contact A B -gap 20mm -law jankowski -k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,
+    .variant = variants,
+    .n_variant = N_VARIANT,
     .build = build,
 };

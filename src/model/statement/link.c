@@ -15,7 +15,7 @@ static const struct statement_variant variants[N_VARIANT] = {
 };
 
 static void append(struct builder *b, const struct pairs *p, const struct argument *own,
-                   const struct argument *given) {
+                   const struct law_choice *choice) {
     bool good = true;
     const char *name = pairs_name(b, &own[NAME], &good);
     for (int k = 0; good && k < p->n; k++) {
@@ -25,7 +25,7 @@ static void append(struct builder *b, const struct pairs *p, const struct argume
             return;
         }
         d->link.bilateral = true;
-        pairs_set_law(b, &d->link, &bilateral_law, given, p->word);
+        pairs_set_law(b, &d->link, choice);
     }
 }
 
@@ -36,8 +36,9 @@ static void build(struct builder *b, const struct statement *s) {
     struct pairs p;
     bool paired = pairs_read(b, s, &p);
     struct argument own[N_ROW] = {0};
-    struct argument given[BILATERAL_ROWS] = {0};
-    struct row_set set[] = {{rows, N_ROW, own}, {bilateral_law.row, BILATERAL_ROWS, given}};
+    struct law_choice choice = {.law = &bilateral_law, .word = &s->word[1], .restitution = NAN};
+    const struct argument *given = choice.given;
+    struct row_set set[] = {{rows, N_ROW, own}, {bilateral_rows, BILATERAL_ROWS, choice.given}};
     if (!deck_options(b->deck, s, set, 2)) {
         return;
     }
@@ -47,7 +48,7 @@ static void build(struct builder *b, const struct statement *s) {
     } else if (exponent->given && !given[BILATERAL_DASHPOT].given) {
         deck_error(b->deck, &exponent->key, "-exponent is useless without -dashpot");
     } else if (paired) {
-        append(b, &p, own, given);
+        append(b, &p, own, &choice);
     }
 }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A measured curve of force against penetration, with a branch of loading and one of unloading.
+#ifndef JOSTLE_CURVE_H
+#define JOSTLE_CURVE_H
+
+// Numbers of one point.
+enum curve_column { CURVE_PENETRATION, CURVE_LOADING, CURVE_UNLOADING, CURVE_COLUMNS };
+
+// Points from (0, 0, 0) on. The penetration grows, the loading force does not fall and ends above
+// 0; unloading over loading force is between 0 and 1, does not fall, and ends at 1.
+struct curve {
+    int n;                // at least 2
+    const double *point;  // (n, CURVE_COLUMNS)
+};
+
+#endif

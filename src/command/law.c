@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle law: isolated impacts of two bodies under contact laws, compared and fitted.
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "command/law_print.h"
+#include "command/picture.h"
+#include "core/text.h"
+#include "plot/figure.h"
+#include "plot/impact_figure.h"
+
+static int law_command(int argc, char **argv);
+
+const struct command command_law = {
+    .name = "law",
+    .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv] [--compare LAWS]... [--history FILE.tsv]\n"
+             "                  [--plot FILE.png|.svg|.pdf] [--fit FILE] [--force]",
+    .summary = "runs one isolated impact under a contact law",
+    .run = law_command,
+};
+
+static const char details[] =
+    "LAW with its options stands as in a deck; bare numbers are in SI. `jostle laws` lists the "
+    "laws.\n\n"
+    "  -m1 M, -m2 M       masses of the bodies; without -m2 the other one is a wall\n"
+    "  -v V               velocity with which they meet\n"
+    "  --tsv              prints name and value, a line each, in SI with all digits\n"
+    "  --compare LAWS     sets other laws beside: LAW,LAW,... with the options of the first, or "
+    "one\n"
+    "                     with its own, \"LAW -k K ...\"; may be repeated\n"
+    "  --history FILE     writes time, penetration, velocity and force\n"
+    "  --plot FILE        draws force against time and penetration; ends in .png, .svg or .pdf\n"
+    "  --fit FILE         finds -k and -zeta from a measured force: time and force, separated by\n"
+    "                     blanks, tabs, commas or semicolons\n"
+    "  --force            overwrites what exists\n"
+    "  --help             this text\n";
+
+enum { PATH_SIZE = 4096 };
+
+struct options {
+    struct law_words words;
+    const char **word, **compare;  // behind words
+    const char *history, *plot;
+    enum result_existing existing;
+    bool tsv, help;
+};
+
+// A text that may be given once; EXIT_DONE or the status to return.
+static int take_once(const char *option, const char *value, const char **to) {
+    if (*to) {
+        return command_usage(&command_law, "option '%s' is given twice", option);
+    }
+    *to = value;
+    return EXIT_DONE;
+}
+
+static int take_value(struct options *o, const char *option, const char *value) {
+    if (!value) {
+        return command_usage(&command_law, "option '%s' needs a value", option);
+    }
+    if (strcmp(option, "--compare") == 0) {
+        o->compare[o->words.n_compare++] = value;
+        return EXIT_DONE;
+    }
+    return take_once(option, value,
+                     strcmp(option, "--history") == 0 ? &o->history
+                     : strcmp(option, "--plot") == 0  ? &o->plot
+                                                      : &o->words.fit);
+}
+
+// An option of the command; *behind: its value stands in the next word.
+static int take_option(struct options *o, const char *option, const char *next, bool *behind) {
+    static const char *const known[] = {"--compare", "--history", "--plot", "--fit",
+                                        "--tsv",     "--force",   "--help"};
+    enum { N_VALUED = 4, N_KNOWN = sizeof known / sizeof known[0] };
+    const size_t n = strcspn(option, "=");
+    for (int i = 0; i < N_KNOWN; i++) {
+        if (n != strlen(known[i]) || strncmp(option, known[i], n) != 0) {
+            continue;
+        }
+        *behind = i < N_VALUED && option[n] == '\0';
+        if (i < N_VALUED) {
+            return take_value(o, known[i], *behind ? next : option + n + 1);
+        }
+        if (option[n] == '=') {
+            return command_usage(&command_law, "option '%s' takes no value", known[i]);
+        }
+        o->tsv = o->tsv || strcmp(known[i], "--tsv") == 0;
+        o->help = o->help || strcmp(known[i], "--help") == 0;
+        o->existing = strcmp(known[i], "--force") == 0 ? RESULT_REPLACE : o->existing;
+        return EXIT_DONE;
+    }
+    const char *near = text_nearest(option, known, N_KNOWN);
+    return command_usage(&command_law, "unknown option '%s'%s%s%s", option,
+                         near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+}
+
+// Parts the command's options from the words of the law.
+static int parse(int argc, char **argv, struct options *o) {
+    for (int i = 1; i < argc; i++) {
+        if (strncmp(argv[i], "--", 2) != 0) {
+            o->help = o->help || strcmp(argv[i], "-h") == 0;
+            o->word[o->words.n_word++] = argv[i];
+            continue;
+        }
+        bool behind = false;
+        const int status = take_option(o, argv[i], i + 1 < argc ? argv[i + 1] : NULL, &behind);
+        if (status != EXIT_DONE) {
+            return status;
+        }
+        i += behind;
+    }
+    o->words.word = o->word;
+    o->words.compare = o->compare;
+    return EXIT_DONE;
+}
+
+static int check(const struct options *o) {
+    if (o->words.n_word == 0) {
+        return command_usage(&command_law, "a contact law is expected");
+    }
+    if (o->word[0][0] == '-') {
+        return command_usage(&command_law, "a contact law is expected before option '%s'",
+                             o->word[0]);
+    }
+    if (o->plot && !figure_ending(o->plot)) {
+        return command_usage(&command_law, "'%s' must end in .png, .svg or .pdf", o->plot);
+    }
+    if (o->history && o->words.n_compare > 0) {
+        return command_usage(&command_law, "--history writes one impact; leave out --compare");
+    }
+    return EXIT_DONE;
+}
+
+// Neither is written where one exists already.
+static int check_existing(const struct options *o, struct error *e) {
+    const char *const path[] = {o->history, o->plot};
+    for (int i = 0; i < 2; i++) {
+        if (o->existing == RESULT_KEEP && path[i] && access(path[i], F_OK) == 0) {
+            return error_set(e, STATUS_INPUT, "%s exists; --force overwrites it", path[i]);
+        }
+    }
+    return STATUS_OK;
+}
+
+static int cannot_write(const char *path, struct error *e) {
+    return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, strerror(errno));
+}
+
+static int write_history(const struct options *o, const struct law_impact *i, struct error *e) {
+    char part[PATH_SIZE];
+    const int n = snprintf(part, sizeof part, "%s.part", o->history);
+    if (n < 0 || (size_t)n >= sizeof part) {
+        return error_set(e, STATUS_INPUT, "the name %.40s... is too long", o->history);
+    }
+    unlink(part);
+    FILE *to = fopen(part, "wx");
+    if (!to) {
+        return cannot_write(o->history, e);
+    }
+    law_print_history(i, to);
+    const int failed = fflush(to) != 0 || ferror(to);
+    const int status = failed ? cannot_write(o->history, e) : STATUS_OK;
+    if (fclose(to) != 0 && status == STATUS_OK) {
+        unlink(part);
+        return cannot_write(o->history, e);
+    }
+    if (status != STATUS_OK) {
+        unlink(part);
+        return status;
+    }
+    return result_publish(part, o->history, o->existing, e);
+}
+
+// "e 0.647 (asked 0.65), 692.5 kN, ..." of one impact.
+static void key_numbers(const struct law_impacts *l, const struct law_impact *i, char *text,
+                        size_t size) {
+    char nominal[48] = "";
+    if (!isnan(i->nominal)) {
+        snprintf(nominal, sizeof nominal, " (asked %.4g)", i->nominal);
+    }
+    const int n = snprintf(text, size, "e %.4g%s, %.4g kN, %.4g ms, %.4g mm, ",
+                           i->impact.restitution, nominal, i->impact.peak_force / 1e3,
+                           1e3 * i->impact.duration, 1e3 * i->impact.max_penetration);
+    if (n < 0 || (size_t)n >= size) {
+        return;
+    }
+    if (l->measured.n > 0) {
+        snprintf(text + n, size - (size_t)n, "error %.3g %%", 100.0 * i->fit.normalised_error);
+    } else {
+        snprintf(text + n, size - (size_t)n, "%.4g kJ lost", i->impact.dissipated / 1e3);
+    }
+}
+
+static int write_figure(void *context, const char *picture, FILE *to, struct error *e) {
+    const struct law_impacts *l = context;
+    struct impact_curve curve[IMPACT_FIGURE_CURVES];
+    char title[512], subtitle[512], bodies[128];
+    law_print_bodies(l, bodies, sizeof bodies);
+    law_print_name(&l->impact[0], title, sizeof title);
+    if (l->n == 1) {
+        char numbers[256];
+        key_numbers(l, &l->impact[0], numbers, sizeof numbers);
+        snprintf(subtitle, sizeof subtitle, "%s: %s", bodies, numbers);
+    }
+    int n = 0;
+    for (int i = 0; i < l->n; i++) {
+        const struct law_impact *at = &l->impact[i];
+        if (!isnan(at->impact.peak_force)) {
+            curve[n++] = (struct impact_curve){at->choice.law->name, at->n_point, at->point,
+                                               l->measured.n > 0 ? at->fit.start.value : 0.0};
+        }
+    }
+    const struct impact_figure figure = {
+        .title = l->n == 1 ? title : "Isolated impact",
+        .subtitle = l->n == 1 ? subtitle : bodies,
+        .version = JOSTLE_VERSION,
+        .n_curve = n,
+        .curve = curve,
+        .n_sample = l->measured.n,
+        .time = l->measured.time,
+        .force = l->measured.value,
+    };
+    return impact_figure_write(&figure, picture, to, e);
+}
+
+static int draw(const struct options *o, struct law_impacts *l, struct error *e) {
+    int n = 0;
+    for (int i = 0; i < l->n; i++) {
+        n += !isnan(l->impact[i].impact.peak_force);
+    }
+    if (n == 0) {
+        return error_set(e, STATUS_INPUT, "%s has no force to draw", l->impact[0].choice.law->name);
+    }
+    if (n > IMPACT_FIGURE_CURVES) {
+        return error_set(e, STATUS_INPUT, "a picture shows at most %d laws, not %d",
+                         IMPACT_FIGURE_CURVES, n);
+    }
+    const struct picture_request picture = {.name = "impact",
+                                            .output = o->plot,
+                                            .existing = o->existing,
+                                            .write = write_figure,
+                                            .context = l};
+    return picture_make(&picture, e);
+}
+
+static int report(const struct options *o, struct law_impacts *l) {
+    struct error e;
+    int status = check_existing(o, &e);
+    if (status == STATUS_OK && o->history) {
+        status = write_history(o, &l->impact[0], &e);
+    }
+    if (status == STATUS_OK && o->plot) {
+        status = draw(o, l, &e);
+    }
+    if (status != STATUS_OK) {
+        return command_fail(&e);
+    }
+    if (o->tsv) {
+        law_print_tsv(l, stdout);
+    } else {
+        law_print_table(l, stdout);
+    }
+    return EXIT_DONE;
+}
+
+static int run(int argc, char **argv, struct options *o) {
+    int status = parse(argc, argv, o);
+    if (status == EXIT_DONE && o->help) {
+        return command_help(&command_law, details);
+    }
+    if (status == EXIT_DONE) {
+        status = check(o);
+    }
+    struct law_impacts impacts;
+    if (status == EXIT_DONE) {
+        status = law_impacts_run(&o->words, &impacts);
+    }
+    if (status == EXIT_DONE) {
+        status = report(o, &impacts);
+        law_impacts_free(&impacts);
+    }
+    return status;
+}
+
+static int law_command(int argc, char **argv) {
+    struct options o = {.existing = RESULT_KEEP};
+    o.word = calloc((size_t)argc, sizeof *o.word);
+    o.compare = calloc((size_t)argc, sizeof *o.compare);
+    int status;
+    if (o.word && o.compare) {
+        status = run(argc, argv, &o);
+    } else {
+        struct error e;
+        error_no_memory(&e);
+        status = command_fail(&e);
+    }
+    free(o.word);
+    free(o.compare);
+    return status;
+}

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of the command line become a deck, a statement `law NAME ...` for each law, so that
+// they are read, and messages point at them, as in a deck.
+#include "command/law_impacts.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+
+enum { M1, M2, VELOCITY, N_ROW };
+enum { TEXT_MAX = 1 << 16 };
+
+static const struct row rows[N_ROW] = {
+    [M1] = {"m1", ROW_NUMBER, ROW_REQUIRED, {1, -1, 2}, &range_positive, NAN, "mass of one body"},
+    [M2] = {"m2", ROW_NUMBER, 0, {1, -1, 2}, &range_positive, NAN, "mass of the other body"},
+    [VELOCITY] =
+        {"v", ROW_NUMBER, ROW_REQUIRED, {0, 1, -1}, &range_positive, NAN, "approach velocity"},
+};
+
+// A text that grows within its limit.
+struct text {
+    char at[TEXT_MAX];
+    size_t used;
+    bool full;
+};
+
+static void append(struct text *t, const char *piece, size_t n) {
+    if (n >= sizeof t->at - t->used) {
+        t->full = true;
+        return;
+    }
+    memcpy(t->at + t->used, piece, n);
+    t->used += n;
+    t->at[t->used] = '\0';
+}
+
+// A word as a deck would have it: in quotes where it would fall apart without.
+static void append_word(struct text *t, const char *word) {
+    const size_t n = strlen(word);
+    const bool quoted = n == 0 || strpbrk(word, " \t") || word[0] == '#' || word[n - 1] == '\\';
+    append(t, " \"", quoted ? 2 : 1);
+    append(t, word, n);
+    append(t, "\"", quoted ? 1 : 0);
+}
+
+// "LAW,LAW" as one statement each; a text with options as it stands.
+static void append_compared(struct text *t, const char *laws) {
+    if (strpbrk(laws, " \t")) {
+        append(t, "law ", 4);
+        append(t, laws, strlen(laws));
+        append(t, "\n", 1);
+        return;
+    }
+    const char *at = laws;
+    const char *end;
+    do {
+        end = at + strcspn(at, ",");
+        append(t, "law ", 4);
+        append(t, at, (size_t)(end - at));
+        append(t, "\n", 1);
+        at = end + 1;
+    } while (*end);
+}
+
+static int make_text(const struct law_words *words, struct text *t, struct error *e) {
+    append(t, "law", 3);
+    for (int i = 0; i < words->n_word; i++) {
+        if (strpbrk(words->word[i], "\r\n")) {
+            return error_set(e, STATUS_INPUT, "a word of the command line has a line end");
+        }
+        append_word(t, words->word[i]);
+    }
+    append(t, "\n", 1);
+    for (int i = 0; i < words->n_compare; i++) {
+        if (strpbrk(words->compare[i], "\r\n")) {
+            return error_set(e, STATUS_INPUT, "a law to compare with has a line end");
+        }
+        append_compared(t, words->compare[i]);
+    }
+    return t->full ? error_set(e, STATUS_INPUT, "the command line has more than %d bytes", TEXT_MAX)
+                   : STATUS_OK;
+}
+
+// A zeroed array from the deck's arena; NULL after having noted that there is no memory.
+static void *array(struct deck *d, size_t n, size_t size) {
+    void *a = arena_alloc(d->arena, n, size);
+    if (!a) {
+        diagnostics_no_memory(&d->diagnostics);
+    }
+    return a;
+}
+
+// A statement `law NAME ...` without its first word, so that messages name the law.
+static bool take_name(struct deck *d, struct statement *s) {
+    if (s->n_plain != 2) {
+        const struct word *w = &s->word[s->n_plain > 2 ? 2 : 0];
+        deck_error(d, w, s->n_plain > 2 ? "'%s' is not expected" : "%s needs the name of a law",
+                   w->text);
+        return false;
+    }
+    s->word++;
+    s->n_word--;
+    s->n_plain--;
+    return true;
+}
+
+static bool has_key(const struct contact_law *law, const struct word *option) {
+    return contact_law_row(law, option->text + 1) >= 0 ||
+           (law->exact && strcmp(option->text + 1, law_choice_rows[LAW_CHOICE_CALIBRATE].key) == 0);
+}
+
+// Gives a law without options those of the first that it has too.
+static bool lend_options(struct deck *d, const struct statement *first,
+                         const struct contact_law *law, struct statement *s) {
+    struct word *word = array(d, (size_t)first->n_word, sizeof *word);
+    if (!word) {
+        return false;
+    }
+    word[0] = s->word[0];
+    int n = 1;
+    bool taken = false;
+    for (int i = first->n_plain; i < first->n_word; i++) {
+        const char *text = first->word[i].text;
+        const bool option =
+            !first->word[i].quoted && text[0] == '-' && isalpha((unsigned char)text[1]);
+        taken = option ? has_key(law, &first->word[i]) : taken;
+        if (taken) {
+            word[n++] = first->word[i];
+        }
+    }
+    *s = (struct statement){.word = word, .n_word = n, .n_plain = 1};
+    return true;
+}
+
+// The exponent that dimensions of the law's rows depend on.
+static double power_of(const struct law_choice *c) {
+    for (int r = 0; r < c->law->n_row; r++) {
+        if (c->law->row[r].flags & ROW_POWER) {
+            return c->given[r].number[0];
+        }
+    }
+    return 0.0;
+}
+
+// Numbers that were lent must mean the same to both laws.
+static bool check_lent(struct deck *d, const struct law_choice *first, const struct law_choice *c) {
+    for (int r = 0; r < c->law->n_row; r++) {
+        const struct row *row = &c->law->row[r];
+        const int at = contact_law_row(first->law, row->key);
+        if (!c->given[r].given || at < 0) {
+            continue;
+        }
+        const struct dimension wanted = row_dimension(row, power_of(c));
+        const struct dimension got = row_dimension(&first->law->row[at], power_of(first));
+        if (!dimension_equal(wanted, got)) {
+            char has[64], needs[64];
+            unit_text(&d->units, got, has, sizeof has);
+            unit_text(&d->units, wanted, needs, sizeof needs);
+            deck_error(d, &c->given[r].key,
+                       "-%s of %s is in %s, that of %s in %s: give it options of its own, "
+                       "--compare \"%s -%s ...\"",
+                       row->key, first->law->name, has, c->law->name, needs, c->law->name,
+                       row->key);
+            return false;
+        }
+    }
+    return true;
+}
+
+// The law with the rows that a fit finds taken out of what must be given.
+static const struct contact_law *law_to_fit(struct deck *d, const struct statement *s,
+                                            const struct contact_law *law) {
+    static const char *const found[] = {"k", "e", "zeta"};
+    struct row *row = array(d, (size_t)law->n_row, sizeof *row);
+    struct contact_law *copy = array(d, 1, sizeof *copy);
+    bool good = row && copy;
+    if (!good) {
+        return NULL;
+    }
+    memcpy(row, law->row, (size_t)law->n_row * sizeof *row);
+    const bool damped = contact_law_row(law, "zeta") >= 0;
+    for (int i = 0; i < (damped ? 3 : 1); i++) {
+        int n;
+        const int at = contact_law_row(law, found[i]);
+        const struct word *given = deck_option(s, found[i], &n);
+        if (given && at >= 0) {
+            deck_error(d, given - 1, "%s cannot be given: --fit finds it", given[-1].text);
+            good = false;
+        }
+        if (at >= 0) {
+            row[at].flags &= ~(unsigned)(ROW_REQUIRED | ROW_ONE_OF);
+        }
+    }
+    memcpy(copy, law, sizeof *copy);
+    copy->row = row;
+    return good ? copy : NULL;
+}
+
+// A number in place of what was not given.
+static bool put(struct deck *d, struct law_choice *c, const char *key, double value) {
+    const int row = contact_law_row(c->law, key);
+    double *number = array(d, 1, sizeof *number);
+    if (row >= 0 && number) {
+        *number = value;
+        c->given[row].number = number;
+        c->given[row].n = 1;
+    }
+    return number;
+}
+
+static int fit(struct law_impacts *l, struct law_impact *i, struct error *e) {
+    struct deck *d = l->deck;
+    const struct fit_request request = {.law = i->choice.law,
+                                        .value = i->value,
+                                        .mass = l->mass,
+                                        .velocity = l->velocity,
+                                        .n = l->measured.n,
+                                        .time = l->measured.time,
+                                        .force = l->measured.value};
+    int status = fit_run(&request, &i->fit, e);
+    if (status == STATUS_OK &&
+        !(put(d, &i->choice, "k", i->fit.k.value) &&
+          (isnan(i->fit.zeta.value) || put(d, &i->choice, "zeta", i->fit.zeta.value)) &&
+          law_choice_prepare(d, &i->choice, l->mass, &i->value, &i->constant))) {
+        status = error_no_memory(e);
+    }
+    return status;
+}
+
+// Reads one law; `first` is the statement of the first one, NULL for itself.
+static bool read_law(struct law_impacts *l, const struct law_words *words, struct statement *s,
+                     const struct statement *first, struct argument *own) {
+    struct deck *d = l->deck;
+    struct law_impact *i = &l->impact[l->n];
+    const bool lent = first && s->n_word == 1;
+    const struct contact_law *law = law_choice_find(d, &s->word[0]);
+    if (!law || (lent && !lend_options(d, first, law, s))) {
+        return false;
+    }
+    law = words->fit ? law_to_fit(d, s, law) : law;
+    const struct row_set set = {rows, first ? 0 : N_ROW, own};
+    if (!law || !law_choice_read(d, s, law, &s->word[0], &set, &i->choice) ||
+        (lent && !check_lent(d, &l->impact[0].choice, &i->choice))) {
+        return false;
+    }
+    const int e = contact_law_row(law, "e");
+    i->nominal = e >= 0 && i->choice.given[e].given ? i->choice.given[e].number[0] : NAN;
+    if (words->fit && !(put(d, &i->choice, "k", 1.0) && put(d, &i->choice, "zeta", 0.0))) {
+        return false;
+    }
+    l->n++;
+    return true;
+}
+
+// Reads all laws; what is wrong is in the deck's diagnostics.
+static void read_laws(struct law_impacts *l, const struct law_words *words) {
+    struct argument own[N_ROW] = {0};
+    struct statement first = {.n_word = 0};
+    struct statement s;
+    bool good = true;
+    for (int n = 0; good && deck_next(l->deck, &s); n++) {
+        good = take_name(l->deck, &s) && read_law(l, words, &s, n > 0 ? &first : NULL, own);
+        first = n == 0 ? s : first;
+        if (n == 0 && good) {
+            l->m1 = own[M1].number[0];
+            l->m2 = own[M2].n > 0 ? own[M2].number[0] : NAN;
+            l->velocity = own[VELOCITY].number[0];
+            l->mass = isnan(l->m2) ? l->m1 : l->m1 / (1.0 + l->m1 / l->m2);
+        }
+    }
+    for (int i = 0; i < l->n && good; i++) {
+        struct law_impact *at = &l->impact[i];
+        good = law_choice_prepare(l->deck, &at->choice, l->mass, &at->value, &at->constant);
+    }
+}
+
+static void count(void *context, const struct isolated_point *p) {
+    (void)p;
+    ++*(size_t *)context;
+}
+
+struct points {
+    struct isolated_point *point;
+    size_t n;
+};
+
+static void keep(void *context, const struct isolated_point *p) {
+    struct points *points = context;
+    points->point[points->n++] = *p;
+}
+
+// The impact, once to count its points and once to keep them.
+static int run(struct law_impacts *l, struct law_impact *i, struct error *e) {
+    const struct contact_law *law = i->choice.law;
+    struct points points = {.n = 0};
+    const struct isolated_observer counter = {.point = count, .context = &points.n};
+    const struct isolated_observer keeper = {.point = keep, .context = &points};
+    int status = isolated_run(law, i->constant, l->mass, l->velocity, &counter, &i->impact, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    points.point = arena_alloc(l->deck->arena, points.n, sizeof *points.point);
+    if (!points.point) {
+        return error_no_memory(e);
+    }
+    points.n = 0;
+    status = isolated_run(law, i->constant, l->mass, l->velocity, &keeper, &i->impact, e);
+    i->point = points.point;
+    i->n_point = points.n;
+    return status;
+}
+
+static int run_all(struct law_impacts *l, const struct law_words *words, struct error *e) {
+    int status = STATUS_OK;
+    if (words->fit) {
+        status = time_series_read(l->deck->arena, words->fit, dimension_force, &l->measured, e);
+    }
+    for (int i = 0; i < l->n && status == STATUS_OK; i++) {
+        if (words->fit) {
+            status = fit(l, &l->impact[i], e);
+        }
+        if (status == STATUS_OK) {
+            status = run(l, &l->impact[i], e);
+        }
+    }
+    return status;
+}
+
+static int fail(struct law_impacts *l, const struct error *e) {
+    law_impacts_free(l);
+    return command_fail(e);
+}
+
+int law_impacts_run(const struct law_words *words, struct law_impacts *out) {
+    struct text text = {.used = 0};
+    struct error e;
+    *out = (struct law_impacts){.deck = NULL};
+    int status = make_text(words, &text, &e);
+    if (status == STATUS_OK) {
+        status = deck_open_text("command line", text.at, NULL, 0, &out->deck, &e);
+    }
+    if (status != STATUS_OK) {
+        return command_fail(&e);
+    }
+    size_t lines = 0;
+    for (const char *at = text.at; *at; at++) {
+        lines += *at == '\n';
+    }
+    const struct diagnostics *d = &out->deck->diagnostics;
+    out->impact = array(out->deck, lines, sizeof *out->impact);
+    if (out->impact) {
+        read_laws(out, words);
+    }
+    if (d->n_error > 0) {
+        diagnostics_print(d, stderr, command_colour());
+        error_set(&e, d->out_of_memory ? STATUS_SYSTEM : STATUS_INPUT,
+                  "the command line has %d error%s", d->n_error, d->n_error == 1 ? "" : "s");
+        return fail(out, &e);
+    }
+    status = run_all(out, words, &e);
+    return status == STATUS_OK ? EXIT_DONE : fail(out, &e);
+}
+
+void law_impacts_free(struct law_impacts *l) {
+    deck_free(l->deck);
+    l->deck = NULL;
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/law_print.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { NAME_SIZE = 512, LAWS_IN_A_ROW = 4 };
+static const double ROUNDING = 1e-10;
+
+// Quantities of an impact, in the order of the tables.
+static const struct quantity {
+    const char *name, *words;
+    const struct dimension *dimension;
+} quantities[] = {
+    {"nominal_restitution", "nominal restitution", &dimension_none},
+    {"achieved_restitution", "achieved restitution", &dimension_none},
+    {"peak_force", "peak force", &dimension_force},
+    {"duration", "duration of contact", &dimension_time},
+    {"max_penetration", "largest penetration", &dimension_length},
+    {"impulse", "impulse", &dimension_impulse},
+    {"dissipated", "dissipated energy", &dimension_energy},
+};
+enum { N_QUANTITY = sizeof quantities / sizeof quantities[0] };
+
+static double quantity(const struct law_impact *i, int q) {
+    const double value[N_QUANTITY] = {
+        i->nominal,           i->impact.restitution,     i->impact.peak_force,
+        i->impact.duration,   i->impact.max_penetration, i->impact.impulse,
+        i->impact.dissipated,
+    };
+    return value[q];
+}
+
+void law_print_bodies(const struct law_impacts *l, char *text, size_t size) {
+    if (isnan(l->m2)) {
+        snprintf(text, size, "%.6g kg at %.6g m/s against a wall", l->m1, l->velocity);
+    } else {
+        snprintf(text, size, "%.6g kg at %.6g m/s against %.6g kg", l->m1, l->velocity, l->m2);
+    }
+}
+
+void law_print_name(const struct law_impact *i, char *text, size_t size) {
+    const struct contact_law *law = i->choice.law;
+    size_t used = (size_t)snprintf(text, size, "%s", law->name);
+    for (int r = 0; r < law->n_row && used < size; r++) {
+        if (!isnan(i->value[r])) {
+            used += (size_t)snprintf(text + used, size - used, " -%s %.6g", law->row[r].key,
+                                     i->value[r]);
+        }
+    }
+}
+
+static void print_fit(const struct law_impact *i, FILE *to) {
+    const struct fit_result *f = &i->fit;
+    fprintf(to, "  k %.6g +- %.2g %%", f->k.value, 100.0 * f->k.error / f->k.value);
+    if (!isnan(f->zeta.value)) {
+        fprintf(to, ", zeta %.6g +- %.2g %%", f->zeta.value, 100.0 * f->zeta.error / f->zeta.value);
+    }
+    fprintf(to, ", closure at %.6g s +- %.2g s\n", f->start.value, f->start.error);
+    fprintf(to, "  normalised error %.4g %%\n", 100.0 * f->normalised_error);
+}
+
+static void print_laws(const struct law_impacts *l, FILE *to) {
+    for (int i = 0; i < l->n; i++) {
+        char name[NAME_SIZE];
+        law_print_name(&l->impact[i], name, sizeof name);
+        fprintf(to, "%s%s\n", name, l->impact[i].choice.calibrated ? " (calibrated)" : "");
+        if (l->measured.n > 0) {
+            print_fit(&l->impact[i], to);
+        }
+    }
+}
+
+// What a reader is shown: the energy lost is known to ROUNDING of the kinetic energy.
+static double shown(const struct law_impacts *l, int i, int q) {
+    const double value = quantity(&l->impact[i], q);
+    const double energy = l->mass * l->velocity * l->velocity / 2.0;
+    const bool none =
+        quantities[q].dimension == &dimension_energy && fabs(value) < ROUNDING * energy;
+    return none ? 0.0 : value;
+}
+
+// The laws from `first` up to `last`, side by side.
+static void print_columns(const struct law_impacts *l, int first, int last, FILE *to) {
+    struct unit_system si;
+    unit_system_init(&si);
+    fprintf(to, "\n%-21s %4s", "", "");
+    for (int i = first; i < last; i++) {
+        fprintf(to, " %17s", l->impact[i].choice.law->name);
+    }
+    fprintf(to, "\n");
+    for (int q = 0; q < N_QUANTITY; q++) {
+        char unit[32];
+        unit_text(&si, *quantities[q].dimension, unit, sizeof unit);
+        fprintf(to, "%-21s %4s", quantities[q].words, strcmp(unit, "1") == 0 ? "" : unit);
+        for (int i = first; i < last; i++) {
+            const double value = shown(l, i, q);
+            if (isnan(value)) {
+                fprintf(to, " %17s", "-");
+            } else {
+                fprintf(to, " %17.6g", value);
+            }
+        }
+        fprintf(to, "\n");
+    }
+}
+
+void law_print_table(const struct law_impacts *l, FILE *to) {
+    char bodies[128];
+    law_print_bodies(l, bodies, sizeof bodies);
+    fprintf(to, "%s, effective mass %.6g kg\n\n", bodies, l->mass);
+    print_laws(l, to);
+    for (int first = 0; first < l->n; first += LAWS_IN_A_ROW) {
+        const int last = first + LAWS_IN_A_ROW;
+        print_columns(l, first, last < l->n ? last : l->n, to);
+    }
+}
+
+static void print_row(const char *name, const struct law_impacts *l,
+                      double (*value)(const struct law_impact *i, int which), int which, FILE *to) {
+    fprintf(to, "%s", name);
+    for (int i = 0; i < l->n; i++) {
+        const double x = value(&l->impact[i], which);
+        if (isnan(x)) {
+            fprintf(to, "\tnan");
+        } else {
+            fprintf(to, "\t%.17g", x);
+        }
+    }
+    fprintf(to, "\n");
+}
+
+static const char *const fitted[] = {
+    "k", "k_error", "zeta", "zeta_error", "start", "start_error", "normalised_error",
+};
+enum { N_FITTED = sizeof fitted / sizeof fitted[0] };
+
+static double fitted_value(const struct law_impact *i, int which) {
+    const struct fit_result *f = &i->fit;
+    const double value[N_FITTED] = {
+        f->k.value,     f->k.error,     f->zeta.value,       f->zeta.error,
+        f->start.value, f->start.error, f->normalised_error,
+    };
+    return value[which];
+}
+
+void law_print_tsv(const struct law_impacts *l, FILE *to) {
+    if (l->n > 1) {
+        fprintf(to, "law");
+        for (int i = 0; i < l->n; i++) {
+            fprintf(to, "\t%s", l->impact[i].choice.law->name);
+        }
+        fprintf(to, "\n");
+    }
+    for (int q = 0; q < N_QUANTITY; q++) {
+        print_row(quantities[q].name, l, quantity, q, to);
+    }
+    for (int f = 0; f < N_FITTED && l->measured.n > 0; f++) {
+        print_row(fitted[f], l, fitted_value, f, to);
+    }
+}
+
+void law_print_history(const struct law_impact *i, FILE *to) {
+    fprintf(to, "time [s]\tpenetration [m]\tvelocity [m/s]\tforce [N]\n");
+    for (size_t k = 0; k < i->n_point; k++) {
+        const struct isolated_point *p = &i->point[k];
+        fprintf(to, "%.17g\t%.17g\t%.17g\t%.17g\n", p->time, p->penetration, p->velocity, p->force);
+    }
+}

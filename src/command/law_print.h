@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The results of `jostle law` as text.
+#ifndef JOSTLE_LAW_PRINT_H
+#define JOSTLE_LAW_PRINT_H
+
+#include "command/law_impacts.h"
+
+// "25000 kg at 0.5 m/s against 40000 kg".
+void law_print_bodies(const struct law_impacts *l, char *text, size_t size);
+
+// "jankowski -k 2.75e+09 -e 0.65", as a deck could have it.
+void law_print_name(const struct law_impact *i, char *text, size_t size);
+
+// Tables for readers; at most 100 columns wide.
+void law_print_table(const struct law_impacts *l, FILE *to);
+
+// Name and values, tabs between; the first line names the laws where there are several.
+void law_print_tsv(const struct law_impacts *l, FILE *to);
+
+// The points of one impact.
+void law_print_history(const struct law_impact *i, FILE *to);
+
+#endif

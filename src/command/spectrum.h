@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the files of `jostle spectrum` share: what is asked for, and the records with their spectra.
+#ifndef JOSTLE_COMMAND_SPECTRUM_H
+#define JOSTLE_COMMAND_SPECTRUM_H
+
+#include "command/command.h"
+#include "jostle/intensity.h"
+#include "jostle/record.h"
+#include "jostle/result.h"
+#include "jostle/spectrum.h"
+
+enum spectrum_form { FORM_TEXT, FORM_TSV };
+enum spectrum_content { CONTENT_ALL, CONTENT_INTENSITIES };
+
+struct spectrum_request {
+    char **path;  // (n_record)
+    int n_record;
+    struct record_request record;  // without its path
+    double scale;                  // factor of every record
+    double pga;                    // [m/s^2] each is scaled to; 0: `scale` holds
+    const double *damping, *period;
+    int n_damping, n_period;
+    enum spectrum_form form;
+    enum spectrum_content content;
+    const char *output, *script_folder;
+    enum result_existing existing;
+};
+
+// All in SI units.
+struct spectrum_set {
+    const char **name;            // (n_record) to show
+    double *scale;                // (n_record)
+    struct signal *ground;        // (n_record) [m/s^2]
+    struct intensity *intensity;  // (n_record)
+    struct spectra spectra;       // not computed for CONTENT_INTENSITIES
+};
+
+// Reads the command line; lists are from `a`. -1: go on; else the exit status.
+int spectrum_parse(const struct command *c, int argc, char **argv, struct arena *a,
+                   struct spectrum_request *q);
+
+// Prints the tables to stdout.
+void spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set);
+
+#endif

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line of `jostle spectrum`. Options of records may also be written as in a deck, with
+// one dash, as messages about records name them so.
+#include <getopt.h>
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#include "command/spectrum.h"
+#include "core/arena.h"
+#include "core/text.h"
+#include "plot/figure.h"
+
+enum { DAMPING_MAX = 7, PERIODS_MAX = 100000 };
+static const double PERIOD_MIN = 1e-3, PERIOD_MAX = 1e3;  // [s]
+
+// Default periods: ten a decade in a table to be read, a hundred where a curve is wanted.
+static const double DEFAULT_FROM = 0.01, DEFAULT_TO = 10.0;
+enum { DEFAULT_TABLE = 31, DEFAULT_CURVE = 301 };
+
+// Options without a letter.
+enum {
+    OPTION_DAMPING = UCHAR_MAX + 1,
+    OPTION_PERIODS,
+    OPTION_FORMAT,
+    OPTION_UNIT,
+    OPTION_DT,
+    OPTION_SCALE,
+    OPTION_PGA,
+    OPTION_INTENSITIES,
+    OPTION_TSV,
+    OPTION_SCRIPT,
+    OPTION_FORCE,
+};
+
+static const double default_damping[] = {0.05};
+
+static const char details[] =
+    "For each RECORD: peak ground acceleration, velocity and displacement, Arias intensity,\n"
+    "cumulative absolute velocity and significant duration. Then the elastic response spectrum, "
+    "of\n"
+    "several records the mean and percentiles: pseudo-acceleration PSA, pseudo-velocity PSV and\n"
+    "displacement SD; in TSV also the true largest relative velocity SV and total acceleration "
+    "SA.\n"
+    "\n"
+    "  --damping LIST   damping ratios, 0.02,0.05 or 2%,5% (default: 5%)\n"
+    "  --periods P      FROM:TO:N, evenly spaced by their logarithms, or LIST, ascending; in s,\n"
+    "                   0 or 0.001 to 1000 (default: 0.01:10:31 for a table,\n"
+    "                   0.01:10:301 for TSV and pictures)\n"
+    "  --scale S        multiplies each record by S\n"
+    "  --pga A          scales each record to this peak, 0.35g or 3.4m/s2\n"
+    "  --format F       format of the records; found if not given\n"
+    "  --unit U         unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it\n"
+    "  --dt DT          time between samples, if a file does not say it\n"
+    "  --intensities    no spectra\n"
+    "  --tsv            tab-separated values of full precision, one line a record (and\n"
+    "                   statistic), damping and period; with --intensities one line a record\n"
+    "  -o FILE          draws the pseudo-acceleration; .png, .svg or .pdf\n"
+    "  --script DIR     writes DIR/spectrum.gp with its data for gnuplot\n"
+    "  --force          overwrites what exists\n"
+    "  --help           this text\n"
+    "\n"
+    "The ground acceleration is linear between samples and zero before and after them; its\n"
+    "integrals start from rest, without correction of the baseline. g is 9.80665 m/s2. The mean "
+    "is\n"
+    "arithmetic; percentiles are interpolated between the sorted values. With -o or --script the\n"
+    "table of the spectrum is left out.\n";
+
+// Reads a number, with a unit or, where that is allowed, without one; NULL: it is none.
+enum bare { BARE_ALLOWED, BARE_REFUSED };
+static const char *read_quantity(const char *text, const struct dimension *dimension,
+                                 enum bare bare, double *value) {
+    const char *end;
+    if (text_number(text, &end, value) != TEXT_NUMBER_OK) {
+        return NULL;
+    }
+    struct unit_system si;
+    unit_system_init(&si);
+    struct dimension found;
+    double size;
+    const char *behind;
+    if (!unit_parse(end, si.gravity, &behind, &found, &size)) {
+        return bare == BARE_ALLOWED ? end : NULL;
+    }
+    *value *= size;
+    return dimension_equal(found, *dimension) ? behind : NULL;
+}
+
+// The whole of `text` as one quantity.
+static bool read_whole(const char *text, const struct dimension *dimension, enum bare bare,
+                       double *value) {
+    const char *end = read_quantity(text, dimension, bare, value);
+    return end && *end == '\0';
+}
+
+// "A,B,C" into `value`, which has room for `max`; returns how many, 0 if it is no such list.
+static int read_list(const char *text, const struct dimension *dimension, int max, double *value) {
+    for (int n = 0; n < max;) {
+        text = read_quantity(text, dimension, BARE_ALLOWED, &value[n++]);
+        if (!text || (*text != ',' && *text != '\0')) {
+            return 0;
+        }
+        if (*text++ == '\0') {
+            return n;
+        }
+    }
+    return 0;
+}
+
+static int count_fields(const char *text) {
+    int n = 1;
+    for (; (text = strchr(text, ',')) != NULL; text++) {
+        n++;
+    }
+    return n;
+}
+
+static int no_memory(void) {
+    struct error e;
+    error_no_memory(&e);
+    return command_fail(&e);
+}
+
+static int parse_damping(const struct command *c, const char *text, struct arena *a,
+                         struct spectrum_request *q) {
+    double *value = arena_alloc(a, DAMPING_MAX, sizeof *value);
+    if (!value) {
+        return no_memory();
+    }
+    if (count_fields(text) > DAMPING_MAX) {
+        return command_usage(c, "--damping has %d ratios; at most %d are taken", count_fields(text),
+                             DAMPING_MAX);
+    }
+    q->n_damping = read_list(text, &dimension_none, DAMPING_MAX, value);
+    if (q->n_damping == 0) {
+        return command_usage(c, "--damping takes ratios such as 0.05 or 2%%,5%%, not '%s'", text);
+    }
+    for (int i = 0; i < q->n_damping; i++) {
+        if (!(value[i] >= 0.0 && value[i] < 1.0)) {
+            return command_usage(c, "a damping ratio is %g; it must be >= 0 and < 1 (5%% is 0.05)",
+                                 value[i]);
+        }
+    }
+    q->damping = value;
+    return -1;
+}
+
+static int log_grid(double from, double to, int n, struct arena *a, struct spectrum_request *q) {
+    double *period = arena_alloc(a, (size_t)n, sizeof *period);
+    if (!period) {
+        return no_memory();
+    }
+    for (int i = 0; i < n; i++) {
+        period[i] = from * pow(to / from, (double)i / (n - 1));
+    }
+    period[n - 1] = to;
+    q->period = period;
+    q->n_period = n;
+    return -1;
+}
+
+static int parse_range(const struct command *c, const char *text, struct arena *a,
+                       struct spectrum_request *q) {
+    double from, to, n;
+    const char *at = read_quantity(text, &dimension_time, BARE_ALLOWED, &from);
+    at = at && *at == ':' ? read_quantity(at + 1, &dimension_time, BARE_ALLOWED, &to) : NULL;
+    if (!at || *at != ':' || !read_whole(at + 1, &dimension_none, BARE_ALLOWED, &n)) {
+        return command_usage(c, "--periods takes FROM:TO:N or a list, not '%s'", text);
+    }
+    if (!(from >= PERIOD_MIN && from < to && to <= PERIOD_MAX)) {
+        return command_usage(c, "periods from %g to %g s; they must ascend within %g to %g s", from,
+                             to, PERIOD_MIN, PERIOD_MAX);
+    }
+    if (!(n >= 2.0 && n <= PERIODS_MAX && n == floor(n))) {
+        return command_usage(c, "%g periods; 2 to %d are taken", n, PERIODS_MAX);
+    }
+    return log_grid(from, to, (int)n, a, q);
+}
+
+static int parse_periods(const struct command *c, const char *text, struct arena *a,
+                         struct spectrum_request *q) {
+    if (strchr(text, ':')) {
+        return parse_range(c, text, a, q);
+    }
+    const int max = count_fields(text);
+    double *value = arena_alloc(a, (size_t)max, sizeof *value);
+    if (!value) {
+        return no_memory();
+    }
+    q->n_period = read_list(text, &dimension_time, max, value);
+    if (q->n_period == 0) {
+        return command_usage(c, "--periods takes FROM:TO:N or a list, not '%s'", text);
+    }
+    for (int i = 0; i < q->n_period; i++) {
+        if (value[i] != 0.0 && !(value[i] >= PERIOD_MIN && value[i] <= PERIOD_MAX)) {
+            return command_usage(c, "a period is %g s; it must be 0 or %g to %g s", value[i],
+                                 PERIOD_MIN, PERIOD_MAX);
+        }
+        if (i > 0 && !(value[i] > value[i - 1])) {
+            return command_usage(c, "periods must ascend: %g s follows %g s", value[i],
+                                 value[i - 1]);
+        }
+    }
+    q->period = value;
+    return -1;
+}
+
+static int parse_number(const struct command *c, int option, const char *text,
+                        struct spectrum_request *q) {
+    bool good;
+    switch (option) {
+        case OPTION_SCALE:
+            good = read_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0;
+            return good ? -1 : command_usage(c, "--scale takes a factor, not 0, not '%s'", text);
+        case OPTION_PGA:
+            good = read_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0;
+            return good ? -1
+                        : command_usage(c,
+                                        "--pga takes an acceleration > 0 with its unit, such as "
+                                        "0.35g, not '%s'",
+                                        text);
+        default:
+            good = read_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) &&
+                   q->record.dt > 0.0;
+            return good ? -1 : command_usage(c, "--dt takes a time > 0 in s, not '%s'", text);
+    }
+}
+
+static int take_option(const struct command *c, int option, struct arena *a,
+                       struct spectrum_request *q) {
+    switch (option) {
+        case OPTION_DAMPING:
+            return parse_damping(c, optarg, a, q);
+        case OPTION_PERIODS:
+            return parse_periods(c, optarg, a, q);
+        case OPTION_FORMAT:
+            q->record.format = optarg;
+            return -1;
+        case OPTION_UNIT:
+            q->record.unit = optarg;
+            return -1;
+        case OPTION_INTENSITIES:
+            q->content = CONTENT_INTENSITIES;
+            return -1;
+        case OPTION_TSV:
+            q->form = FORM_TSV;
+            return -1;
+        case 'o':
+            q->output = optarg;
+            return -1;
+        case OPTION_SCRIPT:
+            q->script_folder = optarg;
+            return -1;
+        case OPTION_FORCE:
+            q->existing = RESULT_REPLACE;
+            return -1;
+        case 'h':
+            return command_help(c, details);
+        default:
+            return parse_number(c, option, optarg, q);
+    }
+}
+
+static int parse_options(const struct command *c, int argc, char **argv, struct arena *a,
+                         struct spectrum_request *q) {
+    static const struct option option[] = {
+        {"damping", required_argument, NULL, OPTION_DAMPING},
+        {"periods", required_argument, NULL, OPTION_PERIODS},
+        {"format", required_argument, NULL, OPTION_FORMAT},
+        {"unit", required_argument, NULL, OPTION_UNIT},
+        {"dt", required_argument, NULL, OPTION_DT},
+        {"scale", required_argument, NULL, OPTION_SCALE},
+        {"pga", required_argument, NULL, OPTION_PGA},
+        {"intensities", no_argument, NULL, OPTION_INTENSITIES},
+        {"tsv", no_argument, NULL, OPTION_TSV},
+        {"output", required_argument, NULL, 'o'},
+        {"script", required_argument, NULL, OPTION_SCRIPT},
+        {"force", no_argument, NULL, OPTION_FORCE},
+        {"help", no_argument, NULL, 'h'},
+        {NULL, 0, NULL, 0},
+    };
+    opterr = 0;
+    optind = 1;
+    for (int letter; (letter = getopt_long_only(argc, argv, ":ho:", option, NULL)) != -1;) {
+        const int done = letter == '?' || letter == ':' ? command_bad_option(c, letter, argv)
+                                                        : take_option(c, letter, a, q);
+        if (done >= 0) {
+            return done;
+        }
+    }
+    return -1;
+}
+
+static bool draws(const struct spectrum_request *q) {
+    return q->output || q->script_folder;
+}
+
+static int check(const struct command *c, const struct spectrum_request *q) {
+    if (q->n_record < 1) {
+        return command_usage(c, "a record is expected");
+    }
+    if (q->scale != 1.0 && q->pga > 0.0) {
+        return command_usage(c, "give --scale or --pga, not both");
+    }
+    if (q->output && !figure_ending(q->output)) {
+        return command_usage(c, "'%s' must end in .png, .svg or .pdf", q->output);
+    }
+    if (q->content == CONTENT_INTENSITIES && (draws(q) || q->damping || q->period)) {
+        return command_usage(c, "--intensities leaves no spectrum to draw, damp or sample");
+    }
+    if (draws(q) && q->period && (q->n_period < 3 || q->period[q->n_period - 3] == 0.0)) {
+        return command_usage(c, "a picture needs at least three periods > 0");
+    }
+    return -1;
+}
+
+int spectrum_parse(const struct command *c, int argc, char **argv, struct arena *a,
+                   struct spectrum_request *q) {
+    struct unit_system si;
+    unit_system_init(&si);
+    *q = (struct spectrum_request){
+        .scale = 1.0, .record = {.gravity = si.gravity}, .existing = RESULT_KEEP};
+    int done = parse_options(c, argc, argv, a, q);
+    if (done >= 0) {
+        return done;
+    }
+    q->path = argv + optind;
+    q->n_record = argc - optind;
+    done = check(c, q);
+    if (done >= 0) {
+        return done;
+    }
+    if (!q->damping) {
+        q->damping = default_damping;
+        q->n_damping = 1;
+    }
+    if (!q->period) {
+        const bool table = q->form == FORM_TEXT && !draws(q);
+        return log_grid(DEFAULT_FROM, DEFAULT_TO, table ? DEFAULT_TABLE : DEFAULT_CURVE, a, q);
+    }
+    return -1;
+}

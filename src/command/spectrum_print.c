@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables of `jostle spectrum`: accelerations in g, all else in SI units.
+#include <stddef.h>
+#include <string.h>
+
+#include "command/spectrum.h"
+
+enum unit { UNIT_G, UNIT_SI };
+struct column {
+    const char *name, *unit_name;
+    enum unit unit;
+    size_t offset;  // in struct intensity
+};
+
+// The first SHOWN are in the text table.
+enum { N_INTENSITY = 11, SHOWN = 7 };
+static const struct column intensities[N_INTENSITY] = {
+    {"PGA", "g", UNIT_G, offsetof(struct intensity, pga)},
+    {"PGV", "m/s", UNIT_SI, offsetof(struct intensity, pgv)},
+    {"PGD", "m", UNIT_SI, offsetof(struct intensity, pgd)},
+    {"Arias", "m/s", UNIT_SI, offsetof(struct intensity, arias)},
+    {"CAV", "m/s", UNIT_SI, offsetof(struct intensity, cav)},
+    {"D5-75", "s", UNIT_SI, offsetof(struct intensity, d5_75)},
+    {"D5-95", "s", UNIT_SI, offsetof(struct intensity, d5_95)},
+    {"t(PGA)", "s", UNIT_SI, offsetof(struct intensity, pga_time)},
+    {"t(PGV)", "s", UNIT_SI, offsetof(struct intensity, pgv_time)},
+    {"t(PGD)", "s", UNIT_SI, offsetof(struct intensity, pgd_time)},
+    {"t(5%)", "s", UNIT_SI, offsetof(struct intensity, time_5)},
+};
+
+static const struct column responses[SPECTRUM_COUNT] = {
+    [SPECTRUM_PSA] = {.name = "PSA", .unit_name = "g", .unit = UNIT_G},
+    [SPECTRUM_PSV] = {.name = "PSV", .unit_name = "m/s", .unit = UNIT_SI},
+    [SPECTRUM_SD] = {.name = "SD", .unit_name = "m", .unit = UNIT_SI},
+    [SPECTRUM_SV] = {.name = "SV", .unit_name = "m/s", .unit = UNIT_SI},
+    [SPECTRUM_SA] = {.name = "SA", .unit_name = "g", .unit = UNIT_G},
+};
+
+static double in_unit(const struct spectrum_request *q, const struct column *c, double value) {
+    return c->unit == UNIT_G ? value / q->record.gravity : value;
+}
+
+static double intensity_value(const struct spectrum_request *q, const struct spectrum_set *set,
+                              int record, const struct column *c) {
+    const char *base = (const char *)&set->intensity[record];
+    return in_unit(q, c, *(const double *)(const void *)(base + c->offset));
+}
+
+static double response(const struct spectrum_request *q, const struct spectrum_set *set, int series,
+                       int damping, int period, enum spectrum_quantity quantity) {
+    const struct spectrum_point *p = spectra_at(&set->spectra, series, damping, period);
+    return in_unit(q, &responses[quantity], p->value[quantity]);
+}
+
+// Tabs and line ends would break a table.
+static void print_name(const char *name) {
+    for (; *name; name++) {
+        putchar((unsigned char)*name < ' ' ? ' ' : *name);
+    }
+}
+
+static void print_intensities(const struct spectrum_request *q, const struct spectrum_set *set) {
+    for (int i = 0; i < SHOWN; i++) {
+        printf("%9s ", intensities[i].name);
+    }
+    printf("%9s  record\n", "length");
+    for (int i = 0; i < SHOWN; i++) {
+        printf("%*s[%s] ", 7 - (int)strlen(intensities[i].unit_name), "", intensities[i].unit_name);
+    }
+    printf("%9s\n", "[s]");
+    for (int r = 0; r < q->n_record; r++) {
+        for (int i = 0; i < SHOWN; i++) {
+            printf("%9.4g ", intensity_value(q, set, r, &intensities[i]));
+        }
+        printf("%9.4g  ", set->ground[r].end);
+        print_name(set->name[r]);
+        printf("\n");
+    }
+}
+
+static void print_record(const struct spectrum_request *q, const struct spectrum_set *set,
+                         int damping) {
+    static const enum spectrum_quantity shown[] = {SPECTRUM_PSA, SPECTRUM_PSV, SPECTRUM_SD};
+    printf("%10s %10s %10s %10s\n", "period", "PSA", "PSV", "SD");
+    printf("%10s %10s %10s %10s\n", "[s]", "[g]", "[m/s]", "[m]");
+    for (int p = 0; p < q->n_period; p++) {
+        printf("%10.4g", q->period[p]);
+        for (size_t i = 0; i < sizeof shown / sizeof shown[0]; i++) {
+            printf(" %10.4g", response(q, set, 0, damping, p, shown[i]));
+        }
+        printf("\n");
+    }
+}
+
+static void print_statistics(const struct spectrum_request *q, const struct spectrum_set *set,
+                             int damping) {
+    const int mean = q->n_record + SPECTRA_MEAN;
+    printf("%10s %10s %10s %10s %10s %10s %10s\n", "period", "mean PSA", "16 %", "50 %", "84 %",
+           "mean PSV", "mean SD");
+    printf("%10s %10s %10s %10s %10s %10s %10s\n", "[s]", "[g]", "[g]", "[g]", "[g]", "[m/s]",
+           "[m]");
+    for (int p = 0; p < q->n_period; p++) {
+        printf("%10.4g", q->period[p]);
+        for (int k = 0; k < SPECTRA_STATISTICS; k++) {
+            printf(" %10.4g", response(q, set, q->n_record + k, damping, p, SPECTRUM_PSA));
+        }
+        printf(" %10.4g %10.4g\n", response(q, set, mean, damping, p, SPECTRUM_PSV),
+               response(q, set, mean, damping, p, SPECTRUM_SD));
+    }
+}
+
+static void print_spectra(const struct spectrum_request *q, const struct spectrum_set *set) {
+    for (int d = 0; d < q->n_damping; d++) {
+        printf("\n%g %% damping", 100.0 * q->damping[d]);
+        if (q->n_record > 1) {
+            printf(", %d records\n", q->n_record);
+            print_statistics(q, set, d);
+        } else {
+            printf("\n");
+            print_record(q, set, d);
+        }
+    }
+}
+
+static void print_intensities_tsv(const struct spectrum_request *q,
+                                  const struct spectrum_set *set) {
+    printf("record\tsamples\tdt [s]\tscale");
+    for (int i = 0; i < N_INTENSITY; i++) {
+        printf("\t%s [%s]", intensities[i].name, intensities[i].unit_name);
+    }
+    printf("\n");
+    for (int r = 0; r < q->n_record; r++) {
+        print_name(set->name[r]);
+        printf("\t%zu\t%.17g\t%.17g", set->ground[r].n, set->ground[r].dt, set->scale[r]);
+        for (int i = 0; i < N_INTENSITY; i++) {
+            printf("\t%.17g", intensity_value(q, set, r, &intensities[i]));
+        }
+        printf("\n");
+    }
+}
+
+static void print_series_tsv(const struct spectrum_request *q, const struct spectrum_set *set,
+                             int series) {
+    static const char *const statistic[SPECTRA_STATISTICS] = {[SPECTRA_MEAN] = "mean",
+                                                              [SPECTRA_P16] = "16%",
+                                                              [SPECTRA_P50] = "50%",
+                                                              [SPECTRA_P84] = "84%"};
+    const bool record = series < q->n_record;
+    for (int d = 0; d < q->n_damping; d++) {
+        for (int p = 0; p < q->n_period; p++) {
+            printf("%s\t", record ? "record" : "statistic");
+            print_name(record ? set->name[series] : statistic[series - q->n_record]);
+            printf("\t%.17g\t%.17g", q->damping[d], q->period[p]);
+            for (int k = 0; k < SPECTRUM_COUNT; k++) {
+                printf("\t%.17g", response(q, set, series, d, p, (enum spectrum_quantity)k));
+            }
+            printf("\n");
+        }
+    }
+}
+
+static void print_spectra_tsv(const struct spectrum_request *q, const struct spectrum_set *set) {
+    printf("kind\tname\tdamping\tperiod [s]");
+    for (int k = 0; k < SPECTRUM_COUNT; k++) {
+        printf("\t%s [%s]", responses[k].name, responses[k].unit_name);
+    }
+    printf("\n");
+    const int n_series = q->n_record > 1 ? q->n_record + SPECTRA_STATISTICS : 1;
+    for (int s = 0; s < n_series; s++) {
+        print_series_tsv(q, set, s);
+    }
+}
+
+void spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set) {
+    const bool draws = q->output || q->script_folder;
+    if (q->form == FORM_TSV) {
+        if (q->content == CONTENT_INTENSITIES) {
+            print_intensities_tsv(q, set);
+        } else {
+            print_spectra_tsv(q, set);
+        }
+        return;
+    }
+    print_intensities(q, set);
+    if (q->content == CONTENT_ALL && !draws) {
+        print_spectra(q, set);
+    }
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lanes.h"
+
+#include "core/arena.h"
+
+double *lanes_array(struct arena *a, int n) {
+    size_t room = (size_t)lanes_whole(n + 1) + LANES_WIDTH;
+    double *x = arena_alloc(a, room, sizeof *x);
+    return x ? x + LANES_WIDTH : NULL;
+}

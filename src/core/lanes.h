@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loops over flat arrays in wide lanes.
+#ifndef JOSTLE_LANES_H
+#define JOSTLE_LANES_H
+
+// In front of a function: it is compiled for the baseline and for AVX2, and the loader takes what
+// the processor has. Each element sees the same operations in the same order either way, so the
+// bits are the same. Elsewhere, and under sanitizers, which run before such choices can be made,
+// it is compiled once.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
+    !defined(__SANITIZE_ADDRESS__)
+#define LANES __attribute__((target_clones("default", "avx2")))
+#else
+#define LANES
+#endif
+
+struct arena;
+
+// Arrays for such loops have a multiple of LANES_WIDTH elements, those beyond the end 0, and as
+// many zeros in front, so that element -1 can be read.
+enum { LANES_WIDTH = 4 };
+
+// That many neighbours in an array, for loops that the compiler does not see by itself. The one
+// type that needs a name of its own.
+typedef double lanes
+    __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
+
+// A zeroed array for n values with at least one 0 behind them; NULL: no memory.
+double *lanes_array(struct arena *a, int n);
+
+// n rounded up to whole lanes.
+static inline int lanes_whole(int n) {
+    return (n + LANES_WIDTH - 1) & ~(LANES_WIDTH - 1);
+}
+
+#endif

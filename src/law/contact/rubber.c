@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A rubber bumper: hardens as a power of the compression, is linear once it is used up, and gives
+// back less than it took:
+//
+//     F = f(d)             while v >= 0,
+//     F = f(d) (1 + c v)   while v < 0, but not below 0,
+//     f = k d^n to d = du, then k du^n + ky (d - du).
+//
+// The form is that of Polycarpou, Komodromos & Polycarpou (2013): a power of the indentation with
+// n > 1, damping on release only, and a stiffness ky beyond the ultimate compression of a bumper of
+// limited thickness. Only its abstract was at hand: the values of k, n and c that the authors give
+// for rubber were not checked, so none is a default. Chosen here: F is not below 0, ky goes on with
+// the slope at du where it is not given, and with -e c = q / v0, q from
+//
+//     ln(1 - e q) + e q + q^2 / 2 = 0,
+//
+// the energies of the release, which holds for any f. With -c the restitution falls with the
+// velocity. The force starts and ends at 0 and does not jump; its slopes do at v = 0 and d = du. An
+// approach renewed within one contact goes along f again; every release dissipates f c v^2.
+//
+// A bumper of thickness t in a clear distance g is a contact with the gap g - t.
+#include <math.h>
+
+#include "law/contact_list.h"
+#include "law/hysteresis.h"
+#include "law/power.h"
+#include "law/restitution.h"
+
+enum { K, E, ZETA, C, DU, KY, VMIN, N, N_ROW };
+enum { STIFFNESS, EXPONENT, ULTIMATE, BEYOND, FIXED, Q, FLOOR, N_CONSTANT };
+enum { DAMPING, N_HISTORY };  // c [T/L]
+
+static const struct row rows[N_ROW] = {
+    [K] = {"k",
+           ROW_NUMBER,
+           ROW_REQUIRED | ROW_PER_LENGTH_POWER,
+           {1, 0, 0},
+           &range_positive,
+           NAN,
+           "stiffness of the bumper"},
+    [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
+    [ZETA] = {"zeta",
+              ROW_NUMBER,
+              ROW_ONE_OF,
+              {0},
+              &range_non_negative,
+              NAN,
+              "dimensionless damping q = c v0"},
+    [C] = {"c", ROW_NUMBER, ROW_ONE_OF, {0, -1, 1}, &range_non_negative, NAN, "damping of release"},
+    [DU] = {"du",
+            ROW_NUMBER,
+            0,
+            {0, 1, 0},
+            &range_positive,
+            NAN,
+            "ultimate compression, beyond which the force is linear; without limit if not given"},
+    [KY] = {"ky",
+            ROW_NUMBER,
+            0,
+            {1, -1, 0},
+            &range_positive,
+            NAN,
+            "stiffness beyond du; the slope at du if not given"},
+    [VMIN] = HYSTERESIS_VMIN_ROW,
+    [N] = {"n", ROW_NUMBER, ROW_REQUIRED | ROW_POWER, {0}, &power_range, NAN, "exponent"},
+};
+
+static int rubber_prepare(const double *value, double m_eff, double *constant, struct error *e) {
+    (void)m_eff;
+    if (isnan(value[DU]) && !isnan(value[KY])) {
+        return error_set(e, STATUS_INPUT, "-ky is of no use without -du");
+    }
+    double q = restitution_ratio(value[E], value[ZETA], restitution_release_q);
+    bool fixed = !isnan(value[C]);
+    if (isnan(q) && !fixed) {
+        return error_no_memory(e);
+    }
+    bool endless = isnan(value[DU]);
+    double slope = endless ? 0.0 : power_spring(value[K], value[N], value[DU]).dfdd;
+    constant[STIFFNESS] = value[K];
+    constant[EXPONENT] = value[N];
+    constant[ULTIMATE] = endless ? INFINITY : value[DU];
+    constant[BEYOND] = isnan(value[KY]) ? slope : value[KY];
+    constant[FIXED] = fixed ? value[C] : 0.0;
+    constant[Q] = fixed ? 0.0 : q;
+    constant[FLOOR] = value[VMIN];
+    return STATUS_OK;
+}
+
+static void rubber_close(const double *c, double v0, double *history) {
+    history[DAMPING] = c[FIXED] + c[Q] / fmax(v0, c[FLOOR]);
+}
+
+// f and its slope.
+static struct contact_response spring(const double *c, double d) {
+    struct contact_response r = power_spring(c[STIFFNESS], c[EXPONENT], fmin(d, c[ULTIMATE]));
+    if (d > c[ULTIMATE]) {
+        r.force += c[BEYOND] * (d - c[ULTIMATE]);
+        r.dfdd = c[BEYOND];
+    }
+    return r;
+}
+
+static struct contact_response rubber_force(const double *c, const double *h, double d, double v) {
+    struct contact_response r = spring(c, d);
+    if (v >= 0.0) {
+        return r;
+    }
+    double factor = 1.0 + h[DAMPING] * v;
+    if (factor <= 0.0) {
+        return (struct contact_response){0};
+    }
+    return (struct contact_response){
+        .force = r.force * factor,
+        .dfdd = r.dfdd * factor,
+        .dfdv = r.force * h[DAMPING],
+    };
+}
+
+const struct contact_law contact_rubber = {
+    .name = "rubber",
+    .summary = "rubber bumper, or a shock absorber in the gap",
+    .formula = "F = f while v >= 0, max(0, f (1 + c v)) after; f = k d^n to d = du, then k du^n + "
+               "ky (d - du); c = q / v0, ln(1 - e q) + e q + q^2 / 2 = 0",
+    .source = "form of Polycarpou, Komodromos & Polycarpou (2013), Earthquake Eng. Struct. Dyn. "
+              "42, 81-100 (numbers not checked); relation derived from the energy of the release",
+    .remarks = "for bumpers of limited thickness; never pulls, no jumps; delivers e exactly; the "
+               "rate of loading does not stiffen it",
+    .row = rows,
+    .n_row = N_ROW,
+    .n_constant = N_CONSTANT,
+    .n_history = N_HISTORY,
+    .traits = CONTACT_NEEDS_V0,
+    .prepare = rubber_prepare,
+    .close = rubber_close,
+    .force = rubber_force,
+    .exact = restitution_release_q,
+};

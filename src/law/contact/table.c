@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A measured curve: the force L(d) along the loading branch while the penetration is the largest of
+// the contact, D, and below it the same share of L as at the same fraction of the curve's last
+// point (d_n, L_n):
+//
+//     F = L(d)                                                d >= D
+//     F = L(d) s(d d_n / D),   s = U(d) / L(d) of the curve   d < D.
+//
+// Where L is a power of d this is similarity: the unloading branch shrinks to (D, L(D)). With D =
+// d_n it is the measured branch U. L and s are linear between the points; beyond the last one L
+// goes on with its last slope. An approach renewed within one contact goes up where it came down,
+// and meets the loading branch at D.
+//
+// No cycle creates energy: s does not exceed 1 and does not fall, so the branch sinks as D grows.
+// Rates of loading do not count. The slope jumps at the points and where the branch changes.
+#include <math.h>
+#include <stddef.h>
+
+#include "law/contact_list.h"
+
+enum { FILE_ROW, UNITS, N_ROW };
+enum { N_POINT, N_CONSTANT };  // then the points: d, L and, for U, s
+enum { DEEPEST, N_HISTORY };
+enum { SHARE = CURVE_UNLOADING };
+
+static const struct row rows[N_ROW] = {
+    [FILE_ROW] = {"file",
+                  ROW_FILE,
+                  ROW_REQUIRED,
+                  {0},
+                  NULL,
+                  NAN,
+                  "rows of penetration, loading force and, if it differs, unloading force"},
+    [UNITS] = {"units",
+               ROW_TEXTS,
+               0,
+               {0},
+               NULL,
+               NAN,
+               "units of penetration and force in the file; the deck's if it does not say them"},
+};
+
+static int table_prepare(const double *value, double m_eff, double *constant, struct error *e) {
+    (void)m_eff, (void)e;
+    int n = (int)value[FILE_ROW];
+    const double *from = value + N_ROW;
+    double *to = constant + N_CONSTANT;
+    constant[N_POINT] = n;
+    double share = 1.0;
+    for (int i = n - 1; i >= 0; i--) {
+        const double *p = from + (ptrdiff_t)i * CURVE_COLUMNS;
+        double *q = to + (ptrdiff_t)i * CURVE_COLUMNS;
+        if (p[CURVE_LOADING] > 0.0) {
+            share = fmin(share, p[CURVE_UNLOADING] / p[CURVE_LOADING]);
+        }
+        q[CURVE_PENETRATION] = p[CURVE_PENETRATION];
+        q[CURVE_LOADING] = p[CURVE_LOADING];
+        q[SHARE] = share;
+    }
+    return STATUS_OK;
+}
+
+static void table_close(const double *c, double v0, double *history) {
+    (void)c, (void)v0;
+    history[DEEPEST] = 0.0;
+}
+
+// The point at the start of the interval that d lies in; the last interval has no end.
+static const double *interval(const double *c, double d) {
+    const double *point = c + N_CONSTANT;
+    int low = 0;
+    int high = (int)c[N_POINT] - 1;
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+        if (point[(ptrdiff_t)middle * CURVE_COLUMNS + CURVE_PENETRATION] <= d) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return point + (ptrdiff_t)low * CURVE_COLUMNS;
+}
+
+// A column of the curve at d, and its slope.
+static double column_at(const double *c, int column, double d, double *slope) {
+    const double *p = interval(c, d);
+    const double *q = p + CURVE_COLUMNS;
+    *slope = (q[column] - p[column]) / (q[CURVE_PENETRATION] - p[CURVE_PENETRATION]);
+    return p[column] + *slope * (d - p[CURVE_PENETRATION]);
+}
+
+static struct contact_response table_force(const double *c, const double *h, double d, double v) {
+    (void)v;
+    struct contact_response r = {0};
+    r.force = column_at(c, CURVE_LOADING, d, &r.dfdd);
+    if (d >= h[DEEPEST]) {
+        return r;
+    }
+    double last = c[N_CONSTANT + ((ptrdiff_t)c[N_POINT] - 1) * CURVE_COLUMNS + CURVE_PENETRATION];
+    double slope;
+    double share = column_at(c, SHARE, d / h[DEEPEST] * last, &slope);
+    r.dfdd = r.dfdd * share + r.force / h[DEEPEST] * slope * last;
+    r.force *= share;
+    return r;
+}
+
+static void table_commit(const double *c, double *history, double d, double v) {
+    (void)c, (void)v;
+    history[DEEPEST] = fmax(history[DEEPEST], d);
+}
+
+const struct contact_law contact_table = {
+    .name = "table",
+    .summary = "measured force against penetration, with unloading branch",
+    .formula = "F = L(d) for d >= D, L(d) s(d d_n / D) below, D the largest penetration so far, "
+               "s = U / L of the file, d_n its last penetration",
+    .source = "none: interpolation of a file",
+    .remarks = "for pads and bumpers with a measured curve; never pulls, no jumps; does not see "
+               "the rate of loading; beyond the file the last slope is a guess",
+    .row = rows,
+    .n_row = N_ROW,
+    .n_constant = N_CONSTANT,
+    .n_history = N_HISTORY,
+    .prepare = table_prepare,
+    .close = table_close,
+    .force = table_force,
+    .commit = table_commit,
+};

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "law/fit_model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double JUMP = 1e-6;  // of the peak
+enum { SAMPLES_MIN = 6, SAMPLES_MAX = 10000000 };
+
+bool fit_is_possible(const struct contact_law *law) {
+    int k = contact_law_row(law, "k");
+    return law->force && k >= 0 && law->row[k].kind == ROW_NUMBER;
+}
+
+static int check_record(const struct fit_request *q, double *peak, struct error *e) {
+    if (q->n < SAMPLES_MIN || q->n > SAMPLES_MAX) {
+        return error_set(e, STATUS_INPUT, "the record has %zu samples; it must have %d to %d", q->n,
+                         SAMPLES_MIN, SAMPLES_MAX);
+    }
+    *peak = q->force[0];
+    for (size_t i = 0; i < q->n; i++) {
+        *peak = fmax(*peak, q->force[i]);
+    }
+    if (*peak <= 0.0) {
+        return error_set(e, STATUS_INPUT,
+                         "the largest force of the record is %.6g; compression must be positive",
+                         *peak);
+    }
+    return STATUS_OK;
+}
+
+int fit_model_init(const struct fit_request *q, struct fit_model *m, struct error *e) {
+    *m = (struct fit_model){.q = q, .damped = contact_law_row(q->law, "zeta") >= 0};
+    if (!fit_is_possible(q->law)) {
+        return error_set(e, STATUS_INPUT, "%s has no k that could be fitted", q->law->name);
+    }
+    int status = check_record(q, &m->peak, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    memcpy(m->value, q->value, (size_t)q->law->n_row * sizeof *m->value);
+    int restitution = contact_law_row(q->law, "e");
+    if (m->damped && restitution >= 0) {
+        m->value[restitution] = NAN;
+    }
+    m->time = calloc(q->n, sizeof *m->time);
+    m->force = calloc(q->n, sizeof *m->force);
+    m->rate = calloc(q->n, sizeof *m->rate);
+    return m->time && m->force && m->rate ? STATUS_OK : error_no_memory(e);
+}
+
+void fit_model_free(struct fit_model *m) {
+    free(m->time);
+    free(m->force);
+    free(m->rate);
+}
+
+int fit_model_impact(struct fit_model *m, const struct fit_point *p,
+                     const struct isolated_observer *observer, struct isolated_impact *out,
+                     struct error *e) {
+    const struct contact_law *law = m->q->law;
+    double constant[CONTACT_CONSTANTS_MAX];
+    m->value[contact_law_row(law, "k")] = p->k;
+    if (m->damped) {
+        m->value[contact_law_row(law, "zeta")] = p->zeta;
+    }
+    int status = law->prepare(m->value, m->q->mass, constant, e);
+    return status == STATUS_OK
+               ? isolated_run(law, constant, m->q->mass, m->q->velocity, observer, out, e)
+               : status;
+}
+
+static void note_point(void *context, const struct isolated_point *p) {
+    struct fit_model *m = context;
+    if (p->time == 0.0) {
+        m->closure = *p;
+    }
+    m->opening = *p;
+}
+
+static void note_sample(void *context, int i, const struct isolated_point *p) {
+    struct fit_model *m = context;
+    size_t at = m->contact.first + (size_t)i;
+    m->contact.end = at + 1;
+    m->force[at] = p->force;
+    m->rate[at] = p->rate;
+}
+
+static bool jumps_at(const struct fit_model *m, const struct isolated_point *p) {
+    return fabs(p->force) > JUMP * m->peak;
+}
+
+bool fit_model_jumps(const struct fit_model *m) {
+    return jumps_at(m, &m->closure) || jumps_at(m, &m->opening);
+}
+
+// The samples up to `first` continue the force at closure, those from `end` on that at opening, as
+// far as they are held. The others have none.
+static void hold(struct fit_model *m, const struct fit_samples *held) {
+    for (size_t i = 0; i < m->q->n; i++) {
+        const bool before = i < m->contact.first;
+        const bool in = i >= held->first && i < held->end;
+        if (in && !before && i < m->contact.end) {
+            continue;
+        }
+        const struct isolated_point *edge = before ? &m->closure : &m->opening;
+        const double rate = in && isfinite(edge->rate) ? edge->rate : 0.0;
+        m->force[i] = in ? edge->force + rate * (m->time[i] - edge->time) : 0.0;
+        m->rate[i] = rate;
+    }
+    m->contact = *held;
+}
+
+// Takes the samples on both sides of a jump, of which `inner` is the one in contact, as measured.
+static void leave_out(struct fit_model *m, size_t inner, size_t outer) {
+    const size_t n = m->q->n;
+    if (inner < n && outer < n) {
+        m->force[inner] = m->q->force[inner];
+        m->force[outer] = m->q->force[outer];
+        m->rate[inner] = m->rate[outer] = 0.0;
+    }
+}
+
+static void leave_out_jumps(struct fit_model *m) {
+    if (m->contact.first > 0 && jumps_at(m, &m->closure)) {
+        leave_out(m, m->contact.first, m->contact.first - 1);
+    }
+    if (m->contact.end > m->contact.first && jumps_at(m, &m->opening)) {
+        leave_out(m, m->contact.end - 1, m->contact.end);
+    }
+}
+
+static void clear(struct fit_model *m) {
+    memset(m->force, 0, m->q->n * sizeof *m->force);
+    memset(m->rate, 0, m->q->n * sizeof *m->rate);
+}
+
+void fit_model_predict(struct fit_model *m, const struct fit_point *p,
+                       const struct fit_samples *held) {
+    size_t first = 0;
+    for (size_t i = 0; i < m->q->n; i++) {
+        m->time[i] = m->q->time[i] - p->start;
+        first += m->time[i] <= 0.0;
+    }
+    m->contact = (struct fit_samples){first, first};
+    clear(m);
+    const struct isolated_observer observer = {.point = note_point,
+                                               .context = m,
+                                               .sample = note_sample,
+                                               .time = m->time + first,
+                                               .n_time = (int)(m->q->n - first)};
+    struct isolated_impact impact;
+    struct error e;
+    if (fit_model_impact(m, p, &observer, &impact, &e) != STATUS_OK) {
+        clear(m);
+        return;
+    }
+    if (held) {
+        hold(m, held);
+    }
+    leave_out_jumps(m);
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A contact law with its options, as a statement names them: `LAW -k K -e E [-calibrate]`. Shared
+// by the statement `contact` and the command `law`.
+#ifndef JOSTLE_LAW_CHOICE_H
+#define JOSTLE_LAW_CHOICE_H
+
+#include "jostle/contact_law.h"
+#include "jostle/deck.h"
+
+struct law_choice {
+    const struct contact_law *law;
+    const struct word *word;                  // its name in the statement
+    struct argument given[CONTACT_ROWS_MAX];  // (law->n_row)
+    struct curve curve;                       // of the row of kind ROW_FILE; n = 0 without one
+    double restitution;                       // coefficient asked for; NAN: none
+    bool calibrated;                          // the damping delivers it exactly
+};
+
+// The law called by the word; NULL after having reported that there is none.
+const struct contact_law *law_choice_find(struct deck *d, const struct word *name);
+
+// Options that go with every law.
+enum { LAW_CHOICE_CALIBRATE, LAW_CHOICE_K_FROM, LAW_CHOICE_ROWS };
+extern const struct row law_choice_rows[LAW_CHOICE_ROWS];
+
+// Reads all options of `s`: those of the statement's own rows, of law_choice_rows, of the law, and
+// of the estimate of stiffness that -k-from names; and the file of the law's curve. Reports what is
+// wrong, then false.
+bool law_choice_read(struct deck *d, const struct statement *s, const struct contact_law *law,
+                     const struct word *name, const struct row_set *own, struct law_choice *out);
+
+// The values of the law's rows (contact_law_n_value) and the constants that follow from them and
+// the effective mass (contact_law_n_constant). Reports at the law's name what is wrong with them,
+// then false.
+bool law_choice_prepare(struct deck *d, const struct law_choice *c, double mass,
+                        const double **value, const double **constant);
+
+#endif

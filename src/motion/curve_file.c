@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A curve of force against penetration: rows of penetration, loading force and, where the branches
+// differ, unloading force at the same penetration, from the largest penetration back to 0. The text
+// is laid out as for records: blanks, tabs, commas or semicolons, comments, lines of text above the
+// numbers, of which the last may give the units in brackets: `penetration (mm), force (kN)`.
+//
+// Nothing is smoothed: a curve that falls, or whose unloading branch would give back more energy
+// than was put in, is refused where it does.
+#include "motion/curve_file.h"
+
+#include <math.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+#include "motion/record_unit.h"
+#include "motion/table.h"
+
+enum { FILE_SIZE_MAX = 16 << 20, POINTS_MAX = 100000 };
+
+static const char *const column_name[CURVE_COLUMNS] = {"penetration", "loading force",
+                                                       "unloading force"};
+
+// Relative; the forces are decimals, their ratio is not.
+static const double ROUNDING = 1e-9;
+
+// A row as it is read.
+struct curve_row {
+    const struct record_text *text;
+    int line;
+    struct span field[CURVE_COLUMNS];
+    double *value;         // (CURVE_COLUMNS)
+    const double *before;  // (CURVE_COLUMNS) the row above; NULL: the first row
+};
+
+// What an error says in front: "path:line:column".
+struct curve_place {
+    char text[256];
+};
+
+static struct curve_place place(const struct curve_row *r, enum curve_column column) {
+    const char *at = r->field[column].text;
+    const char *start = at;
+    while (start > r->text->text && start[-1] != '\n' && start[-1] != '\r') {
+        start--;
+    }
+    struct curve_place p;
+    snprintf(p.text, sizeof p.text, "%s:%d", lines_place(r->text->path, r->line).text,
+             text_columns(start, (size_t)(at - start)) + 1);
+    return p;
+}
+
+static int check_first(const struct curve_row *r, struct error *e) {
+    for (enum curve_column c = 0; c < CURVE_COLUMNS; c++) {
+        if (r->value[c] != 0.0) {
+            return error_set(e, STATUS_INPUT, "%s: first %s is %.6g; a curve must begin at 0",
+                             place(r, c).text, column_name[c], r->value[c]);
+        }
+    }
+    return STATUS_OK;
+}
+
+// Unloading over loading force; NAN where there is none.
+static double share(const double *point) {
+    return point[CURVE_LOADING] > 0.0 ? point[CURVE_UNLOADING] / point[CURVE_LOADING] : NAN;
+}
+
+static int check_unloading(const struct curve_row *r, struct error *e) {
+    double loading = r->value[CURVE_LOADING];
+    double unloading = r->value[CURVE_UNLOADING];
+    if (unloading < 0.0 || unloading > loading) {
+        return error_set(e, STATUS_INPUT,
+                         "%s: unloading force is %.6g; it must be >= 0 and <= the loading force, "
+                         "which is %.6g",
+                         place(r, CURVE_UNLOADING).text, unloading, loading);
+    }
+    if (share(r->value) < share(r->before) * (1.0 - ROUNDING)) {
+        return error_set(e, STATUS_INPUT,
+                         "%s: unloading force is %.6g of the loading force, but %.6g in the row "
+                         "above; this share must not fall, or cycles would create energy",
+                         place(r, CURVE_UNLOADING).text, share(r->value), share(r->before));
+    }
+    return STATUS_OK;
+}
+
+static int check_row(const struct curve_row *r, struct error *e) {
+    if (!r->before) {
+        return check_first(r, e);
+    }
+    if (r->value[CURVE_PENETRATION] <= r->before[CURVE_PENETRATION]) {
+        return error_set(e, STATUS_INPUT, "%s: penetration %.6g after %.6g; penetrations must grow",
+                         place(r, CURVE_PENETRATION).text, r->value[CURVE_PENETRATION],
+                         r->before[CURVE_PENETRATION]);
+    }
+    if (r->value[CURVE_LOADING] < r->before[CURVE_LOADING]) {
+        return error_set(
+            e, STATUS_INPUT, "%s: loading force %.6g after %.6g; loading forces must not fall",
+            place(r, CURVE_LOADING).text, r->value[CURVE_LOADING], r->before[CURVE_LOADING]);
+    }
+    return check_unloading(r, e);
+}
+
+static int check_last(const struct curve_row *r, struct error *e) {
+    if (r->value[CURVE_LOADING] == 0.0) {
+        return error_set(e, STATUS_INPUT, "%s: last loading force is 0; it must be > 0",
+                         place(r, CURVE_LOADING).text);
+    }
+    if (share(r->value) < 1.0 - ROUNDING) {
+        return error_set(e, STATUS_INPUT,
+                         "%s: last unloading force is %.6g; the branches must meet at the last "
+                         "point, where the loading force is %.6g",
+                         place(r, CURVE_UNLOADING).text, r->value[CURVE_UNLOADING],
+                         r->value[CURVE_LOADING]);
+    }
+    return STATUS_OK;
+}
+
+// Reads the line; with two columns the branches are the same.
+static int read_row(struct curve_row *r, struct span line, size_t n_column, size_t index,
+                    struct error *e) {
+    if (lines_count(line, table_separators) != n_column) {
+        return lines_error(e, r->text->path, r->line, "row of %zu values; the first has %zu",
+                           lines_count(line, table_separators), n_column);
+    }
+    for (size_t c = 0; c < CURVE_COLUMNS; c++) {
+        size_t from = c < n_column ? c : n_column - 1;
+        if (c < n_column) {
+            lines_field(&line, table_separators, &r->field[c]);
+        }
+        struct number_field f = {r->text->path, r->line, column_name[c], index, r->field[from]};
+        int status = lines_read_number(&f, &r->value[c], e);
+        if (status) {
+            return status;
+        }
+        r->field[c] = r->field[from];
+    }
+    return check_row(r, e);
+}
+
+static int read_rows(const struct record_text *t, const struct table *table, double *point,
+                     struct error *e) {
+    struct curve_row r = {.text = t, .value = point};
+    struct lines l = table->rows;
+    for (size_t i = 0; table_next(&l); i++) {
+        r.line = l.number;
+        r.value = point + i * CURVE_COLUMNS;
+        r.before = i > 0 ? r.value - CURVE_COLUMNS : NULL;
+        int status = read_row(&r, l.line, table->n_column, i + 1, e);
+        if (status) {
+            return status;
+        }
+    }
+    return check_last(&r, e);
+}
+
+static int check_table(const struct record_text *t, const struct table *table, struct error *e) {
+    int status = table_check(t, table, e);
+    if (!status && (table->n_column < 2 || table->n_column > CURVE_COLUMNS)) {
+        return lines_error(e, t->path, table->first_line,
+                           "row of %zu values; a curve has 2 or 3 columns: penetration, loading "
+                           "force and unloading force",
+                           table->n_column);
+    }
+    if (!status && (table->n_row < 2 || table->n_row > POINTS_MAX)) {
+        return lines_error(e, t->path, table->first_line, "%zu points; a curve has 2 to %d",
+                           table->n_row, POINTS_MAX);
+    }
+    return status;
+}
+
+// Sets *size to the unit that the caption gives, unless it is known and the same.
+static int take_unit(const struct record_text *t, const struct table *table, struct span unit,
+                     double si, double *size, struct error *e) {
+    if (*size > 0.0 && *size != si) {
+        return lines_error(e, t->path, table->caption_line,
+                           "the caption gives the unit '%s', but another is given or stands before",
+                           lines_excerpt(unit).text);
+    }
+    *size = si;
+    return STATUS_OK;
+}
+
+// Units of length and force in brackets; other brackets are text.
+static int read_caption(const struct record_text *t, const struct table *table, double gravity,
+                        double *length, double *force, struct error *e) {
+    struct span rest = table->caption;
+    struct span unit;
+    int status = STATUS_OK;
+    while (!status && lines_bracket(&rest, &unit)) {
+        struct dimension dimension;
+        double si;
+        if (!record_unit(unit, gravity, &dimension, &si)) {
+            continue;
+        }
+        if (dimension_equal(dimension, dimension_length)) {
+            status = take_unit(t, table, unit, si, length, e);
+        } else if (dimension_equal(dimension, dimension_force)) {
+            status = take_unit(t, table, unit, si, force, e);
+        }
+    }
+    return status;
+}
+
+// From the units of the file, 0: none known, to the deck's.
+static void convert(double *point, size_t n, double length, double force,
+                    const struct unit_system *units) {
+    for (size_t i = 0; i < n * CURVE_COLUMNS; i++) {
+        bool is_length = i % CURVE_COLUMNS == CURVE_PENETRATION;
+        double from = is_length ? length : force;
+        if (from > 0.0) {
+            point[i] = unit_convert(point[i], from, is_length ? units->length : units->force);
+        }
+    }
+}
+
+// Slopes of what was converted must be numbers.
+static int check_slopes(const struct record_text *t, const double *point, size_t n,
+                        struct error *e) {
+    for (size_t i = 1; i < n; i++) {
+        const double *p = point + i * CURVE_COLUMNS;
+        double step = p[CURVE_PENETRATION] - p[CURVE_PENETRATION - CURVE_COLUMNS];
+        if (!isfinite(1.0 / step) || !isfinite(p[CURVE_PENETRATION]) ||
+            !isfinite(p[CURVE_LOADING] / step)) {
+            return lines_error(e, t->path, 0,
+                               "point %zu of %zu is out of range, or too close to the one before "
+                               "it, in the deck's units",
+                               i + 1, n);
+        }
+    }
+    return STATUS_OK;
+}
+
+int curve_read_text(struct arena *a, const struct curve_request *request,
+                    const struct record_text *t, struct curve *out, struct error *e) {
+    struct record_text text;
+    struct table table;
+    int status = record_clean(t, &text, e);
+    if (!status && !table_find(&text, &table)) {
+        return lines_error(e, t->path, 0, "there is no line of numbers");
+    }
+    double length = request->length;
+    double force = request->force;
+    if (!status) {
+        status = check_table(&text, &table, e);
+    }
+    if (!status) {
+        status = read_caption(&text, &table, request->units->gravity, &length, &force, e);
+    }
+    if (status) {
+        return status;
+    }
+    double *point = arena_alloc(a, table.n_row, CURVE_COLUMNS * sizeof *point);
+    if (!point) {
+        return error_no_memory(e);
+    }
+    status = read_rows(&text, &table, point, e);
+    if (!status) {
+        convert(point, table.n_row, length, force, request->units);
+        status = check_slopes(&text, point, table.n_row, e);
+    }
+    if (!status) {
+        *out = (struct curve){.n = (int)table.n_row, .point = point};
+    }
+    return status;
+}
+
+int curve_read(struct arena *a, const struct curve_request *request, struct curve *out,
+               struct error *e) {
+    struct arena *scratch = arena_create();
+    if (!scratch) {
+        return error_no_memory(e);
+    }
+    char *text;
+    struct record_text t = {.path = request->path};
+    int status = text_file(scratch, request->path, FILE_SIZE_MAX, &text, &t.size, e);
+    if (!status) {
+        t.text = text;
+        status = curve_read_text(a, request, &t, out, e);
+    }
+    arena_free(scratch);
+    return status;
+}

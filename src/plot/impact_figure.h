@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture of isolated impacts: force against time, and against penetration.
+#ifndef JOSTLE_IMPACT_FIGURE_H
+#define JOSTLE_IMPACT_FIGURE_H
+
+#include <stdio.h>
+
+#include "law/isolated.h"
+
+enum { IMPACT_FIGURE_CURVES = 7 };
+
+struct impact_curve {
+    const char *name;
+    size_t n;
+    const struct isolated_point *point;  // (n) in SI
+    double start;                        // time of the first one
+};
+
+struct impact_figure {
+    const char *title, *subtitle, *version;
+    int n_curve;  // at most IMPACT_FIGURE_CURVES
+    const struct impact_curve *curve;
+    size_t n_sample;             // of a measured force; 0: there is none
+    const double *time, *force;  // (n_sample)
+};
+
+// Writes the whole script; run by gnuplot it makes `output`, a file name with one of the endings.
+// Errors: STATUS_INPUT (another ending), STATUS_SYSTEM (no memory).
+int impact_figure_write(const struct impact_figure *f, const char *output, FILE *to,
+                        struct error *e);
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/chain.h"
+
+#include <assert.h>
+#include <float.h>
+#include <math.h>
+
+#include "core/lanes.h"
+
+// The compiler sees from the mask that there are no elements beyond whole lanes.
+static inline int whole(int n) {
+    return n & ~(LANES_WIDTH - 1);
+}
+
+LANES void chain_trial(const struct chain *c, double h, const double *restrict u,
+                       const double *restrict v, const double *restrict a, double *restrict u_t,
+                       double *restrict v_t) {
+    double half = h * h / 2.0;
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        u_t[i] = u[i] + (h * v[i] + half * a[i]);
+        v_t[i] = v[i] + h * a[i];
+    }
+}
+
+LANES void chain_forces(const struct chain *c, const double *restrict u, const double *restrict v,
+                        double *restrict drift, double *restrict shear, double *restrict damping) {
+    const double *restrict joint = c->joint;
+    const double *restrict k = c->stiffness;
+    const double *restrict below = c->damping_below;
+    const double *restrict own = c->damping;
+    const double *restrict above = c->damping_above;
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        double d = u[i] - joint[i] * u[i - 1];
+        drift[i] = d;
+        shear[i] = k[i] * d;
+        damping[i] = below[i] * v[i - 1] + own[i] * v[i] + above[i] * v[i + 1];
+    }
+}
+
+LANES void chain_inertia(const struct chain *c, const double *restrict base,
+                         double *restrict external) {
+    const double *restrict mass = c->mass;
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        external[i] = -mass[i] * base[i];
+    }
+}
+
+LANES void chain_residual(const struct chain *c, const double *restrict external,
+                          const double *restrict a, const double *restrict damping,
+                          const double *restrict shear, double *restrict r) {
+    const double *restrict joint = c->joint;
+    const double *restrict mass = c->mass;
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        r[i] = external[i] - mass[i] * a[i] - damping[i] - shear[i] + joint[i + 1] * shear[i + 1];
+    }
+}
+
+LANES void chain_elastic_residual(const struct chain *c, const double *restrict external,
+                                  const double *restrict a, const double *restrict u,
+                                  const double *restrict v, double *restrict r) {
+    const double *restrict joint = c->joint;
+    const double *restrict mass = c->mass;
+    const double *restrict k = c->stiffness;
+    const double *restrict below = c->damping_below;
+    const double *restrict own = c->damping;
+    const double *restrict above = c->damping_above;
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        double shear = k[i] * (u[i] - joint[i] * u[i - 1]);
+        double shear_above = joint[i + 1] * (k[i + 1] * (u[i + 1] - u[i]));
+        double damping = below[i] * v[i - 1] + own[i] * v[i] + above[i] * v[i + 1];
+        r[i] = external[i] - mass[i] * a[i] - damping - shear + shear_above;
+    }
+}
+
+LANES bool chain_correct(const struct chain *c, double b, double g, const double *restrict q,
+                         const double *restrict u_t, const double *restrict v_t,
+                         const double *restrict a_0, const double *restrict base,
+                         double *restrict u, double *restrict v, double *restrict a,
+                         double *restrict total) {
+    long bad = 0;
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        u[i] = u_t[i] + b * q[i];
+        v[i] = v_t[i] + g * q[i];
+        a[i] = a_0[i] + q[i];
+        total[i] = a[i] + base[i];
+        double size = fabs(u[i]) + fabs(v[i]) + fabs(a[i]);
+        bad |= !(size <= DBL_MAX);
+    }
+    return bad == 0;
+}
+
+LANES void chain_works(const struct chain *c, const double *const from[2],
+                       const double *const to[2], const double *restrict u0,
+                       const double *restrict u1, double *const work[2]) {
+    const double *restrict f0 = from[0], *restrict f1 = to[0];
+    const double *restrict g0 = from[1], *restrict g1 = to[1];
+    double *restrict first = work[0], *restrict second = work[1];
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        double du = u1[i] - u0[i];
+        first[i] += (f0[i] + f1[i]) * du;
+        second[i] += (g0[i] + g1[i]) * du;
+    }
+}
+
+LANES bool chain_exceeds(int first, int n, const double *const x[PEAK_COUNT],
+                         double *const peak[PEAK_COUNT]) {
+    const double *restrict x0 = x[0], *restrict x1 = x[1], *restrict x2 = x[2];
+    const double *restrict x3 = x[3], *restrict x4 = x[4];
+    const double *restrict p0 = peak[0], *restrict p1 = peak[1], *restrict p2 = peak[2];
+    const double *restrict p3 = peak[3], *restrict p4 = peak[4];
+    static_assert(PEAK_COUNT == 5, "all peaks are looked at");
+    long above = 0;
+    for (int i = first, end = first + whole(n); i < end; i++) {
+        above |= (fabs(x0[i]) > p0[i]) | (fabs(x1[i]) > p1[i]) | (fabs(x2[i]) > p2[i]) |
+                 (fabs(x3[i]) > p3[i]) | (fabs(x4[i]) > p4[i]);
+    }
+    return above != 0;
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is done for every floor in every step, over the flat arrays of struct chain. Arrays are
+// those of core/lanes.h.
+#ifndef JOSTLE_CHAIN_H
+#define JOSTLE_CHAIN_H
+
+#include "jostle/analysis.h"
+
+// u_t = u + h v + h^2 a / 2 and v_t = v + h a: the end of the step if the accelerations stay.
+void chain_trial(const struct chain *c, double h, const double *u, const double *v, const double *a,
+                 double *u_t, double *v_t);
+
+// Drifts of the storeys below each floor, shears of elastic storeys, and damping forces C v; 0
+// where C is full.
+void chain_forces(const struct chain *c, const double *u, const double *v, double *drift,
+                  double *shear, double *damping);
+
+// External forces -m base of the ground accelerations below each floor.
+void chain_inertia(const struct chain *c, const double *base, double *external);
+
+// r = external - m a - damping - shear below + shear above.
+void chain_residual(const struct chain *c, const double *external, const double *a,
+                    const double *damping, const double *shear, double *r);
+
+// The same at the displacements u and velocities v, where all storeys are elastic and no C is full.
+void chain_elastic_residual(const struct chain *c, const double *external, const double *a,
+                            const double *u, const double *v, double *r);
+
+// u = u_t + b q, v = v_t + g q, a = a_0 + q; total = a + base. False: not all is finite.
+bool chain_correct(const struct chain *c, double b, double g, const double *q, const double *u_t,
+                   const double *v_t, const double *a_0, const double *base, double *u, double *v,
+                   double *a, double *total);
+
+// Adds to work[q] (n) twice what the force that goes from from[q] to to[q] does while u0 becomes
+// u1.
+void chain_works(const struct chain *c, const double *const from[2], const double *const to[2],
+                 const double *u0, const double *u1, double *const work[2]);
+
+// Is any |x[q][i]| greater than peak[q][i], for i from `first` on, n of them in whole lanes?
+bool chain_exceeds(int first, int n, const double *const x[PEAK_COUNT],
+                   double *const peak[PEAK_COUNT]);
+
+#endif

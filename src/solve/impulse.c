@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Newton's impact, one contact at a time. With r the velocity of approach, m* the effective mass
+// and w the rebound that the law wants, the impulse m* (r + w) keeps the momentum to rounding.
+//
+// Contacts that are closed at that instant, because they rest on each other, are struck in turn
+// wherever the bodies now approach, until none do: so an impulse travels through a row that
+// touches, as through the balls of Newton's cradle. (Contacts that close at the same instant from
+// apart come as events of their own, no time later.) Where that takes too long, as between a light
+// body and two heavy ones, the rest is settled without rebound.
+//
+// A body that bounces under a constant pressing acceleration comes to rest after infinitely many
+// bounces in a finite time. A bounce with rebound w under the acceleration a lasts 2 w / a; one
+// too short to follow is none, and the contact is at rest: the bodies stay together until a force
+// would have to pull. The energy given up, m* w^2 / 2, is booked as dissipated.
+#include "solve/impulse.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
+
+static double rounding(const struct state *s, const struct model *m, int k) {
+    return 16.0 * state_rounding(&m->link[k], s->v);
+}
+
+// The rebound below which contact k rests. Its bodies are pressed together by what accelerates
+// them, and by what its force at rest held up.
+static double slowest_rebound(const struct state *s, const struct model *m, int k,
+                              const struct least_bounce *least) {
+    const struct link *l = &m->link[k];
+    double pressing = state_gap(l, m, s->a, s->ground_a) + s->force[k] / l->mass;
+    return fmax(fmax(least->time * pressing / 2.0, least->velocity), rounding(s, m, k));
+}
+
+// One impact; returns the velocity of the rebound.
+static double strike(struct state *s, const struct model *m, int k, enum rebound rebound,
+                     const struct least_bounce *least, struct meeting *meeting) {
+    const struct link *l = &m->link[k];
+    double r = state_rate(s, m, k);
+    double w = rebound == REBOUND_BY_LAW ? l->law->rebound(l->constant, r) : 0.0;
+    if (w <= slowest_rebound(s, m, k, least)) {
+        w = 0.0;
+    }
+    double impulse = l->mass * (r + w);
+    if (l->dof[0] != WALL) {
+        s->v[l->dof[0]] -= impulse / m->mass[l->dof[0]];
+    }
+    if (l->dof[1] != WALL) {
+        s->v[l->dof[1]] += impulse / m->mass[l->dof[1]];
+    }
+    if (!meeting->struck) {
+        *meeting = (struct meeting){.struck = true, .approach = r};
+    }
+    meeting->impulse += impulse;
+    meeting->work += impulse * (r - w) / 2.0;
+    return w;
+}
+
+// Strikes contacts at rest whose bodies approach, until none do.
+static void settle(struct state *s, const struct model *m, const struct least_bounce *least,
+                   struct meeting *meeting) {
+    bool struck = true;
+    for (int i = 0; i < SWEEPS_MAX && struck; i++) {
+        struck = false;
+        for (int k = 0; k < m->n_contact; k++) {
+            if (state_rests(s, m, k) && state_rate(s, m, k) > rounding(s, m, k)) {
+                enum rebound rebound = i < SWEEPS_BY_LAW ? REBOUND_BY_LAW : REBOUND_NONE;
+                strike(s, m, k, rebound, least, &meeting[k]);
+                struck = true;
+            }
+        }
+    }
+}
+
+// Opens contacts at rest whose bodies leave each other for longer than the shortest bounce.
+static void part(struct state *s, const struct model *m, const struct least_bounce *least) {
+    for (int k = 0; k < m->n_contact; k++) {
+        if (state_rests(s, m, k) && state_rate(s, m, k) < -slowest_rebound(s, m, k, least)) {
+            s->closed[k] = false;
+            s->force[k] = 0.0;
+        }
+    }
+}
+
+// Everything that follows from the velocities.
+static void follow(struct state *s, const struct model *m) {
+    state_internal_forces(s, m, s->u, s->v);
+    for (int k = 0; k < m->n_link; k++) {
+        if (s->closed[k] && m->link[k].law->force) {
+            s->force[k] = state_link_force(s, m, k);
+        }
+    }
+    state_equilibrium(s, m);
+}
+
+void impulse_meet(struct state *s, const struct model *m, int k, enum rebound rebound,
+                  const struct least_bounce *least, struct meeting *meeting) {
+    memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
+    double approached = fmax(state_rate(s, m, k), 0.0);
+    if (approached == 0.0 || strike(s, m, k, rebound, least, &meeting[k]) == 0.0) {
+        state_enliven(s, k);
+        s->closed[k] = true;
+        s->t_close[k] = s->time;
+        s->v_close[k] = approached;
+    }
+    settle(s, m, least, meeting);
+    part(s, m, least);
+    follow(s, m);
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The forces solve a linear complementarity problem: with w the relative acceleration of each
+// contact, towards each other, f >= 0, w <= 0, f w = 0. Its matrix B M^-1 B' is symmetric and
+// positive definite unless contacts are redundant, which facing floors cannot be, so the projected
+// Gauss-Seidel iteration converges (Cottle, Pang & Stone (2009), The Linear Complementarity
+// Problem, section 5.2). Buildings touch at floors, whose masses are lumped: rows are short chains.
+#include "solve/rest.h"
+
+#include <math.h>
+
+enum { SWEEPS_MAX = 20000 };
+static const double TOLERANCE = 1e-13;  // relative change of the forces in a sweep
+
+static void push(struct state *s, const struct model *m, int k, double df) {
+    const int *dof = m->link[k].dof;
+    s->force[k] += df;
+    if (dof[0] != WALL) {
+        s->a[dof[0]] -= df / m->mass[dof[0]];
+    }
+    if (dof[1] != WALL) {
+        s->a[dof[1]] += df / m->mass[dof[1]];
+    }
+}
+
+static double approach(const struct state *s, const struct model *m, int k) {
+    return state_gap(&m->link[k], m, s->a, s->ground_a);
+}
+
+// One sweep; true if it changed nothing that matters.
+static bool sweep(struct state *s, const struct model *m) {
+    double largest = 0.0;
+    double change = 0.0;
+    for (int k = 0; k < m->n_contact; k++) {
+        if (state_rests(s, m, k)) {
+            double wanted = fmax(s->force[k] + approach(s, m, k) * m->link[k].mass, 0.0);
+            change = fmax(change, fabs(wanted - s->force[k]));
+            largest = fmax(largest, wanted);
+            push(s, m, k, wanted - s->force[k]);
+        }
+    }
+    return change <= TOLERANCE * largest;
+}
+
+void rest_forces(struct state *s, const struct model *m) {
+    for (int i = 0; i < SWEEPS_MAX && !sweep(s, m); i++) {
+    }
+    for (int k = 0; k < m->n_contact; k++) {
+        if (state_rests(s, m, k) && s->force[k] == 0.0 &&
+            approach(s, m, k) < -state_rounding(&m->link[k], s->a)) {
+            s->closed[k] = false;
+        }
+    }
+}

@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# jostle law: tables, comparison, history, picture, fit, and what is wrong with the words.
+. tests/support/cli.sh
+
+bodies="-m1 25t -m2 40t -v 0.5"
+jankowski="jankowski -k 2.75e9N/m^1.5 -e 0.65 $bodies"
+
+# value NAME [COLUMN]: a number of the table in $out.
+value() {
+    awk -F '\t' -v name="$1" -v column="${2-2}" '$1 == name { print $column }' "$out"
+}
+
+# near GOT WANT RELATIVE
+near() {
+    awk -v got="$1" -v want="$2" -v most="$3" 'BEGIN {
+        d = got - want; d = d < 0 ? -d : d; w = want < 0 ? -want : want
+        exit !(got != "" && d <= most * w) }'
+}
+
+# shellcheck disable=SC2086  # options are one word each
+law() {
+    run "$jostle" law "$@"
+}
+
+law $jankowski --tsv
+expect "--tsv prints the seven quantities in their order" '[ $status -eq 0 ] && [ ! -s "$err" ] && [ "$(cut -f 1 "$out" | tr "\n" " ")" = "nominal_restitution achieved_restitution peak_force duration max_penetration impulse dissipated " ]'
+expect "with the values of an independent integration" 'near $(value achieved_restitution) 0.647029026882227 1e-9 && near $(value peak_force) 692516.74166 1e-9 && near $(value duration) 0.0289959527745732 1e-9 && near $(value max_penetration) 0.00351382881518338 1e-9 && near $(value impulse) 12669.45405294 1e-9 && near $(value dissipated) 1117.98738148 1e-9 && near $(value nominal_restitution) 0.65 0'
+cp "$out" units.tsv
+law jankowski -k 2.75e9 -e 0.65 -m1 25000 -m2 40000kg -v 50cm/s --tsv
+expect "bare numbers are in SI" 'near $(value peak_force) $(awk "/peak/ { print \$2 }" units.tsv) 1e-12'
+law $jankowski -calibrate --tsv
+expect "-calibrate delivers what is asked for" 'near $(value achieved_restitution) 0.65 1e-9 && near $(value nominal_restitution) 0.65 0'
+law hertz -k 2.75e9 -m1 2 -v 1 --tsv
+expect "a law without e asks for none, and without -m2 there is a wall" '[ "$(value nominal_restitution)" = nan ] && near $(value impulse) 4 1e-9'
+law stereomechanical -e 0.5 $bodies --tsv
+expect "an impact without force has none, nor a duration" '[ $status -eq 0 ] && [ "$(value peak_force)" = nan ] && [ "$(value duration)" = 0 ] && near $(value impulse) 11538.461538461539 1e-12'
+
+law $jankowski
+expect "the table has units" '[ $status -eq 0 ] && grep -qE "^peak force +N +692517$" "$out" && grep -q "^jankowski -k 2.75e+09 -e 0.65$" "$out" && grep -q "effective mass 15384.6 kg" "$out"'
+expect "and fits 100 columns" '[ "$(wc -L <"$out")" -le 100 ]'
+
+law $jankowski --compare hertz-damp,hertz --compare "linear -k 93.5MN/m" --tsv
+expect "--compare sets laws side by side" '[ $status -eq 0 ] && [ "$(head -n 1 "$out")" = "$(printf "law\tjankowski\thertz-damp\thertz\tlinear")" ] && near $(value achieved_restitution 3) 0.774819081 1e-8 && near $(value peak_force 5) 599679.401526 1e-9'
+law $jankowski -calibrate --compare hertz-damp,hertz --compare "linear -k 93.5MN/m" --compare hertz
+expect "many laws stand below one another" '[ $status -eq 0 ] && [ "$(grep -c "^peak force" "$out")" -eq 2 ] && [ "$(wc -L <"$out")" -le 100 ]'
+law $jankowski --compare linear
+expect "a stiffness of another dimension is not lent" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "command line:1:"'
+law jankowski -k 2.75e9 -e 0.65 $bodies --compare linear
+expect "not even without a unit" '[ $status -eq 2 ] && said "command line:1:15: error: -k of jankowski is in N/m^1.5, that of linear in N/m" && said "^~"'
+law $jankowski --compare bilinear
+expect "what the first law cannot lend is missing" '[ $status -eq 2 ] && said "command line:2:5: error: bilinear needs -k1"'
+law $jankowski --compare hertz,
+expect "an empty name is refused" '[ $status -eq 2 ] && said "command line:3:1: error: law needs the name of a law"'
+
+law
+expect "a law is needed" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "a contact law is expected"'
+law jankwski -k 1
+expect "an unknown law is named with the nearest" '[ $status -eq 2 ] && said "command line:1:5: error: unknown contact law '"'jankwski'; did you mean 'jankowski'?"'" && said "^~~~~~~~"'
+law jankowski -k 2e9N/m -e 2 $bodies
+expect "all errors come in one go" '[ $status -eq 2 ] && said "command line:1:18: error: k has the dimension of a stiffness" && said "command line:1:28: error: e is 2; it must be > 0 and <= 1" && said "the command line has 2 errors"'
+law jankowski -k 2e9 -e 0.5 -v 1
+expect "a mass is needed" '[ $status -eq 2 ] && said "error: jankowski needs -m1: mass of one body"'
+law jankowski -k 2e9 -e 0.5 -m1 1 -v 0
+expect "and a velocity > 0" '[ $status -eq 2 ] && said "v is 0 m/s; it must be > 0"'
+law jankowski -k 2e9 -e 0.5 -m1 1 -v 1 -n 2
+expect "an option of another law is unknown" '[ $status -eq 2 ] && said "unknown option '"'-n'"'"'
+law jankowski "-k 2e9" -e 0.5 -m1 1 -v 1
+expect "words are not taken apart" '[ $status -eq 2 ] && said "is not expected"'
+law jankowski "-k
+title x" -e 0.5
+expect "a line end in a word is refused" '[ $status -eq 2 ] && said "a word of the command line has a line end"'
+law kelvin-voigt -k 1 -zeta 2 -m1 1 -v 1
+expect "bodies that do not part are a failure" '[ $status -eq 1 ] && said "under kelvin-voigt the bodies have not parted"'
+law $jankowski --tvs
+expect "a wrong option is named with the nearest" '[ $status -eq 2 ] && said "unknown option '"'--tvs'; did you mean '--tsv'?"'"'
+law $jankowski --tsv=yes
+expect "--tsv takes no value" '[ $status -eq 2 ] && said "option '"'--tsv' takes no value"'"'
+for option in --history --plot --fit --compare; do
+    law $jankowski $option
+    expect "$option needs a value" '[ $status -eq 2 ] && said "option '"'$option' needs a value"'"'
+done
+law $jankowski --plot a.png --plot b.png
+expect "--plot is given once" '[ $status -eq 2 ] && said "option '"'--plot' is given twice"'"'
+law $jankowski --plot a.jpg
+expect "a picture has a known ending" '[ $status -eq 2 ] && said "'"'a.jpg' must end in .png, .svg or .pdf"'"'
+law $jankowski --history h.tsv --compare hertz
+expect "a history is that of one law" '[ $status -eq 2 ] && said "--history writes one impact"'
+expect "nothing was written" 'only units.tsv'
+
+law $jankowski --history h.tsv
+expect "--history writes the impact" '[ $status -eq 0 ] && [ "$(head -n 1 h.tsv)" = "$(printf "time [s]\tpenetration [m]\tvelocity [m/s]\tforce [N]")" ] && [ "$(wc -l <h.tsv)" -gt 100 ]'
+expect "from closure to opening" '[ "$(sed -n 2p h.tsv | cut -f 1,3)" = "$(printf "0\t0.5")" ] && near $(tail -n 1 h.tsv | cut -f 1) 0.0289959527745732 1e-9 && near $(tail -n 1 h.tsv | cut -f 3) -0.323514513441 1e-9'
+expect "with the impulse below its force" 'near $(awk "NR > 2 { s += (\$4 + f) / 2 * (\$1 - t) } { t = \$1; f = \$4 } END { print s }" h.tsv) 12669.454 2e-4'
+cp h.tsv kept.tsv
+law hertz -k 1 -m1 1 -v 1 --history=h.tsv --plot p.svg
+expect "an existing file is kept" '[ $status -eq 2 ] && said "h.tsv exists; --force overwrites it" && [ ! -s "$out" ] && cmp -s h.tsv kept.tsv && [ ! -e p.svg ]'
+law hertz -k 1 -m1 1 -v 1 --history h.tsv --force
+expect "unless --force is given" '[ $status -eq 0 ] && ! cmp -s h.tsv kept.tsv'
+law $jankowski --history no_such_folder/h.tsv
+expect "a folder that is not there ends with 3" '[ $status -eq 3 ] && said "cannot write no_such_folder/h.tsv: No such file or directory" && [ ! -s "$out" ]'
+run bash -c "ulimit -f 4; exec '$jostle' law $jankowski --history limited.tsv"
+expect "a file that cannot grow leaves nothing behind" '[ $status -eq 3 ] && said "cannot write limited.tsv" && only units.tsv h.tsv kept.tsv'
+mkdir small
+if mount -t tmpfs -o size=4k tmpfs small 2>/dev/null; then
+    law $jankowski --history small/h.tsv
+    expect "nor does a full disk" '[ $status -eq 3 ] && said "small/h.tsv" && [ -z "$(ls -A small)" ]'
+    umount small
+else
+    skip "nor does a full disk" "no disk can be mounted here"
+fi
+
+# One line every tenth of a millisecond, after a lead without force.
+awk 'BEGIN { print "time [ms];force [kN]"; for (i = 0; i < 20; i++) print i / 10 ";0" }
+    NR > 2 && int($1 * 1e4) != last { last = int($1 * 1e4); printf "%.12g;%.12g\n", 1e3 * $1 + 2, $4 / 1e3 }' \
+    kept.tsv >force.txt
+law jankowski $bodies --fit force.txt --tsv
+expect "--fit finds k and zeta of the history" '[ $status -eq 0 ] && near $(value k) 2.75e9 1e-6 && near $(value zeta) 0.37283566526 1e-6 && near $(value start) 2e-3 1e-6 && near $(value achieved_restitution) 0.647029026882227 1e-6 && near $(value peak_force) 692516.74 1e-6'
+expect "with next to no error" '[ "$(cut -f 1 "$out" | tail -n 7 | tr "\n" " ")" = "k k_error zeta zeta_error start start_error normalised_error " ] && awk -F "\t" "/error/ && !(\$2 >= 0 && \$2 < 1e4) { bad = 1 } /normalised/ && \$2 > 1e-6 { bad = 1 } END { exit bad }" "$out"'
+law jankowski $bodies --fit force.txt --compare hertz-damp
+expect "laws are compared by their fits" '[ $status -eq 0 ] && [ "$(grep -c "normalised error" "$out")" -eq 2 ]'
+law jankowski -k 1e9 -e 0.5 $bodies --fit force.txt
+expect "what is found is not given" '[ $status -eq 2 ] && said "command line:1:15: error: -k cannot be given: --fit finds it" && said "error: -e cannot be given"'
+law stereomechanical -e 0.5 $bodies --fit force.txt
+expect "a law without stiffness is not fitted" '[ $status -eq 2 ] && said "stereomechanical has no k that could be fitted"'
+law jankowski $bodies --fit no_such_file
+expect "the record must exist" '[ $status -eq 2 ] && said "no_such_file: No such file or directory"'
+law jankowski $bodies --fit kept.tsv
+expect "and have two columns" '[ $status -eq 2 ] && said "kept.tsv:2: 4 columns; two are read, time and value"'
+
+if command -v gnuplot >/dev/null; then
+    for ending in png svg pdf; do
+        law $jankowski --compare hertz --plot "p.$ending"
+        expect "--plot draws .$ending" '[ $status -eq 0 ] && [ -s p.$ending ]'
+    done
+    law jankowski $bodies --fit force.txt --plot fit.svg
+    expect "measurement and fit are drawn" '[ $status -eq 0 ] && grep -q measured fit.svg && grep -q "contact force \[kN\]" fit.svg && grep -q "penetration \[mm\]" fit.svg'
+    law stereomechanical -e 0.5 $bodies --plot none.svg
+    expect "no force makes no picture" '[ $status -eq 2 ] && said "stereomechanical has no force to draw" && [ ! -e none.svg ]'
+else
+    skip "--plot draws" "gnuplot is not installed"
+fi
+run env PATH=/nowhere "$jostle" law $jankowski --plot lost.png
+expect "without gnuplot the status is 3" '[ $status -eq 3 ] && said "cannot run gnuplot" && [ ! -e lost.png ] && [ ! -s "$out" ]'

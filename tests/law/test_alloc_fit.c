@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A fit, and `jostle law`, whichever allocation fails.
+#include <fcntl.h>
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <unistd.h>
+
+#include "command/law_impacts.h"
+#include "support/fail_alloc.h"
+#include "support/support.h"
+
+enum { SAMPLES = 60 };
+
+static void a_fit_reports_that_there_is_no_memory(void **state) {
+    (void)state;
+    double time[SAMPLES], force[SAMPLES];
+    for (int i = 0; i < SAMPLES; i++) {
+        time[i] = 0.1 * i - 1.0;
+        force[i] = time[i] > 0.0 && time[i] < 3.14159 ? sin(time[i]) : 0.0;
+    }
+    const double value[CONTACT_ROWS_MAX] = {NAN};
+    const struct fit_request q = {
+        contact_law_find("linear"), value, 1.0, 1.0, SAMPLES, time, force};
+    struct fit_result r = {.normalised_error = NAN};
+    struct error e = {0};
+    fail_alloc_at(0);
+    assert_int_equal(fit_run(&q, &r, &e), STATUS_OK);
+    const long n = fail_alloc_stop();
+    assert_true(n >= 3);
+    for (long k = 1; k <= n; k++) {
+        fail_alloc_at(k);
+        int status = fit_run(&q, &r, &e);
+        fail_alloc_stop();
+        assert_int_equal(status, STATUS_SYSTEM);
+        assert_string_equal(e.message, "out of memory");
+    }
+}
+
+// Its messages go nowhere.
+static int run_law(void) {
+    static const char *const word[] = {"jankowski", "-k", "2.75e9", "-e", "0.65",
+                                       "-m1",       "2",  "-v",     "1"};
+    static const char *const compare[] = {"hertz-damp,hertz", "linear -k 93.5MN/m"};
+    const struct law_words words = {.word = word, .n_word = 9, .compare = compare, .n_compare = 2};
+    struct law_impacts impacts;
+    const int kept = dup(STDERR_FILENO);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    assert_true(kept >= 0 && nowhere >= 0 && dup2(nowhere, STDERR_FILENO) >= 0);
+    int status = law_impacts_run(&words, &impacts);
+    assert_true(dup2(kept, STDERR_FILENO) >= 0);
+    close(kept);
+    close(nowhere);
+    if (status == EXIT_DONE) {
+        law_impacts_free(&impacts);
+    }
+    return status;
+}
+
+static void the_command_ends_with_the_status_of_the_system(void **state) {
+    (void)state;
+    fail_alloc_at(0);
+    assert_int_equal(run_law(), EXIT_DONE);
+    const long n = fail_alloc_stop();
+    assert_true(n > 20);
+    for (long k = 1; k <= n; k++) {
+        fail_alloc_at(k);
+        int status = run_law();
+        fail_alloc_stop();
+        if (status != EXIT_SYSTEM) {
+            print_message("allocation %ld of %ld fails and the status is %d\n", k, n, status);
+            fail();
+        }
+    }
+    assert_int_equal(run_law(), EXIT_DONE);
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_fit_reports_that_there_is_no_memory),
+        cmocka_unit_test(the_command_ends_with_the_status_of_the_system),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every allocation on the way from a record to its spectra is made to fail in its turn.
+#include "core/arena.h"
+#include "jostle/record.h"
+#include "jostle/spectrum.h"
+#include "support/fail_alloc.h"
+#include "support/support.h"
+
+static int spectra_of(const char *path, struct arena *a, struct error *e) {
+    static const double period[] = {0.1, 1.0}, damping[] = {0.05};
+    const struct record_request request = {.path = path, .dt = 0.1, .unit = "g", .gravity = 9.81};
+    struct record r;
+    struct signal ground[2];
+    int status = record_read(a, &request, &r, e);
+    for (int i = 0; status == STATUS_OK && i < 2; i++) {
+        status = signal_init_samples(&ground[i], a, r.value, r.n, r.dt, 1.0, 0.0, e);
+    }
+    struct spectra s = {
+        .n_record = 2, .n_damping = 1, .n_period = 2, .damping = damping, .period = period};
+    return status == STATUS_OK ? spectra_compute(&s, ground, a, e) : status;
+}
+
+// With the k-th allocation failing (0: none); *n: how many there were.
+static int attempt(const char *path, long k, long *n) {
+    struct error e = {.message = ""};
+    fail_alloc_at(k);
+    struct arena *a = arena_create();
+    int status = a ? spectra_of(path, a, &e) : error_no_memory(&e);
+    *n = fail_alloc_stop();
+    arena_free(a);
+    if (status != STATUS_OK) {
+        assert_string_equal(e.message, "out of memory");
+    }
+    return status;
+}
+
+static void every_allocation_that_fails_ends_in_an_error(void **state) {
+    (void)state;
+    const char *path = support_write("record.txt", "0\n1\n-2\n0\n");
+    long n, made;
+    assert_int_equal(attempt(path, 0, &n), STATUS_OK);
+    assert_in_range(n, 8, 1000);
+    for (long k = 1; k <= n; k++) {
+        assert_int_equal(attempt(path, k, &made), STATUS_SYSTEM);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_allocation_that_fails_ends_in_an_error),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of time and value.
+#include <string.h>
+
+#include "core/arena.h"
+#include "motion/time_series.h"
+#include "support/support.h"
+
+static struct arena *arena;
+
+static int set_up(void **state) {
+    (void)state;
+    arena = arena_create();
+    return arena ? 0 : -1;
+}
+
+static int tear_down(void **state) {
+    (void)state;
+    arena_free(arena);
+    return 0;
+}
+
+static struct time_series read(const char *text) {
+    struct time_series s = {0};
+    struct error e = {0};
+    if (time_series_read(arena, support_write("force.txt", text), dimension_force, &s, &e) !=
+        STATUS_OK) {
+        fail_msg("%s", e.message);
+    }
+    return s;
+}
+
+static void refused(const char *text, const char *message) {
+    struct time_series s;
+    struct error e = {0};
+    const char *path = support_write("force.txt", text);
+    assert_int_equal(time_series_read(arena, path, dimension_force, &s, &e), STATUS_INPUT);
+    if (!strstr(e.message, message)) {
+        fail_msg("'%s' is not in '%s'", message, e.message);
+    }
+}
+
+static void numbers_are_in_si_without_a_caption(void **state) {
+    (void)state;
+    static const char *const texts[] = {"0 1\n0.5 2\n2 -3e1\n", "0,1\n0.5,2\n2,-30\n",
+                                        "# drop 7\n\n0;1\r\n0.5;2\r\n2;-30\r\n",
+                                        "time\tforce\n0\t1\n0.5\t2\n2\t-30"};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        struct time_series s = read(texts[i]);
+        assert_int_equal(s.n, 3);
+        assert_true(s.time[0] == 0.0 && s.time[1] == 0.5 && s.time[2] == 2.0);
+        assert_true(s.value[0] == 1.0 && s.value[1] == 2.0 && s.value[2] == -30.0);
+    }
+}
+
+static void units_of_a_caption_count(void **state) {
+    (void)state;
+    struct time_series s = read("force [kN] over time [ms], sensor [3]\n1 2\n2 4\n");
+    assert_close(s.time[1], 2e-3, 1e-15);
+    assert_close(s.value[1], 4e3, 1e-15);
+    s = read("t (s);F (N)\n1;2\n2;4\n");
+    assert_true(s.time[1] == 2.0 && s.value[1] == 4.0);
+}
+
+static void what_is_wrong_is_named_with_its_line(void **state) {
+    (void)state;
+    refused("", "force.txt: the file is empty");
+    refused("no numbers\n", "there is no line of numbers");
+    refused("0 1 2\n", "force.txt:1: 3 columns; two are read, time and value");
+    refused("0 1\n1 2\n2\n", "force.txt:3: 1 column; two are read");
+    refused("0 1\n1 2\n1 3\n", "force.txt:3: time 1 s after 1 s; times must grow");
+    refused("0 1\n1 2x\n", "force.txt:2: value 2 '2x' is not a number");
+    refused("0 1\n1 nan\n", "force.txt:2: value 2 'nan' is not a number");
+    refused("time [s] force [mm]\n0 1\n1 2\n",
+            "force.txt:1: unit 'mm' is that of neither a time nor a force");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_are_in_si_without_a_caption),
+        cmocka_unit_test(units_of_a_caption_count),
+        cmocka_unit_test(what_is_wrong_is_named_with_its_line),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
