@@ -203,10 +203,7 @@ docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and
 	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/restitution.md \
 	    $(B)/docs/law-command.md $(B)/docs/spectrum.md docs
 	@cp $(B)/docs/README.md README.md
-	@$(PROGRAM) run input/two_towers.deck -o $(B)/docs/two_towers.h5 -q --force
-	@mkdir -p docs/pictures
-	@$(PROGRAM) plot $(B)/docs/two_towers.h5 -o docs/pictures/two_towers.png --force
-	@$(PROGRAM) plot $(B)/docs/multistorey.h5 profiles -o docs/pictures/multistorey.png --force
+	@sh tests/support/pictures.sh $(PROGRAM) $(B)/docs docs/pictures
 	@$(PROGRAM) spectrum input/records/*.AT2 -o docs/pictures/spectrum.png --force >/dev/null
 	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures
 

@@ -123,6 +123,10 @@ int result_floor_history(const struct result_file *f, enum field field, int buil
                          double *out, struct error *e);
 int result_contact_history(const struct result_file *f, enum field field, int contact, double *out,
                            struct error *e);
+// FIELD_FORCE, or FIELD_PENETRATION for the shortening of a bilateral link.
+int result_link_history(const struct result_file *f, enum field field, int link, double *out,
+                        struct error *e);
 int result_ground(const struct result_file *f, int building, double *out, struct error *e);
+int result_energy(const struct result_file *f, enum energy energy, double *out, struct error *e);
 
 #endif

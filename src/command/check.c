@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "command/deck_options.h"
+#include "command/law_words.h"
 
 static int check_command(int argc, char **argv);
 
@@ -125,6 +126,8 @@ static bool same_law(const struct link *a, const struct link *b) {
                   (size_t)contact_law_n_value(a->law, a->value) * sizeof *a->value) == 0;
 }
 
+enum { WORDS_SIZE = 256 };
+
 // The parameters of the laws as a deck would give them, once for neighbours that share them.
 static void print_laws(const struct model *m) {
     printf("\n");
@@ -134,15 +137,10 @@ static void print_laws(const struct model *m) {
         while (last + 1 < m->n_link && same_law(l, &m->link[last + 1])) {
             last++;
         }
+        char words[WORDS_SIZE];
+        law_words(l->law, l->value, words, sizeof words);
         printf("%s%s%s: %s", l->name, last > first ? " to " : "",
-               last > first ? m->link[last].name : "", l->law->name);
-        for (int r = 0; r < l->law->n_row; r++) {
-            if (l->law->row[r].kind == ROW_FILE) {
-                printf(" -%s (%.0f points)", l->law->row[r].key, l->value[r]);
-            } else if (!isnan(l->value[r])) {
-                printf(" -%s %.6g", l->law->row[r].key, l->value[r]);
-            }
-        }
+               last > first ? m->link[last].name : "", words);
         if (l->calibrated) {
             printf(", calibrated for e = %.6g", l->restitution);
         }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "command/law_print.h"
+#include "command/law_words.h"
 #include "command/picture.h"
 #include "core/text.h"
 #include "plot/figure.h"
@@ -200,7 +201,7 @@ static int write_figure(void *context, const char *picture, FILE *to, struct err
     struct impact_curve curve[IMPACT_FIGURE_CURVES];
     char title[512], subtitle[512], bodies[128];
     law_print_bodies(l, bodies, sizeof bodies);
-    law_print_name(&l->impact[0], title, sizeof title);
+    law_words(l->impact[0].choice.law, l->impact[0].value, title, sizeof title);
     if (l->n == 1) {
         char numbers[256];
         key_numbers(l, &l->impact[0], numbers, sizeof numbers);

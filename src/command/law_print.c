@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/law_words.h"
+
 enum { NAME_SIZE = 512, LAWS_IN_A_ROW = 4 };
 static const double ROUNDING = 1e-10;
 
@@ -39,17 +41,6 @@ void law_print_bodies(const struct law_impacts *l, char *text, size_t size) {
     }
 }
 
-void law_print_name(const struct law_impact *i, char *text, size_t size) {
-    const struct contact_law *law = i->choice.law;
-    size_t used = (size_t)snprintf(text, size, "%s", law->name);
-    for (int r = 0; r < law->n_row && used < size; r++) {
-        if (!isnan(i->value[r])) {
-            used += (size_t)snprintf(text + used, size - used, " -%s %.6g", law->row[r].key,
-                                     i->value[r]);
-        }
-    }
-}
-
 static void print_fit(const struct law_impact *i, FILE *to) {
     const struct fit_result *f = &i->fit;
     fprintf(to, "  k %.6g +- %.2g %%", f->k.value, 100.0 * f->k.error / f->k.value);
@@ -63,7 +54,7 @@ static void print_fit(const struct law_impact *i, FILE *to) {
 static void print_laws(const struct law_impacts *l, FILE *to) {
     for (int i = 0; i < l->n; i++) {
         char name[NAME_SIZE];
-        law_print_name(&l->impact[i], name, sizeof name);
+        law_words(l->impact[i].choice.law, l->impact[i].value, name, sizeof name);
         fprintf(to, "%s%s\n", name, l->impact[i].choice.calibrated ? " (calibrated)" : "");
         if (l->measured.n > 0) {
             print_fit(&l->impact[i], to);

@@ -8,9 +8,6 @@
 // "25000 kg at 0.5 m/s against 40000 kg".
 void law_print_bodies(const struct law_impacts *l, char *text, size_t size);
 
-// "jankowski -k 2.75e+09 -e 0.65", as a deck could have it.
-void law_print_name(const struct law_impact *i, char *text, size_t size);
-
 // Tables for readers; at most 100 columns wide.
 void law_print_table(const struct law_impacts *l, FILE *to);
 

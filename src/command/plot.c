@@ -13,7 +13,7 @@ static int plot_command(int argc, char **argv);
 
 const struct command command_plot = {
     .name = "plot",
-    .usage = "FILE.h5 [KIND] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
+    .usage = "FILE.h5 [KIND] [-o FILE.png|.svg|.pdf] [--compare OTHER.h5] [--script DIR] [--force]",
     .summary = "draws the results by gnuplot",
     .run = plot_command,
 };
@@ -21,9 +21,9 @@ const struct command command_plot = {
 enum { PATH_SIZE = 4096 };
 
 struct request {
-    const char *result, *output, *script_folder;
-    const struct figure *figure;
-    struct result_file *file;
+    const char *result, *other, *output, *script_folder;
+    const struct figure *figure;  // NULL: the first that the files have the data for
+    struct runs runs;
     enum result_existing existing;
     char default_output[PATH_SIZE];
 };
@@ -32,12 +32,16 @@ static int help(void) {
     printf("usage: jostle %s %s\n\n%s\n\nKIND is one of\n", command_plot.name, command_plot.usage,
            command_plot.summary);
     for (int i = 0; i < n_figure; i++) {
-        printf("  %-11s %s%s\n", figures[i]->name, figures[i]->doc, i == 0 ? " (default)" : "");
+        printf("  %-10s %s\n", figures[i]->name, figures[i]->doc);
     }
     printf(
         "\n"
+        "Without KIND it is the first one that FILE.h5 holds the histories for.\n"
+        "\n"
         "  -o FILE        the picture; the ending says its kind (default: FILE-KIND.png in the\n"
         "                 current directory)\n"
+        "  --compare OTHER.h5\n"
+        "                 lays a second run of the same buildings over the first\n"
         "  --script DIR   writes DIR/KIND.gp with its data for gnuplot; without -o, nothing else\n"
         "  --force        overwrites what exists\n"
         "  --help         this text\n");
@@ -46,11 +50,9 @@ static int help(void) {
 
 static int parse_options(int argc, char **argv, struct request *q) {
     static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'},
-        {"script", required_argument, NULL, 's'},
-        {"force", no_argument, NULL, 'f'},
-        {"help", no_argument, NULL, 'h'},
-        {NULL, 0, NULL, 0},
+        {"output", required_argument, NULL, 'o'}, {"compare", required_argument, NULL, 'c'},
+        {"script", required_argument, NULL, 's'}, {"force", no_argument, NULL, 'f'},
+        {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0},
     };
     opterr = 0;
     optind = 1;
@@ -58,6 +60,9 @@ static int parse_options(int argc, char **argv, struct request *q) {
         switch (c) {
             case 'o':
                 q->output = optarg;
+                break;
+            case 'c':
+                q->other = optarg;
                 break;
             case 's':
                 q->script_folder = optarg;
@@ -108,12 +113,9 @@ static int parse(int argc, char **argv, struct request *q) {
         return command_usage(&command_plot, "a result file and at most one figure are expected");
     }
     q->result = argv[optind];
-    q->figure = n == 2 ? figure_find(argv[optind + 1]) : figures[0];
-    if (!q->figure) {
+    q->figure = n == 2 ? figure_find(argv[optind + 1]) : NULL;
+    if (n == 2 && !q->figure) {
         return unknown_figure(argv[optind + 1]);
-    }
-    if (!q->output && !q->script_folder) {
-        name_output(q);
     }
     if (q->output && !figure_ending(q->output)) {
         return command_usage(&command_plot, "'%s' must end in .png, .svg or .pdf", q->output);
@@ -123,14 +125,20 @@ static int parse(int argc, char **argv, struct request *q) {
 
 static int write_figure(void *context, const char *picture, FILE *to, struct error *e) {
     const struct request *q = context;
-    return figure_write(q->figure, q->file, picture, to, e);
+    return figure_write(q->figure, &q->runs, picture, to, e);
 }
 
-static int make(struct request *q, struct error *e) {
-    assert(q->figure);
-    int status = result_open(q->result, &q->file, e);
+static int make(struct request *q, const struct result_file *first,
+                const struct result_file *second, struct error *e) {
+    int status = runs_init(&q->runs, first, second, e);
     if (status != STATUS_OK) {
         return status;
+    }
+    if (!q->figure) {
+        q->figure = figure_default(&q->runs);
+    }
+    if (!q->output && !q->script_folder) {
+        name_output(q);
     }
     const struct picture_request picture = {
         .name = q->figure->name,
@@ -140,8 +148,20 @@ static int make(struct request *q, struct error *e) {
         .write = write_figure,
         .context = q,
     };
-    status = picture_make(&picture, e);
-    result_close(q->file);
+    return picture_make(&picture, e);
+}
+
+static int open_and_make(struct request *q, struct error *e) {
+    struct result_file *first = NULL, *second = NULL;
+    int status = result_open(q->result, &first, e);
+    if (status == STATUS_OK && q->other) {
+        status = result_open(q->other, &second, e);
+    }
+    if (status == STATUS_OK) {
+        status = make(q, first, second, e);
+    }
+    result_close(second);
+    result_close(first);
     return status;
 }
 
@@ -152,7 +172,7 @@ static int plot_command(int argc, char **argv) {
         return done;
     }
     struct error e;
-    if (make(&q, &e) != STATUS_OK) {
+    if (open_and_make(&q, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     if (q.output) {

@@ -17,13 +17,35 @@ const struct figure *const figures[] = {
 #undef FIGURE
 const int n_figure = sizeof figures / sizeof figures[0];
 
+// Sizes in em. A picture across is a column wide or two, a page is an A4 page within its margins.
+struct sheet_size {
+    double width, height;
+};
+static const struct sheet_size sheets[] = {
+    [SHEET_ACROSS] = {46, 29},
+    [SHEET_PAGE] = {70, 99},
+    [SHEET_WIDE] = {70, 44},
+};
+
+// One em in the terminal's unit of size; the number that makes gnuplot set text of one em: it
+// counts points, 4/3 pixels each for pngcairo, and pdfcairo halves them; and what makes a point of
+// size 1 a quarter of an em on the sheet across, which each terminal sees differently.
 struct picture {
-    const char *ending, *terminal, *title_font;
+    const char *ending, *format;
+    double em[3], font, point;
 };
 static const struct picture pictures[] = {
-    {"png", "pngcairo size 1600,1000 font 'Sans,17' linewidth 1.6", "Sans,21"},
-    {"svg", "svg size 1120,700 font 'Sans,14' linewidth 1.2 background '#ffffff'", "Sans,17"},
-    {"pdf", "pdfcairo size 25.6cm,16cm font 'Sans,12' linewidth 1.2", "Sans,15"},
+    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 1.5", {26, 19, 23}, 0.75, 1},
+    {"svg",
+     "svg size %.0f,%.0f font 'Sans,%g' linewidth 1 background '#ffffff'",
+     {16, 14, 15},
+     1,
+     0.33},
+    {"pdf",
+     "pdfcairo size %.4fin,%.4fin font 'Sans,%g' linewidth 1",
+     {10 / 72.0, 8.4 / 72.0, 9 / 72.0},
+     108,
+     0.4},
 };
 enum { N_PICTURE = sizeof pictures / sizeof pictures[0] };
 
@@ -34,6 +56,14 @@ const struct figure *figure_find(const char *name) {
         }
     }
     return NULL;
+}
+
+const struct figure *figure_default(const struct runs *s) {
+    int i = 0;
+    while (i < n_figure - 1 && figures[i]->lacks && figures[i]->lacks(s)) {
+        i++;
+    }
+    return figures[i];
 }
 
 static const struct picture *picture_of(const char *path) {
@@ -51,38 +81,70 @@ const char *figure_ending(const char *path) {
     return p ? p->ending : NULL;
 }
 
-int figure_head(const char *name, const char *doc, const char *version, const char *output,
-                FILE *to, struct error *e) {
+static int write_head(const struct figure *f, const char *version, const char *output, FILE *to,
+                      struct error *e) {
     const struct picture *p = picture_of(output);
     if (!p) {
         return error_set(e, STATUS_INPUT, "%s is no picture: it must end in .png, .svg or .pdf",
                          output);
     }
-    fprintf(to, "# %s: %s. Written by jostle %s; run with gnuplot.\n", name, doc, version);
-    fprintf(to, "set encoding utf8\nset terminal %s\nset output ", p->terminal);
+    const struct sheet_size *size = &sheets[f->sheet];
+    const double em = p->em[f->sheet], font = em * p->font;
+    fprintf(to, "# %s: %s. Written by jostle %s; run with gnuplot.\n", f->name, f->doc, version);
+    fprintf(to, "set encoding utf8\nset terminal ");
+    fprintf(to, p->format, size->width * em, size->height * em, font);
+    fprintf(to, "\nset output ");
     script_text(to, output);
     fprintf(to,
-            "\nset termoption noenhanced\n"
-            "title_font = '%s'\n"
+            "\nset termoption noenhanced\npoint = %.3g\n"
+            "title_font = 'Sans,%g'\nblock_font = 'Sans Bold,%g'\nsmall_font = 'Sans,%g'\n"
             "unset key\n"
-            "set border 3 lc rgb '#404040'\n"
-            "set tics nomirror out scale 0.6\n"
+            "set border 3 lc rgb '#404040' lw 0.8\n"
+            "set tics nomirror out scale 0.5 textcolor rgb '#202020'\n"
             "set grid lc rgb '#e4e4e4' lt 1 lw 0.6\n"
-            "set tics textcolor rgb '#202020'\n",
-            p->title_font);
+            "set style fill solid noborder\n",
+            p->point * em / p->em[SHEET_ACROSS], 1.2 * font, font, 0.75 * font);
     return STATUS_OK;
+}
+
+int figure_head(const char *name, const char *doc, const char *version, const char *output,
+                FILE *to, struct error *e) {
+    const struct figure f = {.name = name, .doc = doc, .sheet = SHEET_WIDE};
+    return write_head(&f, version, output, to, e);
 }
 
 void figure_end(FILE *to) {
     fprintf(to, "unset output\n");
 }
 
-int figure_write(const struct figure *f, const struct result_file *file, const char *output,
-                 FILE *to, struct error *e) {
-    int status = figure_head(f->name, f->doc, result_report(file)->version, output, to, e);
-    if (status == STATUS_OK) {
-        status = f->draw(file, to, e);
-        figure_end(to);
+static int check(const struct figure *f, const struct runs *s, struct error *e) {
+    const char *lack = f->lacks ? f->lacks(s) : NULL;
+    if (!lack) {
+        return STATUS_OK;
     }
+    const char *between = s->n > 1 ? " or " : "";
+    return error_set(e, STATUS_INPUT, "%s cannot be drawn: %s%s%s has no %s", f->name,
+                     s->r[0]->file, between, s->n > 1 ? s->r[1]->file : "", lack);
+}
+
+int figure_write(const struct figure *f, const struct runs *s, const char *output, FILE *to,
+                 struct error *e) {
+    int status = check(f, s, e);
+    if (status == STATUS_OK) {
+        status = write_head(f, s->r[0]->version, output, to, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    const struct sheet_size *size = &sheets[f->sheet];
+    struct canvas c = {.to = to,
+                       .kind = CANVAS_SHEET,
+                       .width = size->width,
+                       .height = size->height,
+                       .area = {0.3, size->width - 1, 0.3, size->height - 0.3}};
+    fprintf(to, "set multiplot\n");
+    status = f->draw(s, &c, e);
+    fprintf(to, "unset multiplot\n");
+    figure_end(to);
     return status;
 }

@@ -1,180 +1,113 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Displacements of the two facing floors that hit each other hardest, with the gap between them
-// shaded and the impacts marked; without impacts, of the roofs. Below it the ground acceleration.
+// shaded and the impacts marked; without impacts, of the roofs of the first two buildings. Below
+// them the ground acceleration. Two runs are laid over each other floor by floor.
 //
 // The right floor is drawn where the left one sees it: x_left - delta = x_right + gap.
-#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "plot/data.h"
 #include "plot/figure.h"
 #include "plot/script.h"
 
-enum { BINS = 1200, MARKS_MAX = 600, SERIES_MAX = 3 };
+enum { BINS = 600, MARKS_MAX = 400 };
 
-static const char gap_colour[] = "#e4e4e4";
+// Columns of the data.
+enum { TIME, LEFT, RIGHT, GROUND_LEFT, GROUND_RIGHT, N_COLUMN };
+
+static const char gap_colour[] = "#dddddd";
+static const char dark[] = "#404040";
 
 struct view {
-    const struct result_file *file;
-    const struct report *r;
-    int contact;                           // -1: no impact, the roofs are shown
-    int building[2];                       // -1: none
-    int floor[2];                          // from 0
-    double *time, *left, *right, *ground;  // (n_row); right is NULL if there is none
-    double *memory;                        // owned: the four above
+    const struct runs *s;
+    int contact[RUNS_MAX];  // -1: no impact, the roofs are shown
+    int building[2];        // -1: a wall, or none
+    int floor[2];           // from 0
+    struct data data[RUNS_MAX];
 };
 
-static int hardest_contact(const struct report *r) {
-    int at = -1;
-    for (int i = 0; i < r->n_contact; i++) {
-        const struct link_peak *p = &r->contact[i].peak;
-        if (p->impacts > 0 && (at < 0 || p->force > r->contact[at].peak.force)) {
-            at = i;
-        }
-    }
-    return at;
-}
-
-static int building_index(const struct report *r, const char *name, int floor) {
-    for (int i = 0; i < r->n_building && floor > 0; i++) {
-        if (strcmp(r->building[i].name, name) == 0 && floor <= r->building[i].n_floor) {
-            return i;
-        }
-    }
-    return -1;
+static const char *lacks(const struct runs *s) {
+    return runs_have(s, FIELD_DISPLACEMENT) ? NULL : "floor displacements; see output -fields";
 }
 
 static void choose_floors(struct view *v) {
-    const struct report *r = v->r;
-    v->contact = hardest_contact(r);
-    if (v->contact < 0) {
-        for (int side = 0; side < 2; side++) {
-            v->building[side] = side < r->n_building ? side : -1;
-            v->floor[side] = side < r->n_building ? r->building[side].n_floor - 1 : 0;
-        }
-        return;
+    const struct report *r = v->s->r[0];
+    runs_hardest_contact(v->s, v->contact);
+    for (int side = 0; side < 2 && v->contact[0] < 0; side++) {
+        v->building[side] = side < r->n_building ? side : -1;
+        v->floor[side] = side < r->n_building ? r->building[side].n_floor - 1 : 0;
     }
-    const struct report_link *c = &r->contact[v->contact];
-    v->building[0] = building_index(r, c->left, c->left_floor);
-    v->building[1] = building_index(r, c->right, c->right_floor);
-    v->floor[0] = c->left_floor - 1;
-    v->floor[1] = c->right_floor - 1;
+    if (v->contact[0] >= 0) {
+        const struct report_link *c = &r->contact[v->contact[0]];
+        v->building[0] = runs_building(r, c->left);
+        v->building[1] = runs_building(r, c->right);
+        v->floor[0] = c->left_floor - 1;
+        v->floor[1] = c->right_floor - 1;
+    }
 }
 
-// Displacement of one side; a wall stands still.
-static int side_history(const struct view *v, int side, double *out, struct error *e) {
-    if (v->building[side] < 0) {
-        for (long i = 0; i < v->r->n_row; i++) {
-            out[i] = 0;
-        }
+// Displacement of and ground below one side; those of a wall are zero.
+static int read_side(struct view *v, int run, int side, struct error *e) {
+    const int building = v->building[side];
+    double **column = v->data[run].column;
+    if (building < 0) {
         return STATUS_OK;
     }
-    return result_floor_history(v->file, FIELD_DISPLACEMENT, v->building[side], v->floor[side], out,
-                                e);
+    int status = result_floor_history(v->s->file[run], FIELD_DISPLACEMENT, building, v->floor[side],
+                                      column[LEFT + side], e);
+    return status == STATUS_OK
+               ? result_ground(v->s->file[run], building, column[GROUND_LEFT + side], e)
+               : status;
 }
 
-// The right side relative to the left one: by the penetration where the file has it, which holds
-// for different grounds too; otherwise by the displacements.
-static int right_history(struct view *v, struct error *e) {
-    const size_t n = (size_t)v->r->n_row;
-    if (v->contact < 0 || !(v->r->fields & FIELD_PENETRATION)) {
-        int status = side_history(v, 1, v->right, e);
-        for (size_t i = 0; v->contact >= 0 && i < n; i++) {
-            v->right[i] += v->r->contact[v->contact].gap;
-        }
-        return status;
-    }
-    int status = result_contact_history(v->file, FIELD_PENETRATION, v->contact, v->right, e);
-    for (size_t i = 0; i < n; i++) {
-        v->right[i] = v->left[i] - v->right[i];
+// The right side as the left one sees it: by the penetration where the file has it, which holds for
+// different grounds too; otherwise by the displacements.
+static int shift_right(struct view *v, struct error *e) {
+    const struct report *r = v->s->r[0];
+    struct data *d = &v->data[0];
+    double *right = d->column[RIGHT];
+    const bool exact = r->fields & FIELD_PENETRATION;
+    int status =
+        exact ? result_contact_history(v->s->file[0], FIELD_PENETRATION, v->contact[0], right, e)
+              : STATUS_OK;
+    for (size_t i = 0; i < d->n_row; i++) {
+        right[i] = exact ? d->column[LEFT][i] - right[i] : right[i] + r->contact[v->contact[0]].gap;
     }
     return status;
 }
 
-static int read_histories(struct view *v, struct error *e) {
-    const size_t n = (size_t)v->r->n_row;
-    v->memory = calloc(4 * n, sizeof *v->memory);
-    if (!v->memory) {
-        return error_no_memory(e);
-    }
-    v->time = v->memory;
-    v->left = v->memory + n;
-    v->right = v->memory + 2 * n;
-    v->ground = v->memory + 3 * n;
-    int status = result_time(v->file, v->time, e);
+static int read_run(struct view *v, int run, struct error *e) {
+    struct data *d = &v->data[run];
+    int status = data_create(d, v->s->r[run]->n_row, N_COLUMN, e);
     if (status == STATUS_OK) {
-        status = side_history(v, 0, v->left, e);
+        status = result_time(v->s->file[run], d->column[TIME], e);
     }
-    if (status == STATUS_OK) {
-        status = right_history(v, e);
+    for (int side = 0; side < 2 && status == STATUS_OK; side++) {
+        status = read_side(v, run, side, e);
     }
-    if (status == STATUS_OK) {
-        const int on = v->building[0] >= 0 ? v->building[0] : v->building[1];
-        status = result_ground(v->file, on, v->ground, e);
-    }
-    if (status == STATUS_OK && v->contact < 0 && v->building[1] < 0) {
-        v->right = NULL;
+    if (status == STATUS_OK && v->s->n == 1 && v->contact[0] >= 0) {
+        status = shift_right(v, e);
     }
     return status;
 }
 
-static int write_data(const struct view *v, FILE *to, struct error *e) {
-    assert(v->time && v->left && v->ground);
-    const size_t n = (size_t)v->r->n_row;
-    const double *series[SERIES_MAX] = {v->left, v->ground, v->right};
-    const int n_series = v->right ? 3 : 2;
-    size_t *row = malloc(((size_t)(2 * n_series * BINS) + 2) * sizeof *row);
-    if (!row) {
-        return error_no_memory(e);
-    }
-    const size_t n_row = script_thin(series, n_series, n, BINS, row);
-    fprintf(to, "$rows << EOD\n# time left right ground\n");
-    for (size_t i = 0; i < n_row; i++) {
-        const size_t k = row[i];
-        fprintf(to, "%.9g %.9g %.9g %.9g\n", v->time[k], v->left[k],
-                v->right ? v->right[k] : (double)NAN, v->ground[k]);
-    }
-    fprintf(to, "EOD\n");
-    free(row);
-    return STATUS_OK;
-}
-
-// The left displacement at time t, between rows by a straight line.
-static double left_at(const struct view *v, double t) {
-    size_t low = 0, high = (size_t)v->r->n_row - 1;
-    while (high - low > 1) {
-        const size_t middle = low + (high - low) / 2;
-        *(v->time[middle] <= t ? &low : &high) = middle;
-    }
-    const double span = v->time[high] - v->time[low];
-    const double part = span > 0 ? (t - v->time[low]) / span : 0;
-    return v->left[low] + part * (v->left[high] - v->left[low]);
-}
-
-// The hardest impact of each of MARKS_MAX parts of the duration.
-static int write_marks(const struct view *v, FILE *to, struct error *e) {
-    const struct report *r = v->r;
+// The hardest impact of each of MARKS_MAX parts of the duration, on the curve of `column`.
+static int write_marks(const struct view *v, int run, int column, const char *name, FILE *to,
+                       struct error *e) {
+    const struct report *r = v->s->r[run];
     long *hardest = malloc(MARKS_MAX * sizeof *hardest);
     if (!hardest) {
         return error_no_memory(e);
     }
-    for (int b = 0; b < MARKS_MAX; b++) {
-        hardest[b] = -1;
-    }
-    for (long i = 0; i < r->n_impact; i++) {
-        const double part = r->impact[i].t_start / r->duration * MARKS_MAX;
-        const int b = part >= 0 && part < MARKS_MAX ? (int)part : MARKS_MAX - 1;
-        if (r->impact[i].contact == v->contact &&
-            (hardest[b] < 0 || r->impact[i].peak_force > r->impact[hardest[b]].peak_force)) {
-            hardest[b] = i;
-        }
-    }
-    fprintf(to, "$impacts << EOD\n# time displacement force\n");
+    runs_hardest_of_parts(r, v->contact[run], MARKS_MAX, hardest);
+    fprintf(to, "$%s << EOD\n# time displacement force\nNaN NaN NaN\n", name);
     for (int b = 0; b < MARKS_MAX; b++) {
         if (hardest[b] >= 0) {
             const struct impact *i = &r->impact[hardest[b]];
-            fprintf(to, "%.9g %.9g %.9g\n", i->t_start, left_at(v, i->t_start), i->peak_force);
+            fprintf(to, "%.7g %.7g %.7g\n", i->t_start, data_at(&v->data[run], column, i->t_start),
+                    i->peak_force);
         }
     }
     fprintf(to, "EOD\n");
@@ -182,102 +115,221 @@ static int write_marks(const struct view *v, FILE *to, struct error *e) {
     return STATUS_OK;
 }
 
-static void write_titles(const struct view *v, FILE *to) {
-    const struct report *r = v->r;
-    char text[512], length[64], force[64];
-    snprintf(text, sizeof text, "displacement of the roofs; %s",
-             r->n_contact > 0 ? "no contact closed" : "there are no contacts");
-    if (v->contact >= 0) {
-        const struct report_link *c = &r->contact[v->contact];
-        script_unit(&r->units, dimension_length, length, sizeof length);
-        script_unit(&r->units, dimension_force, force, sizeof force);
-        snprintf(text, sizeof text,
-                 "contact %s: gap %.4g %s, %ld %s, largest force %.4g %s at %.4g %s", c->name,
-                 c->gap, length, c->peak.impacts, c->peak.impacts == 1 ? "impact" : "impacts",
-                 c->peak.force, force, c->peak.force_time, r->units.time_name);
-    }
-    script_head(to, r->title[0] ? r->title : r->deck_file, text);
-}
-
-static void write_side(const struct view *v, int side, FILE *to) {
-    char name[128], text[192];
-    const char *more = side == 1 && v->contact >= 0 ? " + gap" : "";
+static void side_name(const struct view *v, int side, char *text, size_t size) {
+    char name[128];
     if (v->building[side] < 0) {
-        snprintf(text, sizeof text, "wall%s", more);
+        snprintf(text, size, "wall");
+        return;
+    }
+    script_shorten(v->s->r[0]->building[v->building[side]].name, 16, name, sizeof name);
+    snprintf(text, size, "%s, floor %d", name, v->floor[side] + 1);
+}
+
+static void write_subtitle(const struct view *v, char *text, size_t size) {
+    const struct report *r = v->s->r[0];
+    char length[64], unit[64], name[64], force[2][32] = {"0", "0"};
+    if (v->contact[0] < 0) {
+        snprintf(text, size, "displacement of the roofs; %s",
+                 r->n_contact > 0 ? "no contact closed" : "there are no contacts");
+        return;
+    }
+    const struct report_link *c = &r->contact[v->contact[0]];
+    script_unit(&r->units, dimension_length, length, sizeof length);
+    script_unit(&r->units, dimension_force, unit, sizeof unit);
+    script_shorten(c->name, 20, name, sizeof name);
+    for (int k = 0; k < v->s->n; k++) {
+        if (v->contact[k] >= 0) {
+            const double value = v->s->r[k]->contact[v->contact[k]].peak.force;
+            script_number(value, force[k], sizeof force[k]);
+        }
+    }
+    if (v->s->n > 1) {
+        snprintf(text, size, "contact %s: largest force %s and %s %s", name, force[0], force[1],
+                 unit);
+        return;
+    }
+    snprintf(text, size, "contact %s: gap %.4g %s, %ld %s, largest force %s %s", name, c->gap,
+             length, c->peak.impacts, c->peak.impacts == 1 ? "impact" : "impacts", force[0], unit);
+}
+
+static struct axis time_axis(const struct view *v, enum axis_kind kind) {
+    return (struct axis){.name = kind == AXIS_FULL ? "time" : NULL,
+                         .dimension = dimension_time,
+                         .span = {0, runs_duration(v->s)},
+                         .kind = kind};
+}
+
+// Both floors with the gap between them.
+static void write_facing(const struct view *v, struct canvas *c, struct area a) {
+    struct span span = span_none;
+    const bool two = v->contact[0] >= 0 || v->building[1] >= 0;
+    data_span(&v->data[0], LEFT, &span);
+    if (two) {
+        data_span(&v->data[0], RIGHT, &span);
+    }
+    const struct axis x = time_axis(v, AXIS_WITHOUT_NUMBERS);
+    const struct axis y = {
+        .name = "displacement", .dimension = dimension_length, .span = span_with_room(span, NAN)};
+    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    fprintf(c->to, "plot \\\n");
+    if (v->contact[0] >= 0) {
+        fprintf(c->to, "  $rows0 using 1:2:3 with filledcurves below fc rgb '%s', \\\n",
+                gap_colour);
+    }
+    if (two) {
+        fprintf(c->to, "  $rows0 using 1:3 with lines lc rgb '%s', \\\n", script_colour[1]);
+    }
+    fprintf(c->to, "  $rows0 using 1:2 with lines lc rgb '%s'", script_colour[0]);
+    if (v->contact[0] >= 0) {
+        fprintf(c->to,
+                ", \\\n  $impacts0 using 1:2 with points pt 7 ps 0.8*point lc rgb '#000000'");
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+// One floor in both runs.
+static void write_floor(const struct view *v, struct canvas *c, struct area a, int side) {
+    struct span span = span_none;
+    char name[160];
+    for (int k = 0; k < v->s->n; k++) {
+        data_span(&v->data[k], LEFT + side, &span);
+    }
+    const struct axis x = time_axis(v, AXIS_WITHOUT_NUMBERS);
+    const struct axis y = {
+        .name = "displ.", .dimension = dimension_length, .span = span_with_room(span, NAN)};
+    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    side_name(v, side, name, sizeof name);
+    canvas_caption(c, a, name);
+    fprintf(c->to, "plot");
+    for (int k = 0; k < v->s->n; k++) {
+        fprintf(c->to, "%s \\\n  $rows%d using 1:%d with lines lc rgb '%s'", k > 0 ? "," : "", k,
+                LEFT + side + 1, script_colour[k]);
+    }
+    for (int k = 0; k < v->s->n && v->contact[0] >= 0; k++) {
+        fprintf(c->to, ", \\\n  $impacts%d%d using 1:2 with points pt %d ps 0.9*point lc rgb '%s'",
+                k, side, k == 0 ? 7 : 6, script_colour[k]);
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static bool same(const struct data *p, int i, const struct data *q, int j) {
+    return p->n_row == q->n_row &&
+           memcmp(p->column[i], q->column[j], p->n_row * sizeof(double)) == 0;
+}
+
+// The grounds under both sides, or of both runs; one where they are the same.
+static void write_ground(const struct view *v, struct canvas *c, struct area a) {
+    const int other = v->s->n - 1;
+    const int first = v->building[0] >= 0 ? GROUND_LEFT : GROUND_RIGHT;
+    const int second = v->s->n > 1 || v->building[1] < 0 ? first : GROUND_RIGHT;
+    const bool one = same(&v->data[0], first, &v->data[other], second);
+    struct span span = span_none;
+    data_span(&v->data[0], first, &span);
+    data_span(&v->data[other], second, &span);
+    const struct axis x = time_axis(v, AXIS_FULL);
+    const struct axis y = {.name = v->s->n > 1 ? "ground" : "ground acc.",
+                           .dimension = dimension_acceleration,
+                           .span = span_with_room(span, NAN)};
+    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    fprintf(c->to, "plot $rows0 using 1:%d with lines lc rgb '%s' lw 0.7", first + 1,
+            one ? dark : script_colour[0]);
+    if (!one) {
+        fprintf(c->to, ", \\\n  $rows%d using 1:%d with lines lc rgb '%s' lw 0.7", other,
+                second + 1, script_colour[1]);
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static void write_legend(const struct view *v, struct canvas *c) {
+    char name[160], text[192];
+    if (v->s->n > 1) {
+        for (int k = 0; k < v->s->n; k++) {
+            canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, v->s->name[k]);
+        }
     } else {
-        script_cut(v->r->building[v->building[side]].name, 24, name, sizeof name);
-        snprintf(text, sizeof text, "%s, floor %d%s", name, v->floor[side] + 1, more);
+        for (int side = 0; side < 2; side++) {
+            side_name(v, side, name, sizeof name);
+            snprintf(text, sizeof text, "%s%s", name,
+                     side == 1 && v->contact[0] >= 0 ? " + gap" : "");
+            if (v->contact[0] >= 0 || v->building[side] >= 0) {
+                canvas_legend(c, (struct mark){MARK_LINE, script_colour[side], 0}, text);
+            }
+        }
     }
-    script_legend(to, 2 * side, 2, SCRIPT_LINE, script_colour[side], text);
+    if (v->contact[0] >= 0 && v->s->n == 1) {
+        canvas_legend(c, (struct mark){MARK_AREA, gap_colour, 0}, "gap");
+    }
+    if (v->contact[0] >= 0) {
+        canvas_legend(c, (struct mark){MARK_POINT, "#000000", 0.8}, "impacts");
+    }
 }
 
-static void write_axis_label(FILE *to, const struct view *v, double y, const char *name,
-                             const struct dimension *dimension) {
-    fprintf(to, "set label ");
-    script_axis(to, name, &v->r->units, *dimension);
-    fprintf(to, " at screen 0.02,%.4f center rotate by 90\n", y);
+static int write_data(const struct view *v, FILE *to, struct error *e) {
+    int status = STATUS_OK;
+    char name[32];
+    for (int k = 0; k < v->s->n && status == STATUS_OK; k++) {
+        snprintf(name, sizeof name, "rows%d", k);
+        status =
+            data_write(&v->data[k], name, "time left right ground_left ground_right", BINS, to, e);
+        for (int side = 0; side < 2 && v->s->n > 1 && status == STATUS_OK; side++) {
+            snprintf(name, sizeof name, "impacts%d%d", k, side);
+            status = write_marks(v, k, LEFT + side, name, to, e);
+        }
+    }
+    return status == STATUS_OK && v->s->n == 1 ? write_marks(v, 0, LEFT, "impacts0", to, e)
+                                               : status;
 }
 
-static void write_displacements(const struct view *v, FILE *to) {
-    write_side(v, 0, to);
-    if (v->right) {
-        write_side(v, 1, to);
+static void write_panels(const struct view *v, struct canvas *c) {
+    if (v->s->n == 1) {
+        write_facing(v, c, canvas_inset(canvas_part(c, 0, 1, 0.38, 1), 5.8, 0.5, 0.5, 0.7));
+        write_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.38), 5.8, 0.5, 3.2, 0.5));
+        return;
     }
-    if (v->contact >= 0) {
-        script_legend(to, 4, 2, SCRIPT_AREA, gap_colour, "gap");
-        script_legend(to, 6, 2, SCRIPT_POINT, "#000000", "impacts");
+    int shown[2], n = 0;
+    for (int side = 0; side < 2; side++) {
+        if (v->building[side] >= 0) {
+            shown[n++] = side;
+        }
     }
-    write_axis_label(to, v, 0.6125, "displacement", &dimension_length);
-    fprintf(to,
-            "set multiplot\n"
-            "set lmargin at screen 0.095\nset rmargin at screen 0.975\n"
-            "set tmargin at screen 0.825\nset bmargin at screen 0.40\n"
-            "set xrange [0:%.9g]\nset offsets 0, 0, graph 0.04, graph 0.04\n"
-            "set format x ''\nplot \\\n",
-            v->r->duration);
-    if (v->contact >= 0) {
-        fprintf(to, "  $rows using 1:2:3 with filledcurves fc rgb '%s', \\\n", gap_colour);
+    const double height = 0.68 / n;
+    for (int i = 0; i < n; i++) {
+        const double top = 1 - i * height;
+        write_floor(v, c, canvas_inset(canvas_part(c, 0, 1, top - height, top), 5.8, 0.5, 0, 1.8),
+                    shown[i]);
     }
-    fprintf(to, "  $rows using 1:2 with lines lc rgb '%s'", script_colour[0]);
-    if (v->right) {
-        fprintf(to, ", \\\n  $rows using 1:3 with lines lc rgb '%s'", script_colour[1]);
-    }
-    if (v->contact >= 0) {
-        fprintf(to, ", \\\n  $impacts using 1:2 with points pt 7 ps 0.7 lc rgb '#000000'");
-    }
-    fprintf(to, "\n");
-    script_head_end(to);
+    write_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.32), 5.8, 0.5, 3.2, 0.5));
 }
 
-static void write_ground(const struct view *v, FILE *to) {
-    write_axis_label(to, v, 0.2325, "ground accel.", &dimension_acceleration);
-    fprintf(to, "set tmargin at screen 0.36\nset bmargin at screen 0.105\n"
-                "set format x '%%h'\nset xlabel ");
-    script_axis(to, "time", &v->r->units, dimension_time);
-    fprintf(to, "\nplot $rows using 1:4 with lines lc rgb '#404040' lw 0.7\nunset multiplot\n");
-}
-
-static int draw(const struct result_file *file, FILE *to, struct error *e) {
-    struct view v = {.file = file, .r = result_report(file)};
+static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+    struct view v = {.s = s};
+    char subtitle[256];
     choose_floors(&v);
-    int status = read_histories(&v, e);
-    if (status == STATUS_OK) {
-        status = write_data(&v, to, e);
-    }
-    if (status == STATUS_OK && v.contact >= 0) {
-        status = write_marks(&v, to, e);
+    int status = STATUS_OK;
+    for (int k = 0; k < s->n && status == STATUS_OK; k++) {
+        status = read_run(&v, k, e);
     }
     if (status == STATUS_OK) {
-        write_titles(&v, to);
-        write_displacements(&v, to);
-        write_ground(&v, to);
+        status = write_data(&v, c->to, e);
     }
-    free(v.memory);
+    if (status == STATUS_OK) {
+        write_subtitle(&v, subtitle, sizeof subtitle);
+        canvas_head(c, runs_title(s), subtitle);
+        write_legend(&v, c);
+        write_panels(&v, c);
+    }
+    for (int k = 0; k < s->n; k++) {
+        data_free(&v.data[k]);
+    }
     return status;
 }
 
 const struct figure figure_histories = {
     .name = "histories",
     .doc = "displacements of the floors that hit hardest, and the ground acceleration",
+    .lacks = lacks,
     .draw = draw,
 };

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Peak displacement, drift, acceleration and storey shear over the height. Floors are points,
-// storeys are steps. Of many buildings, those with the largest drift are shown.
+// storeys are steps. Of many buildings, those with the largest drift are shown. A second run is
+// dashed.
 #include <math.h>
-#include <stdlib.h>
 
 #include "plot/figure.h"
 #include "plot/script.h"
 
-enum { BUILDINGS_MAX = SCRIPT_LEGEND_MAX, PANELS = 4 };
+enum { BUILDINGS_MAX = SCRIPT_COLOURS, PANELS = 4 };
 
 struct panel {
     enum peak peak;
@@ -19,12 +19,12 @@ struct panel {
 static const struct panel panels[PANELS] = {
     {PEAK_DISPLACEMENT, "displacement", &dimension_length, "floors", 2},
     {PEAK_DRIFT, "storey drift", &dimension_length, "storeys", 2},
-    {PEAK_ACCELERATION, "total acceleration", &dimension_acceleration, "floors", 3},
-    {PEAK_SHEAR, "storey shear", &dimension_force, "storeys", 3},
+    {PEAK_ACCELERATION, "acceleration", &dimension_acceleration, "floors", 3},
+    {PEAK_SHEAR, "shear", &dimension_force, "storeys", 3},
 };
 
 struct selection {
-    const struct report *r;
+    const struct runs *s;
     int building[BUILDINGS_MAX];
     int n;
     bool heights;  // all shown buildings have them
@@ -40,17 +40,19 @@ static double largest(const struct report_building *b, enum peak peak) {
 
 // Place of the chosen building with the smallest drift.
 static int least_drift(const struct selection *s) {
+    const struct report_building *b = s->s->r[0]->building;
     int least = 0;
     for (int k = 1; k < s->n; k++) {
-        const double drift = largest(&s->r->building[s->building[k]], PEAK_DRIFT);
-        least = drift < largest(&s->r->building[s->building[least]], PEAK_DRIFT) ? k : least;
+        const double drift = largest(&b[s->building[k]], PEAK_DRIFT);
+        least = drift < largest(&b[s->building[least]], PEAK_DRIFT) ? k : least;
     }
     return least;
 }
 
 // Keeps the buildings with the largest drift, in their order of position.
-static struct selection choose(const struct report *r) {
-    struct selection s = {.r = r, .heights = true};
+static struct selection choose(const struct runs *runs) {
+    struct selection s = {.s = runs, .heights = true};
+    const struct report *r = runs->r[0];
     for (int i = 0; i < r->n_building; i++) {
         if (s.n == BUILDINGS_MAX) {
             const int least = least_drift(&s);
@@ -65,8 +67,8 @@ static struct selection choose(const struct report *r) {
         }
         s.building[s.n++] = i;
     }
-    for (int k = 0; k < s.n; k++) {
-        const struct report_building *b = &r->building[s.building[k]];
+    for (int k = 0; k < s.n * runs->n; k++) {
+        const struct report_building *b = &runs->r[k / s.n]->building[s.building[k % s.n]];
         for (int i = 0; i < b->n_floor; i++) {
             s.heights = s.heights && b->height[i] > 0;
         }
@@ -74,16 +76,21 @@ static struct selection choose(const struct report *r) {
     return s;
 }
 
-static void write_building(const struct selection *s, int k, FILE *to) {
-    const struct report_building *b = &s->r->building[s->building[k]];
+static const struct report_building *shown(const struct selection *s, int run, int k) {
+    return &s->s->r[run]->building[s->building[k]];
+}
+
+static void write_building(const struct selection *s, int run, int k, FILE *to) {
+    const struct report_building *b = shown(s, run, k);
     double level = 0;
-    fprintf(to, "$floors%d << EOD\n# level displacement acceleration\n0 0 NaN\n", k);
+    fprintf(to, "$floors%d%d << EOD\n# level displacement acceleration\n0 0 NaN\n", run, k);
     for (int i = 0; i < b->n_floor; i++) {
         level += s->heights ? b->height[i] : 1;
         fprintf(to, "%.9g %.9g %.9g\n", level, b->peak[PEAK_DISPLACEMENT][i],
                 b->peak[PEAK_ACCELERATION][i]);
     }
-    fprintf(to, "EOD\n$storeys%d << EOD\n# level drift shear, both ends of each storey\n", k);
+    fprintf(to, "EOD\n$storeys%d%d << EOD\n# level drift shear, both ends of each storey\n", run,
+            k);
     level = 0;
     for (int i = 0; i < b->n_floor; i++) {
         const double height = s->heights ? b->height[i] : 1;
@@ -95,22 +102,22 @@ static void write_building(const struct selection *s, int k, FILE *to) {
     fprintf(to, "EOD\n");
 }
 
-static double panel_maximum(const struct selection *s, const struct panel *p) {
-    double value = 0;
-    for (int k = 0; k < s->n; k++) {
-        const struct report_building *b = &s->r->building[s->building[k]];
+static struct span panel_span(const struct selection *s, const struct panel *p) {
+    struct span span = span_none;
+    for (int k = 0; k < s->n * s->s->n; k++) {
+        const struct report_building *b = shown(s, k / s->n, k % s->n);
         for (int i = 0; i < b->n_floor; i++) {
             const bool ratio = p->peak == PEAK_DRIFT && s->heights;
-            value = fmax(value, b->peak[p->peak][i] / (ratio ? b->height[i] / 100 : 1));
+            span_add(&span, b->peak[p->peak][i] / (ratio ? b->height[i] / 100 : 1));
         }
     }
-    return value;
+    return span_with_room(span, 0);
 }
 
 static double top_level(const struct selection *s) {
     double top = 0;
-    for (int k = 0; k < s->n; k++) {
-        const struct report_building *b = &s->r->building[s->building[k]];
+    for (int k = 0; k < s->n * s->s->n; k++) {
+        const struct report_building *b = shown(s, k / s->n, k % s->n);
         double level = 0;
         for (int i = 0; i < b->n_floor; i++) {
             level += s->heights ? b->height[i] : 1;
@@ -120,69 +127,67 @@ static double top_level(const struct selection *s) {
     return top;
 }
 
-static void write_panel(const struct selection *s, int at, FILE *to) {
+static void write_panel(const struct selection *s, int at, struct canvas *c) {
     const struct panel *p = &panels[at];
-    const double maximum = panel_maximum(s, p), step = script_step(maximum, 4);
-    const double left = 0.085 + 0.23 * at;
-    fprintf(to, "set lmargin at screen %.4f\nset rmargin at screen %.4f\n", left, left + 0.19);
-    fprintf(to, "set xrange [0:%.9g]\nset xtics %.9g\nset xlabel ",
-            maximum > 0 ? 1.06 * maximum : 1, step);
-    if (p->peak == PEAK_DRIFT && s->heights) {
-        script_text(to, "drift / storey height [%]");
-    } else {
-        script_axis(to, p->name, &s->r->units, *p->dimension);
+    const bool ratio = p->peak == PEAK_DRIFT && s->heights;
+    const struct axis x = {.name = ratio ? "drift / height" : p->name,
+                           .unit = ratio ? "%" : NULL,
+                           .dimension = *p->dimension,
+                           .span = panel_span(s, p)};
+    const struct axis y = {.name = at > 0       ? NULL
+                                   : s->heights ? "height"
+                                                : "floor",
+                           .unit = s->heights ? NULL : "",
+                           .dimension = dimension_length,
+                           .span = {0, 1.02 * top_level(s)},
+                           .kind = at > 0 ? AXIS_WITHOUT_NUMBERS : AXIS_FULL,
+                           .step = s->heights ? 0 : 1};
+    struct canvas within = *c;
+    within.area.left += 4.2;
+    const struct area part = canvas_part(&within, at / 4.0, (at + 1) / 4.0, 0, 1);
+    canvas_panel(c, canvas_inset(part, 1.1, 1.1, 3.2, 0.5), &s->s->r[0]->units, &x, &y);
+    fprintf(c->to, "plot");
+    for (int k = 0; k < s->n * s->s->n; k++) {
+        const int run = k / s->n, building = k % s->n;
+        fprintf(c->to, "%s \\\n  $%s%d%d using %d:1 with %s lc rgb '%s' dt %s", k > 0 ? "," : "",
+                p->data, run, building, p->column, p->data[0] == 'f' ? "linespoints" : "lines",
+                script_colour[building], run > 0 ? "(10,6)" : "solid");
+        if (p->data[0] == 'f') {
+            fprintf(c->to, " pt %d ps 1*point", run > 0 ? 6 : 7);
+        }
     }
-    if (at == 1) {
-        fprintf(to, "\nunset ylabel\nset format y ''");
-    }
-    fprintf(to, "\nplot \\\n");
-    for (int k = 0; k < s->n; k++) {
-        fprintf(to, "  $%s%d using %d:1 with %s lc rgb '%s' dt %d", p->data, k, p->column,
-                p->data[0] == 'f' ? "linespoints pt 7 ps 0.6" : "lines",
-                script_colour[k % SCRIPT_COLOURS], 1 + k / SCRIPT_COLOURS);
-        fprintf(to, "%s", k + 1 < s->n ? ", \\\n" : "\n");
-    }
-    script_head_end(to);
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
 }
 
-static void write_titles(const struct selection *s, FILE *to) {
-    const struct report *r = s->r;
-    char text[160] = "largest absolute values over all computed steps";
+static void write_head(const struct selection *s, struct canvas *c) {
+    const struct report *r = s->s->r[0];
+    char text[160] = "largest absolute values over all computed steps; total accelerations";
     if (s->n < r->n_building) {
         snprintf(text, sizeof text,
-                 "largest absolute values; %d of %d buildings: those with the largest drift", s->n,
+                 "largest absolute values of the %d of %d buildings that drift most", s->n,
                  r->n_building);
     }
-    script_head(to, r->title[0] ? r->title : r->deck_file, text);
+    canvas_head(c, runs_title(s->s), text);
     for (int k = 0; k < s->n; k++) {
-        script_legend(to, k, 1, k < SCRIPT_COLOURS ? SCRIPT_LINE : SCRIPT_DASHED,
-                      script_colour[k % SCRIPT_COLOURS], r->building[s->building[k]].name);
+        canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, shown(s, 0, k)->name);
+    }
+    for (int k = 0; k < s->s->n && s->s->n > 1; k++) {
+        canvas_legend(c, (struct mark){k > 0 ? MARK_DASHED : MARK_LINE, "#808080", 0},
+                      s->s->name[k]);
     }
 }
 
-static int draw(const struct result_file *file, FILE *to, struct error *e) {
+static int draw(const struct runs *runs, struct canvas *c, struct error *e) {
     (void)e;
-    const struct selection s = choose(result_report(file));
-    for (int k = 0; k < s.n; k++) {
-        write_building(&s, k, to);
+    const struct selection s = choose(runs);
+    for (int k = 0; k < s.n * runs->n; k++) {
+        write_building(&s, k / s.n, k % s.n, c->to);
     }
-    write_titles(&s, to);
-    const double top = top_level(&s);
-    const double step = script_step(top, 10);
-    fprintf(to,
-            "set multiplot\nset tmargin at screen 0.82\nset bmargin at screen 0.115\n"
-            "set yrange [0:%.9g]\nset ytics %.9g\nset format x '%%g'\nset ylabel ",
-            1.02 * top, s.heights || step > 1 ? step : 1);
-    if (s.heights) {
-        script_axis(to, "height", &s.r->units, dimension_length);
-    } else {
-        script_text(to, "floor");
-    }
-    fprintf(to, "\n");
+    write_head(&s, c);
     for (int at = 0; at < PANELS; at++) {
-        write_panel(&s, at, to);
+        write_panel(&s, at, c);
     }
-    fprintf(to, "unset multiplot\n");
     return STATUS_OK;
 }
 

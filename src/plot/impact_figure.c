@@ -151,7 +151,7 @@ static void write_panels(const struct impact_figure *f, const struct extent *x,
     write_axis(to, "y", "contact force", &s->force, x->force_min, x->force_max);
     write_axis(to, "x", "time", &s->time, x->time_min, x->time_max);
     write_panel(f, 1, 0.085, to);
-    script_head_end(to);
+    fprintf(to, "unset label\nunset arrow\nunset object\n");
     write_axis(to, "x", "penetration", &s->length, 0.0, x->depth_max);
     fprintf(to, "unset ylabel\n");
     write_panel(f, 3, 0.575, to);

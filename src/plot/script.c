@@ -36,16 +36,36 @@ static void raise(char *text) {
 
 void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
                  size_t size) {
-    unit_text(units, dimension, text, size);
-    raise(text);
+    char plain[64];
+    size_t n = 0;
+    unit_text(units, dimension, plain, sizeof plain);
+    raise(plain);
+    for (const char *s = plain; *s && n + 2 < size; s++) {
+        if (*s == '*') {
+            text[n++] = (char)0xC2;
+            text[n++] = (char)0xB7;
+        } else {
+            text[n++] = *s;
+        }
+    }
+    text[n] = '\0';
 }
 
-void script_axis(FILE *to, const char *name, const struct unit_system *units,
-                 struct dimension dimension) {
-    char unit[64], text[160];
-    script_unit(units, dimension, unit, sizeof unit);
-    snprintf(text, sizeof text, "%s [%s]", name, unit);
-    script_text(to, text);
+void script_power(int exponent, char *text, size_t size) {
+    // The digits as UTF-8; those of Latin-1 are shorter.
+    static const char raised[][4] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                     "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    char digits[16];
+    snprintf(digits, sizeof digits, "%d", abs(exponent));
+    size_t n = (size_t)snprintf(text, size, "10%s", exponent < 0 ? "\u207b" : "");
+    for (const char *s = digits; *s && n < size; s++) {
+        n += (size_t)snprintf(text + n, size - n, "%s", raised[*s - '0']);
+    }
+}
+
+void script_number(double value, char *text, size_t size) {
+    const double magnitude = fabs(value);
+    snprintf(text, size, magnitude >= 1e4 && magnitude < 1e7 ? "%.0f" : "%.4g", value);
 }
 
 double script_step(double largest, int n) {
@@ -58,15 +78,38 @@ double script_step(double largest, int n) {
     return power * (ratio <= 1 ? 1 : ratio <= 2 ? 2 : ratio <= 5 ? 5 : 10);
 }
 
-void script_cut(const char *text, int columns, char *cut, size_t size) {
-    const char *end = text;
-    for (int n = 0; *end && n < columns; n++) {
-        end++;
-        while (((unsigned char)*end & 0xC0) == 0x80) {
-            end++;
+// Behind the next `n` characters.
+static const char *skip(const char *text, int n) {
+    for (int i = 0; *text && i < n; i++) {
+        text++;
+        while (((unsigned char)*text & 0xC0) == 0x80) {
+            text++;
         }
     }
-    snprintf(cut, size, "%.*s%s", (int)(end - text), text, *end ? "..." : "");
+    return text;
+}
+
+int script_columns(const char *text) {
+    int n = 0;
+    for (; *text; text = skip(text, 1)) {
+        n++;
+    }
+    return n;
+}
+
+void script_shorten(const char *name, int columns, char *cut, size_t size) {
+    const int n = script_columns(name);
+    if (n <= columns) {
+        snprintf(cut, size, "%s", name);
+        return;
+    }
+    const int tail = (columns - 1) / 2, head = columns - 1 - tail;
+    snprintf(cut, size, "%.*s\u2026%s", (int)(skip(name, head) - name), name, skip(name, n - tail));
+}
+
+void script_cut(const char *text, int columns, char *cut, size_t size) {
+    const char *end = skip(text, columns);
+    snprintf(cut, size, "%.*s%s", (int)(end - text), text, *end ? "\u2026" : "");
 }
 
 void script_head(FILE *to, const char *title, const char *subtitle) {
@@ -78,10 +121,6 @@ void script_head(FILE *to, const char *title, const char *subtitle) {
     script_cut(subtitle, 105, cut, sizeof cut);
     script_text(to, cut);
     fprintf(to, " at screen 0.5,0.925 center\n");
-}
-
-void script_head_end(FILE *to) {
-    fprintf(to, "unset label\nunset arrow\nunset object\n");
 }
 
 void script_legend(FILE *to, int i, int width, enum script_mark mark, const char *colour,

@@ -16,17 +16,17 @@ extern const char *const script_colour[];
 // `text` as a gnuplot string in single quotes. Line ends become blanks.
 void script_text(FILE *to, const char *text);
 
-// "name [unit]" as a gnuplot string, powers as raised digits.
-void script_axis(FILE *to, const char *name, const struct unit_system *units,
-                 struct dimension dimension);
-
 // A text whose end is cut off behind `columns` characters.
 void script_cut(const char *text, int columns, char *cut, size_t size);
 
-// Title and subtitle above everything. Unset them behind the first plot with script_head_end, which
-// takes the legend away too.
+// A name with its middle left out, so that it has at most `columns` characters.
+void script_shorten(const char *name, int columns, char *cut, size_t size);
+
+// The number of characters of an UTF-8 text.
+int script_columns(const char *text);
+
+// Title and subtitle above everything, on the sheet of figure_head.
 void script_head(FILE *to, const char *title, const char *subtitle);
-void script_head_end(FILE *to);
 
 // An entry of the legend at place `i`, four in a row, `width` places wide: what stands for the
 // data, and its name.
@@ -35,9 +35,15 @@ enum { SCRIPT_LEGEND_MAX = 8 };
 void script_legend(FILE *to, int i, int width, enum script_mark mark, const char *colour,
                    const char *name);
 
-// The unit alone, for running text.
+// The unit, powers as raised digits, products with raised points.
 void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
                  size_t size);
+
+// Ten to the power `exponent`, in raised digits.
+void script_power(int exponent, char *text, size_t size);
+
+// A number for running text: four digits, or all before the point.
+void script_number(double value, char *text, size_t size);
 
 // A step of 1, 2 or 5 times a power of ten that divides [0, largest] into at most `n` parts.
 double script_step(double largest, int n);

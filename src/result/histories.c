@@ -78,8 +78,20 @@ int result_contact_history(const struct result_file *f, enum field field, int co
     return read_column(f, path, contact, out, e);
 }
 
+int result_link_history(const struct result_file *f, enum field field, int link, double *out,
+                        struct error *e) {
+    return read_column(f, field == FIELD_FORCE ? "/links/force" : "/links/deformation", link, out,
+                       e);
+}
+
 int result_ground(const struct result_file *f, int building, double *out, struct error *e) {
     char path[512];
     snprintf(path, sizeof path, "/ground/%s", f->report->building[building].name);
+    return read_column(f, path, -1, out, e);
+}
+
+int result_energy(const struct result_file *f, enum energy energy, double *out, struct error *e) {
+    char path[64];
+    snprintf(path, sizeof path, "/energy/%s", energy_names[energy]);
     return read_column(f, path, -1, out, e);
 }

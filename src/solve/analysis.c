@@ -95,9 +95,12 @@ static int spend_cut(struct run *r, double h, int cuts) {
 }
 
 // Steps to the instant of an event with its link held as it was. Where the step is long the instant
-// is only an estimate: it is mended until the link stands near d = 0. STATUS_RETRY: not found.
+// is only an estimate: it is mended until the link stands near d = 0, or where it stood before if
+// it was inside by an error. STATUS_RETRY: not found.
 static int step_to_event(struct run *r, struct event *event, double end, double h) {
-    double sign = r->now->closed[event->link] ? -1.0 : 1.0;
+    bool opens = r->now->closed[event->link];
+    double sign = opens ? -1.0 : 1.0;
+    double start = opens ? 0.0 : fmax(r->now->delta[event->link], 0.0);
     double located = r->model->link[event->link].law->rebound ? LOCATED_RIGID : LOCATED_JUMP;
     double low = 0.0;
     double high = h;
@@ -106,7 +109,7 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
         r->work.held = event->link;
         int status = newmark_step(&r->work, r->now, r->next, instant, event->time, r->error);
         r->work.held = -1;
-        double d = r->next->delta[event->link];
+        double d = r->next->delta[event->link] - start;
         double v = state_rate(r->next, r->model, event->link);
         *(sign * d < 0.0 ? &low : &high) = event->time;
         bool near = fabs(d) <= located * fabs(v) * h || high - low <= 1e-9 * h;

@@ -41,9 +41,11 @@ static double jump_time(const struct model *m, const struct state *now, const st
 static double meeting_time(const struct model *m, const struct state *now, const struct state *next,
                            double h, int k) {
     struct path path = path_of(m, now, next, h, k);
+    double inside = fmax(path.d0, 0.0);  // by an error of rounding or integration
     double rate;
-    bool meets = path.d1 > fmax(path.d0, 0.0) + state_rounding(&m->link[k], next->u);
-    path.d0 = fmin(path.d0, 0.0);
+    path.d0 -= inside;
+    path.d1 -= inside;
+    bool meets = path.d1 > state_rounding(&m->link[k], next->u);
     if (meets) {
         return crossing_find(&path, &rate);
     }

@@ -126,6 +126,7 @@ const struct contact_law contact_rubber = {
               "42, 81-100 (numbers not checked); relation derived from the energy of the release",
     .remarks = "for bumpers of limited thickness; never pulls, no jumps; delivers e exactly; the "
                "rate of loading does not stiffen it",
+    .example = "-k 2e9N/m^2 -n 2 -e 0.5",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -117,6 +117,7 @@ const struct contact_law contact_table = {
     .source = "none: interpolation of a file",
     .remarks = "for pads and bumpers with a measured curve; never pulls, no jumps; does not see "
                "the rate of loading; beyond the file the last slope is a guess",
+    .example = "-file input/pad.txt",
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Places on the sheet. A character is taken to be 0.56 em wide, the mean of usual sans-serif fonts
+// over running text; columns are reckoned with that.
+#include "plot/canvas.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "plot/script.h"
+
+static const double character = 0.56;  // [em]
+
+// " at screen x,y" of a point in em.
+static void write_place(const struct canvas *c, double x, double y) {
+    fprintf(c->to, " at screen %.4f,%.4f", x / c->width, y / c->height);
+}
+
+static void write_label(const struct canvas *c, const char *text, double width) {
+    char cut[512];
+    script_cut(text, (int)(width / character), cut, sizeof cut);
+    fprintf(c->to, "set label ");
+    script_text(c->to, cut);
+}
+
+void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
+    struct area *a = &c->area;
+    if (c->kind == CANVAS_BLOCK) {
+        write_label(c, subtitle, a->right - a->left);
+        write_place(c, a->left, a->top - 0.7);
+        fprintf(c->to, " left font block_font\n");
+        a->top -= 1.5;
+        return;
+    }
+    write_label(c, title, c->width / 1.25);
+    write_place(c, c->width / 2, a->top - 1);
+    fprintf(c->to, " center font title_font\n");
+    write_label(c, subtitle, c->width);
+    write_place(c, c->width / 2, a->top - 2.5);
+    fprintf(c->to, " center\n");
+    a->top -= 3.3;
+}
+
+static void write_mark(const struct canvas *c, struct mark mark, double x, double y) {
+    const double size = mark.size > 0 ? mark.size : 1;
+    switch (mark.kind) {
+        case MARK_LINE:
+        case MARK_DASHED:
+            fprintf(c->to,
+                    "set arrow from screen %.4f,%.4f rto screen %.4f,0 nohead lc rgb '%s' lw 1.5 "
+                    "dt %s\n",
+                    x / c->width, y / c->height, 1.6 / c->width, mark.colour,
+                    mark.kind == MARK_DASHED ? "(10,6)" : "solid");
+            break;
+        case MARK_AREA:
+            fprintf(c->to,
+                    "set object rectangle from screen %.4f,%.4f rto screen %.4f,%.4f "
+                    "fc rgb '%s' fs solid noborder\n",
+                    x / c->width, (y - 0.35) / c->height, 1.6 / c->width, 0.7 / c->height,
+                    mark.colour);
+            break;
+        case MARK_POINT:
+        case MARK_RING:
+        case MARK_CROSS:
+            fprintf(c->to, "set label ''");
+            write_place(c, x + 0.8, y);
+            fprintf(c->to, " point pt %d ps %.3g*point lc rgb '%s'\n",
+                    mark.kind == MARK_POINT  ? 7
+                    : mark.kind == MARK_RING ? 6
+                                             : 2,
+                    size, mark.colour);
+            break;
+    }
+}
+
+void canvas_legend(struct canvas *c, struct mark mark, const char *name) {
+    char cut[128];
+    script_cut(name, 40, cut, sizeof cut);
+    const double width = 2.1 + character * script_columns(cut) + 1.6;
+    const double left = c->area.left + (c->kind == CANVAS_SHEET ? 1 : 0);
+    if (c->entry == 0 || c->entry + width > c->area.right + 1) {
+        c->entry = left;
+        c->area.top -= 1.35;
+    }
+    const double y = c->area.top + 0.5;
+    write_mark(c, mark, c->entry, y);
+    fprintf(c->to, "set label ");
+    script_text(c->to, cut);
+    write_place(c, c->entry + 2.1, y);
+    fprintf(c->to, " left\n");
+    c->entry += width;
+}
+
+struct area canvas_part(const struct canvas *c, double x0, double x1, double y0, double y1) {
+    const struct area *a = &c->area;
+    const double width = a->right - a->left, height = a->top - a->bottom;
+    return (struct area){a->left + x0 * width, a->left + x1 * width, a->bottom + y0 * height,
+                         a->bottom + y1 * height};
+}
+
+struct area canvas_inset(struct area a, double left, double right, double bottom, double top) {
+    return (struct area){a.left + left, a.right - right, a.bottom + bottom, a.top - top};
+}
+
+// Numbers too long to stand beside an axis are shown in this power of ten; 0: as they are.
+static int axis_power(const struct axis *axis) {
+    const double most = fmax(fabs(axis->span.low), fabs(axis->span.high));
+    const bool signs = axis->span.low < 0;
+    const bool fits = most < 1e4 && most >= (signs ? 0.02 : 0.005);
+    return fits || most == 0 || axis->kind != AXIS_FULL ? 0 : 3 * (int)floor(log10(most) / 3);
+}
+
+static void axis_text(const struct axis *axis, const struct unit_system *units, char *text,
+                      size_t size) {
+    char unit[64], power[32] = "";
+    script_unit(units, axis->dimension, unit, sizeof unit);
+    if (axis_power(axis) != 0) {
+        script_power(axis_power(axis), power, sizeof power);
+    }
+    const char *shown = axis->unit ? axis->unit : unit;
+    const char *between = power[0] && shown[0] ? " " : "";
+    snprintf(text, size, power[0] || shown[0] ? "%s [%s%s%s]" : "%s", axis->name, power, between,
+             shown);
+}
+
+// The longest of the numbers at the ends of an axis with this step, in characters.
+static int number_columns(const struct axis *axis, double step) {
+    char low[32], high[32];
+    const double unit = pow(10, axis_power(axis));
+    const double first = step * ceil(axis->span.low / step);
+    const double last = step * (floor(axis->span.high / step) - 1);
+    const int n = snprintf(low, sizeof low, "%.5g", first / unit);
+    const int m = snprintf(high, sizeof high, "%.5g", last / unit);
+    return n > m ? n : m;
+}
+
+// The smallest step whose numbers find room along `length` em; `line` is the room of one across. At
+// least two numbers are shown: where zero would stand alone, the largest round one is the step.
+static double fitting_step(const struct axis *axis, double length, double line) {
+    const double size = axis->span.high - axis->span.low;
+    double step = 0;
+    for (int n = 8; n > 1; n--) {
+        step = fmax(script_step(size, n), axis->step);
+        const double room = line > 0 ? line : 0.62 * number_columns(axis, step) + 0.6;
+        if (step / size * length >= room) {
+            break;
+        }
+    }
+    if (floor(axis->span.high / step) > ceil(axis->span.low / step)) {
+        return step;
+    }
+    const double most = fmax(fabs(axis->span.low), fabs(axis->span.high));
+    const double power = pow(10, floor(log10(most)));
+    return power * floor(most / power);
+}
+
+// The tics one by one, as multiples of the axis's power of ten.
+static void write_numbers(const struct canvas *c, char letter, const struct axis *axis,
+                          double step) {
+    const double unit = pow(10, axis_power(axis));
+    const long first = (long)ceil(axis->span.low / step), last = (long)(axis->span.high / step);
+    fprintf(c->to, "set %ctics (", letter);
+    for (long i = first; i <= last; i++) {
+        fprintf(c->to, "%s'%.5g' %.9g", i > first ? ", " : "", (double)i * step / unit,
+                (double)i * step);
+    }
+    fprintf(c->to, ")\n");
+}
+
+// Tics at 1, 2 and 5 of every decade.
+static void write_decades(const struct canvas *c, char letter, const struct axis *axis) {
+    static const double leading[] = {1, 2, 5};
+    const double low = axis->span.low, high = axis->span.high;
+    const char *between = "";
+    fprintf(c->to, "set logscale %c\nset %ctics (", letter, letter);
+    for (double decade = pow(10, floor(log10(low))); decade <= high; decade *= 10) {
+        for (int i = 0; i < 3; i++) {
+            const double at = leading[i] * decade;
+            if (at >= low * (1 - 1e-9) && at <= high * (1 + 1e-9)) {
+                fprintf(c->to, "%s'%g' %g", between, at, at);
+                between = ", ";
+            }
+        }
+    }
+    fprintf(c->to, ")\n");
+}
+
+static void write_scale(const struct canvas *c, char letter, const struct axis *axis, double length,
+                        double line) {
+    fprintf(c->to, "set %crange [%.9g:%.9g]\n", letter, axis->span.low, axis->span.high);
+    if (axis->kind == AXIS_LOGARITHMIC) {
+        write_decades(c, letter, axis);
+        return;
+    }
+    const double step = fitting_step(axis, length, line);
+    if (axis_power(axis) != 0) {
+        write_numbers(c, letter, axis, step);
+        return;
+    }
+    fprintf(c->to, "set %ctics %.9g\nset format %c '%s'\n", letter, step, letter,
+            axis->kind == AXIS_FULL ? "%h" : "");
+}
+
+void canvas_upright(const struct canvas *c, struct area a, const struct unit_system *units,
+                    const struct axis *axis) {
+    char text[160], name[160];
+    axis_text(axis, units, text, sizeof text);
+    const char *unit = strstr(text, " [");
+    const bool fits = !unit || character * script_columns(text) <= a.top - a.bottom;
+    fprintf(c->to, "set label ");
+    if (!fits) {
+        snprintf(name, sizeof name, "%.*s", (int)(unit - text), text);
+        script_text(c->to, name);
+        fprintf(c->to, ".\"\\n\".");
+    }
+    script_text(c->to, fits ? text : unit + 1);
+    write_place(c, a.left - (fits ? 4.4 : 5.0), (a.top + a.bottom) / 2);
+    fprintf(c->to, " center rotate by 90\n");
+}
+
+void canvas_panel(const struct canvas *c, struct area a, const struct unit_system *units,
+                  const struct axis *x, const struct axis *y) {
+    char text[160];
+    fprintf(c->to,
+            "unset logscale\nset lmargin at screen %.4f\nset rmargin at screen %.4f\n"
+            "set bmargin at screen %.4f\nset tmargin at screen %.4f\n",
+            a.left / c->width, a.right / c->width, a.bottom / c->height, a.top / c->height);
+    write_scale(c, 'x', x, a.right - a.left, 0);
+    write_scale(c, 'y', y, a.top - a.bottom, 1.5);
+    if (x->name) {
+        axis_text(x, units, text, sizeof text);
+        fprintf(c->to, "set label ");
+        script_text(c->to, text);
+        write_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
+        fprintf(c->to, " center\n");
+    }
+    if (y->name) {
+        canvas_upright(c, a, units, y);
+    }
+}
+
+void canvas_caption(const struct canvas *c, struct area a, const char *text) {
+    char cut[256];
+    script_shorten(text, (int)((a.right - a.left + 1) / 0.58), cut, sizeof cut);
+    fprintf(c->to, "set label ");
+    script_text(c->to, cut);
+    write_place(c, a.left, a.top + 0.65);
+    fprintf(c->to, " left\n");
+}
+
+void canvas_panel_end(const struct canvas *c) {
+    fprintf(c->to, "unset label\nunset arrow\nunset object\n");
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where things stand on the sheet: heads, legends, and panels with their axes. Lengths are in em,
+// the height of a character, from the lower left corner, so that text fits at every size.
+#ifndef JOSTLE_CANVAS_H
+#define JOSTLE_CANVAS_H
+
+#include <stdio.h>
+
+#include "jostle/units.h"
+#include "plot/span.h"
+
+// An upright rectangle [em].
+struct area {
+    double left, right, bottom, top;
+};
+
+// A whole sheet has a title; a block of the overview has a heading.
+enum canvas_kind { CANVAS_SHEET, CANVAS_BLOCK };
+
+struct canvas {
+    FILE *to;  // borrowed
+    enum canvas_kind kind;
+    double width, height;  // of the sheet [em]
+    struct area area;      // what is left for the panels; the legend takes from it
+    double entry;          // where the next entry of the legend begins [em]; 0: no line is open
+};
+
+// The title, on a sheet only, and a line that says what is shown. They, and the legend, are drawn
+// with the first panel. Texts that do not fit are cut.
+void canvas_head(struct canvas *c, const char *title, const char *subtitle);
+
+// An entry of the legend behind the last one: what stands for the data, and its name.
+enum mark_kind { MARK_LINE, MARK_DASHED, MARK_AREA, MARK_POINT, MARK_RING, MARK_CROSS };
+struct mark {
+    enum mark_kind kind;
+    const char *colour;
+    double size;  // of points; 0: as usual
+};
+void canvas_legend(struct canvas *c, struct mark mark, const char *name);
+
+// The part of the area between the fractions x0 to x1 of its width and y0 to y1 of its height.
+struct area canvas_part(const struct canvas *c, double x0, double x1, double y0, double y1);
+
+// Room for the texts at the axes within an area [em].
+struct area canvas_inset(struct area a, double left, double right, double bottom, double top);
+
+enum axis_kind { AXIS_FULL, AXIS_WITHOUT_NUMBERS, AXIS_LOGARITHMIC };
+struct axis {
+    const char *name;  // NULL: none
+    const char *unit;  // in place of `dimension`; "": a number
+    struct dimension dimension;
+    struct span span;
+    enum axis_kind kind;
+    double step;  // between tics at least; 0: any
+};
+
+// Opens a panel whose axes stand at the sides of `a`; the plot command follows. Nothing is left
+// from panels before.
+void canvas_panel(const struct canvas *c, struct area a, const struct unit_system *units,
+                  const struct axis *x, const struct axis *y);
+
+// The name of an upright axis beside `a`, for several panels above each other. The unit takes a
+// second line where there is no room.
+void canvas_upright(const struct canvas *c, struct area a, const struct unit_system *units,
+                    const struct axis *axis);
+
+// A text above the upper left corner of the panel to be plotted.
+void canvas_caption(const struct canvas *c, struct area a, const char *text);
+
+// Behind the plot command: takes away what belongs to that panel.
+void canvas_panel_end(const struct canvas *c);
+
+#endif

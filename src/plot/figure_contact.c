@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The force of each contact and link over time, of many those with the largest, and the hardest
+// impact enlarged. Rows of output may miss the peak of an impact; the largest force of each impact,
+// which is kept over all computed steps, is drawn as an upright line.
+#include <math.h>
+#include <stdlib.h>
+
+#include "plot/data.h"
+#include "plot/figure.h"
+#include "plot/script.h"
+
+enum { STRIPS_MAX = 6, BINS = 500, PEAKS_MAX = 500 };
+
+// A contact, or behind the contacts a link, of the first run.
+struct view {
+    const struct runs *s;
+    int n;                  // strips
+    int strip[STRIPS_MAX];  // contact, or n_contact + link
+    int n_active;           // contacts that hit and links
+    int contact[RUNS_MAX];  // the hardest; -1: none
+    long impact[RUNS_MAX];  // its hardest impact; -1: none
+    struct span force;      // of the contacts
+};
+
+static const char *lacks(const struct runs *s) {
+    if (s->r[0]->n_contact + s->r[0]->n_link == 0) {
+        return s->n > 1 ? "contacts; name the run that has them first" : "contacts";
+    }
+    return runs_have(s, FIELD_FORCE) ? NULL : "contact forces; see output -fields";
+}
+
+static const struct report_link *link_of(const struct report *r, int i) {
+    return i < r->n_contact ? &r->contact[i] : &r->link[i - r->n_contact];
+}
+
+// Index of the first run's contact or link in another run; -1: it has none.
+static int index_in(const struct view *v, int run, int i) {
+    const int n = v->s->r[0]->n_contact;
+    if (i < n) {
+        return runs_same_contact(v->s, run, i);
+    }
+    return i - n < v->s->r[run]->n_link ? v->s->r[run]->n_contact + i - n : -1;
+}
+
+// The largest force of all runs.
+static double largest_force(const struct view *v, int i) {
+    double force = 0;
+    for (int k = 0; k < v->s->n; k++) {
+        const int at = index_in(v, k, i);
+        force = fmax(force, at < 0 ? 0 : link_of(v->s->r[k], at)->peak.force);
+    }
+    return force;
+}
+
+// Links always, contacts that were hit in any run.
+static bool is_active(const struct view *v, int i) {
+    bool active = i >= v->s->r[0]->n_contact;
+    for (int k = 0; k < v->s->n && !active; k++) {
+        const int at = index_in(v, k, i);
+        active = at >= 0 && v->s->r[k]->contact[at].peak.impacts > 0;
+    }
+    return active;
+}
+
+// Puts `i` among the strips, the largest force first; the last one falls out.
+static void place(struct view *v, int i) {
+    int at = v->n;
+    while (at > 0 && largest_force(v, i) > largest_force(v, v->strip[at - 1])) {
+        at--;
+    }
+    if (at == STRIPS_MAX) {
+        return;
+    }
+    v->n += v->n < STRIPS_MAX;
+    for (int k = v->n - 1; k > at; k--) {
+        v->strip[k] = v->strip[k - 1];
+    }
+    v->strip[at] = i;
+}
+
+static int ascending(const void *left, const void *right) {
+    const int a = *(const int *)left, b = *(const int *)right;
+    return (a > b) - (a < b);
+}
+
+static void choose(struct view *v) {
+    const struct report *r = v->s->r[0];
+    const int n = r->n_contact + r->n_link;
+    for (int i = 0; i < n; i++) {
+        v->n_active += is_active(v, i);
+    }
+    for (int i = 0; i < n; i++) {
+        if (v->n_active == 0 || is_active(v, i)) {
+            place(v, i);
+        }
+    }
+    qsort(v->strip, (size_t)v->n, sizeof v->strip[0], ascending);
+    runs_hardest_contact(v->s, v->contact);
+    for (int k = 0; k < RUNS_MAX; k++) {
+        v->impact[k] = k < v->s->n ? runs_hardest_impact(v->s->r[k], v->contact[k]) : -1;
+    }
+}
+
+// The largest force among the impact's rows and its time; of one between two rows, its middle.
+static double largest_row(const struct impact *p, const struct data *d, double *time) {
+    double most = 0;
+    *time = (p->t_start + p->t_end) / 2;
+    for (size_t i = data_row(d, p->t_start); i < d->n_row && d->column[0][i] <= p->t_end; i++) {
+        if (d->column[1][i] > most) {
+            most = d->column[1][i];
+            *time = d->column[0][i];
+        }
+    }
+    return most;
+}
+
+// The largest force of each impact that the rows miss, thinned to the hardest of equal parts of the
+// duration.
+static int write_peaks(const struct report *r, int contact, const struct data *d, const char *name,
+                       FILE *to, struct error *e) {
+    long *hardest = malloc(PEAKS_MAX * sizeof *hardest);
+    if (!hardest) {
+        return error_no_memory(e);
+    }
+    runs_hardest_of_parts(r, contact, PEAKS_MAX, hardest);
+    fprintf(to, "$%s << EOD\n# time of an impact, its largest force\nNaN NaN\n", name);
+    for (int k = 0; k < PEAKS_MAX; k++) {
+        const struct impact *p = hardest[k] < 0 ? NULL : &r->impact[hardest[k]];
+        double time;
+        if (p && largest_row(p, d, &time) < 0.98 * p->peak_force) {
+            fprintf(to, "%.7g %.7g\n", time, p->peak_force);
+        }
+    }
+    fprintf(to, "EOD\n");
+    free(hardest);
+    return STATUS_OK;
+}
+
+static int read_force(const struct runs *s, int run, int i, struct data *d, struct error *e) {
+    const int n = s->r[run]->n_contact;
+    int status = result_time(s->file[run], d->column[0], e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    return i < n ? result_contact_history(s->file[run], FIELD_FORCE, i, d->column[1], e)
+                 : result_link_history(s->file[run], FIELD_FORCE, i - n, d->column[1], e);
+}
+
+// The rows of the hardest impact from closure on, with its ends and its peak where they are known.
+static void write_pulse(const struct view *v, int run, const struct data *d, FILE *to) {
+    const struct report *r = v->s->r[run];
+    const struct impact *p = &r->impact[v->impact[run]];
+    const struct link_peak *peak = &r->contact[v->contact[run]].peak;
+    bool done = false;
+    fprintf(to, "$pulse%d << EOD\n# time from closure, force\n0 0\n", run);
+    for (size_t i = data_row(d, p->t_start); i < d->n_row && d->column[0][i] <= p->t_end; i++) {
+        if (!done && d->column[0][i] >= peak->force_time) {
+            fprintf(to, "%.7g %.7g\n", peak->force_time - p->t_start, peak->force);
+            done = true;
+        }
+        fprintf(to, "%.7g %.7g\n", d->column[0][i] - p->t_start, d->column[1][i]);
+    }
+    if (!done) {
+        fprintf(to, "%.7g %.7g\n", peak->force_time - p->t_start, peak->force);
+    }
+    fprintf(to, "%.7g 0\nEOD\n", p->t_end - p->t_start);
+}
+
+static int write_strip_data(struct view *v, int run, int strip, FILE *to, struct error *e) {
+    const int i = index_in(v, run, v->strip[strip]);
+    const struct report *r = v->s->r[run];
+    char name[32];
+    struct data d;
+    if (i < 0) {
+        return STATUS_OK;
+    }
+    int status = data_create(&d, r->n_row, 2, e);
+    if (status == STATUS_OK) {
+        status = read_force(v->s, run, i, &d, e);
+    }
+    if (status == STATUS_OK) {
+        snprintf(name, sizeof name, "force%d%d", run, strip);
+        status = data_write(&d, name, "time force", BINS, to, e);
+    }
+    if (status == STATUS_OK && i < r->n_contact) {
+        data_span(&d, 1, &v->force);
+        span_add(&v->force, r->contact[i].peak.force);
+        snprintf(name, sizeof name, "peaks%d%d", run, strip);
+        status = write_peaks(r, i, &d, name, to, e);
+    }
+    if (status == STATUS_OK && i == v->contact[run] && v->impact[run] >= 0) {
+        write_pulse(v, run, &d, to);
+    }
+    data_free(&d);
+    return status;
+}
+
+static struct span strip_span(const struct view *v, int strip) {
+    const int n = v->s->r[0]->n_contact;
+    if (v->strip[strip] < n) {
+        return span_with_room(v->force, 0);
+    }
+    struct span span = span_none;
+    span_add(&span, link_of(v->s->r[0], v->strip[strip])->peak.force);
+    span_add(&span, -link_of(v->s->r[0], v->strip[strip])->peak.force);
+    return span_with_room(span, NAN);
+}
+
+static void write_strip(const struct view *v, struct canvas *c, struct area a, int strip) {
+    const bool last = strip == v->n - 1;
+    const struct axis x = {.name = last ? "time" : NULL,
+                           .dimension = dimension_time,
+                           .span = {0, runs_duration(v->s)},
+                           .kind = last ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
+    const struct axis y = {.dimension = dimension_force, .span = strip_span(v, strip)};
+    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    canvas_caption(c, a, link_of(v->s->r[0], v->strip[strip])->name);
+    const char *before = "plot";
+    for (int k = 0; k < v->s->n; k++) {
+        const int i = index_in(v, k, v->strip[strip]);
+        if (i < 0) {
+            continue;
+        }
+        fprintf(c->to, "%s \\\n  $force%d%d using 1:2 with lines lc rgb '%s' lw 0.8", before, k,
+                strip, script_colour[k]);
+        before = ",";
+        if (i < v->s->r[k]->n_contact) {
+            fprintf(c->to, ", \\\n  $peaks%d%d using 1:2 with impulses lc rgb '%s'", k, strip,
+                    script_colour[k]);
+        }
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
+    struct span force = v->force, time = span_none;
+    char text[320];
+    for (int k = 0; k < v->s->n; k++) {
+        if (v->impact[k] >= 0) {
+            const struct impact *p = &v->s->r[k]->impact[v->impact[k]];
+            span_add(&time, p->t_end - p->t_start);
+        }
+    }
+    const struct axis x = {
+        .name = "time from closure", .dimension = dimension_time, .span = span_with_room(time, 0)};
+    const struct axis y = {
+        .name = NULL, .dimension = dimension_force, .span = span_with_room(force, 0)};
+    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    snprintf(text, sizeof text, "hardest: %s", link_of(v->s->r[0], v->contact[0])->name);
+    canvas_caption(c, a, text);
+    const char *before = "plot";
+    for (int k = 0; k < v->s->n; k++) {
+        if (v->impact[k] >= 0) {
+            fprintf(c->to,
+                    "%s \\\n  $pulse%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s'",
+                    before, k, k > 0 ? 6 : 7, script_colour[k]);
+            before = ",";
+        }
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static void write_head(const struct view *v, struct canvas *c) {
+    const struct report *r = v->s->r[0];
+    char text[160];
+    if (v->n_active == 0) {
+        snprintf(text, sizeof text, "contact forces; no contact closed");
+    } else if (v->n < v->n_active) {
+        snprintf(text, sizeof text, "contact forces; the %d largest of %d", v->n, v->n_active);
+    } else {
+        snprintf(text, sizeof text, "contact forces%s", r->n_link > 0 ? " and link forces" : "");
+    }
+    canvas_head(c, runs_title(v->s), text);
+    for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
+        canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, v->s->name[k]);
+    }
+}
+
+static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+    struct view v = {.s = s, .force = span_none};
+    int status = STATUS_OK;
+    choose(&v);
+    for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
+        status = write_strip_data(&v, k / v.n, k % v.n, c->to, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    write_head(&v, c);
+    const bool zoom = v.contact[0] >= 0 && (v.impact[0] >= 0 || v.impact[1] >= 0);
+    const double right = zoom ? 0.62 : 1;
+    struct canvas strips = *c;
+    strips.area.bottom += 3.2;
+    const struct axis force = {
+        .name = "force", .dimension = dimension_force, .span = strip_span(&v, 0)};
+    canvas_upright(c, canvas_inset(canvas_part(&strips, 0, right, 0, 1), 5.8, 0.5, 0.2, 1.6),
+                   &s->r[0]->units, &force);
+    for (int i = 0; i < v.n; i++) {
+        const struct area part =
+            canvas_part(&strips, 0, right, 1 - (i + 1.0) / v.n, 1 - (double)i / v.n);
+        write_strip(&v, c, canvas_inset(part, 5.8, 0.5, 0.2, 1.6), i);
+    }
+    if (zoom) {
+        write_zoom(&v, c, canvas_inset(canvas_part(c, right, 1, 0, 1), 4.4, 0.5, 3.4, 1.6));
+    }
+    return STATUS_OK;
+}
+
+const struct figure figure_contact = {
+    .name = "contact",
+    .doc = "force of each contact and link over time, and the hardest impact",
+    .lacks = lacks,
+    .draw = draw,
+};

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every impact at its time and floor, the larger the harder. Each pair of neighbours has a band of
+// its own, the bands stand above each other from left to right of the row. Of laws without a force
+// the impulse is shown.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plot/figure.h"
+#include "plot/script.h"
+
+// Of many impacts the hardest of each of PARTS parts of the duration are kept, for each contact.
+enum { BANDS_MAX = 24, PARTS = 300 };
+
+// The contacts between the same two neighbours.
+struct band {
+    const char *left, *right;
+    int low, high;  // floors
+    double base;    // place of floor 0 on the axis
+    long impacts;   // of the first run
+};
+
+struct view {
+    const struct runs *s;
+    struct band band[BANDS_MAX];
+    int n;
+    double top;      // of the axis
+    double largest;  // force or impulse
+    bool impulse;
+};
+
+static const char *lacks(const struct runs *s) {
+    if (s->r[0]->n_contact > 0) {
+        return NULL;
+    }
+    return s->n > 1 ? "contacts; name the run that has them first" : "contacts";
+}
+
+static int floor_of(const struct report_link *c) {
+    return c->left_floor > 0 ? c->left_floor : c->right_floor;
+}
+
+static int band_of(const struct view *v, const struct report_link *c) {
+    int b = 0;
+    while (b < v->n &&
+           (strcmp(v->band[b].left, c->left) != 0 || strcmp(v->band[b].right, c->right) != 0)) {
+        b++;
+    }
+    return b;
+}
+
+static void collect(struct view *v) {
+    const struct report *r = v->s->r[0];
+    for (int i = 0; i < r->n_contact; i++) {
+        const struct report_link *c = &r->contact[i];
+        const int b = band_of(v, c), floor = floor_of(c);
+        if (b == BANDS_MAX) {
+            continue;
+        }
+        struct band *band = &v->band[b];
+        if (b == v->n) {
+            *band = (struct band){.left = c->left, .right = c->right, .low = floor, .high = floor};
+            v->n++;
+        }
+        band->low = floor < band->low ? floor : band->low;
+        band->high = floor > band->high ? floor : band->high;
+        band->impacts += c->peak.impacts;
+    }
+    for (int b = 0; b < v->n; b++) {
+        struct band *band = &v->band[b];
+        const double room = fmax(0.8, 0.1 * (band->high - band->low));
+        band->base = v->top + room - band->low;
+        v->top = band->base + band->high + room;
+    }
+}
+
+static double size_of(const struct view *v, const struct impact *p) {
+    return v->impulse ? p->impulse : p->peak_force;
+}
+
+static double largest(const struct view *v) {
+    double size = 0;
+    for (int k = 0; k < v->s->n; k++) {
+        for (long i = 0; i < v->s->r[k]->n_impact; i++) {
+            size = fmax(size, size_of(v, &v->s->r[k]->impact[i]));
+        }
+    }
+    return size;
+}
+
+static void find_largest(struct view *v) {
+    v->largest = largest(v);
+    if (v->largest == 0) {
+        v->impulse = true;
+        v->largest = largest(v);
+    }
+}
+
+// Area goes with the force. Where floors are close together all points are smaller.
+static double point_size(const struct view *v, double size) {
+    const double most = fmin(4, fmax(1.3, 60 / v->top));
+    return 0.4 + most * sqrt(size / v->largest);
+}
+
+static void write_impact(const struct view *v, const struct report *r, long i, FILE *to) {
+    const struct impact *p = &r->impact[i];
+    const struct report_link *c = &r->contact[p->contact];
+    const int b = band_of(v, c);
+    if (b < v->n) {
+        fprintf(to, "%.7g %.7g %.4g %.7g %d\n", p->t_start, v->band[b].base + floor_of(c),
+                point_size(v, size_of(v, p)), size_of(v, p), floor_of(c));
+    }
+}
+
+static int write_data(const struct view *v, int run, FILE *to, struct error *e) {
+    const struct report *r = v->s->r[run];
+    long *hardest = malloc(PARTS * sizeof *hardest);
+    if (!hardest) {
+        return error_no_memory(e);
+    }
+    fprintf(to, "$impacts%d << EOD\n# time place size %s floor\nNaN NaN NaN NaN NaN\n", run,
+            v->impulse ? "impulse" : "force");
+    for (int contact = 0; contact < r->n_contact; contact++) {
+        runs_hardest_of_parts(r, contact, PARTS, hardest);
+        for (int k = 0; k < PARTS; k++) {
+            if (hardest[k] >= 0) {
+                write_impact(v, r, hardest[k], to);
+            }
+        }
+    }
+    fprintf(to, "EOD\n");
+    free(hardest);
+    return STATUS_OK;
+}
+
+static void band_name(const struct band *band, char *text, size_t size) {
+    char left[64], right[64];
+    script_shorten(band->left, 11, left, sizeof left);
+    script_shorten(band->right, 11, right, sizeof right);
+    snprintf(text, size, "%s | %s: %ld", left, right, band->impacts);
+}
+
+// Room for the names of the bands [em].
+static double names_width(const struct view *v) {
+    int most = 0;
+    for (int b = 0; b < v->n && v->n > 1; b++) {
+        char text[160];
+        band_name(&v->band[b], text, sizeof text);
+        most = script_columns(text) > most ? script_columns(text) : most;
+    }
+    return most > 0 ? 0.45 * most + 1 : 0.5;
+}
+
+// Numbers of the floors in each band, and its name beside it.
+static void write_bands(const struct view *v, const struct canvas *c, struct area a) {
+    const double em = (a.top - a.bottom) / v->top;  // of one floor
+    const char *before = "set ytics (";
+    for (int b = 0; b < v->n; b++) {
+        const struct band *band = &v->band[b];
+        const int step = (int)ceil(1.3 / em);
+        const double below = b > 0 ? v->band[b - 1].base + v->band[b - 1].high : -INFINITY;
+        for (int floor = band->high; floor >= band->low; floor -= step) {
+            if (floor == band->high || (band->base + floor - below) * em > 1.3) {
+                fprintf(c->to, "%s'%d' %.7g", before, floor, band->base + floor);
+                before = ", ";
+            }
+        }
+    }
+    fprintf(c->to, ")\n");
+    for (int b = 0; b < v->n && v->n > 1; b++) {
+        const struct band *band = &v->band[b];
+        char text[160];
+        band_name(band, text, sizeof text);
+        fprintf(c->to, "set label ");
+        script_text(c->to, text);
+        fprintf(c->to, " at graph 1, first %.7g left offset 0.8,0 font small_font\n",
+                band->base + (band->low + band->high) / 2.0);
+        if (b > 0) {
+            const struct band *below = &v->band[b - 1];
+            const double edge = (below->base + below->high + band->base + band->low) / 2;
+            fprintf(c->to,
+                    "set arrow from graph 0, first %.7g to graph 1, first %.7g nohead lc rgb "
+                    "'#404040' lw 0.6\n",
+                    edge, edge);
+        }
+    }
+}
+
+static void write_panel(const struct view *v, struct canvas *c, struct area a) {
+    const struct axis x = {
+        .name = "time", .dimension = dimension_time, .span = {0, runs_duration(v->s)}};
+    const struct axis y = {.name = "floor", .unit = "", .span = {0, v->top}};
+    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    write_bands(v, c, a);
+    fprintf(c->to, "plot");
+    for (int k = 0; k < v->s->n; k++) {
+        fprintf(
+            c->to,
+            "%s \\\n  $impacts%d using 1:2:($3*point) with points pt %d ps variable lc rgb '%s'",
+            k > 0 ? "," : "", k, k > 0 ? 6 : 7, k > 0 ? script_colour[1] : "#700072b2");
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static void write_head(const struct view *v, struct canvas *c) {
+    const struct report *r = v->s->r[0];
+    char text[160], unit[64], number[32];
+    const struct dimension dimension = v->impulse ? dimension_impulse : dimension_force;
+    script_unit(&r->units, dimension, unit, sizeof unit);
+    if (v->s->n > 1) {
+        snprintf(text, sizeof text, "%ld and %ld impacts", r->n_impact, v->s->r[1]->n_impact);
+    } else if (v->n == 1) {
+        char left[64], right[64];
+        script_shorten(v->band[0].left, 16, left, sizeof left);
+        script_shorten(v->band[0].right, 16, right, sizeof right);
+        snprintf(text, sizeof text, "%ld impact%s between %s and %s", r->n_impact,
+                 r->n_impact == 1 ? "" : "s", left, right);
+    } else {
+        snprintf(text, sizeof text, "%ld impacts, counted for each pair", r->n_impact);
+    }
+    canvas_head(c, runs_title(v->s), text);
+    for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
+        canvas_legend(c, (struct mark){k > 0 ? MARK_RING : MARK_POINT, script_colour[k], 2},
+                      v->s->name[k]);
+    }
+    const double step = script_step(v->largest, 2);
+    const double shown[] = {step / 10, step / 2, step};
+    for (size_t i = 0; i < 3 && v->largest > 0; i++) {
+        script_number(shown[i], number, sizeof number);
+        snprintf(text, sizeof text, "%s %s", number, unit);
+        canvas_legend(c, (struct mark){MARK_POINT, "#707070", point_size(v, shown[i])}, text);
+    }
+}
+
+static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+    struct view v = {.s = s};
+    int status = STATUS_OK;
+    collect(&v);
+    find_largest(&v);
+    for (int k = 0; k < s->n && status == STATUS_OK; k++) {
+        status = write_data(&v, k, c->to, e);
+    }
+    if (status == STATUS_OK) {
+        write_head(&v, c);
+        write_panel(&v, c,
+                    canvas_inset(canvas_part(c, 0, 1, 0, 1), 4.8, names_width(&v), 3.2, 0.7));
+    }
+    return status;
+}
+
+const struct figure figure_impacts = {
+    .name = "impacts",
+    .doc = "every impact at its time and floor, the larger the harder",
+    .lacks = lacks,
+    .draw = draw,
+};

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Force against deformation: the contact that was hit hardest, and of the buildings beside it the
+// storey with the largest drift. The rows of output are drawn; a contact needs many of them.
+#include <math.h>
+#include <stdlib.h>
+
+#include "plot/data.h"
+#include "plot/figure.h"
+#include "plot/script.h"
+
+enum { BINS = 800, IMPACTS_MAX = 12, STOREYS_MAX = 2, PANELS_MAX = 1 + STOREYS_MAX };
+
+struct view {
+    const struct runs *s;
+    int contact[RUNS_MAX];                           // the hardest; -1: none
+    long impact[RUNS_MAX];                           // its hardest impact
+    int building[STOREYS_MAX], storey[STOREYS_MAX];  // from 0
+    int n_storey;
+    struct span x[PANELS_MAX], y[PANELS_MAX];  // the contact's first
+};
+
+static bool has_storeys(const struct runs *s) {
+    return runs_have(s, FIELD_DRIFT | FIELD_STOREY_SHEAR);
+}
+
+static bool has_contact(const struct runs *s) {
+    int contact[RUNS_MAX];
+    runs_hardest_contact(s, contact);
+    return runs_have(s, FIELD_FORCE | FIELD_PENETRATION) && contact[0] >= 0 &&
+           runs_hardest_impact(s->r[0], contact[0]) >= 0;
+}
+
+static const char *lacks(const struct runs *s) {
+    return has_storeys(s) || has_contact(s) ? NULL
+                                            : "forces with their deformations; see output -fields";
+}
+
+static void add_storey(struct view *v, int building) {
+    const struct report_building *b = &v->s->r[0]->building[building];
+    int most = 0;
+    for (int i = 1; i < b->n_floor; i++) {
+        most = b->peak[PEAK_DRIFT][i] > b->peak[PEAK_DRIFT][most] ? i : most;
+    }
+    v->building[v->n_storey] = building;
+    v->storey[v->n_storey++] = most;
+}
+
+static void choose(struct view *v) {
+    const struct report *r = v->s->r[0];
+    if (has_contact(v->s)) {
+        runs_hardest_contact(v->s, v->contact);
+    }
+    for (int k = 0; k < RUNS_MAX; k++) {
+        v->impact[k] = k < v->s->n ? runs_hardest_impact(v->s->r[k], v->contact[k]) : -1;
+    }
+    for (int side = 0; side < STOREYS_MAX && has_storeys(v->s); side++) {
+        int building = side < r->n_building ? side : -1;
+        if (v->contact[0] >= 0) {
+            const struct report_link *c = &r->contact[v->contact[0]];
+            building = runs_building(r, side == 0 ? c->left : c->right);
+        }
+        if (building >= 0 && r->building[building].stiffness[0] > 0) {
+            add_storey(v, building);
+        }
+    }
+    if (v->n_storey == 0 && v->contact[0] < 0) {
+        add_storey(v, 0);
+    }
+}
+
+// Whether the impact is among the hardest of its contact.
+static bool is_shown(const struct report *r, long i) {
+    int harder = 0;
+    for (long k = 0; k < r->n_impact && harder < IMPACTS_MAX; k++) {
+        harder += r->impact[k].contact == r->impact[i].contact &&
+                  r->impact[k].peak_force > r->impact[i].peak_force;
+    }
+    return harder < IMPACTS_MAX;
+}
+
+static void write_loop(const struct data *d, const struct impact *p, FILE *to) {
+    for (size_t i = data_row(d, p->t_start); i < d->n_row && d->column[0][i] <= p->t_end; i++) {
+        fprintf(to, "%.7g %.7g\n", d->column[1][i], d->column[2][i]);
+    }
+    fprintf(to, "\n");
+}
+
+// Penetration and force of each impact shown, the largest over all computed steps.
+static void write_largest(const struct report *r, int contact, int run, FILE *to) {
+    fprintf(to, "$largest%d << EOD\n# largest penetration, largest force\n", run);
+    for (long i = 0; i < r->n_impact; i++) {
+        if (r->impact[i].contact == contact && is_shown(r, i)) {
+            fprintf(to, "%.7g %.7g\n", r->impact[i].max_penetration, r->impact[i].peak_force);
+        }
+    }
+    fprintf(to, "EOD\n");
+}
+
+static int write_contact_data(struct view *v, int run, FILE *to, struct error *e) {
+    const struct report *r = v->s->r[run];
+    const struct result_file *file = v->s->file[run];
+    const int contact = v->contact[run];
+    struct data d;
+    int status = data_create(&d, r->n_row, 3, e);
+    if (status == STATUS_OK) {
+        status = result_time(file, d.column[0], e);
+    }
+    if (status == STATUS_OK) {
+        status = result_contact_history(file, FIELD_PENETRATION, contact, d.column[1], e);
+    }
+    if (status == STATUS_OK) {
+        status = result_contact_history(file, FIELD_FORCE, contact, d.column[2], e);
+    }
+    if (status == STATUS_OK) {
+        fprintf(to, "$loops%d << EOD\n# penetration force, an impact a block\nNaN NaN\n\n", run);
+        for (long i = 0; i < r->n_impact; i++) {
+            if (r->impact[i].contact == contact && is_shown(r, i)) {
+                write_loop(&d, &r->impact[i], to);
+            }
+        }
+        fprintf(to, "EOD\n$hardest%d << EOD\n# penetration force\nNaN NaN\n", run);
+        write_loop(&d, &r->impact[v->impact[run]], to);
+        fprintf(to, "EOD\n");
+        write_largest(r, contact, run, to);
+        span_add(&v->x[0], r->contact[contact].peak.penetration);
+        span_add(&v->y[0], r->contact[contact].peak.force);
+        data_span(&d, 2, &v->y[0]);
+    }
+    data_free(&d);
+    return status;
+}
+
+static int write_storey_data(struct view *v, int run, int k, FILE *to, struct error *e) {
+    const struct result_file *file = v->s->file[run];
+    char name[32];
+    struct data d;
+    int status = data_create(&d, v->s->r[run]->n_row, 3, e);
+    if (status == STATUS_OK) {
+        status = result_time(file, d.column[0], e);
+    }
+    if (status == STATUS_OK) {
+        status =
+            result_floor_history(file, FIELD_DRIFT, v->building[k], v->storey[k], d.column[1], e);
+    }
+    if (status == STATUS_OK) {
+        status = result_floor_history(file, FIELD_STOREY_SHEAR, v->building[k], v->storey[k],
+                                      d.column[2], e);
+    }
+    if (status == STATUS_OK) {
+        snprintf(name, sizeof name, "storey%d%d", run, k);
+        status = data_write(&d, name, "time drift shear", BINS, to, e);
+        data_span(&d, 1, &v->x[1 + k]);
+        data_span(&d, 2, &v->y[1 + k]);
+    }
+    data_free(&d);
+    return status;
+}
+
+static void write_contact(const struct view *v, struct canvas *c, struct area a) {
+    const struct axis x = {
+        .name = "penetration", .dimension = dimension_length, .span = span_with_room(v->x[0], 0)};
+    const struct axis y = {
+        .name = "contact force", .dimension = dimension_force, .span = span_with_room(v->y[0], 0)};
+    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    canvas_caption(c, a, v->s->r[0]->contact[v->contact[0]].name);
+    fprintf(c->to, "plot");
+    const char *before = "";
+    for (int k = 0; k < v->s->n; k++) {
+        if (v->impact[k] >= 0) {
+            fprintf(c->to,
+                    "%s \\\n  $loops%d using 1:2 with lines lc rgb '%s' lw 0.5, \\\n"
+                    "  $hardest%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s' lw "
+                    "1.3, \\\n"
+                    "  $largest%d using 1:2 with points pt 2 ps 1.3*point lc rgb '%s'",
+                    before, k, script_colour[k], k, k > 0 ? 6 : 7, script_colour[k], k,
+                    k > 0 ? script_colour[k] : "#404040");
+            before = ",";
+        }
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static void write_storey(const struct view *v, struct canvas *c, struct area a, int k) {
+    char text[160], name[96];
+    const struct axis x = {
+        .name = "drift", .dimension = dimension_length, .span = span_with_room(v->x[1 + k], NAN)};
+    const struct axis y = {.name = "storey shear",
+                           .dimension = dimension_force,
+                           .span = span_with_room(v->y[1 + k], NAN)};
+    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    script_shorten(v->s->r[0]->building[v->building[k]].name, 9, name, sizeof name);
+    snprintf(text, sizeof text, "%s, storey %d", name, v->storey[k] + 1);
+    canvas_caption(c, a, text);
+    fprintf(c->to, "plot");
+    for (int run = 0; run < v->s->n; run++) {
+        fprintf(c->to, "%s \\\n  $storey%d%d using 2:3 with lines lc rgb '%s' lw 0.7",
+                run > 0 ? "," : "", run, k, script_colour[run]);
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+// Rows of the first run within its hardest impact.
+static double rows_in_impact(const struct view *v) {
+    const struct report *r = v->s->r[0];
+    const struct impact *p = &r->impact[v->impact[0]];
+    return r->n_row > 1 ? (p->t_end - p->t_start) / (r->duration / (double)(r->n_row - 1)) : 0;
+}
+
+static void write_head(const struct view *v, struct canvas *c) {
+    const char *text = "forces against deformations";
+    if (v->impact[0] >= 0 && rows_in_impact(v) < 10) {
+        text = "forces against deformations; output -every 1 gives whole contact loops";
+    }
+    canvas_head(c, runs_title(v->s), text);
+    if (v->impact[0] >= 0) {
+        canvas_legend(c, (struct mark){MARK_CROSS, "#404040", 1.3}, "largest force, penetration");
+    }
+    for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
+        canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, v->s->name[k]);
+    }
+}
+
+static int write_data(struct view *v, FILE *to, struct error *e) {
+    int status = STATUS_OK;
+    for (int run = 0; run < v->s->n && status == STATUS_OK; run++) {
+        if (v->impact[run] >= 0) {
+            status = write_contact_data(v, run, to, e);
+        }
+        for (int k = 0; k < v->n_storey && status == STATUS_OK; k++) {
+            status = write_storey_data(v, run, k, to, e);
+        }
+    }
+    return status;
+}
+
+static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+    struct view v = {.s = s, .contact = {-1, -1}};
+    for (int i = 0; i < PANELS_MAX; i++) {
+        v.x[i] = span_none;
+        v.y[i] = span_none;
+    }
+    choose(&v);
+    int status = write_data(&v, c->to, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    write_head(&v, c);
+    const bool contact = v.contact[0] >= 0;
+    const int n = contact + v.n_storey;
+    for (int i = 0; i < n; i++) {
+        const struct area a =
+            canvas_inset(canvas_part(c, (double)i / n, (i + 1.0) / n, 0, 1), 5.6, 0.8, 3.2, 1.8);
+        if (contact && i == 0) {
+            write_contact(&v, c, a);
+        } else {
+            write_storey(&v, c, a, i - contact);
+        }
+    }
+    return STATUS_OK;
+}
+
+const struct figure figure_loops = {
+    .name = "loops",
+    .doc = "contact force against penetration, storey shear against drift",
+    .lacks = lacks,
+    .draw = draw,
+};

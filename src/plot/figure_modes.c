@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first mode shapes of each building alone, on its initial stiffness, each scaled to a largest
+// value of 1. Of many buildings the first are shown. A second run is dashed.
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/modes.h"
+#include "plot/figure.h"
+#include "plot/script.h"
+
+enum { BUILDINGS_MAX = SCRIPT_COLOURS, MODES_MAX = 4 };
+
+struct view {
+    const struct runs *s;
+    int n_building, n_mode;
+    bool heights;  // all shown buildings have them
+    double top;    // [L], or floors
+};
+
+static const struct report_building *shown(const struct view *v, int run, int k) {
+    return &v->s->r[run]->building[k];
+}
+
+static double level(const struct view *v, const struct report_building *b, int floors) {
+    double sum = 0;
+    for (int i = 0; i < floors; i++) {
+        sum += v->heights ? b->height[i] : 1;
+    }
+    return sum;
+}
+
+static struct view choose(const struct runs *s) {
+    const struct report *r = s->r[0];
+    struct view v = {.s = s,
+                     .n_building = r->n_building < BUILDINGS_MAX ? r->n_building : BUILDINGS_MAX,
+                     .heights = true};
+    for (int k = 0; k < s->n * v.n_building; k++) {
+        const struct report_building *b = shown(&v, k / v.n_building, k % v.n_building);
+        v.n_mode = b->n_floor > v.n_mode ? b->n_floor : v.n_mode;
+        for (int i = 0; i < b->n_floor; i++) {
+            v.heights = v.heights && b->height[i] > 0;
+        }
+    }
+    v.n_mode = v.n_mode < MODES_MAX ? v.n_mode : MODES_MAX;
+    for (int k = 0; k < s->n * v.n_building; k++) {
+        const struct report_building *b = shown(&v, k / v.n_building, k % v.n_building);
+        v.top = fmax(v.top, level(&v, b, b->n_floor));
+    }
+    return v;
+}
+
+// A row for each floor: its level and the modes; those that a low building does not have are NaN.
+static int write_shapes(const struct view *v, int run, int k, FILE *to, struct error *e) {
+    const struct report_building *b = shown(v, run, k);
+    const int n = b->n_floor;
+    double *shape = malloc(((size_t)n + 1) * (size_t)n * sizeof *shape);
+    if (!shape) {
+        return error_no_memory(e);
+    }
+    double *omega = shape + (size_t)n * (size_t)n;
+    int status = modes_solve(n, b->mass, b->stiffness, omega, shape, e);
+    if (status == STATUS_OK) {
+        modes_scale_to_largest(n, shape);
+        fprintf(to, "$shapes%d%d << EOD\n# level, modes\n", run, k);
+        for (int i = -1; i < n; i++) {
+            fprintf(to, "%.7g", level(v, b, i + 1));
+            for (int m = 0; m < v->n_mode; m++) {
+                const double at_base = omega[m < n ? m : 0] > 0 ? 0 : (double)NAN;
+                const double value =
+                    i < 0 ? at_base : shape[(size_t)(m < n ? m : 0) * (size_t)n + (size_t)i];
+                fprintf(to, " %.7g", m < n ? value : (double)NAN);
+            }
+            fprintf(to, "\n");
+        }
+        fprintf(to, "EOD\n");
+    }
+    free(shape);
+    return status;
+}
+
+static void write_panel(const struct view *v, struct canvas *c, struct area a, int mode) {
+    char text[32];
+    const struct axis x = {.name = "shape", .unit = "", .span = {-1.1, 1.1}, .step = 1};
+    const struct axis y = {.name = mode > 0     ? NULL
+                                   : v->heights ? "height"
+                                                : "floor",
+                           .unit = v->heights ? NULL : "",
+                           .dimension = dimension_length,
+                           .span = {0, 1.02 * v->top},
+                           .kind = mode > 0 ? AXIS_WITHOUT_NUMBERS : AXIS_FULL,
+                           .step = v->heights ? 0 : 1};
+    canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
+    snprintf(text, sizeof text, "mode %d", mode + 1);
+    canvas_caption(c, a, text);
+    fprintf(c->to, "plot");
+    for (int k = 0; k < v->n_building * v->s->n; k++) {
+        const int run = k / v->n_building, building = k % v->n_building;
+        fprintf(
+            c->to,
+            "%s \\\n  $shapes%d%d using %d:1 with linespoints pt %d ps 1*point lc rgb '%s' dt %s",
+            k > 0 ? "," : "", run, building, mode + 2, run > 0 ? 6 : 7, script_colour[building],
+            run > 0 ? "(10,6)" : "solid");
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+// The name of a building with its first periods.
+static void write_entry(const struct view *v, struct canvas *c, int k) {
+    const struct report_building *b = shown(v, 0, k);
+    char text[160], name[64];
+    script_shorten(b->name, 9, name, sizeof name);
+    size_t n = (size_t)snprintf(text, sizeof text, "%s:", name);
+    for (int m = 0; m < v->n_mode && m < b->n_floor && m < 3; m++) {
+        n += (size_t)(isfinite(b->period[m])
+                          ? snprintf(text + n, sizeof text - n, "%s %#.3g", m > 0 ? "," : "",
+                                     b->period[m])
+                          : snprintf(text + n, sizeof text - n, "%s rigid body", m > 0 ? "," : ""));
+    }
+    if (isfinite(b->period[0])) {
+        snprintf(text + n, sizeof text - n, " %s", v->s->r[0]->units.time_name);
+    }
+    canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, text);
+}
+
+static void write_head(const struct view *v, struct canvas *c) {
+    char text[160];
+    const int n = v->s->r[0]->n_building;
+    snprintf(text, sizeof text, "mode shapes and periods of each building alone");
+    if (n > v->n_building) {
+        snprintf(text, sizeof text, "mode shapes and periods of the first %d of %d buildings",
+                 v->n_building, n);
+    }
+    canvas_head(c, runs_title(v->s), text);
+    for (int k = 0; k < v->n_building; k++) {
+        write_entry(v, c, k);
+    }
+    for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
+        canvas_legend(c, (struct mark){k > 0 ? MARK_DASHED : MARK_LINE, "#808080", 0},
+                      v->s->name[k]);
+    }
+}
+
+static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+    const struct view v = choose(s);
+    int status = STATUS_OK;
+    for (int k = 0; k < s->n * v.n_building && status == STATUS_OK; k++) {
+        status = write_shapes(&v, k / v.n_building, k % v.n_building, c->to, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    write_head(&v, c);
+    c->area.left += 4.2;
+    const double width = 1.0 / (v.n_mode > 2 ? v.n_mode : 3), first = (1 - v.n_mode * width) / 2;
+    for (int m = 0; m < v.n_mode; m++) {
+        const struct area part = canvas_part(c, first + m * width, first + (m + 1) * width, 0, 1);
+        write_panel(&v, c, canvas_inset(part, 1.1, 1.1, 3.2, 1.8), m);
+    }
+    return STATUS_OK;
+}
+
+const struct figure figure_modes = {
+    .name = "modes",
+    .doc = "mode shapes and periods of each building",
+    .draw = draw,
+};

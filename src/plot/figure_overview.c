@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One page of the other figures, those that the files hold the data for.
+#include "plot/figure.h"
+#include "plot/script.h"
+
+// A strip of the page: one figure, or two side by side.
+struct strip {
+    const char *figure[2];
+    double height;  // share of the page
+};
+static const struct strip strips[] = {
+    {{"histories", NULL}, 23},
+    {{"contact", NULL}, 23},
+    {{"profiles", NULL}, 23},
+    {{"impacts", "energy"}, 25},
+};
+enum { STRIPS = sizeof strips / sizeof strips[0] };
+
+static const struct figure *drawn(const struct runs *s, const char *name) {
+    const struct figure *f = name ? figure_find(name) : NULL;
+    return f && !(f->lacks && f->lacks(s)) ? f : NULL;
+}
+
+static double strip_height(const struct runs *s, const struct strip *strip) {
+    return drawn(s, strip->figure[0]) || drawn(s, strip->figure[1]) ? strip->height : 0;
+}
+
+static int draw_block(const struct figure *f, const struct runs *s, const struct canvas *page,
+                      struct area a, struct error *e) {
+    struct canvas block = *page;
+    block.kind = CANVAS_BLOCK;
+    block.area = a;
+    block.entry = 0;
+    return f->draw(s, &block, e);
+}
+
+static int draw_strip(const struct strip *strip, const struct runs *s, const struct canvas *page,
+                      struct area a, struct error *e) {
+    const struct figure *left = drawn(s, strip->figure[0]), *right = drawn(s, strip->figure[1]);
+    const double middle = left && right ? (a.left + a.right) / 2 : left ? a.right : a.left;
+    int status = STATUS_OK;
+    if (left) {
+        struct area part = a;
+        part.right = middle - (right ? 0.8 : 0);
+        status = draw_block(left, s, page, part, e);
+    }
+    if (right && status == STATUS_OK) {
+        struct area part = a;
+        part.left = middle + (left ? 0.8 : 0);
+        status = draw_block(right, s, page, part, e);
+    }
+    return status;
+}
+
+static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+    const struct report *r = s->r[0];
+    char text[200];
+    snprintf(text, sizeof text, "%d building%s, %ld impact%s, %.4g %s", r->n_building,
+             r->n_building == 1 ? "" : "s", r->n_impact, r->n_impact == 1 ? "" : "s", r->duration,
+             r->units.time_name);
+    if (s->n > 1) {
+        snprintf(text, sizeof text, "%s and %s", s->name[0], s->name[1]);
+    }
+    canvas_head(c, runs_title(s), text);
+    double total = 0, above = 0;
+    for (int i = 0; i < STRIPS; i++) {
+        total += strip_height(s, &strips[i]);
+    }
+    int status = STATUS_OK;
+    for (int i = 0; i < STRIPS && status == STATUS_OK; i++) {
+        const double height = strip_height(s, &strips[i]) / total;
+        const struct area part = canvas_part(c, 0, 1, 1 - above - height, 1 - above);
+        status = draw_strip(&strips[i], s, c, canvas_inset(part, 0.5, 0.5, 0.8, 0.8), e);
+        above += height;
+    }
+    return status;
+}
+
+const struct figure figure_overview = {
+    .name = "overview",
+    .doc = "one page with histories, contact, profiles, impacts and energy",
+    .sheet = SHEET_PAGE,
+    .draw = draw,
+};

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Floor response spectra: pseudo-acceleration, from the total accelerations in the rows of output,
+// of the floors that hit hardest, of the roofs of their buildings, and of the ground. What happens
+// between rows is not in it: a stiff impact needs rows as dense as its steps.
+#include <math.h>
+
+#include "core/arena.h"
+#include "jostle/spectrum.h"
+#include "plot/data.h"
+#include "plot/figure.h"
+#include "plot/script.h"
+
+enum { PERIODS = 100, SERIES_MAX = 5 };
+
+static const double damping_ratio = 0.05;
+static const double first_period = 0.02, last_period = 5;  // [s]
+static const char ground_colour[] = "#808080";
+
+// A floor, or a ground.
+struct series {
+    int building, floor;  // from 0; floor -1: the ground
+};
+
+struct view {
+    const struct runs *s;
+    struct series series[SERIES_MAX];
+    int n;
+    double dt;  // of the first run's rows
+    struct span acceleration;
+};
+
+static const char *lacks(const struct runs *s) {
+    return runs_have(s, FIELD_ACCELERATION) ? NULL : "floor accelerations; see output -fields";
+}
+
+static void add(struct view *v, int building, int floor) {
+    for (int i = 0; i < v->n; i++) {
+        if (v->series[i].building == building && v->series[i].floor == floor) {
+            return;
+        }
+    }
+    v->series[v->n++] = (struct series){building, floor};
+}
+
+static void choose(struct view *v) {
+    const struct report *r = v->s->r[0];
+    int contact[RUNS_MAX], building[2] = {0, r->n_building > 1 ? 1 : -1};
+    runs_hardest_contact(v->s, contact);
+    if (contact[0] >= 0) {
+        const struct report_link *c = &r->contact[contact[0]];
+        building[0] = runs_building(r, c->left);
+        building[1] = runs_building(r, c->right);
+        for (int side = 0; side < 2; side++) {
+            if (building[side] >= 0) {
+                add(v, building[side], (side == 0 ? c->left_floor : c->right_floor) - 1);
+            }
+        }
+    }
+    for (int side = 0; side < 2; side++) {
+        if (building[side] >= 0) {
+            add(v, building[side], r->building[building[side]].n_floor - 1);
+        }
+    }
+    add(v, building[0] >= 0 ? building[0] : building[1], -1);
+}
+
+// How many rows follow each other at even distances; the last row may stand nearer.
+static int even_rows(const struct runs *s, int run, const struct data *d, size_t *n,
+                     struct error *e) {
+    const double *time = d->column[0];
+    const double dt = d->n_row > 1 ? time[1] - time[0] : 0;
+    size_t i = 1;
+    while (i < d->n_row && fabs(time[i] - time[0] - (double)i * dt) < 1e-6 * dt) {
+        i++;
+    }
+    if (i < 2 || i + 1 < d->n_row) {
+        return error_set(e, STATUS_INPUT,
+                         "spectrum cannot be drawn: the rows of %s are not evenly spaced; see "
+                         "output -interval",
+                         s->r[run]->file);
+    }
+    *n = i;
+    return STATUS_OK;
+}
+
+static void write_spectrum(struct view *v, int run, int series, const struct signal *ground,
+                           FILE *to) {
+    const double second = 1 / v->s->r[run]->units.time;
+    fprintf(to, "$spectrum%d%d << EOD\n# period, pseudo-acceleration\n", run, series);
+    for (int i = 0; i < PERIODS; i++) {
+        const double period =
+            second * first_period * pow(last_period / first_period, i / (PERIODS - 1.0));
+        const double value = spectrum_at(ground, period, damping_ratio).value[SPECTRUM_PSA];
+        fprintf(to, "%.7g %.7g\n", period, value);
+        span_add(&v->acceleration, value);
+    }
+    fprintf(to, "EOD\n");
+}
+
+static int read_series(const struct view *v, int run, int series, struct data *d, struct error *e) {
+    const struct series *p = &v->series[series];
+    int status = result_time(v->s->file[run], d->column[0], e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    return p->floor < 0 ? result_ground(v->s->file[run], p->building, d->column[1], e)
+                        : result_floor_history(v->s->file[run], FIELD_ACCELERATION, p->building,
+                                               p->floor, d->column[1], e);
+}
+
+static int write_series(struct view *v, int run, int series, FILE *to, struct error *e) {
+    struct data d;
+    struct signal ground;
+    size_t n = 0;
+    int status = data_create(&d, v->s->r[run]->n_row, 2, e);
+    if (status == STATUS_OK) {
+        status = read_series(v, run, series, &d, e);
+    }
+    if (status == STATUS_OK) {
+        status = even_rows(v->s, run, &d, &n, e);
+    }
+    if (status == STATUS_OK) {
+        const double dt = d.column[0][1] - d.column[0][0];
+        v->dt = run == 0 ? dt : v->dt;
+        struct arena *a = arena_create();
+        status =
+            a ? signal_init_samples(&ground, a, d.column[1], n, dt, 1, 0, e) : error_no_memory(e);
+        if (status == STATUS_OK) {
+            write_spectrum(v, run, series, &ground, to);
+        }
+        arena_free(a);
+    }
+    data_free(&d);
+    return status;
+}
+
+static const char *colour(const struct view *v, int series) {
+    return v->series[series].floor < 0 ? ground_colour : script_colour[series];
+}
+
+static void write_head(const struct view *v, struct canvas *c) {
+    const struct report *r = v->s->r[0];
+    char text[160], name[64];
+    snprintf(text, sizeof text, "floor response spectra, %g %% damping, of rows every %.4g %s",
+             100 * damping_ratio, v->dt, r->units.time_name);
+    canvas_head(c, runs_title(v->s), text);
+    for (int i = 0; i < v->n; i++) {
+        const struct series *p = &v->series[i];
+        script_shorten(r->building[p->building].name, 16, name, sizeof name);
+        snprintf(text, sizeof text, "%s, floor %d", name, p->floor + 1);
+        canvas_legend(c, (struct mark){MARK_LINE, colour(v, i), 0}, p->floor < 0 ? "ground" : text);
+    }
+    for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
+        canvas_legend(c, (struct mark){k > 0 ? MARK_DASHED : MARK_LINE, "#000000", 0},
+                      v->s->name[k]);
+    }
+}
+
+static void write_panel(const struct view *v, struct canvas *c) {
+    const double second = 1 / v->s->r[0]->units.time;
+    const struct axis x = {.name = "period",
+                           .dimension = dimension_time,
+                           .span = {second * first_period, second * last_period},
+                           .kind = AXIS_LOGARITHMIC};
+    const struct axis y = {.name = "pseudo-acceleration",
+                           .dimension = dimension_acceleration,
+                           .span = span_with_room(v->acceleration, 0)};
+    canvas_panel(c, canvas_inset(canvas_part(c, 0, 1, 0, 1), 5.8, 0.9, 3.2, 0.7),
+                 &v->s->r[0]->units, &x, &y);
+    fprintf(c->to, "plot");
+    for (int k = 0; k < v->n * v->s->n; k++) {
+        const int run = k / v->n, i = k % v->n;
+        fprintf(c->to, "%s \\\n  $spectrum%d%d using 1:2 with lines lc rgb '%s' dt %s",
+                k > 0 ? "," : "", run, i, colour(v, i), run > 0 ? "(10,6)" : "solid");
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static int draw(const struct runs *s, struct canvas *c, struct error *e) {
+    struct view v = {.s = s, .acceleration = span_none};
+    int status = STATUS_OK;
+    choose(&v);
+    for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
+        status = write_series(&v, k / v.n, k % v.n, c->to, e);
+    }
+    if (status == STATUS_OK) {
+        write_head(&v, c);
+        write_panel(&v, c);
+    }
+    return status;
+}
+
+const struct figure figure_spectrum = {
+    .name = "spectrum",
+    .doc = "response spectra of the floors that hit hardest and of the roofs",
+    .lacks = lacks,
+    .draw = draw,
+};

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two runs beside each other.
+#include "plot/runs.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "plot/script.h"
+
+// The file's name, without its folder and ending where that tells the two apart.
+static void name_run(struct runs *s, int run, bool whole) {
+    const char *path = s->r[run]->file;
+    const char *slash = strrchr(path, '/');
+    const char *base = slash && !whole ? slash + 1 : path;
+    const char *dot = strrchr(base, '.');
+    const int n = dot && dot != base && !whole ? (int)(dot - base) : (int)strlen(base);
+    char text[1024];
+    snprintf(text, sizeof text, "%.*s", n, base);
+    script_shorten(text, 28, s->name[run], sizeof s->name[run]);
+}
+
+static int other(const struct runs *s, struct error *e, const char *what, const char *first,
+                 const char *second) {
+    return error_set(e, STATUS_INPUT, "%s and %s cannot be compared: %s %s in one, %s in the other",
+                     s->r[0]->file, s->r[1]->file, what, first, second);
+}
+
+static int match_buildings(const struct runs *s, struct error *e) {
+    const struct report *a = s->r[0], *b = s->r[1];
+    char first[64], second[64];
+    if (a->n_building != b->n_building) {
+        snprintf(first, sizeof first, "%d", a->n_building);
+        snprintf(second, sizeof second, "%d", b->n_building);
+        return other(s, e, "number of buildings is", first, second);
+    }
+    for (int i = 0; i < a->n_building; i++) {
+        const struct report_building *p = &a->building[i], *q = &b->building[i];
+        if (strcmp(p->name, q->name) != 0) {
+            snprintf(first, sizeof first, "'%.40s'", p->name);
+            snprintf(second, sizeof second, "'%.40s'", q->name);
+            return other(s, e, "a building is", first, second);
+        }
+        if (p->n_floor != q->n_floor) {
+            char what[96];
+            snprintf(what, sizeof what, "number of floors of '%.40s' is", p->name);
+            snprintf(first, sizeof first, "%d", p->n_floor);
+            snprintf(second, sizeof second, "%d", q->n_floor);
+            return other(s, e, what, first, second);
+        }
+    }
+    return STATUS_OK;
+}
+
+static int match(const struct runs *s, struct error *e) {
+    const struct unit_system *a = &s->r[0]->units, *b = &s->r[1]->units;
+    if (a->force != b->force || a->length != b->length || a->time != b->time) {
+        char first[64], second[64];
+        snprintf(first, sizeof first, "'%s %s %s'", a->force_name, a->length_name, a->time_name);
+        snprintf(second, sizeof second, "'%s %s %s'", b->force_name, b->length_name, b->time_name);
+        return other(s, e, "units are", first, second);
+    }
+    return match_buildings(s, e);
+}
+
+int runs_init(struct runs *s, const struct result_file *first, const struct result_file *second,
+              struct error *e) {
+    *s = (struct runs){.n = second ? 2 : 1, .file = {first, second}};
+    for (int k = 0; k < s->n; k++) {
+        s->r[k] = result_report(s->file[k]);
+        name_run(s, k, false);
+    }
+    if (s->n == 1) {
+        return STATUS_OK;
+    }
+    if (strcmp(s->name[0], s->name[1]) == 0) {
+        name_run(s, 0, true);
+        name_run(s, 1, true);
+    }
+    return match(s, e);
+}
+
+bool runs_have(const struct runs *s, unsigned fields) {
+    for (int k = 0; k < s->n; k++) {
+        if ((s->r[k]->fields & fields) != fields) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static int hardest(const struct report *r) {
+    int at = -1;
+    for (int i = 0; i < r->n_contact; i++) {
+        const struct link_peak *p = &r->contact[i].peak;
+        if (p->impacts > 0 && (at < 0 || p->force > r->contact[at].peak.force)) {
+            at = i;
+        }
+    }
+    return at;
+}
+
+static int find_contact(const struct report *r, const struct report_link *like) {
+    for (int i = 0; i < r->n_contact; i++) {
+        const struct report_link *c = &r->contact[i];
+        if (strcmp(c->left, like->left) == 0 && strcmp(c->right, like->right) == 0 &&
+            c->left_floor == like->left_floor && c->right_floor == like->right_floor) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+int runs_same_contact(const struct runs *s, int run, int i) {
+    return run == 0 || i < 0 ? i : find_contact(s->r[run], &s->r[0]->contact[i]);
+}
+
+void runs_hardest_contact(const struct runs *s, int *contact) {
+    contact[0] = hardest(s->r[0]);
+    contact[1] = s->n == 1 ? -1 : runs_same_contact(s, 1, contact[0]);
+    if (s->n == 2 && contact[0] < 0) {
+        contact[1] = hardest(s->r[1]);
+        contact[0] = contact[1] < 0 ? -1 : find_contact(s->r[0], &s->r[1]->contact[contact[1]]);
+    }
+}
+
+long runs_hardest_impact(const struct report *r, int contact) {
+    long at = -1;
+    for (long i = 0; contact >= 0 && i < r->n_impact; i++) {
+        if (r->impact[i].contact == contact &&
+            (at < 0 || r->impact[i].peak_force > r->impact[at].peak_force)) {
+            at = i;
+        }
+    }
+    return at;
+}
+
+void runs_hardest_of_parts(const struct report *r, int contact, int parts, long *hardest) {
+    for (int k = 0; k < parts; k++) {
+        hardest[k] = -1;
+    }
+    for (long i = 0; i < r->n_impact; i++) {
+        if (r->impact[i].contact != contact) {
+            continue;
+        }
+        const double part = r->impact[i].t_start / r->duration * parts;
+        const int k = part >= 0 && part < parts ? (int)part : parts - 1;
+        if (hardest[k] < 0 || r->impact[i].peak_force > r->impact[hardest[k]].peak_force) {
+            hardest[k] = i;
+        }
+    }
+}
+
+int runs_building(const struct report *r, const char *name) {
+    for (int i = 0; i < r->n_building; i++) {
+        if (strcmp(r->building[i].name, name) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+const char *runs_title(const struct runs *s) {
+    return s->r[0]->title[0] ? s->r[0]->title : s->r[0]->deck_file;
+}
+
+double runs_duration(const struct runs *s) {
+    return s->n == 1 ? s->r[0]->duration : fmax(s->r[0]->duration, s->r[1]->duration);
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The run that a figure shows, and the run it is compared with: both have the same buildings.
+#ifndef JOSTLE_RUNS_H
+#define JOSTLE_RUNS_H
+
+#include "jostle/result.h"
+
+enum { RUNS_MAX = 2 };
+struct runs {
+    int n;                                     // 1 or 2
+    const struct result_file *file[RUNS_MAX];  // borrowed
+    const struct report *r[RUNS_MAX];          // borrowed
+    char name[RUNS_MAX][64];                   // the files, as short as tells them apart
+};
+
+// `second` is NULL where one run is shown alone. Errors: STATUS_INPUT (the runs have other
+// buildings or other units; names the first difference).
+int runs_init(struct runs *s, const struct result_file *first, const struct result_file *second,
+              struct error *e);
+
+// True if all runs hold all these histories, bits of enum field.
+bool runs_have(const struct runs *s, unsigned fields);
+
+// The contact with the largest force of the first run that has one, for each run: its index, or -1.
+// Contacts of two runs are the same if they join the same floors.
+void runs_hardest_contact(const struct runs *s, int *contact);
+
+// Index in `run` of the first run's contact `i`; -1 if it is not there.
+int runs_same_contact(const struct runs *s, int run, int i);
+
+// Index of the hardest impact of the contact; -1 if it has none. A contact of -1 has none.
+long runs_hardest_impact(const struct report *r, int contact);
+
+// Index of the contact's hardest impact in each of `parts` equal parts of the duration; -1: it has
+// none there. `hardest` is (parts).
+void runs_hardest_of_parts(const struct report *r, int contact, int parts, long *hardest);
+
+// The building called `name`; -1: a wall.
+int runs_building(const struct report *r, const char *name);
+
+// The first run's title, or its deck where it has none.
+const char *runs_title(const struct runs *s);
+
+// The longest duration.
+double runs_duration(const struct runs *s);
+
+#endif

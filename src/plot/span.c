@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an axis shows.
+#include "plot/span.h"
+
+#include <math.h>
+
+const struct span span_none = {INFINITY, -INFINITY};
+
+void span_add(struct span *r, double value) {
+    if (isfinite(value)) {
+        r->low = fmin(r->low, value);
+        r->high = fmax(r->high, value);
+    }
+}
+
+struct span span_with_room(struct span r, double from) {
+    span_add(&r, from);
+    if (r.low > r.high) {
+        return (struct span){0, 1};
+    }
+    const double size = r.high - r.low;
+    const double room = size > 0 ? 0.05 * size : r.high != 0 ? 0.5 * fabs(r.high) : 1;
+    return (struct span){r.low == from ? r.low : r.low - room,
+                         r.high == from && r.low < from ? r.high : r.high + room};
+}

@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every kind of picture in every format, of runs with impacts, without, against a wall, with links, of
+# two grounds, and of two runs; what cannot be drawn says why.
+. tests/support/cli.sh
+
+two_buildings pair.deck 'ground sine -amplitude 0.2g -frequency 2 -buildings B'
+sed -i 's/-cycles 4$/-cycles 4 -buildings A/' pair.deck
+two_buildings bilateral.deck 'link A B -dashpot 100 -stiffness 1000' 'output -precision single'
+two_buildings few.deck 'output -fields velocity'
+two_buildings taller.deck
+sed -i 's/B -floors 3/B -floors 4/' taller.deck
+two_buildings free.deck
+sed -i '/^contact/d; /^param/d' free.deck
+name=the_very_long_name_of_a_building_that_cannot_fit_anywhere
+cat >wall.deck <<END
+title "It's a title with quotes and \$ % & { } that is too long to fit above any of the pictures"
+building $name -floors 1 -mass 1 -stiffness 100
+contact wall $name -gap 0.01 -law linear -k 1000
+ground sine -amplitude 2 -frequency 1.5 -cycles 3
+step fixed 5ms
+END
+for deck in pair bilateral few taller free wall; do
+    run "$jostle" run -q $deck.deck
+    expect "$deck.deck runs" '[ $status -eq 0 ]'
+done
+run "$jostle" run -q pair.deck -D gap=1m -o apart.h5
+run "$jostle" run -q pair.deck -D gap=8mm -o wider.h5
+expect "the runs to compare are there" '[ -s apart.h5 ] && [ -s wider.h5 ]'
+kinds=$("$jostle" plot --help | sed -n '/^KIND/,/^$/ s/^  \([a-z]*\) .*/\1/p')
+expect "help names the kinds" '[ "$(echo "$kinds" | wc -l)" -ge 9 ]'
+
+# What gnuplot says to the script of this kind in the folder `scripts`: nothing at all.
+silent() {
+    (cd scripts && gnuplot "$1.gp") >said 2>&1
+    [ ! -s said ] && [ -s "scripts/$1.png" ]
+}
+
+# A picture of one colour is empty. PNG packs it: less than 1 byte in 200 of its pixels.
+drawn() {
+    [ "$(wc -c <"$1")" -gt 12000 ]
+}
+
+# drawable FILE OPTION...: each kind makes a script to which gnuplot says nothing.
+drawable() {
+    local kind
+    for kind in $kinds; do
+        rm -rf scripts
+        run "$jostle" plot "$@" "$kind" --script scripts
+        expect "$kind of $* is written" '[ $status -eq 0 ] && [ ! -s "$err" ] && [ -s scripts/$kind.gp ]'
+        expect "gnuplot draws $kind of $* without a word" 'silent $kind && drawn scripts/$kind.png'
+    done
+}
+
+mkdir none
+run env PATH="$here/none" "$jostle" plot pair.h5 energy -o energy.png --script scripts
+expect "without gnuplot the script is still written" '[ $status -eq 3 ] && said "not installed" && [ -s scripts/energy.gp ] && [ ! -e energy.png ]'
+
+if ! command -v gnuplot >/dev/null; then
+    skip "pictures" "no gnuplot"
+    exit
+fi
+drawable pair.h5
+drawable wall.h5
+drawable bilateral.h5
+drawable apart.h5
+drawable pair.h5 --compare wider.h5
+drawable pair.h5 --compare apart.h5
+drawable apart.h5 --compare pair.h5
+
+for kind in $kinds; do
+    for ending in png svg pdf; do
+        run "$jostle" plot pair.h5 $kind -o $kind.$ending
+        expect "$kind is drawn as $ending" '[ $status -eq 0 ] && [ "$(cat "$out")" = $kind.$ending ] && [ "$(wc -c <$kind.$ending)" -gt 8000 ]'
+    done
+    expect "$kind.pdf is PDF, the others what they say" 'head -c 5 $kind.pdf | grep -q "^%PDF" && grep -q "<svg" $kind.svg && head -c 4 $kind.png | grep -q PNG'
+    rm -f $kind.*
+done
+
+run "$jostle" plot pair.h5
+expect "without a kind histories are drawn" '[ $status -eq 0 ] && [ -s pair-histories.png ]'
+run "$jostle" plot pair.h5
+expect "a picture is not overwritten" '[ $status -eq 2 ] && said "--force"'
+run "$jostle" plot few.h5
+expect "of a file without displacements it is another figure" '[ $status -eq 0 ] && [ -s few-profiles.png ]'
+
+for kind in histories contact loops spectrum; do
+    run "$jostle" plot few.h5 $kind
+    expect "$kind needs histories" '[ $status -eq 2 ] && said "few.h5 has no" && said "output -fields" && [ ! -e few-$kind.png ]'
+done
+run "$jostle" plot few.h5 overview
+expect "the overview leaves out what is not there" '[ $status -eq 0 ] && drawn few-overview.png'
+for kind in contact impacts; do
+    run "$jostle" plot free.h5 $kind
+    expect "$kind needs contacts" '[ $status -eq 2 ] && said "free.h5 has no contacts"'
+done
+run "$jostle" plot pair.h5 --compare few.h5
+expect "a comparison draws what both files have" '[ $status -eq 0 ] && [ -s pair-profiles.png ]'
+
+run "$jostle" plot pair.h5 --compare taller.h5
+expect "other buildings are not compared" "[ \$status -eq 2 ] && said \"floors of 'B' is 3 in one, 4 in the other\""
+run "$jostle" plot pair.h5 --compare wall.h5
+expect "other units are not compared" "[ \$status -eq 2 ] && said \"'kN m s' in one, 'N m s' in the other\""
+run "$jostle" plot pair.h5 --compare nothing.h5
+expect "the other file must exist" '[ $status -eq 2 ] && said "nothing.h5"'
+run "$jostle" plot pair.h5 --compare
+expect "--compare needs a file" '[ $status -eq 2 ] && said "needs a value"'
+run "$jostle" plot pair.h5 impact
+expect "the nearest kind is proposed" "[ \$status -eq 2 ] && said \"did you mean 'impacts'\""
+run "$jostle" plot pair.h5 energy -o energy.jpg
+expect "other formats are refused" '[ $status -eq 2 ] && said ".png, .svg or .pdf"'
+
+# Largest of the second column of a block of a script.
+largest() {
+    sed -n "/^\$$1 <</,/^EOD/p" "$2" | awk '/^[-0-9]/ && $2 > m { m = $2 } END { print m }'
+}
+two_buildings long.deck 'output -every 1' 'duration 30'
+run "$jostle" run -q long.deck
+rm -rf scripts
+run "$jostle" plot long.h5 loops --script scripts
+run "$jostle" plot long.h5 contact --script scripts
+force=$("$jostle" show --tsv long.h5 | awk -F '\t' '$1 == "contacts" && $3 == "force" && $5 > m { m = $5 } END { print m }')
+expect "thinning keeps the peak" 'awk -v a="$(largest "force0[01]" scripts/contact.gp)" -v b="$force" "BEGIN { exit !(b > 0 && a > 0.999 * b && a < 1.001 * b) }"'
+expect "30000 rows make a small script" '[ "$(wc -c <scripts/contact.gp)" -lt 300000 ]'

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the figures share: thinning, texts, numbers, spans.
+#include <math.h>
+#include <string.h>
+
+#include "plot/data.h"
+#include "plot/script.h"
+#include "support/support.h"
+
+enum { N = 10000, BINS = 50 };
+
+static void thinning_keeps_the_extremes_of_every_part_and_the_order(void **state) {
+    (void)state;
+    static double wave[N], spike[N];
+    static size_t row[4 * BINS + 2];
+    for (int i = 0; i < N; i++) {
+        wave[i] = sin(0.01 * i);
+        spike[i] = i == 4321 ? 7 : i == 8765 ? -9 : 0;
+    }
+    const double *series[] = {wave, spike};
+    const size_t n = script_thin(series, 2, N, BINS, row);
+    bool high = false, low = false;
+    assert_in_range(n, BINS, 4 * BINS + 2);
+    for (size_t i = 0; i < n; i++) {
+        assert_true(i == 0 || row[i] > row[i - 1]);
+        high = high || row[i] == 4321;
+        low = low || row[i] == 8765;
+    }
+    assert_true(high && low);
+    assert_int_equal(row[0], 0);
+    assert_int_equal(row[n - 1], N - 1);
+}
+
+static void few_rows_are_not_thinned(void **state) {
+    (void)state;
+    const double value[] = {1, 2, 3, 2, 1};
+    const double *series[] = {value};
+    size_t row[5];
+    assert_int_equal(script_thin(series, 1, 5, BINS, row), 5);
+    for (size_t i = 0; i < 5; i++) {
+        assert_int_equal(row[i], i);
+    }
+}
+
+static void a_name_is_shortened_in_its_middle(void **state) {
+    (void)state;
+    char cut[64];
+    script_shorten("tower", 5, cut, sizeof cut);
+    assert_string_equal(cut, "tower");
+    script_shorten("north_tower:19", 8, cut, sizeof cut);
+    assert_string_equal(cut, "nort…:19");
+    assert_int_equal(script_columns(cut), 8);
+    script_cut("Gebäude für alle", 7, cut, sizeof cut);
+    assert_string_equal(cut, "Gebäude…");
+}
+
+static void powers_and_units_have_raised_characters(void **state) {
+    (void)state;
+    struct unit_system units;
+    char text[64];
+    unit_system_init(&units);
+    script_power(-12, text, sizeof text);
+    assert_string_equal(text, "10⁻¹²");
+    script_power(3, text, sizeof text);
+    assert_string_equal(text, "10³");
+    script_unit(&units, dimension_acceleration, text, sizeof text);
+    assert_string_equal(text, "m/s²");
+    script_unit(&units, dimension_energy, text, sizeof text);
+    assert_string_equal(text, "N·m");
+}
+
+static void numbers_in_texts_have_no_exponent_where_none_is_needed(void **state) {
+    (void)state;
+    char text[32];
+    script_number(12804.4, text, sizeof text);
+    assert_string_equal(text, "12804");
+    script_number(0.012345678, text, sizeof text);
+    assert_string_equal(text, "0.01235");
+    script_number(3e9, text, sizeof text);
+    assert_string_equal(text, "3e+09");
+}
+
+static void a_step_is_1_2_or_5_times_a_power_of_ten(void **state) {
+    (void)state;
+    assert_close(script_step(1, 5), 0.2, 1e-12);
+    assert_close(script_step(7, 5), 2, 1e-12);
+    assert_close(script_step(0.013, 4), 0.005, 1e-12);
+    assert_close(script_step(0, 4), 1, 0);
+}
+
+static void a_span_is_never_empty_and_keeps_its_fixed_end(void **state) {
+    (void)state;
+    struct span span = span_none;
+    span_add(&span, NAN);
+    span_add(&span, INFINITY);
+    assert_close(span_with_room(span, 0).high, 1, 0);
+    span_add(&span, 2);
+    span_add(&span, 4);
+    const struct span from_zero = span_with_room(span, 0);
+    assert_close(from_zero.low, 0, 0);
+    assert_close(from_zero.high, 4.2, 1e-12);
+    const struct span free = span_with_room(span, NAN);
+    assert_close(free.low, 1.9, 1e-12);
+    assert_close(free.high, 4.1, 1e-12);
+    struct span nothing = span_none;
+    span_add(&nothing, 0);
+    assert_true(span_with_room(nothing, 0).high > span_with_room(nothing, 0).low);
+    assert_true(span_with_room(nothing, NAN).high > span_with_room(nothing, NAN).low);
+}
+
+static void a_history_is_a_straight_line_between_its_rows(void **state) {
+    (void)state;
+    struct data d;
+    struct error e;
+    assert_int_equal(data_create(&d, 3, 2, &e), 0);
+    for (size_t i = 0; i < 3; i++) {
+        d.column[0][i] = (double)i;
+        d.column[1][i] = (double)(i * i);
+    }
+    assert_close(data_at(&d, 1, 1.5), 2.5, 1e-12);
+    assert_close(data_at(&d, 1, 1), 1, 1e-12);
+    assert_close(data_at(&d, 1, -1), 0, 0);
+    assert_close(data_at(&d, 1, 5), 4, 0);
+    assert_int_equal(data_row(&d, 0.5), 1);
+    assert_int_equal(data_row(&d, 2.5), 3);
+    data_free(&d);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(thinning_keeps_the_extremes_of_every_part_and_the_order),
+        cmocka_unit_test(few_rows_are_not_thinned),
+        cmocka_unit_test(a_name_is_shortened_in_its_middle),
+        cmocka_unit_test(powers_and_units_have_raised_characters),
+        cmocka_unit_test(numbers_in_texts_have_no_exponent_where_none_is_needed),
+        cmocka_unit_test(a_step_is_1_2_or_5_times_a_power_of_ten),
+        cmocka_unit_test(a_span_is_never_empty_and_keeps_its_fixed_end),
+        cmocka_unit_test(a_history_is_a_straight_line_between_its_rows),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
