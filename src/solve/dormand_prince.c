@@ -194,7 +194,9 @@ static int too_crowded(struct dp *p, struct error *e) {
 
 // Lets an event at `now` happen, and starts again from there.
 static int happen(struct dp *p, const struct dp_event *event, struct error *e) {
-    int status = dp_event_apply(p, event, e);
+    if (dp_event_apply(p, event, e) != STATUS_OK) {
+        return e->status;
+    }
     p->results->totals.events++;
     p->error = FIRST_ERROR;
     if (event->kind == DP_CLOSE) {
@@ -205,7 +207,7 @@ static int happen(struct dp *p, const struct dp_event *event, struct error *e) {
     p->trial = fmax(p->trial, p->model->control.shortest);
     rates_now(p);
     dp_peaks_now(p);
-    return status == STATUS_OK ? too_crowded(p, e) : status;
+    return too_crowded(p, e);
 }
 
 // The next instant at which a step has to end.

@@ -229,7 +229,6 @@ static void every_random_deck_ends_with_a_closed_account_or_advice(void **state)
             }
             assert_true(a.results->residual_peak < 1e-4 * flow);
         } else {
-            if (!strstr(e.message, "step fixed DT")) { print_error("seed %d %s\n%s", (int)seed, e.message, adaptive); }
             assert_non_null(strstr(e.message, "step fixed DT"));
             given_up++;
         }
