@@ -37,7 +37,8 @@ static const double CROWD_TIME = 1e-7;
 enum { PACE_STEPS = 20000 };
 
 static bool alloc_stages(struct dp *p, struct arena *a) {
-    double **const part[] = {&p->zero, &p->error_u, &p->error_v, &p->input, &p->damping};
+    double **const part[] = {&p->zero,    &p->error_u, &p->error_v,
+                             &p->scale_u, &p->scale_v, &p->input, &p->damping};
     bool good = true;
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         good = good && (*part[i] = lanes_array(a, p->model->n_dof));
@@ -50,16 +51,17 @@ static bool alloc_stages(struct dp *p, struct arena *a) {
 
 struct dp *dormand_prince_create(const struct model *m, struct results *r, struct impact_log *log,
                                  struct arena *a) {
-    size_t n = (size_t)m->n_building;
+    size_t n_rate = (size_t)m->n_link + LANES_WIDTH;
     struct dp *p = arena_alloc(a, 1, sizeof *p);
     if (!p) {
         return NULL;
     }
     *p = (struct dp){.model = m, .results = r, .impacts = log, .last_link = -1};
-    p->largest_u = arena_alloc(a, n, sizeof(double));
-    p->largest_v = arena_alloc(a, n, sizeof(double));
+    p->rate[0] = arena_alloc(a, n_rate, sizeof(double));
+    p->rate[1] = arena_alloc(a, n_rate, sizeof(double));
+    p->no_depth = arena_alloc(a, n_rate, sizeof(double));
     p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
-    bool good = p->meeting && p->largest_u && p->largest_v && dp_system_alloc(&p->system, m, a) &&
+    bool good = p->meeting && p->rate[0] && p->rate[1] && p->no_depth && dp_system_alloc(&p->system, m, a) &&
                 state_alloc(&p->now, m, a) && state_alloc(&p->next, m, a) && alloc_stages(p, a);
     return good ? p : NULL;
 }
@@ -112,6 +114,7 @@ static void expect(struct dp *p) {
     }
     p->most_v = EXPECTED * acceleration * time;
     p->most_u = p->most_v * time;
+    p->grown = true;
 }
 
 void dormand_prince_start(struct dp *p, const struct state *start,
@@ -138,8 +141,9 @@ void dormand_prince_start(struct dp *p, const struct state *start,
     bind(p);
     dp_system_start(&p->system, now);
     rates_now(p);
-    dp_peaks_now(p);
+    dp_stages_gaps(m, now, p->rate[0]);
     expect(p);
+    dp_peaks_now(p);
     p->energy = *energy;
     p->trial = fmax(first_step(m), m->control.shortest);
     p->error = FIRST_ERROR;
@@ -166,6 +170,7 @@ static void swap_ends(struct dp *p) {
     for (size_t i = 0; i < sizeof of_now / sizeof of_now[0]; i++) {
         swap(of_now[i], of_next[i]);
     }
+    swap(&p->rate[0], &p->rate[1]);
     struct dp_rates first = p->stage[0];
     p->stage[0] = p->stage[DP_STAGES - 1];
     p->stage[DP_STAGES - 1] = first;
@@ -206,6 +211,7 @@ static int happen(struct dp *p, const struct dp_event *event, struct error *e) {
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
     rates_now(p);
+    dp_stages_gaps(p->model, &p->now, p->rate[0]);
     dp_peaks_now(p);
     return too_crowded(p, e);
 }
@@ -256,7 +262,7 @@ static const char *cause(const struct dp *p, double h) {
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
         struct contact_response r = dp_system_response(&p->system, &p->now, k, p->now.delta[k],
-                                                       state_rate(&p->now, m, k));
+                                                       p->rate[0][k]);
         double rate = fmax(fabs(r.dfdv) / m->link[k].mass, sqrt(fabs(r.dfdd) / m->link[k].mass));
         if (rate > fastest) {
             fastest = rate;

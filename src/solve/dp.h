@@ -38,11 +38,13 @@ struct dp {
     struct state now, next;  // the ends of the step; histories and closed links are in `now`
     struct dp_rates stage[DP_STAGES];      // the first at `now`, the last at `next`
     struct meeting *meeting;               // (n_contact) scratch of rigid impacts
-    double *zero;                          // (n_dof) zeros
+    double *rate[2];                       // [L/T] (n_link) of penetrations at both ends
+    double *zero, *no_depth;               // (n_dof), (n_link) zeros
     double *error_u, *error_v;             // (n_dof) scratch
     double *input, *damping;               // [F L] (n_dof) scratch
-    double *largest_u, *largest_v;         // [L] [L/T] (n_building) so far
-    double most_u, most_v;                 // of any building
+    double *scale_u, *scale_v;             // [1/L] [T/L] (n_dof) of errors, building by building
+    double most_u, most_v;                 // [L] [L/T] of any building so far
+    bool grown;                            // since the scales were made
     struct energy_account before, energy;  // up to the start and to the end of the step
 
     double h;               // [T] the step; 0: none has been made
@@ -67,14 +69,26 @@ double dp_stages_error(struct dp *p);
 void dp_stages_weights(double x, double *weight);
 extern const double dp_stages_whole[DP_STAGES];
 
-// Fills what `next` has besides its motion: time, drifts, penetrations and forces of links.
+// Fills what `next` has besides its motion: drifts, penetrations and forces of links.
 void dp_stages_ends(struct dp *p);
+
+// Penetrations of all links of state `s` and their rates.
+void dp_stages_gaps(const struct model *m, struct state *s, double *rate);
+
+// The motion of all floors at place x of the step.
+void dp_stages_between(const struct dp *p, double x, double *u, double *v);
+
+// Makes the scales of errors again, if motions have grown.
+void dp_stages_rescale(struct dp *p);
 
 // dp_event.c: the motion of a floor, of a link, of a storey, and the first event in the step.
 struct motion dp_event_floor(const struct dp *p, int i);
 struct motion dp_event_link(const struct dp *p, int k);
 struct motion dp_event_storey(const struct dp *p, int i);
 struct dp_event dp_event_first(const struct dp *p);
+
+// Could the penetration of any contact go beyond its limit (n_contact) in the step?
+bool dp_event_may_exceed(const struct dp *p, const double *limit);
 
 // Takes the step again so that it ends at its event.
 void dp_event_locate(struct dp *p);

@@ -102,7 +102,7 @@ double dp_account_acceleration(struct dp *p, double x, int i) {
 // The state at place x of the step, and the rates there.
 static const struct dp_rates *rates_at(struct dp *p, double x) {
     struct dp_rates *r = &p->stage[1];
-    interpolate(p, x, 0, p->model->n_dof);
+    dp_stages_between(p, x, r->u, r->v);
     dp_system_rates(&p->system, &p->now, p->now.time + x * p->h, r);
     return r;
 }

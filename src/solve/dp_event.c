@@ -14,6 +14,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "core/lanes.h"
 #include "solve/dp.h"
 #include "solve/excitation.h"
 
@@ -30,7 +31,7 @@ static void motion_accelerations(const struct dp *p, const struct link *l, struc
 struct motion dp_event_link(const struct dp *p, int k) {
     struct motion m = {
         .d = {p->now.delta[k], p->next.delta[k]},
-        .v = {state_rate(&p->now, p->model, k), state_rate(&p->next, p->model, k)},
+        .v = {p->rate[0][k], p->rate[1][k]},
         .h = p->h,
     };
     motion_accelerations(p, &p->model->link[k], &m);
@@ -140,19 +141,15 @@ static struct dp_event leaving(const struct dp *p, int k, const struct motion *m
 // Could an open link close in the step? An upper bound of its penetration.
 static bool may_close(const struct dp *p, int k) {
     double d = fmax(p->now.delta[k], p->next.delta[k]);
-    return d + p->h * fmax(fabs(state_rate(&p->now, p->model, k)), fabs(state_rate(&p->next, p->model, k))) > 0.0;
+    return d + p->h * fmax(fabs(p->rate[0][k]), fabs(p->rate[1][k])) > 0.0;
 }
 
 static struct dp_event link_event(const struct dp *p, int k) {
-    if (!p->now.closed[k]) {
-        if (!may_close(p, k)) {
-            return nothing;
-        }
-        struct motion m = dp_event_link(p, k);
-        return closing(p, k, &m);
+    if (!p->now.closed[k] && !may_close(p, k)) {
+        return nothing;
     }
     struct motion m = dp_event_link(p, k);
-    return leaving(p, k, &m);
+    return p->now.closed[k] ? leaving(p, k, &m) : closing(p, k, &m);
 }
 
 // The drift between low and high at which the law leaves the tangent of its branch.
@@ -211,9 +208,33 @@ static struct dp_event storey_event(const struct dp *p, int i) {
     return nothing;
 }
 
+// Penetrations and their rates at both ends, and what they are compared with.
+struct beyond {
+    const double *d[2], *v[2], *limit;
+};
+
+LANES static bool any_beyond(int n, double h, const struct beyond *b) {
+    const double *restrict d0 = b->d[0], *restrict d1 = b->d[1], *restrict limit = b->limit;
+    const double *restrict v0 = b->v[0], *restrict v1 = b->v[1];
+    long found = 0;
+    for (int i = 0, end = lanes_whole(n); i < end; i++) {
+        double d = d0[i] > d1[i] ? d0[i] : d1[i];
+        double v = fabs(v0[i]) > fabs(v1[i]) ? fabs(v0[i]) : fabs(v1[i]);
+        found |= d + h * v > limit[i];
+    }
+    return found != 0;
+}
+
+bool dp_event_may_exceed(const struct dp *p, const double *limit) {
+    const struct beyond b = {
+        {p->now.delta, p->next.delta}, {p->rate[0], p->rate[1]}, limit};
+    return any_beyond(p->model->n_contact, p->h, &b);
+}
+
 struct dp_event dp_event_first(const struct dp *p) {
     struct dp_event first = nothing;
-    for (int k = 0; k < p->model->n_contact; k++) {
+    int n_contact = dp_event_may_exceed(p, p->no_depth) ? p->model->n_contact : 0;
+    for (int k = 0; k < n_contact; k++) {
         struct dp_event event = link_event(p, k);
         first = event.place < first.place ? event : first;
     }

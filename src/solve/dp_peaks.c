@@ -5,11 +5,15 @@
 // parabola put through the three. Most steps are far from any peak, and cost a few comparisons.
 #include <math.h>
 
+#include "core/lanes.h"
 #include "solve/dp.h"
 
 // Distance in the step of the three values, and how much an acceleration may exceed those at the
 // stages.
 static const double BESIDE = 0.02, BEYOND = 1.1;
+
+// Floors, in whole lanes, that are looked at together.
+enum { BLOCK = 16 * LANES_WIDTH };
 
 enum { ITERATIONS_MAX = 40 };
 static const double PLACED = 1e-6;  // of the step, of an extremum of a force
@@ -19,6 +23,7 @@ static void note(struct dp *p, enum peak q, int i, double value, double time) {
     if (size > p->results->peak[q][i]) {
         p->results->peak[q][i] = size;
         p->results->peak_time[q][i] = time;
+        p->grown |= q == PEAK_DISPLACEMENT || q == PEAK_VELOCITY;
     }
 }
 
@@ -120,70 +125,85 @@ static double inner_size(const struct dp_rates *early, const struct dp_rates *la
     return x > y ? x : y;
 }
 
-static void building_step(struct dp *p, const struct building *g) {
+static void inner_step(struct dp *p, int i) {
     const struct state *now = &p->now;
     const struct state *next = &p->next;
+    const struct building *g = &p->model->building[p->system.building[i]];
     double *const *peak = p->results->peak;
     double h = p->h;
-    double below0 = 0.0;
-    double below1 = 0.0;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        double v0 = now->v[i];
-        double v1 = next->v[i];
-        if (v0 * v1 < 0.0 && may_exceed(peak[PEAK_DISPLACEMENT][i], now->u[i], v0, h)) {
-            inner_displacement(p, i);
-        }
-        if (now->a[i] * next->a[i] < 0.0 && may_exceed(peak[PEAK_VELOCITY][i], v0, now->a[i], h)) {
-            inner_velocity(p, i);
-        }
-        if ((v0 - below0) * (v1 - below1) < 0.0 &&
-            may_exceed(peak[PEAK_DRIFT][i], now->drift[i], v0 - below0, h)) {
-            inner_drift(p, i);
-        }
-        if (BEYOND * inner_size(&p->stage[2], &p->stage[3], g->ground, i) >
-            peak[PEAK_ACCELERATION][i]) {
-            inner_acceleration(p, g, i);
-        }
-        below0 = v0;
-        below1 = v1;
+    double v0 = now->v[i];
+    double v1 = next->v[i];
+    double below0 = i > g->first ? now->v[i - 1] : 0.0;
+    double below1 = i > g->first ? next->v[i - 1] : 0.0;
+    if (v0 * v1 < 0.0 && may_exceed(peak[PEAK_DISPLACEMENT][i], now->u[i], v0, h)) {
+        inner_displacement(p, i);
+    }
+    if (now->a[i] * next->a[i] < 0.0 && may_exceed(peak[PEAK_VELOCITY][i], v0, now->a[i], h)) {
+        inner_velocity(p, i);
+    }
+    if ((v0 - below0) * (v1 - below1) < 0.0 &&
+        may_exceed(peak[PEAK_DRIFT][i], now->drift[i], v0 - below0, h)) {
+        inner_drift(p, i);
+    }
+    if (BEYOND * inner_size(&p->stage[2], &p->stage[3], g->ground, i) >
+        peak[PEAK_ACCELERATION][i]) {
+        inner_acceleration(p, g, i);
     }
 }
 
 // Values at one instant. The shear of an elastic storey is largest with its drift.
-static void building_at(struct dp *p, const struct state *s, int k) {
-    const struct building *g = &p->model->building[k];
-    double *const *peak = p->results->peak;
-    double ground = s->ground_a[g->ground];
-    double u = p->largest_u[k];
-    double v = p->largest_v[k];
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        double u_size = fabs(s->u[i]);
-        double v_size = fabs(s->v[i]);
-        u = u_size > u ? u_size : u;
-        v = v_size > v ? v_size : v;
-        if (u_size > peak[PEAK_DISPLACEMENT][i]) {
-            note(p, PEAK_DISPLACEMENT, i, s->u[i], s->time);
-        }
-        if (v_size > peak[PEAK_VELOCITY][i]) {
-            note(p, PEAK_VELOCITY, i, s->v[i], s->time);
-        }
-        if (fabs(s->a[i] + ground) > peak[PEAK_ACCELERATION][i]) {
-            note(p, PEAK_ACCELERATION, i, s->a[i] + ground, s->time);
-        }
-        if (!g->elastic || fabs(s->drift[i]) > peak[PEAK_DRIFT][i]) {
-            note_drift(p, i, s->drift[i], s->time);
-        }
+static void floor_at(struct dp *p, const struct state *s, int i) {
+    const struct building *g = &p->model->building[p->system.building[i]];
+    note(p, PEAK_DISPLACEMENT, i, s->u[i], s->time);
+    note(p, PEAK_VELOCITY, i, s->v[i], s->time);
+    note(p, PEAK_ACCELERATION, i, s->a[i] + s->ground_a[g->ground], s->time);
+    if (!g->elastic || fabs(s->drift[i]) > p->results->peak[PEAK_DRIFT][i]) {
+        note_drift(p, i, s->drift[i], s->time);
     }
-    p->largest_u[k] = u;
-    p->largest_v[k] = v;
-    p->most_u = fmax(p->most_u, u);
-    p->most_v = fmax(p->most_v, v);
 }
 
-static void floors_at(struct dp *p, const struct state *s) {
-    for (int k = 0; k < p->model->n_building; k++) {
-        building_at(p, s, k);
+// Could one of n floors from `first` on, in whole lanes, have a new peak in the step? Upper bounds
+// of motions, and accelerations at stages with what may lie beyond them.
+LANES static bool may_peak(const struct dp *p, int first, int n) {
+    const double *restrict u0 = p->now.u, *restrict u1 = p->next.u;
+    const double *restrict v0 = p->now.v, *restrict v1 = p->next.v;
+    const double *restrict d0 = p->now.drift, *restrict d1 = p->next.drift;
+    const double *restrict a0 = p->now.a, *restrict a1 = p->next.a;
+    const double *restrict a2 = p->stage[2].a, *restrict a3 = p->stage[3].a;
+    const double *restrict share = p->system.row[DP_GROUND];
+    const double *restrict joint = p->model->chain.joint;
+    double *const *peak = p->results->peak;
+    const double *restrict u = peak[PEAK_DISPLACEMENT], *restrict v = peak[PEAK_VELOCITY];
+    const double *restrict d = peak[PEAK_DRIFT], *restrict a = peak[PEAK_ACCELERATION];
+    double h = p->h;
+    double g1 = p->next.ground_a[0];
+    double g2 = p->stage[2].ground.a[0];
+    double g3 = p->stage[3].ground.a[0];
+    long found = 0;
+    for (int i = first, end = first + lanes_whole(n); i < end; i++) {
+        double slip = v0[i] - joint[i] * v0[i - 1];
+        found |= (fabs(u0[i]) + h * fabs(v0[i]) > u[i]) | (fabs(u1[i]) > u[i]) |
+                 (fabs(v0[i]) + h * fabs(a0[i]) > v[i]) | (fabs(v1[i]) > v[i]) |
+                 (fabs(d0[i]) + h * fabs(slip) > d[i]) | (fabs(d1[i]) > d[i]) |
+                 (fabs(a1[i] + share[i] * g1) > a[i]) |
+                 (BEYOND * fabs(a2[i] + share[i] * g2) > a[i]) |
+                 (BEYOND * fabs(a3[i] + share[i] * g3) > a[i]);
     }
+    return found != 0;
+}
+
+static void floors_step(struct dp *p) {
+    const struct model *m = p->model;
+    bool always = m->n_ground != 1 || m->n_storey_history > 0;
+    for (int first = 0; first < m->n_dof; first += BLOCK) {
+        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
+        bool seen = always || may_peak(p, first, n);
+        for (int i = first; seen && i < first + n; i++) {
+            inner_step(p, i);
+            floor_at(p, &p->next, i);
+        }
+    }
+    dp_stages_rescale(p);
 }
 
 static void note_force(struct link_peak *l, double force, double time) {
@@ -216,14 +236,15 @@ static double link_penetration(struct dp *p, int k, const struct motion *m) {
             note_penetration(l, both ? fabs(d) : d, p->now.time + x[j] * p->h);
         }
     }
+    p->results->deepest[k] = l->penetration;
     return largest;
 }
 
 static void open_step(struct dp *p, int k) {
     double most = p->results->link[k].penetration;
     double d = fmax(p->now.delta[k], p->next.delta[k]);
-    bool turns = state_rate(&p->now, p->model, k) > 0.0 && state_rate(&p->next, p->model, k) < 0.0;
-    if (d > most || (turns && d + p->h * state_rate(&p->now, p->model, k) > most)) {
+    bool turns = p->rate[0][k] > 0.0 && p->rate[1][k] < 0.0;
+    if (d > most || (turns && d + p->h * p->rate[0][k] > most)) {
         struct motion m = dp_event_link(p, k);
         link_penetration(p, k, &m);
     }
@@ -276,11 +297,9 @@ void dp_peaks_link(struct dp *p, int k, struct impact_share *share) {
 }
 
 void dp_peaks_step(struct dp *p) {
-    for (int k = 0; k < p->model->n_building; k++) {
-        building_step(p, &p->model->building[k]);
-    }
-    floors_at(p, &p->next);
-    for (int k = 0; k < p->model->n_contact; k++) {
+    floors_step(p);
+    int n = dp_event_may_exceed(p, p->results->deepest) ? p->model->n_contact : 0;
+    for (int k = 0; k < n; k++) {
         if (!p->now.closed[k]) {
             open_step(p, k);
         }
@@ -288,7 +307,10 @@ void dp_peaks_step(struct dp *p) {
 }
 
 void dp_peaks_now(struct dp *p) {
-    floors_at(p, &p->now);
+    for (int i = 0; i < p->model->n_dof; i++) {
+        floor_at(p, &p->now, i);
+    }
+    dp_stages_rescale(p);
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
         bool both = p->model->link[k].bilateral;

@@ -8,7 +8,9 @@
 //     V_s = v + h sum A_sj a_j,    U_s = u + c_s h v + h^2 sum Q_sj a_j,
 // which is the same method with half the sums (ibid., section II.14). The error estimates h E and
 // h^2 (E A) follow in the same way.
+#include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/lanes.h"
 #include "solve/dp.h"
@@ -60,7 +62,7 @@ struct terms {
 
 static struct terms terms_of(const struct dp *p, const struct sums *s, double h) {
     struct terms t;
-    for (int j = 0; j < TERMS_MAX; j++) {
+    for (int j = 0; j < s->n; j++) {
         t.a[j] = p->stage[s->stage[j]].a;
         t.v[j] = h * s->v[j];
         t.u[j] = h * h * s->u[j];
@@ -145,61 +147,122 @@ void dp_stages_take(struct dp *p, double h, double end) {
     }
 }
 
-// fmax without its care for NaN, which costs half the time of what follows.
-static double larger(double x, double y) {
-    return y > x ? y : x;
+void dp_stages_gaps(const struct model *m, struct state *s, double *rate) {
+    const double *restrict u = s->u;
+    const double *restrict v = s->v;
+    for (int k = 0; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        static_assert(WALL == -1, "a wall is the zero in front of an array");
+        s->delta[k] = u[l->dof[0]] - u[l->dof[1]] - l->gap;
+        rate[k] = v[l->dof[0]] - v[l->dof[1]];
+    }
+    for (int k = 0; m->n_ground > 1 && k < m->n_link; k++) {
+        s->delta[k] = state_gap(&m->link[k], m, s->u, s->ground_u) - m->link[k].gap;
+        rate[k] = state_rate(s, m, k);
+    }
+}
+
+LANES static void drifts(const struct chain *c, const double *restrict u, double *restrict drift) {
+    const double *restrict joint = c->joint;
+    for (int i = 0, end = lanes_whole(c->n); i < end; i++) {
+        drift[i] = u[i] - joint[i] * u[i - 1];
+    }
 }
 
 void dp_stages_ends(struct dp *p) {
-    const struct model *m = p->model;
     struct state *next = &p->next;
-    for (int i = 0; i < m->n_dof; i++) {
-        next->drift[i] = next->u[i] - (p->system.below[i] < 0 ? 0.0 : next->u[p->system.below[i]]);
-    }
-    for (int k = 0; k < m->n_link; k++) {
-        next->delta[k] = state_gap(&m->link[k], m, next->u, next->ground_u) - m->link[k].gap;
-        next->force[k] = 0.0;
-    }
+    drifts(&p->model->chain, next->u, next->drift);
+    dp_stages_gaps(p->model, next, p->rate[1]);
+    memset(next->force, 0, (size_t)p->model->n_link * sizeof *next->force);
     for (int i = 0; i < p->now.n_live; i++) {
         next->force[p->now.live[i]] = p->stage[DP_STAGES - 1].force[i];
     }
+}
+
+// The Hermite polynomial of degree 5 and its slope: sums over what is known at both ends.
+void dp_stages_between(const struct dp *p, double x, double *u, double *v) {
+    const struct state *now = &p->now;
+    const struct state *next = &p->next;
+    double h = p->h;
+    double y = 1.0 - x;
+    double x2 = x * x;
+    double y2 = y * y;
+    double rise = x2 * x * (10.0 + x * (6.0 * x - 15.0));
+    double slope = 30.0 * x2 * y2 / h;
+    const struct terms t = {
+        .a = {now->u, now->v, now->a, next->u, next->v, next->a},
+        .u = {1.0 - rise, h * x * y2 * y * (1.0 + 3.0 * x), h * h * x2 * y2 * y / 2.0, rise,
+              -h * x2 * x * y * (1.0 + 3.0 * y), h * h * x2 * x * y2 / 2.0},
+        .v = {-slope, y2 * (1.0 + x * (2.0 - 15.0 * x)), h * x * y2 * (2.0 - 5.0 * x) / 2.0, slope,
+              x2 * (1.0 + y * (2.0 - 15.0 * y)), -h * x2 * y * (2.0 - 5.0 * y) / 2.0},
+    };
+    combine_6(&t, p->model->n_dof, 0.0, p->zero, p->zero, u, v);
+}
+
+// Errors in u and v over their sizes; the larger one takes the place of that in u.
+LANES static void scale_errors(int n, const double *restrict scale_u,
+                               const double *restrict scale_v, double *restrict u,
+                               const double *restrict v) {
+    for (int i = 0, end = lanes_whole(n); i < end; i++) {
+        double of_u = fabs(u[i]) * scale_u[i];
+        double of_v = fabs(v[i]) * scale_v[i];
+        u[i] = of_v > of_u ? of_v : of_u;
+    }
+}
+
+double dp_stages_error(struct dp *p) {
+    double largest = 0.0;
+    double sum = 0.0;
+    int n = p->model->n_dof;
+    struct terms t = terms_of(p, &error_sums, p->h);
+    combine_6(&t, n, 0.0, p->zero, p->zero, p->error_u, p->error_v);
+    scale_errors(n, p->scale_u, p->scale_v, p->error_u, p->error_v);
+    for (int i = 0; i < n; i++) {
+        double error = p->error_u[i];
+        largest = error > largest ? error : largest;
+        sum += error;
+    }
+    return isfinite(sum) ? largest / p->model->control.tolerance : INFINITY;
 }
 
 // A building that has hardly moved yet is measured by a hundredth of what others have: without
 // that, the first touch of a building at rest would take endless steps.
 static const double SHARE = 1e-2;
 
-// The larger of the errors of building k in u and v, each over its size; infinite where they are
-// not finite.
-static double building_error(const struct dp *p, int k) {
-    const struct building *g = &p->model->building[k];
-    double u_size = fmax(p->largest_u[k], SHARE * p->most_u);
-    double v_size = fmax(p->largest_v[k], SHARE * p->most_v);
-    double u_error = 0.0;
-    double v_error = 0.0;
-    double sum = 0.0;
+static double largest_of(const double *x, const struct building *g) {
+    double largest = 0.0;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
-        double u = p->error_u[i];
-        double v = p->error_v[i];
-        sum += u + v;
-        u_error = larger(u_error, fabs(u));
-        v_error = larger(v_error, fabs(v));
-        u_size = larger(u_size, fabs(p->next.u[i]));
-        v_size = larger(v_size, fabs(p->next.v[i]));
+        largest = x[i] > largest ? x[i] : largest;
     }
-    double u = u_error == 0.0 ? 0.0 : u_error / u_size;
-    double v = v_error == 0.0 ? 0.0 : v_error / v_size;
-    return isfinite(sum) ? larger(u, v) : INFINITY;
+    return largest;
 }
 
-double dp_stages_error(struct dp *p) {
-    double largest = 0.0;
-    struct terms t = terms_of(p, &error_sums, p->h);
-    combine_terms[error_sums.n](&t, p->model->n_dof, 0.0, p->zero, p->zero, p->error_u, p->error_v);
-    for (int k = 0; k < p->model->n_building; k++) {
-        largest = larger(largest, building_error(p, k));
+// Where nothing moves, nothing is expected to and nothing is wrong.
+static double over(double size) {
+    return size > 0.0 ? 1.0 / size : 0.0;
+}
+
+void dp_stages_rescale(struct dp *p) {
+    const struct model *m = p->model;
+    const double *u = p->results->peak[PEAK_DISPLACEMENT];
+    const double *v = p->results->peak[PEAK_VELOCITY];
+    if (!p->grown) {
+        return;
     }
-    return largest / p->model->control.tolerance;
+    p->grown = false;
+    for (int i = 0; i < m->n_dof; i++) {
+        p->most_u = fmax(p->most_u, u[i]);
+        p->most_v = fmax(p->most_v, v[i]);
+    }
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        double of_u = over(fmax(largest_of(u, g), SHARE * p->most_u));
+        double of_v = over(fmax(largest_of(v, g), SHARE * p->most_v));
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            p->scale_u[i] = of_u;
+            p->scale_v[i] = of_v;
+        }
+    }
 }
 
 const double dp_stages_whole[DP_STAGES] = {
