@@ -37,8 +37,8 @@ static const double CROWD_TIME = 1e-7;
 enum { PACE_STEPS = 20000 };
 
 static bool alloc_stages(struct dp *p, struct arena *a) {
-    double **const part[] = {&p->zero,    &p->error_u, &p->error_v,
-                             &p->scale_u, &p->scale_v, &p->input, &p->damping};
+    double **const part[] = {&p->zero,    &p->error_u, &p->error_v, &p->scale_u,
+                             &p->scale_v, &p->input,   &p->damping};
     bool good = true;
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         good = good && (*part[i] = lanes_array(a, p->model->n_dof));
@@ -61,8 +61,9 @@ struct dp *dormand_prince_create(const struct model *m, struct results *r, struc
     p->rate[1] = arena_alloc(a, n_rate, sizeof(double));
     p->no_depth = arena_alloc(a, n_rate, sizeof(double));
     p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
-    bool good = p->meeting && p->rate[0] && p->rate[1] && p->no_depth && dp_system_alloc(&p->system, m, a) &&
-                state_alloc(&p->now, m, a) && state_alloc(&p->next, m, a) && alloc_stages(p, a);
+    bool good = p->meeting && p->rate[0] && p->rate[1] && p->no_depth &&
+                dp_system_alloc(&p->system, m, a) && state_alloc(&p->now, m, a) &&
+                state_alloc(&p->next, m, a) && alloc_stages(p, a);
     return good ? p : NULL;
 }
 
@@ -163,10 +164,11 @@ static void swap(double **x, double **y) {
 static void swap_ends(struct dp *p) {
     struct state *now = &p->now;
     struct state *next = &p->next;
-    double **of_now[] = {&now->u,     &now->v,     &now->a,        &now->drift,   &now->delta,
+    double **of_now[] = {&now->u,     &now->v,        &now->a,        &now->drift,   &now->delta,
                          &now->force, &now->ground_a, &now->ground_v, &now->ground_u};
-    double **of_next[] = {&next->u,     &next->v,     &next->a,        &next->drift,   &next->delta,
-                         &next->force, &next->ground_a, &next->ground_v, &next->ground_u};
+    double **of_next[] = {&next->u,        &next->v,        &next->a,
+                          &next->drift,    &next->delta,    &next->force,
+                          &next->ground_a, &next->ground_v, &next->ground_u};
     for (size_t i = 0; i < sizeof of_now / sizeof of_now[0]; i++) {
         swap(of_now[i], of_next[i]);
     }
@@ -261,8 +263,8 @@ static const char *cause(const struct dp *p, double h) {
     double fastest = 0.5 / h;  // slower ones do not matter
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
-        struct contact_response r = dp_system_response(&p->system, &p->now, k, p->now.delta[k],
-                                                       p->rate[0][k]);
+        struct contact_response r =
+            dp_system_response(&p->system, &p->now, k, p->now.delta[k], p->rate[0][k]);
         double rate = fmax(fabs(r.dfdv) / m->link[k].mass, sqrt(fabs(r.dfdd) / m->link[k].mass));
         if (rate > fastest) {
             fastest = rate;

@@ -226,8 +226,7 @@ LANES static bool any_beyond(int n, double h, const struct beyond *b) {
 }
 
 bool dp_event_may_exceed(const struct dp *p, const double *limit) {
-    const struct beyond b = {
-        {p->now.delta, p->next.delta}, {p->rate[0], p->rate[1]}, limit};
+    const struct beyond b = {{p->now.delta, p->next.delta}, {p->rate[0], p->rate[1]}, limit};
     return any_beyond(p->model->n_contact, p->h, &b);
 }
 

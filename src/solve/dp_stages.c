@@ -54,32 +54,17 @@ static const struct sums error_sums = {
     {611.0 / 230400.0, -514.0 / 83475.0, 391.0 / 38400.0, -4617.0 / 1356800.0, -11.0 / 3360.0, 0.0},
 };
 
-// One set of sums for all floors: the accelerations to add and their factors.
-struct terms {
-    const double *a[TERMS_MAX];
-    double v[TERMS_MAX], u[TERMS_MAX];
-};
-
-static struct terms terms_of(const struct dp *p, const struct sums *s, double h) {
-    struct terms t;
-    for (int j = 0; j < s->n; j++) {
-        t.a[j] = p->stage[s->stage[j]].a;
-        t.v[j] = h * s->v[j];
-        t.u[j] = h * h * s->u[j];
-    }
-    return t;
-}
-
-// v = v0 + sum of the first n terms and u = u0 + c v0 + sum. Where this is expanded n is a
-// constant, so that the compiler makes one loop in lanes of it.
-static inline void combine(int n, const struct terms *t, int n_dof, double c,
-                           const double *restrict u0, const double *restrict v0,
+// v = v0 + h times the sum of the first n accelerations a and u = u0 + c v0 + h^2 times theirs.
+// Where this is expanded n is a constant, so that the compiler makes one loop in lanes of it.
+static inline void combine(int n, const struct sums *s, const double *const *a, double h, int n_dof,
+                           double c, const double *restrict u0, const double *restrict v0,
                            double *restrict u, double *restrict v) {
-    const double *restrict a0 = t->a[0], *restrict a1 = t->a[1], *restrict a2 = t->a[2];
-    const double *restrict a3 = t->a[3], *restrict a4 = t->a[4], *restrict a5 = t->a[5];
-    double v_0 = t->v[0], v_1 = t->v[1], v_2 = t->v[2], v_3 = t->v[3], v_4 = t->v[4];
-    double u_0 = t->u[0], u_1 = t->u[1], u_2 = t->u[2], u_3 = t->u[3], u_4 = t->u[4];
-    double v_5 = t->v[5], u_5 = t->u[5];
+    const double *restrict a0 = a[0], *restrict a1 = a[1], *restrict a2 = a[2];
+    const double *restrict a3 = a[3], *restrict a4 = a[4], *restrict a5 = a[5];
+    double v_0 = s->v[0], v_1 = s->v[1], v_2 = s->v[2], v_3 = s->v[3], v_4 = s->v[4];
+    double u_0 = s->u[0], u_1 = s->u[1], u_2 = s->u[2], u_3 = s->u[3], u_4 = s->u[4];
+    double v_5 = s->v[5], u_5 = s->u[5];
+    double h2 = h * h;
     for (int i = 0, end = lanes_whole(n_dof); i < end; i++) {
         double to_v = v_0 * a0[i];
         double to_u = u_0 * a0[i];
@@ -93,57 +78,65 @@ static inline void combine(int n, const struct terms *t, int n_dof, double c,
         to_u += n > 4 ? u_4 * a4[i] : 0.0;
         to_v += n > 5 ? v_5 * a5[i] : 0.0;
         to_u += n > 5 ? u_5 * a5[i] : 0.0;
-        v[i] = v0[i] + to_v;
-        u[i] = u0[i] + (c * v0[i] + to_u);
+        v[i] = v0[i] + h * to_v;
+        u[i] = u0[i] + (c * v0[i] + h2 * to_u);
     }
 }
 
-typedef void combine_fn(const struct terms *t, int n_dof, double c, const double *u0,
-                        const double *v0, double *u, double *v);
+typedef void combine_fn(const struct sums *s, const double *const *a, double h, int n_dof, double c,
+                        const double *u0, const double *v0, double *u, double *v);
 
-LANES static void combine_1(const struct terms *t, int n_dof, double c, const double *u0,
-                            const double *v0, double *u, double *v) {
-    combine(1, t, n_dof, c, u0, v0, u, v);
+LANES static void combine_1(const struct sums *s, const double *const *a, double h, int n_dof,
+                            double c, const double *u0, const double *v0, double *u, double *v) {
+    combine(1, s, a, h, n_dof, c, u0, v0, u, v);
 }
 
-LANES static void combine_2(const struct terms *t, int n_dof, double c, const double *u0,
-                            const double *v0, double *u, double *v) {
-    combine(2, t, n_dof, c, u0, v0, u, v);
+LANES static void combine_2(const struct sums *s, const double *const *a, double h, int n_dof,
+                            double c, const double *u0, const double *v0, double *u, double *v) {
+    combine(2, s, a, h, n_dof, c, u0, v0, u, v);
 }
 
-LANES static void combine_3(const struct terms *t, int n_dof, double c, const double *u0,
-                            const double *v0, double *u, double *v) {
-    combine(3, t, n_dof, c, u0, v0, u, v);
+LANES static void combine_3(const struct sums *s, const double *const *a, double h, int n_dof,
+                            double c, const double *u0, const double *v0, double *u, double *v) {
+    combine(3, s, a, h, n_dof, c, u0, v0, u, v);
 }
 
-LANES static void combine_4(const struct terms *t, int n_dof, double c, const double *u0,
-                            const double *v0, double *u, double *v) {
-    combine(4, t, n_dof, c, u0, v0, u, v);
+LANES static void combine_4(const struct sums *s, const double *const *a, double h, int n_dof,
+                            double c, const double *u0, const double *v0, double *u, double *v) {
+    combine(4, s, a, h, n_dof, c, u0, v0, u, v);
 }
 
-LANES static void combine_5(const struct terms *t, int n_dof, double c, const double *u0,
-                            const double *v0, double *u, double *v) {
-    combine(5, t, n_dof, c, u0, v0, u, v);
+LANES static void combine_5(const struct sums *s, const double *const *a, double h, int n_dof,
+                            double c, const double *u0, const double *v0, double *u, double *v) {
+    combine(5, s, a, h, n_dof, c, u0, v0, u, v);
 }
 
-LANES static void combine_6(const struct terms *t, int n_dof, double c, const double *u0,
-                            const double *v0, double *u, double *v) {
-    combine(6, t, n_dof, c, u0, v0, u, v);
+LANES static void combine_6(const struct sums *s, const double *const *a, double h, int n_dof,
+                            double c, const double *u0, const double *v0, double *u, double *v) {
+    combine(6, s, a, h, n_dof, c, u0, v0, u, v);
 }
 
 static combine_fn *const combine_terms[TERMS_MAX + 1] = {NULL,      combine_1, combine_2, combine_3,
                                                          combine_4, combine_5, combine_6};
 
+// The sums over the stages' accelerations.
+static void sum_stages(const struct dp *p, const struct sums *s, double c, const double *u0,
+                       const double *v0, double *u, double *v) {
+    const double *a[TERMS_MAX] = {NULL};
+    for (int j = 0; j < s->n; j++) {
+        a[j] = p->stage[s->stage[j]].a;
+    }
+    combine_terms[s->n](s, a, p->h, p->model->n_dof, c, u0, v0, u, v);
+}
+
 void dp_stages_take(struct dp *p, double h, double end) {
     p->h = h;
     p->next.time = end;
     for (int s = 1; s < DP_STAGES; s++) {
-        const struct sums *sums = &stage_sums[s];
-        struct terms t = terms_of(p, sums, h);
-        combine_terms[sums->n](&t, p->model->n_dof, node[s] * h, p->now.u, p->now.v, p->stage[s].u,
-                               p->stage[s].v);
+        struct dp_rates *stage = &p->stage[s];
+        sum_stages(p, &stage_sums[s], node[s] * h, p->now.u, p->now.v, stage->u, stage->v);
         dp_system_rates(&p->system, &p->now, node[s] == 1.0 ? end : p->now.time + node[s] * h,
-                        &p->stage[s]);
+                        stage);
     }
 }
 
@@ -189,14 +182,14 @@ void dp_stages_between(const struct dp *p, double x, double *u, double *v) {
     double y2 = y * y;
     double rise = x2 * x * (10.0 + x * (6.0 * x - 15.0));
     double slope = 30.0 * x2 * y2 / h;
-    const struct terms t = {
-        .a = {now->u, now->v, now->a, next->u, next->v, next->a},
+    const double *const of[] = {now->u, now->v, now->a, next->u, next->v, next->a};
+    const struct sums sums = {
         .u = {1.0 - rise, h * x * y2 * y * (1.0 + 3.0 * x), h * h * x2 * y2 * y / 2.0, rise,
               -h * x2 * x * y * (1.0 + 3.0 * y), h * h * x2 * x * y2 / 2.0},
         .v = {-slope, y2 * (1.0 + x * (2.0 - 15.0 * x)), h * x * y2 * (2.0 - 5.0 * x) / 2.0, slope,
               x2 * (1.0 + y * (2.0 - 15.0 * y)), -h * x2 * y * (2.0 - 5.0 * y) / 2.0},
     };
-    combine_6(&t, p->model->n_dof, 0.0, p->zero, p->zero, u, v);
+    combine_6(&sums, of, 1.0, p->model->n_dof, 0.0, p->zero, p->zero, u, v);
 }
 
 // Errors in u and v over their sizes; the larger one takes the place of that in u.
@@ -214,8 +207,7 @@ double dp_stages_error(struct dp *p) {
     double largest = 0.0;
     double sum = 0.0;
     int n = p->model->n_dof;
-    struct terms t = terms_of(p, &error_sums, p->h);
-    combine_6(&t, n, 0.0, p->zero, p->zero, p->error_u, p->error_v);
+    sum_stages(p, &error_sums, 0.0, p->zero, p->zero, p->error_u, p->error_v);
     scale_errors(n, p->scale_u, p->scale_v, p->error_u, p->error_v);
     for (int i = 0; i < n; i++) {
         double error = p->error_u[i];

@@ -9,6 +9,7 @@
 // dp_event.c. Other storey laws are called as they are.
 #include "solve/dp_system.h"
 
+#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -51,7 +52,8 @@ bool dp_system_alloc_rates(struct dp_rates *r, const struct model *m, struct are
     r->ground.a = arena_alloc(a, n_ground, sizeof(double));
     r->ground.v = arena_alloc(a, n_ground, sizeof(double));
     r->ground.u = arena_alloc(a, n_ground, sizeof(double));
-    return r->u && r->v && r->a && r->force && r->power && r->ground.a && r->ground.v && r->ground.u;
+    return r->u && r->v && r->a && r->force && r->power && r->ground.a && r->ground.v &&
+           r->ground.u;
 }
 
 static bool is_straight(const struct storey *law) {
@@ -127,7 +129,7 @@ void dp_system_start(struct dp_system *s, const struct state *now) {
         }
     }
     for (int k = 0; k < m->n_link; k++) {
-        s->phase[k] = m->link[k].bilateral ? PHASE_ANY
+        s->phase[k] = m->link[k].bilateral          ? PHASE_ANY
                       : state_rate(now, m, k) < 0.0 ? PHASE_RELEASE
                                                     : PHASE_APPROACH;
     }
@@ -173,24 +175,41 @@ LANES static void floor_rates(int n, double *const row[DP_ROWS], double ground,
     }
 }
 
-LANES static void add_works(const struct chain *c, double weight, double to_ground,
-                            const double *restrict v, double *restrict input,
-                            double *restrict damping) {
-    const double *restrict mass = c->mass;
-    const double *restrict below = c->damping_below;
-    const double *restrict own = c->damping;
-    const double *restrict above = c->damping_above;
+// input[i] and damping[i]: sums over the velocities v (DP_WORKS) with the weights of `t`.
+LANES static void works(const struct chain *c, const struct dp_works *t,
+                        const double *const v[DP_WORKS], double *restrict input,
+                        double *restrict damping) {
+    const double *restrict mass = c->mass, *restrict own = c->damping;
+    const double *restrict below = c->damping_below, *restrict above = c->damping_above;
+    const double *restrict v0 = v[0], *restrict v1 = v[1], *restrict v2 = v[2];
+    const double *restrict v3 = v[3], *restrict v4 = v[4], *restrict v5 = v[5];
+    const double *w = t->weight;
+    double w0 = w[0], w1 = w[1], w2 = w[2], w3 = w[3], w4 = w[4], w5 = w[5];
+    const double *to = t->ground;
+    double g0 = to[0], g1 = to[1], g2 = to[2], g3 = to[3], g4 = to[4], g5 = to[5];
+    static_assert(DP_WORKS == 6, "all velocities are there");
     for (int i = 0, end = lanes_whole(c->n); i < end; i++) {
-        double force = below[i] * v[i - 1] + own[i] * v[i] + above[i] * v[i + 1];
-        damping[i] += weight * v[i] * force;
-        input[i] -= to_ground * mass[i] * v[i];
+        double b = below[i], o = own[i], a = above[i];
+        double sum = w0 * v0[i] * (b * v0[i - 1] + o * v0[i] + a * v0[i + 1]);
+        sum += w1 * v1[i] * (b * v1[i - 1] + o * v1[i] + a * v1[i + 1]);
+        sum += w2 * v2[i] * (b * v2[i - 1] + o * v2[i] + a * v2[i + 1]);
+        sum += w3 * v3[i] * (b * v3[i - 1] + o * v3[i] + a * v3[i + 1]);
+        sum += w4 * v4[i] * (b * v4[i - 1] + o * v4[i] + a * v4[i + 1]);
+        damping[i] = sum + w5 * v5[i] * (b * v5[i - 1] + o * v5[i] + a * v5[i + 1]);
+        input[i] = -mass[i] *
+                   (g0 * v0[i] + g1 * v1[i] + g2 * v2[i] + g3 * v3[i] + g4 * v4[i] + g5 * v5[i]);
     }
 }
 
-void dp_system_works(const struct dp_system *s, const struct dp_rates *r, double weight,
-                     double *input, double *damping) {
-    double ground = s->model->n_ground == 1 ? r->ground.a[0] : 0.0;
-    add_works(&s->model->chain, weight, weight * ground, r->v, input, damping);
+void dp_system_works(const struct dp_system *s, const struct dp_works *t, double *input,
+                     double *damping) {
+    const double *v[DP_WORKS];
+    struct dp_works w = *t;
+    for (int i = 0; i < DP_WORKS; i++) {
+        v[i] = t->rates[i]->v;
+        w.ground[i] = s->model->n_ground == 1 ? t->weight[i] * t->rates[i]->ground.a[0] : 0.0;
+    }
+    works(&s->model->chain, &w, v, input, damping);
 }
 
 // Ground accelerations where there are several.
@@ -293,10 +312,8 @@ static double own_acceleration(const struct dp_system *s, const struct state *no
     const double *u = r->u + i;
     const double *v = r->v + i;
     double a = s->row[DP_CONSTANT][i];
-    a -= s->row[DP_K_BELOW][i] * u[-1] + s->row[DP_K_OWN][i] * u[0] +
-         s->row[DP_K_ABOVE][i] * u[1];
-    a -= s->row[DP_C_BELOW][i] * v[-1] + s->row[DP_C_OWN][i] * v[0] +
-         s->row[DP_C_ABOVE][i] * v[1];
+    a -= s->row[DP_K_BELOW][i] * u[-1] + s->row[DP_K_OWN][i] * u[0] + s->row[DP_K_ABOVE][i] * u[1];
+    a -= s->row[DP_C_BELOW][i] * v[-1] + s->row[DP_C_OWN][i] * v[0] + s->row[DP_C_ABOVE][i] * v[1];
     if (g->damping_full) {
         building_damping_force(g, r->v + g->first, s->damping + g->first);
         a -= s->damping[i] * s->mobility[i];

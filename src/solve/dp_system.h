@@ -78,10 +78,18 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
 void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
                      struct dp_rates *r);
 
-// Adds to input[i] and damping[i] (n_dof) the works on floor i of one ground and of the dampers of
-// its building over a time of `weight`, at the rates `r`.
-void dp_system_works(const struct dp_system *s, const struct dp_rates *r, double weight,
-                     double *input, double *damping);
+// The rates of which works are sums, with their weights.
+enum { DP_WORKS = 6 };
+struct dp_works {
+    const struct dp_rates *rates[DP_WORKS];
+    double weight[DP_WORKS];  // [T]
+    double ground[DP_WORKS];  // [L/T] scratch
+};
+
+// The works on each floor of one ground and of the dampers of its building into input and damping
+// (n_dof) [F L].
+void dp_system_works(const struct dp_system *s, const struct dp_works *w, double *input,
+                     double *damping);
 
 // The total acceleration of floor i alone, from the motion of its building and of the floors that
 // its links join it to.

@@ -94,9 +94,8 @@ void energy_meet(struct energy_account *a, const struct model *m, const struct s
         const struct link *l = &m->link[k];
         a->contact += meeting[k].work;
         if (meeting[k].struck && l->moving_ground) {
-            a->input +=
-                meeting[k].impulse * (s->ground_v[m->building[l->building[0]].ground] -
-                                      s->ground_v[m->building[l->building[1]].ground]);
+            a->input += meeting[k].impulse * (s->ground_v[m->building[l->building[0]].ground] -
+                                              s->ground_v[m->building[l->building[1]].ground]);
         }
     }
 }

@@ -59,12 +59,12 @@ static struct piece piece_from(const struct signal *s, double t) {
     return (struct piece){.signal = s, .shape = PIECE_SINE, .end = s->end};
 }
 
-static double piece_value(const struct piece *p, double t) {
-    const struct signal *s = p->signal;
-    if (p->shape == PIECE_SINE) {
-        return s->amplitude * sin(s->omega * (t - s->start) + s->phase);
-    }
-    return p->value + p->slope * (t - p->start);
+static double sine_value(const struct signal *s, double t) {
+    return s->amplitude * sin(s->omega * (t - s->start) + s->phase);
+}
+
+static inline double piece_value(const struct piece *p, double t) {
+    return p->shape == PIECE_LINE ? p->value + p->slope * (t - p->start) : sine_value(p->signal, t);
 }
 
 // True if the piece gives way to another that jumps.
@@ -104,10 +104,11 @@ void forcing_ground(const struct forcing *f, double t, struct forcing_values *ou
     const struct model *m = f->model;
     const struct piece *p = f->ground;
     for (int k = 0; k < m->n_ground; k++) {
-        out->a[k] = 0.0;
-        for (int i = 0; i < m->ground[k].n_signal; i++, p++) {
-            out->a[k] += piece_value(p, t);
+        double sum = 0.0;
+        for (const struct piece *end = p + m->ground[k].n_signal; p < end; p++) {
+            sum += piece_value(p, t);
         }
+        out->a[k] = sum;
     }
     for (int k = 0; m->n_ground > 1 && k < m->n_ground; k++) {
         out->v[k] = out->u[k] = 0.0;
