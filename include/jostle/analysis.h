@@ -34,8 +34,8 @@ enum energy {
 };
 extern const char *const energy_names[];  // (ENERGY_COUNT)
 
-// Called for row 0 (t = 0), every output.every-th step and the last step. Not 0: the run ends with
-// that status and the observer's error.
+// Called for row 0 (t = 0), every output.every-th step (adaptive: every model.dt) and the end. Not
+// 0: the run ends with that status and the observer's error.
 struct observer {
     int (*row)(void *context, const struct row_view *row, struct error *e);
     // Called every few thousand steps, rows or not; NULL: nothing to ask. Not 0 ends the run.
@@ -43,7 +43,8 @@ struct observer {
     void *context;  // borrowed
 };
 
-// Largest absolute values over every computed step, and when. Arrays (n_dof).
+// Largest absolute values over every computed step (adaptive: at any time), and when. Arrays
+// (n_dof).
 enum peak {
     PEAK_DISPLACEMENT,
     PEAK_VELOCITY,
@@ -80,9 +81,10 @@ struct impact {
 };
 
 struct totals {
-    long steps;       // computed, cut ones included
-    long cuts;        // steps that were not solved and halved
-    long events;      // steps split where a law that jumps closed or opened
+    long steps;   // computed, cut ones included
+    long cuts;    // steps that were not solved and halved; adaptive: rejected
+    long events;  // steps split where a law that jumps closed or opened; adaptive: ended where a
+                  // law changed its branch
     long iterations;  // Newton iterations: storeys and contacts
     long fast;        // contact solves settled by a single link or one sweep
     long scalar;      // by further sweeps of exact scalar answers
@@ -108,7 +110,8 @@ struct results {
 
 // Runs the model from t = 0 to its duration. GSL must not abort on its own errors: call
 // gsl_set_error_handler_off() before. Errors: STATUS_FAILED (a state that is not finite;
-// names the floor and the time), STATUS_SYSTEM (no memory), or what the observer returned.
+// names the floor and the time; a contact that needs too many steps), STATUS_SYSTEM (no memory), or
+// what the observer returned.
 int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
                  struct error *e);
 void results_free(struct results *r);  // NULL is allowed

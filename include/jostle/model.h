@@ -102,6 +102,16 @@ struct output {
     const char *file;  // result file named by the deck; NULL: none
 };
 
+// An adaptive analysis that needs more steps than this is refused, or given up.
+enum { ADAPTIVE_STEPS_MAX = 2000000 };
+
+// How the steps of an adaptive analysis are chosen.
+struct step_control {
+    double tolerance;  // error of one step relative to the largest displacement and velocity
+    double longest;    // [T] may be infinite
+    double shortest;   // [T] a run that needs shorter steps ends with an error
+};
+
 struct model {
     struct deck *deck;  // owned: texts and units live there
     int n_building, n_dof, n_contact, n_link, n_ground, n_load;
@@ -119,9 +129,11 @@ struct model {
     double beta, gamma;  // Newmark
     double tolerance;    // of the contact iteration, relative
     int iterations;      // of the contact iteration, before the step is cut
-    double dt;           // [T]
-    double duration;     // [T]
-    long n_step;         // the last one may be shorter
+    bool adaptive;       // Dormand-Prince with error control; else Newmark with fixed steps
+    struct step_control control;  // adaptive
+    double dt;                    // [T] fixed step; adaptive: from row to row of output
+    double duration;              // [T]
+    long n_step;                  // of size dt; the last one may be shorter
     struct output output;
 };
 

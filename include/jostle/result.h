@@ -46,7 +46,7 @@ struct report {
     const char *title, *program, *version, *created;
     const char *deck_file, *deck, *parameters, *command_line;
     struct unit_system units;
-    double duration, dt;  // [T]
+    double duration, dt;  // [T] dt 0: adaptive steps
     unsigned fields;      // enum field: the histories in the file
     long n_row;           // rows of the histories
     int n_building, n_contact, n_link;

@@ -11,6 +11,11 @@
 
 enum { STOREY_ROWS_MAX = 8, STOREY_CONSTANTS_MAX = 8, STOREY_HISTORY_MAX = 8 };
 
+// What an integrator of high order must know about a law.
+enum storey_trait {
+    STOREY_STRAIGHT = 1,  // made of straight lines: the tangent is constant on a branch
+};
+
 struct storey_response {
     double shear;    // [F]
     double tangent;  // d shear / d drift [F/L]
@@ -24,7 +29,8 @@ struct storey_law {
     const struct row *row;
     int n_row;
     int n_constant;
-    int n_history;  // 0: the law is linear and elastic
+    int n_history;    // 0: the law is linear and elastic
+    unsigned traits;  // enum storey_trait
 
     // Values of the rows of one storey (NAN: not given) and its stiffness -> constants.
     int (*prepare)(const double *value, double stiffness, double *constant, struct error *e);

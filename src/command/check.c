@@ -168,11 +168,24 @@ static void print_links(const struct model *m, const struct unit_texts *t) {
     print_laws(m);
 }
 
+static void print_adaptive(const struct model *m, const struct unit_texts *t, double omega) {
+    printf("\ndormand-prince, adaptive steps to the tolerance %g, duration %.6g %s\n",
+           m->control.tolerance, m->duration, t->time);
+    if (omega > 0.0) {
+        printf("shortest period of a building %.4g %s\n", 2.0 * M_PI / omega, t->time);
+    }
+    printf("a row of output every %.6g %s, %ld rows\n", m->dt, t->time, m->n_step + 1);
+}
+
 static void print_time(const struct model *m, const struct unit_texts *t) {
     double omega = 0.0;
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         omega = fmax(omega, g->omega[g->n_floor - 1]);
+    }
+    if (m->adaptive) {
+        print_adaptive(m, t, omega);
+        return;
     }
     printf("\nnewmark beta %g gamma %g, %ld steps of %.6g %s, duration %.6g %s\n", m->beta,
            m->gamma, m->n_step, m->dt, t->time, m->duration, t->time);

@@ -66,7 +66,10 @@ struct builder {
     bool no_memory;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given
+    bool dormand_prince;                                     // named as the integrator
+    bool adaptive;                                           // kind of step
     double beta, gamma, tolerance, dt, run_time;
+    struct step_control control;  // shortest 0: not given
     int iterations;
     struct output out;
     double out_interval;             // 0: not given

@@ -8,7 +8,7 @@ static void check_deck(struct builder *b) {
         deck_error(d, NULL, "the deck has no building");
     }
     if (!b->step.text) {
-        deck_error(d, NULL, "the deck has no time step; write: step fixed DT");
+        deck_error(d, NULL, "the deck has no time step; write: step fixed DT or step adaptive");
     }
     if (!b->duration.text && b->longest == 0.0 && !b->any_history) {
         deck_error(d, NULL, "nothing says how long the analysis is; write: duration T");

@@ -13,9 +13,13 @@ static const double STEPS_MAX = 2e10;
 static const double DEFAULT_INTERVAL = 0.01;  // [s]
 static const double ROUNDING = 1e-9;          // of the step, in counting steps
 
+// Without a shortest step the numbers end before this share of the duration does.
+static const double SHORTEST_SHARE = 1e-13;
+
+// Rows of an adaptive analysis, where the deck does not say: at least this many.
+static const double ADAPTIVE_ROWS = 100.0;
+
 static void count_steps(struct builder *b, struct model *m) {
-    m->dt = b->dt;
-    m->duration = b->duration.text ? b->run_time : b->longest;
     double ratio = m->duration / m->dt;
     double n = ceil(ratio - fmax(ROUNDING, 4.0 * DBL_EPSILON * ratio));
     if (!(n <= STEPS_MAX)) {
@@ -23,6 +27,18 @@ static void count_steps(struct builder *b, struct model *m) {
         n = 1.0;
     }
     m->n_step = n < 1.0 ? 1 : (long)n;
+}
+
+// The rows of an adaptive analysis are its n_step.
+static void adaptive_rows(struct builder *b, struct model *m) {
+    m->output = b->out;
+    if (m->output.every > 0) {
+        deck_error(b->deck, &b->output, "-every counts fixed steps; give -interval DT");
+    }
+    m->output.every = 1;
+    m->dt = b->out_interval > 0.0
+                ? b->out_interval
+                : fmin(DEFAULT_INTERVAL / b->deck->units.time, m->duration / ADAPTIVE_ROWS);
 }
 
 static void count_rows(struct builder *b, struct model *m) {
@@ -83,11 +99,77 @@ static void check_stability(struct builder *b, struct model *m) {
     }
 }
 
+// The largest row sum of M^-1 |C|, a bound of the rates at which dampers let motions decay.
+static double largest_decay(const struct building *g) {
+    double largest = 0.0;
+    for (int i = 0; i < g->n_floor; i++) {
+        double sum = 0.0;
+        for (int j = 0; g->damping_full && j < g->n_floor; j++) {
+            sum += fabs(g->damping_full[i * g->n_floor + j]);
+        }
+        if (!g->damping_full) {
+            sum = fabs(g->damping_diagonal[i]) + fabs(g->damping_off[i]) +
+                  (i > 0 ? fabs(g->damping_off[i - 1]) : 0.0);
+        }
+        largest = fmax(largest, sum / g->mass[i]);
+    }
+    return largest;
+}
+
+// Dormand-Prince is stable up to a step of about 3.3 over the fastest rate: Hairer & Wanner (1996),
+// Solving Ordinary Differential Equations II, section IV.2.
+static void check_stiffness(struct builder *b, struct model *m) {
+    for (int i = 0; i < m->n_building; i++) {
+        const struct building *g = &m->building[i];
+        double square = 0.0;
+        for (int j = g->first; j < g->first + g->n_floor; j++) {
+            square = fmax(square, links_omega_square(m, j));
+        }
+        double omega = sqrt(pow(g->omega[g->n_floor - 1], 2.0) + square);
+        double limit = 3.3 / fmax(omega, largest_decay(g));
+        if (m->duration > ADAPTIVE_STEPS_MAX * limit) {
+            const char *unit = b->deck->units.time_name;
+            deck_error(b->deck, &b->step,
+                       "building %s%s is too stiff for adaptive steps: at most %.3g %s, %.3g of "
+                       "them; use step fixed DT",
+                       g->name, square > 0.0 ? " with its links" : "", limit, unit,
+                       m->duration / limit);
+            return;
+        }
+    }
+}
+
+static void check_kind(struct builder *b) {
+    if (b->adaptive && b->integrator.text && !b->dormand_prince) {
+        deck_error(b->deck, &b->step,
+                   "newmark has no adaptive steps; use integrator dormand-prince or step fixed DT");
+    }
+    if (!b->adaptive && b->dormand_prince) {
+        deck_error(b->deck, &b->step,
+                   "dormand-prince has no fixed steps; use step adaptive or integrator newmark");
+    }
+    if (b->adaptive && b->newton.text) {
+        deck_warning(b->deck, &b->newton, "dormand-prince does not iterate; newton has no effect");
+    }
+}
+
 void finish_time(struct builder *b, struct model *m) {
     m->beta = b->beta;
     m->gamma = b->gamma;
     m->tolerance = b->tolerance;
     m->iterations = b->iterations;
+    m->dt = b->dt;
+    m->duration = b->duration.text ? b->run_time : b->longest;
+    m->adaptive = b->adaptive;
+    m->control = b->control;
+    m->control.shortest = fmax(m->control.shortest, SHORTEST_SHARE * m->duration);
+    check_kind(b);
+    if (m->adaptive) {
+        adaptive_rows(b, m);
+        count_steps(b, m);
+        check_stiffness(b, m);
+        return;
+    }
     count_steps(b, m);
     count_rows(b, m);
     check_stability(b, m);

@@ -18,6 +18,9 @@ static bool check_signal(struct builder *b, const struct model *m, const struct 
                      s->name);
         return false;
     }
+    if (m->adaptive) {
+        return true;
+    }
     if (s->value && m->dt > s->dt * (1.0 + ROUNDING)) {
         deck_warning(b->deck, &b->step, "step %.6g %s is longer than the sampling %.6g %s of %s",
                      m->dt, unit, s->dt, unit, s->name);
@@ -59,7 +62,7 @@ static bool starts_moving(const struct builder *b, const struct model *m) {
 }
 
 static void check_periods(struct builder *b, const struct model *m) {
-    for (int i = 0; i < m->n_building; i++) {
+    for (int i = 0; !m->adaptive && i < m->n_building; i++) {
         double period = 2.0 * M_PI / m->building[i].omega[0];
         if (m->dt * STEPS_PER_CYCLE > period) {
             const char *unit = b->deck->units.time_name;

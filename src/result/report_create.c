@@ -131,7 +131,7 @@ static int model_fill(struct report *to, const struct model *m, const struct res
                       struct error *e) {
     to->units = m->deck->units;
     to->duration = m->duration;
-    to->dt = m->dt;
+    to->dt = m->adaptive ? 0.0 : m->dt;
     to->fields = m->output.fields;
     to->n_row = 1 + m->n_step / m->output.every + (m->n_step % m->output.every != 0);
     to->n_building = m->n_building;

@@ -311,9 +311,14 @@ static void print_totals(const struct printer *p) {
     const struct report *r = p->r;
     const struct totals *t = &r->totals;
     const double input = r->energy[ENERGY_INPUT];
-    fprintf(p->to, "\nsteps       %ld (%ld cut, %ld split at impacts, %ld not to tolerance)\n",
-            t->steps, t->cuts, t->events, t->unsolved);
-    fprintf(p->to, "iterations  %ld\n", t->iterations);
+    if (r->dt > 0.0) {
+        fprintf(p->to, "\nsteps       %ld (%ld cut, %ld split at impacts, %ld not to tolerance)\n",
+                t->steps, t->cuts, t->events, t->unsolved);
+        fprintf(p->to, "iterations  %ld\n", t->iterations);
+    } else {
+        fprintf(p->to, "\nsteps       %ld (%ld rejected, %ld events located)\n", t->steps, t->cuts,
+                t->events);
+    }
     fprintf(p->to, "energy      %s input %.4g; damping %.4g, storeys %.4g, contacts%s %.4g\n",
             p->unit[UNIT_ENERGY], input, r->energy[ENERGY_DAMPING], r->energy[ENERGY_HYSTERETIC],
             r->n_link > 0 ? " and links" : "", r->energy[ENERGY_CONTACT]);
@@ -334,9 +339,13 @@ void report_print(const struct report *r, FILE *to) {
     if (r->title[0]) {
         fprintf(to, "%s\n", r->title);
     }
-    fprintf(to, "units %s %s %s, duration %.6g %s, step %.6g %s\n", r->units.force_name,
-            r->units.length_name, r->units.time_name, r->duration, r->units.time_name, r->dt,
-            r->units.time_name);
+    fprintf(to, "units %s %s %s, duration %.6g %s, ", r->units.force_name, r->units.length_name,
+            r->units.time_name, r->duration, r->units.time_name);
+    if (r->dt > 0.0) {
+        fprintf(to, "step %.6g %s\n", r->dt, r->units.time_name);
+    } else {
+        fprintf(to, "adaptive steps\n");
+    }
     const struct shown_buildings s = choose_buildings(r);
     print_buildings(&p, &s);
     if (r->n_building > 0 && r->building[0].peak[0]) {

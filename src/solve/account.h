@@ -10,7 +10,7 @@
 struct energy_account {
     double initial;                 // kinetic and strain energy at t = 0
     double *input_2x, *damping_2x;  // (n_dof) twice the work of external and damping forces
-    double input;                   // beyond that: of links on the grounds
+    double input, damping;          // beyond that: of links on the grounds, of adaptive steps
     double contact;
     double storey;        // work on storeys that are not elastic
     double stored_start;  // their recoverable energy at t = 0
@@ -26,9 +26,9 @@ void energy_start(struct energy_account *a, const struct model *m, const struct 
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next);
 
-// Adds the impulse of a rigid impact of contact k at the instant of `s`, in which `work` was lost.
-void energy_impulse(struct energy_account *a, const struct model *m, const struct state *s, int k,
-                    double impulse, double work);
+// Adds what rigid contacts that met at the instant of `s` have lost. `meeting` is (n_contact).
+void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
+                 const struct meeting *meeting);
 
 // The account at state `s` into energy (ENERGY_COUNT).
 void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
@@ -44,6 +44,17 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
 struct impact_log {
     long *open;  // index into results.impact of the impact under way; -1: none
 };
+
+// What one step brings to a link.
+struct impact_share {
+    double impulse, work;       // [F T] [F L]
+    double force, penetration;  // [F] [L] largest
+    long steps;                 // 1 if it counts as a step in contact
+};
+
+// Adds to the totals of link k and, if one is under way, to its impact.
+void impacts_add(struct impact_log *log, struct results *r, const struct model *m, int k,
+                 const struct impact_share *share);
 
 bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *a);
 

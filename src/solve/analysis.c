@@ -9,6 +9,7 @@
 
 #include "core/arena.h"
 #include "solve/account.h"
+#include "solve/dormand_prince.h"
 #include "solve/event.h"
 #include "solve/newmark.h"
 
@@ -21,6 +22,8 @@ enum { POLL_STEPS = 4096 };
 enum { LOCATIONS_MAX = 40 };
 static const double LOCATED_JUMP = 1e-3;
 static const double LOCATED_RIGID = 1e-8;
+// Bounces shorter than this share of the step are not followed.
+static const double SHORTEST_BOUNCE = 0.01;
 // Events nearer to each other than this share of their time are at the same instant.
 static const double TOGETHER = 1e-6;
 
@@ -33,7 +36,10 @@ struct run {
     const struct observer *observer;
     struct state *now, *next;
     struct state store[2];
-    struct work work;
+    // Takes `now` to the time `end`, h later.
+    int (*advance)(struct run *r, double end, double h);
+    struct work work;     // of Newmark's method
+    struct dp *adaptive;  // Dormand & Prince's method; NULL: Newmark's
     struct energy_account energy;
     struct impact_log impacts;
     int *events;              // (n_contact) at which the current step of the deck was split
@@ -44,12 +50,12 @@ struct run {
 };
 
 // Asks the observer now and then whether to go on.
-static int poll(struct run *r) {
+static int poll(struct run *r, double time) {
     const struct observer *o = r->observer;
     if (!o || !o->poll || r->results->totals.steps % POLL_STEPS != 0) {
         return STATUS_OK;
     }
-    return o->poll(o->context, r->now->time, r->error);
+    return o->poll(o->context, time, r->error);
 }
 
 // Takes `next` as the new committed state.
@@ -62,7 +68,7 @@ static int commit(struct run *r) {
     r->now = r->next;
     r->next = old;
     out->totals.steps++;
-    return status == STATUS_OK ? poll(r) : status;
+    return status == STATUS_OK ? poll(r, r->now->time) : status;
 }
 
 static int give_up(struct run *r, double h) {
@@ -126,13 +132,10 @@ static int jump(struct run *r, const struct event *event) {
 static int meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
     bool chatters = r->events[event->link] > EVENTS_RIGID_MAX;
-    impulse_meet(r->now, m, event->link, chatters ? REBOUND_NONE : REBOUND_BY_LAW, r->meeting);
-    for (int k = 0; k < m->n_contact; k++) {
-        const struct meeting *met = &r->meeting[k];
-        if (met->struck) {
-            energy_impulse(&r->energy, m, r->now, k, met->impulse, met->work);
-        }
-    }
+    enum rebound rebound = chatters ? REBOUND_NONE : REBOUND_BY_LAW;
+    const struct least_bounce least = {.time = SHORTEST_BOUNCE * m->dt};
+    impulse_meet(r->now, m, event->link, rebound, &least, r->meeting);
+    energy_meet(&r->energy, m, r->now, r->meeting);
     return impacts_meet(&r->impacts, r->results, m, r->now, r->meeting, r->error);
 }
 
@@ -215,6 +218,32 @@ static int advance(struct run *r, double end, double h, int cuts) {
     return STATUS_OK;
 }
 
+static void forget_events(struct run *r) {
+    if (r->results->totals.events > r->events_before) {
+        memset(r->events, 0, (size_t)r->model->n_contact * sizeof *r->events);
+        r->events_before = r->results->totals.events;
+    }
+}
+
+static int advance_fixed(struct run *r, double end, double h) {
+    forget_events(r);
+    return advance(r, end, h, 0);
+}
+
+// The steps need not end at `end`: `now` is the state within the last of them.
+static int advance_adaptive(struct run *r, double end, double h) {
+    (void)h;
+    while (dormand_prince_time(r->adaptive) < end) {
+        int status = dormand_prince_step(r->adaptive, r->error);
+        status = status == STATUS_OK ? poll(r, dormand_prince_time(r->adaptive)) : status;
+        if (status != STATUS_OK) {
+            return status;
+        }
+    }
+    dormand_prince_row(r->adaptive, end, r->now, &r->energy);
+    return STATUS_OK;
+}
+
 static int balance(struct run *r) {
     struct results *out = r->results;
     energy_balance(&r->energy, r->model, r->now, out->energy);
@@ -247,21 +276,13 @@ static int observe(struct run *r) {
     return r->observer ? r->observer->row(r->observer->context, &row, r->error) : STATUS_OK;
 }
 
-static void forget_events(struct run *r) {
-    if (r->results->totals.events > r->events_before) {
-        memset(r->events, 0, (size_t)r->model->n_contact * sizeof *r->events);
-        r->events_before = r->results->totals.events;
-    }
-}
-
 static int loop(struct run *r) {
     const struct model *m = r->model;
     int status = observe(r);
     for (long n = 1; status == STATUS_OK && n <= m->n_step; n++) {
         double end = model_time(m, n);
         double h = n < m->n_step ? m->dt : end - r->now->time;
-        forget_events(r);
-        status = advance(r, end, h, 0);
+        status = r->advance(r, end, h);
         if (status == STATUS_OK && (n % m->output.every == 0 || n == m->n_step)) {
             status = observe(r);
         }
@@ -273,17 +294,29 @@ static bool run_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->now = &r->store[0];
     r->next = &r->store[1];
+    if (!energy_alloc(&r->energy, m, a) || !state_alloc(r->now, m, a) ||
+        !impacts_alloc(&r->impacts, m, a) || !peaks_alloc(r->results, m, a)) {
+        return false;
+    }
+    if (m->adaptive) {
+        r->advance = advance_adaptive;
+        r->adaptive = dormand_prince_create(m, r->results, &r->impacts, a);
+        return r->adaptive != NULL;
+    }
+    r->advance = advance_fixed;
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
-    return r->events && r->meeting && energy_alloc(&r->energy, m, a) && state_alloc(r->now, m, a) &&
-           state_alloc(r->next, m, a) && work_alloc(&r->work, m, &r->results->totals, a) &&
-           impacts_alloc(&r->impacts, m, a) && peaks_alloc(r->results, m, a);
+    return r->events && r->meeting && state_alloc(r->next, m, a) &&
+           work_alloc(&r->work, m, &r->results->totals, a);
 }
 
 static int run_start(struct run *r) {
     state_start(r->now, r->model);
     energy_start(&r->energy, r->model, r->now);
     peaks_update(r->results, r->model, r->now);
+    if (r->adaptive) {
+        dormand_prince_start(r->adaptive, r->now, &r->energy);
+    }
     return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
 }
 

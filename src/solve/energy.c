@@ -88,13 +88,15 @@ static double half_sum(const double *x, int n) {
     return sum / 2.0;
 }
 
-void energy_impulse(struct energy_account *a, const struct model *m, const struct state *s, int k,
-                    double impulse, double work) {
-    const struct link *l = &m->link[k];
-    a->contact += work;
-    if (l->moving_ground) {
-        a->input += impulse * (s->ground_v[m->building[l->building[0]].ground] -
-                               s->ground_v[m->building[l->building[1]].ground]);
+void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
+                 const struct meeting *meeting) {
+    for (int k = 0; k < m->n_contact; k++) {
+        const struct link *l = &m->link[k];
+        a->contact += meeting[k].work;
+        if (meeting[k].struck && l->moving_ground) {
+            a->input += meeting[k].impulse * (s->ground_v[m->building[l->building[0]].ground] -
+                                              s->ground_v[m->building[l->building[1]].ground]);
+        }
     }
 }
 
@@ -107,7 +109,7 @@ void energy_balance(const struct energy_account *a, const struct model *m, const
     energy[ENERGY_INPUT] = a->input + half_sum(a->input_2x, m->n_dof);
     energy[ENERGY_KINETIC] = kinetic(m, s);
     energy[ENERGY_STRAIN] = stored(m, s, STOREYS_ELASTIC) + other;
-    energy[ENERGY_DAMPING] = half_sum(a->damping_2x, m->n_dof);
+    energy[ENERGY_DAMPING] = a->damping + half_sum(a->damping_2x, m->n_dof);
     energy[ENERGY_HYSTERETIC] = a->storey - (other - a->stored_start);
     energy[ENERGY_CONTACT] = a->contact;
     energy[ENERGY_RESIDUAL] = a->initial + energy[ENERGY_INPUT] - energy[ENERGY_KINETIC] -

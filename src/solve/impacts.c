@@ -60,38 +60,46 @@ static void close_impact(struct impact_log *log, const struct model *m, struct i
     log->open[k] = -1;
 }
 
-// The share of one step in the totals of link k and, if one is under way, in its impact.
-static void carry(struct impact *i, struct link_peak *p, int k, const struct state *now,
-                  const struct state *next) {
-    double mean = (now->force[k] + next->force[k]) / 2.0;
-    double impulse = mean * (next->time - now->time);
-    double work = mean * (next->delta[k] - now->delta[k]);
-    p->impulse += impulse;
-    p->dissipated += work;
-    if (i) {
-        i->impulse += impulse;
-        i->dissipated += work;
-        i->peak_force = fmax(i->peak_force, next->force[k]);
-        i->max_penetration = fmax(i->max_penetration, next->delta[k]);
-        i->steps += next->closed[k];
+void impacts_add(struct impact_log *log, struct results *r, const struct model *m, int k,
+                 const struct impact_share *share) {
+    r->link[k].impulse += share->impulse;
+    r->link[k].dissipated += share->work;
+    if (k < m->n_contact && log->open[k] >= 0) {
+        struct impact *i = &r->impact[log->open[k]];
+        i->impulse += share->impulse;
+        i->dissipated += share->work;
+        i->peak_force = fmax(i->peak_force, share->force);
+        i->max_penetration = fmax(i->max_penetration, share->penetration);
+        i->steps += share->steps;
     }
+}
+
+// The share of one step by the trapezoidal rule.
+static struct impact_share share_of(int k, const struct state *now, const struct state *next) {
+    double mean = (now->force[k] + next->force[k]) / 2.0;
+    return (struct impact_share){
+        .impulse = mean * (next->time - now->time),
+        .work = mean * (next->delta[k] - now->delta[k]),
+        .force = next->force[k],
+        .penetration = next->delta[k],
+        .steps = next->closed[k],
+    };
 }
 
 int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
                  const struct state *now, const struct state *next, struct error *e) {
     for (int j = 0; j < next->n_live; j++) {
         int k = next->live[j];
-        if (k >= m->n_contact) {
-            carry(NULL, &r->link[k], k, now, next);
-        } else if (now->closed[k] || next->closed[k]) {
-            if (!now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
-                return e->status;
-            }
-            struct impact *i = &r->impact[log->open[k]];
-            carry(i, &r->link[k], k, now, next);
-            if (!next->closed[k]) {
-                close_impact(log, m, i, now, next);
-            }
+        bool acts = now->closed[k] || next->closed[k];
+        if (acts && !now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
+            return e->status;
+        }
+        if (acts) {
+            struct impact_share share = share_of(k, now, next);
+            impacts_add(log, r, m, k, &share);
+        }
+        if (acts && !next->closed[k]) {
+            close_impact(log, m, &r->impact[log->open[k]], now, next);
         }
     }
     return STATUS_OK;
@@ -130,10 +138,8 @@ int impacts_meet(struct impact_log *log, struct results *r, const struct model *
                 i->t_start = s->time;
                 i->v_approach = met->approach;
             }
-            i->impulse += met->impulse;
-            i->dissipated += met->work;
-            r->link[k].impulse += met->impulse;
-            r->link[k].dissipated += met->work;
+            struct impact_share share = {.impulse = met->impulse, .work = met->work};
+            impacts_add(log, r, m, k, &share);
         }
         if (m->link[k].law->rebound && log->open[k] >= 0 && !s->closed[k]) {
             end_impact(log, r, m, s, k);

@@ -10,15 +10,12 @@
 //
 // A body that bounces under a constant pressing acceleration comes to rest after infinitely many
 // bounces in a finite time. A bounce with rebound w under the acceleration a lasts 2 w / a; one
-// shorter than a hundredth of the step is not followed, and the contact is at rest: the bodies
-// stay together until a force would have to pull. The energy given up, m* w^2 / 2, is booked as
-// dissipated.
+// too short to follow is none, and the contact is at rest: the bodies stay together until a force
+// would have to pull. The energy given up, m* w^2 / 2, is booked as dissipated.
 #include "solve/impulse.h"
 
 #include <math.h>
 #include <string.h>
-
-static const double SHORTEST_BOUNCE = 0.01;  // of the step
 
 enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
 
@@ -28,19 +25,20 @@ static double rounding(const struct state *s, const struct model *m, int k) {
 
 // The rebound below which contact k rests. Its bodies are pressed together by what accelerates
 // them, and by what its force at rest held up.
-static double slowest_rebound(const struct state *s, const struct model *m, int k) {
+static double slowest_rebound(const struct state *s, const struct model *m, int k,
+                              const struct least_bounce *least) {
     const struct link *l = &m->link[k];
     double pressing = state_gap(l, m, s->a, s->ground_a) + s->force[k] / l->mass;
-    return fmax(SHORTEST_BOUNCE * m->dt * pressing / 2.0, rounding(s, m, k));
+    return fmax(fmax(least->time * pressing / 2.0, least->velocity), rounding(s, m, k));
 }
 
 // One impact; returns the velocity of the rebound.
 static double strike(struct state *s, const struct model *m, int k, enum rebound rebound,
-                     struct meeting *meeting) {
+                     const struct least_bounce *least, struct meeting *meeting) {
     const struct link *l = &m->link[k];
     double r = state_rate(s, m, k);
     double w = rebound == REBOUND_BY_LAW ? l->law->rebound(l->constant, r) : 0.0;
-    if (w <= slowest_rebound(s, m, k)) {
+    if (w <= slowest_rebound(s, m, k, least)) {
         w = 0.0;
     }
     double impulse = l->mass * (r + w);
@@ -59,13 +57,15 @@ static double strike(struct state *s, const struct model *m, int k, enum rebound
 }
 
 // Strikes contacts at rest whose bodies approach, until none do.
-static void settle(struct state *s, const struct model *m, struct meeting *meeting) {
+static void settle(struct state *s, const struct model *m, const struct least_bounce *least,
+                   struct meeting *meeting) {
     bool struck = true;
     for (int i = 0; i < SWEEPS_MAX && struck; i++) {
         struck = false;
         for (int k = 0; k < m->n_contact; k++) {
             if (state_rests(s, m, k) && state_rate(s, m, k) > rounding(s, m, k)) {
-                strike(s, m, k, i < SWEEPS_BY_LAW ? REBOUND_BY_LAW : REBOUND_NONE, &meeting[k]);
+                enum rebound rebound = i < SWEEPS_BY_LAW ? REBOUND_BY_LAW : REBOUND_NONE;
+                strike(s, m, k, rebound, least, &meeting[k]);
                 struck = true;
             }
         }
@@ -73,9 +73,9 @@ static void settle(struct state *s, const struct model *m, struct meeting *meeti
 }
 
 // Opens contacts at rest whose bodies leave each other for longer than the shortest bounce.
-static void part(struct state *s, const struct model *m) {
+static void part(struct state *s, const struct model *m, const struct least_bounce *least) {
     for (int k = 0; k < m->n_contact; k++) {
-        if (state_rests(s, m, k) && state_rate(s, m, k) < -slowest_rebound(s, m, k)) {
+        if (state_rests(s, m, k) && state_rate(s, m, k) < -slowest_rebound(s, m, k, least)) {
             s->closed[k] = false;
             s->force[k] = 0.0;
         }
@@ -94,16 +94,16 @@ static void follow(struct state *s, const struct model *m) {
 }
 
 void impulse_meet(struct state *s, const struct model *m, int k, enum rebound rebound,
-                  struct meeting *meeting) {
+                  const struct least_bounce *least, struct meeting *meeting) {
     memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
     double approached = fmax(state_rate(s, m, k), 0.0);
-    if (approached == 0.0 || strike(s, m, k, rebound, &meeting[k]) == 0.0) {
+    if (approached == 0.0 || strike(s, m, k, rebound, least, &meeting[k]) == 0.0) {
         state_enliven(s, k);
         s->closed[k] = true;
         s->t_close[k] = s->time;
         s->v_close[k] = approached;
     }
-    settle(s, m, meeting);
-    part(s, m);
+    settle(s, m, least, meeting);
+    part(s, m, least);
     follow(s, m);
 }

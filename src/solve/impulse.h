@@ -15,11 +15,17 @@ struct meeting {
 
 enum rebound { REBOUND_BY_LAW, REBOUND_NONE };
 
+// Bounces that are too small to follow: shorter than `time`, or with a rebound up to `velocity`.
+struct least_bounce {
+    double time;      // [T]
+    double velocity;  // [L/T]
+};
+
 // Lets the bodies of rigid contact k meet at the instant of `s`, and those of all contacts at rest
 // that this stirs up: velocities jump, then forces and accelerations follow. A contact that does
 // not bounce, or by too little to follow, is at rest: closed. One at rest whose bodies part opens.
 // `meeting` (n_contact) tells what happened.
 void impulse_meet(struct state *s, const struct model *m, int k, enum rebound rebound,
-                  struct meeting *meeting);
+                  const struct least_bounce *least, struct meeting *meeting);
 
 #endif

@@ -69,6 +69,16 @@ void state_enliven(struct state *s, int k) {
     }
 }
 
+void state_open_link(struct state *s, int k) {
+    int i = 0;
+    while (s->live[i] != k) {
+        i++;
+    }
+    s->live[i] = s->live[--s->n_live];
+    s->is_live[k] = s->closed[k] = false;
+    s->force[k] = 0.0;
+}
+
 static void inelastic_shears(struct state *s, const struct model *m) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];

@@ -40,6 +40,9 @@ void state_open_links(struct state *s);
 // Takes link k into `live`, if it is not there.
 void state_enliven(struct state *s, int k);
 
+// Opens link k and takes it out of `live`.
+void state_open_link(struct state *s, int k);
+
 // The state at t = 0: initial displacements and velocities, links closed where delta > 0 or about
 // to close (delta = 0, rate > 0), accelerations from equilibrium.
 void state_start(struct state *s, const struct model *m);

@@ -25,7 +25,7 @@ struct bench_case {
     int n_floor;             // of each building of a row
     const char *law;         // of the contacts, with its options
     const char *statements;  // further lines of the deck; NULL: none
-    double dt, duration;     // [s]
+    double dt, duration;     // [s] dt = 0: adaptive steps of Dormand & Prince
     bench_measure *measure;
     double limit, target;  // [ns/step] see docs/performance.md; 0: none
 };

@@ -35,10 +35,13 @@ static void write_deck(FILE *f, const struct bench_case *c) {
             "%s"
             "param record " BENCH_RECORD "\n"
             "ground record $record\n"
-            "integrator newmark\n"
-            "step fixed %gs\n"
             "duration %gs\n",
-            c->statements ? c->statements : "", c->dt, c->duration);
+            c->statements ? c->statements : "", c->duration);
+    if (c->dt > 0.0) {
+        fprintf(f, "integrator newmark\nstep fixed %gs\n", c->dt);
+    } else {
+        fputs("integrator dormand-prince\nstep adaptive\n", f);
+    }
 }
 
 char *bench_deck(const struct bench_case *c) {

@@ -40,7 +40,6 @@ static const char everything[] = "units kN m s\n"
                                  "load B:1,3 history record.txt -dt 0.02 -scale 10\n"
                                  "initial A:2 -velocity 1m/s\n"
                                  "output -fields displacement force\n"
-                                 "step fixed 0.002\n"
                                  "duration 0.1\n";
 
 static int keep_row(void *context, const struct row_view *row, struct error *e) {
@@ -110,16 +109,18 @@ static int attempt(const char *path, long k, long *n) {
     return status;
 }
 
-static const char *write_deck(const char *text) {
+static const char *write_deck(const char *text, const char *step) {
+    char deck[4096];
+    int n = snprintf(deck, sizeof deck, "%s%s\n", text, step);
+    assert_in_range(n, 1, sizeof deck - 1);
     support_write("record.txt", "0\n1\n-2\n4\n-3\n2\n0\n");
     support_write("pad.txt", "0 0 0\n1 5 1\n2 20 20\n");
     support_write("part.deck", "building A -floors 2 -mass 100t -stiffness 30MN/m 20MN/m\n");
-    return support_write("top.deck", text);
+    return support_write("top.deck", deck);
 }
 
 static void every_allocation_that_fails_ends_in_an_error(void **state) {
-    (void)state;
-    const char *path = write_deck(everything);
+    const char *path = write_deck(everything, *state);
     long n;
     assert_int_equal(attempt(path, 0, &n), STATUS_OK);
     assert_in_range(n, 20, 20000);
@@ -140,7 +141,8 @@ static void every_allocation_that_fails_ends_in_an_error(void **state) {
 static void an_error_message_that_finds_no_memory_is_still_an_error(void **state) {
     (void)state;
     const char *path = write_deck("building A -floors 2 -mass 1 -stifness 1\nimpact A\n"
-                                  "contact A Bee -gap 1mm -law herz -k 1\nstep fixed 1\n");
+                                  "contact A Bee -gap 1mm -law herz -k 1\n",
+                                  "step fixed 1");
     for (long k = 0;; k++) {
         struct error e = {.message = ""};
         struct deck *deck = NULL;
@@ -162,8 +164,11 @@ static void an_error_message_that_finds_no_memory_is_still_an_error(void **state
 }
 
 int main(void) {
+    static char fixed[] = "step fixed 0.002";
+    static char adaptive[] = "step adaptive";
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_allocation_that_fails_ends_in_an_error),
+        cmocka_unit_test_prestate(every_allocation_that_fails_ends_in_an_error, fixed),
+        cmocka_unit_test_prestate(every_allocation_that_fails_ends_in_an_error, adaptive),
         cmocka_unit_test(an_error_message_that_finds_no_memory_is_still_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

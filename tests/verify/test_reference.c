@@ -12,9 +12,16 @@
 #include "support/analysis.h"
 #include "support/support.h"
 
-static const double TOLERANCE = 1e-3;
-// A number much smaller than others of its kind is judged by these shares of the largest.
-static const double SMALL = 1e-3, SMALL_ENERGY = 1e-2;
+// Relative, of the first closure [s], and the share of the largest energy by which small ones are
+// judged. Adaptive steps run to a tolerance of 1e-9: each of them is right to that share of the
+// largest velocity, and so the sum of their works to some hundred times that share of the energy.
+struct accuracy {
+    double relative, time, small_energy;
+};
+static const struct accuracy fixed = {1e-3, 1e-4, 1e-2}, adaptive = {1e-6, 1e-6, 0.1};
+
+// A number much smaller than others of its kind is judged by this share of the largest.
+static const double SMALL = 1e-3;
 
 enum { ROWS_MAX = 200 };
 struct reference {
@@ -53,13 +60,33 @@ static int read_reference(const char *name, struct reference *row) {
     return n;
 }
 
-static struct analysis run(const char *name) {
+static struct analysis run_fixed(const char *name) {
     char path[256];
     snprintf(path, sizeof path, "tests/verify/reference/%s.deck", name);
     struct analysis a = {0};
     struct deck *deck;
     struct error e = {0};
     assert_int_equal(deck_open(path, NULL, 0, &deck, &e), STATUS_OK);
+    assert_int_equal(model_build(deck, &a.model, &e), STATUS_OK);
+    assert_int_equal(analysis_run(a.model, NULL, &a.results, &e), STATUS_OK);
+    return a;
+}
+
+// The deck with its last line, the step, replaced.
+static struct analysis run_adaptive(const char *name) {
+    char path[256];
+    char text[4096];
+    size_t size;
+    snprintf(path, sizeof path, "tests/verify/reference/%s.deck", name);
+    const char *deck_text = support_read(path, &size);
+    const char *step = strstr(deck_text, "\nstep fixed");
+    assert_non_null(step);
+    snprintf(text, sizeof text, "%.*s\nstep adaptive -tolerance 1e-9\n", (int)(step - deck_text),
+             deck_text);
+    struct analysis a = {0};
+    struct deck *deck;
+    struct error e = {0};
+    assert_int_equal(deck_open_text(path, text, NULL, 0, &deck, &e), STATUS_OK);
     assert_int_equal(model_build(deck, &a.model, &e), STATUS_OK);
     assert_int_equal(analysis_run(a.model, NULL, &a.results, &e), STATUS_OK);
     return a;
@@ -129,12 +156,13 @@ static bool is_energy(const struct reference *r) {
 }
 
 // Absolute tolerance of row i: relative to the number, or to a share of the largest of its kind.
-static double tolerance(const struct analysis *a, const struct reference *row, int n, int i) {
+static double allowance(const struct analysis *a, const struct accuracy *accuracy,
+                        const struct reference *row, int n, int i) {
     if (strcmp(row[i].quantity, "impacts") == 0) {
         return 0.0;
     }
     if (is_closure(&row[i])) {
-        return 1e-4;
+        return accuracy->time;
     }
     double largest = is_energy(&row[i]) ? a->results->initial_energy : 0.0;
     for (int k = 0; k < n; k++) {
@@ -142,31 +170,40 @@ static double tolerance(const struct analysis *a, const struct reference *row, i
             is_energy(&row[i]) ? is_energy(&row[k]) : strcmp(row[i].quantity, row[k].quantity) == 0;
         largest = same ? fmax(largest, fabs(row[k].value)) : largest;
     }
-    double share = is_energy(&row[i]) ? SMALL_ENERGY : SMALL;
-    return TOLERANCE * fmax(fabs(row[i].value), share * largest);
+    double share = is_energy(&row[i]) ? accuracy->small_energy : SMALL;
+    return accuracy->relative * fmax(fabs(row[i].value), share * largest);
 }
 
-static void agrees(void **state) {
-    const char *name = *state;
+static void compare(const char *name, struct analysis *a, const struct accuracy *accuracy) {
     struct reference row[ROWS_MAX];
     int n = read_reference(name, row);
-    struct analysis a = run(name);
     for (int i = 0; i < n; i++) {
-        double got = value_of(&a, &row[i]);
-        double allowed = tolerance(&a, row, n, i);
+        double got = value_of(a, &row[i]);
+        double allowed = allowance(a, accuracy, row, n, i);
         if (!(fabs(got - row[i].value) <= allowed)) {
             print_error("%s: %s of %s floor %d\n", name, row[i].quantity, row[i].owner,
                         row[i].floor);
         }
         assert_near(got, row[i].value, allowed);
     }
-    assert_int_equal(a.results->totals.unsolved, 0);
-    analysis_free(&a);
+    assert_int_equal(a->results->totals.unsolved, 0);
+    analysis_free(a);
+}
+
+static void fixed_steps_agree(void **state) {
+    struct analysis a = run_fixed(*state);
+    compare(*state, &a, &fixed);
+}
+
+static void adaptive_steps_agree(void **state) {
+    struct analysis a = run_adaptive(*state);
+    compare(*state, &a, &adaptive);
 }
 
 #define CASE(text)                                                                                 \
-    {                                                                                              \
-        .name = text, .test_func = agrees, .initial_state = (char[]) {                             \
+    {.name = text, .test_func = fixed_steps_agree, .initial_state = (char[]){text}}, {             \
+        .name = text " with adaptive steps", .test_func = adaptive_steps_agree,                    \
+        .initial_state = (char[]) {                                                                \
             text                                                                                   \
         }                                                                                          \
     }

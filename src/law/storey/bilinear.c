@@ -62,6 +62,7 @@ const struct storey_law storey_bilinear = {
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
     .n_history = N_HISTORY,
+    .traits = STOREY_STRAIGHT,
     .prepare = bilinear_prepare,
     .shear = bilinear_shear,
     .commit = bilinear_commit,

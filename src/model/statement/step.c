@@ -3,28 +3,42 @@
 
 #include "model/statement.h"
 
+enum { TOLERANCE, LONGEST, SHORTEST, N_ROW };
+
 static const struct row dt_row = {"step",          ROW_NUMBER, ROW_REQUIRED, {0, 0, 1},
                                   &range_positive, NAN,        "time step"};
 
-static void build(struct builder *b, const struct statement *s) {
-    static const char *const known[] = {"fixed"};
-    if (!builder_once(b, &b->step, s) || !builder_plain(b, s, 1, 2, statement_step.usage)) {
-        return;
-    }
-    const char *kind = s->word[1].text;
-    if ((kind[0] >= '0' && kind[0] <= '9') || kind[0] == '$') {
-        deck_error(b->deck, &s->word[1], "step needs its kind; write: step fixed %s", kind);
-        return;
-    }
-    if (strcmp(kind, "adaptive") == 0) {
-        deck_error(b->deck, &s->word[1],
-                   "adaptive steps are not available in this version; use step fixed DT");
-        return;
-    }
-    if (strcmp(kind, known[0]) != 0) {
-        deck_unknown(b->deck, &s->word[1], "kind of step", known, 1);
-        return;
-    }
+// Below the smallest tolerance rounding is as large as the error of a step.
+static const struct range tolerance_range = {
+    .min = 1e-13, .max = 1e-2, .text = ">= 1e-13 and <= 0.01"};
+
+static const struct row adaptive_rows[N_ROW] = {
+    [TOLERANCE] = {"tolerance",
+                   ROW_NUMBER,
+                   0,
+                   {0},
+                   &tolerance_range,
+                   1e-6,
+                   "error of a step relative to the largest displacement and velocity so far"},
+    [LONGEST] =
+        {"max", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "longest step; any if not given"},
+    [SHORTEST] = {"min",
+                  ROW_NUMBER,
+                  0,
+                  {0, 0, 1},
+                  &range_positive,
+                  NAN,
+                  "a run that needs shorter steps ends with an error"},
+};
+
+enum { N_VARIANT = 2 };
+static const struct statement_variant variants[N_VARIANT] = {
+    {"fixed", "steps of DT; the last one is shorter where the duration is not a multiple", NULL, 0},
+    {"adaptive", "steps as long as the tolerance allows, which end at impacts", adaptive_rows,
+     N_ROW},
+};
+
+static void build_fixed(struct builder *b, const struct statement *s) {
     struct argument dt = {0};
     if (builder_plain(b, s, 2, 2, statement_step.usage) && deck_options(b->deck, s, NULL, 0) &&
         deck_values(b->deck, &dt_row, 0.0, &s->word[2], 1, &dt)) {
@@ -32,10 +46,48 @@ static void build(struct builder *b, const struct statement *s) {
     }
 }
 
+static void build_adaptive(struct builder *b, const struct statement *s) {
+    struct argument a[N_ROW] = {0};
+    if (!builder_plain(b, s, 1, 1, statement_step.usage) ||
+        !deck_options(b->deck, s, &(struct row_set){adaptive_rows, N_ROW, a}, 1)) {
+        return;
+    }
+    b->adaptive = true;
+    b->control = (struct step_control){
+        .tolerance = a[TOLERANCE].number[0],
+        .longest = a[LONGEST].given ? a[LONGEST].number[0] : INFINITY,
+        .shortest = a[SHORTEST].given ? a[SHORTEST].number[0] : 0.0,
+    };
+    if (b->control.shortest > b->control.longest) {
+        const char *unit = b->deck->units.time_name;
+        deck_error(b->deck, &a[SHORTEST].key, "-min is %.6g %s; it must be <= -max, %.6g %s",
+                   b->control.shortest, unit, b->control.longest, unit);
+    }
+}
+
+static void build(struct builder *b, const struct statement *s) {
+    static const char *const known[] = {"fixed", "adaptive"};
+    if (!builder_once(b, &b->step, s) || !builder_plain(b, s, 1, 2, statement_step.usage)) {
+        return;
+    }
+    const char *kind = s->word[1].text;
+    if ((kind[0] >= '0' && kind[0] <= '9') || kind[0] == '$') {
+        deck_error(b->deck, &s->word[1], "step needs its kind; write: step fixed %s", kind);
+    } else if (strcmp(kind, known[0]) == 0) {
+        build_fixed(b, s);
+    } else if (strcmp(kind, known[1]) == 0) {
+        build_adaptive(b, s);
+    } else {
+        deck_unknown(b->deck, &s->word[1], "kind of step", known, 2);
+    }
+}
+
 const struct statement_kind statement_step = {
     .name = "step",
-    .usage = "fixed DT",
-    .summary = "time step; the last one is shorter where the duration is not a multiple",
+    .usage = "fixed DT | adaptive [-tolerance T] [-max DT] [-min DT]",
+    .summary = "time steps",
     .example = "step fixed 0.5ms",
+    .variant = variants,
+    .n_variant = N_VARIANT,
     .build = build,
 };

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The control of the steps. Their length follows from the estimated error by the PI controller of
+// Gustafsson, with the exponents of Hairer, Norsett & Wanner (1993), Solving Ordinary Differential
+// Equations I, section IV.2 of volume II (DOPRI5). Steps end at the corners of the forcing, in
+// equal parts from one to the next, and at events (dp_event.c).
+#include "solve/dormand_prince.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/lanes.h"
+#include "solve/dp.h"
+
+static const double SAFETY = 0.9, PROPORTIONAL = 0.17, INTEGRAL = 0.04;
+static const double SHRINK_MOST = 0.2, GROW_MOST = 5.0;
+static const double FIRST_ERROR = 1e-4;  // taken as that of the step before the first
+
+// The last of the equal parts may be this much longer than the error control asks for.
+static const double STRETCH = 0.1;
+
+// Step after an event over the one before it. Forces begin with an infinite slope where a contact
+// closes (d^(1/4)), and with a kink where its velocity turns.
+static const double AFTER_CLOSURE = 1e-4, AFTER_TURN = 0.3;
+
+static const double FIRST_OF_PERIOD = 1e-2, FIRST_OF_DURATION = 1e-6;
+
+// Share of the expected motion that counts as its size from the start.
+static const double EXPECTED = 1e-2;
+
+// More events than this in such a share of the duration do not come from bodies that bounce.
+enum { CROWD = 4000, CROWD_PER_LINK = 4 };
+static const double CROWD_TIME = 1e-7;
+
+// A run in which this many steps get less far than their share of ADAPTIVE_STEPS_MAX is given up.
+enum { PACE_STEPS = 20000 };
+
+static bool alloc_stages(struct dp *p, struct arena *a) {
+    double **const part[] = {&p->zero,    &p->error_u, &p->error_v, &p->scale_u,
+                             &p->scale_v, &p->input,   &p->damping};
+    bool good = true;
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        good = good && (*part[i] = lanes_array(a, p->model->n_dof));
+    }
+    for (int s = 0; s < DP_STAGES; s++) {
+        good = good && dp_system_alloc_rates(&p->stage[s], p->model, a);
+    }
+    return good;
+}
+
+struct dp *dormand_prince_create(const struct model *m, struct results *r, struct impact_log *log,
+                                 struct arena *a) {
+    size_t n_rate = (size_t)m->n_link + LANES_WIDTH;
+    struct dp *p = arena_alloc(a, 1, sizeof *p);
+    if (!p) {
+        return NULL;
+    }
+    *p = (struct dp){.model = m, .results = r, .impacts = log, .last_link = -1};
+    p->rate[0] = arena_alloc(a, n_rate, sizeof(double));
+    p->rate[1] = arena_alloc(a, n_rate, sizeof(double));
+    p->no_depth = arena_alloc(a, n_rate, sizeof(double));
+    p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
+    bool good = p->meeting && p->rate[0] && p->rate[1] && p->no_depth &&
+                dp_system_alloc(&p->system, m, a) && state_alloc(&p->now, m, a) &&
+                state_alloc(&p->next, m, a) && alloc_stages(p, a);
+    return good ? p : NULL;
+}
+
+// The first and the last stage stand at the ends of the step.
+static void bind(struct dp *p) {
+    const struct state *end[2] = {&p->now, &p->next};
+    struct dp_rates *rates[2] = {&p->stage[0], &p->stage[DP_STAGES - 1]};
+    for (int i = 0; i < 2; i++) {
+        rates[i]->u = end[i]->u;
+        rates[i]->v = end[i]->v;
+        rates[i]->a = end[i]->a;
+        rates[i]->ground =
+            (struct forcing_values){end[i]->ground_a, end[i]->ground_v, end[i]->ground_u};
+    }
+}
+
+static void rates_now(struct dp *p) {
+    dp_system_rates(&p->system, &p->now, p->now.time, &p->stage[0]);
+}
+
+// First step over the shortest period of a building over 2 pi, or over the duration.
+static double first_step(const struct model *m) {
+    double omega = 0.0;
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        omega = fmax(omega, g->omega[g->n_floor - 1]);
+    }
+    return omega > 0.0 ? FIRST_OF_PERIOD / omega : FIRST_OF_DURATION * m->duration;
+}
+
+// Sizes that motions will reach at least: those of the slowest mode under a hundredth of the
+// excitation. Without them a start from rest under forces with a kink at rest would take endless
+// steps.
+static void expect(struct dp *p) {
+    const struct model *m = p->model;
+    double acceleration = 0.0;
+    double time = m->duration;
+    for (int k = 0; k < m->n_ground; k++) {
+        for (int i = 0; i < m->ground[k].n_signal; i++) {
+            acceleration = fmax(acceleration, signal_peak(&m->ground[k].signal[i]));
+        }
+    }
+    for (int k = 0; k < m->n_load; k++) {
+        acceleration =
+            fmax(acceleration, signal_peak(&m->load[k].signal) / m->mass[m->load[k].dof]);
+    }
+    for (int k = 0; k < m->n_building; k++) {
+        time = fmin(time, 1.0 / m->building[k].omega[0]);
+    }
+    p->most_v = EXPECTED * acceleration * time;
+    p->most_u = p->most_v * time;
+    p->grown = true;
+}
+
+void dormand_prince_start(struct dp *p, const struct state *start,
+                          const struct energy_account *energy) {
+    const struct model *m = p->model;
+    struct state *now = &p->now;
+    size_t n_dof = (size_t)m->n_dof * sizeof(double);
+    size_t n_link = (size_t)m->n_link * sizeof(double);
+    now->time = start->time;
+    memcpy(now->u, start->u, n_dof);
+    memcpy(now->v, start->v, n_dof);
+    memcpy(now->drift, start->drift, n_dof);
+    memcpy(now->delta, start->delta, n_link);
+    memcpy(now->t_close, start->t_close, n_link);
+    memcpy(now->v_close, start->v_close, n_link);
+    memcpy(now->ground_v, start->ground_v, (size_t)m->n_ground * sizeof *now->ground_v);
+    memcpy(now->closed, start->closed, (size_t)m->n_link * sizeof *now->closed);
+    for (int i = 0; i < start->n_live; i++) {
+        state_enliven(now, start->live[i]);
+    }
+    memcpy(now->storey_history, start->storey_history,
+           (size_t)m->n_storey_history * sizeof(double));
+    memcpy(now->link_history, start->link_history, (size_t)m->n_link_history * sizeof(double));
+    bind(p);
+    dp_system_start(&p->system, now);
+    rates_now(p);
+    dp_stages_gaps(m, now, p->rate[0]);
+    expect(p);
+    dp_peaks_now(p);
+    p->energy = *energy;
+    p->trial = fmax(first_step(m), m->control.shortest);
+    p->error = FIRST_ERROR;
+}
+
+double dormand_prince_time(const struct dp *p) {
+    return p->h > 0.0 ? p->next.time : p->now.time;
+}
+
+static void swap(double **x, double **y) {
+    double *z = *x;
+    *x = *y;
+    *y = z;
+}
+
+// Makes the end of the step the start of the next.
+static void swap_ends(struct dp *p) {
+    struct state *now = &p->now;
+    struct state *next = &p->next;
+    double **of_now[] = {&now->u,     &now->v,        &now->a,        &now->drift,   &now->delta,
+                         &now->force, &now->ground_a, &now->ground_v, &now->ground_u};
+    double **of_next[] = {&next->u,        &next->v,        &next->a,
+                          &next->drift,    &next->delta,    &next->force,
+                          &next->ground_a, &next->ground_v, &next->ground_u};
+    for (size_t i = 0; i < sizeof of_now / sizeof of_now[0]; i++) {
+        swap(of_now[i], of_next[i]);
+    }
+    swap(&p->rate[0], &p->rate[1]);
+    struct dp_rates first = p->stage[0];
+    p->stage[0] = p->stage[DP_STAGES - 1];
+    p->stage[DP_STAGES - 1] = first;
+    now->time = next->time;
+    bind(p);
+}
+
+static int too_crowded(struct dp *p, struct error *e) {
+    const struct model *m = p->model;
+    const struct totals *t = &p->results->totals;
+    if (p->now.time - p->time_before > CROWD_TIME * m->duration) {
+        p->time_before = p->now.time;
+        p->events_before = t->events;
+    }
+    if (t->events - p->events_before <= CROWD + CROWD_PER_LINK * (long)m->n_link) {
+        return STATUS_OK;
+    }
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s %s rattles: %ld events within %.2g %s; it wants a softer or a "
+                     "damped contact, or step fixed DT",
+                     p->now.time, m->deck->units.time_name,
+                     p->last_link < 0 ? "a storey" : m->link[p->last_link].name,
+                     t->events - p->events_before, p->now.time - p->time_before,
+                     m->deck->units.time_name);
+}
+
+// Lets an event at `now` happen, and starts again from there.
+static int happen(struct dp *p, const struct dp_event *event, struct error *e) {
+    if (dp_event_apply(p, event, e) != STATUS_OK) {
+        return e->status;
+    }
+    p->results->totals.events++;
+    p->error = FIRST_ERROR;
+    if (event->kind == DP_CLOSE) {
+        p->trial *= AFTER_CLOSURE;
+    } else if (event->kind == DP_TURN) {
+        p->trial *= AFTER_TURN;
+    }
+    p->trial = fmax(p->trial, p->model->control.shortest);
+    rates_now(p);
+    dp_stages_gaps(p->model, &p->now, p->rate[0]);
+    dp_peaks_now(p);
+    return too_crowded(p, e);
+}
+
+// The next instant at which a step has to end.
+static double limit(const struct dp *p) {
+    return fmin(p->system.forcing.corner, p->model->duration);
+}
+
+// Goes to the end of the last step, and lets happen there what has to.
+static int finish(struct dp *p, struct error *e) {
+    if (p->h == 0.0) {
+        return STATUS_OK;
+    }
+    struct dp_event event = p->event;
+    double corner = limit(p);
+    swap_ends(p);
+    p->h = 0.0;
+    dp_system_commit(&p->system, &p->now);
+    if (corner - p->now.time <= 8.0 * DBL_EPSILON * corner) {
+        p->now.time = corner;
+        if (forcing_turn(&p->system.forcing, corner)) {
+            rates_now(p);
+            dp_peaks_now(p);
+        }
+    }
+    return event.kind == DP_NONE ? STATUS_OK : happen(p, &event, e);
+}
+
+// The next step: a part of the way to the limit.
+static void take(struct dp *p) {
+    double end = limit(p);
+    double rest = end - p->now.time;
+    double parts = ceil(rest / fmin(p->trial, p->model->control.longest) - STRETCH);
+    if (parts > 1.0) {
+        dp_stages_take(p, rest / parts, p->now.time + rest / parts);
+    } else {
+        dp_stages_take(p, rest, end);
+    }
+}
+
+// What makes steps of h short, as text: the link that is stiffest at its state, the last contact
+// that had an event, or the tolerance.
+static const char *cause(const struct dp *p, double h) {
+    const struct model *m = p->model;
+    const char *name = p->last_link < 0 ? "the tolerance" : m->link[p->last_link].name;
+    double fastest = 0.5 / h;  // slower ones do not matter
+    for (int i = 0; i < p->now.n_live; i++) {
+        int k = p->now.live[i];
+        struct contact_response r =
+            dp_system_response(&p->system, &p->now, k, p->now.delta[k], p->rate[0][k]);
+        double rate = fmax(fabs(r.dfdv) / m->link[k].mass, sqrt(fabs(r.dfdd) / m->link[k].mass));
+        if (rate > fastest) {
+            fastest = rate;
+            name = m->link[k].name;
+        }
+    }
+    return name;
+}
+
+static int too_short(const struct dp *p, double h, double error, struct error *e) {
+    const char *unit = p->model->deck->units.time_name;
+    if (!isfinite(error)) {
+        return error_set(e, STATUS_FAILED, "the state is not finite at t = %.9g %s", p->now.time,
+                         unit);
+    }
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s a step of %.3g %s is still too long for %s; use a larger "
+                     "-tolerance, a smaller -min or step fixed DT",
+                     p->now.time, unit, h, unit, cause(p, h));
+}
+
+// Are the steps so short that the run would take too many?
+static int too_slow(struct dp *p, struct error *e) {
+    const char *unit = p->model->deck->units.time_name;
+    double way = p->now.time - p->pace_time;
+    if (++p->tried % PACE_STEPS != 0) {
+        return STATUS_OK;
+    }
+    p->pace_time = p->now.time;
+    if (way * ADAPTIVE_STEPS_MAX >= PACE_STEPS * p->model->duration) {
+        return STATUS_OK;
+    }
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
+                     "%.0e of them; use a larger -tolerance or step fixed DT",
+                     p->now.time, unit, way / PACE_STEPS, unit, cause(p, way / PACE_STEPS),
+                     (double)ADAPTIVE_STEPS_MAX);
+}
+
+// Tries steps until one meets the tolerance.
+static int attempt(struct dp *p, struct error *e) {
+    for (;;) {
+        take(p);
+        double error = dp_stages_error(p);
+        double shrink = SAFETY * pow(error, -PROPORTIONAL);
+        if (too_slow(p, e) != STATUS_OK) {
+            return e->status;
+        }
+        if (error <= 1.0) {
+            double grow = error > 0.0 ? shrink * pow(p->error, INTEGRAL) : GROW_MOST;
+            p->trial = p->h * fmin(fmax(grow, SHRINK_MOST), GROW_MOST);
+            p->error = fmax(error, FIRST_ERROR);
+            return STATUS_OK;
+        }
+        p->results->totals.cuts++;
+        if (p->h <= p->model->control.shortest || p->now.time + p->h / 2.0 == p->now.time) {
+            return too_short(p, p->h, error, e);
+        }
+        p->trial = p->h * fmin(fmax(shrink, SHRINK_MOST), SAFETY);
+        p->trial = fmax(p->trial, p->model->control.shortest);
+    }
+}
+
+// Does the event come before any time has passed?
+static bool at_once(const struct dp *p) {
+    return p->event.kind != DP_NONE && p->now.time + p->event.place * p->h == p->now.time;
+}
+
+int dormand_prince_step(struct dp *p, struct error *e) {
+    int status = finish(p, e);
+    while (status == STATUS_OK) {
+        status = attempt(p, e);
+        if (status != STATUS_OK) {
+            break;
+        }
+        dp_stages_ends(p);
+        p->event = dp_event_first(p);
+        if (!at_once(p)) {
+            break;
+        }
+        struct dp_event event = p->event;
+        p->h = 0.0;
+        status = happen(p, &event, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    if (p->event.kind != DP_NONE) {
+        dp_event_locate(p);
+    }
+    dp_account_step(p);
+    dp_peaks_step(p);
+    p->results->totals.steps++;
+    return STATUS_OK;
+}
+
+void dormand_prince_row(struct dp *p, double t, struct state *row, struct energy_account *energy) {
+    dp_account_row(p, t, row, energy);
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the parts of the Dormand-Prince integrator share: dp_stages.c makes a step, dp_event.c finds
+// where it ends, dp_peaks.c and dp_account.c keep what the step brings, dormand_prince.c controls
+// it.
+#ifndef JOSTLE_DP_H
+#define JOSTLE_DP_H
+
+#include "solve/account.h"
+#include "solve/dp_system.h"
+#include "solve/hermite.h"
+
+enum { DP_STAGES = 7 };
+
+enum dp_event_kind {
+    DP_NONE,
+    DP_CLOSE,   // a contact closes
+    DP_OPEN,    // or opens
+    DP_MEET,    // the bodies of a rigid contact meet
+    DP_TURN,    // the velocity of a closed contact changes its sign
+    DP_BRANCH,  // a storey comes to the end of its line
+    DP_UNLOAD,  // the drift of a yielding storey turns round
+};
+
+// What ends a step before its time.
+struct dp_event {
+    enum dp_event_kind kind;
+    int index;         // of the link, or the floor above the storey
+    double place;      // in the step, 0 to 1
+    double direction;  // sign of what passes through zero, after it: d, its velocity, the drift's
+    double target;     // [L] drift at which the branch ends
+};
+
+struct dp {
+    const struct model *model;   // borrowed
+    struct results *results;     // borrowed
+    struct impact_log *impacts;  // borrowed
+    struct dp_system system;
+    struct state now, next;  // the ends of the step; histories and closed links are in `now`
+    struct dp_rates stage[DP_STAGES];      // the first at `now`, the last at `next`
+    struct meeting *meeting;               // (n_contact) scratch of rigid impacts
+    double *rate[2];                       // [L/T] (n_link) of penetrations at both ends
+    double *zero, *no_depth;               // (n_dof), (n_link) zeros
+    double *error_u, *error_v;             // (n_dof) scratch
+    double *input, *damping;               // [F L] (n_dof) scratch
+    double *scale_u, *scale_v;             // [1/L] [T/L] (n_dof) of errors, building by building
+    double most_u, most_v;                 // [L] [L/T] of any building so far
+    bool grown;                            // since the scales were made
+    struct energy_account before, energy;  // up to the start and to the end of the step
+
+    double h;               // [T] the step; 0: none has been made
+    double trial;           // [T] what the error control would take next
+    double error;           // of the last accepted step, 1: the tolerance
+    struct dp_event event;  // at the end of the step
+    int last_link;          // of the last event; -1: none
+    long events_before;     // events when time was last seen to move
+    double time_before;     // [T] then
+    long tried;             // steps, rejected ones included
+    double pace_time;       // [T] when their pace was last looked at
+};
+
+// dp_stages.c: takes the step from `now` of length h to time `end` into `next`.
+void dp_stages_take(struct dp *p, double h, double end);
+
+// The estimated error of that step over the tolerance.
+double dp_stages_error(struct dp *p);
+
+// Integral over the step, up to the place x in it, of what has the values f at the stages: h sum
+// b_i(x) f_i; and over the whole of it.
+void dp_stages_weights(double x, double *weight);
+extern const double dp_stages_whole[DP_STAGES];
+
+// Fills what `next` has besides its motion: drifts, penetrations and forces of links.
+void dp_stages_ends(struct dp *p);
+
+// Penetrations of all links of state `s` and their rates.
+void dp_stages_gaps(const struct model *m, struct state *s, double *rate);
+
+// The motion of all floors at place x of the step.
+void dp_stages_between(const struct dp *p, double x, double *u, double *v);
+
+// Makes the scales of errors again, if motions have grown.
+void dp_stages_rescale(struct dp *p);
+
+// dp_event.c: the motion of a floor, of a link, of a storey, and the first event in the step.
+struct motion dp_event_floor(const struct dp *p, int i);
+struct motion dp_event_link(const struct dp *p, int k);
+struct motion dp_event_storey(const struct dp *p, int i);
+struct dp_event dp_event_first(const struct dp *p);
+
+// Could the penetration of any contact go beyond its limit (n_contact) in the step?
+bool dp_event_may_exceed(const struct dp *p, const double *limit);
+
+// Takes the step again so that it ends at its event.
+void dp_event_locate(struct dp *p);
+
+// Changes branch or contact at state `now`, where the event is. STATUS_SYSTEM: no memory.
+int dp_event_apply(struct dp *p, const struct dp_event *event, struct error *e);
+
+// dp_peaks.c: largest values within the step and at its end; at `now` after a jump.
+void dp_peaks_step(struct dp *p);
+void dp_peaks_now(struct dp *p);
+
+// Force and penetration of link k in the step, into its peaks and into `share`.
+void dp_peaks_link(struct dp *p, int k, struct impact_share *share);
+
+// dp_account.c: works and impulses of the step, and the state at an instant of it.
+void dp_account_step(struct dp *p);
+void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy);
+
+// The total acceleration of floor i at place x of the step.
+double dp_account_acceleration(struct dp *p, double x, int i);
+
+#endif

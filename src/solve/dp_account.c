@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Works and impulses are integrals of powers and forces over time. The stages of the method are the
+// nodes of a quadrature whose weights are those of the solution, so that they have its order 5; up
+// to a place within the step, its continuous extension has order 4. Positions and velocities there
+// are those of the Hermite polynomial of degree 5, and everything else follows from them.
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "solve/dp.h"
+
+static double sum_of(const double *x, int n) {
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        sum += x[i];
+    }
+    return sum;
+}
+
+// Works that enter the energy account. The weight of the second stage is always 0.
+static void integrate(struct dp *p, const double *weight, double *work) {
+    int n = p->model->n_dof;
+    struct dp_works works;
+    work[0] = work[1] = work[2] = 0.0;
+    static_assert(DP_WORKS == DP_STAGES - 1, "one stage is left out");
+    for (int i = 0; i < DP_WORKS; i++) {
+        int s = i == 0 ? 0 : i + 1;
+        const struct dp_rates *r = &p->stage[s];
+        double time = p->h * weight[s];
+        works.rates[i] = r;
+        works.weight[i] = time;
+        work[0] += time * r->input;
+        work[1] += time * r->damping;
+        work[2] += time * r->storey;
+    }
+    dp_system_works(&p->system, &works, p->input, p->damping);
+    work[0] += sum_of(p->input, n);
+    work[1] += sum_of(p->damping, n);
+}
+
+// Work done on link number i of the active ones up to place x, and its impulse.
+static double link_work(const struct dp *p, const double *weight, int i, double *impulse) {
+    double work = 0.0;
+    *impulse = 0.0;
+    for (int s = 0; s < DP_STAGES; s++) {
+        work += p->h * weight[s] * p->stage[s].power[i];
+        *impulse += p->h * weight[s] * p->stage[s].force[i];
+    }
+    return work;
+}
+
+static void add_work(struct energy_account *e, const double *work, double contact) {
+    e->input += work[0];
+    e->damping += work[1];
+    e->storey += work[2];
+    e->contact += contact;
+}
+
+void dp_account_step(struct dp *p) {
+    double work[3];
+    double contact = 0.0;
+    for (int i = 0; i < p->now.n_live; i++) {
+        int k = p->now.live[i];
+        struct impact_share share = {.steps = 1};
+        share.work = link_work(p, dp_stages_whole, i, &share.impulse);
+        dp_peaks_link(p, k, &share);
+        impacts_add(p->impacts, p->results, p->model, k, &share);
+        contact += share.work;
+    }
+    integrate(p, dp_stages_whole, work);
+    p->before = p->energy;
+    add_work(&p->energy, work, contact);
+}
+
+// The motion of n floors from `first` on at place x, into the second stage: its weight in the works
+// is 0, so it is free between steps.
+static void interpolate(struct dp *p, double x, int first, int n) {
+    for (int i = first; i < first + n; i++) {
+        struct motion m = dp_event_floor(p, i);
+        struct polynomial u = hermite_position(&m);
+        p->stage[1].u[i] = hermite_value(&u, x);
+        p->stage[1].v[i] = hermite_slope(&u, x) / p->h;
+    }
+}
+
+double dp_account_acceleration(struct dp *p, double x, int i) {
+    const struct model *m = p->model;
+    const struct building *g = &m->building[p->system.building[i]];
+    bool roof = i + 1 == g->first + g->n_floor;
+    if (g->damping_full) {
+        interpolate(p, x, g->first, g->n_floor);
+    } else {
+        interpolate(p, x, i > g->first ? i - 1 : i, 1 + (i > g->first) + !roof);
+    }
+    for (int n = 0; n < p->now.n_live; n++) {
+        const int *dof = m->link[p->now.live[n]].dof;
+        if ((dof[0] == i || dof[1] == i) && dof[0] != WALL && dof[1] != WALL) {
+            interpolate(p, x, dof[0] == i ? dof[1] : dof[0], 1);
+        }
+    }
+    return dp_system_acceleration(&p->system, &p->now, p->now.time + x * p->h, &p->stage[1], i);
+}
+
+// The state at place x of the step, and the rates there.
+static const struct dp_rates *rates_at(struct dp *p, double x) {
+    struct dp_rates *r = &p->stage[1];
+    dp_stages_between(p, x, r->u, r->v);
+    dp_system_rates(&p->system, &p->now, p->now.time + x * p->h, r);
+    return r;
+}
+
+// Links of a row: open ones as their floors stand, the others with the forces of `rates`.
+static void row_links(const struct dp *p, const struct dp_rates *rates, struct state *row) {
+    const struct model *m = p->model;
+    for (int k = 0; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        row->delta[k] = state_gap(l, m, rates->u, rates->ground.u) - l->gap;
+        row->closed[k] = p->now.closed[k];
+        row->force[k] = 0.0;
+    }
+    for (int i = 0; i < p->now.n_live; i++) {
+        row->force[p->now.live[i]] = rates->force[i];
+    }
+}
+
+static void row_storeys(const struct dp *p, struct state *row) {
+    const struct model *m = p->model;
+    memcpy(row->storey_history, p->now.storey_history,
+           (size_t)m->n_storey_history * sizeof *row->storey_history);
+    state_internal_forces(row, m, row->u, row->v);
+    for (int n = 0; n < p->system.n_inelastic; n++) {
+        int i = p->system.inelastic[n];
+        const struct storey *law = &m->storey[i];
+        law->law->commit(law->constant, row->storey_history + law->history, row->drift[i]);
+    }
+}
+
+void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy) {
+    const struct model *m = p->model;
+    size_t size = (size_t)m->n_dof * sizeof(double);
+    double x = t < p->next.time ? (t - p->now.time) / p->h : 1.0;
+    double work[3];
+    double weight[DP_STAGES];
+    double contact = 0.0;
+    dp_stages_weights(x, weight);
+    integrate(p, weight, work);
+    for (int i = 0; i < p->now.n_live; i++) {
+        double impulse;
+        contact += link_work(p, weight, i, &impulse);
+    }
+    const struct dp_rates *rates = x < 1.0 ? rates_at(p, x) : &p->stage[DP_STAGES - 1];
+    row->time = t;
+    memcpy(row->u, rates->u, size);
+    memcpy(row->v, rates->v, size);
+    memcpy(row->a, rates->a, size);
+    memcpy(row->ground_a, rates->ground.a, (size_t)m->n_ground * sizeof(double));
+    memcpy(row->ground_v, rates->ground.v, (size_t)m->n_ground * sizeof(double));
+    for (int i = 0; i < m->n_dof; i++) {
+        int ground = m->building[p->system.building[i]].ground;
+        row->total[i] = row->a[i] + row->ground_a[ground];
+    }
+    row_storeys(p, row);
+    row_links(p, rates, row);
+    *energy = p->before;
+    add_work(energy, work, contact);
+}

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Largest values within a step. A quantity has an extremum inside where its rate changes sign;
+// displacements, velocities and drifts have it on their interpolation. Of an acceleration, the
+// interpolation gives the place only: the right-hand side is evaluated there and beside it, and a
+// parabola put through the three. Most steps are far from any peak, and cost a few comparisons.
+#include <math.h>
+
+#include "core/lanes.h"
+#include "solve/dp.h"
+
+// Distance in the step of the three values, and how much an acceleration may exceed those at the
+// stages.
+static const double BESIDE = 0.02, BEYOND = 1.1;
+
+// Floors, in whole lanes, that are looked at together.
+enum { BLOCK = 16 * LANES_WIDTH };
+
+enum { ITERATIONS_MAX = 40 };
+static const double PLACED = 1e-6;  // of the step, of an extremum of a force
+
+static void note(struct dp *p, enum peak q, int i, double value, double time) {
+    double size = fabs(value);
+    if (size > p->results->peak[q][i]) {
+        p->results->peak[q][i] = size;
+        p->results->peak_time[q][i] = time;
+        p->grown |= q == PEAK_DISPLACEMENT || q == PEAK_VELOCITY;
+    }
+}
+
+// A new largest drift of a storey, and its shear.
+static void note_drift(struct dp *p, int i, double drift, double time) {
+    note(p, PEAK_DRIFT, i, drift, time);
+    note(p, PEAK_SHEAR, i, dp_system_shear(&p->system, &p->now, i, drift), time);
+}
+
+// Could a quantity with this value and rate at the start, which turns in the step, go beyond the
+// peak?
+static bool may_exceed(double peak, double value, double rate, double h) {
+    return fabs(value) + h * fabs(rate) > peak;
+}
+
+static void inner_displacement(struct dp *p, int i) {
+    struct motion m = dp_event_floor(p, i);
+    struct polynomial u = hermite_position(&m);
+    double x[TURNS_MAX];
+    int n = hermite_turns(&m, x);
+    for (int j = 0; j < n; j++) {
+        note(p, PEAK_DISPLACEMENT, i, hermite_value(&u, x[j]), p->now.time + x[j] * p->h);
+    }
+}
+
+static void inner_drift(struct dp *p, int i) {
+    struct motion m = dp_event_storey(p, i);
+    struct polynomial drift = hermite_position(&m);
+    double x[TURNS_MAX];
+    int n = hermite_turns(&m, x);
+    for (int j = 0; j < n; j++) {
+        double d = hermite_value(&drift, x[j]);
+        note_drift(p, i, d, p->now.time + x[j] * p->h);
+    }
+}
+
+// The velocity turns where the relative acceleration is zero.
+static void inner_velocity(struct dp *p, int i) {
+    struct motion m = dp_event_floor(p, i);
+    struct polynomial v = hermite_velocity(&m);
+    struct polynomial u = hermite_position(&m);
+    double a0 = v.c[1];
+    struct polynomial slope = {{a0, 2.0 * v.c[2], 3.0 * v.c[3]}};
+    double x = hermite_root(&slope, 0.0, 1.0);
+    note(p, PEAK_VELOCITY, i, hermite_slope(&u, x) / p->h, p->now.time + x * p->h);
+}
+
+static double total(const struct dp_rates *r, const struct building *g, int i) {
+    return r->a[i] + r->ground.a[g->ground];
+}
+
+// Where the interpolated total acceleration has its largest value inside; < 0: at an end, or far
+// below the peak so far.
+static double acceleration_place(const struct dp *p, const struct building *g, int i) {
+    struct motion m = dp_event_floor(p, i);
+    struct polynomial u = hermite_position(&m);
+    double square = p->h * p->h;
+    double ground0 = p->now.ground_a[g->ground];
+    double ground1 = p->next.ground_a[g->ground];
+    struct polynomial a = {{2.0 * u.c[2] / square + ground0,
+                            6.0 * u.c[3] / square + ground1 - ground0, 12.0 * u.c[4] / square,
+                            20.0 * u.c[5] / square, 0.0, 0.0}};
+    double best = fmax(fabs(total(&p->stage[0], g, i)), fabs(total(&p->stage[6], g, i)));
+    best = fmax(best, p->results->peak[PEAK_ACCELERATION][i] / BEYOND);
+    double place = -1.0;
+    double x[2];
+    int n = hermite_extrema(&a, x);
+    for (int j = 0; j < n; j++) {
+        double size = fabs(hermite_value(&a, x[j]));
+        if (size > best) {
+            best = size;
+            place = x[j];
+        }
+    }
+    return place;
+}
+
+static void inner_acceleration(struct dp *p, const struct building *g, int i) {
+    double x = acceleration_place(p, g, i);
+    if (x < 0.0) {
+        return;
+    }
+    double beside = fmin(BESIDE, fmin(x, 1.0 - x));
+    double low = dp_account_acceleration(p, x - beside, i);
+    double high = dp_account_acceleration(p, x + beside, i);
+    double middle = dp_account_acceleration(p, x, i);
+    double bend = low - 2.0 * middle + high;
+    double slope = (high - low) / 2.0;
+    double shift = fabs(bend) > fabs(slope) ? -slope / bend : 0.0;
+    note(p, PEAK_ACCELERATION, i, middle + shift * slope / 2.0,
+         p->now.time + (x + shift * beside) * p->h);
+}
+
+// The largest acceleration of floor i at stages within the step.
+static double inner_size(const struct dp_rates *early, const struct dp_rates *late, int ground,
+                         int i) {
+    double x = fabs(early->a[i] + early->ground.a[ground]);
+    double y = fabs(late->a[i] + late->ground.a[ground]);
+    return x > y ? x : y;
+}
+
+static void inner_step(struct dp *p, int i) {
+    const struct state *now = &p->now;
+    const struct state *next = &p->next;
+    const struct building *g = &p->model->building[p->system.building[i]];
+    double *const *peak = p->results->peak;
+    double h = p->h;
+    double v0 = now->v[i];
+    double v1 = next->v[i];
+    double below0 = i > g->first ? now->v[i - 1] : 0.0;
+    double below1 = i > g->first ? next->v[i - 1] : 0.0;
+    if (v0 * v1 < 0.0 && may_exceed(peak[PEAK_DISPLACEMENT][i], now->u[i], v0, h)) {
+        inner_displacement(p, i);
+    }
+    if (now->a[i] * next->a[i] < 0.0 && may_exceed(peak[PEAK_VELOCITY][i], v0, now->a[i], h)) {
+        inner_velocity(p, i);
+    }
+    if ((v0 - below0) * (v1 - below1) < 0.0 &&
+        may_exceed(peak[PEAK_DRIFT][i], now->drift[i], v0 - below0, h)) {
+        inner_drift(p, i);
+    }
+    if (BEYOND * inner_size(&p->stage[2], &p->stage[3], g->ground, i) >
+        peak[PEAK_ACCELERATION][i]) {
+        inner_acceleration(p, g, i);
+    }
+}
+
+// Values at one instant. The shear of an elastic storey is largest with its drift.
+static void floor_at(struct dp *p, const struct state *s, int i) {
+    const struct building *g = &p->model->building[p->system.building[i]];
+    note(p, PEAK_DISPLACEMENT, i, s->u[i], s->time);
+    note(p, PEAK_VELOCITY, i, s->v[i], s->time);
+    note(p, PEAK_ACCELERATION, i, s->a[i] + s->ground_a[g->ground], s->time);
+    if (!g->elastic || fabs(s->drift[i]) > p->results->peak[PEAK_DRIFT][i]) {
+        note_drift(p, i, s->drift[i], s->time);
+    }
+}
+
+// Could one of n floors from `first` on, in whole lanes, have a new peak in the step? Upper bounds
+// of motions, and accelerations at stages with what may lie beyond them.
+LANES static bool may_peak(const struct dp *p, int first, int n) {
+    const double *restrict u0 = p->now.u, *restrict u1 = p->next.u;
+    const double *restrict v0 = p->now.v, *restrict v1 = p->next.v;
+    const double *restrict d0 = p->now.drift, *restrict d1 = p->next.drift;
+    const double *restrict a0 = p->now.a, *restrict a1 = p->next.a;
+    const double *restrict a2 = p->stage[2].a, *restrict a3 = p->stage[3].a;
+    const double *restrict share = p->system.row[DP_GROUND];
+    const double *restrict joint = p->model->chain.joint;
+    double *const *peak = p->results->peak;
+    const double *restrict u = peak[PEAK_DISPLACEMENT], *restrict v = peak[PEAK_VELOCITY];
+    const double *restrict d = peak[PEAK_DRIFT], *restrict a = peak[PEAK_ACCELERATION];
+    double h = p->h;
+    double g1 = p->next.ground_a[0];
+    double g2 = p->stage[2].ground.a[0];
+    double g3 = p->stage[3].ground.a[0];
+    long found = 0;
+    for (int i = first, end = first + lanes_whole(n); i < end; i++) {
+        double slip = v0[i] - joint[i] * v0[i - 1];
+        found |= (fabs(u0[i]) + h * fabs(v0[i]) > u[i]) | (fabs(u1[i]) > u[i]) |
+                 (fabs(v0[i]) + h * fabs(a0[i]) > v[i]) | (fabs(v1[i]) > v[i]) |
+                 (fabs(d0[i]) + h * fabs(slip) > d[i]) | (fabs(d1[i]) > d[i]) |
+                 (fabs(a1[i] + share[i] * g1) > a[i]) |
+                 (BEYOND * fabs(a2[i] + share[i] * g2) > a[i]) |
+                 (BEYOND * fabs(a3[i] + share[i] * g3) > a[i]);
+    }
+    return found != 0;
+}
+
+static void floors_step(struct dp *p) {
+    const struct model *m = p->model;
+    bool always = m->n_ground != 1 || m->n_storey_history > 0;
+    for (int first = 0; first < m->n_dof; first += BLOCK) {
+        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
+        bool seen = always || may_peak(p, first, n);
+        for (int i = first; seen && i < first + n; i++) {
+            inner_step(p, i);
+            floor_at(p, &p->next, i);
+        }
+    }
+    dp_stages_rescale(p);
+}
+
+static void note_force(struct link_peak *l, double force, double time) {
+    if (force > l->force) {
+        l->force = force;
+        l->force_time = time;
+    }
+}
+
+static void note_penetration(struct link_peak *l, double d, double time) {
+    if (d > l->penetration) {
+        l->penetration = d;
+        l->penetration_time = time;
+    }
+}
+
+// Largest penetration in the step: at its end, or where it turns.
+static double link_penetration(struct dp *p, int k, const struct motion *m) {
+    bool both = p->model->link[k].bilateral;
+    struct link_peak *l = &p->results->link[k];
+    double largest = both ? fabs(m->d[1]) : m->d[1];
+    note_penetration(l, largest, p->next.time);
+    if (m->v[0] * m->v[1] < 0.0) {
+        struct polynomial path = hermite_position(m);
+        double x[TURNS_MAX];
+        int n = hermite_turns(m, x);
+        for (int j = 0; j < n; j++) {
+            double d = hermite_value(&path, x[j]);
+            largest = fmax(largest, both ? fabs(d) : d);
+            note_penetration(l, both ? fabs(d) : d, p->now.time + x[j] * p->h);
+        }
+    }
+    p->results->deepest[k] = l->penetration;
+    return largest;
+}
+
+static void open_step(struct dp *p, int k) {
+    double most = p->results->link[k].penetration;
+    double d = fmax(p->now.delta[k], p->next.delta[k]);
+    bool turns = p->rate[0][k] > 0.0 && p->rate[1][k] < 0.0;
+    if (d > most || (turns && d + p->h * p->rate[0][k] > most)) {
+        struct motion m = dp_event_link(p, k);
+        link_penetration(p, k, &m);
+    }
+}
+
+// The force of link k and its rate at place x of its motion.
+static double force_at(const struct dp *p, int k, const struct polynomial *path, double x,
+                       double *rate) {
+    const double *c = path->c;
+    double h = p->h;
+    double d = hermite_value(path, x);
+    double v = hermite_slope(path, x) / h;
+    double a = (2.0 * c[2] + x * (6.0 * c[3] + x * (12.0 * c[4] + x * 20.0 * c[5]))) / (h * h);
+    struct contact_response r = dp_system_response(&p->system, &p->now, k, d, v);
+    *rate = r.dfdd * v + r.dfdv * a;
+    return r.force;
+}
+
+// The force where its rate changes its sign inside the step, and when; the one at the end where it
+// does not.
+static double inner_force(const struct dp *p, int k, const struct motion *m, double *time) {
+    struct polynomial path = hermite_position(m);
+    double start;
+    double rate;
+    double low = 0.0;
+    double high = 1.0;
+    force_at(p, k, &path, low, &start);
+    double force = force_at(p, k, &path, high, &rate);
+    *time = p->next.time;
+    for (int i = 0; start * rate < 0.0 && i < ITERATIONS_MAX && high - low > PLACED; i++) {
+        double x = 0.5 * (low + high);
+        double slope;
+        force = force_at(p, k, &path, x, &slope);
+        *time = p->now.time + x * p->h;
+        *(start * slope > 0.0 ? &low : &high) = x;
+    }
+    return force;
+}
+
+void dp_peaks_link(struct dp *p, int k, struct impact_share *share) {
+    bool both = p->model->link[k].bilateral;
+    struct motion m = dp_event_link(p, k);
+    double time;
+    double force = inner_force(p, k, &m, &time);
+    share->penetration = link_penetration(p, k, &m);
+    share->force = p->next.force[k];
+    note_force(&p->results->link[k], both ? fabs(share->force) : share->force, p->next.time);
+    note_force(&p->results->link[k], both ? fabs(force) : force, time);
+    share->force = fmax(share->force, force);
+}
+
+void dp_peaks_step(struct dp *p) {
+    floors_step(p);
+    int n = dp_event_may_exceed(p, p->results->deepest) ? p->model->n_contact : 0;
+    for (int k = 0; k < n; k++) {
+        if (!p->now.closed[k]) {
+            open_step(p, k);
+        }
+    }
+}
+
+void dp_peaks_now(struct dp *p) {
+    for (int i = 0; i < p->model->n_dof; i++) {
+        floor_at(p, &p->now, i);
+    }
+    dp_stages_rescale(p);
+    for (int i = 0; i < p->now.n_live; i++) {
+        int k = p->now.live[i];
+        bool both = p->model->link[k].bilateral;
+        double force = p->stage[0].force[i];
+        note_force(&p->results->link[k], both ? fabs(force) : force, p->now.time);
+    }
+}

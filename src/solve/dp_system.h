@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The right-hand side of the equations of motion for the method of Dormand & Prince, with every
+// law held on the branch that it is on at the start of the step.
+#ifndef JOSTLE_DP_SYSTEM_H
+#define JOSTLE_DP_SYSTEM_H
+
+#include "solve/forcing.h"
+#include "solve/state.h"
+
+// The branch of a contact in a step: what its law sees is a velocity of this sign.
+enum phase {
+    PHASE_RELEASE = -1,
+    PHASE_ANY = 0,  // bilateral links
+    PHASE_APPROACH = 1,
+};
+
+// What a floor's acceleration is made of, besides loads and links, each an array of core/lanes.h:
+// M^-1 K and M^-1 C, each with the floor below, the floor itself and the one above; M^-1 times the
+// forces that do not depend on the motion; and the share of the ground's acceleration, 1.
+enum dp_row {
+    DP_K_BELOW,
+    DP_K_OWN,
+    DP_K_ABOVE,
+    DP_C_BELOW,
+    DP_C_OWN,
+    DP_C_ABOVE,
+    DP_CONSTANT,
+    DP_GROUND,
+    DP_ROWS
+};
+
+struct dp_system {
+    const struct model *model;  // borrowed
+    struct forcing forcing;
+    double *row[DP_ROWS];    // (n_dof) coefficients of the accelerations on this branch
+    double *mobility;        // [1/M] (n_dof) 1 / m
+    double *base, *tangent;  // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
+    double *damping;         // [F] (n_dof) scratch
+    enum phase *phase;       // (n_link)
+    int n_inelastic;         // storeys with a history
+    int *inelastic;          // (n_dof) their indices
+    int *below;              // (n_dof) index of the floor below; -1: the ground
+    int *building;           // (n_dof) index of the floor's building
+    bool *calls;             // (n_dof) the storey's law is called, as it is not made of lines
+};
+
+// The system at one instant. Links are those live in the state at the start of the step.
+struct dp_rates {
+    double *u, *v;                 // [L] [L/T] (n_dof)
+    double *a;                     // [L/T^2] (n_dof)
+    struct forcing_values ground;  // (n_ground)
+    double *force;                 // [F] (n_live)
+    double *power;                 // [F L/T] (n_live) of those forces
+    double input, damping;         // [F L/T] besides what dp_system_works has
+    double storey;                 // [F L/T] done on storeys that are not elastic
+};
+
+// Room for a system; false: no memory.
+bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a);
+bool dp_system_alloc_rates(struct dp_rates *r, const struct model *m, struct arena *a);
+
+// The branches at state `now`: forcing, storeys and links.
+void dp_system_start(struct dp_system *s, const struct state *now);
+
+// The branch of the inelastic storey below floor i at its committed state when its drift goes on in
+// `direction` (its sign).
+void dp_system_branch(struct dp_system *s, const struct state *now, int i, double direction);
+
+// Tangent of the storey at `drift` with the committed history, and the smallest change of its drift
+// that counts.
+double dp_system_tangent(const struct dp_system *s, const struct state *now, int i, double drift);
+double dp_system_storey_noise(const struct dp_system *s, const struct state *now, int i);
+
+// Shear of the storey below floor i at `drift`, on its branch [F].
+double dp_system_shear(const struct dp_system *s, const struct state *now, int i, double drift);
+
+// Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`.
+void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
+                     struct dp_rates *r);
+
+// The rates of which works are sums, with their weights.
+enum { DP_WORKS = 6 };
+struct dp_works {
+    const struct dp_rates *rates[DP_WORKS];
+    double weight[DP_WORKS];  // [T]
+    double ground[DP_WORKS];  // [L/T] scratch
+};
+
+// The works on each floor of one ground and of the dampers of its building into input and damping
+// (n_dof) [F L].
+void dp_system_works(const struct dp_system *s, const struct dp_works *w, double *input,
+                     double *damping);
+
+// The total acceleration of floor i alone, from the motion of its building and of the floors that
+// its links join it to.
+double dp_system_acceleration(const struct dp_system *s, const struct state *now, double t,
+                              struct dp_rates *r, int i);
+
+// The response of link k at (d, v) on its branch; d and v may lie beyond it.
+struct contact_response dp_system_response(const struct dp_system *s, const struct state *now,
+                                           int k, double d, double v);
+
+// Brings the histories of `now` to its present drifts, penetrations and velocities.
+void dp_system_commit(const struct dp_system *s, struct state *now);
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// At a corner signal_value has one value, but a step that ends there needs the limit from the left
+// and the step that begins there the limit from the right. So a piece is taken by the instant from
+// which on it holds, and is evaluated up to its end.
+#include "solve/forcing.h"
+
+#include <math.h>
+
+#include "core/arena.h"
+
+// A corner this close, relative to a sample or to the size of the time, is reached.
+static const double AT_SAMPLE = 1e-6, AT_TIME = 1e-12;
+
+// A smaller change of the value, relative to it, is rounding.
+static const double JUMP = 1e-12;
+
+bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a) {
+    size_t n = 0;
+    for (int k = 0; k < m->n_ground; k++) {
+        n += (size_t)m->ground[k].n_signal;
+    }
+    f->model = m;
+    f->ground = arena_alloc(a, n, sizeof *f->ground);
+    f->load = arena_alloc(a, (size_t)m->n_load, sizeof *f->load);
+    f->corner = -INFINITY;
+    return f->ground && f->load;
+}
+
+static double slack(const struct signal *s, double t) {
+    return s->value ? AT_SAMPLE * s->dt : AT_TIME * (1.0 + fabs(t));
+}
+
+static struct piece line_from(const struct signal *s, double t) {
+    double x = (t - s->start) / s->dt + AT_SAMPLE;
+    size_t j = x > 0.0 ? (size_t)x : 0;
+    j = j < s->n - 2 ? j : s->n - 2;
+    return (struct piece){
+        .signal = s,
+        .shape = PIECE_LINE,
+        .start = s->start + (double)j * s->dt,
+        .end = j + 2 < s->n ? s->start + (double)(j + 1) * s->dt : s->end,
+        .value = s->value[j],
+        .slope = (s->value[j + 1] - s->value[j]) / s->dt,
+    };
+}
+
+// The piece of a signal that holds from t on.
+static struct piece piece_from(const struct signal *s, double t) {
+    double near = slack(s, t);
+    if (t < s->start - near) {
+        return (struct piece){.signal = s, .shape = PIECE_LINE, .end = s->start};
+    }
+    if (t >= s->end - near) {
+        return (struct piece){.signal = s, .shape = PIECE_LINE, .end = INFINITY};
+    }
+    if (s->value) {
+        return line_from(s, t);
+    }
+    return (struct piece){.signal = s, .shape = PIECE_SINE, .end = s->end};
+}
+
+static double sine_value(const struct signal *s, double t) {
+    return s->amplitude * sin(s->omega * (t - s->start) + s->phase);
+}
+
+static inline double piece_value(const struct piece *p, double t) {
+    return p->shape == PIECE_LINE ? p->value + p->slope * (t - p->start) : sine_value(p->signal, t);
+}
+
+// True if the piece gives way to another that jumps.
+static bool turn(const struct forcing *f, struct piece *p, const struct signal *s, double t) {
+    if (f->corner == -INFINITY) {
+        *p = piece_from(s, t);
+        return true;
+    }
+    if (t < p->end - slack(s, t)) {
+        return false;
+    }
+    double before = piece_value(p, t);
+    *p = piece_from(s, t);
+    return fabs(piece_value(p, t) - before) > JUMP * fabs(before);
+}
+
+bool forcing_turn(struct forcing *f, double t) {
+    const struct model *m = f->model;
+    bool jumps = false;
+    double corner = INFINITY;
+    struct piece *p = f->ground;
+    for (int k = 0; k < m->n_ground; k++) {
+        for (int i = 0; i < m->ground[k].n_signal; i++, p++) {
+            jumps |= turn(f, p, &m->ground[k].signal[i], t);
+            corner = fmin(corner, p->end);
+        }
+    }
+    for (int k = 0; k < m->n_load; k++) {
+        jumps |= turn(f, &f->load[k], &m->load[k].signal, t);
+        corner = fmin(corner, f->load[k].end);
+    }
+    f->corner = corner;
+    return jumps;
+}
+
+void forcing_ground(const struct forcing *f, double t, struct forcing_values *out) {
+    const struct model *m = f->model;
+    const struct piece *p = f->ground;
+    for (int k = 0; k < m->n_ground; k++) {
+        double sum = 0.0;
+        for (const struct piece *end = p + m->ground[k].n_signal; p < end; p++) {
+            sum += piece_value(p, t);
+        }
+        out->a[k] = sum;
+    }
+    for (int k = 0; m->n_ground > 1 && k < m->n_ground; k++) {
+        out->v[k] = out->u[k] = 0.0;
+        for (int i = 0; i < m->ground[k].n_signal; i++) {
+            double v;
+            double u;
+            signal_integrals(&m->ground[k].signal[i], t, &v, &u);
+            out->v[k] += v;
+            out->u[k] += u;
+        }
+    }
+}
+
+double forcing_load(const struct forcing *f, int k, double t) {
+    return piece_value(&f->load[k], t);
+}

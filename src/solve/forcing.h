@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ground motions and loads between their corners. A corner is a sample of a record or a load
+// history, or the start or the end of any signal: there the forcing has a kink or a jump, and
+// between two corners it is smooth.
+#ifndef JOSTLE_FORCING_H
+#define JOSTLE_FORCING_H
+
+#include "jostle/model.h"
+
+enum piece_shape { PIECE_LINE, PIECE_SINE };
+
+// A signal between two of its corners.
+struct piece {
+    const struct signal *signal;  // borrowed
+    enum piece_shape shape;
+    double end;           // [T] its next corner; may be infinite
+    double start;         // [T] a line: value + slope (t - start)
+    double value, slope;  // [.] [./T]
+};
+
+struct forcing {
+    const struct model *model;  // borrowed
+    struct piece *ground;       // those of ground 0, then 1, ...
+    struct piece *load;         // (model.n_load)
+    double corner;              // [T] the next corner of all; may be infinite
+};
+
+// What the forcing is at an instant. Arrays (n_ground).
+struct forcing_values {
+    double *a;      // [L/T^2]
+    double *v, *u;  // [L/T] [L] only where there is more than one ground
+};
+
+// Room for the pieces of a model; false: no memory.
+bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a);
+
+// Goes on from time t: the pieces that end there give way to those that begin. True if one of them
+// jumps.
+bool forcing_turn(struct forcing *f, double t);
+
+// The ground's motion at time t, not after the next corner.
+void forcing_ground(const struct forcing *f, double t, struct forcing_values *out);
+
+// Load number k at time t, not after the next corner [F].
+double forcing_load(const struct forcing *f, int k, double t);
+
+#endif

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The method of Dormand & Prince with adaptive steps: errors go with the tolerance, events are
+// located, peaks are those between the steps, the account of energy closes, and what it cannot do
+// ends with advice.
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "support/analysis.h"
+#include "support/random_deck.h"
+#include "support/support.h"
+
+// 2 Hz: omega = 4 pi.
+#define OSCILLATOR "building A -floors 1 -mass 1000 -stiffness 157913.67041742973\n"
+static const double OMEGA = 4.0 * M_PI;
+
+static void a_free_vibration_follows_the_cosine_and_its_peaks_are_exact(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(OSCILLATOR "initial A:1 -displacement 0.1 -velocity 0.5\n"
+                                               "step adaptive -tolerance 1e-10\nduration 3\n");
+    double amplitude = hypot(0.1, 0.5 / OMEGA);
+    for (long i = 0; i < a.rows.n; i++) {
+        double t = a.rows.time[i];
+        assert_near(a.rows.displacement[i], 0.1 * cos(OMEGA * t) + 0.5 / OMEGA * sin(OMEGA * t),
+                    1e-8 * amplitude);
+    }
+    assert_close(a.results->peak[PEAK_DISPLACEMENT][0], amplitude, 1e-8);
+    assert_close(a.results->peak[PEAK_VELOCITY][0], OMEGA * amplitude, 1e-8);
+    assert_close(a.results->peak[PEAK_ACCELERATION][0], OMEGA * OMEGA * amplitude, 1e-8);
+    assert_close(a.results->peak[PEAK_DRIFT][0], amplitude, 1e-8);
+    assert_true(a.results->totals.steps < 2000);
+    analysis_free(&a);
+}
+
+static double end_of_impacts(double tolerance, double *residual) {
+    struct analysis a = analysis_of(
+        "building A -floors 2 -mass 3e5 -stiffness 3.45e8\ndamping A rayleigh 0.05 -modes 1 2\n"
+        "building B -floors 1 -mass 2e5 -stiffness 4e8\ndamping B modal 0.03\n"
+        "initial A:2 -velocity 2\ncontact A:1 B:1 -gap 5mm -law jankowski -k 2.75e9 -e 0.65\n"
+        "ground sine -amplitude 0.3g -frequency 2.5Hz -cycles 4\n"
+        "step adaptive -tolerance %g\nduration 2\n",
+        tolerance);
+    assert_true(a.results->n_impact >= 5);
+    *residual = a.results->residual_peak / a.results->energy[ENERGY_INPUT];
+    double end = analysis_displacement(&a, 1, 2.0);
+    analysis_free(&a);
+    return end;
+}
+
+static void error_and_energy_residual_go_with_the_tolerance(void **state) {
+    (void)state;
+    double residual[4];
+    double error[4];
+    double converged = end_of_impacts(1e-12, &residual[3]);
+    for (int i = 0; i < 3; i++) {
+        double tolerance = pow(10.0, -4.0 - 2.0 * i);
+        error[i] = fabs(end_of_impacts(tolerance, &residual[i]) - converged);
+        assert_true(error[i] < 10.0 * tolerance * 0.1);  // displacements are about 0.1 m
+        assert_true(residual[i] < 20.0 * tolerance);
+    }
+    assert_true(error[2] < error[0] / 100.0);
+    assert_true(residual[3] < residual[0] / 1e5);
+}
+
+static void impacts_against_a_wall_have_their_closed_forms(void **state) {
+    (void)state;
+    struct analysis a =
+        analysis_of("building A -floors 1 -mass 2 -stiffness 0\ninitial A:1 -velocity 3\n"
+                    "contact A wall -gap 0.3 -law kelvin-voigt -k 5e6 -e 0.65\n"
+                    "step adaptive -tolerance 1e-10\nduration 0.15\n");
+    const struct impact *p = &a.results->impact[0];
+    assert_int_equal(a.results->n_impact, 1);
+    assert_close(p->t_start, 0.1, 1e-12);
+    assert_close(p->v_approach, 3.0, 1e-12);
+    assert_close(p->v_rebound, 0.65 * 3.0, 1e-8);
+    assert_close(p->impulse, 2.0 * 3.0 * 1.65, 1e-8);
+    assert_close(p->dissipated, 9.0 * (1.0 - 0.65 * 0.65), 1e-8);
+    assert_true(p->complete);
+    analysis_free(&a);
+    a = analysis_of("building A -floors 1 -mass 2 -stiffness 0\ninitial A:1 -velocity 3\n"
+                    "contact A wall -gap 0.3 -law hertz -k 5e8\n"
+                    "step adaptive -tolerance 1e-10\nduration 0.15\n");
+    p = &a.results->impact[0];
+    double deepest = pow(5.0 * 2.0 * 9.0 / (4.0 * 5e8), 0.4);
+    assert_close(p->max_penetration, deepest, 1e-8);
+    assert_close(p->peak_force, 5e8 * pow(deepest, 1.5), 1e-8);
+    assert_close(p->t_end - p->t_start, 2.943275 * deepest / 3.0, 1e-6);
+    analysis_free(&a);
+}
+
+// The oscillator swings to 0.1 m; the touch lasts 2 sqrt(2 depth / 0.1) / omega, far less than a
+// step.
+static void a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        double gap = i == 0 ? 0.1 - 1e-7 : 0.1 + 1e-7;
+        struct analysis a = analysis_of(
+            OSCILLATOR
+            "initial A:1 -displacement -0.1\ncontact A wall -gap %.10g -law linear -k 1\n"
+            "step adaptive -tolerance 1e-10\nduration 2\n",
+            gap);
+        assert_int_equal(a.results->n_impact, i == 0 ? 4 : 0);
+        assert_near(a.results->link[0].penetration, 0.1 - gap, 1e-9);
+        if (i == 0) {
+            const struct impact *p = &a.results->impact[0];
+            assert_close(p->t_end - p->t_start, 2.0 * sqrt(2e-7 / 0.1) / OMEGA, 1e-2);
+        }
+        analysis_free(&a);
+    }
+}
+
+static void yielding_and_unloading_are_located(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(OSCILLATOR "storey A:1 bilinear -yield 5000 -hardening 0.1\n"
+                                               "ground sine -amplitude 0.8g -frequency 1.5Hz\n"
+                                               "step adaptive -tolerance 1e-10\nduration 4\n");
+    const struct results *r = a.results;
+    assert_true(r->totals.events >= 10);
+    assert_true(r->energy[ENERGY_HYSTERETIC] > 0.1 * r->energy[ENERGY_INPUT]);
+    assert_true(r->residual_peak < 1e-8 * r->energy[ENERGY_INPUT]);
+    struct analysis fixed =
+        analysis_of(OSCILLATOR "storey A:1 bilinear -yield 5000 -hardening 0.1\n"
+                               "ground sine -amplitude 0.8g -frequency 1.5Hz\n"
+                               "step fixed 0.02ms\noutput -interval 0.01\nduration 4\n");
+    assert_close(r->peak[PEAK_DRIFT][0], fixed.results->peak[PEAK_DRIFT][0], 1e-6);
+    assert_close(r->peak[PEAK_SHEAR][0], fixed.results->peak[PEAK_SHEAR][0], 1e-6);
+    assert_close(r->energy[ENERGY_HYSTERETIC], fixed.results->energy[ENERGY_HYSTERETIC], 1e-6);
+    analysis_free(&a);
+    analysis_free(&fixed);
+}
+
+// Loads, dampers with an exponent, two grounds, a full damping matrix.
+static void whatever_a_deck_has_agrees_with_fixed_steps(void **state) {
+    (void)state;
+    static const char *const step[] = {"fixed 0.05ms", "adaptive -tolerance 1e-9"};
+    struct analysis a[2];
+    for (int i = 0; i < 2; i++) {
+        a[i] = analysis_of(
+            "building A -floors 3 -mass 3e5 -stiffness 3.45e8\ndamping A modal 0.05 0.03 0.02\n"
+            "building B -floors 2 -mass 2e5 -stiffness 2e8\ndamping B dashpot 1e6 5e5\n"
+            "load A:2 constant 1e5\nload B:1 sine -amplitude 4e5 -frequency 3Hz -cycles 5.5\n"
+            "link A:3 B:2 -stiffness 1e6 -dashpot 2e5 -exponent 0.5\n"
+            "contact wall A:1 -gap 1mm -law hunt-crossley -k 3e9 -e 0.7\n"
+            "ground sine -amplitude 0.2g -frequency 2Hz\n"
+            "ground sine -amplitude 0.1g -frequency 2Hz -delay 0.13 -buildings B\n"
+            "step %s\noutput -interval 0.01\nduration 2\n",
+            step[i]);
+    }
+    assert_int_equal(a[0].results->n_impact, a[1].results->n_impact);
+    assert_true(a[0].results->n_impact > 3);
+    for (int k = 0; k < 5; k++) {
+        double size = a[0].results->peak[PEAK_DISPLACEMENT][k];
+        assert_close(a[1].results->peak[PEAK_DISPLACEMENT][k], size, 1e-5);
+        for (int q = 0; q < 20; q++) {
+            double t = 0.1 * (q + 1);
+            assert_near(analysis_displacement(&a[1], k, t), analysis_displacement(&a[0], k, t),
+                        1e-5 * size);
+        }
+    }
+    for (int i = 0; i < ENERGY_RESIDUAL; i++) {
+        assert_near(a[1].results->energy[i], a[0].results->energy[i],
+                    1e-5 * a[0].results->energy[ENERGY_INPUT]);
+    }
+    assert_true(a[1].results->residual_peak < 1e-6 * a[1].results->energy[ENERGY_INPUT]);
+    analysis_free(&a[0]);
+    analysis_free(&a[1]);
+}
+
+static void fails_with(const char *text, const char *message) {
+    struct error e = {0};
+    struct analysis a = analysis_try(text, &e);
+    assert_int_equal(e.status, STATUS_FAILED);
+    if (!strstr(e.message, message)) {
+        print_error("%s\n", e.message);
+    }
+    assert_non_null(strstr(e.message, message));
+    analysis_free(&a);
+}
+
+static void what_takes_too_many_steps_ends_with_advice(void **state) {
+    (void)state;
+    fails_with(OSCILLATOR "initial A:1 -displacement 0.1\n"
+                          "step adaptive -tolerance 1e-10 -min 0.05\nduration 2\n",
+               "is still too long for the tolerance; use a larger -tolerance, a smaller -min");
+    fails_with("building A -floors 1 -mass 1 -stiffness 100\n"
+               "building B -floors 1 -mass 1 -stiffness 100\ninitial B:1 -velocity 1\n"
+               "link A B -dashpot 1000 -exponent 0.1 -name brake\n"
+               "step adaptive -tolerance 1e-9\nduration 20\n",
+               "because of brake, which makes more than 2e+06 of them; use a larger -tolerance or "
+               "step fixed DT");
+    // Between its branches at v = 0 this law holds any force: the bodies stick.
+    fails_with("building A -floors 1 -mass 1 -stiffness 100\nload A:1 constant 100\n"
+               "contact A wall -name stop -gap 0 -law khatami -k 1e5 -zeta 9\n"
+               "step adaptive\nduration 20\n",
+               "stop rattles");
+}
+
+// The deck with adaptive steps.
+static void make_adaptive(const char *text, char *out, size_t size) {
+    size_t n = 0;
+    while (*text) {
+        int length = (int)strcspn(text, "\n");
+        if (strncmp(text, "step ", 5) == 0) {
+            n += (size_t)snprintf(out + n, size - n, "step adaptive\n");
+        } else if (strncmp(text, "integrator ", 11) != 0) {
+            n += (size_t)snprintf(out + n, size - n, "%.*s\n", length, text);
+        }
+        assert_true(n < size);
+        text += length + (text[length] == '\n');
+    }
+}
+
+static void every_random_deck_ends_with_a_closed_account_or_advice(void **state) {
+    (void)state;
+    int given_up = 0;
+    for (uint64_t seed = 1; seed <= 60; seed++) {
+        char text[4096];
+        char adaptive[4096];
+        struct error e = {0};
+        random_deck(seed, text, sizeof text);
+        make_adaptive(text, adaptive, sizeof adaptive);
+        struct analysis a = analysis_try(adaptive, &e);
+        if (e.status == STATUS_OK) {
+            double flow = a.results->initial_energy;
+            for (long i = 0; i < a.rows.n * ENERGY_COUNT; i++) {
+                assert_true(isfinite(a.rows.energy[i]));
+                flow = fmax(flow, fabs(a.rows.energy[i]));
+            }
+            assert_true(a.results->residual_peak < 1e-4 * flow);
+        } else {
+            assert_non_null(strstr(e.message, "step fixed DT"));
+            given_up++;
+        }
+        analysis_free(&a);
+    }
+    assert_true(given_up <= 10);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_free_vibration_follows_the_cosine_and_its_peaks_are_exact),
+        cmocka_unit_test(error_and_energy_residual_go_with_the_tolerance),
+        cmocka_unit_test(impacts_against_a_wall_have_their_closed_forms),
+        cmocka_unit_test(a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not),
+        cmocka_unit_test(yielding_and_unloading_are_located),
+        cmocka_unit_test(whatever_a_deck_has_agrees_with_fixed_steps),
+        cmocka_unit_test(what_takes_too_many_steps_ends_with_advice),
+        cmocka_unit_test(every_random_deck_ends_with_a_closed_account_or_advice),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
