@@ -122,6 +122,7 @@ struct model {
     double dt;           // [T]
     double duration;     // [T]
     long n_step;         // the last one may be shorter
+    struct word step;    // the statement that says dt, for messages
     struct output output;
 };
 
@@ -136,6 +137,10 @@ void building_damping_force(const struct building *g, const double *v, double *f
 // Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN
 // for a rigid-body mode. Errors: STATUS_SYSTEM (no memory).
 int building_damping_ratio(const struct building *g, int mode, double *ratio, struct error *e);
+
+// No circular frequency of the model in which building `i` takes part is above this [1/T]: its own
+// largest one and its bilateral links; contacts are left out.
+double model_fastest(const struct model *m, int i);
 
 // Time at the end of step `n` [T]: n dt, but the duration for the last.
 double model_time(const struct model *m, long n);
