@@ -145,6 +145,11 @@ double model_fastest(const struct model *m, int i);
 // Time at the end of step `n` [T]: n dt, but the duration for the last.
 double model_time(const struct model *m, long n);
 
+// The model at a step 2^level times shorter, with the rows of output at the same times. It borrows
+// everything from `m` and is not given to model_free. An integrator with error control would
+// tighten its tolerance here instead.
+struct model model_refined(const struct model *m, int level);
+
 // Options that a statement has only in one of its forms, as `ground record` has others than `ground
 // sine`.
 struct statement_variant {
