@@ -49,8 +49,9 @@ history() {
          /^\$rows0/ { inside = 1 }' "$work/$1.script/histories.gp"
 }
 
-# draw HEIGHT: draws verification_CASE.svg by CASE.gp, which finds its data in the work folder.
+# draw HEIGHT: draws verification_CASE.svg by CASE.gp, which finds its data in the work folder; nothing with
+# PICTURES=0.
 draw() {
-    gnuplot -e "work = '$work'; height = $1; picture = '$folder/verification_$name.svg'" \
+    [ "${PICTURES-1}" = 0 ] || gnuplot -e "work = '$work'; height = $1; picture = '$folder/verification_$name.svg'" \
         $here/style.gp "$here/$name.gp"
 }

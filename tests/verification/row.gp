@@ -5,7 +5,7 @@ set xrange [0.7:5.3]
 set xtics 1
 set yrange [0.6:1.15]
 set xlabel 'building, from left to right'
-set ylabel 'displacement / without pounding'
+set ylabel 'ratio of displacements'
 set arrow from 0.7,1 to 5.3,1 nohead lc rgb '#404040' dt 2
 row(i) = "< awk 'NR == ".i." { for (k = 1; k <= 5; k++) print k, $(5 + k) }' ".work."/ratios"
 name(i) = system("awk 'NR == ".i." { print $1, $2, $3, $4, $5 }' ".work."/ratios")

@@ -6,12 +6,18 @@ set yrange [0:*]
 unset key
 forces = work.'/forces'
 array record[5] = ['El Centro', 'Napa HNE', 'Napa HNN', 'Ridgecrest 090', 'Ridgecrest 360']
+set xtics 100
+set ytics 2
 set xlabel 'gap, mm'
 plot for [i = 0:4] forces index i using 3:($4 / 1000) with lines
+set xtics 0.2
+set ytics 10
 set xlabel 'restitution e'
 unset ylabel
 plot for [i = 0:4] forces index i + 5 using 3:($4 / 1000) with lines
 set ylabel 'peak force, MN' offset 1
+set xtics 10
+set ytics 10
 set logscale xy
 set yrange [*:*]
 set format x '10^{%T}'
@@ -21,7 +27,9 @@ unset logscale
 unset ylabel
 set yrange [0:*]
 set format x '%g'
+set xtics 0.5
+set ytics 5
 set xlabel 'period of B, s'
-set key at screen 0.97, 0.07 right maxrows 2 samplen 2 font ',13'
+set key at screen 0.97, 0.07 right maxrows 2 Left reverse samplen 2 font ',13'
 plot for [i = 0:4] forces index i + 15 using 3:($4 / 1000) with lines title record[i + 1]
 unset multiplot

@@ -35,7 +35,7 @@ awk "$format"'
     END {
         n = split("'"$records"'", record, " ")
         m = split("gap:0 gap:20 gap:50 gap:100 gap:200 e:0.1 e:0.4 e:0.65 e:1 k:1e+08 k:1e+09 k:1e+10 k:1e+11 " \
-            "T:0.1 T:0.3 T:0.5 T:0.8 T:1.2 T:2", row, " ")
+            "T:0.1 T:0.3 T:0.5 T:0.8 T:1 T:1.2 T:2", row, " ")
         for (i = 1; i <= m; i++) {
             split(row[i], p, ":")
             line = "study\t| " p[1] " = " p[2] " |"
