@@ -209,6 +209,12 @@ docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and
 	@$(PROGRAM) spectrum input/records/*.AT2 -o docs/pictures/spectrum.png --force >/dev/null
 	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures
 
+.PHONY: verification
+verification: $(PROGRAM)  ## run the cases of docs/verification.md and write it with its pictures
+	@JOBS=$(CORES) sh tests/verification/make.sh $(PROGRAM) $(B)/verification
+	@cp $(B)/verification/verification.md docs
+	@cp $(B)/verification/verification_*.svg docs/pictures
+
 # --- installing ----------------------------------------------------------------------------------
 .PHONY: install uninstall clean setup setup-lint help
 install: all  ## program, library, headers, man pages, completion; DESTDIR and prefix are honoured
