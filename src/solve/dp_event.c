@@ -182,10 +182,18 @@ static bool is_straight(const struct dp *p, int i) {
     return p->model->storey[i].law->traits & STOREY_STRAIGHT;
 }
 
+// A drift that turns by less than this share of the error allowed is not seen to turn.
+static const double TURN_SHARE = 1e-2;
+
+static double least_turn(const struct dp *p, int i) {
+    double allowed = p->model->control.tolerance / p->scale_u[i];
+    return fmax(dp_system_storey_noise(&p->system, &p->now, i), TURN_SHARE * allowed);
+}
+
 static struct dp_event storey_event(const struct dp *p, int i) {
     struct motion m = dp_event_storey(p, i);
     struct pieces s = cut(&m);
-    double least = dp_system_storey_noise(&p->system, &p->now, i);
+    double least = least_turn(p, i);
     double tangent = p->system.tangent[i];
     for (int n = 0; n < s.n; n++) {
         double rise = s.d[n + 1] - s.d[n];
