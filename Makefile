@@ -19,6 +19,7 @@ libdir      = $(prefix)/lib
 includedir  = $(prefix)/include
 datarootdir = $(prefix)/share
 mandir      = $(datarootdir)/man
+completiondir = $(datarootdir)/bash-completion/completions
 docdir      = $(datarootdir)/doc/jostle
 
 # --- flags: the same deck has to give the same bits, so no -ffast-math and no contraction --------
@@ -202,28 +203,40 @@ docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and
 	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg
 	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/restitution.md \
 	    $(B)/docs/law-command.md $(B)/docs/spectrum.md docs
+	@sh tests/support/man.sh $(PROGRAM) docs
 	@cp $(B)/docs/README.md README.md
 	@sh tests/support/pictures.sh $(PROGRAM) $(B)/docs docs/pictures
 	@$(PROGRAM) spectrum input/records/*.AT2 -o docs/pictures/spectrum.png --force >/dev/null
 	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures
 
+.PHONY: verification
+verification: $(PROGRAM)  ## run the cases of docs/verification.md and write it with its pictures
+	@JOBS=$(CORES) sh tests/verification/make.sh $(PROGRAM) $(B)/verification
+	@cp $(B)/verification/verification.md docs
+	@cp $(B)/verification/verification_*.svg docs/pictures
+
 # --- installing ----------------------------------------------------------------------------------
 .PHONY: install uninstall clean setup setup-lint help
-install: all  ## program, library, headers and jostle.pc; DESTDIR and prefix are honoured
+install: all  ## program, library, headers, man pages, completion; DESTDIR and prefix are honoured
 	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(libdir)/pkgconfig $(DESTDIR)$(includedir)/jostle
 	install -m 755 $(PROGRAM) $(DESTDIR)$(bindir)/jostle
 	install -m 644 $(LIBRARY) $(DESTDIR)$(libdir)/libjostle.a
 	install -m 644 $(HEADERS) $(DESTDIR)$(includedir)/jostle
 	@VERSION='$(VERSION)' PREFIX='$(prefix)' LIBDIR='$(libdir)' INCLUDEDIR='$(includedir)' \
 	    LIBS='-pthread $(LIBS)' sh tests/support/pkgconfig.sh > $(DESTDIR)$(libdir)/pkgconfig/jostle.pc
-	install -d $(DESTDIR)$(mandir)/man1 $(DESTDIR)$(docdir)
-	$(if $(wildcard docs/*.1),install -m 644 $(wildcard docs/*.1) $(DESTDIR)$(mandir)/man1)
+	install -d $(DESTDIR)$(mandir)/man1 $(DESTDIR)$(mandir)/man5 $(DESTDIR)$(completiondir)
+	install -m 644 docs/jostle.1 $(DESTDIR)$(mandir)/man1
+	install -m 644 docs/jostle-deck.5 $(DESTDIR)$(mandir)/man5
+	install -m 644 docs/jostle.bash $(DESTDIR)$(completiondir)/jostle
+	install -d $(DESTDIR)$(docdir)
+	install -m 644 CITATION.cff $(DESTDIR)$(docdir)
 	cp -R input $(DESTDIR)$(docdir)
 
 uninstall:  ## remove what install put there
 	rm -f $(DESTDIR)$(bindir)/jostle $(DESTDIR)$(libdir)/libjostle.a
 	rm -f $(DESTDIR)$(libdir)/pkgconfig/jostle.pc
-	$(if $(wildcard docs/*.1),rm -f $(patsubst docs/%,$(DESTDIR)$(mandir)/man1/%,$(wildcard docs/*.1)))
+	rm -f $(DESTDIR)$(mandir)/man1/jostle.1 $(DESTDIR)$(mandir)/man5/jostle-deck.5
+	rm -f $(DESTDIR)$(completiondir)/jostle
 	rm -rf $(DESTDIR)$(includedir)/jostle $(DESTDIR)$(docdir)
 
 clean:  ## remove build/

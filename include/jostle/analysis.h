@@ -80,6 +80,9 @@ struct impact {
     long steps;              // computed steps in contact
 };
 
+// Fewer computed steps do not resolve an impact; longer steps are cut where that is foreseen.
+enum { IMPACT_STEPS_MIN = 10 };
+
 struct totals {
     long steps;   // computed, cut ones included
     long cuts;    // steps that were not solved and halved; adaptive: rejected
@@ -90,6 +93,7 @@ struct totals {
     long scalar;      // by further sweeps of exact scalar answers
     long block;       // that took Newton steps on the cluster
     long unsolved;    // accepted at the smallest step without meeting the tolerance
+    long coarse;      // impacts under a force that opened within IMPACT_STEPS_MIN computed steps
     double speed;     // [L/T] largest velocity of any floor
     double seconds;   // wall time
 };
@@ -115,5 +119,8 @@ struct results {
 int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
                  struct error *e);
 void results_free(struct results *r);  // NULL is allowed
+
+// Whether the impact is one of totals.coarse.
+bool impact_is_coarse(const struct model *m, const struct impact *i);
 
 #endif

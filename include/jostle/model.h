@@ -134,6 +134,7 @@ struct model {
     double dt;                    // [T] fixed step; adaptive: from row to row of output
     double duration;              // [T]
     long n_step;                  // of size dt; the last one may be shorter
+    struct word step;             // the statement that says it, for messages
     struct output output;
 };
 
@@ -149,8 +150,17 @@ void building_damping_force(const struct building *g, const double *v, double *f
 // for a rigid-body mode. Errors: STATUS_SYSTEM (no memory).
 int building_damping_ratio(const struct building *g, int mode, double *ratio, struct error *e);
 
+// No circular frequency of the model in which building `i` takes part is above this [1/T]: its own
+// largest one and its bilateral links; contacts are left out.
+double model_fastest(const struct model *m, int i);
+
 // Time at the end of step `n` [T]: n dt, but the duration for the last.
 double model_time(const struct model *m, long n);
+
+// The model at a step 2^level times shorter, with the rows of output at the same times. It borrows
+// everything from `m` and is not given to model_free. Adaptive: at a tolerance 32^level times
+// tighter, which makes the steps of Dormand & Prince's method as much shorter.
+struct model model_refined(const struct model *m, int level);
 
 // Options that a statement has only in one of its forms, as `ground record` has others than `ground
 // sine`.

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "command/deck_options.h"
+#include "command/guidance_print.h"
 #include "command/law_words.h"
 
 static int check_command(int argc, char **argv);
@@ -168,7 +169,12 @@ static void print_links(const struct model *m, const struct unit_texts *t) {
     print_laws(m);
 }
 
-static void print_adaptive(const struct model *m, const struct unit_texts *t, double omega) {
+static void print_adaptive(const struct model *m, const struct unit_texts *t) {
+    double omega = 0.0;
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        omega = fmax(omega, g->omega[g->n_floor - 1]);
+    }
     printf("\ndormand-prince, adaptive steps to the tolerance %g, duration %.6g %s\n",
            m->control.tolerance, m->duration, t->time);
     if (omega > 0.0) {
@@ -178,21 +184,12 @@ static void print_adaptive(const struct model *m, const struct unit_texts *t, do
 }
 
 static void print_time(const struct model *m, const struct unit_texts *t) {
-    double omega = 0.0;
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        omega = fmax(omega, g->omega[g->n_floor - 1]);
-    }
     if (m->adaptive) {
-        print_adaptive(m, t, omega);
+        print_adaptive(m, t);
         return;
     }
     printf("\nnewmark beta %g gamma %g, %ld steps of %.6g %s, duration %.6g %s\n", m->beta,
            m->gamma, m->n_step, m->dt, t->time, m->duration, t->time);
-    if (omega > 0.0) {
-        printf("shortest period of a building %.4g %s, %.4g steps\n", 2.0 * M_PI / omega, t->time,
-               2.0 * M_PI / omega / m->dt);
-    }
     long rows = m->n_step / m->output.every + 1 + (m->n_step % m->output.every != 0);
     printf("a row of output every %d step%s, %ld rows\n", m->output.every,
            m->output.every == 1 ? "" : "s", rows);
@@ -200,8 +197,9 @@ static void print_time(const struct model *m, const struct unit_texts *t) {
 
 static int check_command(int argc, char **argv) {
     struct model *m;
+    struct guidance guidance;
     int status;
-    if (!deck_options_load(&command_check, argc, argv, &m, &status)) {
+    if (!deck_options_load(&command_check, argc, argv, &guidance, &m, &status)) {
         return status;
     }
     struct unit_texts t = units_of(m);
@@ -215,6 +213,9 @@ static int check_command(int argc, char **argv) {
     print_signals(m, &t);
     print_loads(m, &t);
     print_time(m, &t);
+    if (!m->adaptive) {
+        guidance_print(m, &guidance);
+    }
     model_free(m);
     return EXIT_DONE;
 }

@@ -36,8 +36,8 @@ static bool parse(const struct command *c, int argc, char **argv, const char **d
     return true;
 }
 
-bool deck_options_load(const struct command *c, int argc, char **argv, struct model **model,
-                       int *status) {
+bool deck_options_load(const struct command *c, int argc, char **argv, struct guidance *guidance,
+                       struct model **model, int *status) {
     const char **define = calloc((size_t)argc, sizeof *define);
     if (!define) {
         struct error e;
@@ -45,7 +45,7 @@ bool deck_options_load(const struct command *c, int argc, char **argv, struct mo
         *status = command_fail(&e);
         return false;
     }
-    struct load_request request = {.define = define};
+    struct load_request request = {.define = define, .guidance = guidance};
     bool good = parse(c, argc, argv, define, &request, status);
     if (good) {
         *status = load_model(&request, model);

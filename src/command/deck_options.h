@@ -7,7 +7,8 @@
 
 // Parses the command line and loads the model. Returns true with *model to be given to model_free;
 // false with *status to be returned (help was printed, or something was wrong).
-bool deck_options_load(const struct command *c, int argc, char **argv, struct model **model,
-                       int *status);
+// `guidance` is that of struct load_request.
+bool deck_options_load(const struct command *c, int argc, char **argv, struct guidance *guidance,
+                       struct model **model, int *status);
 
 #endif

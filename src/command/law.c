@@ -192,7 +192,9 @@ static void key_numbers(const struct law_impacts *l, const struct law_impact *i,
     if (l->measured.n > 0) {
         snprintf(text + n, size - (size_t)n, "error %.3g %%", 100.0 * i->fit.normalised_error);
     } else {
-        snprintf(text + n, size - (size_t)n, "%.4g kJ lost", i->impact.dissipated / 1e3);
+        const double lost = law_print_dissipated(l, i);
+        snprintf(text + n, size - (size_t)n, lost < 100.0 ? "%.3g J lost" : "%.3g kJ lost",
+                 lost < 100.0 ? lost : lost / 1e3);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "model/stiffness_estimate.h"
 
 enum { M1, M2, VELOCITY, N_ROW };
 enum { TEXT_MAX = 1 << 16 };
@@ -106,9 +107,22 @@ static bool take_name(struct deck *d, struct statement *s) {
     return true;
 }
 
+// True if the option belongs to an estimate of stiffness.
+static bool estimates(const char *key) {
+    bool found = strcmp(key, law_choice_rows[LAW_CHOICE_K_FROM].key) == 0;
+    for (int i = 0; i < n_stiffness_estimate; i++) {
+        for (int r = 0; r < stiffness_estimates[i].n_row; r++) {
+            found |= strcmp(key, stiffness_estimates[i].row[r].key) == 0;
+        }
+    }
+    return found;
+}
+
 static bool has_key(const struct contact_law *law, const struct word *option) {
-    return contact_law_row(law, option->text + 1) >= 0 ||
-           (law->exact && strcmp(option->text + 1, law_choice_rows[LAW_CHOICE_CALIBRATE].key) == 0);
+    const char *key = option->text + 1;
+    return contact_law_row(law, key) >= 0 ||
+           (law->exact && strcmp(key, law_choice_rows[LAW_CHOICE_CALIBRATE].key) == 0) ||
+           (contact_law_row(law, "k") >= 0 && estimates(key));
 }
 
 // Gives a law without options those of the first that it has too.
@@ -169,28 +183,40 @@ static bool check_lent(struct deck *d, const struct law_choice *first, const str
     return true;
 }
 
+// True for a row that a fit finds, or one that could stand in its place.
+static bool is_found(const struct contact_law *law, int row) {
+    const char *key = law->row[row].key;
+    if (strcmp(key, "k") == 0 || contact_law_row(law, "zeta") < 0) {
+        return strcmp(key, "k") == 0;
+    }
+    return strcmp(key, "e") == 0 || strcmp(key, "zeta") == 0 ||
+           (law->row[row].flags & ROW_ONE_OF) != 0;
+}
+
+// False after a report if the option is given.
+static bool check_absent(struct deck *d, const struct statement *s, const char *key) {
+    int n;
+    const struct word *given = deck_option(s, key, &n);
+    if (given) {
+        deck_error(d, given - 1, "%s cannot be given: --fit finds it", given[-1].text);
+    }
+    return !given;
+}
+
 // The law with the rows that a fit finds taken out of what must be given.
 static const struct contact_law *law_to_fit(struct deck *d, const struct statement *s,
                                             const struct contact_law *law) {
-    static const char *const found[] = {"k", "e", "zeta"};
     struct row *row = array(d, (size_t)law->n_row, sizeof *row);
     struct contact_law *copy = array(d, 1, sizeof *copy);
-    bool good = row && copy;
-    if (!good) {
+    if (!row || !copy) {
         return NULL;
     }
     memcpy(row, law->row, (size_t)law->n_row * sizeof *row);
-    const bool damped = contact_law_row(law, "zeta") >= 0;
-    for (int i = 0; i < (damped ? 3 : 1); i++) {
-        int n;
-        const int at = contact_law_row(law, found[i]);
-        const struct word *given = deck_option(s, found[i], &n);
-        if (given && at >= 0) {
-            deck_error(d, given - 1, "%s cannot be given: --fit finds it", given[-1].text);
-            good = false;
-        }
-        if (at >= 0) {
-            row[at].flags &= ~(unsigned)(ROW_REQUIRED | ROW_ONE_OF);
+    bool good = check_absent(d, s, law_choice_rows[LAW_CHOICE_K_FROM].key);
+    for (int r = 0; r < law->n_row; r++) {
+        if (is_found(law, r)) {
+            good &= check_absent(d, s, row[r].key);
+            row[r].flags &= ~(unsigned)(ROW_REQUIRED | ROW_ONE_OF);
         }
     }
     memcpy(copy, law, sizeof *copy);

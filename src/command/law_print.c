@@ -62,13 +62,15 @@ static void print_laws(const struct law_impacts *l, FILE *to) {
     }
 }
 
-// What a reader is shown: the energy lost is known to ROUNDING of the kinetic energy.
-static double shown(const struct law_impacts *l, int i, int q) {
-    const double value = quantity(&l->impact[i], q);
+double law_print_dissipated(const struct law_impacts *l, const struct law_impact *i) {
     const double energy = l->mass * l->velocity * l->velocity / 2.0;
-    const bool none =
-        quantities[q].dimension == &dimension_energy && fabs(value) < ROUNDING * energy;
-    return none ? 0.0 : value;
+    return fabs(i->impact.dissipated) < ROUNDING * energy ? 0.0 : i->impact.dissipated;
+}
+
+// What a reader is shown.
+static double shown(const struct law_impacts *l, int i, int q) {
+    return quantities[q].dimension == &dimension_energy ? law_print_dissipated(l, &l->impact[i])
+                                                        : quantity(&l->impact[i], q);
 }
 
 // The laws from `first` up to `last`, side by side.

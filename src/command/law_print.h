@@ -8,6 +8,10 @@
 // "25000 kg at 0.5 m/s against 40000 kg".
 void law_print_bodies(const struct law_impacts *l, char *text, size_t size);
 
+// The energy lost as a reader is shown it: 0 where it is less than the rounding of the kinetic
+// energy.
+double law_print_dissipated(const struct law_impacts *l, const struct law_impact *i);
+
 // Tables for readers; at most 100 columns wide.
 void law_print_table(const struct law_impacts *l, FILE *to);
 

@@ -8,12 +8,23 @@ static void print_diagnostics(const struct deck *deck, bool quiet) {
     }
 }
 
+static int guide(const struct model *m, struct guidance *g, struct error *e) {
+    int status = guidance_find(m, g, e);
+    if (status == STATUS_OK) {
+        guidance_warn(m, g);
+    }
+    return status;
+}
+
 int load_model(const struct load_request *request, struct model **out) {
     struct error e;
     struct deck *deck = NULL;
     int status = deck_open(request->path, request->define, request->n_define, &deck, &e);
     if (status == STATUS_OK) {
         status = model_build(deck, out, &e);
+        if (status == STATUS_OK && request->guidance && !(*out)->adaptive) {
+            status = guide(*out, request->guidance, &e);
+        }
         print_diagnostics(deck, request->quiet);
     }
     if (status == STATUS_OK) {

@@ -5,13 +5,14 @@
 #define JOSTLE_LOAD_H
 
 #include "command/command.h"
-#include "jostle/model.h"
+#include "model/guidance.h"
 
 struct load_request {
     const char *path;           // of the deck
     const char *const *define;  // (n_define) NAME=VALUE
     int n_define;
-    bool quiet;  // no warnings
+    bool quiet;                 // no warnings
+    struct guidance *guidance;  // filled, and its warnings given, if not NULL
 };
 
 // Reads the deck and builds its model; prints errors and warnings to stderr. Returns EXIT_DONE with

@@ -70,7 +70,7 @@ static void print_shapes(const struct building *g, int first, int last) {
 static int modes_command(int argc, char **argv) {
     struct model *m;
     int status;
-    if (!deck_options_load(&command_modes, argc, argv, &m, &status)) {
+    if (!deck_options_load(&command_modes, argc, argv, NULL, &m, &status)) {
         return status;
     }
     for (int k = 0; k < m->n_building; k++) {

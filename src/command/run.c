@@ -221,6 +221,40 @@ static void warn_residual(const struct model *m, const struct results *r) {
     }
 }
 
+// The hardest impact that too few steps cover; NULL: none.
+static const struct impact *hardest_coarse(const struct model *m, const struct results *r) {
+    const struct impact *hardest = NULL;
+    for (long i = 0; i < r->n_impact; i++) {
+        const struct impact *other = &r->impact[i];
+        if (impact_is_coarse(m, other) && (!hardest || other->peak_force > hardest->peak_force)) {
+            hardest = other;
+        }
+    }
+    return hardest;
+}
+
+// Impacts whose force is below this share of the largest one change no result that matters.
+static const double WEAK = 0.05;
+
+static void warn_coarse(const struct model *m, const struct results *r) {
+    const struct impact *i = hardest_coarse(m, r);
+    double largest = 0.0;
+    for (int k = 0; k < m->n_contact; k++) {
+        largest = fmax(largest, r->link[k].force);  // NAN of rigid contacts is passed over
+    }
+    if (!i || i->peak_force < WEAK * largest) {
+        return;
+    }
+    const char *unit = m->deck->units.time_name;
+    const double lasted = i->t_end - i->t_start;
+    fprintf(
+        stderr,
+        "jostle: warning: fewer than %d steps cover %ld of %ld impacts; the hardest, of contact "
+        "%s at t = %.6g %s, lasted %.3g %s; step fixed %g resolves it\n",
+        IMPACT_STEPS_MIN, r->totals.coarse, r->n_impact, m->link[i->contact].name, i->t_start, unit,
+        lasted, unit, guidance_round(lasted / IMPACT_STEPS_MIN));
+}
+
 static int run_model(const struct model *m, const struct options *o, int argc, char **argv) {
     assert(o->load.path);
     struct arena *a = m->deck->arena;
@@ -247,6 +281,7 @@ static int run_model(const struct model *m, const struct options *o, int argc, c
     int status = STATUS_OK;
     if (!o->load.quiet) {
         warn_residual(m, results);
+        warn_coarse(m, results);
         status = print_summary(m, results, result.path, &e);
     }
     results_free(results);
@@ -266,6 +301,8 @@ static int run_command(int argc, char **argv) {
     int status = parse(argc, argv, define, &o, &helped);
     if (status == EXIT_DONE && !helped) {
         struct model *m;
+        struct guidance guidance;
+        o.load.guidance = o.load.quiet ? NULL : &guidance;
         status = load_model(&o.load, &m);
         if (status == EXIT_DONE) {
             status = run_model(m, &o, argc, argv);

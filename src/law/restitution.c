@@ -12,8 +12,8 @@ const struct range restitution_range = {
     .min = 0.0, .max = 1.0, .min_open = true, .text = "> 0 and <= 1"};
 
 double restitution_kelvin_voigt(double e) {
-    double l = log(e);
-    return -l / sqrt(M_PI * M_PI + l * l);
+    double l = fabs(log(e));
+    return l / sqrt(M_PI * M_PI + l * l);
 }
 
 double restitution_lankarani_nikravesh(double e) {
@@ -98,11 +98,11 @@ static double ratio_of_decay(double decay) {
 }
 
 double restitution_approach(double e) {
-    return ratio_of_decay(-log(e));
+    return ratio_of_decay(fabs(log(e)));
 }
 
 double restitution_no_tension(double e) {
-    return ratio_of_decay(-log(e) / 2.0);
+    return ratio_of_decay(fabs(log(e)) / 2.0);
 }
 
 double restitution_ratio(double e, double zeta, double (*relation)(double e)) {

@@ -74,6 +74,15 @@ static double links_omega_square(const struct model *m, int dof) {
     return sum;
 }
 
+double model_fastest(const struct model *m, int i) {
+    const struct building *g = &m->building[i];
+    double square = 0.0;
+    for (int j = g->first; j < g->first + g->n_floor; j++) {
+        square = fmax(square, links_omega_square(m, j));
+    }
+    return sqrt(pow(g->omega[g->n_floor - 1], 2.0) + square);
+}
+
 static void check_stability(struct builder *b, struct model *m) {
     double excess = m->gamma / 2.0 - m->beta;
     if (excess <= 0.0) {
@@ -83,17 +92,13 @@ static void check_stability(struct builder *b, struct model *m) {
     const char *unit = b->deck->units.time_name;
     for (int i = 0; i < m->n_building; i++) {
         const struct building *g = &m->building[i];
-        double square = 0.0;
-        for (int j = g->first; j < g->first + g->n_floor; j++) {
-            square = fmax(square, links_omega_square(m, j));
-        }
-        double omega = sqrt(pow(g->omega[g->n_floor - 1], 2.0) + square);
+        double omega = model_fastest(m, i);
         if (omega * m->dt > limit) {
             deck_error(
                 b->deck, &b->step,
                 "step %.6g %s is unstable with beta = %g: building %s%s needs at most %.4g %s",
-                m->dt, unit, m->beta, g->name, square > 0.0 ? " with its links" : "", limit / omega,
-                unit);
+                m->dt, unit, m->beta, g->name,
+                omega > g->omega[g->n_floor - 1] ? " with its links" : "", limit / omega, unit);
             return;
         }
     }
@@ -158,6 +163,7 @@ void finish_time(struct builder *b, struct model *m) {
     m->gamma = b->gamma;
     m->tolerance = b->tolerance;
     m->iterations = b->iterations;
+    m->step = b->step;
     m->dt = b->dt;
     m->duration = b->duration.text ? b->run_time : b->longest;
     m->adaptive = b->adaptive;

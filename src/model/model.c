@@ -2,6 +2,7 @@
 // Reads a deck statement by statement into a builder, and finishes the model.
 #include "jostle/model.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,6 +15,9 @@ const struct statement_kind *const statement_kinds[] = {
 };
 #undef STATEMENT
 const int n_statement_kind = sizeof statement_kinds / sizeof statement_kinds[0];
+
+static const double STEP_ROUNDING = 1e-9;  // of a step, in counting steps
+enum { EVERY_MAX = 1000000000 };
 
 static void report_unknown(struct builder *b, const struct word *w) {
     static const char *const later[] = {"sweep", NULL};
@@ -83,4 +87,22 @@ void model_free(struct model *m) {
 
 double model_time(const struct model *m, long n) {
     return n >= m->n_step ? m->duration : (double)n * m->dt;
+}
+
+// The error of Dormand & Prince's method is of the fifth order in the step.
+static const double TOLERANCE_PER_HALVING = 32.0;
+
+struct model model_refined(const struct model *m, int level) {
+    struct model finer = *m;
+    if (m->adaptive) {
+        finer.control.tolerance = m->control.tolerance / pow(TOLERANCE_PER_HALVING, level);
+        return finer;
+    }
+    const long parts = 1L << level;
+    const double last = m->duration - (double)(m->n_step - 1) * m->dt;
+    finer.dt = m->dt / (double)parts;
+    finer.n_step = (m->n_step - 1) * parts + (long)ceil(last / finer.dt - STEP_ROUNDING);
+    finer.output.every =
+        m->output.every > EVERY_MAX / parts ? EVERY_MAX : m->output.every * (int)parts;
+    return finer;
 }

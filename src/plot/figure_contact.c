@@ -262,11 +262,22 @@ static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
     canvas_panel_end(c);
 }
 
+// True if bodies met under a law without a force.
+static bool is_rigid(const struct report *r) {
+    bool rigid = false;
+    for (int i = 0; i < r->n_contact; i++) {
+        rigid |= r->contact[i].peak.impacts > 0 && isnan(r->contact[i].peak.force);
+    }
+    return rigid;
+}
+
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
     char text[160];
     if (v->n_active == 0) {
         snprintf(text, sizeof text, "contact forces; no contact closed");
+    } else if (is_rigid(r) || is_rigid(v->s->r[v->s->n - 1])) {
+        snprintf(text, sizeof text, "contact forces; rigid impacts have none, only rest has");
     } else if (v->n < v->n_active) {
         snprintf(text, sizeof text, "contact forces; the %d largest of %d", v->n, v->n_active);
     } else {

@@ -128,6 +128,8 @@ static void side_name(const struct view *v, int side, char *text, size_t size) {
 static void write_subtitle(const struct view *v, char *text, size_t size) {
     const struct report *r = v->s->r[0];
     char length[64], unit[64], name[64], force[2][32] = {"0", "0"};
+    long impacts[2] = {0, 0};
+    bool rigid = false;
     if (v->contact[0] < 0) {
         snprintf(text, size, "displacement of the roofs; %s",
                  r->n_contact > 0 ? "no contact closed" : "there are no contacts");
@@ -139,9 +141,20 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
     script_shorten(c->name, 20, name, sizeof name);
     for (int k = 0; k < v->s->n; k++) {
         if (v->contact[k] >= 0) {
-            const double value = v->s->r[k]->contact[v->contact[k]].peak.force;
-            script_number(value, force[k], sizeof force[k]);
+            const struct link_peak *p = &v->s->r[k]->contact[v->contact[k]].peak;
+            script_number(p->force, force[k], sizeof force[k]);
+            rigid |= isnan(p->force);
+            impacts[k] = p->impacts;
         }
+    }
+    if (rigid && v->s->n > 1) {
+        snprintf(text, size, "contact %s: %ld and %ld impacts", name, impacts[0], impacts[1]);
+        return;
+    }
+    if (rigid) {
+        snprintf(text, size, "contact %s: gap %.4g %s, %ld %s of rigid bodies", name, c->gap,
+                 length, impacts[0], impacts[0] == 1 ? "impact" : "impacts");
+        return;
     }
     if (v->s->n > 1) {
         snprintf(text, size, "contact %s: largest force %s and %s %s", name, force[0], force[1],

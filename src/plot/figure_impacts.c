@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every impact at its time and floor, the larger the harder. Each pair of neighbours has a band of
-// its own, the bands stand above each other from left to right of the row. Of laws without a force
-// the impulse is shown.
+// its own, the bands stand above each other from left to right of the row. Where some impact has no
+// force, impulses are shown.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,22 +78,19 @@ static double size_of(const struct view *v, const struct impact *p) {
     return v->impulse ? p->impulse : p->peak_force;
 }
 
-static double largest(const struct view *v) {
-    double size = 0;
+// Finds the largest force, or impulse where some impact has no force.
+static void find_largest(struct view *v) {
+    double force = 0.0;
+    double impulse = 0.0;
     for (int k = 0; k < v->s->n; k++) {
         for (long i = 0; i < v->s->r[k]->n_impact; i++) {
-            size = fmax(size, size_of(v, &v->s->r[k]->impact[i]));
+            const struct impact *p = &v->s->r[k]->impact[i];
+            v->impulse |= isnan(p->peak_force);
+            force = fmax(force, p->peak_force);
+            impulse = fmax(impulse, p->impulse);
         }
     }
-    return size;
-}
-
-static void find_largest(struct view *v) {
-    v->largest = largest(v);
-    if (v->largest == 0) {
-        v->impulse = true;
-        v->largest = largest(v);
-    }
+    v->largest = v->impulse ? impulse : force;
 }
 
 // Area goes with the force. Where floors are close together all points are smaller.

@@ -88,11 +88,32 @@ bool runs_have(const struct runs *s, unsigned fields) {
     return true;
 }
 
+// How hard something is hit. Rigid impacts have no force, which is NAN then.
+struct blow {
+    double force, impulse;
+};
+
+// Any force is harder than none; without forces the impulses count.
+static bool harder(struct blow a, struct blow b) {
+    if (isnan(a.force) != isnan(b.force)) {
+        return isnan(b.force);
+    }
+    return isnan(a.force) ? a.impulse > b.impulse : a.force > b.force;
+}
+
+static struct blow contact_blow(const struct report *r, int i) {
+    return (struct blow){r->contact[i].peak.force, r->contact[i].peak.impulse};
+}
+
+static struct blow impact_blow(const struct report *r, long i) {
+    return (struct blow){r->impact[i].peak_force, r->impact[i].impulse};
+}
+
 static int hardest(const struct report *r) {
     int at = -1;
     for (int i = 0; i < r->n_contact; i++) {
-        const struct link_peak *p = &r->contact[i].peak;
-        if (p->impacts > 0 && (at < 0 || p->force > r->contact[at].peak.force)) {
+        if (r->contact[i].peak.impacts > 0 &&
+            (at < 0 || harder(contact_blow(r, i), contact_blow(r, at)))) {
             at = i;
         }
     }
@@ -127,7 +148,7 @@ long runs_hardest_impact(const struct report *r, int contact) {
     long at = -1;
     for (long i = 0; contact >= 0 && i < r->n_impact; i++) {
         if (r->impact[i].contact == contact &&
-            (at < 0 || r->impact[i].peak_force > r->impact[at].peak_force)) {
+            (at < 0 || harder(impact_blow(r, i), impact_blow(r, at)))) {
             at = i;
         }
     }
@@ -144,7 +165,7 @@ void runs_hardest_of_parts(const struct report *r, int contact, int parts, long 
         }
         const double part = r->impact[i].t_start / r->duration * parts;
         const int k = part >= 0 && part < parts ? (int)part : parts - 1;
-        if (hardest[k] < 0 || r->impact[i].peak_force > r->impact[hardest[k]].peak_force) {
+        if (hardest[k] < 0 || harder(impact_blow(r, i), impact_blow(r, hardest[k]))) {
             hardest[k] = i;
         }
     }

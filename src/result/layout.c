@@ -42,6 +42,7 @@ static const struct column totals_column[] = {
     {.name = "contact_solves_scalar",
      .kind = COLUMN_LONG,
      .offset = offsetof(struct totals, scalar)},
+    {.name = "impacts_coarse", .kind = COLUMN_LONG, .offset = offsetof(struct totals, coarse)},
     {.name = "contact_solves_block", .kind = COLUMN_LONG, .offset = offsetof(struct totals, block)},
 };
 const struct column_table layout_totals = {

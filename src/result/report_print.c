@@ -265,6 +265,9 @@ static void print_contacts(const struct printer *p) {
     fprintf(p->to, "\n%d %s, %d hit, %ld %s", r->n_contact,
             r->n_contact == 1 ? "contact" : "contacts", s.n_hit, r->n_impact,
             r->n_impact == 1 ? "impact" : "impacts");
+    if (r->totals.coarse > 0) {
+        fprintf(p->to, " (%ld of fewer than %d steps)", r->totals.coarse, IMPACT_STEPS_MIN);
+    }
     if (s.n > 0 && s.law_width == 0) {
         fprintf(p->to, ", law %s", r->contact[0].law);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is done for every floor in every step, over the flat arrays of struct chain. Arrays are
-// those of core/lanes.h.
+// those of core/lanes.h; what is written is none of what is read.
 #ifndef JOSTLE_CHAIN_H
 #define JOSTLE_CHAIN_H
 

@@ -26,7 +26,8 @@
 
 // A rigid contact at rest is held by its velocity, as holding d = 0 would make the force oscillate;
 // in each step it gives back this share of what rounding and the ground motion let it stray from
-// d = 0. Any share between 0 and 1 is stable: d[n+1] = d[n] - share (d[n] + d[n-1]) / 2.
+// d = 0. That is stable for every share up to 1 where 2 beta <= gamma, and else for none if gamma
+// is 1/2 (eigenvalues of the recursion for d, v and a); then nothing is given back.
 static const double RECOVERY = 0.5;
 
 // Block steps are tried after so many sweeps, where the last one brought the change of the forces
@@ -56,6 +57,10 @@ static double ground_difference(const struct model *m, const struct link *l, con
                             : 0.0;
 }
 
+static double recovery(const struct model *m) {
+    return 2.0 * m->beta <= m->gamma ? RECOVERY : 0.0;
+}
+
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
     const struct link *l = &w->model->link[k];
     const struct ends *e = &w->ends[k];
@@ -70,7 +75,7 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
                   ground_difference(w->model, l, next->ground_v),
         .d_force = w->b * s,
         .v_force = w->g * s,
-        .v_rest = -RECOVERY * now->delta[k] / w->h,
+        .v_rest = -recovery(w->model) * now->delta[k] / w->h,
         .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
         .closed = now->closed[k],
         .held = now->closed[k] && k == w->held,

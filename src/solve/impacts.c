@@ -163,6 +163,17 @@ static void blot_forces(struct results *r, const struct model *m) {
     }
 }
 
+bool impact_is_coarse(const struct model *m, const struct impact *i) {
+    return !m->adaptive && i->complete && i->steps < IMPACT_STEPS_MIN &&
+           !m->link[i->contact].law->rebound;
+}
+
+static void count_coarse(struct results *r, const struct model *m) {
+    for (long i = 0; i < r->n_impact; i++) {
+        r->totals.coarse += impact_is_coarse(m, &r->impact[i]);
+    }
+}
+
 static int compare_starts(const void *a, const void *b) {
     const struct impact *x = a;
     const struct impact *y = b;
@@ -182,6 +193,7 @@ void impacts_finish(struct impact_log *log, struct results *r, const struct mode
         }
     }
     blot_forces(r, m);
+    count_coarse(r, m);
     if (r->n_impact > 1) {
         qsort(r->impact, (size_t)r->n_impact, sizeof *r->impact, compare_starts);
     }

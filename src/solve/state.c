@@ -175,22 +175,23 @@ bool state_rests(const struct state *s, const struct model *m, int k) {
     return s->closed[k] && m->link[k].law->rebound;
 }
 
-// M a = external - C v - storey shears - link forces
+// M a = external - C v - storey shears - link forces; the forces stand in `total` meanwhile.
 static void accelerations(struct state *s, const struct model *m) {
+    double *force = s->total;
     memset(s->a, 0, (size_t)m->n_dof * sizeof *s->a);
-    chain_residual(&m->chain, s->external, s->a, s->damping_force, s->shear, s->a);
+    chain_residual(&m->chain, s->external, s->a, s->damping_force, s->shear, force);
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
         const int *dof = m->link[k].dof;
         if (dof[0] != WALL) {
-            s->a[dof[0]] -= s->force[k];
+            force[dof[0]] -= s->force[k];
         }
         if (dof[1] != WALL) {
-            s->a[dof[1]] += s->force[k];
+            force[dof[1]] += s->force[k];
         }
     }
     for (int i = 0; i < m->n_dof; i++) {
-        s->a[i] /= m->mass[i];
+        s->a[i] = force[i] / m->mass[i];
     }
 }
 

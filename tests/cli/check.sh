@@ -42,6 +42,9 @@ pattern='^ground under Ship: at rest$' has "a ground at rest"
 pattern='^load on Annex:2: constant, peak 7 kN$' has "a load on its floor"
 pattern='6000 steps of 0\.0005 s, duration 3 s$' has "the steps"
 pattern='every 20 steps, 301 rows$' has "the rows of output"
+pattern='^Tower:1-Annex:1 +[0-9.]+ +[0-9.]+ +[0-9.]+' has "how long a contact lasts"
+pattern='^  the shortest period +[0-9.]+ s, [0-9.]+ steps; over 20: [0-9.]+ s$' has "what the shortest period asks for"
+pattern="^so 'step fixed (0\.0*[125])' does; here it is 0\.0005 s$" has "the step that resolves all"
 expect "no line is wider than 100 characters" '! grep -qE "^.{101,}" "$out"'
 run "$jostle" check -D gap=1 model.deck
 expect "a -D without its param is an error" '[ $status -eq 2 ] && said "unknown parameter '"'gap'"'" && [ ! -s "$out" ]'
@@ -51,3 +54,28 @@ expect "modes ends with 0 and writes nothing" '[ $status -eq 0 ] && [ ! -s "$err
 expect "modes prints every mode of every building" '[ "$(grep -cE "^ +[1-8] +([0-9.]+|rigid body) +[0-9.]+ +[0-9.]+ " "$out")" -ge 11 ]'
 expect "modes prints a free body as such" 'grep -q "rigid body" "$out" && ! grep -qiE "inf|nan" "$out"'
 expect "shapes are scaled to 1" '[ "$(grep -c " 1.00000" "$out")" -ge 3 ]'
+
+# 25 t and 40 t under 93.5 MN/m touch for 40.3 ms: nine steps of 4.48 ms, ten of 4.03 ms.
+bodies() {
+    cat >"$1" <<END
+building A -floors 1 -mass 25t -stiffness 0
+building B -floors 1 -mass 40t -stiffness 0
+initial A:1 -velocity 0.5
+contact A B -gap 5mm -law $2
+duration 0.1
+step fixed $3
+END
+}
+bodies coarse.deck "linear -k 93.5MN/m" 4.48ms
+run "$jostle" check coarse.deck
+expect "check warns of a step that cuts a contact" '[ $status -eq 0 ] && said "coarse.deck:6:1: warning: step 0.00448 s covers contact A:1-B:1, which lasts about 0.04 s at 0.5 m/s, by 9 steps; fewer than 10 are cut; step fixed 0.0005 resolves it"'
+run "$jostle" run coarse.deck
+expect "so does run" '[ $status -eq 0 ] && said "coarse.deck:6:1: warning: step 0.00448 s covers contact"'
+run "$jostle" run -q --force coarse.deck
+expect "but not with -q" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+bodies fine.deck "linear -k 93.5MN/m" 4.03ms
+run "$jostle" check fine.deck
+expect "ten steps are not warned of" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+bodies rigid.deck "stereomechanical -e 0.5" 1ms
+run "$jostle" check rigid.deck
+expect "a rigid contact has no duration" '[ $status -eq 0 ] && grep -qE "^A:1-B:1 +0\.5 +- +-$" "$out" && ! grep -q "must resolve" "$out"'

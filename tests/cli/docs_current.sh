@@ -6,6 +6,7 @@
 set -u
 folder=${TMPDIR:-/tmp}/docs
 status=0
+missing=
 
 stable() {
     grep -v -e '^wall time' -e '^residual' -e '^steps' "$1"
@@ -30,4 +31,32 @@ same docs/spectrum.md
 same docs/restitution.md
 same docs/law-command.md
 same README.md
+sh tests/support/man.sh "$JOSTLE" "$folder"
+same docs/jostle.1
+same docs/jostle-deck.5
+if [ "jostle $(sed -n 's/^version: //p' CITATION.cff)" = "$("$JOSTLE" --version)" ]; then
+    echo "ok CITATION.cff names the version"
+else
+    echo "not ok CITATION.cff names the version of the program"
+    status=1
+fi
+for page in docs/*.md; do
+    [ "$page" = docs/README.md ] || grep -qF "(${page#docs/})" docs/README.md || missing="$missing $page"
+done
+if [ -z "$missing" ]; then
+    echo "ok docs/README.md leads to every page"
+else
+    echo "not ok docs/README.md leads to every page, but not to$missing"
+    status=1
+fi
+for page in docs/jostle.1 docs/jostle-deck.5; do
+    if ! command -v groff >/dev/null; then
+        echo "ok $page is a man page # SKIP no groff"
+    elif [ -z "$(groff -man -ww -T utf8 -z "$page" 2>&1)" ]; then
+        echo "ok $page is a man page to which groff says nothing"
+    else
+        echo "not ok $page is a man page: $(groff -man -ww -T utf8 -z "$page" 2>&1 | head -n 3)"
+        status=1
+    fi
+done
 exit $status

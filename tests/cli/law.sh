@@ -40,6 +40,13 @@ law $jankowski
 expect "the table has units" '[ $status -eq 0 ] && grep -qE "^peak force +N +692517$" "$out" && grep -q "^jankowski -k 2.75e+09 -e 0.65$" "$out" && grep -q "effective mass 15384.6 kg" "$out"'
 expect "and fits 100 columns" '[ "$(wc -L <"$out")" -le 100 ]'
 
+printf '0 0\n1 100\n' >curve.txt
+law table -file curve.txt -units mm kN $bodies
+expect "of a curve the number of points is told" '[ $status -eq 0 ] && grep -qx "table -file (2 points)" "$out"'
+rm curve.txt
+law kelvin-voigt -k 93.5MN/m -e 1 -calibrate $bodies
+expect "no damping is 0" '[ $status -eq 0 ] && grep -qx "kelvin-voigt -k 9.35e+07 -zeta 0 (calibrated)" "$out"'
+
 law $jankowski --compare hertz-damp,hertz --compare "linear -k 93.5MN/m" --tsv
 expect "--compare sets laws side by side" '[ $status -eq 0 ] && [ "$(head -n 1 "$out")" = "$(printf "law\tjankowski\thertz-damp\thertz\tlinear")" ] && near $(value achieved_restitution 3) 0.774819081 1e-8 && near $(value peak_force 5) 599679.401526 1e-9'
 law $jankowski -calibrate --compare hertz-damp,hertz --compare "linear -k 93.5MN/m" --compare hertz
@@ -50,6 +57,8 @@ law jankowski -k 2.75e9 -e 0.65 $bodies --compare linear
 expect "not even without a unit" '[ $status -eq 2 ] && said "command line:1:15: error: -k of jankowski is in N/m^1.5, that of linear in N/m" && said "^~"'
 law $jankowski --compare bilinear
 expect "what the first law cannot lend is missing" '[ $status -eq 2 ] && said "command line:2:5: error: bilinear needs -k1"'
+law hertz-damp -k-from hertz -radius1 1 -modulus1 30e9 -poisson1 0.2 -e 0.65 $bodies --compare hertz --tsv
+expect "an estimate of the stiffness is lent" '[ $status -eq 0 ] && near $(value achieved_restitution 3) 1 1e-9'
 law $jankowski --compare hertz,
 expect "an empty name is refused" '[ $status -eq 2 ] && said "command line:3:1: error: law needs the name of a law"'
 
@@ -121,6 +130,14 @@ law jankowski $bodies --fit force.txt --compare hertz-damp
 expect "laws are compared by their fits" '[ $status -eq 0 ] && [ "$(grep -c "normalised error" "$out")" -eq 2 ]'
 law jankowski -k 1e9 -e 0.5 $bodies --fit force.txt
 expect "what is found is not given" '[ $status -eq 2 ] && said "command line:1:15: error: -k cannot be given: --fit finds it" && said "error: -e cannot be given"'
+law jankowski -k-from hertz -radius1 1 -modulus1 30e9 -poisson1 0.2 $bodies --fit force.txt
+expect "nor estimated" '[ $status -eq 2 ] && said "command line:1:15: error: -k-from cannot be given: --fit finds it"'
+law rubber -n 2 -k 3e9 -zeta 0.8 $bodies --history rubber.tsv
+awk 'NR > 1 && $1 != last { print last = $1, $4 }' rubber.tsv >rubber.txt
+law rubber -n 2 $bodies --fit rubber.txt --tsv
+expect "of options that exclude each other none is asked for" '[ $status -eq 0 ] && near $(value zeta) 0.8 1e-4'
+law rubber -n 2 -c 1 $bodies --fit force.txt
+expect "nor taken" '[ $status -eq 2 ] && said "error: -c cannot be given: --fit finds it"'
 law stereomechanical -e 0.5 $bodies --fit force.txt
 expect "a law without stiffness is not fitted" '[ $status -eq 2 ] && said "stereomechanical has no k that could be fitted"'
 law jankowski $bodies --fit no_such_file
@@ -135,6 +152,8 @@ if command -v gnuplot >/dev/null; then
     done
     law jankowski $bodies --fit force.txt --plot fit.svg
     expect "measurement and fit are drawn" '[ $status -eq 0 ] && grep -q measured fit.svg && grep -q "contact force \[kN\]" fit.svg && grep -q "penetration \[mm\]" fit.svg'
+    law hertz -k 2.75e9 $bodies --plot hertz.svg
+    expect "an elastic impact loses nothing" '[ $status -eq 0 ] && grep -q ", 0 J lost" hertz.svg'
     law stereomechanical -e 0.5 $bodies --plot none.svg
     expect "no force makes no picture" '[ $status -eq 2 ] && said "stereomechanical has no force to draw" && [ ! -e none.svg ]'
 else

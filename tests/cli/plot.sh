@@ -20,7 +20,9 @@ contact wall $name -gap 0.01 -law linear -k 1000
 ground sine -amplitude 2 -frequency 1.5 -cycles 3
 step fixed 5ms
 END
-for deck in pair bilateral few taller free wall; do
+two_buildings rigid.deck
+sed -i 's/-law jankowski -k 1e6 -e 0.65/-law stereomechanical -e 0.65/' rigid.deck
+for deck in pair bilateral few taller free wall rigid; do
     run "$jostle" run -q $deck.deck
     expect "$deck.deck runs" '[ $status -eq 0 ]'
 done
@@ -64,6 +66,13 @@ drawable pair.h5
 drawable wall.h5
 drawable bilateral.h5
 drawable apart.h5
+drawable rigid.h5
+expect "rigid impacts have no force to tell" '[ $status -eq 0 ] && ! grep -qi "nan k" scripts/*.gp'
+drawable rigid.h5 --compare pair.h5
+drawable pair.h5 --compare rigid.h5
+expect "nor beside others" '[ $status -eq 0 ] && ! grep -qi "nan k" scripts/*.gp'
+run "$jostle" plot rigid.h5 impacts --compare pair.h5 --script scripts
+expect "beside others they are shown by their impulses" '[ $status -eq 0 ] && [ "$(sed -n "/^\$impacts0/,/^EOD/p" scripts/impacts.gp | grep -ci nan)" -eq 1 ] && grep -q "kN·s" scripts/impacts.gp'
 drawable pair.h5 --compare wider.h5
 drawable pair.h5 --compare apart.h5
 drawable apart.h5 --compare pair.h5

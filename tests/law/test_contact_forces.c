@@ -141,8 +141,14 @@ static void parameters_that_no_law_can_meet_are_refused(void **state) {
     impact_values(contact_law_find("bilinear"), "kh 1e8 e 0.2 v0 1 a 0.1", value);
     assert_int_equal(prepare("bilinear", value, &e), STATUS_OK);
     assert_int_equal(contact_law_find("bilinear")->calibrate(value, MASS, &e), STATUS_INPUT);
-    assert_string_equal(e.message, "a is 0.1; to deliver e = 0.2 it must be < 2 e^2 / (1 + e^2), "
-                                   "which is 0.0769231");
+    assert_string_equal(
+        e.message, "a is 0.1; with e = 0.2 it must be < 2 e^2 / (1 + e^2), which is 0.0769231");
+    impact_values(contact_law_find("bilinear"), "kh 1e8 e 0.2 v0 1 a 0.62", value);
+    assert_int_equal(prepare("bilinear", value, &e), STATUS_INPUT);
+    assert_string_equal(e.message,
+                        "a is 0.62; with e = 0.2 it must be < (3 + 2 e^2) / 5, which is 0.616");
+    impact_values(contact_law_find("bilinear"), "kh 1e8 e 0.2 v0 1 a 0.61", value);
+    assert_int_equal(prepare("bilinear", value, &e), STATUS_OK);
     impact_values(contact_law_find("rubber"), "k 1e8 e 0.5 n 2 ky 1e6", value);
     assert_int_equal(prepare("rubber", value, &e), STATUS_INPUT);
 }

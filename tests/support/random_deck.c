@@ -71,7 +71,8 @@ static void add_building(struct maker *m, int i) {
         add_damping(m, i);
     }
     if (stiffness > 0.0 && below(m, 3) == 0) {
-        add(m, "storey B%d:all bilinear -yield %.6g -hardening %.3g\n", i,
+        static const char *const law[] = {"bilinear", "bouc-wen", "clough", "takeda"};
+        add(m, "storey B%d:all %s -yield %.6g -hardening %.3g\n", i, law[below(m, 4)],
             mass * logarithmic(m, 0.1, 10.0), below(m, 2) ? 0.0 : uniform(m, 0.0, 0.5));
     }
     if (below(m, 3) == 0) {

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/lanes.h"
 
 static void memory_is_zeroed_and_aligned(void **state) {
     (void)state;
@@ -45,6 +46,21 @@ static void texts_are_copied_with_a_final_0(void **state) {
     arena_free(a);
 }
 
+// Loops over whole lanes read the elements before and behind the one they are at.
+static void arrays_for_lanes_are_0_from_one_before_to_one_behind_whole_lanes(void **state) {
+    (void)state;
+    for (int n = 1; n <= 2 * LANES_WIDTH + 1; n++) {
+        struct arena *a = arena_create();
+        memset(arena_alloc(a, 64, 1), 0xFF, 64);
+        double *x = lanes_array(a, n);
+        memset(arena_alloc(a, 64, 1), 0xFF, 64);
+        for (int i = -1; i <= lanes_whole(n); i++) {
+            assert_true(x[i] == 0.0);
+        }
+        arena_free(a);
+    }
+}
+
 static void freeing_nothing_is_allowed(void **state) {
     (void)state;
     arena_free(NULL);
@@ -58,6 +74,7 @@ int main(void) {
         cmocka_unit_test(memory_is_zeroed_and_aligned),
         cmocka_unit_test(a_size_that_overflows_is_refused),
         cmocka_unit_test(texts_are_copied_with_a_final_0),
+        cmocka_unit_test(arrays_for_lanes_are_0_from_one_before_to_one_behind_whole_lanes),
         cmocka_unit_test(freeing_nothing_is_allowed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

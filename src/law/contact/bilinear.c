@@ -17,7 +17,7 @@
 //
 // That spring takes up more than m v0^2 / 2 on the way to dm, so the impact does not get there: an
 // e of 0.65 comes out as 0.758. With K = kh sqrt(dm) (1 + e^2) / (5/2) it does, and loses E:
-// -calibrate. Then k2 > 0 needs a < 2 e^2 / (1 + e^2).
+// -calibrate. k2 > 0 needs a < (3 + 2 e^2) / 5 as published, and a < 2 e^2 / (1 + e^2) then.
 #include <math.h>
 #include <string.h>
 
@@ -97,6 +97,15 @@ static int check_given(const double *value, struct error *e) {
     return STATUS_OK;
 }
 
+// k2 > 0 limits a.
+static int check_a(const double *value, double limit, const char *formula, struct error *e) {
+    if (value[A] < limit) {
+        return STATUS_OK;
+    }
+    return error_set(e, STATUS_INPUT, "a is %.6g; with e = %.6g it must be < %s, which is %.6g",
+                     value[A], value[E], formula, limit);
+}
+
 // Puts k1, k2 and dy in place of kh, e, v0 and a; `fit` is K over kh sqrt(dm).
 static void apply_recipe(double *value, double m_eff, double fit) {
     double energy = 0.5 * m_eff * value[V0] * value[V0];
@@ -120,6 +129,10 @@ static int bilinear_prepare(const double *value, double m_eff, double *constant,
     }
     if (!isnan(v[KH])) {
         v[A] = isnan(v[A]) ? USUAL_A : v[A];
+        status = check_a(v, (3.0 + 2.0 * v[E] * v[E]) / 5.0, "(3 + 2 e^2) / 5", e);
+        if (status) {
+            return status;
+        }
         apply_recipe(v, m_eff, 1.0);
     }
     if (v[K2] > v[K1]) {
@@ -142,14 +155,11 @@ static int bilinear_calibrate(double *value, double m_eff, struct error *e) {
     if (isnan(value[A])) {
         value[A] = fmin(USUAL_A, limit / 2.0);
     }
-    if (value[A] >= limit) {
-        return error_set(e, STATUS_INPUT,
-                         "a is %.6g; to deliver e = %.6g it must be < 2 e^2 / (1 + e^2), which is "
-                         "%.6g",
-                         value[A], value[E], limit);
+    status = check_a(value, limit, "2 e^2 / (1 + e^2)", e);
+    if (status == STATUS_OK) {
+        apply_recipe(value, m_eff, (1.0 + square) / 2.5);
     }
-    apply_recipe(value, m_eff, (1.0 + square) / 2.5);
-    return STATUS_OK;
+    return status;
 }
 
 static void bilinear_close(const double *c, double v0, double *history) {

@@ -11,30 +11,13 @@
 #include <math.h>
 
 #include "law/storey_list.h"
+#include "law/yield.h"
 
 enum { YIELD, HARDENING, N_ROW };
 enum { BACK, SPRING, STRENGTH, N_CONSTANT };  // R k, (1 - R) k, (1 - R) V_y
 enum { PLASTIC, N_HISTORY };                  // plastic drift [L]
 
-static const struct range hardening_range = {
-    .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
-
-static const struct row rows[N_ROW] = {
-    [YIELD] = {"yield",
-               ROW_LIST,
-               ROW_REQUIRED,
-               {1, 0, 0},
-               &range_positive,
-               NAN,
-               "storey shear at first yield"},
-    [HARDENING] = {"hardening",
-                   ROW_NUMBER,
-                   ROW_REQUIRED,
-                   {0},
-                   &hardening_range,
-                   NAN,
-                   "stiffness after yield over initial stiffness"},
-};
+static const struct row rows[N_ROW] = {[YIELD] = YIELD_ROW, [HARDENING] = HARDENING_ROW};
 
 static int bilinear_prepare(const double *value, double stiffness, double *constant,
                             struct error *e) {

@@ -17,7 +17,6 @@ static const struct row rows[N_ROW] = {
 };
 
 static const struct storey_law *find_law(struct builder *b, const struct word *w) {
-    static const char *const later[] = {"bouc-wen", "clough", "takeda", NULL};
     const char *name = deck_text(b->deck, w);
     const struct storey_law *law = name ? storey_law_find(name) : NULL;
     if (name && !law) {
@@ -26,7 +25,7 @@ static const struct storey_law *find_law(struct builder *b, const struct word *w
             known[i] = storey_laws[i]->name;
         }
         if (known) {
-            builder_unknown(b, w, name, "storey law", known, n_storey_law, later);
+            deck_unknown(b->deck, w, "storey law", known, n_storey_law);
         }
     }
     return law;

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle converge: a deck at ever shorter steps, and what that says of the error of its results.
+#include <errno.h>
+#include <getopt.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "command/converge_print.h"
+#include "command/load.h"
+#include "command/progress.h"
+
+static int converge_command(int argc, char **argv);
+
+const struct command command_converge = {
+    .name = "converge",
+    .usage = "DECK [-D NAME=VALUE]... [-n LEVELS] [--rtol R] [--tsv]",
+    .summary = "runs a deck at ever shorter steps and prints the errors of its results",
+    .run = converge_command,
+};
+
+static const char details[] =
+    "  -D NAME=VALUE  overrides a param of the deck; may be repeated\n"
+    "  -n LEVELS      runs, each at half the step of the one before, from that of the deck;\n"
+    "                 3 to 16, default 4\n"
+    "  --rtol R       what counts as converged: an error bar of at most R times the result;\n"
+    "                 default 1e-3\n"
+    "  --tsv          a table separated by tabs, with the results of all levels\n"
+    "  --help         this text\n\n"
+    "Nothing is written. Exit status: 0 all results have converged, 1 some have not.\n";
+
+enum { LEVELS_DEFAULT = 4 };
+static const double RTOL_DEFAULT = 1e-3;
+
+struct options {
+    struct load_request load;
+    int n_level;
+    double rtol;
+    bool tsv;
+};
+
+static int show_nothing(void *context, const struct row_view *row, struct error *e) {
+    (void)context, (void)row, (void)e;
+    return STATUS_OK;
+}
+
+static int show_progress(void *context, double time, struct error *e) {
+    (void)e;
+    progress_show(context, time);
+    return STATUS_OK;
+}
+
+static int converge(const struct model *m, const struct options *o) {
+    struct progress progress;
+    struct refinement *r;
+    struct error e;
+    const struct observer observer = {
+        .row = show_nothing, .poll = show_progress, .context = &progress};
+    progress_start(&progress, m->duration, m->deck->units.time_name);
+    int status = refinement_run(m, o->n_level, o->rtol, &observer, &r, &e);
+    progress_end(&progress);
+    if (status != STATUS_OK) {
+        return command_fail(&e);
+    }
+    if (o->tsv) {
+        converge_print_tsv(m, r);
+    } else {
+        converge_print(m, r, o->rtol);
+    }
+    status = r->n_within == r->n_result ? EXIT_DONE : EXIT_FAILED;
+    refinement_free(r);
+    return status;
+}
+
+// A number from `least` to `most`; EXIT_DONE, or the status of a message.
+static int parse_number(const char *option, const char *text, double least, double most,
+                        double *out) {
+    char *end;
+    errno = 0;
+    *out = strtod(text, &end);
+    if (errno || end == text || *end || !(*out >= least && *out <= most)) {
+        return command_usage(&command_converge, "%s takes a number from %g to %g, not '%s'", option,
+                             least, most, text);
+    }
+    return EXIT_DONE;
+}
+
+static int parse_levels(const char *text, int *n_level) {
+    double n;
+    int status = parse_number("-n", text, CONVERGENCE_LEVELS_MIN, CONVERGENCE_LEVELS_MAX, &n);
+    if (status == EXIT_DONE && n != floor(n)) {
+        return command_usage(&command_converge, "-n takes a whole number, not '%s'", text);
+    }
+    *n_level = status == EXIT_DONE ? (int)n : 0;
+    return status;
+}
+
+// EXIT_DONE with the options filled, else the status to return; *helped if help was asked for.
+static int parse(int argc, char **argv, const char **define, struct options *o, bool *helped) {
+    static const struct option option[] = {
+        {"define", required_argument, NULL, 'D'}, {"levels", required_argument, NULL, 'n'},
+        {"rtol", required_argument, NULL, 'r'},   {"tsv", no_argument, NULL, 't'},
+        {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0},
+    };
+    int status = EXIT_DONE;
+    opterr = 0;
+    optind = 1;
+    for (int c;
+         status == EXIT_DONE && (c = getopt_long(argc, argv, ":D:n:h", option, NULL)) != -1;) {
+        switch (c) {
+            case 'D':
+                define[o->load.n_define++] = optarg;
+                break;
+            case 'n':
+                status = parse_levels(optarg, &o->n_level);
+                break;
+            case 'r':
+                status = parse_number("--rtol", optarg, 1e-12, 1.0, &o->rtol);
+                break;
+            case 't':
+                o->tsv = true;
+                break;
+            case 'h':
+                *helped = true;
+                return command_help(&command_converge, details);
+            default:
+                return command_bad_option(&command_converge, c, argv);
+        }
+    }
+    if (status == EXIT_DONE && argc - optind != 1) {
+        return command_usage(&command_converge, "one deck is expected, not %d", argc - optind);
+    }
+    o->load.path = argv[optind];
+    return status;
+}
+
+static int converge_command(int argc, char **argv) {
+    struct options o = {.n_level = LEVELS_DEFAULT, .rtol = RTOL_DEFAULT};
+    const char **define = calloc((size_t)argc, sizeof *define);
+    if (!define) {
+        struct error e;
+        error_no_memory(&e);
+        return command_fail(&e);
+    }
+    o.load.define = define;
+    bool helped = false;
+    int status = parse(argc, argv, define, &o, &helped);
+    if (status == EXIT_DONE && !helped) {
+        struct model *m;
+        status = load_model(&o.load, &m);
+        if (status == EXIT_DONE) {
+            status = converge(m, &o);
+            model_free(m);
+        }
+    }
+    free(define);
+    return status;
+}

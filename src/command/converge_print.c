@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/converge_print.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum { SHOWN_MAX = 20, LABEL_WIDTH = 23, SHOWN_LEVELS = 3 };
+
+static const char *const owner_names[] = {"model", "building", "link"};
+
+static const char *name_of(const struct model *m, const struct refined *f) {
+    return f->owner == OF_BUILDING ? m->building[f->index].name
+           : f->owner == OF_LINK   ? m->link[f->index].name
+                                   : "";
+}
+
+static const char *unit_of(const struct model *m, const struct refined *f, char *text,
+                           size_t size) {
+    if (!f->dimension) {
+        return "1";
+    }
+    unit_text(&m->deck->units, *f->dimension, text, size);
+    return text;
+}
+
+// Why a result has not converged, or may seem not to.
+static const char *reason_of(const struct refined *f) {
+    if (f->within) {
+        return "";
+    }
+    if (f->impacts_change || f->convergence.kind == CONVERGENCE_MISCOUNT) {
+        return "the number of impacts changes";
+    }
+    switch (f->convergence.kind) {
+        case CONVERGENCE_IRREGULAR:
+            return "no order: the differences do not shrink steadily";
+        case CONVERGENCE_FAST:
+            return "the order is higher than the method's, so not to be trusted";
+        default:
+            return "the step is too long";
+    }
+}
+
+// Halvings of the step that the order promises to be enough; 0: it promises nothing.
+static int halvings(const struct refined *f, double finest, double rtol) {
+    const struct convergence *c = &f->convergence;
+    if (f->within || c->kind != CONVERGENCE_ORDERLY || f->impacts_change) {
+        return 0;
+    }
+    return (int)ceil(log2(c->error / (rtol * fabs(finest))) / c->order);
+}
+
+static void print_result(const struct model *m, const struct refinement *r,
+                         const struct refined *f) {
+    char unit[48], label[96];
+    const double *last = f->value + r->n_level - 1;
+    snprintf(label, sizeof label, "%s%s%s%s", f->quantity, f->dimension ? " [" : "",
+             f->dimension ? unit_of(m, f, unit, sizeof unit) : "", f->dimension ? "]" : "");
+    printf("  %-*s", LABEL_WIDTH, label);
+    for (int i = 1 - SHOWN_LEVELS; i <= 0; i++) {
+        printf(" %11.6g", last[i]);
+    }
+    if (isnan(f->convergence.order)) {
+        printf("     -");
+    } else {
+        printf(" %5.2f", f->convergence.order);
+    }
+    printf(" %11.6g %9.1e  %s\n", f->convergence.estimate,
+           *last != 0.0 ? f->convergence.error / fabs(*last) : 0.0, f->within ? "yes" : "no");
+}
+
+static void print_heading(const struct refinement *r, const struct model *m) {
+    const char *unit = m->adaptive ? " " : m->deck->units.time_name;
+    printf("%s%s%d levels, %s", m->deck->title, m->deck->title[0] ? "\n" : "", r->n_level,
+           m->adaptive ? "tolerances" : "steps");
+    for (int i = 0; i < r->n_level; i++) {
+        printf(" %.6g", r->step[i]);
+    }
+    printf(" %s\n\n  %-*s", unit, LABEL_WIDTH, m->adaptive ? "at a tolerance of" : "at a step of");
+    for (int i = r->n_level - SHOWN_LEVELS; i < r->n_level; i++) {
+        printf(" %9.4g %s", r->step[i], unit);
+    }
+    printf(" order    estimate error bar  converged\n");
+}
+
+// The longest lists are cut to the results that have not converged, then the first ones.
+static bool is_shown(const struct refined *f, int *n_shown) {
+    bool shown = f->owner == OF_MODEL || f->index < SHOWN_MAX || (!f->within && *n_shown > 0);
+    *n_shown -= !f->within && f->index >= SHOWN_MAX && shown;
+    return shown;
+}
+
+static void print_results(const struct model *m, const struct refinement *r) {
+    int left = SHOWN_MAX, n_hidden = 0;
+    const struct refined *before = NULL;
+    print_heading(r, m);
+    for (int i = 0; i < r->n_result; i++) {
+        const struct refined *f = &r->result[i];
+        if (!is_shown(f, &left)) {
+            n_hidden++;
+            continue;
+        }
+        if (f->owner != OF_MODEL &&
+            (!before || before->owner != f->owner || before->index != f->index)) {
+            printf("%s %s\n", f->owner == OF_BUILDING ? "building" : "contact or link",
+                   name_of(m, f));
+        }
+        print_result(m, r, f);
+        before = f;
+    }
+    if (n_hidden > 0) {
+        printf("  %d more results not shown; --tsv prints all\n", n_hidden);
+    }
+}
+
+static void print_verdict(const struct model *m, const struct refinement *r, double rtol) {
+    int left = SHOWN_MAX;
+    printf("\n%d of %d results have converged to %g\n", r->n_within, r->n_result, rtol);
+    for (int i = 0; i < r->n_result && left > 0; i++) {
+        const struct refined *f = &r->result[i];
+        if (f->within) {
+            continue;
+        }
+        int more = halvings(f, f->value[r->n_level - 1], rtol);
+        printf("  %s%s%s: %s", name_of(m, f), f->owner == OF_MODEL ? "" : " ", f->quantity,
+               reason_of(f));
+        if (more > 0) {
+            printf("; %d more level%s should do", more, more == 1 ? "" : "s");
+        }
+        printf("\n");
+        left--;
+    }
+    int n_more = r->n_result - r->n_within - (SHOWN_MAX - left);
+    if (n_more > 0) {
+        printf("  and %d more\n", n_more);
+    }
+}
+
+void converge_print_tsv(const struct model *m, const struct refinement *r) {
+    char unit[48];
+    printf("owner\tname\tquantity\tunit");
+    for (int i = 0; i < r->n_level; i++) {
+        printf("\t%s_%.9g", m->adaptive ? "tolerance" : "step", r->step[i]);
+    }
+    printf("\torder\testimate\terror\tconverged\treason\n");
+    for (int i = 0; i < r->n_result; i++) {
+        const struct refined *f = &r->result[i];
+        printf("%s\t%s\t%s\t%s", owner_names[f->owner], name_of(m, f), f->quantity,
+               unit_of(m, f, unit, sizeof unit));
+        for (int k = 0; k < r->n_level; k++) {
+            printf("\t%.17g", f->value[k]);
+        }
+        printf("\t%.6g\t%.17g\t%.6g\t%d\t%s\n", f->convergence.order, f->convergence.estimate,
+               f->convergence.error, f->within, reason_of(f));
+    }
+}
+
+void converge_print(const struct model *m, const struct refinement *r, double rtol) {
+    print_results(m, r);
+    print_verdict(m, r, rtol);
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Storeys whose stiffness degrades: a bilinear backbone, unloading straight to zero shear, and
+// reloading towards the largest drift reached so far in that direction. Shared by the laws that
+// differ in how unloading and reloading degrade:
+//
+//     unloading stiffness  k (d_y / D)^alpha,      D the largest drift of that side, >= d_y,
+//     reloading aims at    D - beta (D - d_y)      on the backbone.
+//
+// A storey that is unloaded only in part and loaded again goes back the way it came (Mahin &
+// Bertero 1976, J. Struct. Div. ASCE 102, 1125-1139), and on from where it was. Reloading is never
+// stiffer than unloading.
+#ifndef JOSTLE_PEAK_ORIENTED_H
+#define JOSTLE_PEAK_ORIENTED_H
+
+#include "jostle/storey_law.h"
+
+enum peak_oriented_constant {
+    PEAK_ORIENTED_STIFFNESS,  // k
+    PEAK_ORIENTED_YIELD,      // V_y
+    PEAK_ORIENTED_HARDENING,  // R
+    PEAK_ORIENTED_ALPHA,
+    PEAK_ORIENTED_BETA,
+    PEAK_ORIENTED_CONSTANTS
+};
+enum { PEAK_ORIENTED_HISTORY = 6 };
+
+// Errors: STATUS_INPUT, where there is no stiffness.
+int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant,
+                          struct error *e);
+
+// shear, commit and stored of the descriptors.
+struct storey_response peak_oriented_shear(const double *constant, const double *history,
+                                           double drift);
+void peak_oriented_commit(const double *constant, double *history, double drift);
+double peak_oriented_stored(const double *constant, const double *history, double drift);
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clough's storey: bilinear backbone, unloading with the initial stiffness, and reloading towards
+// the largest drift so far (law/peak_oriented.h with alpha = beta = 0).
+#include <math.h>
+
+#include "law/peak_oriented.h"
+#include "law/storey_list.h"
+#include "law/yield.h"
+
+enum { YIELD, HARDENING, N_ROW };
+
+static const struct row rows[N_ROW] = {[YIELD] = YIELD_ROW, [HARDENING] = HARDENING_ROW};
+
+static int clough_prepare(const double *value, double stiffness, double *constant,
+                          struct error *e) {
+    const double own[PEAK_ORIENTED_CONSTANTS] = {
+        [PEAK_ORIENTED_STIFFNESS] = stiffness,
+        [PEAK_ORIENTED_YIELD] = value[YIELD],
+        [PEAK_ORIENTED_HARDENING] = value[HARDENING],
+    };
+    return peak_oriented_prepare(own, constant, e);
+}
+
+const struct storey_law storey_clough = {
+    .name = "clough",
+    .summary = "bilinear, reloading towards the largest drift so far",
+    .formula = "unloads with k to V = 0, then aims at the largest drift of that direction on the "
+               "backbone V_y + R k (drift - d_y)",
+    .source = "Clough & Johnston (1966), Proc. Japan Earthquake Eng. Symposium, 227-232; partial "
+              "unloading as Mahin & Bertero (1976), J. Struct. Div. ASCE 102, 1125-1139",
+    .row = rows,
+    .n_row = N_ROW,
+    .n_constant = PEAK_ORIENTED_CONSTANTS,
+    .n_history = PEAK_ORIENTED_HISTORY,
+    .prepare = clough_prepare,
+    .shear = peak_oriented_shear,
+    .commit = peak_oriented_commit,
+    .stored = peak_oriented_stored,
+};

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Takeda's storey with a bilinear backbone, for reinforced concrete that is cracked from the start:
+// unloading softens with the drift reached, reloading aims short of it (law/peak_oriented.h).
+// Takeda, Sozen & Nielsen's own backbone has a third line, from cracking to yield.
+#include <math.h>
+
+#include "law/peak_oriented.h"
+#include "law/storey_list.h"
+#include "law/yield.h"
+
+enum { YIELD, HARDENING, ALPHA, BETA, N_ROW };
+
+static const struct range share = {
+    .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
+
+static const struct row rows[N_ROW] = {
+    [YIELD] = YIELD_ROW,
+    [HARDENING] = HARDENING_ROW,
+    [ALPHA] = {"alpha", ROW_NUMBER, 0, {0}, &share, 0.4, "exponent of the unloading stiffness"},
+    [BETA] = {"beta", ROW_NUMBER, 0, {0}, &share, 0.0, "how far short of the peak reloading aims"},
+};
+
+static int takeda_prepare(const double *value, double stiffness, double *constant,
+                          struct error *e) {
+    const double own[PEAK_ORIENTED_CONSTANTS] = {
+        [PEAK_ORIENTED_STIFFNESS] = stiffness,        [PEAK_ORIENTED_YIELD] = value[YIELD],
+        [PEAK_ORIENTED_HARDENING] = value[HARDENING], [PEAK_ORIENTED_ALPHA] = value[ALPHA],
+        [PEAK_ORIENTED_BETA] = value[BETA],
+    };
+    return peak_oriented_prepare(own, constant, e);
+}
+
+const struct storey_law storey_takeda = {
+    .name = "takeda",
+    .summary = "bilinear, unloading and reloading soften with the largest drift so far",
+    .formula = "unloads with k (d_y / D)^alpha to V = 0, then aims at D - beta (D - d_y) on the "
+               "backbone V_y + R k (drift - d_y), D the largest drift of that direction",
+    .source = "Takeda, Sozen & Nielsen (1970), J. Struct. Div. ASCE 96, 2557-2573; bilinear form "
+              "of Otani (1974), Univ. Illinois SRS 413",
+    .row = rows,
+    .n_row = N_ROW,
+    .n_constant = PEAK_ORIENTED_CONSTANTS,
+    .n_history = PEAK_ORIENTED_HISTORY,
+    .prepare = takeda_prepare,
+    .shear = peak_oriented_shear,
+    .commit = peak_oriented_commit,
+    .stored = peak_oriented_stored,
+};

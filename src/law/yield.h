@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows that all yielding storeys have.
+#ifndef JOSTLE_YIELD_H
+#define JOSTLE_YIELD_H
+
+#include "jostle/row.h"
+
+extern const struct range yield_hardening_range;  // >= 0 and < 1
+
+#define YIELD_ROW                                                                                  \
+    {                                                                                              \
+        "yield", ROW_LIST, ROW_REQUIRED, {1, 0, 0}, &range_positive, NAN,                          \
+            "storey shear at first yield"                                                          \
+    }
+
+#define HARDENING_ROW                                                                              \
+    {                                                                                              \
+        "hardening", ROW_NUMBER, ROW_REQUIRED, {0}, &yield_hardening_range, NAN,                   \
+            "stiffness after yield over initial stiffness"                                         \
+    }
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Modes and excitations are put together by the root of the sum of their squares, as in response
+// spectrum analysis (Chopra, Dynamics of Structures, section 13.7). A mode phi of generalised mass
+// M = phi^T M phi answers with
+//     ground motion    phi^T M 1 / M times the velocity spectrum of the record, which is exact,
+//     load on floor i  phi_i / M times the velocity spectrum of the load,
+//     initial state    hypot(q', omega q), q = phi^T M u / M, its free vibration undamped,
+// and moves floor i by phi_i times that. A rigid-body mode has the largest integral of the record
+// for its spectrum. Storeys that yield make slower floors.
+#include "model/floor_velocity.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+#include "core/arena.h"
+#include "jostle/intensity.h"
+#include "jostle/spectrum.h"
+
+enum { MODES_MAX = 3 };                            // higher ones add little to the velocity
+enum { SAMPLES_PER_CYCLE = 40, CYCLES_MAX = 50 };  // of a sine; it is steady by then
+static const double RATIO_MAX = 0.99;              // the spectrum is of oscillators that vibrate
+
+// One mode of a building, and what the largest modal velocities add up to.
+struct mode {
+    const struct model *model;
+    const struct building *building;
+    const double *phi;
+    double omega, ratio;  // ratio of damping
+    double mass;          // generalised
+    double square;        // sum of squares so far [L^2/T^2]
+    struct arena *scratch;
+};
+
+// The part of a sine that acts in the analysis, as samples.
+static int sample_sine(const struct mode *k, const struct signal *s, struct signal *out,
+                       struct error *e) {
+    double cycle = 2.0 * M_PI / s->omega;
+    double length = fmin(fmin(s->end, k->model->duration) - s->start, CYCLES_MAX * cycle);
+    double dt = cycle / SAMPLES_PER_CYCLE;
+    size_t n = (size_t)ceil(length / dt) + 1;
+    double *value = arena_alloc(k->scratch, n, sizeof *value);
+    if (!value) {
+        return error_no_memory(e);
+    }
+    for (size_t i = 0; i < n; i++) {
+        value[i] = s->amplitude * sin(s->omega * dt * (double)i + s->phase);
+    }
+    return signal_init_samples(out, k->scratch, value, n, dt, 1.0, 0.0, e);
+}
+
+static double spectral_velocity(const struct mode *k, const struct signal *s) {
+    if (k->omega == 0.0) {
+        return intensity_of(s, 1.0).pgv;
+    }
+    return spectrum_at(s, 2.0 * M_PI / k->omega, k->ratio).value[SPECTRUM_SV];
+}
+
+// Takes account of an excitation, of which the mode sees `share`.
+static int excite(struct mode *k, const struct signal *s, double share, struct error *e) {
+    double velocity;
+    struct signal samples;
+    if (s->start >= k->model->duration || share == 0.0) {
+        return STATUS_OK;
+    }
+    if (s->value) {
+        velocity = spectral_velocity(k, s);
+    } else if (s->omega == 0.0) {
+        double time = fmin(s->end, k->model->duration) - s->start;
+        velocity = fabs(s->amplitude) * (k->omega > 0.0 ? fmin(1.0 / k->omega, time) : time);
+    } else if (sample_sine(k, s, &samples, e) == STATUS_OK) {
+        velocity = spectral_velocity(k, &samples);
+    } else {
+        return e->status;
+    }
+    k->square += pow(share * velocity, 2.0);
+    return STATUS_OK;
+}
+
+// Generalised mass, share of the ground motion, and initial state.
+static double begin(struct mode *k) {
+    const struct building *g = k->building;
+    double excited = 0.0, displacement = 0.0, velocity = 0.0;
+    for (int i = 0; i < g->n_floor; i++) {
+        double momentum = g->mass[i] * k->phi[i];
+        k->mass += momentum * k->phi[i];
+        excited += momentum;
+        displacement += momentum * k->model->displacement[g->first + i];
+        velocity += momentum * k->model->velocity[g->first + i];
+    }
+    k->square = (pow(velocity, 2.0) + pow(k->omega * displacement, 2.0)) / pow(k->mass, 2.0);
+    return excited / k->mass;
+}
+
+static int respond(struct mode *k, struct error *e) {
+    const struct model *m = k->model;
+    const struct building *g = k->building;
+    const struct ground *ground = &m->ground[g->ground];
+    const double excited = begin(k);
+    int status = STATUS_OK;
+    for (int i = 0; i < ground->n_signal && status == STATUS_OK; i++) {
+        status = excite(k, &ground->signal[i], excited, e);
+    }
+    for (int i = 0; i < m->n_load && status == STATUS_OK; i++) {
+        int floor = m->load[i].dof - g->first;
+        if (floor >= 0 && floor < g->n_floor) {
+            status = excite(k, &m->load[i].signal, k->phi[floor] / k->mass, e);
+        }
+    }
+    return status;
+}
+
+static int add_mode(const struct model *m, const struct building *g, int number,
+                    struct arena *scratch, double *square, struct error *e) {
+    struct mode k = {
+        .model = m,
+        .building = g,
+        .phi = g->shape + (size_t)number * (size_t)g->n_floor,
+        .omega = g->omega[number],
+        .scratch = scratch,
+    };
+    int status = building_damping_ratio(g, number + 1, &k.ratio, e);
+    k.ratio = isnan(k.ratio) ? 0.0 : fmin(k.ratio, RATIO_MAX);
+    if (status == STATUS_OK) {
+        status = respond(&k, e);
+    }
+    for (int i = 0; i < g->n_floor && status == STATUS_OK; i++) {
+        square[i] += k.phi[i] * k.phi[i] * k.square;
+    }
+    return status;
+}
+
+int floor_velocity(const struct model *m, int i, double *velocity, struct error *e) {
+    const struct building *g = &m->building[i];
+    struct arena *scratch = arena_create();
+    int status = scratch ? STATUS_OK : error_no_memory(e);
+    for (int j = 0; j < g->n_floor; j++) {
+        velocity[j] = 0.0;
+    }
+    for (int k = 0; k < g->n_floor && k < MODES_MAX && status == STATUS_OK; k++) {
+        status = add_mode(m, g, k, scratch, velocity, e);
+    }
+    for (int j = 0; j < g->n_floor; j++) {
+        velocity[j] = sqrt(velocity[j]);
+    }
+    arena_free(scratch);
+    return status;
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The step that a model asks for, estimated before it is run: from the durations of its contacts,
+// its shortest period and the sampling of its excitation.
+#ifndef JOSTLE_GUIDANCE_H
+#define JOSTLE_GUIDANCE_H
+
+#include "jostle/model.h"
+
+// Only so many contacts are estimated, in the order of the deck; each takes some 0.1 ms.
+enum { GUIDANCE_CONTACTS_MAX = 256 };
+
+// Steps wanted: in a contact, in the shortest period, in a period of a sine.
+enum { GUIDANCE_CONTACT_STEPS = 50, GUIDANCE_PERIOD_STEPS = 20 };
+
+// One contact.
+struct guidance_contact {
+    double velocity;  // [L/T] likely largest closing velocity; 0: nothing moves the floors
+    double duration;  // [T] of an isolated impact with it; 0: rigid; NAN: the bodies do not part
+};
+
+struct guidance {
+    int n_contact;
+    const struct guidance_contact *contact;  // (n_contact) the first ones of the model
+    int shortest;     // index of the contact that is over first; -1: none has a duration
+    double period;    // [T] no longer than any of the model; infinite: none is finite
+    double sampling;  // [T] of the samples; infinite: there are none
+    double sine;      // [T] period of the fastest sine; infinite: there are none
+    double step;      // [T] fixed step that resolves all of them; infinite: nothing asks for one
+};
+
+// What lasts is in the arena of the model's deck. Errors: STATUS_SYSTEM (no memory).
+int guidance_find(const struct model *m, struct guidance *out, struct error *e);
+
+// Warns in the diagnostics of the model's deck where its step covers an estimated contact by less
+// than ten steps.
+void guidance_warn(const struct model *m, const struct guidance *g);
+
+// The largest of 1, 2 and 5 times a power of ten that is not above `step` > 0.
+double guidance_round(double step);
+
+#endif

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/refinement.h"
+
+#include <math.h>
+
+#include "core/arena.h"
+
+static double largest(const double *value, int n) {
+    double most = value[0];
+    for (int i = 1; i < n; i++) {
+        most = fmax(most, value[i]);
+    }
+    return most;
+}
+
+static double all_impacts(const struct model *m, const struct results *r, int i) {
+    (void)m, (void)i;
+    return (double)r->n_impact;
+}
+
+static double roof_displacement(const struct model *m, const struct results *r, int i) {
+    const struct building *g = &m->building[i];
+    return r->peak[PEAK_DISPLACEMENT][g->first + g->n_floor - 1];
+}
+
+static double drift(const struct model *m, const struct results *r, int i) {
+    return largest(r->peak[PEAK_DRIFT] + m->building[i].first, m->building[i].n_floor);
+}
+
+static double acceleration(const struct model *m, const struct results *r, int i) {
+    return largest(r->peak[PEAK_ACCELERATION] + m->building[i].first, m->building[i].n_floor);
+}
+
+static double base_shear(const struct model *m, const struct results *r, int i) {
+    return r->peak[PEAK_SHEAR][m->building[i].first];
+}
+
+static double impacts(const struct model *m, const struct results *r, int i) {
+    (void)m;
+    return (double)r->link[i].impacts;
+}
+
+static double force(const struct model *m, const struct results *r, int i) {
+    (void)m;
+    return r->link[i].force;
+}
+
+static double impulse(const struct model *m, const struct results *r, int i) {
+    (void)m;
+    return r->link[i].impulse;
+}
+
+// Which links a measure is of.
+enum links { LINKS_ALL, LINKS_UNILATERAL, LINKS_WITH_FORCE };
+
+struct measure {
+    enum refined_owner owner;
+    const char *quantity;
+    const struct dimension *dimension;  // NULL: a count
+    double (*value)(const struct model *m, const struct results *r, int i);
+    enum links links;
+};
+
+static const struct measure measures[] = {
+    {OF_MODEL, "impacts", NULL, all_impacts, LINKS_ALL},
+    {OF_BUILDING, "roof displacement", &dimension_length, roof_displacement, LINKS_ALL},
+    {OF_BUILDING, "storey drift", &dimension_length, drift, LINKS_ALL},
+    {OF_BUILDING, "acceleration", &dimension_acceleration, acceleration, LINKS_ALL},
+    {OF_BUILDING, "base shear", &dimension_force, base_shear, LINKS_ALL},
+    {OF_LINK, "impacts", NULL, impacts, LINKS_UNILATERAL},
+    {OF_LINK, "force", &dimension_force, force, LINKS_WITH_FORCE},
+    {OF_LINK, "impulse", &dimension_impulse, impulse, LINKS_UNILATERAL},
+};
+enum { N_MEASURE = sizeof measures / sizeof measures[0] };
+
+static int n_owner(const struct model *m, enum refined_owner owner) {
+    return owner == OF_MODEL ? 1 : owner == OF_BUILDING ? m->n_building : m->n_link;
+}
+
+static bool applies(const struct measure *what, const struct model *m, int i) {
+    const struct link *l = what->owner == OF_LINK ? &m->link[i] : NULL;
+    return !l || what->links == LINKS_ALL ||
+           (what->links == LINKS_UNILATERAL ? !l->bilateral : !l->law->rebound);
+}
+
+// Lists the results of the model, owner by owner. `result` NULL: only counts them.
+static int list_results(const struct model *m, struct refined *result,
+                        const struct measure **measure) {
+    int n = 0;
+    for (int owner = OF_MODEL; owner <= OF_LINK; owner++) {
+        for (int i = 0; i < n_owner(m, owner); i++) {
+            for (int k = 0; k < N_MEASURE; k++) {
+                if ((int)measures[k].owner != owner || !applies(&measures[k], m, i)) {
+                    continue;
+                }
+                if (result) {
+                    measure[n] = &measures[k];
+                    result[n] = (struct refined){.owner = owner,
+                                                 .index = i,
+                                                 .quantity = measures[k].quantity,
+                                                 .dimension = measures[k].dimension};
+                }
+                n++;
+            }
+        }
+    }
+    return n;
+}
+
+static bool allocate(struct refinement *r, const struct model *m, const struct measure ***measure) {
+    const size_t n = (size_t)list_results(m, NULL, NULL), levels = (size_t)r->n_level;
+    r->result = arena_alloc(r->arena, n, sizeof *r->result);
+    r->step = arena_alloc(r->arena, levels, sizeof *r->step);
+    r->steps = arena_alloc(r->arena, levels, sizeof *r->steps);
+    *measure = arena_alloc(r->arena, n, sizeof(struct measure *));
+    double *value = arena_alloc(r->arena, n * levels, sizeof *value);
+    if (!r->result || !r->step || !r->steps || !*measure || !value) {
+        return false;
+    }
+    r->n_result = list_results(m, r->result, *measure);
+    for (size_t i = 0; i < n; i++) {
+        r->result[i].value = value + i * levels;
+    }
+    return true;
+}
+
+static int run_level(struct refinement *r, const struct model *m, int level,
+                     const struct measure *const *measure, const struct observer *observer,
+                     struct error *e) {
+    const struct model finer = model_refined(m, level);
+    struct results *results;
+    int status = analysis_run(&finer, observer, &results, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    r->step[level] = finer.adaptive ? finer.control.tolerance : finer.dt;
+    r->steps[level] = results->totals.steps;
+    for (int i = 0; i < r->n_result; i++) {
+        r->result[i].value[level] = measure[i]->value(&finer, results, r->result[i].index);
+    }
+    results_free(results);
+    return STATUS_OK;
+}
+
+static bool is_miscount(const struct refined *f) {
+    return f->convergence.kind == CONVERGENCE_MISCOUNT;
+}
+
+// Marks the results that a contact with a changing number of impacts acts on.
+static void blame_impacts(struct refinement *r, const struct model *m) {
+    for (int i = 0; i < r->n_result; i++) {
+        const struct refined *count = &r->result[i];
+        if (count->owner != OF_LINK || !is_miscount(count)) {
+            continue;
+        }
+        const struct link *l = &m->link[count->index];
+        for (int j = 0; j < r->n_result; j++) {
+            struct refined *f = &r->result[j];
+            bool of_building = f->owner == OF_BUILDING &&
+                               (f->index == l->building[0] || f->index == l->building[1]);
+            f->impacts_change |= of_building || (f->owner == OF_LINK && f->index == count->index);
+        }
+    }
+}
+
+static void judge(struct refinement *r, const struct model *m, double rtol) {
+    // Average acceleration and its kin; numerical damping costs an order.
+    const double order = m->gamma > 0.5 ? 1.0 : 2.0;
+    for (int i = 0; i < r->n_result; i++) {
+        struct refined *f = &r->result[i];
+        f->convergence = f->dimension ? convergence_of(f->value, r->n_level, 2.0, order)
+                                      : convergence_of_count(f->value, r->n_level);
+        f->within = convergence_is_within(&f->convergence, f->value[r->n_level - 1], rtol);
+        r->n_within += f->within;
+    }
+    blame_impacts(r, m);
+}
+
+int refinement_run(const struct model *m, int n_level, double rtol, const struct observer *observer,
+                   struct refinement **out, struct error *e) {
+    struct arena *a = arena_create();
+    struct refinement *r = a ? arena_alloc(a, 1, sizeof *r) : NULL;
+    if (!r) {
+        arena_free(a);
+        return error_no_memory(e);
+    }
+    *r = (struct refinement){.arena = a, .n_level = n_level};
+    const struct measure **measure;
+    int status = allocate(r, m, &measure) ? STATUS_OK : error_no_memory(e);
+    for (int level = 0; level < n_level && status == STATUS_OK; level++) {
+        status = run_level(r, m, level, measure, observer, e);
+    }
+    if (status != STATUS_OK) {
+        arena_free(a);
+        return status;
+    }
+    judge(r, m, rtol);
+    *out = r;
+    return STATUS_OK;
+}
+
+void refinement_free(struct refinement *r) {
+    if (r) {
+        arena_free(r->arena);
+    }
+}

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What the cases of the verification manual share; sourced by case.sh.
+
+# simulate RUN DECK [-D NAME=VALUE]...: runs a deck, and keeps its tables in RUN.tsv of the work folder.
+simulate() {
+    run=$work/$1
+    deck=$2
+    shift 2
+    "$jostle" run "$deck" -o "$run.h5" -q --force "$@"
+    "$jostle" show "$run.h5" --tsv >"$run.tsv"
+}
+
+# value RUN TABLE QUANTITY [NAME [LOCATION]]: one value of a run, all digits; of the first name and
+# location if these are not given.
+value() {
+    awk -F '\t' -v table="$2" -v quantity="$3" -v name="${4-}" -v location="${5-}" '
+        $1 == table && $3 == quantity && (name == "" || $2 == name) &&
+            (location == "" || $4 == location) { print $5; found = 1; exit }
+        END { if (!found) { print "no " quantity " of " name >"/dev/stderr"; exit 1 } }
+    ' "$work/$1.tsv"
+}
+
+# largest RUN TABLE QUANTITY: the largest value over all names and locations.
+largest() {
+    awk -F '\t' -v table="$2" -v quantity="$3" '
+        $1 == table && $3 == quantity && (!n++ || $5 > most) { most = $5 }
+        END { print most }' OFMT=%.17g CONVFMT=%.17g "$work/$1.tsv"
+}
+
+
+# table WORD...: awk with the functions of format.awk, columns separated by tabs. Programs that stand in a script
+# put "$format" in front instead.
+table() {
+    awk -F '\t' -f $here/format.awk "$@"
+}
+format=$(cat $here/format.awk)
+
+# compare NAME DIGITS: rows `what TAB unit TAB expected TAB computed` become rows of the table NAME, with
+# the relative error.
+compare() {
+    table -v name="$1" -v digits="$2" -f $here/compare.awk
+}
+
+# history RUN: rows `time, displacement` of the first building's roof, from the data of a picture.
+history() {
+    "$jostle" plot "$work/$1.h5" histories --script "$work/$1.script" --force
+    awk '/^EOD/ { inside = 0 }
+         inside && !/^#/ { print $1, $2 }
+         /^\$rows0/ { inside = 1 }' "$work/$1.script/histories.gp"
+}
+
+# draw HEIGHT: draws verification_CASE.svg by CASE.gp, which finds its data in the work folder; nothing with
+# PICTURES=0.
+draw() {
+    [ "${PICTURES-1}" = 0 ] || gnuplot -e "work = '$work'; height = $1; picture = '$folder/verification_$name.svg'" \
+        $here/style.gp "$here/$name.gp"
+}
