@@ -22,7 +22,7 @@ static const double STRETCH = 0.1;
 
 // Step after an event over the one before it. Forces begin with an infinite slope where a contact
 // closes (d^(1/4)), and with a kink where its velocity turns.
-static const double AFTER_CLOSURE = 1e-4, AFTER_TURN = 0.3;
+static const double AFTER_CLOSURE = 1e-2, AFTER_TURN = 1.0;
 
 static const double FIRST_OF_PERIOD = 1e-2, FIRST_OF_DURATION = 1e-6;
 

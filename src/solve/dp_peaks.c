@@ -16,7 +16,7 @@ static const double BESIDE = 0.02, BEYOND = 1.1;
 enum { BLOCK = 16 * LANES_WIDTH };
 
 enum { ITERATIONS_MAX = 40 };
-static const double PLACED = 1e-6;  // of the step, of an extremum of a force
+static const double PLACED = 1e-4;  // of the step, of an extremum of a force; its error is a square
 
 static void note(struct dp *p, enum peak q, int i, double value, double time) {
     double size = fabs(value);

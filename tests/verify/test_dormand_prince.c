@@ -89,6 +89,32 @@ static void impacts_against_a_wall_have_their_closed_forms(void **state) {
     analysis_free(&a);
 }
 
+// A mass under the constant force 20 N, 50 mm from a wall, meets it at 0.1 s with 1 m/s, and after
+// n bounces with e^n; bounce n lasts 0.2 e^n s.
+static void rigid_bodies_bounce_by_newton_s_law(void **state) {
+    (void)state;
+    const double e = 0.65;
+    struct analysis a = analysis_of("building A -floors 1 -mass 2 -stiffness 0\n"
+                                    "load A:1 constant 20\n"
+                                    "contact A wall -gap 0.05 -law stereomechanical -e 0.65\n"
+                                    "step adaptive\nduration 0.45\n");
+    const struct results *r = a.results;
+    double at = 0.1;
+    assert_int_equal(r->n_impact, 7);
+    for (int i = 0; i < 7; i++) {
+        assert_near(r->impact[i].t_start, at, 1e-12);
+        assert_close(r->impact[i].v_approach, pow(e, i), 1e-11);
+        assert_close(r->impact[i].v_rebound, pow(e, i + 1), 1e-11);
+        assert_close(r->impact[i].impulse, 2.0 * 1.65 * pow(e, i), 1e-11);
+        assert_close(r->impact[i].dissipated, (1.0 - e * e) * pow(e, 2 * i), 1e-11);
+        assert_true(isnan(r->impact[i].peak_force) && r->impact[i].complete);
+        at += 0.2 * pow(e, i + 1);
+    }
+    assert_true(r->link[0].penetration < 1e-15);
+    assert_true(r->residual_peak < 1e-12);
+    analysis_free(&a);
+}
+
 // The oscillator swings to 0.1 m; the touch lasts 2 sqrt(2 depth / 0.1) / omega, far less than a
 // step.
 static void a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not(void **state) {
@@ -194,6 +220,10 @@ static void what_takes_too_many_steps_ends_with_advice(void **state) {
                "contact A wall -name stop -gap 0 -law khatami -k 1e5 -zeta 9\n"
                "step adaptive\nduration 20\n",
                "stop rattles");
+    fails_with("building A -floors 1 -mass 2 -stiffness 0\nload A:1 constant 20\n"
+               "contact A wall -name stop -gap 0.05 -law stereomechanical -e 0.65\n"
+               "step adaptive\nduration 1\n",
+               "contact stop comes to rest, which adaptive steps do not follow; use step fixed DT");
 }
 
 // The deck with adaptive steps.
@@ -267,6 +297,7 @@ int main(void) {
         cmocka_unit_test(a_free_vibration_follows_the_cosine_and_its_peaks_are_exact),
         cmocka_unit_test(error_and_energy_residual_go_with_the_tolerance),
         cmocka_unit_test(impacts_against_a_wall_have_their_closed_forms),
+        cmocka_unit_test(rigid_bodies_bounce_by_newton_s_law),
         cmocka_unit_test(a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not),
         cmocka_unit_test(yielding_and_unloading_are_located),
         cmocka_unit_test(whatever_a_deck_has_agrees_with_fixed_steps),
