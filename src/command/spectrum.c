@@ -125,8 +125,8 @@ static int compute(const struct spectrum_request *q, struct arena *a, struct spe
     return status;
 }
 
-static int write_picture(void *context, const char *picture, FILE *to, struct error *e) {
-    return response_write(context, picture, to, e);
+static int write_picture(void *context, const struct figure_files *to, struct error *e) {
+    return response_write(context, to, e);
 }
 
 static int draw(const struct spectrum_request *q, const struct spectrum_set *set, struct error *e) {

@@ -56,7 +56,7 @@ static const char details[] =
     "  --tsv            tab-separated values of full precision, one line a record (and\n"
     "                   statistic), damping and period; with --intensities one line a record\n"
     "  -o FILE          draws the pseudo-acceleration; .png, .svg or .pdf\n"
-    "  --script DIR     writes DIR/spectrum.gp with its data for gnuplot\n"
+    "  --script DIR     writes DIR/spectrum.gp for gnuplot and its data, DIR/spectrum.dat\n"
     "  --force          overwrites what exists\n"
     "  --help           this text\n"
     "\n"
