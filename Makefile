@@ -207,6 +207,8 @@ docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and
 	@cp $(B)/docs/README.md README.md
 	@sh tests/support/pictures.sh $(PROGRAM) $(B)/docs docs/pictures
 	@$(PROGRAM) spectrum input/records/*.AT2 -o docs/pictures/spectrum.png --force >/dev/null
+	@$(PROGRAM) spectrum --pounding input/pounding_spectrum.deck --periods 0.1:2:40 \
+	    -o docs/pictures/pounding.png --force >/dev/null
 	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures
 
 .PHONY: verification

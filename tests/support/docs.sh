@@ -19,4 +19,6 @@ sed "s|$folder/||" "$folder/printed" >"$folder/summary"
 sh tests/support/with_block.sh deck "$folder/deck" <README.md |
     sh tests/support/with_block.sh summary "$folder/summary" >"$folder/README.md"
 "$jostle" spectrum input/records/*.AT2 --periods 0,0.1,0.2,0.5,1,2,5 >"$folder/spectra"
-sh tests/support/with_block.sh spectrum "$folder/spectra" <docs/spectrum.md >"$folder/spectrum.md"
+"$jostle" spectrum --pounding input/pounding_spectrum.deck --periods 0.1:2:8 >"$folder/pounding"
+sh tests/support/with_block.sh spectrum "$folder/spectra" <docs/spectrum.md |
+    sh tests/support/with_block.sh pounding "$folder/pounding" >"$folder/spectrum.md"
