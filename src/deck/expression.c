@@ -90,6 +90,17 @@ static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
     return false;
 }
 
+// Reports the joint at `at` of two units of which one stands alone.
+static bool lone_unit(struct deck *d, const struct word *w, const char *at) {
+    const char *first = at;
+    while (first > w->text && starts_unit(first[-1])) {
+        first--;
+    }
+    return fail(d, w, first, letters_end(at + 1),
+                "rad and deg do not join with other units; a frequency is in Hz or 1/s, "
+                "f = omega / (2 pi)");
+}
+
 static bool literal_unit(struct deck *d, const struct word *w, const char **at,
                          struct quantity *out) {
     const char *unit = *at;
@@ -384,7 +395,11 @@ bool expression_number(struct deck *d, const struct word *w, const char *from,
     }
     struct text_short t;
     if ((*at == '*' || *at == '/') && starts_unit(at[1])) {
-        return unknown_unit(d, w, at + 1);
+        const char *end;
+        struct dimension dimension;
+        double size;
+        bool known = unit_parse(at + 1, d->units.gravity, &end, &dimension, &size);
+        return known ? lone_unit(d, w, at) : unknown_unit(d, w, at + 1);
     }
     return fail(d, w, at, at + strlen(at),
                 "unexpected '%s' behind the number; expressions stand in ${...}, texts in quotes",

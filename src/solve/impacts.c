@@ -41,9 +41,13 @@ static int open_impact(struct impact_log *log, struct results *r, int k, const s
 int impacts_start(struct impact_log *log, struct results *r, const struct model *m,
                   const struct state *s, struct error *e) {
     for (int k = 0; k < m->n_contact; k++) {
-        if (s->closed[k] && open_impact(log, r, k, s, e) != STATUS_OK) {
+        if (!s->closed[k]) {
+            continue;
+        }
+        if (open_impact(log, r, k, s, e) != STATUS_OK) {
             return e->status;
         }
+        r->impact[log->open[k]].dissipated = r->link[k].dissipated;  // what it holds already
     }
     return STATUS_OK;
 }
