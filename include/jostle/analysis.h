@@ -118,6 +118,6 @@ int analysis_run(const struct model *m, const struct observer *observer, struct 
 void results_free(struct results *r);  // NULL is allowed
 
 // Whether the impact is one of totals.coarse.
-bool impact_is_coarse(const struct model *m, const struct impact *i);
+bool impacts_is_coarse(const struct model *m, const struct impact *i);
 
 #endif

@@ -80,25 +80,24 @@ static const char *letters_end(const char *at) {
     return at;
 }
 
+// Reports the unit at `at`. A known one stands there only behind one that does not join with
+// others.
 static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
     int n = 0;
+    double si;
+    const char *end;
+    struct dimension dimension;
+    if (unit_parse(at, d->units.gravity, &end, &dimension, &si)) {
+        deck_error(d, w,
+                   "rad and deg do not join with other units; f = omega / (2 pi) is in Hz or 1/s");
+        return false;
+    }
     while (unit_names[n]) {
         n++;
     }
     struct word part = report_part(d, w, at, letters_end(at));
     deck_unknown(d, &part, "unit", unit_names, n);
     return false;
-}
-
-// Reports the joint at `at` of two units of which one stands alone.
-static bool lone_unit(struct deck *d, const struct word *w, const char *at) {
-    const char *first = at;
-    while (first > w->text && starts_unit(first[-1])) {
-        first--;
-    }
-    return fail(d, w, first, letters_end(at + 1),
-                "rad and deg do not join with other units; a frequency is in Hz or 1/s, "
-                "f = omega / (2 pi)");
 }
 
 static bool literal_unit(struct deck *d, const struct word *w, const char **at,
@@ -395,11 +394,7 @@ bool expression_number(struct deck *d, const struct word *w, const char *from,
     }
     struct text_short t;
     if ((*at == '*' || *at == '/') && starts_unit(at[1])) {
-        const char *end;
-        struct dimension dimension;
-        double size;
-        bool known = unit_parse(at + 1, d->units.gravity, &end, &dimension, &size);
-        return known ? lone_unit(d, w, at) : unknown_unit(d, w, at + 1);
+        return unknown_unit(d, w, at + 1);
     }
     return fail(d, w, at, at + strlen(at),
                 "unexpected '%s' behind the number; expressions stand in ${...}, texts in quotes",

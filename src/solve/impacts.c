@@ -161,13 +161,13 @@ static void blot_forces(struct results *r, const struct model *m) {
     }
 }
 
-bool impact_is_coarse(const struct model *m, const struct impact *i) {
+bool impacts_is_coarse(const struct model *m, const struct impact *i) {
     return i->complete && i->steps < IMPACT_STEPS_MIN && !m->link[i->contact].law->rebound;
 }
 
 static void count_coarse(struct results *r, const struct model *m) {
     for (long i = 0; i < r->n_impact; i++) {
-        r->totals.coarse += impact_is_coarse(m, &r->impact[i]);
+        r->totals.coarse += impacts_is_coarse(m, &r->impact[i]);
     }
 }
 
