@@ -82,7 +82,7 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
                        struct link_peak *link, struct error *e) {
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
-        double energy;
+        double energy = 0.0;
         if (s->delta[k] == 0.0 || m->link[k].law->rebound) {
             continue;
         }
