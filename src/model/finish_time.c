@@ -122,19 +122,15 @@ static double largest_decay(const struct building *g) {
 static void check_stiffness(struct builder *b, struct model *m) {
     for (int i = 0; i < m->n_building; i++) {
         const struct building *g = &m->building[i];
-        double square = 0.0;
-        for (int j = g->first; j < g->first + g->n_floor; j++) {
-            square = fmax(square, links_omega_square(m, j));
-        }
-        double omega = sqrt(pow(g->omega[g->n_floor - 1], 2.0) + square);
+        double omega = model_fastest(m, i);
         double limit = 3.3 / fmax(omega, largest_decay(g));
         if (m->duration > ADAPTIVE_STEPS_MAX * limit) {
             const char *unit = b->deck->units.time_name;
             deck_error(b->deck, &b->step,
                        "building %s%s is too stiff for adaptive steps: at most %.3g %s, %.3g of "
                        "them; use step fixed DT",
-                       g->name, square > 0.0 ? " with its links" : "", limit, unit,
-                       m->duration / limit);
+                       g->name, omega > g->omega[g->n_floor - 1] ? " with its links" : "", limit,
+                       unit, m->duration / limit);
             return;
         }
     }
