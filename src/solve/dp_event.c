@@ -21,6 +21,7 @@
 enum { ITERATIONS_MAX = 60 };
 static const double LOCATED = 1e-7;   // of the step: the next correction is about its square
 static const double ROUNDING = 64.0;  // units in the last place that mean nothing
+static const double STILL = 1e-12;    // of the largest displacement: a drift that has not moved
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 static void motion_accelerations(const struct dp *p, const struct link *l, struct motion *m) {
@@ -182,28 +183,22 @@ static bool is_straight(const struct dp *p, int i) {
     return p->model->storey[i].law->traits & STOREY_STRAIGHT;
 }
 
-// A drift that turns by less than this share of the error allowed is not seen to turn.
-static const double TURN_SHARE = 1e-2;
-
-static double least_turn(const struct dp *p, int i) {
-    double allowed = p->model->control.tolerance / p->scale_u[i];
-    return fmax(dp_system_storey_noise(&p->system, &p->now, i), TURN_SHARE * allowed);
-}
-
 static struct dp_event storey_event(const struct dp *p, int i) {
     struct motion m = dp_event_storey(p, i);
     struct pieces s = cut(&m);
-    double least = least_turn(p, i);
+    double least = fmax(dp_system_storey_noise(&p->system, &p->now, i), STILL * p->most_u);
     double tangent = p->system.tangent[i];
+    bool moved = false;
     for (int n = 0; n < s.n; n++) {
         double rise = s.d[n + 1] - s.d[n];
         if (fabs(rise) <= least) {
             continue;
         }
-        if (n > 0 && flows(p, i, s.d[n])) {
+        if (moved && flows(p, i, s.d[n])) {
             return (struct dp_event){
                 .kind = DP_UNLOAD, .index = i, .place = s.x[n], .direction = rise};
         }
+        moved = true;
         if (is_straight(p, i) && dp_system_tangent(&p->system, &p->now, i, s.d[n + 1]) != tangent) {
             double end = branch_end(p, i, s.d[n], s.d[n + 1]);
             return (struct dp_event){.kind = DP_BRANCH,
