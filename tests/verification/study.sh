@@ -8,7 +8,7 @@ values() {
     case $1 in
     gap) awk 'BEGIN { for (i = 0; i <= 30; i++) print 10 * i "mm" }' ;;
     e) awk 'BEGIN { for (i = 2; i <= 20; i++) print i / 20 }' ;;
-    k) awk 'BEGIN { for (i = 0; i <= 20; i++) print 10 ^ (8 + 3 * i / 20) "N/m^1.5" }' ;;
+    k) awk 'BEGIN { for (i = 0; i <= 18; i++) print 10 ^ (8 + i / 6) "N/m^1.5" }' ;;
     T) awk 'BEGIN { for (i = 2; i <= 40; i++) print i / 20 "s" }' ;;
     esac
 }
@@ -34,7 +34,7 @@ awk "$format"'
     }
     END {
         n = split("'"$records"'", record, " ")
-        m = split("gap:0 gap:20 gap:50 gap:100 gap:200 e:0.1 e:0.4 e:0.65 e:1 k:1e+08 k:1e+09 k:1e+10 k:1e+11 " \
+        m = split("gap:0 gap:20 gap:50 gap:100 gap:200 e:0.1 e:0.4 e:0.65 e:1 k:1e8 k:1e9 k:1e10 k:1e11 " \
             "T:0.1 T:0.3 T:0.5 T:0.8 T:1 T:1.2 T:2", row, " ")
         for (i = 1; i <= m; i++) {
             split(row[i], p, ":")
