@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The two towers of Jankowski (2005) by OpenSeesPy, under its impact materials, with Newmark's average
-acceleration and two steps. Prints the rows of opensees.tsv: law, quantity, value in SI for either step.
+"""The two towers of Jankowski (2005) by OpenSeesPy, under its impact materials, with Newmark's
+average acceleration and two steps. Prints the rows of opensees.tsv: law, quantity, value in SI for
+either step.
 tests/verification/peers.sh runs the same by jostle. From the project's folder, where OpenSeesPy is
 installed:
 
@@ -22,8 +23,8 @@ RATIO = (0.014, 0.016)
 RECORD = "input/records/ELCENTRO_1940_NS.AT2"
 EFFECTIVE = MASS[0] * MASS[1] / sum(MASS)
 
-# Law of jostle, material of OpenSees and its parameters. Stiffnesses are positive, gaps negative. The
-# parameter of Hertzdamp is q = zeta v0 / k.
+# Law of jostle, material of OpenSees and its parameters. Stiffnesses are positive, gaps negative.
+# The parameter of Hertzdamp is q = zeta v0 / k.
 LAWS = {
     "jankowski": ("JankowskiImpact", 9.9e10, 0.35, EFFECTIVE, -GAP, 1.5),
     "hertz-damp": ("Hertzdamp", 2.36e10, 0.8, -GAP, 1.5),

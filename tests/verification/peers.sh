@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The towers of tests/peers/opensees.py by jostle, beside what OpenSees gave on the date in its file.
+# The towers of tests/peers/opensees.py by jostle, beside what OpenSees gave on the date in its
+# file.
 
 peers=tests/peers/opensees.tsv
 
@@ -26,9 +27,11 @@ while read -r law; do
         value towers contacts force
         value towers contacts impacts
     } >"$work/jostle"
-    awk -F '\t' -v law="${law%% *}" '$1 == law' $peers | paste - "$work/jostle" | awk -F '\t' "$format"'{
+    awk -F '\t' -v law="${law%% *}" '$1 == law' $peers | paste - "$work/jostle" |
+        awk -F '\t' "$format"'{
         if ($2 == "impacts") {
-            printf "peers\t| %s | %s | %d | %d | %d | %d | %d |\n", $1, $2, $3, $4, $5, $5 - $3, $5 - $4
+            printf "peers\t| %s | %s | %d | %d | %d | %d | %d |\n", $1, $2, $3, $4, $5,
+                $5 - $3, $5 - $4
             next
         }
         printf "peers\t| %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, number($3, 5),
