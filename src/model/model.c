@@ -16,7 +16,6 @@ const struct statement_kind *const statement_kinds[] = {
 const int n_statement_kind = sizeof statement_kinds / sizeof statement_kinds[0];
 
 static void report_unknown(struct builder *b, const struct word *w) {
-    static const char *const later[] = {"sweep", NULL};
     int n = n_statement_kind + n_deck_statement;
     const char **known = builder_array(b, (size_t)n, sizeof *known);
     for (int i = 0; known && i < n; i++) {
@@ -24,7 +23,7 @@ static void report_unknown(struct builder *b, const struct word *w) {
                                         : deck_statements[i - n_statement_kind].name;
     }
     if (known) {
-        builder_unknown(b, w, w->text, "statement", known, n, later);
+        builder_unknown(b, w, w->text, "statement", known, n, NULL);
     }
 }
 
