@@ -13,7 +13,8 @@ enum { STUDY_MESSAGE_MAX = 512 };
 struct study_item {
     const char *parent, *owner, *leaf;  // group: "buildings", "A", "envelope"; NULL: none
     const char *name, *long_name;
-    const struct dimension *dimension;  // NULL: a pure number
+    const struct dimension *dimension;  // NULL: a pure number, or read from a file
+    const char *units;                  // of values read from a file
     const char *scale;                  // dimension of the values: "floor"; NULL: one value
     bool property;                      // of the model, known before the run
     size_t first, n;                    // values [first, first + n) of a run
@@ -65,5 +66,33 @@ int study_file_check(const struct study_content *c, const struct result_options 
 // the number of runs. Errors as of study_file_check, STATUS_SYSTEM, or what `read` returns.
 int study_file_write(const struct study_content *c, const struct result_options *o,
                      struct error *e);
+
+struct study_file;
+
+// What a study file says apart from its values.
+struct study_view {
+    struct arena *arena;  // owns everything below
+    const char *path, *title;
+    int n_sweep;
+    const struct sweep *sweep[STUDY_SWEEPS_MAX];
+    const char *sweep_units[STUDY_SWEEPS_MAX];  // "" for texts
+    long n_run;
+    struct study_table table;
+    int n_contact, n_link;
+    const char *const *contact;  // (n_contact) names
+    const char *const *link;     // (n_link)
+};
+
+// True if the file at `path` is the complete result of a study.
+bool study_file_is_study(const char *path);
+
+// Opens a study file. Errors: STATUS_SYSTEM, STATUS_INPUT (not one, damaged); they name the path.
+int study_file_open(const char *path, struct study_file **out, struct error *e);
+void study_file_close(struct study_file *f);  // NULL is allowed
+const struct study_view *study_file_view(const struct study_file *f);
+
+// The outcomes (n) and values (n, n_value) of runs first ... first + n - 1.
+int study_file_read(struct study_file *f, long first, long n, struct study_outcome *outcome,
+                    double *value, struct error *e);
 
 #endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/sweeps.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "core/text.h"
@@ -22,18 +21,29 @@ static const char *value_text(struct value *v, const struct sweep *s, int i) {
 }
 
 // All values if they fit in a line, else the first ones and the last.
-static void print_values(const struct sweep *s) {
+static void print_values(const struct sweep *s, FILE *to) {
     struct value value, last;
     value_text(&last, s, s->n - 1);
     size_t used = 0;
     for (int i = 0; i < s->n; i++) {
         used += strlen(value_text(&value, s, i)) + 1;
         if (i > 0 && i < s->n - 1 && used + strlen(last.text) + 4 > ROOM) {
-            printf(" ... %s", last.text);
+            fprintf(to, " ... %s", last.text);
             return;
         }
-        printf("%s%s", i > 0 ? " " : "", value.text);
+        fprintf(to, "%s%s", i > 0 ? " " : "", value.text);
     }
+}
+
+void sweeps_print_line(const struct sweep *s, const char *units, FILE *to) {
+    const bool plain = !units[0] || strcmp(units, "1") == 0 || strcmp(units, "unknown") == 0;
+    if (s->fixed) {
+        fprintf(to, "  %-16s fixed by -D: ", s->name);
+    } else {
+        fprintf(to, "  %-16s %6d value%s  ", s->name, s->n, s->n == 1 ? ": " : "s:");
+    }
+    print_values(s, to);
+    fprintf(to, "%s%s\n", plain ? "" : " ", plain ? "" : units);
 }
 
 void sweeps_print(const struct deck *d) {
@@ -42,17 +52,10 @@ void sweeps_print(const struct deck *d) {
     }
     printf("study of %ld run%s\n", d->n_run, d->n_run == 1 ? "" : "s");
     for (const struct sweep *s = d->sweeps; s; s = s->next) {
-        char unit[64] = "";
+        char units[64] = "";
         if (s->number && s->known) {
-            unit_text(&d->units, s->dimension, unit, sizeof unit);
+            unit_text(&d->units, s->dimension, units, sizeof units);
         }
-        if (s->fixed) {
-            printf("  %-16s fixed by -D: ", s->name);
-        } else {
-            printf("  %-16s %6d value%s  ", s->name, s->n, s->n == 1 ? ": " : "s:");
-        }
-        print_values(s);
-        printf("%s%s\n", strcmp(unit, "1") == 0 || !unit[0] ? "" : " ",
-               strcmp(unit, "1") == 0 ? "" : unit);
+        sweeps_print_line(s, units, stdout);
     }
 }

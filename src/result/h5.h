@@ -70,6 +70,11 @@ void h5_put_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, c
 void h5_put_texts(struct h5 *h, hid_t dataset, const struct h5_block *part,
                   const char *const *text);
 
+void h5_get_block(struct h5 *h, hid_t dataset, const struct h5_block *part, double *value);
+void h5_get_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, int *value);
+// The texts are the library's: to be given to H5free_memory.
+void h5_get_texts(struct h5 *h, hid_t dataset, const struct h5_block *part, char **text);
+
 // The open object at a path.
 hid_t h5_open_object(struct h5 *h, hid_t parent, const char *path);
 

@@ -189,42 +189,6 @@ void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t 
     }
 }
 
-static void put_selected(struct h5 *h, hid_t dataset, const struct h5_block *part, hid_t type,
-                         const void *value) {
-    if (h->failed) {
-        return;
-    }
-    const hsize_t size[2] = {part->n, part->stride}, start[2] = {0, 0};
-    const hsize_t count[2] = {part->n, part->width};
-    hid_t file = H5Dget_space(dataset);
-    hid_t memory = H5Screate_simple(2, size, NULL);
-    if (!h5_failed(h, file) && !h5_failed(h, memory) &&
-        !h5_failed(
-            h, H5Sselect_hyperslab(file, H5S_SELECT_SET, part->start, NULL, part->count, NULL)) &&
-        !h5_failed(h, H5Sselect_hyperslab(memory, H5S_SELECT_SET, start, NULL, count, NULL))) {
-        h5_failed(h, H5Dwrite(dataset, type, memory, file, H5P_DEFAULT, value));
-    }
-    if (memory >= 0) {
-        H5Sclose(memory);
-    }
-    if (file >= 0) {
-        H5Sclose(file);
-    }
-}
-
-void h5_put_block(struct h5 *h, hid_t dataset, const struct h5_block *part, const double *value) {
-    put_selected(h, dataset, part, H5T_NATIVE_DOUBLE, value);
-}
-
-void h5_put_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, const int *value) {
-    put_selected(h, dataset, part, H5T_NATIVE_INT, value);
-}
-
-void h5_put_texts(struct h5 *h, hid_t dataset, const struct h5_block *part,
-                  const char *const *text) {
-    put_selected(h, dataset, part, h->text, text);
-}
-
 // Memory and file types of a kind of column.
 static struct h5_dataset column_dataset(const struct h5 *h, const struct column *c) {
     struct h5_dataset d = {.name = c->name, .quantity = {c->long_name, c->dimension}};

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "result/part.h"
+#include "result/study_box.h"
 #include "result/study_writer.h"
 
 static const size_t bytes_max = (size_t)16 << 20;
@@ -43,23 +44,6 @@ static void block_close(struct block *b) {
     free(b->message);
 }
 
-// The box that starts at run `first` and holds at most `capacity` runs.
-static struct h5_block box_at(const struct study_writer *w, long first, long capacity) {
-    struct h5_block box = {.n = 1};
-    long inner = 1, rest = first;
-    for (int i = w->n_sweep - 1; i >= 0; i--) {
-        const long n = w->sweep[i]->n, at = rest % n;
-        long count = box.n == (hsize_t)inner ? capacity / inner : 1;
-        count = count < 1 ? 1 : count > n - at ? n - at : count;
-        box.start[i] = (hsize_t)at;
-        box.count[i] = (hsize_t)count;
-        box.n *= (hsize_t)count;
-        inner *= n;
-        rest /= n;
-    }
-    return box;
-}
-
 static void put_values(struct study_writer *w, const struct block *b, struct h5_block box) {
     const struct study_table *t = w->content->table;
     for (int i = 0; i < t->n_item && !w->h.failed; i++) {
@@ -89,7 +73,7 @@ static void put_outcomes(struct study_writer *w, struct block *b, struct h5_bloc
 static int put_runs(struct study_writer *w, struct block *b, struct error *e) {
     const struct study_content *c = w->content;
     for (long first = 0; first < c->n_run && !w->h.failed;) {
-        const struct h5_block box = box_at(w, first, b->capacity);
+        const struct h5_block box = study_box(w->sweep, w->n_sweep, first, b->capacity);
         int status = c->read(c->context, first, (long)box.n, b->outcome, b->value, e);
         if (status != STATUS_OK) {
             return status;
