@@ -142,6 +142,8 @@ const char *deck_parameters(struct deck *d);
 // 'hertz'?".
 void deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+// The same with the message of `e`; diagnostics.system remembers that it was STATUS_SYSTEM.
+void deck_error_of(struct deck *d, const struct word *w, const struct error *e);
 void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void deck_unknown(struct deck *d, const struct word *w, const char *what, const char *const *known,

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/study_table_print.h"
+#include "command/study_print.h"
 
 // One run at a time.
 struct run {
@@ -34,7 +34,7 @@ static void begin_line(const struct study_view *v, const struct run *r, FILE *to
         if (s->number) {
             fprintf(to, "%.17g\t", s->number[k]);
         } else {
-            table_print_text(s->label[k], to);
+            study_print_text(s->label[k], to);
             fputc('\t', to);
         }
     }
@@ -46,7 +46,7 @@ static void print_item(const struct study_view *v, const struct run *r,
     for (size_t i = 0; i < item->n; i++) {
         begin_line(v, r, to);
         fprintf(to, "%s\t", item->parent);
-        table_print_text(table_print_name(v, item, i), to);
+        study_print_text(study_print_name(v, item, i), to);
         fprintf(to, "\t%s\t", item->name);
         if (item->owner) {
             fprintf(to, "%zu", i + 1);
@@ -59,7 +59,7 @@ static void print_run(const struct study_view *v, const struct run *r, FILE *to)
     if (r->outcome.status != STUDY_DONE) {
         begin_line(v, r, to);
         fputs("message\t\t\t\t", to);
-        table_print_text(r->outcome.message, to);
+        study_print_text(r->outcome.message, to);
         fputs("\t\n", to);
         return;
     }
@@ -97,7 +97,7 @@ static int each_run(struct study_file *f, struct block *b,
 struct printer {
     const struct study_view *view;
     FILE *to;
-    struct table_peaks peaks;
+    struct study_peaks peaks;
 };
 
 static void take_line(void *context, const struct run *r) {
@@ -107,7 +107,7 @@ static void take_line(void *context, const struct run *r) {
 
 static void take_peaks(void *context, const struct run *r) {
     struct printer *p = context;
-    table_peaks_add(&p->peaks, p->view, r->number, &r->outcome, r->value);
+    study_peaks_add(&p->peaks, p->view, r->number, &r->outcome, r->value);
 }
 
 static int print(struct study_file *f, enum study_form form, struct block *b, FILE *to,
@@ -123,7 +123,7 @@ static int print(struct study_file *f, enum study_form form, struct block *b, FI
     }
     int status = each_run(f, b, take_peaks, &p, e);
     if (status == STATUS_OK) {
-        table_peaks_print(&p.peaks, p.view, to);
+        study_peaks_print(&p.peaks, p.view, to);
     }
     free(p.peaks.peak);
     return status;

@@ -158,7 +158,7 @@ static struct source *load(struct deck *d, const struct word *w, const char *pat
     struct error e;
     int status = text_file(d->arena, path, DECK_BYTES_MAX, &text, &size, &e);
     if (status != STATUS_OK) {
-        deck_error(d, w, "%s", e.message);
+        deck_error_of(d, w, &e);
         return NULL;
     }
     if (memchr(text, 0, size)) {

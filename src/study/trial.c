@@ -14,20 +14,29 @@ static void fail(struct study_outcome *outcome, const char *message) {
     snprintf(outcome->message, sizeof outcome->message, "%s", message);
 }
 
-// The first error of the deck.
-static void fail_deck(struct study_outcome *outcome, const struct deck *deck,
-                      const struct error *e) {
+// "file:line:column: message" of the first error of the deck.
+static void first_error(const struct deck *deck, char *text, size_t size) {
     const struct diagnostics *d = &deck->diagnostics;
     for (int i = 0; i < d->n_item; i++) {
         const struct diagnostic *item = &d->item[i];
         if (item->severity == SEVERITY_ERROR) {
-            outcome->status = STUDY_FAILED;
-            snprintf(outcome->message, sizeof outcome->message, "%s:%d:%d: %s", item->file,
-                     item->line, item->column, item->message);
+            snprintf(text, size, "%s:%d:%d: %s", item->file, item->line, item->column,
+                     item->message);
             return;
         }
     }
-    fail(outcome, e->message);
+}
+
+// A deck that is wrong for these values is a failed run; a system that fails ends the study.
+static int fail_deck(struct study_outcome *outcome, const struct deck *deck, struct error *e) {
+    char text[STUDY_MESSAGE_MAX];
+    snprintf(text, sizeof text, "%s", e->message);
+    first_error(deck, text, sizeof text);
+    if (deck->diagnostics.system || deck->diagnostics.out_of_memory) {
+        return error_set(e, STATUS_SYSTEM, "%s", text);
+    }
+    fail(outcome, text);
+    return STATUS_OK;
 }
 
 static int open_deck(const struct plan *p, long run, int *choice, struct deck **out,
@@ -69,13 +78,13 @@ static int build_and_run(const struct plan *p, long run, struct deck *deck,
                          double *value, struct error *e) {
     struct model *m;
     int status = model_build(deck, &m, e);
+    const bool built = status == STATUS_OK;
     if (status == STATUS_INPUT) {
-        fail_deck(outcome, deck, e);
+        status = fail_deck(outcome, deck, e);
     }
-    if (status != STATUS_OK && status != STATUS_INPUT) {
+    if (status != STATUS_OK) {
         return status;
     }
-    const bool built = status == STATUS_OK;
     status = watch->files(watch->context, deck->files, e);
     if (status == STATUS_OK && built) {
         status = plan_check(p, run, m, e);

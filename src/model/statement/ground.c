@@ -128,7 +128,7 @@ static void build_record(struct builder *b, const struct statement *s) {
     struct record r;
     struct error e;
     if (record_read(b->arena, &request, &r, &e) != STATUS_OK) {
-        deck_error(b->deck, &s->word[2], "%s", e.message);
+        deck_error_of(b->deck, &s->word[2], &e);
         return;
     }
     for (int i = 0; i < r.n_warning; i++) {

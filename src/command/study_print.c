@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "command/study_table_print.h"
+#include "command/study_print.h"
 
 #include <math.h>
 #include <string.h>
@@ -7,13 +7,13 @@
 #include "command/sweeps.h"
 #include "core/text.h"
 
-void table_print_text(const char *text, FILE *to) {
+void study_print_text(const char *text, FILE *to) {
     for (; *text; text++) {
         fputc((unsigned char)*text < ' ' ? ' ' : *text, to);
     }
 }
 
-const char *table_print_name(const struct study_view *v, const struct study_item *item, size_t i) {
+const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i) {
     if (item->owner) {
         return item->owner;
     }
@@ -31,7 +31,7 @@ static bool is_shown(const struct study_item *item) {
     return item->leaf && !(underscore && strcmp(underscore, "_time") == 0);
 }
 
-void table_peaks_add(struct table_peaks *p, const struct study_view *v, long run,
+void study_peaks_add(struct study_peaks *p, const struct study_view *v, long run,
                      const struct study_outcome *outcome, const double *value) {
     if (outcome->status != STUDY_DONE) {
         if (p->n_failed++ == 0) {
@@ -42,11 +42,11 @@ void table_peaks_add(struct table_peaks *p, const struct study_view *v, long run
     }
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
-        struct table_peak *peak = &p->peak[k];
+        struct study_peak *peak = &p->peak[k];
         for (size_t i = 0; is_shown(item) && i < item->n; i++) {
             const double x = value[item->first + i];
             if (!isnan(x) && (!peak->found || x > peak->value)) {
-                *peak = (struct table_peak){.found = true, .value = x, .run = run, .at = i};
+                *peak = (struct study_peak){.found = true, .value = x, .run = run, .at = i};
             }
         }
     }
@@ -69,7 +69,7 @@ static void print_run(const struct study_view *v, long run, FILE *to) {
     fputs(")\n", to);
 }
 
-void table_peaks_print(const struct table_peaks *p, const struct study_view *v, FILE *to) {
+void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to) {
     struct text_short t;
     fprintf(to, "%s%s", v->title, v->title[0] ? "\n" : "");
     fprintf(to, "study of %ld runs, %ld failed\n", v->n_run, p->n_failed);
@@ -80,7 +80,7 @@ void table_peaks_print(const struct table_peaks *p, const struct study_view *v, 
             "unit");
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
-        const struct table_peak *peak = &p->peak[k];
+        const struct study_peak *peak = &p->peak[k];
         if (!peak->found) {
             continue;
         }
@@ -89,7 +89,7 @@ void table_peaks_print(const struct table_peaks *p, const struct study_view *v, 
             snprintf(floor, sizeof floor, "%zu", peak->at + 1);
         }
         fprintf(to, "%-12s %-14s %5s %12.5g %-8s ",
-                text_short(&t, table_print_name(v, item, peak->at)), item->name, floor, peak->value,
+                text_short(&t, study_print_name(v, item, peak->at)), item->name, floor, peak->value,
                 item->units);
         print_run(v, peak->run, to);
     }
