@@ -16,7 +16,6 @@ struct study_progress {
     long n_done;    // runs done so far, kept and failed ones included
     long n_failed;  // of them, those that failed
     int n_thread;
-    bool writing;       // all runs are done; the result file is being written
     char failure[768];  // the first failed run of this start, and why; "": none
 };
 

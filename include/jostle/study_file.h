@@ -49,6 +49,9 @@ struct study_content {
     const struct study_table *table;  // of it
     const struct sweep *sweeps;
     long n_run;
+    long n_kept;     // of them, runs of an earlier start
+    int n_thread;    // of this one
+    double seconds;  // wall time of this one
 
     // The outcomes (n) and values (n, n_value) of runs first ... first + n - 1; NaN where a run
     // failed.
@@ -76,7 +79,9 @@ struct study_view {
     int n_sweep;
     const struct sweep *sweep[STUDY_SWEEPS_MAX];
     const char *sweep_units[STUDY_SWEEPS_MAX];  // "" for texts
-    long n_run;
+    long n_run, n_kept;
+    int n_thread;
+    double seconds;
     struct study_table table;
     int n_contact, n_link;
     const char *const *contact;  // (n_contact) names

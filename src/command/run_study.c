@@ -4,8 +4,8 @@
 
 #include "command/interrupt.h"
 #include "command/run.h"
+#include "command/show_study.h"
 #include "command/study_progress.h"
-#include "command/sweeps.h"
 #include "core/checksum.h"
 
 static int watch(void *context, const struct study_progress *p, struct error *e) {
@@ -25,18 +25,6 @@ static uint64_t program_sum(void) {
     uint64_t sum;
     struct error e;
     return checksum_file("/proc/self/exe", &sum, &e) == STATUS_OK ? sum : 0;
-}
-
-static void print_summary(const struct deck *deck, const struct study_progress *p, const char *path,
-                          double seconds) {
-    printf("%s%s", deck->title, deck->title[0] ? "\n" : "");
-    sweeps_print(deck);
-    printf("\n%ld done, %ld failed", p->n_done - p->n_failed, p->n_failed);
-    if (p->n_kept > 0) {
-        printf(", %ld of them by an earlier start", p->n_kept);
-    }
-    printf("\nwall time %.2f s on %d thread%s\nresult %s\n", seconds, p->n_thread,
-           p->n_thread == 1 ? "" : "s", path);
 }
 
 // What ended the study, and what is left of it.
@@ -73,8 +61,8 @@ int run_study(const struct model *first, const struct run_options *o,
     if (status != STATUS_OK) {
         return report_error(&p, result->path, &e);
     }
-    if (!o->load.quiet) {
-        print_summary(first->deck, &p, result->path, study_display_seconds(&display));
+    if (!o->load.quiet && show_study(result->path, STUDY_SUMMARY, stdout, &e) != STATUS_OK) {
+        return command_fail(&e);
     }
     if (p.n_failed > 0) {
         error_set(&e, STATUS_FAILED, "%ld of %ld runs failed; /message in %s says why%s%s",

@@ -94,7 +94,14 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
         print_run(v, peak->run, to);
     }
     if (p->n_failed > 0) {
-        fprintf(to, "\nthe first failed run: %s\n", p->message);
+        fprintf(to, "\nthe first failed run: ");
         print_run(v, p->failed, to);
+        fprintf(to, "  %s\n", p->message);
     }
+    fprintf(to, "\nwall time   %.3g s on %d thread%s", v->seconds, v->n_thread,
+            v->n_thread == 1 ? "" : "s");
+    if (v->n_kept > 0) {
+        fprintf(to, ", without %ld runs of an earlier start", v->n_kept);
+    }
+    fprintf(to, "\nresults     %s\n", v->path);
 }

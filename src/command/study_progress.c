@@ -58,7 +58,3 @@ void study_display_end(struct study_display *d) {
         d->shown = false;
     }
 }
-
-double study_display_seconds(const struct study_display *d) {
-    return now() - d->start;
-}

@@ -18,6 +18,5 @@ struct study_display {
 void study_display_start(struct study_display *d, enum display display);
 void study_display_show(struct study_display *d, const struct study_progress *p);
 void study_display_end(struct study_display *d);
-double study_display_seconds(const struct study_display *d);
 
 #endif

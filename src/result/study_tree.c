@@ -47,6 +47,9 @@ static void put_attributes(struct study_writer *w) {
     }
     h5_put_text(&w->h, w->h.file, "command_line", w->command_line ? w->command_line : "");
     h5_put_long(&w->h, w->h.file, "runs", w->content->n_run);
+    h5_put_long(&w->h, w->h.file, "runs_kept", w->content->n_kept);
+    h5_put_long(&w->h, w->h.file, "threads", w->content->n_thread);
+    h5_put_double(&w->h, w->h.file, "wall_seconds", w->content->seconds);
 }
 
 // A number without a unit may be of any dimension: only its use says which.

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "core/checksum.h"
 #include "study/journal.h"
@@ -18,7 +19,14 @@ struct study {
     struct plan plan;
     struct ledger ledger;
     struct journal journal;
+    double start;  // wall time [s]
 };
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 static uint64_t sum_text(uint64_t sum, const char *text) {
     return checksum_add(sum, text, strlen(text) + 1);
@@ -122,8 +130,8 @@ static void close_journal(struct study *s) {
     }
 }
 
-static int run_and_write(struct study *s, const struct study_content *content,
-                         struct study_progress *p, struct error *e) {
+static int run_and_write(struct study *s, struct study_content *content, struct study_progress *p,
+                         struct error *e) {
     p->n_kept = s->journal.n_done;
     p->n_done = s->journal.n_done;
     p->n_failed = s->journal.n_failed;
@@ -137,18 +145,20 @@ static int run_and_write(struct study *s, const struct study_content *content,
     if (status != STATUS_OK) {
         return status;
     }
-    p->writing = true;
+    content->n_kept = p->n_kept;
+    content->n_thread = p->n_thread;
+    content->seconds = now() - s->start;
     return study_file_write(content, &s->request->result, e);
 }
 
 static int run_study(struct study *s, struct study_progress *p, struct error *e) {
     const struct result_options *result = &s->request->result;
-    const struct study_content content = {.first = s->plan.report,
-                                          .table = s->plan.table,
-                                          .sweeps = s->plan.first->deck->sweeps,
-                                          .n_run = s->plan.n_run,
-                                          .read = read_runs,
-                                          .context = s};
+    struct study_content content = {.first = s->plan.report,
+                                    .table = s->plan.table,
+                                    .sweeps = s->plan.first->deck->sweeps,
+                                    .n_run = s->plan.n_run,
+                                    .read = read_runs,
+                                    .context = s};
     int status = study_file_check(&content, result, e);
     const char *path = arena_format(s->ledger.arena, "%s.runs", result->path);
     if (status == STATUS_OK && !path) {
@@ -175,7 +185,7 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
 }
 
 int study_run(const struct study_request *q, struct study_progress *p, struct error *e) {
-    struct study s = {.request = q};
+    struct study s = {.request = q, .start = now()};
     *p = (struct study_progress){.n_run = q->first->deck->n_run};
     int status =
         plan_init(&s.plan, q->first, q->define, q->n_define, q->result.path, q->result.version, e);

@@ -87,7 +87,7 @@ expect "another program is refused" '[ $status -eq 2 ] && said "but the program 
 expect "none of which harms the journal" 'cmp part.h5.runs kept.runs'
 touch records/1.txt
 run "$jostle" run study.deck -o part.h5
-expect "the unchanged study goes on" '[ $status -eq 0 ] && grep -q "by an earlier start" "$out" && same whole.h5 part.h5'
+expect "the unchanged study goes on" '[ $status -eq 0 ] && grep -q "of an earlier start" "$out" && same whole.h5 part.h5'
 
 cp kept.runs part.h5.runs
 run "$jostle" run study.deck --force -q -o part.h5 -D gap=5mm --restart

@@ -27,7 +27,7 @@ ground record $record -unit m/s2 -dt 0.02
 step fixed 1ms
 END
 run "$jostle" run grid.deck -j 1 -o one.h5
-expect "a study runs and says how it went" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^12 done, 0 failed" "$out"'
+expect "a study runs and says how it went" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^study of 12 runs, 0 failed" "$out"'
 expect "it leaves only its file" 'only grid.deck one.h5 records/one.txt records/two.txt'
 run "$jostle" run grid.deck -q -o two.h5 -j 2
 expect "-q prints nothing" '[ $status -eq 0 ] && [ ! -s "$out" ] && [ ! -s "$err" ]'
@@ -94,7 +94,7 @@ step fixed 0.01
 duration 1
 END
 run "$jostle" run fails.deck
-expect "runs that fail do not stop the others; exit status 1" '[ $status -eq 1 ] && grep -q "^4 done, 5 failed" "$out" && said "5 of 9 runs failed" && said "run 2 (m = 1, e = 1.5): fails.deck:4:48: e is 1.5"'
+expect "runs that fail do not stop the others; exit status 1" '[ $status -eq 1 ] && grep -q "^study of 9 runs, 5 failed" "$out" && said "5 of 9 runs failed" && said "run 2 (m = 1, e = 1.5): fails.deck:4:48: e is 1.5"'
 run "$jostle" show --tsv fails.h5
 expect "their messages are in the file" '[ "$(grep -c "	failed	message	" "$out")" -eq 5 ] && grep -q "not finite at floor 1 of building A" "$out" && ! grep drift "$out" | grep -qE "nan|inf"'
 expect "and nothing else is left" 'only fails.deck fails.h5 grid.deck records/one.txt records/two.txt'
