@@ -21,7 +21,7 @@ struct row_view {
 };
 
 // The energy account, relative to the ground: initial + input = kinetic + strain + damping +
-// hysteretic + contact + residual, where initial is the kinetic and strain energy at t = 0.
+// hysteretic + contact + residual, where initial is what kinetic, strain and contact are at t = 0.
 enum energy {
     ENERGY_INPUT,       // work of the ground motion and the loads
     ENERGY_KINETIC,     // of the motion relative to the ground
@@ -107,7 +107,7 @@ struct results {
     struct impact *impact;          // (n_impact) in order of t_start; malloc'd
     long n_impact, impact_capacity;
     double energy[ENERGY_COUNT];  // at the end
-    double initial_energy;        // kinetic and strain energy at t = 0 [F L]
+    double initial_energy;        // kinetic, strain and contact energy at t = 0 [F L]
     double residual_peak;         // largest |residual| at the rows of output [F L]
     struct totals totals;
 };
@@ -121,6 +121,6 @@ int analysis_run(const struct model *m, const struct observer *observer, struct 
 void results_free(struct results *r);  // NULL is allowed
 
 // Whether the impact is one of totals.coarse.
-bool impact_is_coarse(const struct model *m, const struct impact *i);
+bool impacts_is_coarse(const struct model *m, const struct impact *i);
 
 #endif

@@ -112,6 +112,10 @@ const char *deck_file(struct deck *d, const struct word *w, const char *name);
 // All parameters as "NAME = VALUE" lines, for the record in the result file.
 const char *deck_parameters(struct deck *d);
 
+// The texts of the included files in the order read, each once, behind a line "# include PATH".
+// NULL: no memory.
+const char *deck_includes(struct deck *d);
+
 // Report at a word (NULL: at the deck as a whole). deck_unknown adds the nearest of `known` (n
 // texts) and, if there are few of them, lists them: "unknown contact law 'herz'; did you mean
 // 'hertz'?".

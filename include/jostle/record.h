@@ -21,19 +21,23 @@ struct record_request {
     bool plain;          // values have no acceleration unit (a load history): read as printed
 };
 
+// Which part of the request an error is about.
+enum record_part { RECORD_PATH, RECORD_FORMAT_NAME, RECORD_DT, RECORD_UNIT };
+
 enum { RECORD_WARNINGS_MAX = 4 };
 struct record {
-    const char *format;   // name of the format read
-    size_t n;             // samples, at least 2
-    double dt;            // [s]
-    double unit;          // size of the file's unit [m/s^2]; 1 if plain
-    const double *value;  // (n) as printed, in the file's unit
+    enum record_part wrong;  // after an error of record_read
+    const char *format;      // name of the format read
+    size_t n;                // samples, at least 2
+    double dt;               // [s]
+    double unit;             // size of the file's unit [m/s^2]; 1 if plain
+    const double *value;     // (n) as printed, in the file's unit
     int n_warning;
     char warning[RECORD_WARNINGS_MAX][512];  // "path:line: what is odd"
 };
 
 // Reads the record; what lasts is from `a`. Errors: STATUS_INPUT with "path:line: cause",
-// STATUS_SYSTEM when the file cannot be read or memory runs out.
+// STATUS_SYSTEM when the file cannot be read or memory runs out; then only out->wrong is set.
 int record_read(struct arena *a, const struct record_request *request, struct record *out,
                 struct error *e);
 

@@ -44,7 +44,7 @@ struct report {
     struct arena *arena;  // owns everything below
     const char *file;     // the result file; NULL: none
     const char *title, *program, *version, *created;
-    const char *deck_file, *deck, *parameters, *command_line;
+    const char *deck_file, *deck, *includes, *parameters, *command_line;
     struct unit_system units;
     double duration, dt;  // [T] dt 0: adaptive steps
     unsigned fields;      // enum field: the histories in the file
@@ -56,7 +56,7 @@ struct report {
     long n_impact;
     struct impact *impact;        // (n_impact) in order of time
     double energy[ENERGY_COUNT];  // [F L] at the end
-    double initial_energy;        // [F L] kinetic and strain energy at t = 0
+    double initial_energy;        // [F L] kinetic, strain and contact energy at t = 0
     double residual_peak;         // [F L]
     struct totals totals;
 };

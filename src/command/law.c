@@ -176,38 +176,43 @@ static int write_history(const struct options *o, const struct law_impact *i, st
     return result_publish(part, o->history, o->existing, e);
 }
 
-// "e 0.647 (asked 0.65), 692.5 kN, ..." of one impact.
-static void key_numbers(const struct law_impacts *l, const struct law_impact *i, char *text,
-                        size_t size) {
-    char nominal[48] = "";
+// What stands above the picture and its panels.
+struct texts {
+    char title[512], subtitle[256], time[128], depth[128];
+};
+
+// The texts of a picture of one impact, but its title.
+static void key_numbers(const struct law_impacts *l, struct texts *t) {
+    const struct law_impact *i = &l->impact[0];
+    char bodies[128], asked[48] = "";
     if (!isnan(i->nominal)) {
-        snprintf(nominal, sizeof nominal, " (asked %.4g)", i->nominal);
+        snprintf(asked, sizeof asked, " (asked %.4g)", i->nominal);
     }
-    const int n = snprintf(text, size, "e %.4g%s, %.4g kN, %.4g ms, %.4g mm, ",
-                           i->impact.restitution, nominal, i->impact.peak_force / 1e3,
-                           1e3 * i->impact.duration, 1e3 * i->impact.max_penetration);
-    if (n < 0 || (size_t)n >= size) {
-        return;
-    }
+    law_print_bodies(l, bodies, sizeof bodies);
+    snprintf(t->time, sizeof t->time, "largest %.4g kN, over %.4g ms", i->impact.peak_force / 1e3,
+             1e3 * i->impact.duration);
+    snprintf(t->depth, sizeof t->depth, "e %.4g%s, %.4g mm", i->impact.restitution, asked,
+             1e3 * i->impact.max_penetration);
     if (l->measured.n > 0) {
-        snprintf(text + n, size - (size_t)n, "error %.3g %%", 100.0 * i->fit.normalised_error);
+        snprintf(t->subtitle, sizeof t->subtitle, "%s; error of the fit %.3g %%", bodies,
+                 100.0 * i->fit.normalised_error);
     } else {
         const double lost = law_print_dissipated(l, i);
-        snprintf(text + n, size - (size_t)n, lost < 100.0 ? "%.3g J lost" : "%.3g kJ lost",
+        snprintf(t->subtitle, sizeof t->subtitle,
+                 lost < 100.0 ? "%s; %.3g J lost" : "%s; %.3g kJ lost", bodies,
                  lost < 100.0 ? lost : lost / 1e3);
     }
 }
 
-static int write_figure(void *context, const char *picture, FILE *to, struct error *e) {
+static int write_figure(void *context, const struct figure_files *to, struct error *e) {
     const struct law_impacts *l = context;
     struct impact_curve curve[IMPACT_FIGURE_CURVES];
-    char title[512], subtitle[512], bodies[128];
-    law_print_bodies(l, bodies, sizeof bodies);
-    law_words(l->impact[0].choice.law, l->impact[0].value, title, sizeof title);
+    struct texts t = {.title = "Isolated impact"};
     if (l->n == 1) {
-        char numbers[256];
-        key_numbers(l, &l->impact[0], numbers, sizeof numbers);
-        snprintf(subtitle, sizeof subtitle, "%s: %s", bodies, numbers);
+        law_words(l->impact[0].choice.law, l->impact[0].value, t.title, sizeof t.title);
+        key_numbers(l, &t);
+    } else {
+        law_print_bodies(l, t.subtitle, sizeof t.subtitle);
     }
     int n = 0;
     for (int i = 0; i < l->n; i++) {
@@ -218,8 +223,10 @@ static int write_figure(void *context, const char *picture, FILE *to, struct err
         }
     }
     const struct impact_figure figure = {
-        .title = l->n == 1 ? title : "Isolated impact",
-        .subtitle = l->n == 1 ? subtitle : bodies,
+        .title = t.title,
+        .subtitle = t.subtitle,
+        .time_caption = t.time,
+        .depth_caption = t.depth,
         .version = JOSTLE_VERSION,
         .n_curve = n,
         .curve = curve,
@@ -227,7 +234,7 @@ static int write_figure(void *context, const char *picture, FILE *to, struct err
         .time = l->measured.time,
         .force = l->measured.value,
     };
-    return impact_figure_write(&figure, picture, to, e);
+    return impact_figure_write(&figure, to, e);
 }
 
 static int draw(const struct options *o, struct law_impacts *l, struct error *e) {

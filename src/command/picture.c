@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Script and picture are made in a private folder; the picture gets its name when it is complete.
+// Script, data and picture are made in a private folder; the picture gets its name when it is
+// complete.
 #include "command/picture.h"
 
 #include <assert.h>
@@ -12,49 +13,96 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "plot/figure.h"
-
 enum { PATH_SIZE = 4096, NOT_FOUND = 127 };
 
 static int cannot_write(const char *path, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, strerror(errno));
 }
 
-// Writes the script to `path`, which must not exist.
-static int write_script(const struct picture_request *q, const char *picture, const char *path,
-                        struct error *e) {
-    FILE *to = fopen(path, "wx");
-    if (!to) {
-        return cannot_write(path, e);
+// Paths of a script and its data.
+struct pair {
+    char script[PATH_SIZE], data[PATH_SIZE];
+};
+
+// FOLDER/NAME.gp and .dat, with `tail` behind; STATUS_INPUT if that is too long.
+static int name_pair(const char *folder, const char *name, const char *tail, struct pair *p,
+                     struct error *e) {
+    const int n = snprintf(p->script, sizeof p->script, "%s/%s.gp%s", folder, name, tail);
+    const int m = snprintf(p->data, sizeof p->data, "%s/%s.dat%s", folder, name, tail);
+    if (n < 0 || m < 0 || (size_t)m >= sizeof p->data) {
+        return error_set(e, STATUS_INPUT, "the name of folder %.40s... is too long", folder);
     }
-    int status = q->write(q->context, picture, to, e);
+    return STATUS_OK;
+}
+
+static int close_file(FILE *to, const char *path, struct error *e) {
     const int failed = ferror(to);
-    if ((fclose(to) != 0 || failed) && status == STATUS_OK) {
-        status = cannot_write(path, e);
+    return fclose(to) != 0 || failed ? cannot_write(path, e) : STATUS_OK;
+}
+
+// Writes script and data to paths that must not exist.
+static int write_pair(const struct picture_request *q, const char *picture, const struct pair *p,
+                      struct error *e) {
+    const struct figure_files to = {
+        .script = fopen(p->script, "wx"), .data = fopen(p->data, "wx"), .picture = picture};
+    int status = STATUS_OK;
+    if (!to.script || !to.data) {
+        status = cannot_write(to.script ? p->data : p->script, e);
+    } else {
+        status = q->write(q->context, &to, e);
     }
+    const char *const path[] = {p->script, p->data};
+    FILE *const file[] = {to.script, to.data};
+    for (int i = 0; i < 2; i++) {
+        struct error late;
+        if (file[i] && close_file(file[i], path[i], &late) != STATUS_OK && status == STATUS_OK) {
+            *e = late;
+            status = late.status;
+        }
+    }
+    for (int i = 0; i < 2 && status != STATUS_OK; i++) {
+        if (file[i]) {
+            unlink(path[i]);
+        }
+    }
+    return status;
+}
+
+// Gives both files their names. If the script cannot have its own, new data does not stay.
+static int publish_pair(const struct pair *part, const struct pair *p,
+                        enum result_existing existing, struct error *e) {
+    int status = result_publish(part->data, p->data, existing, e);
     if (status != STATUS_OK) {
-        unlink(path);
+        unlink(part->script);
+        return status;
+    }
+    status = result_publish(part->script, p->script, existing, e);
+    if (status != STATUS_OK) {
+        unlink(p->data);
     }
     return status;
 }
 
 static int keep_script(const struct picture_request *q, struct error *e) {
-    char path[PATH_SIZE], part[PATH_SIZE], picture[64];
+    struct pair part, pair;
+    char picture[64];
     assert(q->name);
     if (mkdir(q->script_folder, 0777) != 0 && errno != EEXIST) {
         return cannot_write(q->script_folder, e);
     }
-    const int n = snprintf(part, sizeof part, "%s/%s.gp.part", q->script_folder, q->name);
-    if (n < 0 || (size_t)n >= sizeof part) {
-        return error_set(e, STATUS_INPUT, "the name of folder %.40s... is too long",
-                         q->script_folder);
+    int status = name_pair(q->script_folder, q->name, ".part", &part, e);
+    if (status == STATUS_OK) {
+        status = name_pair(q->script_folder, q->name, "", &pair, e);
     }
-    snprintf(path, sizeof path, "%.*s", n - (int)strlen(".part"), part);
+    if (status != STATUS_OK) {
+        return status;
+    }
     snprintf(picture, sizeof picture, "%s.%s", q->name,
              q->output ? figure_ending(q->output) : "png");
-    unlink(part);
-    int status = write_script(q, picture, part, e);
-    return status == STATUS_OK ? result_publish(part, path, q->existing, e) : status;
+    unlink(part.script);
+    unlink(part.data);
+    status = write_pair(q, picture, &part, e);
+    return status == STATUS_OK ? publish_pair(&part, &pair, q->existing, e) : status;
 }
 
 // In the child: gnuplot in `folder`, its messages in the file `messages`.
@@ -163,7 +211,7 @@ static int copy(const char *from_path, const char *to_path, struct error *e) {
 }
 
 static void remove_folder(const char *folder, const char *picture) {
-    const char *const name[] = {"figure.gp", "messages", picture};
+    const char *const name[] = {"figure.gp", "figure.dat", "messages", picture};
     for (size_t i = 0; i < sizeof name / sizeof name[0]; i++) {
         char path[PATH_SIZE];
         snprintf(path, sizeof path, "%s/%s", folder, name[i]);
@@ -174,14 +222,17 @@ static void remove_folder(const char *folder, const char *picture) {
 
 static int draw_in(const struct picture_request *q, const char *folder, const char *picture,
                    struct error *e) {
-    char script[PATH_SIZE], drawn[PATH_SIZE], part[PATH_SIZE];
-    snprintf(script, sizeof script, "%s/figure.gp", folder);
+    struct pair pair;
+    char drawn[PATH_SIZE], part[PATH_SIZE];
     snprintf(drawn, sizeof drawn, "%s/%s", folder, picture);
     const int n = snprintf(part, sizeof part, "%s.part", q->output);
     if (n < 0 || (size_t)n >= sizeof part) {
         return error_set(e, STATUS_INPUT, "the name %.40s... is too long", q->output);
     }
-    int status = write_script(q, picture, script, e);
+    int status = name_pair(folder, "figure", "", &pair, e);
+    if (status == STATUS_OK) {
+        status = write_pair(q, picture, &pair, e);
+    }
     if (status == STATUS_OK) {
         status = run_gnuplot(folder, e);
     }

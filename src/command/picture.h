@@ -3,25 +3,24 @@
 #ifndef JOSTLE_PICTURE_H
 #define JOSTLE_PICTURE_H
 
-#include <stdio.h>
-
 #include "jostle/result.h"
+#include "plot/figure.h"
 
 struct picture_request {
-    const char *name;           // of the script, NAME.gp
+    const char *name;           // of the script and its data, NAME.gp and NAME.dat
     const char *output;         // ends in .png, .svg or .pdf; NULL: only the script is wanted
     const char *script_folder;  // made if it is not there; NULL: the script is not kept
     enum result_existing existing;
 
-    // Writes a stand-alone script that makes the file `picture`, a name with one of the endings;
-    // figure_head begins one. Write errors of `to` are not its own. It may be called twice.
-    int (*write)(void *context, const char *picture, FILE *to, struct error *e);
+    // Writes the script and its data; figure_open begins them. Write errors are not its own. It
+    // may be called twice.
+    int (*write)(void *context, const struct figure_files *to, struct error *e);
     void *context;
 };
 
-// Writes SCRIPT_FOLDER/NAME.gp, then runs gnuplot in a private folder and gives the complete
-// picture its name. Errors: STATUS_INPUT (something exists, a name is too long), STATUS_SYSTEM
-// (cannot write, gnuplot is missing or failed), or what `write` returns.
+// Writes SCRIPT_FOLDER/NAME.gp and .dat, then runs gnuplot in a private folder and gives the
+// complete picture its name. Errors: STATUS_INPUT (something exists, a name is too long),
+// STATUS_SYSTEM (cannot write, gnuplot is missing or failed), or what `write` returns.
 int picture_make(const struct picture_request *q, struct error *e);
 
 #endif

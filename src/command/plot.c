@@ -42,7 +42,8 @@ static int help(void) {
         "                 current directory)\n"
         "  --compare OTHER.h5\n"
         "                 lays a second run of the same buildings over the first\n"
-        "  --script DIR   writes DIR/KIND.gp with its data for gnuplot; without -o, nothing else\n"
+        "  --script DIR   writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o,\n"
+        "                 nothing else\n"
         "  --force        overwrites what exists\n"
         "  --help         this text\n");
     return EXIT_DONE;
@@ -123,9 +124,9 @@ static int parse(int argc, char **argv, struct request *q) {
     return -1;
 }
 
-static int write_figure(void *context, const char *picture, FILE *to, struct error *e) {
+static int write_figure(void *context, const struct figure_files *to, struct error *e) {
     const struct request *q = context;
-    return figure_write(q->figure, &q->runs, picture, to, e);
+    return figure_write(q->figure, &q->runs, to, e);
 }
 
 static int make(struct request *q, const struct result_file *first,

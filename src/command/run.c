@@ -226,7 +226,7 @@ static const struct impact *hardest_coarse(const struct model *m, const struct r
     const struct impact *hardest = NULL;
     for (long i = 0; i < r->n_impact; i++) {
         const struct impact *other = &r->impact[i];
-        if (impact_is_coarse(m, other) && (!hardest || other->peak_force > hardest->peak_force)) {
+        if (impacts_is_coarse(m, other) && (!hardest || other->peak_force > hardest->peak_force)) {
             hardest = other;
         }
     }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "command/picture.h"
+#include "command/pounding.h"
 #include "core/arena.h"
 #include "plot/response.h"
 
@@ -13,9 +14,12 @@ static int spectrum_command(int argc, char **argv);
 
 const struct command command_spectrum = {
     .name = "spectrum",
-    .usage = "RECORD... [--damping LIST] [--periods FROM:TO:N|LIST] [--scale S|--pga A]\n"
-             "           [--format F] [--unit U] [--dt DT] [--intensities] [--tsv]\n"
-             "           [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
+    .usage =
+        "RECORD... [--damping LIST] [--periods FROM:TO:N|LIST] [--scale S|--pga A]\n"
+        "           [--format F] [--unit U] [--dt DT] [--intensities] [--tsv]\n"
+        "           [-o FILE.png|.svg|.pdf] [--script DIR] [--force]\n"
+        "       jostle spectrum --pounding DECK [--periods FROM:TO:N|LIST] [-D NAME=VALUE]...\n"
+        "           [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
     .summary = "prints or draws intensities and response spectra of ground motions",
     .run = spectrum_command,
 };
@@ -125,8 +129,8 @@ static int compute(const struct spectrum_request *q, struct arena *a, struct spe
     return status;
 }
 
-static int write_picture(void *context, const char *picture, FILE *to, struct error *e) {
-    return response_write(context, picture, to, e);
+static int write_picture(void *context, const struct figure_files *to, struct error *e) {
+    return response_write(context, to, e);
 }
 
 static int draw(const struct spectrum_request *q, const struct spectrum_set *set, struct error *e) {
@@ -158,7 +162,9 @@ static int spectrum_command(int argc, char **argv) {
         return command_fail(&e);
     }
     int status = spectrum_parse(&command_spectrum, argc, argv, a, &q);
-    if (status < 0) {
+    if (status < 0 && q.pounding) {
+        status = pounding_run(&q, a);
+    } else if (status < 0) {
         status = compute(&q, a, &set, &e);
         if (status == STATUS_OK && (q.output || q.script_folder)) {
             status = draw(&q, &set, &e);

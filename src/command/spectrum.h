@@ -24,6 +24,9 @@ struct spectrum_request {
     enum spectrum_content content;
     const char *output, *script_folder;
     enum result_existing existing;
+    const char *pounding;  // the deck of a pounding force spectrum; NULL: records are asked for
+    const char **define;   // (n_define) NAME=VALUE for it
+    int n_define;
 };
 
 // All in SI units.

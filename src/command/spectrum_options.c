@@ -18,6 +18,10 @@ static const double PERIOD_MIN = 1e-3, PERIOD_MAX = 1e3;  // [s]
 static const double DEFAULT_FROM = 0.01, DEFAULT_TO = 10.0;
 enum { DEFAULT_TABLE = 31, DEFAULT_CURVE = 301 };
 
+// Of a pounding force spectrum, for each structure.
+static const double POUNDING_FROM = 0.1, POUNDING_TO = 2.0;
+enum { POUNDING_DEFAULT = 20, POUNDING_MAX = 1000 };
+
 // Options without a letter.
 enum {
     OPTION_DAMPING = UCHAR_MAX + 1,
@@ -31,6 +35,7 @@ enum {
     OPTION_TSV,
     OPTION_SCRIPT,
     OPTION_FORCE,
+    OPTION_POUNDING,
 };
 
 static const double default_damping[] = {0.05};
@@ -53,10 +58,15 @@ static const char details[] =
     "  --unit U         unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it\n"
     "  --dt DT          time between samples, if a file does not say it\n"
     "  --intensities    no spectra\n"
+    "  --pounding DECK  the largest contact force of a deck over the periods of two structures,\n"
+    "                   which it takes from its params T1 and T2; --periods is for both (default:\n"
+    "                   0.1:2:20)\n"
+    "  -D NAME=VALUE    overrides a param of that deck; may be repeated\n"
     "  --tsv            tab-separated values of full precision, one line a record (and\n"
     "                   statistic), damping and period; with --intensities one line a record\n"
-    "  -o FILE          draws the pseudo-acceleration; .png, .svg or .pdf\n"
-    "  --script DIR     writes DIR/spectrum.gp with its data for gnuplot\n"
+    "  -o FILE          draws the pseudo-acceleration, or the force; .png, .svg or .pdf\n"
+    "  --script DIR     writes DIR/spectrum.gp for gnuplot and its data, DIR/spectrum.dat;\n"
+    "                   pounding.gp and .dat with --pounding\n"
     "  --force          overwrites what exists\n"
     "  --help           this text\n"
     "\n"
@@ -254,6 +264,12 @@ static int take_option(const struct command *c, int option, struct arena *a,
         case OPTION_FORCE:
             q->existing = RESULT_REPLACE;
             return -1;
+        case OPTION_POUNDING:
+            q->pounding = optarg;
+            return -1;
+        case 'D':
+            q->define[q->n_define++] = optarg;
+            return -1;
         case 'h':
             return command_help(c, details);
         default:
@@ -276,12 +292,14 @@ static int parse_options(const struct command *c, int argc, char **argv, struct 
         {"output", required_argument, NULL, 'o'},
         {"script", required_argument, NULL, OPTION_SCRIPT},
         {"force", no_argument, NULL, OPTION_FORCE},
+        {"pounding", required_argument, NULL, OPTION_POUNDING},
+        {"define", required_argument, NULL, 'D'},
         {"help", no_argument, NULL, 'h'},
         {NULL, 0, NULL, 0},
     };
     opterr = 0;
     optind = 1;
-    for (int letter; (letter = getopt_long_only(argc, argv, ":ho:", option, NULL)) != -1;) {
+    for (int letter; (letter = getopt_long_only(argc, argv, ":hD:o:", option, NULL)) != -1;) {
         const int done = letter == '?' || letter == ':' ? command_bad_option(c, letter, argv)
                                                         : take_option(c, letter, a, q);
         if (done >= 0) {
@@ -295,7 +313,34 @@ static bool draws(const struct spectrum_request *q) {
     return q->output || q->script_folder;
 }
 
+static int check_pounding(const struct command *c, const struct spectrum_request *q) {
+    const struct record_request *r = &q->record;
+    if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || q->scale != 1.0 ||
+        q->pga != 0.0 || q->damping || q->content == CONTENT_INTENSITIES) {
+        return command_usage(c, "--pounding takes records and damping from the deck");
+    }
+    if (q->output && !figure_ending(q->output)) {
+        return command_usage(c, "'%s' must end in .png, .svg or .pdf", q->output);
+    }
+    if (q->period && q->period[0] == 0.0) {
+        return command_usage(c, "a structure of period 0 does not pound");
+    }
+    if (q->period && q->n_period > POUNDING_MAX) {
+        return command_usage(c, "%d periods; --pounding takes up to %d", q->n_period, POUNDING_MAX);
+    }
+    if (draws(q) && q->period && q->n_period < 3) {
+        return command_usage(c, "a picture needs at least three periods > 0");
+    }
+    return -1;
+}
+
 static int check(const struct command *c, const struct spectrum_request *q) {
+    if (q->pounding) {
+        return check_pounding(c, q);
+    }
+    if (q->n_define > 0) {
+        return command_usage(c, "-D is for the deck of --pounding");
+    }
     if (q->n_record < 1) {
         return command_usage(c, "a record is expected");
     }
@@ -318,8 +363,13 @@ int spectrum_parse(const struct command *c, int argc, char **argv, struct arena 
                    struct spectrum_request *q) {
     struct unit_system si;
     unit_system_init(&si);
-    *q = (struct spectrum_request){
-        .scale = 1.0, .record = {.gravity = si.gravity}, .existing = RESULT_KEEP};
+    *q = (struct spectrum_request){.scale = 1.0,
+                                   .record = {.gravity = si.gravity},
+                                   .existing = RESULT_KEEP,
+                                   .define = arena_alloc(a, (size_t)argc, sizeof *q->define)};
+    if (!q->define) {
+        return no_memory();
+    }
     int done = parse_options(c, argc, argv, a, q);
     if (done >= 0) {
         return done;
@@ -329,6 +379,9 @@ int spectrum_parse(const struct command *c, int argc, char **argv, struct arena 
     done = check(c, q);
     if (done >= 0) {
         return done;
+    }
+    if (q->pounding) {
+        return q->period ? -1 : log_grid(POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT, a, q);
     }
     if (!q->damping) {
         q->damping = default_damping;

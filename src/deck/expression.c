@@ -80,8 +80,16 @@ static const char *letters_end(const char *at) {
     return at;
 }
 
+// Reports the unit at `at`, which is a known one only behind one that joins with none.
 static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
     int n = 0;
+    double si;
+    const char *end;
+    struct dimension dimension;
+    if (unit_parse(at, d->units.gravity, &end, &dimension, &si)) {
+        deck_error(d, w, "rad and deg do not join with other units; f = omega / (2 pi) in Hz");
+        return false;
+    }
     while (unit_names[n]) {
         n++;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The files of a deck.
+#include <stdio.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -60,6 +61,32 @@ void source_enter(struct deck *d, struct source *s) {
     struct reader *r = d->reader;
     r->bytes += s->size;
     r->frame[r->n_frame++] = (struct frame){.source = s, .offset = text_start(s), .line = 1};
+}
+
+static const char include_mark[] = "# include ";
+
+// Its mark and line feeds included; the last one only where the text has none.
+static size_t include_size(const struct source *s) {
+    bool ends = s->size > 0 && s->text[s->size - 1] == '\n';
+    return strlen(include_mark) + strlen(s->name) + 1 + s->size + (ends ? 0 : 1);
+}
+
+// The sources are listed the last one first, so the text is filled from its end; the first one is
+// the deck itself.
+const char *deck_includes(struct deck *d) {
+    size_t size = 0;
+    for (const struct source *s = d->reader->source; s && s->next; s = s->next) {
+        size += include_size(s);
+    }
+    char *text = arena_alloc(d->arena, size + 1, 1);
+    for (const struct source *s = d->reader->source; text && s && s->next; s = s->next) {
+        size_t n = include_size(s);
+        char *at = text + (size -= n);
+        int head = sprintf(at, "%s%s\n", include_mark, s->name);
+        memcpy(at + head, s->text, s->size);
+        memset(at + head + s->size, '\n', n - (size_t)head - s->size);
+    }
+    return text;
 }
 
 const char *source_mention(struct deck *d, const struct place *p, const struct place *from) {

@@ -61,26 +61,22 @@ static void count_rows(struct builder *b, struct model *m) {
     m->output.every = (int)fmin(fmax(every, 1.0), 1e9);
 }
 
-// The largest omega^2 of a floor's links alone, sum of k (1/m1 + 1/m2); contacts are left out, as
-// steps are cut for them.
-static double links_omega_square(const struct model *m, int dof) {
-    double sum = 0.0;
-    for (int k = m->n_contact; k < m->n_link; k++) {
-        const struct link *l = &m->link[k];
-        if (l->dof[0] == dof || l->dof[1] == dof) {
-            sum += l->constant[BILATERAL_STIFFNESS] / l->mass;
-        }
-    }
-    return sum;
-}
-
+// By the largest omega^2 of a floor's links alone, sum of k (1/m1 + 1/m2); contacts are left out,
+// as steps are cut for them.
 double model_fastest(const struct model *m, int i) {
     const struct building *g = &m->building[i];
-    double square = 0.0;
-    for (int j = g->first; j < g->first + g->n_floor; j++) {
-        square = fmax(square, links_omega_square(m, j));
+    double square[FLOORS_MAX] = {0.0};
+    double largest = 0.0;
+    for (int k = m->n_contact; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        for (int end = 0; end < 2; end++) {
+            if (l->building[end] == i) {
+                square[l->floor[end] - 1] += l->constant[BILATERAL_STIFFNESS] / l->mass;
+                largest = fmax(largest, square[l->floor[end] - 1]);
+            }
+        }
     }
-    return sqrt(pow(g->omega[g->n_floor - 1], 2.0) + square);
+    return sqrt(pow(g->omega[g->n_floor - 1], 2.0) + largest);
 }
 
 static void check_stability(struct builder *b, struct model *m) {
@@ -126,19 +122,15 @@ static double largest_decay(const struct building *g) {
 static void check_stiffness(struct builder *b, struct model *m) {
     for (int i = 0; i < m->n_building; i++) {
         const struct building *g = &m->building[i];
-        double square = 0.0;
-        for (int j = g->first; j < g->first + g->n_floor; j++) {
-            square = fmax(square, links_omega_square(m, j));
-        }
-        double omega = sqrt(pow(g->omega[g->n_floor - 1], 2.0) + square);
+        double omega = model_fastest(m, i);
         double limit = 3.3 / fmax(omega, largest_decay(g));
         if (m->duration > ADAPTIVE_STEPS_MAX * limit) {
             const char *unit = b->deck->units.time_name;
             deck_error(b->deck, &b->step,
                        "building %s%s is too stiff for adaptive steps: at most %.3g %s, %.3g of "
                        "them; use step fixed DT",
-                       g->name, square > 0.0 ? " with its links" : "", limit, unit,
-                       m->duration / limit);
+                       g->name, omega > g->omega[g->n_floor - 1] ? " with its links" : "", limit,
+                       unit, m->duration / limit);
             return;
         }
     }

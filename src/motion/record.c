@@ -126,6 +126,7 @@ int record_read_text(struct arena *a, const struct record_request *request,
     }
     const struct record_format *f = find_format(request, &stripped, e);
     if (!f) {
+        out->wrong = request->format ? RECORD_FORMAT_NAME : RECORD_PATH;
         return STATUS_INPUT;
     }
     struct record_content content = {0};
@@ -139,6 +140,7 @@ int record_read_text(struct arena *a, const struct record_request *request,
 
 int record_read(struct arena *a, const struct record_request *request, struct record *out,
                 struct error *e) {
+    *out = (struct record){.wrong = RECORD_PATH};
     struct arena *scratch = arena_create();
     if (!scratch) {
         return error_no_memory(e);

@@ -69,6 +69,7 @@ static int check_dt(const struct check *c, struct error *e) {
         c->out->dt = read;
         return STATUS_OK;
     }
+    c->out->wrong = RECORD_DT;
     if (!(given > 0 && isfinite(given))) {
         return lines_error(e, c->path, 0, "-dt is %g s; it must be > 0", given);
     }
@@ -76,6 +77,7 @@ static int check_dt(const struct check *c, struct error *e) {
         return lines_error(e, c->path, line,
                            "-dt %.9g contradicts the time step of %.9g s in the file", given, read);
     }
+    c->out->wrong = RECORD_PATH;
     c->out->dt = given;
     return STATUS_OK;
 }
@@ -87,6 +89,7 @@ static int read_given_unit(const struct check *c, double *unit, struct error *e)
     if (!record_unit(span, c->request->gravity, &dimension, unit) ||
         !dimension_equal(dimension, dimension_acceleration)) {
         struct excerpt shown = lines_excerpt(span);
+        c->out->wrong = RECORD_UNIT;
         return lines_error(e, c->path, 0,
                            "-unit '%s' is no unit of acceleration (g, m/s2, cm/s2, "
                            "gal, ...)",

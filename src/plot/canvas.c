@@ -166,16 +166,17 @@ static void write_numbers(const struct canvas *c, char letter, const struct axis
     fprintf(c->to, ")\n");
 }
 
-// Tics at 1, 2 and 5 of every decade.
+// Tics at 1, 2 and 5 of every decade; at every digit where there is little more than one decade.
 static void write_decades(const struct canvas *c, char letter, const struct axis *axis) {
-    static const double leading[] = {1, 2, 5};
     const double low = axis->span.low, high = axis->span.high;
+    const bool every = high < 15 * low;
     const char *between = "";
     fprintf(c->to, "set logscale %c\nset %ctics (", letter, letter);
     for (double decade = pow(10, floor(log10(low))); decade <= high; decade *= 10) {
-        for (int i = 0; i < 3; i++) {
-            const double at = leading[i] * decade;
-            if (at >= low * (1 - 1e-9) && at <= high * (1 + 1e-9)) {
+        for (int digit = 1; digit <= 9; digit++) {
+            const bool wanted = every || digit == 1 || digit == 2 || digit == 5;
+            const double at = digit * decade;
+            if (wanted && at >= low * (1 - 1e-9) && at <= high * (1 + 1e-9)) {
                 fprintf(c->to, "%s'%g' %g", between, at, at);
                 between = ", ";
             }

@@ -18,7 +18,8 @@ struct area {
 enum canvas_kind { CANVAS_SHEET, CANVAS_BLOCK };
 
 struct canvas {
-    FILE *to;  // borrowed
+    FILE *to;    // the script; borrowed
+    FILE *data;  // blocks of data, $NAME; borrowed. No two of a picture have one name
     enum canvas_kind kind;
     double width, height;  // of the sheet [em]
     struct area area;      // what is left for the panels; the legend takes from it

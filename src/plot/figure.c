@@ -24,7 +24,6 @@ struct sheet_size {
 static const struct sheet_size sheets[] = {
     [SHEET_ACROSS] = {46, 29},
     [SHEET_PAGE] = {70, 99},
-    [SHEET_WIDE] = {70, 44},
 };
 
 // One em in the terminal's unit of size; the number that makes gnuplot set text of one em: it
@@ -32,18 +31,18 @@ static const struct sheet_size sheets[] = {
 // size 1 a quarter of an em on the sheet across, which each terminal sees differently.
 struct picture {
     const char *ending, *format;
-    double em[3], font, point;
+    double em[2], font, point;
 };
 static const struct picture pictures[] = {
-    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 1.5", {26, 19, 23}, 0.75, 1},
+    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 1.5", {26, 19}, 0.75, 1},
     {"svg",
      "svg size %.0f,%.0f font 'Sans,%g' linewidth 1 background '#ffffff'",
-     {16, 14, 15},
+     {16, 14},
      1,
      0.33},
     {"pdf",
      "pdfcairo size %.4fin,%.4fin font 'Sans,%g' linewidth 1",
-     {10 / 72.0, 8.4 / 72.0, 9 / 72.0},
+     {10 / 72.0, 8.4 / 72.0},
      108,
      0.4},
 };
@@ -81,40 +80,51 @@ const char *figure_ending(const char *path) {
     return p ? p->ending : NULL;
 }
 
-static int write_head(const struct figure *f, const char *version, const char *output, FILE *to,
-                      struct error *e) {
-    const struct picture *p = picture_of(output);
-    if (!p) {
-        return error_set(e, STATUS_INPUT, "%s is no picture: it must end in .png, .svg or .pdf",
-                         output);
-    }
-    const struct sheet_size *size = &sheets[f->sheet];
-    const double em = p->em[f->sheet], font = em * p->font;
-    fprintf(to, "# %s: %s. Written by jostle %s; run with gnuplot.\n", f->name, f->doc, version);
-    fprintf(to, "set encoding utf8\nset terminal ");
-    fprintf(to, p->format, size->width * em, size->height * em, font);
-    fprintf(to, "\nset output ");
-    script_text(to, output);
-    fprintf(to,
+static void write_head(const struct figure_head *head, const struct figure_files *to,
+                       const struct picture *p) {
+    const struct sheet_size *size = &sheets[head->sheet];
+    const double em = p->em[head->sheet], font = em * p->font;
+    fprintf(to->data, "# Data of %s.gp, written by jostle %s.\n", head->name, head->version);
+    fprintf(to->script,
+            "# %s: %s. Written by jostle %s; run with gnuplot.\n"
+            "load ARG0[1:strlen(ARG0)-3].'.dat'  # stands beside this script\n"
+            "set encoding utf8\nset terminal ",
+            head->name, head->doc, head->version);
+    fprintf(to->script, p->format, size->width * em, size->height * em, font);
+    fprintf(to->script, "\nset output ");
+    script_text(to->script, to->picture);
+    fprintf(to->script,
             "\nset termoption noenhanced\npoint = %.3g\n"
             "title_font = 'Sans,%g'\nblock_font = 'Sans Bold,%g'\nsmall_font = 'Sans,%g'\n"
             "unset key\n"
             "set border 3 lc rgb '#404040' lw 0.8\n"
             "set tics nomirror out scale 0.5 textcolor rgb '#202020'\n"
             "set grid lc rgb '#e4e4e4' lt 1 lw 0.6\n"
-            "set style fill solid noborder\n",
+            "set style fill solid noborder\n"
+            "set multiplot\n",
             p->point * em / p->em[SHEET_ACROSS], 1.2 * font, font, 0.75 * font);
+}
+
+int figure_open(const struct figure_head *head, const struct figure_files *to, struct canvas *c,
+                struct error *e) {
+    const struct picture *p = picture_of(to->picture);
+    if (!p) {
+        return error_set(e, STATUS_INPUT, "%s is no picture: it must end in .png, .svg or .pdf",
+                         to->picture);
+    }
+    const struct sheet_size *size = &sheets[head->sheet];
+    *c = (struct canvas){.to = to->script,
+                         .data = to->data,
+                         .kind = CANVAS_SHEET,
+                         .width = size->width,
+                         .height = size->height,
+                         .area = {0.3, size->width - 1, 0.3, size->height - 0.3}};
+    write_head(head, to, p);
     return STATUS_OK;
 }
 
-int figure_head(const char *name, const char *doc, const char *version, const char *output,
-                FILE *to, struct error *e) {
-    const struct figure f = {.name = name, .doc = doc, .sheet = SHEET_WIDE};
-    return write_head(&f, version, output, to, e);
-}
-
-void figure_end(FILE *to) {
-    fprintf(to, "unset output\n");
+void figure_close(const struct canvas *c) {
+    fprintf(c->to, "unset multiplot\nunset output\n");
 }
 
 static int check(const struct figure *f, const struct runs *s, struct error *e) {
@@ -127,24 +137,17 @@ static int check(const struct figure *f, const struct runs *s, struct error *e) 
                      s->r[0]->file, between, s->n > 1 ? s->r[1]->file : "", lack);
 }
 
-int figure_write(const struct figure *f, const struct runs *s, const char *output, FILE *to,
+int figure_write(const struct figure *f, const struct runs *s, const struct figure_files *to,
                  struct error *e) {
+    const struct figure_head head = {f->name, f->doc, s->r[0]->version, f->sheet};
+    struct canvas c;
     int status = check(f, s, e);
     if (status == STATUS_OK) {
-        status = write_head(f, s->r[0]->version, output, to, e);
+        status = figure_open(&head, to, &c, e);
     }
-    if (status != STATUS_OK) {
-        return status;
+    if (status == STATUS_OK) {
+        status = f->draw(s, &c, e);
+        figure_close(&c);
     }
-    const struct sheet_size *size = &sheets[f->sheet];
-    struct canvas c = {.to = to,
-                       .kind = CANVAS_SHEET,
-                       .width = size->width,
-                       .height = size->height,
-                       .area = {0.3, size->width - 1, 0.3, size->height - 0.3}};
-    fprintf(to, "set multiplot\n");
-    status = f->draw(s, &c, e);
-    fprintf(to, "unset multiplot\n");
-    figure_end(to);
     return status;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A figure is one const descriptor in one file, figure_NAME.c, named by one line in
-// figure_list.inc. It writes a stand-alone gnuplot script that holds its data.
+// figure_list.inc. It writes a gnuplot script, and its data to stand beside it.
 #ifndef JOSTLE_FIGURE_H
 #define JOSTLE_FIGURE_H
 
@@ -9,8 +9,8 @@
 #include "plot/canvas.h"
 #include "plot/runs.h"
 
-// The shape of the picture: across, upright like a page, or across with smaller text.
-enum sheet { SHEET_ACROSS, SHEET_PAGE, SHEET_WIDE };
+// The shape of the picture: across, or upright like a page.
+enum sheet { SHEET_ACROSS, SHEET_PAGE };
 
 struct figure {
     const char *name;
@@ -34,16 +34,28 @@ const struct figure *figure_default(const struct runs *s);
 // Endings of picture files: "png", "svg", "pdf". NULL: `path` ends in none of them.
 const char *figure_ending(const char *path);
 
-// Writes what every script begins with: a comment that says what it draws (half a line) and by
-// which version, the terminal that makes `output`, a file name with one of the endings, text and
-// lines; and what it ends with. The sheet is SHEET_WIDE.
-int figure_head(const char *name, const char *doc, const char *version, const char *output,
-                FILE *to, struct error *e);
-void figure_end(FILE *to);
+// What a picture is written into. gnuplot finds the data beside the script, under its name with
+// .dat in place of .gp.
+struct figure_files {
+    FILE *script, *data;  // borrowed
+    const char *picture;  // that the script makes: a file name with one of the endings
+};
 
-// Writes the whole script; run by gnuplot it makes `output`, a file name with one of the endings.
-// Errors: STATUS_INPUT (what the figure needs is not in the files), and those of draw.
-int figure_write(const struct figure *f, const struct runs *s, const char *output, FILE *to,
+// What opens both files: what is drawn (half a line), and by which version of the program.
+struct figure_head {
+    const char *name, *doc, *version;
+    enum sheet sheet;
+};
+
+// Writes what every script begins with, the terminal, text and lines, and sets `c` to the empty
+// sheet; and what every script ends with. Errors: STATUS_INPUT (the picture has another ending).
+int figure_open(const struct figure_head *head, const struct figure_files *to, struct canvas *c,
+                struct error *e);
+void figure_close(const struct canvas *c);
+
+// Writes the whole script and its data. Errors: STATUS_INPUT (what the figure needs is not in the
+// files), and those of draw. Write errors are the caller's.
+int figure_write(const struct figure *f, const struct runs *s, const struct figure_files *to,
                  struct error *e);
 
 #endif

@@ -294,7 +294,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     int status = STATUS_OK;
     choose(&v);
     for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
-        status = write_strip_data(&v, k / v.n, k % v.n, c->to, e);
+        status = write_strip_data(&v, k / v.n, k % v.n, c->data, e);
     }
     if (status != STATUS_OK) {
         return status;

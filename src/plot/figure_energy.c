@@ -136,7 +136,7 @@ static int write_data(const struct runs *s, struct scale *scale, FILE *to, struc
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     struct scale scale;
-    int status = write_data(s, &scale, c->to, e);
+    int status = write_data(s, &scale, c->data, e);
     if (status != STATUS_OK) {
         return status;
     }

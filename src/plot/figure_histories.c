@@ -194,8 +194,7 @@ static void write_facing(const struct view *v, struct canvas *c, struct area a) 
     }
     fprintf(c->to, "  $rows0 using 1:2 with lines lc rgb '%s'", script_colour[0]);
     if (v->contact[0] >= 0) {
-        fprintf(c->to,
-                ", \\\n  $impacts0 using 1:2 with points pt 7 ps 0.8*point lc rgb '#000000'");
+        fprintf(c->to, ", \\\n  $marks0 using 1:2 with points pt 7 ps 0.8*point lc rgb '#000000'");
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);
@@ -220,8 +219,8 @@ static void write_floor(const struct view *v, struct canvas *c, struct area a, i
                 LEFT + side + 1, script_colour[k]);
     }
     for (int k = 0; k < v->s->n && v->contact[0] >= 0; k++) {
-        fprintf(c->to, ", \\\n  $impacts%d%d using 1:2 with points pt %d ps 0.9*point lc rgb '%s'",
-                k, side, k == 0 ? 7 : 6, script_colour[k]);
+        fprintf(c->to, ", \\\n  $marks%d%d using 1:2 with points pt %d ps 0.9*point lc rgb '%s'", k,
+                side, k == 0 ? 7 : 6, script_colour[k]);
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);
@@ -288,12 +287,11 @@ static int write_data(const struct view *v, FILE *to, struct error *e) {
         status =
             data_write(&v->data[k], name, "time left right ground_left ground_right", BINS, to, e);
         for (int side = 0; side < 2 && v->s->n > 1 && status == STATUS_OK; side++) {
-            snprintf(name, sizeof name, "impacts%d%d", k, side);
+            snprintf(name, sizeof name, "marks%d%d", k, side);
             status = write_marks(v, k, LEFT + side, name, to, e);
         }
     }
-    return status == STATUS_OK && v->s->n == 1 ? write_marks(v, 0, LEFT, "impacts0", to, e)
-                                               : status;
+    return status == STATUS_OK && v->s->n == 1 ? write_marks(v, 0, LEFT, "marks0", to, e) : status;
 }
 
 static void write_panels(const struct view *v, struct canvas *c) {
@@ -326,7 +324,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
         status = read_run(&v, k, e);
     }
     if (status == STATUS_OK) {
-        status = write_data(&v, c->to, e);
+        status = write_data(&v, c->data, e);
     }
     if (status == STATUS_OK) {
         write_subtitle(&v, subtitle, sizeof subtitle);

@@ -236,7 +236,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     collect(&v);
     find_largest(&v);
     for (int k = 0; k < s->n && status == STATUS_OK; k++) {
-        status = write_data(&v, k, c->to, e);
+        status = write_data(&v, k, c->data, e);
     }
     if (status == STATUS_OK) {
         write_head(&v, c);

@@ -242,7 +242,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
         v.y[i] = span_none;
     }
     choose(&v);
-    int status = write_data(&v, c->to, e);
+    int status = write_data(&v, c->data, e);
     if (status != STATUS_OK) {
         return status;
     }

@@ -145,7 +145,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     const struct view v = choose(s);
     int status = STATUS_OK;
     for (int k = 0; k < s->n * v.n_building && status == STATUS_OK; k++) {
-        status = write_shapes(&v, k / v.n_building, k % v.n_building, c->to, e);
+        status = write_shapes(&v, k / v.n_building, k % v.n_building, c->data, e);
     }
     if (status != STATUS_OK) {
         return status;

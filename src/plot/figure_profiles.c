@@ -182,7 +182,7 @@ static int draw(const struct runs *runs, struct canvas *c, struct error *e) {
     (void)e;
     const struct selection s = choose(runs);
     for (int k = 0; k < s.n * runs->n; k++) {
-        write_building(&s, k / s.n, k % s.n, c->to);
+        write_building(&s, k / s.n, k % s.n, c->data);
     }
     write_head(&s, c);
     for (int at = 0; at < PANELS; at++) {

@@ -182,7 +182,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     int status = STATUS_OK;
     choose(&v);
     for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
-        status = write_series(&v, k / v.n, k % v.n, c->to, e);
+        status = write_series(&v, k / v.n, k % v.n, c->data, e);
     }
     if (status == STATUS_OK) {
         write_head(&v, c);

@@ -4,13 +4,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "plot/figure.h"
 #include "plot/script.h"
 
 enum { SAMPLES_SHOWN = 1500 };  // pairs of a smallest and a largest one
 
 // Of the contact, how much of a record is shown before and after.
 static const double AROUND = 0.15;
+
+static const char sample_colour[] = "#808080";
 
 // A unit in which values need few digits.
 struct scale {
@@ -21,9 +22,9 @@ static const struct scale forces[] = {{1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {0.0
 static const struct scale times[] = {{1.0, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {0.0, NULL}};
 static const struct scale lengths[] = {{1.0, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {0.0, NULL}};
 
-// Largest and smallest values of what is shown.
+// What is shown, in SI.
 struct extent {
-    double force_min, force_max, time_min, time_max, depth_max;
+    struct span force, time, depth;
 };
 
 struct scales {
@@ -38,40 +39,34 @@ static struct scale scale_for(const struct scale *known, double largest) {
     return known[i];
 }
 
-static void widen(struct extent *x, double time, double force, double depth) {
-    x->time_min = fmin(x->time_min, time);
-    x->time_max = fmax(x->time_max, time);
-    x->force_min = fmin(x->force_min, force);
-    x->force_max = fmax(x->force_max, force);
-    x->depth_max = fmax(x->depth_max, depth);
-}
-
 static struct extent extent_of(const struct impact_figure *f) {
-    struct extent x = {.time_min = INFINITY, .time_max = -INFINITY};
+    struct extent x = {span_none, span_none, span_none};
     for (int c = 0; c < f->n_curve; c++) {
         const struct impact_curve *curve = &f->curve[c];
         for (size_t i = 0; i < curve->n; i++) {
             const struct isolated_point *p = &curve->point[i];
-            widen(&x, curve->start + p->time, p->force, p->penetration);
+            span_add(&x.time, curve->start + p->time);
+            span_add(&x.force, p->force);
+            span_add(&x.depth, p->penetration);
         }
     }
     if (f->n_sample > 0) {
-        const double margin = AROUND * (x.time_max - x.time_min);
-        x.time_min -= margin;
-        x.time_max += margin;
+        const double margin = AROUND * (x.time.high - x.time.low);
+        x.time = (struct span){x.time.low - margin, x.time.high + margin};
     }
     for (size_t i = 0; i < f->n_sample; i++) {
-        if (f->time[i] >= x.time_min && f->time[i] <= x.time_max) {
-            widen(&x, f->time[i], f->force[i], 0.0);
+        if (f->time[i] >= x.time.low && f->time[i] <= x.time.high) {
+            span_add(&x.force, f->force[i]);
         }
     }
+    span_add(&x.force, 0);
     return x;
 }
 
 static struct scales scales_of(const struct extent *x) {
-    return (struct scales){.force = scale_for(forces, fmax(x->force_max, -x->force_min)),
-                           .time = scale_for(times, x->time_max - x->time_min),
-                           .length = scale_for(lengths, x->depth_max)};
+    return (struct scales){.force = scale_for(forces, fmax(x->force.high, -x->force.low)),
+                           .time = scale_for(times, x->time.high - x->time.low),
+                           .length = scale_for(lengths, x->depth.high)};
 }
 
 // The curve from a force of 0 at closure to one of 0 at opening.
@@ -110,69 +105,79 @@ static int write_samples(const struct impact_figure *f, const struct scales *s, 
     return STATUS_OK;
 }
 
-static void write_legend(const struct impact_figure *f, FILE *to) {
-    script_head(to, f->title, f->subtitle);
+static void write_head(const struct impact_figure *f, struct canvas *c) {
+    canvas_head(c, f->title, f->subtitle);
     if (f->n_curve + (f->n_sample > 0) == 1) {
         return;
     }
-    for (int c = 0; c < f->n_curve; c++) {
-        script_legend(to, c, 1, SCRIPT_LINE, script_colour[c], f->curve[c].name);
+    for (int k = 0; k < f->n_curve; k++) {
+        canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, f->curve[k].name);
     }
     if (f->n_sample > 0) {
-        script_legend(to, f->n_curve, 1, SCRIPT_POINT, "#808080", "measured");
+        canvas_legend(c, (struct mark){MARK_POINT, sample_colour, 0.8}, "measured");
     }
 }
 
-static void write_axis(FILE *to, const char *axis, const char *name, const struct scale *s,
-                       double low, double high) {
-    const double margin = 0.05 * (high - low);
-    fprintf(to, "set %srange [%.9g:%.9g]\nset %slabel '%s [%s]'\n", axis,
-            (low < 0.0 ? low - margin : low) / s->size, (high + margin) / s->size, axis, name,
-            s->unit);
+static struct axis axis_of(const char *name, const struct scale *s, struct span span) {
+    return (struct axis){
+        .name = name, .unit = s->unit, .span = {span.low / s->size, span.high / s->size}};
 }
 
-// One panel: `column` of the data against the force.
-static void write_panel(const struct impact_figure *f, int column, double left, FILE *to) {
-    fprintf(to, "set lmargin at screen %.4f\nset rmargin at screen %.4f\nplot \\\n", left,
-            left + 0.395);
+// `column` of the data against the force.
+static void write_plot(const struct impact_figure *f, int column, FILE *to) {
+    fprintf(to, "set xzeroaxis lc rgb '#808080' lt 1 lw 0.6\nplot \\\n");
     if (f->n_sample > 0 && column == 1) {
-        fprintf(to, "  $measured using 1:2 with points pt 7 ps 0.6 lc rgb '#808080', \\\n");
+        fprintf(to, "  $measured using 1:2 with points pt 7 ps 0.8*point lc rgb '%s', \\\n",
+                sample_colour);
     }
     for (int c = 0; c < f->n_curve; c++) {
-        fprintf(to, "  $curve%d using %d:2 with lines lw 1.4 lc rgb '%s'%s\n", c, column,
-                script_colour[c], c + 1 < f->n_curve ? ", \\" : "");
+        fprintf(to, "  $curve%d using %d:2 with lines lc rgb '%s'%s\n", c, column, script_colour[c],
+                c + 1 < f->n_curve ? ", \\" : "");
     }
 }
 
 static void write_panels(const struct impact_figure *f, const struct extent *x,
-                         const struct scales *s, FILE *to) {
-    fprintf(to, "set multiplot\nset tmargin at screen 0.83\nset bmargin at screen 0.115\n"
-                "set xzeroaxis lc rgb '#808080'\n");
-    write_axis(to, "y", "contact force", &s->force, x->force_min, x->force_max);
-    write_axis(to, "x", "time", &s->time, x->time_min, x->time_max);
-    write_panel(f, 1, 0.085, to);
-    fprintf(to, "unset label\nunset arrow\nunset object\n");
-    write_axis(to, "x", "penetration", &s->length, 0.0, x->depth_max);
-    fprintf(to, "unset ylabel\n");
-    write_panel(f, 3, 0.575, to);
-    fprintf(to, "unset multiplot\n");
+                         const struct scales *s, struct canvas *c) {
+    struct unit_system si;
+    unit_system_init(&si);
+    struct axis force =
+        axis_of("contact force", &s->force, span_with_room(x->force, x->force.low < 0 ? NAN : 0));
+    const struct axis time = axis_of("time", &s->time, span_with_room(x->time, x->time.low));
+    const struct axis depth = axis_of("penetration", &s->length, span_with_room(x->depth, 0));
+    const double top = f->time_caption[0] ? 1.6 : 0.7;
+    c->area.left += 5.8;
+    const struct area left = canvas_inset(canvas_part(c, 0, 0.5, 0, 1), 0, 0.8, 3.2, top);
+    const struct area right = canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 0.8, 0.5, 3.2, top);
+    canvas_panel(c, left, &si, &time, &force);
+    canvas_caption(c, left, f->time_caption);
+    write_plot(f, 1, c->to);
+    canvas_panel_end(c);
+    force.name = NULL;
+    force.kind = AXIS_WITHOUT_NUMBERS;
+    canvas_panel(c, right, &si, &depth, &force);
+    canvas_caption(c, right, f->depth_caption);
+    write_plot(f, 3, c->to);
+    canvas_panel_end(c);
 }
 
-int impact_figure_write(const struct impact_figure *f, const char *output, FILE *to,
+int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
                         struct error *e) {
+    const struct figure_head head = {
+        .name = "impact", .doc = "force of isolated impacts", .version = f->version};
     const struct extent x = extent_of(f);
     const struct scales s = scales_of(&x);
-    int status = figure_head("impact", "force of isolated impacts", f->version, output, to, e);
+    struct canvas canvas;
+    int status = figure_open(&head, to, &canvas, e);
     for (int c = 0; status == STATUS_OK && c < f->n_curve; c++) {
-        write_curve(&f->curve[c], c, &s, to);
+        write_curve(&f->curve[c], c, &s, to->data);
     }
     if (status == STATUS_OK && f->n_sample > 0) {
-        status = write_samples(f, &s, to, e);
+        status = write_samples(f, &s, to->data, e);
     }
     if (status == STATUS_OK) {
-        write_legend(f, to);
-        write_panels(f, &x, &s, to);
-        figure_end(to);
+        write_head(f, &canvas);
+        write_panels(f, &x, &s, &canvas);
+        figure_close(&canvas);
     }
     return status;
 }

@@ -3,9 +3,8 @@
 #ifndef JOSTLE_IMPACT_FIGURE_H
 #define JOSTLE_IMPACT_FIGURE_H
 
-#include <stdio.h>
-
 #include "law/isolated.h"
+#include "plot/figure.h"
 
 enum { IMPACT_FIGURE_CURVES = 7 };
 
@@ -18,15 +17,16 @@ struct impact_curve {
 
 struct impact_figure {
     const char *title, *subtitle, *version;
-    int n_curve;  // at most IMPACT_FIGURE_CURVES
+    const char *time_caption, *depth_caption;  // above the panels; both are "" for none
+    int n_curve;                               // at most IMPACT_FIGURE_CURVES
     const struct impact_curve *curve;
     size_t n_sample;             // of a measured force; 0: there is none
     const double *time, *force;  // (n_sample)
 };
 
-// Writes the whole script; run by gnuplot it makes `output`, a file name with one of the endings.
-// Errors: STATUS_INPUT (another ending), STATUS_SYSTEM (no memory).
-int impact_figure_write(const struct impact_figure *f, const char *output, FILE *to,
+// Writes the script and its data. Errors: STATUS_INPUT (the picture has another ending),
+// STATUS_SYSTEM (no memory). Write errors are the caller's.
+int impact_figure_write(const struct impact_figure *f, const struct figure_files *to,
                         struct error *e);
 
 #endif

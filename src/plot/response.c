@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "plot/figure.h"
 #include "plot/script.h"
 
 // More records than this are grey lines without names.
@@ -25,8 +24,8 @@ static int column(const struct spectra *s, int series, int damping) {
 
 static void write_data(const struct response_sheet *sheet, FILE *to) {
     const struct spectra *s = sheet->spectra;
-    fprintf(to, "# period, then for each damping ratio: records, mean, 16 %%, 50 %%, 84 %%\n"
-                "$spectra << EOD\n");
+    fprintf(to, "$spectra << EOD\n"
+                "# period, then for each damping ratio: records, mean, 16 %%, 50 %%, 84 %%\n");
     for (int p = 0; p < s->n_period; p++) {
         if (s->period[p] == 0.0) {
             continue;
@@ -42,7 +41,7 @@ static void write_data(const struct response_sheet *sheet, FILE *to) {
     fprintf(to, "EOD\n");
 }
 
-static void write_title(const struct response_sheet *sheet, FILE *to) {
+static void write_title(const struct response_sheet *sheet, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
     const struct intensity *i = &sheet->intensity[0];
     char title[256], text[256], damping[64] = "";
@@ -53,83 +52,75 @@ static void write_title(const struct response_sheet *sheet, FILE *to) {
         snprintf(title, sizeof title, "Response spectra of %d records%s", s->n_record, damping);
         const bool band = s->n_damping == 1;
         snprintf(text, sizeof text, "mean%s of the records%s", band ? " and 16 to 84 %" : "",
-                 band && s->n_record <= NAMED_MAX ? "; at each name its PGA and PGV" : "");
+                 band && s->n_record <= NAMED_MAX ? "; at each name its PGA" : "");
     } else {
-        snprintf(title, sizeof title, "Response spectrum of %s%s", sheet->name[0], damping);
+        char name[64];
+        script_shorten(sheet->name[0], 30, name, sizeof name);
+        snprintf(title, sizeof title, "Response spectrum of %s%s", name, damping);
         snprintf(text, sizeof text,
-                 "PGA %.3g g, PGV %.3g m/s, PGD %.3g m, Arias intensity %.3g m/s, CAV %.3g m/s, "
-                 "D5-95 %.3g s",
-                 i->pga / sheet->gravity, i->pgv, i->pgd, i->arias, i->cav, i->d5_95);
+                 "PGA %.3g g, PGV %.3g m/s, Arias %.3g m/s, CAV %.3g m/s, D5-95 %.3g s",
+                 i->pga / sheet->gravity, i->pgv, i->arias, i->cav, i->d5_95);
     }
-    script_head(to, title, text);
+    canvas_head(c, title, text);
 }
 
-// Each record by name with its peaks, or all as one entry. Returns the next place of the legend.
-static int write_record_legend(const struct response_sheet *sheet, FILE *to) {
+// Each record by name with its peak, or all as one entry.
+static void write_records(const struct response_sheet *sheet, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
-    char text[320], name[256];
+    char text[128], name[64];
     if (s->n_record > NAMED_MAX) {
         snprintf(text, sizeof text, "%d records", s->n_record);
-        script_legend(to, 0, 1, SCRIPT_LINE, other_colour, text);
-        return 1;
+        canvas_legend(c, (struct mark){MARK_LINE, other_colour, 0}, text);
+        return;
     }
     for (int r = 0; r < s->n_record; r++) {
-        script_cut(sheet->name[r], 24, name, sizeof name);
-        snprintf(text, sizeof text, "%s: %.2g g, %.2g m/s", name,
-                 sheet->intensity[r].pga / sheet->gravity, sheet->intensity[r].pgv);
-        script_legend(to, 2 * r, 2, SCRIPT_LINE, record_colour[r], text);
+        script_shorten(sheet->name[r], 23, name, sizeof name);
+        snprintf(text, sizeof text, "%s: %.2g g", name, sheet->intensity[r].pga / sheet->gravity);
+        canvas_legend(c, (struct mark){MARK_LINE, record_colour[r], 0}, text);
     }
-    return 2 * s->n_record;
 }
 
-// Returns how many lines of four places it takes.
-static int write_legend(const struct response_sheet *sheet, FILE *to) {
+static void write_legend(const struct response_sheet *sheet, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
-    int n = 0;
     if (s->n_damping == 1 && s->n_record > 1) {
-        n = write_record_legend(sheet, to);
-        script_legend(to, n++, 1, SCRIPT_LINE, mean_colour, "mean");
-        script_legend(to, n++, 1, SCRIPT_AREA, band_colour, "16 to 84 %");
+        write_records(sheet, c);
+        canvas_legend(c, (struct mark){MARK_LINE, mean_colour, 0}, "mean");
+        canvas_legend(c, (struct mark){MARK_AREA, band_colour, 0}, "16 to 84 %");
     }
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
         char text[64];
         snprintf(text, sizeof text, "%g %% damping", 100.0 * s->damping[d]);
-        script_legend(to, n++, 1, SCRIPT_LINE, script_colour[d % SCRIPT_COLOURS], text);
+        canvas_legend(c, (struct mark){MARK_LINE, script_colour[d % SCRIPT_COLOURS], 0}, text);
     }
-    return (n + 3) / 4;
-}
-
-// A tic at 1, 2 and 5 of every decade; at every digit where there is little more than one decade.
-static void write_tics(double first, double last, FILE *to) {
-    const char *comma = "";
-    fprintf(to, "set logscale x\nset xtics (");
-    for (int decade = (int)floor(log10(first)); decade <= (int)ceil(log10(last)); decade++) {
-        for (int digit = 1; digit <= 9; digit++) {
-            const bool wanted = digit == 1 || digit == 2 || digit == 5 || last < 15.0 * first;
-            const double tic = digit * pow(10.0, decade);
-            if (wanted && tic >= first * (1.0 - 1e-9) && tic <= last * (1.0 + 1e-9)) {
-                fprintf(to, "%s'%g' %g", comma, tic, tic);
-                comma = ", ";
-            }
-        }
-    }
-    fprintf(to, ")\n");
 }
 
 // Periods within a factor of 2 are drawn without logarithms.
-static void write_axes(const struct spectra *s, FILE *to) {
+static struct axis period_axis(const struct spectra *s) {
     const double last = s->period[s->n_period - 1];
     double first = last;
     for (int p = s->n_period - 1; p >= 0 && s->period[p] > 0.0; p--) {
         first = s->period[p];
     }
-    if (last > 2.0 * first) {
-        write_tics(first, last, to);
+    return (struct axis){.name = "period",
+                         .dimension = dimension_time,
+                         .span = {first, last},
+                         .kind = last > 2.0 * first ? AXIS_LOGARITHMIC : AXIS_FULL};
+}
+
+// Of several ratios the mean is drawn, of one every record.
+static struct axis acceleration_axis(const struct response_sheet *sheet) {
+    const struct spectra *s = sheet->spectra;
+    struct span span = span_none;
+    for (int d = 0; d < s->n_damping; d++) {
+        for (int k = 0; k < s->n_record + SPECTRA_STATISTICS; k++) {
+            const bool drawn = s->n_damping == 1 || k == s->n_record + SPECTRA_MEAN;
+            for (int p = 0; drawn && p < s->n_period; p++) {
+                span_add(&span, spectra_at(s, k, d, p)->value[SPECTRUM_PSA] / sheet->gravity);
+            }
+        }
     }
-    fprintf(to,
-            "set xrange [%.9g:%.9g]\nset yrange [0:*]\nset offsets 0, 0, graph 0.04, 0\n"
-            "set xlabel 'period [s]'\nset ylabel 'pseudo-acceleration [g]'\n",
-            first, last);
+    return (struct axis){
+        .name = "pseudo-acceleration", .unit = "g", .span = span_with_room(span, 0)};
 }
 
 static void write_line(FILE *to, const char **comma, int at, const char *colour, double width) {
@@ -141,47 +132,44 @@ static void write_line(FILE *to, const char **comma, int at, const char *colour,
 static void write_plot(const struct spectra *s, FILE *to) {
     const char *comma = "";
     fprintf(to, "plot");
-    if (s->n_damping > 1) {
-        for (int d = 0; d < s->n_damping; d++) {
-            write_line(to, &comma, column(s, s->n_record + SPECTRA_MEAN, d),
-                       script_colour[d % SCRIPT_COLOURS], 1.5);
+    for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
+        write_line(to, &comma, column(s, s->n_record + SPECTRA_MEAN, d),
+                   script_colour[d % SCRIPT_COLOURS], 1.2);
+    }
+    if (s->n_damping == 1 && s->n_record == 1) {
+        write_line(to, &comma, column(s, 0, 0), script_colour[0], 1.2);
+    } else if (s->n_damping == 1) {
+        fprintf(to, " \\\n  $spectra using 1:%d:%d with filledcurves fc rgb '%s'",
+                column(s, s->n_record + SPECTRA_P16, 0), column(s, s->n_record + SPECTRA_P84, 0),
+                band_colour);
+        comma = ",";
+        for (int r = 0; r < s->n_record; r++) {
+            write_line(to, &comma, column(s, r, 0),
+                       s->n_record > NAMED_MAX ? other_colour : record_colour[r], 0.7);
         }
-        fprintf(to, "\n");
-        return;
+        write_line(to, &comma, column(s, s->n_record + SPECTRA_MEAN, 0), mean_colour, 1.6);
     }
-    if (s->n_record == 1) {
-        write_line(to, &comma, column(s, 0, 0), script_colour[0], 1.5);
-        fprintf(to, "\n");
-        return;
-    }
-    fprintf(to, " \\\n  $spectra using 1:%d:%d with filledcurves fc rgb '%s'",
-            column(s, s->n_record + SPECTRA_P16, 0), column(s, s->n_record + SPECTRA_P84, 0),
-            band_colour);
-    comma = ",";
-    for (int r = 0; r < s->n_record; r++) {
-        write_line(to, &comma, column(s, r, 0),
-                   s->n_record > NAMED_MAX ? other_colour : record_colour[r], 0.8);
-    }
-    write_line(to, &comma, column(s, s->n_record + SPECTRA_MEAN, 0), mean_colour, 2.0);
     fprintf(to, "\n");
 }
 
-int response_write(const struct response_sheet *sheet, const char *picture, FILE *to,
+int response_write(const struct response_sheet *sheet, const struct figure_files *to,
                    struct error *e) {
-    int status =
-        figure_head("spectrum", "elastic response spectra", sheet->version, picture, to, e);
+    const struct figure_head head = {
+        .name = "spectrum", .doc = "elastic response spectra", .version = sheet->version};
+    struct unit_system si;
+    struct canvas c;
+    int status = figure_open(&head, to, &c, e);
     if (status != STATUS_OK) {
         return status;
     }
-    write_data(sheet, to);
-    write_title(sheet, to);
-    const double top = 0.859 - 0.028 * write_legend(sheet, to);
-    fprintf(to,
-            "set lmargin at screen 0.085\nset rmargin at screen 0.975\n"
-            "set tmargin at screen %.3f\nset bmargin at screen 0.105\n",
-            top);
-    write_axes(sheet->spectra, to);
-    write_plot(sheet->spectra, to);
-    figure_end(to);
+    unit_system_init(&si);
+    write_data(sheet, c.data);
+    write_title(sheet, &c);
+    write_legend(sheet, &c);
+    const struct axis x = period_axis(sheet->spectra), y = acceleration_axis(sheet);
+    canvas_panel(&c, canvas_inset(c.area, 5.8, 0.5, 3.2, 0.7), &si, &x, &y);
+    write_plot(sheet->spectra, c.to);
+    canvas_panel_end(&c);
+    figure_close(&c);
     return STATUS_OK;
 }

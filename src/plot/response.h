@@ -3,10 +3,9 @@
 #ifndef JOSTLE_PLOT_RESPONSE_H
 #define JOSTLE_PLOT_RESPONSE_H
 
-#include <stdio.h>
-
 #include "jostle/intensity.h"
 #include "jostle/spectrum.h"
+#include "plot/figure.h"
 
 // What is drawn, in SI units; periods of 0 are left out.
 struct response_sheet {
@@ -17,11 +16,10 @@ struct response_sheet {
     const char *version;                // of the program
 };
 
-// Writes a stand-alone script that makes the file `picture`. One damping ratio: each record, and of
-// several the mean and the band from 16 to 84 %. Several ratios: the record, or the mean of all.
-// Errors: STATUS_INPUT (the name has no ending of a picture). Write errors of `to` are the
-// caller's.
-int response_write(const struct response_sheet *sheet, const char *picture, FILE *to,
+// Writes the script and its data. One damping ratio: each record, and of several the mean and the
+// band from 16 to 84 %. Several ratios: the record, or the mean of all. Errors: STATUS_INPUT (the
+// picture has another ending). Write errors are the caller's.
+int response_write(const struct response_sheet *sheet, const struct figure_files *to,
                    struct error *e);
 
 #endif

@@ -112,47 +112,6 @@ void script_cut(const char *text, int columns, char *cut, size_t size) {
     snprintf(cut, size, "%.*s%s", (int)(end - text), text, *end ? "\u2026" : "");
 }
 
-void script_head(FILE *to, const char *title, const char *subtitle) {
-    char cut[512];
-    script_cut(title, 80, cut, sizeof cut);
-    fprintf(to, "set label 1 ");
-    script_text(to, cut);
-    fprintf(to, " at screen 0.5,0.965 center font title_font\nset label 2 ");
-    script_cut(subtitle, 105, cut, sizeof cut);
-    script_text(to, cut);
-    fprintf(to, " at screen 0.5,0.925 center\n");
-}
-
-void script_legend(FILE *to, int i, int width, enum script_mark mark, const char *colour,
-                   const char *name) {
-    const double left = 0.065 + 0.235 * (i % 4);
-    const int line = i / 4;
-    const double y = 0.882 - 0.028 * line;
-    char cut[256];
-    switch (mark) {
-        case SCRIPT_LINE:
-        case SCRIPT_DASHED:
-            fprintf(to,
-                    "set arrow from screen %.4f,%.4f rto screen 0.025,0 nohead lc rgb '%s' dt %d\n",
-                    left, y, colour, mark == SCRIPT_DASHED ? 2 : 1);
-            break;
-        case SCRIPT_AREA:
-            fprintf(to,
-                    "set object rectangle from screen %.4f,%.4f to screen %.4f,%.4f "
-                    "fc rgb '%s' fs solid noborder\n",
-                    left, y - 0.008, left + 0.025, y + 0.008, colour);
-            break;
-        case SCRIPT_POINT:
-            fprintf(to, "set label '' at screen %.4f,%.4f point pt 7 ps 0.7 lc rgb '%s'\n",
-                    left + 0.0125, y, colour);
-            break;
-    }
-    script_cut(name, 26 * width - 6, cut, sizeof cut);
-    fprintf(to, "set label ");
-    script_text(to, cut);
-    fprintf(to, " at screen %.4f,%.4f left\n", left + 0.032, y);
-}
-
 static int ascending(const void *left, const void *right) {
     const size_t a = *(const size_t *)left, b = *(const size_t *)right;
     return (a > b) - (a < b);

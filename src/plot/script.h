@@ -25,16 +25,6 @@ void script_shorten(const char *name, int columns, char *cut, size_t size);
 // The number of characters of an UTF-8 text.
 int script_columns(const char *text);
 
-// Title and subtitle above everything, on the sheet of figure_head.
-void script_head(FILE *to, const char *title, const char *subtitle);
-
-// An entry of the legend at place `i`, four in a row, `width` places wide: what stands for the
-// data, and its name.
-enum script_mark { SCRIPT_LINE, SCRIPT_DASHED, SCRIPT_AREA, SCRIPT_POINT };
-enum { SCRIPT_LEGEND_MAX = 8 };
-void script_legend(FILE *to, int i, int width, enum script_mark mark, const char *colour,
-                   const char *name);
-
 // The unit, powers as raised digits, products with raised points.
 void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
                  size_t size);

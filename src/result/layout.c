@@ -9,6 +9,7 @@ static const struct column root_column[] = {
     {.name = "created", .kind = COLUMN_TEXT, .offset = offsetof(struct report, created)},
     {.name = "deck_file", .kind = COLUMN_TEXT, .offset = offsetof(struct report, deck_file)},
     {.name = "deck", .kind = COLUMN_TEXT, .offset = offsetof(struct report, deck)},
+    {.name = "includes", .kind = COLUMN_TEXT, .offset = offsetof(struct report, includes)},
     {.name = "parameters", .kind = COLUMN_TEXT, .offset = offsetof(struct report, parameters)},
     {.name = "command_line", .kind = COLUMN_TEXT, .offset = offsetof(struct report, command_line)},
     {.name = "duration", .kind = COLUMN_DOUBLE, .offset = offsetof(struct report, duration)},
@@ -42,8 +43,8 @@ static const struct column totals_column[] = {
     {.name = "contact_solves_scalar",
      .kind = COLUMN_LONG,
      .offset = offsetof(struct totals, scalar)},
-    {.name = "impacts_coarse", .kind = COLUMN_LONG, .offset = offsetof(struct totals, coarse)},
     {.name = "contact_solves_block", .kind = COLUMN_LONG, .offset = offsetof(struct totals, block)},
+    {.name = "impacts_coarse", .kind = COLUMN_LONG, .offset = offsetof(struct totals, coarse)},
 };
 const struct column_table layout_totals = {
     totals_column, sizeof totals_column / sizeof totals_column[0], sizeof(struct totals)};

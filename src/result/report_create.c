@@ -119,10 +119,12 @@ static int texts_fill(struct report *to, const struct model *m, const char *file
     to->created = now(a);
     to->deck_file = text_or_nothing(a, m->deck->path);
     to->deck = text_or_nothing(a, m->deck->text);
+    const char *includes = deck_includes(m->deck);
+    to->includes = text_or_nothing(a, includes);
     to->parameters = text_or_nothing(a, deck_parameters(m->deck));
     to->command_line = "";
     const bool good = (to->file || !file) && to->title && to->version && to->created &&
-                      to->deck_file && to->deck && to->parameters &&
+                      to->deck_file && to->deck && includes && to->includes && to->parameters &&
                       !m->deck->diagnostics.out_of_memory;
     return good ? STATUS_OK : error_no_memory(e);
 }

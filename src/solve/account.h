@@ -8,7 +8,7 @@
 
 // Works since t = 0 [F L], each the sum over steps of a mean force times a displacement.
 struct energy_account {
-    double initial;                 // kinetic and strain energy at t = 0
+    double initial;                 // kinetic, strain and contact energy at t = 0
     double *input_2x, *damping_2x;  // (n_dof) twice the work of external and damping forces
     double input, damping;          // beyond that: of links on the grounds, of adaptive steps
     double contact;
@@ -21,6 +21,11 @@ bool energy_alloc(struct energy_account *a, const struct model *m, struct arena 
 
 // Energies of the start state.
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s);
+
+// Adds what closed links hold at the start state, which is both initial and work done on them, to
+// the account and to each link's own in `link` (n_link). Errors: STATUS_SYSTEM (no memory).
+int energy_start_links(struct energy_account *a, const struct model *m, const struct state *s,
+                       struct link_peak *link, struct error *e);
 
 // Adds the step from `now` to `next`.
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,

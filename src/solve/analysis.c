@@ -314,6 +314,10 @@ static int run_start(struct run *r) {
     state_start(r->now, r->model);
     energy_start(&r->energy, r->model, r->now);
     peaks_update(r->results, r->model, r->now);
+    struct link_peak *link = r->results->link;
+    if (energy_start_links(&r->energy, r->model, r->now, link, r->error) != STATUS_OK) {
+        return r->error->status;
+    }
     if (r->adaptive) {
         dormand_prince_start(r->adaptive, r->now, &r->energy);
     }

@@ -2,14 +2,19 @@
 // Let f* be the exact answer of each link with the others held (line.c), and t the slope
 // beta h^2 dF/dd + gamma h dF/dv of its law there. Then f* changes with the forces of the others as
 // df* = -t (S df)_others / (1 + S_ll t), and Newton's method for f* = f asks for
-//     (I + T S) df = r,   r = (1 + S_ll t)(f* - f).
+//     df_l + share_l sum over m != l of (S_lm / S_ll) df_m = f*_l - f_l,
+//     share_l = S_ll t / (1 + S_ll t).
 // Linearising at the answers instead of at F(d, v) is what makes it work on stiff links, whose own
-// force at the trial penetration means nothing.
+// force at the trial penetration means nothing: all shares are between 0 and 1, but for laws whose
+// force falls with d. A link held within a jump of its law, at d = 0 or v = 0, has the share 1; it
+// is kept just below, as two such links between the same floors could not be told apart.
 //
-// S is symmetric and positive semi-definite, so with D = T^(1/2) the step is
-//     df = r - D (I + D S D)^-1 D S r,
-// whose matrix has no eigenvalue below 1: Cholesky cannot break down. A link held within a jump
-// behaves like a very stiff spring, S_ll t = JUMP.
+// At a kink or a jump of a law a step may go astray and only the next one set it right. So some
+// steps are taken whole, each followed by a sweep, which measures how far off it was. If they do
+// not get nearer, one step is taken as far as it leads downwards: for laws that do not pull, sweeps
+// are coordinate descent on the convex function
+//     f' S f / 2 - f' x_free + sum over l of the integral of X_l,
+// X_l(f) being where the law of link l gives f, and its derivative is easily had (line_excess).
 #include "solve/block.h"
 
 #include <gsl/gsl_linalg.h>
@@ -18,7 +23,8 @@
 
 #include "solve/contact.h"
 
-static const double JUMP = 1e7;
+enum { WHOLE_STEPS = 12, PARTS = 20 };
+static const double HELD = 1.0 - 1e-10;
 
 // Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different
 // buildings.
@@ -34,124 +40,178 @@ static double flexibility(struct work *w, const struct link *l, const struct lin
            between(w, l, 1, k, 1);
 }
 
-static void fill_flexibility(struct work *w, const struct state *next) {
-    int n = next->n_live;
-    for (int i = 0; i < n; i++) {
-        const struct link *l = &w->model->link[next->live[i]];
-        for (int j = i; j < n; j++) {
-            double s = flexibility(w, l, &w->model->link[next->live[j]]);
-            w->matrix[(size_t)i * (size_t)n + (size_t)j] = s;
-            w->matrix[(size_t)j * (size_t)n + (size_t)i] = s;
-        }
-    }
-}
-
-// S_ll t of the law at its answer.
-static double slope_at(const struct line *line, enum branch branch, double force) {
+static double share_at(const struct line *line, enum branch branch, double force) {
     if (branch == BRANCH_OPEN) {
         return 0.0;
     }
-    if (branch != BRANCH_CLOSED) {
-        return JUMP;
+    if (branch != BRANCH_CLOSED || force == line->v_free / line->v_force) {
+        return HELD;
     }
     struct contact_response law = line_law(line, force);
     double slope = line->d_force * law.dfdd + line->v_force * law.dfdv;
-    return isfinite(slope) ? fmax(slope, 0.0) : JUMP;
+    double share = slope / (1.0 + slope);
+    return slope > -0.5 && share < HELD ? share : HELD;
 }
 
-// Residual into `r` and the root of t into `weight`.
+// The matrix of the cluster, and f* - f into `r`.
 static void linearise(struct work *w, const struct state *now, const struct state *next,
-                      double *r) {
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
+                      const struct cluster *c, double *r) {
+    for (int i = 0; i < c->n; i++) {
+        int k = c->link[i];
         struct line line = contact_line(w, now, next, k);
         double force;
         enum branch branch = line_answer(&line, next->force[k], &force);
-        double slope = slope_at(&line, branch, force);
-        r[i] = (1.0 + slope) * (force - next->force[k]);
-        w->weight[i] = sqrt(slope * w->g / line.v_force);
-    }
-}
-
-// y = S x for the symmetric matrix in `matrix`.
-static void multiply(const struct work *w, int n, const double *x, double *y) {
-    for (int i = 0; i < n; i++) {
-        double sum = 0.0;
-        for (int j = 0; j < n; j++) {
-            sum += w->matrix[(size_t)i * (size_t)n + (size_t)j] * x[j];
+        double share = share_at(&line, branch, force) / w->flexibility[k];
+        double *row = w->matrix + (size_t)i * (size_t)c->n;
+        for (int j = 0; j < c->n; j++) {
+            row[j] = i == j
+                         ? 1.0
+                         : share * flexibility(w, &w->model->link[k], &w->model->link[c->link[j]]);
         }
-        y[i] = sum;
+        r[i] = force - next->force[k];
     }
 }
 
 // The Newton step into `df`; false: not finite.
 static bool newton_step(struct work *w, const struct state *now, const struct state *next,
-                        double *df) {
-    size_t n = (size_t)next->n_live;
-    double *y = df + n;
-    fill_flexibility(w, next);
-    linearise(w, now, next, df);
-    multiply(w, next->n_live, df, y);
-    for (size_t i = 0; i < n; i++) {
-        y[i] *= w->weight[i];
-        for (size_t j = 0; j < n; j++) {
-            w->matrix[i * n + j] *= w->weight[i] * w->weight[j];
-        }
-        w->matrix[i * n + i] += 1.0;
-    }
+                        const struct cluster *c, double *df) {
+    size_t n = (size_t)c->n;
+    int sign;
+    linearise(w, now, next, c, df);
     gsl_matrix_view a = gsl_matrix_view_array(w->matrix, n, n);
-    gsl_vector_view x = gsl_vector_view_array(y, n);
-    if (gsl_linalg_cholesky_decomp1(&a.matrix) != 0 ||
-        gsl_linalg_cholesky_svx(&a.matrix, &x.vector) != 0) {
+    gsl_vector_view x = gsl_vector_view_array(df, n);
+    gsl_permutation p = {.size = n, .data = w->order};
+    if (gsl_linalg_LU_decomp(&a.matrix, &p, &sign) != 0 ||
+        gsl_linalg_LU_svx(&a.matrix, &p, &x.vector) != 0) {
         return false;
     }
     bool finite = true;
     for (size_t i = 0; i < n; i++) {
-        df[i] -= w->weight[i] * y[i];
         finite &= isfinite(df[i]) != 0;
     }
     return finite;
 }
 
-// How far the forces move the links from where their exact single answers would.
-static double distance(struct work *w, const struct state *now, const struct state *next) {
+static void apply(struct work *w, struct state *next, const struct cluster *c, double part,
+                  const double *df) {
+    for (int i = 0; i < c->n; i++) {
+        contact_apply(w, next, c->link[i], part * df[i]);
+    }
+}
+
+// Copies the corrections of the buildings of the cluster.
+static void copy_buildings(const struct work *w, const struct cluster *c, double *to,
+                           const double *from) {
+    for (int i = 0; i < 2 * c->n; i++) {
+        int k = w->model->link[c->link[i / 2]].building[i % 2];
+        if (k != WALL) {
+            const struct building *g = &w->model->building[k];
+            memcpy(to + g->first, from + g->first, (size_t)g->n_floor * sizeof *to);
+        }
+    }
+}
+
+static void keep(struct work *w, const struct state *next, const struct cluster *c) {
+    copy_buildings(w, c, w->kept_q, w->correction);
+    for (int i = 0; i < c->n; i++) {
+        w->kept_f[c->link[i]] = next->force[c->link[i]];
+    }
+}
+
+static void restore(struct work *w, struct state *next, const struct cluster *c) {
+    copy_buildings(w, c, w->correction, w->kept_q);
+    for (int i = 0; i < c->n; i++) {
+        next->force[c->link[i]] = w->kept_f[c->link[i]];
+    }
+}
+
+// A sweep over the cluster; how far it moved the links.
+static double sweep(struct work *w, const struct state *now, struct state *next,
+                    const struct cluster *c) {
+    double moved = 0.0;
+    for (int i = 0; i < c->n; i++) {
+        moved += fabs(contact_settle(w, now, next, c->link[i])) * w->flexibility[c->link[i]];
+    }
+    w->totals->iterations++;
+    return moved;
+}
+
+// Whole steps, until the sweep behind one moves the links by at most half of *nearest, which is
+// then that of this sweep.
+static bool whole_steps(struct work *w, const struct state *now, struct state *next,
+                        const struct cluster *c, double *nearest) {
+    for (int i = 0; i < WHOLE_STEPS; i++) {
+        if (!newton_step(w, now, next, c, w->vector)) {
+            return false;
+        }
+        apply(w, next, c, 1.0, w->vector);
+        double moved = sweep(w, now, next, c);
+        if (moved <= 0.5 * *nearest) {
+            *nearest = moved;
+            return true;
+        }
+    }
+    return false;
+}
+
+// The derivative along df of the function that sweeps minimise.
+static double descent(struct work *w, const struct state *now, struct state *next,
+                      const struct cluster *c, const double *df) {
     double sum = 0.0;
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
+    for (int i = 0; i < c->n; i++) {
+        int k = c->link[i];
         struct line line = contact_line(w, now, next, k);
-        double force;
-        line_answer(&line, next->force[k], &force);
-        sum += line.v_force * fabs(force - next->force[k]);
+        sum += df[i] * w->flexibility[k] * line_excess(&line, next->force[k]);
     }
     return sum;
 }
 
-static void restore(const struct work *w, struct state *next) {
-    memcpy(w->correction, w->kept_q, (size_t)w->model->n_dof * sizeof *w->correction);
-    for (int i = 0; i < next->n_live; i++) {
-        next->force[next->live[i]] = w->kept_f[next->live[i]];
+// No force of a law that does not pull may become negative.
+static void limit(const struct work *w, const struct state *next, const struct cluster *c,
+                  double *df) {
+    for (int i = 0; i < c->n; i++) {
+        int k = c->link[i];
+        const struct link *l = &w->model->link[k];
+        if (w->clamped[k] || !(l->bilateral || (l->law->traits & CONTACT_MAY_PULL))) {
+            df[i] = fmax(df[i], -next->force[k]);
+        }
     }
 }
 
-bool block_step(struct work *w, const struct state *now, struct state *next) {
-    if (next->n_live > w->block_max) {
-        return false;
-    }
+// The part of a Newton step that leads lowest on the function that sweeps minimise: it is convex,
+// so its derivative is bisected.
+static bool part_step(struct work *w, const struct state *now, struct state *next,
+                      const struct cluster *c) {
     double *df = w->vector;
-    double before = distance(w, now, next);
-    if (!newton_step(w, now, next, df)) {
+    if (!newton_step(w, now, next, c, df)) {
         return false;
     }
-    memcpy(w->kept_q, w->correction, (size_t)w->model->n_dof * sizeof *w->correction);
-    memcpy(w->kept_f, next->force, (size_t)w->model->n_link * sizeof *next->force);
-    for (double part = 1.0; part > 0.1; part *= 0.5) {
-        for (int i = 0; i < next->n_live; i++) {
-            contact_apply(w, next, next->live[i], part * df[i]);
+    limit(w, next, c, df);
+    double low = 0.0;
+    double high = 2.0;
+    for (int i = 0; i < PARTS; i++) {
+        double part = 0.5 * (low + high);
+        apply(w, next, c, part, df);
+        *(descent(w, now, next, c, df) <= 0.0 ? &low : &high) = part;
+        restore(w, next, c);
+        if (low == 1.0) {
+            break;
         }
-        if (distance(w, now, next) <= 0.5 * before) {
-            return true;
-        }
-        restore(w, next);
     }
-    return false;
+    apply(w, next, c, low, df);
+    return low > 0.0;
+}
+
+bool block_step(struct work *w, const struct state *now, struct state *next,
+                const struct cluster *c, double *nearest) {
+    if (c->n > w->block_max) {
+        return false;
+    }
+    *nearest = fmin(*nearest, sweep(w, now, next, c));
+    keep(w, next, c);
+    if (whole_steps(w, now, next, c, nearest)) {
+        return true;
+    }
+    restore(w, next, c);
+    return part_step(w, now, next, c);
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Newton step on all active links together, to speed up the sweeps of contact.c.
+// Newton steps on a cluster of links together, to speed up the sweeps of contact.c.
 #ifndef JOSTLE_BLOCK_H
 #define JOSTLE_BLOCK_H
 
-#include "solve/work.h"
+#include "solve/cluster.h"
 
-// Tries a Newton step on the forces of the active links, whole and shortened. Keeps the first that
-// halves the distance of the forces from their exact single answers and returns true; else leaves
-// everything as it was and returns false.
-bool block_step(struct work *w, const struct state *now, struct state *next);
+// Tries Newton steps on the forces of the cluster: several whole ones, kept if a sweep behind them
+// moves the links by no more than half of *nearest, the least so far; else as much of one as leads
+// lowest on the function that sweeps minimise. False: neither was of use, and one sweep was done.
+bool block_step(struct work *w, const struct state *now, struct state *next,
+                const struct cluster *c, double *nearest);
 
 #endif

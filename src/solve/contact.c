@@ -33,7 +33,13 @@ static const double RECOVERY = 0.5;
 // Block steps are tried after so many sweeps, where the last one brought the change of the forces
 // down by less than this factor.
 enum { PLAIN_SWEEPS = 4 };
+
+// After so many, laws are no longer let pull.
+enum { PULLING_SWEEPS = 25 };
 static const double SLOW = 0.2;
+
+// Changes of a force less than this share of it may come from the rounding of others.
+static const double SMALL = 1e-9;
 
 // Acceleration of the ends of a link towards each other per unit of its force, negative: S_ll.
 static double own_flexibility(struct work *w, const struct link *l) {
@@ -78,6 +84,7 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
         .v_rest = -recovery(w->model) * now->delta[k] / w->h,
         .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
         .closed = now->closed[k],
+        .clamped = w->clamped[k],
         .held = now->closed[k] && k == w->held,
     };
 }
@@ -123,6 +130,7 @@ void contact_begin(struct work *w, const struct state *now, struct state *next) 
             memcpy(next->link_history + l->history, now->link_history + l->history,
                    (size_t)l->law->n_history * sizeof *next->link_history);
             w->branch[k] = BRANCH_CLOSED;
+            w->clamped[k] = false;
         }
     }
 }
@@ -145,6 +153,7 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
     const struct link *l = &w->model->link[k];
     state_enliven(next, k);
     w->branch[k] = BRANCH_OPEN;
+    w->clamped[k] = false;
     w->checked[k] = 0.0;
     w->flexibility[k] = own_flexibility(w, l);
     struct line line = contact_line(w, now, next, k);
@@ -184,11 +193,52 @@ int contact_search(struct work *w, const struct state *now, struct state *next) 
     return next->n_live - before;
 }
 
-// True if changing the force by df moves the link by no more than rounding.
-static bool negligible(const struct work *w, const struct line *l, double df) {
-    double moved = l->d_force > 0.0 ? l->d_force : l->v_force;
-    const double *x = l->d_force > 0.0 ? w->u_trial : w->v_trial;
-    return moved * fabs(df) <= state_rounding(l->link, x) + 4.0 * DBL_EPSILON * l->link->gap;
+// Rounding that the forces of other links bring into x (n_dof).
+static double rounding_of_others(const struct work *w, const double *x) {
+    double largest = 0.0;
+    for (int i = 0; i < w->model->n_dof; i++) {
+        largest = number_max(largest, fabs(x[i]));
+    }
+    return 16.0 * DBL_EPSILON * largest;
+}
+
+// How much the force of a link changes with the rounding of its d and v.
+static double noise(const struct line *l, enum branch branch, double f, double d, double v) {
+    if (l->link->law->rebound || f == l->v_free / l->v_force) {
+        return v / l->v_force;
+    }
+    if (branch == BRANCH_CLOSED) {
+        struct contact_response r = line_law(l, f);
+        double slope = l->d_force * r.dfdd + l->v_force * r.dfdv;
+        double change = (fabs(r.dfdd) * d + fabs(r.dfdv) * v) / (1.0 + fabs(slope));
+        if (isfinite(change)) {
+            return change;
+        }
+    }
+    return l->d_force > 0.0 ? d / l->d_force : 0.0;
+}
+
+// Is a change of the force no more than rounding? That of other links counts where it is small.
+static bool negligible(const struct work *w, const struct line *l, enum branch branch, double f,
+                       double df) {
+    double d = state_rounding(l->link, w->u_trial) + 4.0 * DBL_EPSILON * l->link->gap;
+    double v = state_rounding(l->link, w->v_trial);
+    if (fabs(df) <= SMALL * fabs(f)) {
+        d += rounding_of_others(w, w->u_trial);
+        v += rounding_of_others(w, w->v_trial);
+    }
+    bool maybe = l->v_force * fabs(df) <= v || l->d_force * fabs(df) <= d;
+    return maybe && fabs(df) <= noise(l, branch, f, d, v);
+}
+
+double contact_settle(struct work *w, const struct state *now, struct state *next, int k) {
+    struct line line = contact_line(w, now, next, k);
+    double force;
+    w->branch[k] = line_answer(&line, next->force[k], &force);
+    double df = force - next->force[k];
+    contact_apply(w, next, k, df);
+    next->force[k] = force;
+    return df;
 }
 
 // How a sweep answers: exactly, or by Newton steps where they are safe.
@@ -212,7 +262,7 @@ static void sweep(struct work *w, const struct state *now, struct state *next, e
         contact_apply(w, next, k, df);
         next->force[k] = force;
         *largest = number_max(*largest, fabs(force));
-        if (fabs(df) > *change && !negligible(w, &line, df)) {
+        if (fabs(df) > *change && !negligible(w, &line, w->branch[k], force, df)) {
             *change = fabs(df);
         }
     }
@@ -225,9 +275,32 @@ static bool suffices(struct work *w, const struct state *now, const struct state
     return w->strictness == STEP_ACCEPT || resolve_suffices(w, now, next);
 }
 
+// With laws that pull there may be no solution, or several between which sweeps go to and fro.
+// Without their tension there is just one.
+static void clamp(struct work *w, const struct state *next) {
+    for (int i = 0; i < next->n_live; i++) {
+        const struct link *l = &w->model->link[next->live[i]];
+        w->clamped[next->live[i]] = !l->bilateral && (l->law->traits & CONTACT_MAY_PULL);
+    }
+}
+
+// Block steps on all clusters; true if one was of use.
+static bool block_steps(struct work *w, const struct state *now, struct state *next) {
+    bool any = false;
+    int n = cluster_find(w, next);
+    for (int i = 0; i < n; i++) {
+        struct cluster c = cluster_at(w, i);
+        any |= c.n > 1 && block_step(w, now, next, &c, &w->nearest[i]);
+    }
+    return any;
+}
+
 // Sweeps, with block steps between them once plain sweeps are too slow.
 static int iterate(struct work *w, const struct state *now, struct state *next, bool *blocked) {
     double before = INFINITY;
+    for (int i = 0; i < w->model->n_building; i++) {
+        w->nearest[i] = INFINITY;
+    }
     for (int i = 0; i < w->model->iterations; i++) {
         double change, largest;
         sweep(w, now, next, i < PLAIN_SWEEPS ? ANSWER_NEWTON : ANSWER_EXACT, &change, &largest);
@@ -238,13 +311,28 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
         if (converged) {
             return STATUS_OK;
         }
-        if (i + 1 >= PLAIN_SWEEPS && change > SLOW * before && block_step(w, now, next)) {
+        if (i == PULLING_SWEEPS) {
+            clamp(w, next);
+        }
+        if (i + 1 >= PLAIN_SWEEPS && change > SLOW * before && block_steps(w, now, next)) {
             *blocked = true;
         }
         before = change;
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
+}
+
+// A link whose law would pull where it was not let has neither an open nor a closed solution.
+static void judge_clamped(struct work *w, const struct state *now, const struct state *next) {
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
+        if (w->clamped[k] && next->force[k] == 0.0 && w->branch[k] == BRANCH_CLOSED) {
+            struct line line = contact_line(w, now, next, k);
+            line.clamped = false;
+            w->branch[k] = line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
+        }
+    }
 }
 
 // A link that found neither an open nor a closed solution opens inside the step, unless it has
@@ -269,6 +357,7 @@ int contact_solve(struct work *w, const struct state *now, struct state *next) {
     if (status != STATUS_OK) {
         return status;
     }
+    judge_clamped(w, now, next);
     if (undecided(w, now, next)) {
         return STATUS_RETRY;
     }

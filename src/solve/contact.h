@@ -26,4 +26,7 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
 // Changes the force of link k by df, and the correction of its buildings with it.
 void contact_apply(struct work *w, struct state *next, int k, double df);
 
+// Gives link k its exact answer while the other forces are held; returns the change of its force.
+double contact_settle(struct work *w, const struct state *now, struct state *next, int k);
+
 #endif

@@ -8,8 +8,16 @@
 //
 // Where two buildings stand on grounds that move differently, link forces also work on the grounds;
 // that work enters by the input.
+//
+// A link that is closed or strained at t = 0 holds the energy that its force, at rest, would take
+// to bring it there; it is initial energy, and the first of the work done on the link.
+#include <gsl/gsl_integration.h>
+
 #include "core/lanes.h"
 #include "solve/account.h"
+
+enum { CQUAD_INTERVALS = 100 };
+static const double CQUAD_TOLERANCE = 1e-12;
 
 static double kinetic(const struct model *m, const struct state *s) {
     double sum = 0.0;
@@ -43,6 +51,49 @@ bool energy_alloc(struct energy_account *a, const struct model *m, struct arena 
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s) {
     a->stored_start = stored(m, s, STOREYS_OTHER);
     a->initial = kinetic(m, s) + stored(m, s, STOREYS_ELASTIC) + a->stored_start;
+}
+
+// A link and its history, for the force that it would have at rest.
+struct resting_link {
+    const struct link *link;
+    const double *history;
+};
+
+static double resting_force(double d, void *context) {
+    const struct resting_link *r = context;
+    return r->link->law->force(r->link->constant, r->history, d, 0.0).force;
+}
+
+// The integral from 0 to delta of the force at rest; the method stands kinks and infinite slopes.
+static int link_energy(const struct model *m, const struct state *s, int k, double *energy,
+                       struct error *e) {
+    struct resting_link link = {&m->link[k], s->link_history + m->link[k].history};
+    gsl_function force = {.function = resting_force, .params = &link};
+    gsl_integration_cquad_workspace *w = gsl_integration_cquad_workspace_alloc(CQUAD_INTERVALS);
+    if (!w) {
+        return error_no_memory(e);
+    }
+    gsl_integration_cquad(&force, 0.0, s->delta[k], 0.0, CQUAD_TOLERANCE, w, energy, NULL, NULL);
+    gsl_integration_cquad_workspace_free(w);
+    return STATUS_OK;
+}
+
+int energy_start_links(struct energy_account *a, const struct model *m, const struct state *s,
+                       struct link_peak *link, struct error *e) {
+    for (int i = 0; i < s->n_live; i++) {
+        int k = s->live[i];
+        double energy = 0.0;
+        if (s->delta[k] == 0.0 || m->link[k].law->rebound) {
+            continue;
+        }
+        if (link_energy(m, s, k, &energy, e) != STATUS_OK) {
+            return e->status;
+        }
+        a->initial += energy;
+        a->contact += energy;
+        link[k].dissipated += energy;
+    }
+    return STATUS_OK;
 }
 
 static void links_step(struct energy_account *a, const struct model *m, const struct state *now,

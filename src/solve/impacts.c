@@ -41,9 +41,13 @@ static int open_impact(struct impact_log *log, struct results *r, int k, const s
 int impacts_start(struct impact_log *log, struct results *r, const struct model *m,
                   const struct state *s, struct error *e) {
     for (int k = 0; k < m->n_contact; k++) {
-        if (s->closed[k] && open_impact(log, r, k, s, e) != STATUS_OK) {
+        if (!s->closed[k]) {
+            continue;
+        }
+        if (open_impact(log, r, k, s, e) != STATUS_OK) {
             return e->status;
         }
+        r->impact[log->open[k]].dissipated = r->link[k].dissipated;  // what it holds already
     }
     return STATUS_OK;
 }
@@ -163,14 +167,14 @@ static void blot_forces(struct results *r, const struct model *m) {
     }
 }
 
-bool impact_is_coarse(const struct model *m, const struct impact *i) {
+bool impacts_is_coarse(const struct model *m, const struct impact *i) {
     return !m->adaptive && i->complete && i->steps < IMPACT_STEPS_MIN &&
            !m->link[i->contact].law->rebound;
 }
 
 static void count_coarse(struct results *r, const struct model *m) {
     for (long i = 0; i < r->n_impact; i++) {
-        r->totals.coarse += impact_is_coarse(m, &r->impact[i]);
+        r->totals.coarse += impacts_is_coarse(m, &r->impact[i]);
     }
 }
 

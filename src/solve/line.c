@@ -21,7 +21,18 @@ static const double STEEPEST = 0.1;
 // A Newton step as small as this, relative to the force, leaves an error of its square.
 static const double SQUARED = 1e-9;
 
-enum { NEWTON_MAX = 25, ITERATIONS_MAX = 200, EXPANSIONS_MAX = 200 };
+// A velocity that adds nothing to a force but shows the law its sign.
+static const double SMALLEST = DBL_MIN;
+
+enum {
+    NEWTON_MAX = 25,
+    ITERATIONS_MAX = 200,
+    EXPANSIONS_MAX = 200,
+    HALVINGS = 60,
+    GOLDEN_MAX = 40
+};
+
+static const double GOLDEN = 0.6180339887498949;  // (sqrt(5) - 1) / 2
 
 struct contact_response line_law(const struct line *l, double force) {
     double d = l->d_free - l->d_force * force;
@@ -29,15 +40,55 @@ struct contact_response line_law(const struct line *l, double force) {
     if (!l->link->bilateral) {
         d = number_max(d, 0.0);
     }
-    return l->link->law->force(l->link->constant, l->history, d, v);
+    struct contact_response r = l->link->law->force(l->link->constant, l->history, d, v);
+    return l->clamped && r.force < 0.0 ? (struct contact_response){0} : r;
+}
+
+static bool pulls(const struct line *l) {
+    return !l->clamped && (l->link->law->traits & CONTACT_MAY_PULL);
 }
 
 static double residual(const struct line *l, double f) {
     return f - line_law(l, f).force;
 }
 
+// force - F(d(f), v(f)), with no force where d < 0.
+static double residual_of(const struct line *l, double force, double f) {
+    bool apart = !l->link->bilateral && l->d_free - l->d_force * f < 0.0;
+    return force - (apart ? 0.0 : line_law(l, f).force);
+}
+
+// g at v = 0, reached from the side of `v`.
+static double residual_at_rest(const struct line *l, double f, double v) {
+    struct line at_rest = *l;
+    at_rest.v_free = v;
+    at_rest.v_force = 0.0;
+    return residual(&at_rest, f);
+}
+
+// Moves one end of the bracket to the force that makes v = 0, where the law may jump or have a
+// kink. True if the root is there: both ends are.
+static bool split_at_rest(const struct line *l, double *low, double *high) {
+    double f = l->v_free / l->v_force;
+    if (!(f > *low && f < *high)) {
+        return false;
+    }
+    if (residual_at_rest(l, f, -SMALLEST) < 0.0) {
+        *low = f;
+        return false;
+    }
+    *high = f;
+    if (residual_at_rest(l, f, SMALLEST) <= 0.0) {
+        *low = f;
+    }
+    return *low == f;
+}
+
 // The root of g in [low, high], g(low) <= 0 <= g(high).
 static double root(const struct line *l, double low, double high, double f) {
+    if (split_at_rest(l, &low, &high)) {
+        return low;
+    }
     if (!(f > low && f < high)) {
         f = 0.5 * (low + high);
     }
@@ -88,7 +139,7 @@ static enum branch pressed(const struct line *l, double guess, double *force) {
     double top = l->d_free / l->d_force;
     if (residual(l, top) < 0.0) {
         *force = top;
-        return l->closed ? BRANCH_NONE : BRANCH_JUMP;
+        return l->closed && pulls(l) ? BRANCH_NONE : BRANCH_JUMP;
     }
     double f = line_law(l, 0.0).force;
     if (f >= 0.0) {
@@ -100,29 +151,70 @@ static enum branch pressed(const struct line *l, double guess, double *force) {
     return BRANCH_CLOSED;
 }
 
-// d_free <= 0 for a closed link of a law that pulls: is there a tension that keeps d > 0? It is
-// looked for between d = 0, or the guess where that fails, and the law's own force there.
+// A force between low and *high with g > 0, into *high; false: none. g has one maximum there: the
+// tension is zero at d = 0 and again where the bodies do not part fast enough. Golden section.
+static bool find_tension(const struct line *l, double low, double *high) {
+    double end = *high;
+    double x = end - GOLDEN * (end - low);
+    double y = low + GOLDEN * (end - low);
+    double at_x = residual(l, x);
+    double at_y = residual(l, y);
+    for (int i = 0; i < GOLDEN_MAX && at_x <= 0.0 && at_y <= 0.0; i++) {
+        if (at_x > at_y) {
+            end = y;
+            y = x;
+            at_y = at_x;
+            x = end - GOLDEN * (end - low);
+            at_x = residual(l, x);
+        } else {
+            low = x;
+            x = y;
+            at_x = at_y;
+            y = low + GOLDEN * (end - low);
+            at_y = residual(l, y);
+        }
+    }
+    *high = at_x > 0.0 ? x : y;
+    return at_x > 0.0 || at_y > 0.0;
+}
+
+// d_free <= 0 for a closed link of a law that pulls: is there a tension that keeps d > 0?
 static enum branch held(const struct line *l, double guess, double *force) {
     double high = l->d_free / l->d_force;
+    double low = fmin(high, line_law(l, high).force);
     *force = 0.0;
-    if (residual(l, high) <= 0.0) {
-        if (!(guess < high) || residual(l, guess) <= 0.0) {
-            return BRANCH_OPEN;
-        }
-        high = guess;
-    }
-    double low = line_law(l, high).force;
-    if (!bracket_below(l, &low)) {
+    if (!bracket_below(l, &low) || (residual(l, high) <= 0.0 && !find_tension(l, low, &high))) {
         return BRANCH_OPEN;
     }
     *force = root(l, low, high, guess);
     return BRANCH_CLOSED;
 }
 
+double line_excess(const struct line *l, double force) {
+    if (l->link->law->rebound) {
+        return force - (l->v_free - l->v_rest) / l->v_force;
+    }
+    double at = residual_of(l, force, force);
+    double low = force;
+    double high = force;
+    double *end = at < 0.0 ? &high : &low;
+    double way = at < 0.0 ? 1.0 : -1.0;
+    double width = 1e-6 * (fabs(force) + fabs(l->v_free / l->v_force)) + DBL_MIN;
+    for (int i = 0; i < EXPANSIONS_MAX && residual_of(l, force, *end) * at > 0.0; i++) {
+        *end = force + way * width;
+        width *= 4.0;
+    }
+    for (int i = 0; i < HALVINGS && low < high; i++) {
+        double middle = 0.5 * (low + high);
+        *(residual_of(l, force, middle) < 0.0 ? &low : &high) = middle;
+    }
+    return force - 0.5 * (low + high);
+}
+
 bool line_step(const struct line *l, double guess, double *force) {
     const struct contact_law *law = l->link->law;
     double d = l->d_free - l->d_force * guess;
-    if (!l->closed || !law->force || (!(d > 0.0) && !l->link->bilateral)) {
+    if (!l->closed || !law->force || l->clamped || (!(d > 0.0) && !l->link->bilateral)) {
         return false;
     }
     double v = l->v_free - l->v_force * guess;
@@ -156,7 +248,7 @@ enum branch line_answer(const struct line *l, double guess, double *force) {
         *force = unbounded(l, guess);
         return BRANCH_CLOSED;
     }
-    if (l->closed && l->d_force > 0.0 && (l->link->law->traits & CONTACT_MAY_PULL)) {
+    if (l->closed && l->d_force > 0.0 && pulls(l)) {
         return held(l, guess, force);
     }
     *force = 0.0;

@@ -15,6 +15,7 @@ struct line {
     double v_rest, v_rounding;  // [L/T] of a rigid contact: the velocity it shall end with, and
                                 // what is rounding
     bool closed;                // in contact at the start of the step
+    bool clamped;               // its law may pull, but is not let
     bool held;                  // stays closed whatever d is: the step ends where it opens
 };
 
@@ -34,6 +35,10 @@ enum branch line_answer(const struct line *l, double guess, double *force);
 // One Newton step from `guess` towards that answer. True where it stays well within the closed
 // branch, so that repeated steps converge to the answer; else use line_answer.
 bool line_step(const struct line *l, double guess, double *force);
+
+// By how much `force` exceeds the force that would have to move the link for its law to give just
+// `force` there.
+double line_excess(const struct line *l, double force);
 
 // The force of the law and its tangents at the state that `force` leads to.
 struct contact_response line_law(const struct line *l, double force);

@@ -24,14 +24,16 @@ static bool alloc_links(struct work *w, const struct model *m, struct arena *a) 
     w->ends = arena_alloc(a, n_link, sizeof *w->ends);
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->branch = arena_alloc(a, n_link, sizeof *w->branch);
+    w->clamped = arena_alloc(a, n_link, sizeof *w->clamped);
     w->flexibility = arena_alloc(a, n_link, sizeof *w->flexibility);
     w->checked = arena_alloc(a, n_link, sizeof *w->checked);
     w->kept_f = arena_alloc(a, n_link, sizeof *w->kept_f);
-    w->vector = arena_alloc(a, 2 * n_block, sizeof *w->vector);
-    w->weight = arena_alloc(a, n_block, sizeof *w->weight);
+    w->grouped = arena_alloc(a, n_link, sizeof *w->grouped);
+    w->vector = arena_alloc(a, n_block, sizeof *w->vector);
+    w->order = arena_alloc(a, n_block, sizeof *w->order);
     w->matrix = arena_alloc(a, n_block * n_block, sizeof *w->matrix);
-    return w->ends && w->rigid && w->branch && w->flexibility && w->checked && w->kept_f &&
-           w->vector && w->weight && w->matrix;
+    return w->ends && w->rigid && w->branch && w->clamped && w->flexibility && w->checked &&
+           w->kept_f && w->grouped && w->vector && w->order && w->matrix;
 }
 
 static void fill_links(struct work *w, const struct model *m) {
@@ -56,7 +58,12 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
     size_t n = (size_t)m->n_building;
     w->effective = arena_alloc(a, n, sizeof *w->effective);
     w->settled = arena_alloc(a, n, sizeof *w->settled);
-    if (!w->effective || !w->settled || !alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
+    w->parent = arena_alloc(a, n, sizeof *w->parent);
+    w->start = arena_alloc(a, n, sizeof *w->start);
+    w->cluster = arena_alloc(a, n, sizeof *w->cluster);
+    w->nearest = arena_alloc(a, n, sizeof *w->nearest);
+    if (!w->nearest || !w->effective || !w->settled || !w->parent || !w->start || !w->cluster ||
+        !alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
         return false;
     }
     fill_links(w, m);

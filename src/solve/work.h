@@ -36,13 +36,18 @@ struct work {
     double *correction;         // (n_dof) [L/T^2] of the accelerations
     bool *settled;              // (n_building) storeys agree with the tangents used
 
-    struct ends *ends;                 // (n_link)
-    int n_rigid, *rigid;               // contacts of laws without a force
-    double *flexibility;               // [L/T^2/F] (n_link) S_ll of live links
-    double *checked;                   // [T] (n_link) step with which the end was last resolved
-    enum branch *branch;               // (n_link) of live links
-    double *kept_q, *kept_f;           // (n_dof), (n_link) to step back to
-    double *matrix, *vector, *weight;  // (block_max, block_max), (block_max) of the block solve
+    struct ends *ends;              // (n_link)
+    int n_rigid, *rigid;            // contacts of laws without a force
+    double *flexibility;            // [L/T^2/F] (n_link) S_ll of live links
+    double *checked;                // [T] (n_link) step with which the end was last resolved
+    enum branch *branch;            // (n_link) of live links
+    bool *clamped;                  // (n_link) live links whose laws are not let pull
+    double *kept_q, *kept_f;        // (n_dof), (n_link) to step back to
+    int *parent, *start, *cluster;  // (n_building) scratch of cluster.c
+    double *nearest;                // (n_building) least change of a cluster in a sweep so far
+    int *grouped;                   // (n_link) live links by cluster
+    double *matrix, *vector;        // (block_max, block_max), (block_max) of the block solve
+    size_t *order;                  // (block_max)
     int block_max;
 };
 

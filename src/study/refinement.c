@@ -87,10 +87,10 @@ static bool applies(const struct measure *what, const struct model *m, int i) {
 static int list_results(const struct model *m, struct refined *result,
                         const struct measure **measure) {
     int n = 0;
-    for (int owner = OF_MODEL; owner <= OF_LINK; owner++) {
+    for (enum refined_owner owner = OF_MODEL; owner <= OF_LINK; owner++) {
         for (int i = 0; i < n_owner(m, owner); i++) {
             for (int k = 0; k < N_MEASURE; k++) {
-                if ((int)measures[k].owner != owner || !applies(&measures[k], m, i)) {
+                if (measures[k].owner != owner || !applies(&measures[k], m, i)) {
                     continue;
                 }
                 if (result) {

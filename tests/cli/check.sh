@@ -55,7 +55,7 @@ expect "modes prints every mode of every building" '[ "$(grep -cE "^ +[1-8] +([0
 expect "modes prints a free body as such" 'grep -q "rigid body" "$out" && ! grep -qiE "inf|nan" "$out"'
 expect "shapes are scaled to 1" '[ "$(grep -c " 1.00000" "$out")" -ge 3 ]'
 
-# 25 t and 40 t under 93.5 MN/m touch for 40.3 ms: nine steps of 4.48 ms, ten of 4.03 ms.
+# 25 t and 40 t under 93.5 MN/m touch for 40.3 ms: nine steps of 4.48 ms, ten of 4.02 ms.
 bodies() {
     cat >"$1" <<END
 building A -floors 1 -mass 25t -stiffness 0
@@ -73,7 +73,7 @@ run "$jostle" run coarse.deck
 expect "so does run" '[ $status -eq 0 ] && said "coarse.deck:6:1: warning: step 0.00448 s covers contact"'
 run "$jostle" run -q --force coarse.deck
 expect "but not with -q" '[ $status -eq 0 ] && [ ! -s "$err" ]'
-bodies fine.deck "linear -k 93.5MN/m" 4.03ms
+bodies fine.deck "linear -k 93.5MN/m" 4.02ms
 run "$jostle" check fine.deck
 expect "ten steps are not warned of" '[ $status -eq 0 ] && [ ! -s "$err" ]'
 bodies rigid.deck "stereomechanical -e 0.5" 1ms

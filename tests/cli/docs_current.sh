@@ -28,6 +28,7 @@ fi
 same docs/laws.md
 same docs/deck-statements.md
 same docs/spectrum.md
+same docs/accuracy.md
 same docs/restitution.md
 same docs/law-command.md
 same README.md

@@ -49,7 +49,7 @@ drawable() {
     for kind in $kinds; do
         rm -rf scripts
         run "$jostle" plot "$@" "$kind" --script scripts
-        expect "$kind of $* is written" '[ $status -eq 0 ] && [ ! -s "$err" ] && [ -s scripts/$kind.gp ]'
+        expect "$kind of $* is written" '[ $status -eq 0 ] && [ ! -s "$err" ] && [ -s scripts/$kind.gp ] && [ -s scripts/$kind.dat ]'
         expect "gnuplot draws $kind of $* without a word" 'silent $kind && drawn scripts/$kind.png'
     done
 }
@@ -86,6 +86,29 @@ for kind in $kinds; do
     rm -f $kind.*
 done
 
+# Script and data: they belong together, and stand where they are put.
+rm -rf scripts
+run "$jostle" plot pair.h5 overview --script scripts
+expect "no two blocks of a picture have one name" '[ "$(grep -c "<< EOD" scripts/overview.dat)" -gt 5 ] && [ -z "$(grep "<< EOD" scripts/overview.dat | sort | uniq -d)" ] && ! grep -q EOD scripts/overview.gp'
+run gnuplot scripts/overview.gp
+expect "the data is found beside the script, from any folder" '[ $status -eq 0 ] && [ ! -s "$err" ] && drawn overview.png'
+mkdir "other folder"
+mv scripts/overview.gp "other folder/mine.gp"
+mv scripts/overview.dat "other folder/mine.dat"
+run gnuplot "other folder/mine.gp"
+expect "both can be moved and renamed" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+for ending in gp dat; do
+    rm -rf scripts
+    mkdir scripts
+    echo mine >scripts/energy.$ending
+    run "$jostle" plot pair.h5 energy --script scripts
+    expect "an energy.$ending that exists is kept, and nothing is put beside it" '[ $status -eq 2 ] && said "scripts/energy.$ending exists; --force overwrites it" && [ "$(ls scripts)" = energy.$ending ] && [ "$(cat scripts/energy.$ending)" = mine ]'
+    run "$jostle" plot pair.h5 energy --script scripts --force
+    expect "unless it is forced, with energy.$ending" '[ $status -eq 0 ] && [ "$(ls scripts | tr "\n" " ")" = "energy.dat energy.gp " ] && ! grep -q mine scripts/*'
+done
+run bash -c "ulimit -f 4; exec '$jostle' plot pair.h5 energy --script limited"
+expect "data that cannot grow leaves nothing behind" '[ $status -eq 3 ] && said "cannot write limited/energy.dat.part" && [ -z "$(ls limited)" ]'
+
 run "$jostle" plot pair.h5
 expect "without a kind histories are drawn" '[ $status -eq 0 ] && [ -s pair-histories.png ]'
 run "$jostle" plot pair.h5
@@ -119,7 +142,7 @@ expect "the nearest kind is proposed" "[ \$status -eq 2 ] && said \"did you mean
 run "$jostle" plot pair.h5 energy -o energy.jpg
 expect "other formats are refused" '[ $status -eq 2 ] && said ".png, .svg or .pdf"'
 
-# Largest of the second column of a block of a script.
+# Largest of the second column of a block of data.
 largest() {
     sed -n "/^\$$1 <</,/^EOD/p" "$2" | awk '/^[-0-9]/ && $2 > m { m = $2 } END { print m }'
 }
@@ -129,5 +152,5 @@ rm -rf scripts
 run "$jostle" plot long.h5 loops --script scripts
 run "$jostle" plot long.h5 contact --script scripts
 force=$("$jostle" show --tsv long.h5 | awk -F '\t' '$1 == "contacts" && $3 == "force" && $5 > m { m = $5 } END { print m }')
-expect "thinning keeps the peak" 'awk -v a="$(largest "force0[01]" scripts/contact.gp)" -v b="$force" "BEGIN { exit !(b > 0 && a > 0.999 * b && a < 1.001 * b) }"'
-expect "30000 rows make a small script" '[ "$(wc -c <scripts/contact.gp)" -lt 300000 ]'
+expect "thinning keeps the peak" 'awk -v a="$(largest "force0[01]" scripts/contact.dat)" -v b="$force" "BEGIN { exit !(b > 0 && a > 0.999 * b && a < 1.001 * b) }"'
+expect "30000 rows make few data, and a script to be read" '[ "$(wc -c <scripts/contact.dat)" -lt 300000 ] && [ "$(wc -c <scripts/contact.gp)" -lt 20000 ]'

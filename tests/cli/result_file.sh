@@ -20,7 +20,7 @@ if command -v h5ls >/dev/null; then
         expect "/$dataset is a dataset" 'grep -qE "^/$dataset  *Dataset" "$out"'
     done
     h5dump -H pair.h5 >"$out"
-    for attribute in format format_version title status program version deck_file deck parameters unit_force \
+    for attribute in format format_version title status program version deck_file deck includes parameters impacts_coarse unit_force \
         unit_length unit_time command_line created steps newton_iterations wall_seconds; do
         expect "the file has the attribute $attribute" 'grep -q "ATTRIBUTE \"$attribute\"" "$out"'
     done

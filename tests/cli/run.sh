@@ -94,3 +94,17 @@ if [ -n "$comma" ]; then
 else
     skip "a locale with a decimal comma changes nothing" "no such locale here"
 fi
+
+mkdir includes
+two_buildings includes/more.inc
+printf 'title "inner"' >includes/inner.inc
+sed -i '/^title/d' includes/more.inc
+printf 'include includes/inner.inc\ninclude includes/more.inc\n' >outer.deck
+run "$jostle" run -q outer.deck -o includes.h5
+"$jostle" show --json includes.h5 >"$out"
+expect "the texts of included files are kept in the order read" 'grep -qF "\"includes\": \"# include includes/inner.inc\\ntitle \\\"inner\\\"\\n# include includes/more.inc\\nunits kN m s\\n" "$out"'
+
+sed "s|records/|$root/input/records/|; s/step fixed 1ms/step fixed 5ms/" "$root/input/multistorey.deck" >few.deck
+run "$jostle" run few.deck
+expect "run tells of impacts that few steps cover" '[ $status -eq 0 ] && grep -qE "^jostle: warning: fewer than 10 steps cover [0-9]+ of [0-9]+ impacts; the hardest, of contact A:[1-5]-B:[1-5] at t = [0-9.]+ s, lasted [0-9.]+ s; step fixed [0-9.]+ resolves it$" "$err"'
+expect "and so does the summary" 'grep -qE "^5 contacts, [0-9] hit, [0-9]+ impacts \([0-9]+ of fewer than 10 steps\)" "$out"'

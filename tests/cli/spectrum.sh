@@ -84,7 +84,7 @@ run "$jostle" spectrum "$root/tests/records/good/all_zero.AT2" --pga 0.1g
 expect "and cannot be scaled to a peak" '[ $status -eq 2 ] && said "every value is 0"'
 
 run env PATH= "$jostle" spectrum centro.AT2 napa.AT2 -o picture.png --script scripts
-expect "without gnuplot the command ends with 3, the script is there all the same" '[ $status -eq 3 ] && [ ! -s "$out" ] && said "gnuplot" && [ -s scripts/spectrum.gp ] && [ ! -e picture.png ]'
+expect "without gnuplot the command ends with 3, the script is there all the same" '[ $status -eq 3 ] && [ ! -s "$out" ] && said "gnuplot" && [ -s scripts/spectrum.gp ] && [ -s scripts/spectrum.dat ] && [ ! -e picture.png ]'
 if command -v gnuplot >/dev/null; then
     for ending in png svg pdf; do
         run "$jostle" spectrum centro.AT2 napa.AT2 -o picture.$ending

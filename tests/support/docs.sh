@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # docs.sh JOSTLE FOLDER: writes into FOLDER what of the documentation the program itself prints:
-# laws.md, deck-statements.md and restitution.md; law-command.md, spectrum.md and README.md with what
-# they show made anew.
+# laws.md, deck-statements.md and restitution.md; law-command.md, spectrum.md, accuracy.md and
+# README.md with what they show made anew.
 set -eu
 jostle=$1
 folder=$2
@@ -19,4 +19,10 @@ sed "s|$folder/||" "$folder/printed" >"$folder/summary"
 sh tests/support/with_block.sh deck "$folder/deck" <README.md |
     sh tests/support/with_block.sh summary "$folder/summary" >"$folder/README.md"
 "$jostle" spectrum input/records/*.AT2 --periods 0,0.1,0.2,0.5,1,2,5 >"$folder/spectra"
-sh tests/support/with_block.sh spectrum "$folder/spectra" <docs/spectrum.md >"$folder/spectrum.md"
+"$jostle" spectrum --pounding input/pounding_spectrum.deck --periods 0.1:2:8 >"$folder/pounding"
+sh tests/support/with_block.sh spectrum "$folder/spectra" <docs/spectrum.md |
+    sh tests/support/with_block.sh pounding "$folder/pounding" >"$folder/spectrum.md"
+"$jostle" check "$example" | sed -n '/^estimated for contact/,$p' >"$folder/checked"
+"$jostle" converge "$example" >"$folder/converged" || [ $? -eq 1 ]
+sh tests/support/with_block.sh check "$folder/checked" <docs/accuracy.md |
+    sh tests/support/with_block.sh converge "$folder/converged" >"$folder/accuracy.md"

@@ -4,14 +4,22 @@
 /^usage: / { inside_usage = 1; sub(/^usage: /, "") }
 inside_usage && /^$/ { inside_usage = 0 }
 inside_usage {
+    # Each way to call the command begins with its name.
+    again = usage && /^ +jostle /
     sub(/^ +/, "")
-    usage = usage (usage ? " " : "") $0
+    usage = usage (usage ? again ? "\n" : " " : "") $0
     next
 }
 /^$/ { due = 1; next }
 !named {
     print ".SS jostle " plain(command)
-    line(typed(usage))
+    n_usage = split(usage, way, /\n/)
+    for (i = 1; i <= n_usage; i++) {
+        if (i > 1) {
+            print ".br"
+        }
+        line(typed(way[i]))
+    }
     print ".PP"
     named = 1
     due = 0

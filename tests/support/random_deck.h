@@ -10,4 +10,8 @@
 // Writes deck number `seed` into text (size bytes).
 void random_deck(uint64_t seed, char *text, size_t size);
 
+// Writes row number `seed`: two to six buildings of one to eight floors that touch, up to 48
+// contacts, each with a law of its own; of even numbers none may pull.
+void random_deck_cluster(uint64_t seed, char *text, size_t size);
+
 #endif

@@ -47,13 +47,14 @@ static struct result_file *ran(void) {
 }
 
 static int attempt(const struct figure *f, const struct runs *s, long k, long *n) {
-    FILE *to = fopen("/dev/null", "w");
+    FILE *file = fopen("/dev/null", "w");
+    const struct figure_files to = {.script = file, .data = file, .picture = "picture.png"};
     struct error e = {.message = ""};
-    assert_non_null(to);
+    assert_non_null(file);
     fail_alloc_at(k);
-    const int status = figure_write(f, s, "picture.png", to, &e);
+    const int status = figure_write(f, s, &to, &e);
     *n = fail_alloc_stop();
-    fclose(to);
+    fclose(file);
     assert_string_equal(e.message, status == STATUS_OK ? "" : "out of memory");
     return status;
 }

@@ -90,6 +90,58 @@ static void an_initial_state_is_not_part_of_the_input(void **state) {
     analysis_free(&a);
 }
 
+// A body of 1000 kg that stands 10 mm inside a wall, which throws it off: what the contact holds at
+// t = 0 becomes kinetic energy.
+static void an_overlap_at_the_start_is_initial_energy(void **state) {
+    (void)state;
+    static const struct {
+        const char *law;
+        double energy;  // integral of the force from 0 to 10 mm
+    } overlap[] = {
+        {"linear -k 1e6", 1e6 * 1e-4 / 2.0},
+        {"hertz -k 1e7", 1e7 * 1e-5 / 2.5},
+        {"bilinear -k1 2e6 -k2 1e6 -dy 4mm", 2e6 * 16e-6 / 2.0 + 8e3 * 6e-3 + 1e6 * 36e-6 / 2.0},
+    };
+    for (size_t i = 0; i < sizeof overlap / sizeof overlap[0]; i++) {
+        struct analysis a = analysis_of(
+            "building A -floors 1 -mass 1000 -stiffness 0\ncontact A wall -gap -10mm -law %s "
+            "-allow-overlap\nduration 0.2\nstep fixed 1e-5\noutput -every 100\n",
+            overlap[i].law);
+        const struct results *r = a.results;
+        assert_close(r->initial_energy, overlap[i].energy, 1e-10);
+        assert_close(a.rows.energy[ENERGY_CONTACT], overlap[i].energy, 1e-10);
+        assert_true(r->residual_peak < 1e-10 * overlap[i].energy);
+        assert_int_equal(r->n_impact, 1);
+        assert_near(r->impact[0].dissipated, r->energy[ENERGY_CONTACT], 1e-10 * overlap[i].energy);
+        assert_close(r->energy[ENERGY_KINETIC] + r->energy[ENERGY_CONTACT], overlap[i].energy,
+                     1e-10);
+        analysis_free(&a);
+    }
+}
+
+// What an elastic contact holds comes back.
+static void an_elastic_overlap_gives_all_of_its_energy_back(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(
+        "building A -floors 1 -mass 1000 -stiffness 0\ncontact A wall -gap -10mm -law linear "
+        "-k 1e6 -allow-overlap\nduration 0.2\nstep fixed 1e-5\noutput -every 100\n");
+    assert_close(a.results->energy[ENERGY_KINETIC], 50.0, 1e-6);
+    assert_near(a.results->impact[0].dissipated, 0.0, 50.0 * 1e-6);
+    analysis_free(&a);
+}
+
+static void a_strained_link_at_the_start_is_initial_energy(void **state) {
+    (void)state;
+    struct analysis a = analysis_of("building A -floors 1 -mass 1 -stiffness 100\n"
+                                    "building B -floors 1 -mass 1 -stiffness 100\n"
+                                    "link A B -stiffness 50\ninitial A -displacement -0.2\n"
+                                    "duration 1\nstep fixed 1e-3\n");
+    assert_close(a.results->initial_energy, 100.0 * 0.04 / 2.0 + 50.0 * 0.04 / 2.0, 1e-12);
+    assert_close(a.results->link[0].dissipated, a.results->energy[ENERGY_CONTACT], 1e-12);
+    assert_true(a.results->residual_peak < 1e-12);
+    analysis_free(&a);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_account_closes_without_contact),
@@ -97,6 +149,9 @@ int main(void) {
         cmocka_unit_test(the_account_closes_on_grounds_that_move_differently),
         cmocka_unit_test(impacts_add_up_to_the_contact_energy),
         cmocka_unit_test(an_initial_state_is_not_part_of_the_input),
+        cmocka_unit_test(an_overlap_at_the_start_is_initial_energy),
+        cmocka_unit_test(an_elastic_overlap_gives_all_of_its_energy_back),
+        cmocka_unit_test(a_strained_link_at_the_start_is_initial_energy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

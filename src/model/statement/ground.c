@@ -108,6 +108,14 @@ static bool record_scale(struct builder *b, const struct argument *a, const stru
     return true;
 }
 
+// The word of the statement that an error of the record is about.
+static const struct word *blamed(const struct statement *s, const struct argument *a,
+                                 enum record_part wrong) {
+    static const int row[] = {
+        [RECORD_FORMAT_NAME] = R_FORMAT, [RECORD_DT] = R_DT, [RECORD_UNIT] = R_UNIT};
+    return wrong == RECORD_PATH ? &s->word[2] : &a[row[wrong]].word[0];
+}
+
 static void build_record(struct builder *b, const struct statement *s) {
     b->any_history = true;
     struct argument a[N_RECORD_ROW] = {0};
@@ -128,7 +136,7 @@ static void build_record(struct builder *b, const struct statement *s) {
     struct record r;
     struct error e;
     if (record_read(b->arena, &request, &r, &e) != STATUS_OK) {
-        deck_error(b->deck, &s->word[2], "%s", e.message);
+        deck_error(b->deck, blamed(s, a, r.wrong), "%s", e.message);
         return;
     }
     for (int i = 0; i < r.n_warning; i++) {

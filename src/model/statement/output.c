@@ -49,10 +49,22 @@ static void read_precision(struct builder *b, const struct argument *a) {
     }
 }
 
+// False after having reported what is for studies only.
+static bool check_study(struct builder *b, const struct statement *s) {
+    int n;
+    const struct word *behind = deck_option(s, "histories", &n);
+    if (behind) {
+        deck_error(b->deck, behind - 1,
+                   "-histories is for studies by sweep, which are not available in this version; "
+                   "one analysis always writes its histories");
+    }
+    return !behind;
+}
+
 static void build(struct builder *b, const struct statement *s) {
     struct argument a[N_ROW] = {0};
     if (!builder_plain(b, s, 0, 0, statement_output.usage) || !builder_once(b, &b->output, s) ||
-        !deck_options(b->deck, s, &(struct row_set){rows, N_ROW, a}, 1)) {
+        !check_study(b, s) || !deck_options(b->deck, s, &(struct row_set){rows, N_ROW, a}, 1)) {
         return;
     }
     if (a[EVERY].given && a[INTERVAL].given) {
