@@ -3,8 +3,8 @@
 //
 // A deck is read statement by statement, so that names and parameters must stand above their use:
 // deck_next hands out the next statement after having carried out those of the language itself
-// (title, units, gravity, param, include). Whatever is wrong is collected in `diagnostics`, and
-// reading goes on, so that all errors of a deck come in one go.
+// (title, units, gravity, param, sweep, include). Whatever is wrong is collected in `diagnostics`,
+// and reading goes on, so that all errors of a deck come in one go.
 #ifndef JOSTLE_DECK_H
 #define JOSTLE_DECK_H
 
@@ -40,6 +40,21 @@ struct deck_path {
     const struct deck_path *next;
 };
 
+enum { STUDY_SWEEPS_MAX = 8, SWEEP_VALUES_MAX = 1000000, STUDY_RUNS_MAX = 10000000 };
+
+// The values that a sweep gives to its parameter, in the order of the deck.
+struct sweep {
+    const char *name;
+    int n;                       // values; 1 where -D fixes the parameter
+    bool fixed;                  // by -D
+    const double *number;        // (n) in the deck's units; NULL: texts
+    const char *const *text;     // (n) what the parameter stands for; NULL: numbers
+    const char *const *label;    // (n) text, or the shortest name of a file; NULL: numbers
+    bool known;                  // numbers have a unit
+    struct dimension dimension;  // of it
+    const struct sweep *next;
+};
+
 struct deck {
     struct arena *arena;  // owns everything below
     struct diagnostics diagnostics;
@@ -48,6 +63,8 @@ struct deck {
     const char *text;               // of the top file
     const char *title;              // "" if none
     const struct deck_path *files;  // included files, records and histories; not the deck itself
+    const struct sweep *sweeps;     // in the order of the deck
+    long n_run;                     // of the study; 1 without sweeps
     struct reader *reader;
 };
 
@@ -62,6 +79,14 @@ int deck_open(const char *path, const char *const *define, int n_define, struct 
 int deck_open_text(const char *path, const char *text, const char *const *define, int n_define,
                    struct deck **out, struct error *e);
 void deck_free(struct deck *d);  // NULL is allowed
+
+// Makes the deck that of one run of a study, before its first statement is read: a swept parameter
+// takes value choice[k] of sweep number k of `sweeps`, which another reading of this deck has
+// found; both are borrowed. Otherwise it takes the first value.
+void deck_bind(struct deck *d, const struct sweep *sweeps, const int *choice);
+
+// True if the deck that has been read has a sweep that -D does not fix.
+bool deck_is_study(const struct deck *d);
 
 // The next statement; false at the end of the deck, when -D names that no param took are reported
 // too. Words live as long as the deck.
@@ -121,6 +146,8 @@ const char *deck_includes(struct deck *d);
 // 'hertz'?".
 void deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+// The same with the message of `e`; diagnostics.system remembers that it was STATUS_SYSTEM.
+void deck_error_of(struct deck *d, const struct word *w, const struct error *e);
 void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void deck_unknown(struct deck *d, const struct word *w, const char *what, const char *const *known,

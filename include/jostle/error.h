@@ -55,6 +55,7 @@ struct diagnostics {
     int n_error;    // all errors, kept or not
     int n_warning;  // all warnings, kept or not
     bool out_of_memory;
+    bool system;  // an error is the system's (STATUS_SYSTEM), not that of what was read
 };
 
 void diagnostics_init(struct diagnostics *d, struct arena *arena);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// jostle run: a deck through time, into a result file, and a summary.
+// jostle run: a deck through time, into a result file, and a summary. run_study.c runs studies.
 #include <assert.h>
 #include <errno.h>
 #include <getopt.h>
 #include <math.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "command/load.h"
+#include "command/interrupt.h"
 #include "command/progress.h"
+#include "command/run.h"
 #include "core/arena.h"
 #include "jostle/result.h"
 
@@ -18,7 +18,7 @@ static int run_command(int argc, char **argv);
 
 const struct command command_run = {
     .name = "run",
-    .usage = "DECK [-o FILE.h5] [-D NAME=VALUE]... [-j THREADS] [-q] [--force]",
+    .usage = "DECK [-o FILE.h5] [-D NAME=VALUE]... [-j THREADS] [-q] [--force] [--restart]",
     .summary = "runs a deck, writes its result file and prints a summary",
     .run = run_command,
 };
@@ -27,23 +27,12 @@ static const char details[] =
     "  -o, --output FILE  the result file; default: the name of the deck with .h5, in the current\n"
     "                     directory\n"
     "  -D NAME=VALUE      overrides a param of the deck; may be repeated\n"
-    "  -j THREADS         threads for a study; one analysis runs on one\n"
+    "  -j THREADS         threads for a study, default: all cores; one analysis runs on one\n"
     "  -q, --quiet        prints nothing but errors\n"
     "  --force            overwrites an existing result file\n"
+    "  --restart          forgets the runs of a study that was interrupted; without it the same\n"
+    "                     command goes on with them\n"
     "  --help             this text\n";
-
-struct options {
-    struct load_request load;
-    const char *output;
-    enum result_existing existing;
-};
-
-// Set by SIGINT and SIGTERM; the only state that outlives a call, as signals ask for.
-static volatile sig_atomic_t interrupted;
-
-static void interrupt(int number) {
-    interrupted = number;
-}
 
 // Passes rows on to the writer, shows progress, and ends the run on a signal.
 struct watch {
@@ -59,15 +48,14 @@ static int watch_row(void *context, const struct row_view *row, struct error *e)
 static int watch_poll(void *context, double time, struct error *e) {
     struct watch *w = context;
     progress_show(&w->progress, time);
-    if (interrupted) {
-        return error_set(e, STATUS_SYSTEM,
-                         "interrupted by signal %d at t = %.6g; nothing was written",
-                         (int)interrupted, time);
-    }
-    return STATUS_OK;
+    const int signal = interrupt_number();
+    return signal ? error_set(e, STATUS_SYSTEM,
+                              "interrupted by signal %d at t = %.6g; nothing was written", signal,
+                              time)
+                  : STATUS_OK;
 }
 
-static int parse_threads(const char *text) {
+static int parse_threads(const char *text, int *n_thread) {
     assert(text);
     char *end;
     errno = 0;
@@ -76,19 +64,17 @@ static int parse_threads(const char *text) {
         return command_usage(&command_run, "-j takes a number of threads from 1 to 4096, not '%s'",
                              text);
     }
+    *n_thread = (int)n;
     return EXIT_DONE;
 }
 
 // EXIT_DONE with the options filled, else the status to return; *helped if help was asked for.
-static int parse(int argc, char **argv, const char **define, struct options *o, bool *helped) {
+static int parse(int argc, char **argv, const char **define, struct run_options *o, bool *helped) {
     static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'},
-        {"define", required_argument, NULL, 'D'},
-        {"threads", required_argument, NULL, 'j'},
-        {"quiet", no_argument, NULL, 'q'},
-        {"force", no_argument, NULL, 'f'},
-        {"help", no_argument, NULL, 'h'},
-        {NULL, 0, NULL, 0},
+        {"output", required_argument, NULL, 'o'},  {"define", required_argument, NULL, 'D'},
+        {"threads", required_argument, NULL, 'j'}, {"quiet", no_argument, NULL, 'q'},
+        {"force", no_argument, NULL, 'f'},         {"restart", no_argument, NULL, 'r'},
+        {"help", no_argument, NULL, 'h'},          {NULL, 0, NULL, 0},
     };
     int status = EXIT_DONE;
     opterr = 0;
@@ -106,13 +92,16 @@ static int parse(int argc, char **argv, const char **define, struct options *o, 
                 define[o->load.n_define++] = optarg;
                 break;
             case 'j':
-                status = parse_threads(optarg);
+                status = parse_threads(optarg, &o->n_thread);
                 break;
             case 'q':
                 o->load.quiet = true;
                 break;
             case 'f':
                 o->existing = RESULT_REPLACE;
+                break;
+            case 'r':
+                o->journal = STUDY_RESTART;
                 break;
             case 'h':
                 *helped = true;
@@ -145,15 +134,7 @@ static const char *command_line(struct arena *a, int argc, char **argv) {
     return line;
 }
 
-static void catch_signals(void) {
-    struct sigaction action = {.sa_handler = interrupt, .sa_flags = (int)SA_RESETHAND};
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
-}
-
-static int analyse(const struct model *m, const struct options *o,
+static int analyse(const struct model *m, const struct run_options *o,
                    const struct result_options *result, struct results **out, struct error *e) {
     struct result_writer *writer;
     int status = result_create(m, result, &writer, e);
@@ -195,7 +176,7 @@ static bool is_same_file(const char *a, const char *b) {
 }
 
 // Results never replace what they are made from, not even with --force.
-static int check_output(const struct model *m, const struct options *o, const char *path,
+static int check_output(const struct model *m, const struct run_options *o, const char *path,
                         struct error *e) {
     if (is_same_file(path, o->load.path)) {
         return error_set(e, STATUS_INPUT, "%s is the deck; give the result another name", path);
@@ -255,7 +236,7 @@ static void warn_coarse(const struct model *m, const struct results *r) {
         lasted, unit, guidance_round(lasted / IMPACT_STEPS_MIN));
 }
 
-static int run_model(const struct model *m, const struct options *o, int argc, char **argv) {
+static int run_model(const struct model *m, const struct run_options *o, int argc, char **argv) {
     assert(o->load.path);
     struct arena *a = m->deck->arena;
     const char *path = o->output ? o->output : m->output.file;
@@ -273,8 +254,11 @@ static int run_model(const struct model *m, const struct options *o, int argc, c
     if (check_output(m, o, result.path, &e) != STATUS_OK) {
         return command_fail(&e);
     }
+    interrupt_catch();
+    if (deck_is_study(m->deck)) {
+        return run_study(m, o, &result);
+    }
     struct results *results;
-    catch_signals();
     if (analyse(m, o, &result, &results, &e) != STATUS_OK) {
         return command_fail(&e);
     }
@@ -289,7 +273,7 @@ static int run_model(const struct model *m, const struct options *o, int argc, c
 }
 
 static int run_command(int argc, char **argv) {
-    struct options o = {.existing = RESULT_KEEP};
+    struct run_options o = {.existing = RESULT_KEEP, .journal = STUDY_RESUME};
     const char **define = calloc((size_t)argc, sizeof *define);
     if (!define) {
         struct error e;

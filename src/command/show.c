@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "command/command.h"
+#include "command/show_study.h"
+#include "jostle/study_file.h"
 
 static int show_command(int argc, char **argv);
 
@@ -18,9 +20,21 @@ const struct command command_show = {
 
 static const char details[] =
     "  --tsv     one long table: table, name, quantity, location, value, unit, time;\n"
-    "            separated by tabs\n"
+    "            separated by tabs. Of a study: run, parameters, status, table, name, quantity,\n"
+    "            location, value, unit\n"
     "  --json    everything but the histories as JSON; a missing number is null\n"
     "  --help    this text\n";
+
+static int show_of_study(const char *path, int form) {
+    struct error e;
+    if (form == 'j') {
+        return command_usage(&command_show, "%s is a study, which --tsv shows, but not --json",
+                             path);
+    }
+    return show_study(path, form == 't' ? STUDY_TSV : STUDY_SUMMARY, stdout, &e) == STATUS_OK
+               ? EXIT_DONE
+               : command_fail(&e);
+}
 
 static int show_command(int argc, char **argv) {
     static const struct option option[] = {
@@ -49,6 +63,9 @@ static int show_command(int argc, char **argv) {
     }
     struct result_file *file;
     struct error e;
+    if (study_file_is_study(argv[optind])) {
+        return show_of_study(argv[optind], form);
+    }
     if (result_open(argv[optind], &file, &e) != STATUS_OK) {
         return command_fail(&e);
     }

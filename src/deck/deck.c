@@ -30,7 +30,8 @@ static struct deck *deck_create(const char *path) {
         arena_free(a);
         return NULL;
     }
-    *d = (struct deck){.arena = a, .path = name, .title = "", .text = "", .reader = reader};
+    *d = (struct deck){
+        .arena = a, .path = name, .title = "", .text = "", .n_run = 1, .reader = reader};
     diagnostics_init(&d->diagnostics, a);
     unit_system_init(&d->units);
     return d;
@@ -99,6 +100,11 @@ int deck_open_text(const char *path, const char *text, const char *const *define
     return STATUS_OK;
 }
 
+void deck_bind(struct deck *d, const struct sweep *sweeps, const int *choice) {
+    d->reader->bound = sweeps;
+    d->reader->choice = choice;
+}
+
 bool deck_next(struct deck *d, struct statement *out) {
     struct reader *r = d->reader;
     while (r->n_frame > 0 && !d->diagnostics.out_of_memory) {
@@ -113,6 +119,14 @@ bool deck_next(struct deck *d, struct statement *out) {
         parameter_close(d);
     }
     return false;
+}
+
+bool deck_is_study(const struct deck *d) {
+    const struct sweep *s = d->sweeps;
+    while (s && s->fixed) {
+        s = s->next;
+    }
+    return s != NULL;
 }
 
 double deck_gravity(struct deck *d) {

@@ -61,6 +61,7 @@ struct parameter *parameter_get(struct deck *d, const struct word *w, const char
         report_unknown(d, &part);
     } else {
         p->used = true;
+        d->reader->swept = d->reader->swept || p->swept;
     }
     return p;
 }
@@ -104,7 +105,7 @@ static void read_text(struct deck *d, const struct word *w, struct parameter *p)
     p->kind = p->text ? PARAMETER_TEXT : PARAMETER_WRONG;
 }
 
-static void read_value(struct deck *d, const struct word *w, struct parameter *p) {
+void parameter_read(struct deck *d, const struct word *w, struct parameter *p) {
     if (!is_number_like(w) || whole_text(d, w)) {
         read_text(d, w, p);
         return;
@@ -121,7 +122,7 @@ static void override(struct deck *d, struct define *define, struct parameter *p)
         read_text(d, &define->value, p);
         return;
     }
-    read_value(d, &define->value, p);
+    parameter_read(d, &define->value, p);
     if (deck_value.kind != PARAMETER_NUMBER || p->kind == PARAMETER_WRONG) {
         return;
     }
@@ -179,31 +180,47 @@ static bool check_name(struct deck *d, const struct word *w) {
     return true;
 }
 
-void parameter_define(struct deck *d, const struct word *name, const struct word *value) {
+bool parameter_is_free(struct deck *d, const struct word *name) {
     if (!check_name(d, name)) {
-        return;
+        return false;
     }
     struct text_short t;
     const struct parameter *other = parameter_find(d, name->text, strlen(name->text));
     if (other) {
         deck_error(d, name, "parameter '%s' is already defined in %s", text_short(&t, name->text),
                    source_mention(d, &other->place, &name->place));
-        return;
     }
-    struct parameter p = {0};  // not in the list yet: a value cannot name its own parameter
-    read_value(d, value, &p);
+    return !other;
+}
+
+bool parameter_keep(struct deck *d, const struct word *name, struct parameter *value) {
+    bool overridden = false;
     for (int i = 0; i < d->reader->n_define; i++) {
         struct define *define = &d->reader->define[i];
         if (!define->taken && strcmp(define->name, name->text) == 0) {
-            p.name = name->text;
-            override(d, define, &p);
+            value->name = name->text;
+            override(d, define, value);
+            overridden = true;
         }
     }
     struct parameter *kept = append(d, name);
     if (kept) {
-        kept->kind = p.kind;
-        kept->number = p.number;
-        kept->text = p.text;
+        kept->kind = value->kind;
+        kept->number = value->number;
+        kept->text = value->text;
+        kept->sweep = value->sweep && !overridden;
+        kept->swept = value->swept && !overridden;
+    }
+    return overridden;
+}
+
+void parameter_define(struct deck *d, const struct word *name, const struct word *value) {
+    if (parameter_is_free(d, name)) {
+        struct parameter p = {0};  // not in the list yet: a value cannot name its own parameter
+        d->reader->swept = false;
+        parameter_read(d, value, &p);
+        p.swept = d->reader->swept;
+        parameter_keep(d, name, &p);
     }
 }
 
@@ -287,6 +304,9 @@ static void report_unused(struct deck *d, const struct parameter *p) {
     if (define) {
         struct word value = define->value;
         deck_error(d, &value, "nothing in the deck uses parameter '%s'", p->name);
+    } else if (p->sweep) {
+        struct word name = {.text = p->name, .place = p->place};
+        deck_error(d, &name, "nothing uses the swept parameter '%s'", p->name);
     } else {
         struct word name = {.text = p->name, .place = p->place};
         deck_warning(d, &name, "nothing uses parameter '%s'", p->name);

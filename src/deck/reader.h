@@ -55,6 +55,8 @@ struct parameter {
     const char *text;
     struct place place;
     bool used;
+    bool sweep;  // defined by one
+    bool swept;  // its value depends on one
     struct parameter *next_in_bucket;
     struct parameter *next;  // in the order of the deck
 };
@@ -86,6 +88,12 @@ struct reader {
     // must stand.
     struct place title, units, gravity, other;
     bool gravity_used;  // the unit g
+
+    const struct sweep *bound;  // sweeps of another reading that give their values; NULL: none
+    const int *choice;
+    struct sweep *last_sweep;
+    int n_sweep;
+    bool swept;  // a parameter was read whose value depends on a sweep
     bool ended;
     size_t n_repeated;  // values from repeats so far
     size_t n_replaced;  // bytes of words with replaced parameters so far
@@ -114,11 +122,21 @@ bool scan_statement(struct deck *d, struct frame *f, struct statement *out);
 // Carries out a statement of the language itself; false: `s` is another one.
 bool statement_run(struct deck *d, const struct statement *s);
 
+// sweep.c
+
+extern const char sweep_usage[];
+void sweep_run(struct deck *d, const struct statement *s);
+
 // parameter.c
 
 // Splits the texts NAME=VALUE; what is wrong with them is reported. False: no memory.
 bool parameter_open(struct deck *d, const char *const *define, int n_define);
 void parameter_define(struct deck *d, const struct word *name, const struct word *value);
+// The steps of parameter_define: false after having reported that `name` cannot be defined; reads
+// `value`; adds the parameter with `value` or that of a -D, in which case it returns true.
+bool parameter_is_free(struct deck *d, const struct word *name);
+void parameter_read(struct deck *d, const struct word *value, struct parameter *p);
+bool parameter_keep(struct deck *d, const struct word *name, struct parameter *value);
 struct parameter *parameter_find(const struct deck *d, const char *name, size_t n);
 // The parameter called from `from` to `to` in `w`; NULL after having reported an error.
 struct parameter *parameter_get(struct deck *d, const struct word *w, const char *from,

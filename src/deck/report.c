@@ -35,6 +35,11 @@ void deck_error(struct deck *d, const struct word *w, const char *format, ...) {
     report(d, w, SEVERITY_ERROR, message);
 }
 
+void deck_error_of(struct deck *d, const struct word *w, const struct error *e) {
+    deck_error(d, w, "%s", e->message);
+    d->diagnostics.system = d->diagnostics.system || e->status == STATUS_SYSTEM;
+}
+
 void deck_warning(struct deck *d, const struct word *w, const char *format, ...) {
     char message[MESSAGE_MAX];
     va_list list;

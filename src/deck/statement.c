@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The statements of the language itself: title, units, gravity, param, include.
+// The statements of the language itself: title, units, gravity, param, sweep,
+// include.
 #include <stdio.h>
 #include <string.h>
 
@@ -13,6 +14,7 @@ const struct deck_statement deck_statements[] = {
      "the deck's units, N m s if not given; mass is FORCE*TIME^2/LENGTH"},
     {"gravity", "gravity G", "acceleration of gravity, 9.80665 m/s^2 if not given"},
     {"param", "param NAME VALUE", "a parameter; -D NAME=VALUE overrides it"},
+    {"sweep", sweep_usage, "a parameter that takes one value after another; sweeps multiply"},
     {"include", "include FILE", "reads another deck here"},
 };
 const int n_deck_statement = sizeof deck_statements / sizeof deck_statements[0];
@@ -156,7 +158,7 @@ static struct source *load(struct deck *d, const struct word *w, const char *pat
     struct error e;
     int status = text_file(d->arena, path, DECK_BYTES_MAX, &text, &size, &e);
     if (status != STATUS_OK) {
-        deck_error(d, w, "%s", e.message);
+        deck_error_of(d, w, &e);
         return NULL;
     }
     if (memchr(text, 0, size)) {
@@ -208,7 +210,7 @@ static void run_include(struct deck *d, const struct statement *s) {
 
 // In the order of deck_statements.
 static void (*const runs[])(struct deck *, const struct statement *) = {
-    run_title, run_units, run_gravity, run_param, run_include,
+    run_title, run_units, run_gravity, run_param, sweep_run, run_include,
 };
 _Static_assert(sizeof runs / sizeof runs[0] == sizeof deck_statements / sizeof deck_statements[0],
                "a function for each statement");

@@ -178,7 +178,7 @@ static bool read_curve(struct deck *d, struct law_choice *c) {
     request.path = deck_file(d, &file->word[0], file->text[0]);
     struct error e;
     if (request.path && curve_read(d->arena, &request, &c->curve, &e) != STATUS_OK) {
-        deck_error(d, &file->word[0], "%s", e.message);
+        deck_error_of(d, &file->word[0], &e);
         return false;
     }
     return request.path;

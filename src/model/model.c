@@ -20,7 +20,6 @@ static const double STEP_ROUNDING = 1e-9;  // of a step, in counting steps
 enum { EVERY_MAX = 1000000000 };
 
 static void report_unknown(struct builder *b, const struct word *w) {
-    static const char *const later[] = {"sweep", NULL};
     int n = n_statement_kind + n_deck_statement;
     const char **known = builder_array(b, (size_t)n, sizeof *known);
     for (int i = 0; known && i < n; i++) {
@@ -28,7 +27,7 @@ static void report_unknown(struct builder *b, const struct word *w) {
                                         : deck_statements[i - n_statement_kind].name;
     }
     if (known) {
-        builder_unknown(b, w, w->text, "statement", known, n, later);
+        builder_unknown(b, w, w->text, "statement", known, n, NULL);
     }
 }
 

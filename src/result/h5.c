@@ -57,6 +57,20 @@ void h5_fail(struct h5 *h, const char *format, ...) {
     va_end(list);
 }
 
+void h5_create(struct h5 *h, const char *path) {
+    hid_t list = H5Pcreate(H5P_FILE_CREATE);
+    if (!h5_failed(h, list) && !h5_failed(h, H5Pset_obj_track_times(list, false))) {
+        h->file = H5Fcreate(path, H5F_ACC_TRUNC, list, H5P_DEFAULT);
+        h5_failed(h, h->file);
+    }
+    if (list >= 0) {
+        H5Pclose(list);
+    }
+    if (!h->failed) {
+        h5_open_types(h);
+    }
+}
+
 void h5_open_types(struct h5 *h) {
     h->text = H5Tcopy(H5T_C_S1);
     if (h5_failed(h, h->text) || h5_failed(h, H5Tset_size(h->text, H5T_VARIABLE))) {
@@ -86,6 +100,15 @@ hid_t h5_group(struct h5 *h, hid_t parent, const char *name) {
         H5Pclose(list);
     }
     return group;
+}
+
+hid_t h5_open_object(struct h5 *h, hid_t parent, const char *path) {
+    if (h->failed) {
+        return -1;
+    }
+    hid_t object = H5Oopen(parent, path, H5P_DEFAULT);
+    h5_failed(h, object);
+    return object;
 }
 
 void h5_close(struct h5 *h, hid_t object) {

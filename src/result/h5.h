@@ -7,10 +7,11 @@
 #include <hdf5.h>
 #include <stdbool.h>
 
+#include "jostle/deck.h"
 #include "jostle/units.h"
 #include "result/layout.h"
 
-enum { H5_CAUSE_MAX = 256 };
+enum { H5_CAUSE_MAX = 256, H5_DIMENSIONS_MAX = STUDY_SWEEPS_MAX + 1 };
 struct h5 {
     hid_t file;
     hid_t text;                       // type of texts: UTF-8, any length
@@ -25,12 +26,15 @@ struct h5_dataset {
     struct quantity quantity;
     hid_t memory_type, file_type;
     int n_dim;
-    hsize_t dim[2];
-    hid_t scale[2];      // dimension scale of each dimension; 0: none, or it becomes one itself
+    hsize_t dim[H5_DIMENSIONS_MAX];
+    hid_t scale[H5_DIMENSIONS_MAX];  // dimension scale of each dimension; 0: none, or it becomes
+                                     // one itself
     hsize_t chunk_rows;  // 0: contiguous; otherwise rows of a chunk, unwritten rows read as NaN
     bool many_users;     // a scale that thousands of datasets refer to
 };
 
+// Creates the file over `path`; h->file is negative after a failure.
+void h5_create(struct h5 *h, const char *path);
 void h5_open_types(struct h5 *h);
 void h5_close_types(struct h5 *h);
 
@@ -55,6 +59,24 @@ hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *lon
 // Rows [first, first + n) of an open dataset of doubles, `width` values each (0: one dimension).
 void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
                  const double *value);
+
+// A box of a dataset, and the first `width` columns of memory (n, stride) that go there.
+struct h5_block {
+    hsize_t start[H5_DIMENSIONS_MAX], count[H5_DIMENSIONS_MAX];
+    hsize_t n, stride, width;
+};
+void h5_put_block(struct h5 *h, hid_t dataset, const struct h5_block *part, const double *value);
+void h5_put_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, const int *value);
+void h5_put_texts(struct h5 *h, hid_t dataset, const struct h5_block *part,
+                  const char *const *text);
+
+void h5_get_block(struct h5 *h, hid_t dataset, const struct h5_block *part, double *value);
+void h5_get_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, int *value);
+// The texts are the library's: to be given to H5free_memory.
+void h5_get_texts(struct h5 *h, hid_t dataset, const struct h5_block *part, char **text);
+
+// The open object at a path.
+hid_t h5_open_object(struct h5 *h, hid_t parent, const char *path);
 
 // A column of an array of structs as a dataset, and a member as an attribute.
 void h5_put_column(struct h5 *h, hid_t parent, const struct column_table *t, int c,

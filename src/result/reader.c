@@ -35,6 +35,12 @@ static int check_format(struct result_file *f, struct error *e) {
                          "%s has format version %ld; this program reads versions up to %d", f->path,
                          version, RESULT_FORMAT_VERSION);
     }
+    if (h5_has(&f->h, f->h.file, "sweep")) {
+        return error_set(e, STATUS_INPUT,
+                         "%s is the result of a study, not of one analysis; "
+                         "jostle show prints it",
+                         f->path);
+    }
     const char *status = h5_get_text(&f->h, a, f->h.file, "status");
     if (f->h.failed) {
         return damaged(f, e);

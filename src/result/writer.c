@@ -5,14 +5,12 @@
 #include "result/writer.h"
 
 #include <assert.h>
-#include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include "core/arena.h"
+#include "result/part.h"
 
 enum { ROWS_MAX = 4096 };
 static const size_t bytes_max = (size_t)64 << 20;
@@ -89,67 +87,17 @@ static void place_streams(struct result_writer *w) {
     }
 }
 
-// Makes sure that PATH.part is ours: one left by a killed run is removed, one that another run is
-// writing (the library holds a lock on it) is left alone.
-static int claim(const struct result_writer *w, struct error *e) {
-    int old = open(w->part, O_RDWR);
-    if (old >= 0) {
-        const int locked = flock(old, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-        close(old);
-        if (locked) {
-            return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing %s",
-                             w->path, w->part);
-        }
-        unlink(w->part);
-    }
-    int part = open(w->part, O_RDWR | O_CREAT | O_EXCL, 0666);
-    if (part < 0) {
-        return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", w->path, strerror(errno));
-    }
-    close(part);
-    return STATUS_OK;
-}
-
 static int create_file(struct result_writer *w, struct error *e) {
-    int status = claim(w, e);
+    int status = part_claim(w->path, w->part, e);
     if (status != STATUS_OK) {
         return status;
     }
-    hid_t list = H5Pcreate(H5P_FILE_CREATE);
-    if (!h5_failed(&w->h, list) && !h5_failed(&w->h, H5Pset_obj_track_times(list, false))) {
-        w->h.file = H5Fcreate(w->part, H5F_ACC_TRUNC, list, H5P_DEFAULT);
-        h5_failed(&w->h, w->h.file);
-    }
-    if (list >= 0) {
-        H5Pclose(list);
-    }
+    h5_create(&w->h, w->part);
     if (w->h.failed) {
         unlink(w->part);
         return cannot_write(w, e);
     }
-    h5_open_types(&w->h);
     return STATUS_OK;
-}
-
-// Names of buildings become names of groups.
-static int check_names(const struct model *m, struct error *e) {
-    for (int i = 0; i < m->n_building; i++) {
-        const char *name = m->building[i].name;
-        if (strchr(name, '/') || strcmp(name, ".") == 0 || name[0] == '\0') {
-            return error_set(e, STATUS_INPUT,
-                             "building name '%s' cannot stand in a result file; it must not be "
-                             "empty, '.' or contain '/'",
-                             name);
-        }
-    }
-    return STATUS_OK;
-}
-
-static int check_options(const struct model *m, const struct result_options *o, struct error *e) {
-    if (o->existing == RESULT_KEEP && access(o->path, F_OK) == 0) {
-        return error_set(e, STATUS_INPUT, "%s exists; --force overwrites it", o->path);
-    }
-    return check_names(m, e);
 }
 
 static char *joined(const char *path, const char *ending) {
@@ -163,14 +111,17 @@ static char *joined(const char *path, const char *ending) {
 }
 
 static int writer_init(struct result_writer *w, const struct result_options *o, struct error *e) {
+    int status = report_create(w->model, NULL, o->path, o->version, &w->report, e);
+    if (status == STATUS_OK) {
+        status = part_check(w->report, o, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
     w->path = joined(o->path, "");
     w->part = joined(o->path, ".part");
     if (!w->path || !w->part) {
         return error_no_memory(e);
-    }
-    int status = report_create(w->model, NULL, o->path, o->version, &w->report, e);
-    if (status != STATUS_OK) {
-        return status;
     }
     const char *line = o->command_line ? o->command_line : "";
     w->report->command_line = arena_text(w->report->arena, line, strlen(line));
@@ -198,10 +149,6 @@ static int flush(struct result_writer *w, struct error *e) {
 
 int result_create(const struct model *m, const struct result_options *options,
                   struct result_writer **out, struct error *e) {
-    int status = check_options(m, options, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
     struct result_writer *w = calloc(1, sizeof *w);
     if (!w) {
         return error_no_memory(e);
@@ -209,7 +156,7 @@ int result_create(const struct model *m, const struct result_options *options,
     w->h = (struct h5){.file = -1, .units = &m->deck->units};
     w->model = m;
     w->existing = options->existing;
-    status = writer_init(w, options, e);
+    int status = writer_init(w, options, e);
     if (status == STATUS_OK) {
         writer_layout(w);
         place_streams(w);

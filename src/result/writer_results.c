@@ -4,15 +4,6 @@
 
 #include "result/writer.h"
 
-static hid_t open_object(struct h5 *h, hid_t parent, const char *name) {
-    if (h->failed) {
-        return -1;
-    }
-    hid_t object = H5Oopen(parent, name, H5P_DEFAULT);
-    h5_failed(h, object);
-    return object;
-}
-
 static void put_peak(struct h5 *h, hid_t envelope, hid_t floor, const struct report_building *b,
                      int p) {
     char name[64], long_name[128];
@@ -34,8 +25,8 @@ static void put_peak(struct h5 *h, hid_t envelope, hid_t floor, const struct rep
 }
 
 static void put_envelope(struct h5 *h, hid_t buildings, const struct report_building *b) {
-    hid_t building = open_object(h, buildings, b->name);
-    hid_t floor = open_object(h, building, "floor");
+    hid_t building = h5_open_object(h, buildings, b->name);
+    hid_t floor = h5_open_object(h, building, "floor");
     hid_t envelope = h5_group(h, building, "envelope");
     h5_hard_link(h, floor, envelope, "floor");
     for (int p = 0; p < PEAK_COUNT && !h->failed; p++) {
@@ -51,8 +42,8 @@ static void put_envelope(struct h5 *h, hid_t buildings, const struct report_buil
 static void put_link_envelope(struct h5 *h, const char *name, const char *scale_name,
                               const struct column_table *peaks, const struct report_link *link,
                               size_t n) {
-    hid_t group = open_object(h, h->file, name);
-    hid_t scale = open_object(h, group, scale_name);
+    hid_t group = h5_open_object(h, h->file, name);
+    hid_t scale = h5_open_object(h, group, scale_name);
     hid_t envelope = h5_group(h, group, "envelope");
     h5_hard_link(h, scale, envelope, scale_name);
     const struct column_table table = {peaks->column, peaks->n_column, sizeof *link};
@@ -78,9 +69,9 @@ static void put_impacts(struct h5 *h, const struct report *r) {
 
 // The account at the end as attributes: histories may be of single precision.
 static void put_energy_end(struct h5 *h, const struct report *r) {
-    hid_t group = open_object(h, h->file, "energy");
+    hid_t group = h5_open_object(h, h->file, "energy");
     for (int i = 0; i < ENERGY_COUNT; i++) {
-        hid_t history = open_object(h, group, energy_names[i]);
+        hid_t history = h5_open_object(h, group, energy_names[i]);
         h5_put_double(h, history, "final", r->energy[i]);
         h5_close(h, history);
     }
@@ -91,7 +82,7 @@ static void put_energy_end(struct h5 *h, const struct report *r) {
 
 void writer_results(struct result_writer *w, const struct report *r) {
     struct h5 *h = &w->h;
-    hid_t buildings = open_object(h, h->file, "buildings");
+    hid_t buildings = h5_open_object(h, h->file, "buildings");
     for (int i = 0; i < r->n_building && !h->failed; i++) {
         put_envelope(h, buildings, &r->building[i]);
     }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "result/part.h"
 #include "result/writer.h"
 
 // A history of `width` values a row; width_scale 0: one value, one dimension.
@@ -130,16 +131,9 @@ static void put_ground(struct result_writer *w) {
 }
 
 static void put_attributes(struct result_writer *w) {
-    struct h5 *h = &w->h;
-    const struct report *r = w->report;
-    h5_put_text(h, h->file, "format", "jostle");
-    h5_put_long(h, h->file, "format_version", RESULT_FORMAT_VERSION);
-    h5_put_text(h, h->file, "status", "running");
-    h5_put_text(h, h->file, "unit_force", r->units.force_name);
-    h5_put_text(h, h->file, "unit_length", r->units.length_name);
-    h5_put_text(h, h->file, "unit_time", r->units.time_name);
+    part_attributes(&w->h, w->report);
     for (int c = 0; c < layout_root.n_column; c++) {
-        h5_put_member(h, h->file, &layout_root, c, r);
+        h5_put_member(&w->h, w->h.file, &layout_root, c, w->report);
     }
 }
 

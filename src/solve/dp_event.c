@@ -21,6 +21,7 @@
 enum { ITERATIONS_MAX = 60 };
 static const double LOCATED = 1e-7;   // of the step: the next correction is about its square
 static const double ROUNDING = 64.0;  // units in the last place that mean nothing
+static const double STILL = 1e-12;    // of the largest displacement: a drift that has not moved
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 static void motion_accelerations(const struct dp *p, const struct link *l, struct motion *m) {
@@ -182,18 +183,10 @@ static bool is_straight(const struct dp *p, int i) {
     return p->model->storey[i].law->traits & STOREY_STRAIGHT;
 }
 
-// A drift that turns by less than this share of the error allowed is not seen to turn.
-static const double TURN_SHARE = 1e-2;
-
-static double least_turn(const struct dp *p, int i) {
-    double allowed = p->model->control.tolerance / p->scale_u[i];
-    return fmax(dp_system_storey_noise(&p->system, &p->now, i), TURN_SHARE * allowed);
-}
-
 static struct dp_event storey_event(const struct dp *p, int i) {
     struct motion m = dp_event_storey(p, i);
     struct pieces s = cut(&m);
-    double least = least_turn(p, i);
+    double least = fmax(dp_system_storey_noise(&p->system, &p->now, i), STILL * p->most_u);
     double tangent = p->system.tangent[i];
     bool moved = false;
     for (int n = 0; n < s.n; n++) {

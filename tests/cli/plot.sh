@@ -72,7 +72,7 @@ drawable rigid.h5 --compare pair.h5
 drawable pair.h5 --compare rigid.h5
 expect "nor beside others" '[ $status -eq 0 ] && ! grep -qi "nan k" scripts/*.gp'
 run "$jostle" plot rigid.h5 impacts --compare pair.h5 --script scripts
-expect "beside others they are shown by their impulses" '[ $status -eq 0 ] && [ "$(sed -n "/^\$impacts0/,/^EOD/p" scripts/impacts.gp | grep -ci nan)" -eq 1 ] && grep -q "kN·s" scripts/impacts.gp'
+expect "beside others they are shown by their impulses" '[ $status -eq 0 ] && [ "$(sed -n "/^\$impacts0/,/^EOD/p" scripts/impacts.dat | grep -ci nan)" -eq 1 ] && grep -q "kN·s" scripts/impacts.gp'
 drawable pair.h5 --compare wider.h5
 drawable pair.h5 --compare apart.h5
 drawable apart.h5 --compare pair.h5

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # docs/verification.md says what its cases give now: all of them with JOSTLE_LONG=1, else the quick
-# ones, and under sanitizers those of no more than seconds. `make verification` brings it up to date.
+# ones, and under sanitizers those of no more than seconds. `make verification` brings it up to
+# date.
 set -u
 folder=${TMPDIR:-/tmp}/verification
 status=0

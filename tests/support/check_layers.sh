@@ -33,6 +33,7 @@ home() {
     contact_law | storey_law) echo law ;;
     record | signal | spectrum | intensity) echo motion ;;
     analysis) echo solve ;;
+    study_file) echo result ;;
     *) echo "$1" ;;
     esac
 }

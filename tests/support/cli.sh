@@ -53,6 +53,16 @@ said() {
     grep -qF -- "$1" "$err"
 }
 
+# same ONE.h5 OTHER.h5: every dataset is equal; h5diff speaks of attributes as well, of which some tell
+# of the run.
+same() {
+    local path
+    for path in $(h5ls -r "$1" | awk '$2 == "Dataset" { print $1 }'); do
+        h5diff "$1" "$2" "$path" "$path" >"$out" 2>"$err" || return 1
+    done
+    [ "$(h5ls -r "$1")" = "$(h5ls -r "$2")" ] && [ "$(h5ls -r "$1" | grep -c Dataset)" -gt 40 ]
+}
+
 # two_buildings FILE [LINE]...: a deck that runs within a blink, with impacts and one warning.
 two_buildings() {
     local file=$1

@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the cases of the verification manual share; sourced by case.sh.
 
-# simulate RUN DECK [-D NAME=VALUE]...: runs a deck, and keeps its tables in RUN.tsv of the work folder.
+# simulate RUN DECK [-D NAME=VALUE]...: runs a deck, and keeps its tables in RUN.tsv of the work
+# folder.
 simulate() {
     run=$work/$1
     deck=$2
     shift 2
     "$jostle" run "$deck" -o "$run.h5" -q --force "$@"
     "$jostle" show "$run.h5" --tsv >"$run.tsv"
+}
+
+# reference_deck CASE STEP: a deck of the reference solutions with another step [ms], to be run
+# from any folder.
+reference_deck() {
+    sed -e "s|\.\./\.\./\.\./input|$root/input|" -e "s/^step fixed .*/step fixed ${2}ms/" \
+        "tests/verify/reference/$1.deck"
 }
 
 # value RUN TABLE QUANTITY [NAME [LOCATION]]: one value of a run, all digits; of the first name and
@@ -28,15 +36,15 @@ largest() {
 }
 
 
-# table WORD...: awk with the functions of format.awk, columns separated by tabs. Programs that stand in a script
-# put "$format" in front instead.
+# table WORD...: awk with the functions of format.awk, columns separated by tabs. Programs that
+# stand in a script put "$format" in front instead.
 table() {
     awk -F '\t' -f $here/format.awk "$@"
 }
 format=$(cat $here/format.awk)
 
-# compare NAME DIGITS: rows `what TAB unit TAB expected TAB computed` become rows of the table NAME, with
-# the relative error.
+# compare NAME DIGITS: rows `what TAB unit TAB expected TAB computed` become rows of the table NAME,
+# with the relative error.
 compare() {
     table -v name="$1" -v digits="$2" -f $here/compare.awk
 }
@@ -49,9 +57,9 @@ history() {
          /^\$rows0/ { inside = 1 }' "$work/$1.script/histories.gp"
 }
 
-# draw HEIGHT: draws verification_CASE.svg by CASE.gp, which finds its data in the work folder; nothing with
-# PICTURES=0.
+# draw HEIGHT: draws verification_CASE.svg by CASE.gp, which finds its data in the work folder;
+# nothing with PICTURES=0.
 draw() {
-    [ "${PICTURES-1}" = 0 ] || gnuplot -e "work = '$work'; height = $1; picture = '$folder/verification_$name.svg'" \
-        $here/style.gp "$here/$name.gp"
+    [ "${PICTURES-1}" = 0 ] || gnuplot -e "work = '$work'; height = $1" \
+        -e "picture = '$folder/verification_$name.svg'" $here/style.gp "$here/$name.gp"
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# conditioning.awk BEFORE AFTER: a row of the relative changes of the largest displacement, the largest force, the sum of
-# the impulses, and the count of impacts.
+# conditioning.awk BEFORE AFTER: a row of the relative changes of the largest displacement, the
+# largest force, the sum of the impulses, and the count of impacts.
 FNR == 1 { file++ }
 $3 == "displacement" && $5 > u[file] { u[file] = $5 }
 $1 == "contacts" && $3 == "force" && $5 > f[file] { f[file] = $5 }

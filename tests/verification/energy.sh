@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What the account of energy misses, relative to the input, over the whole run.
 
-# account LABEL METHOD DT DECK [LINE]...: DECK with the step DT and with these lines at its end.
+# account LABEL METHOD DT CASE [LINE]...: the case with the step DT and with these lines at its end.
 account() {
     label=$1 method=$2 dt=$3 from=$4
     shift 4
     {
-        sed -e "s|\.\./\.\./\.\./input|$root/input|" -e "s/^step fixed .*/step fixed ${dt}ms/" "$from"
+        reference_deck "$from" "$dt"
         printf '%s\n' "$@"
     } >"$work/account.deck"
     simulate account "$work/account.deck"
     awk -v label="$label" -v method="$method" -v dt="$dt" -v input="$(value account energy input)" \
-        -v missed="$(value account energy residual_peak)" -v contact="$(value account energy contact)" \
+        -v missed="$(value account energy residual_peak)" \
+        -v contact="$(value account energy contact)" \
         -v sum="$(awk -F '\t' '$1 == "contacts" && $3 == "dissipated" { s += $5 }
             END { printf "%.17g", s }' "$work/account.tsv")" "$format"'
         BEGIN {
@@ -20,18 +21,17 @@ account() {
         }'
 }
 
-reference=tests/verify/reference
 for dt in 0.1 1 10; do
-    account '8 and 5 storeys, jankowski' '1/4, 1/2' $dt $reference/D_8v5_jankowski.deck
+    account '8 and 5 storeys, jankowski' '1/4, 1/2' $dt D_8v5_jankowski
 done
 for dt in 0.5 5; do
-    account 'yielding storeys, kelvin-voigt' '1/4, 1/2' $dt $reference/E2_elastoplastic_kelvin_voigt.deck
+    account 'yielding storeys, kelvin-voigt' '1/4, 1/2' $dt E2_elastoplastic_kelvin_voigt
 done
-account 'three in a row, jankowski' '1/4, 1/2' 1 $reference/E1_row3_jankowski.deck
-account 'towers, rigid impacts' '1/4, 1/2' 1 $reference/F_towers_stereo.deck
+account 'three in a row, jankowski' '1/4, 1/2' 1 E1_row3_jankowski
+account 'towers, rigid impacts' '1/4, 1/2' 1 F_towers_stereo
 for dt in 0.1 1; do
-    account '8 and 5 storeys, jankowski' '1/6, 1/2' $dt $reference/D_8v5_jankowski.deck \
+    account '8 and 5 storeys, jankowski' '1/6, 1/2' $dt D_8v5_jankowski \
         'integrator newmark -beta 0.16666666666666667'
-    account '8 and 5 storeys, jankowski' '0.3025, 0.6' $dt $reference/D_8v5_jankowski.deck \
+    account '8 and 5 storeys, jankowski' '0.3025, 0.6' $dt D_8v5_jankowski \
         'integrator newmark -beta 0.3025 -gamma 0.6'
 done

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# fill.awk VALUES PAGE: prints PAGE with each {{name}} replaced. A name that has no value, and a value
-# that no name takes, are errors.
+# fill.awk VALUES PAGE: prints PAGE with each {{name}} replaced. A name that has no value, and a
+# value that no name takes, are errors.
 function fail(text) {
     print "fill.awk: " text >"/dev/stderr"
     failed = 1

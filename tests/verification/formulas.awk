@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Closed forms of an isolated impact of the effective mass `m` at `v0`. Rows `label TAB kind TAB parameter...`
-# give rows `label TAB quantity TAB unit TAB value`. docs/theory.md, section 5, derives them.
+# Closed forms of an isolated impact of the effective mass `m` at `v0`. Rows `label TAB kind TAB
+# parameter...` give rows `label TAB quantity TAB unit TAB value`. docs/theory.md, section 5,
+# derives them.
 function give(quantity, unit, x) {
     printf "%s\t%s\t%s\t%.17g\n", $1, quantity, unit, x
 }

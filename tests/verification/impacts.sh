@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Isolated impacts of 25 t against 40 t at 0.5 m/s under each law, by `jostle run` and `jostle law`, against
-# closed forms.
+# Isolated impacts of 25 t against 40 t at 0.5 m/s under each law, by `jostle run` and `jostle law`,
+# against closed forms.
 
 dt=20e-6
 linear='-k 93.5e6'
 curved='-k 2.75e9'
 
-# Label, options of the law, and the row of formulas.awk, whose zeta or q follow from e = 0.65 by the relation of the law.
+# Label, options of the law, and the row of formulas.awk, whose zeta or q follow from e = 0.65 by
+# the relation of the law.
 laws() {
     cat <<END
 linear;linear $linear;power 93.5e6 1
@@ -33,7 +34,9 @@ END
 
 # The relations between e = 0.65 and the damping parameter, as published (docs/laws.md).
 zeta_linear=$(awk 'BEGIN { l = log(0.65); printf "%.17g", -l / sqrt(atan2(0, -1) ^ 2 + l ^ 2) }')
-zeta_2011=$(awk 'BEGIN { e = 0.65; printf "%.17g", (1 - e ^ 2) / (e * (e * (atan2(0, -1) - 2) + 2)) }')
+zeta_2011=$(awk 'BEGIN {
+    e = 0.65
+    printf "%.17g", (1 - e ^ 2) / (e * (e * (atan2(0, -1) - 2) + 2)) }')
 zeta_2008=$(awk 'BEGIN { e = 0.65; printf "%.17g", (1 - e ^ 2) / (atan2(0, -1) * e) }')
 zeta_jankowski=$(awk 'BEGIN {
     e = 0.65
@@ -55,7 +58,8 @@ duration 0.08s
 END
 }
 
-# What `jostle run` and `jostle law` give under the law $2, rows of the label $1, quantity and both values.
+# What `jostle run` and `jostle law` give under the law $2, rows of the label $1, quantity and both
+# values.
 computed() {
     bodies "$2" >"$work/impact.deck"
     simulate impact "$work/impact.deck"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The experiments of Jankowski (2005) that can be run with what the paper prints: the ball and the striker.
+# The experiments of Jankowski (2005) that can be run with what the paper prints: the ball and the
+# striker.
 
 # peak DECK: peak force of a reference deck.
 peak() {
@@ -10,7 +11,8 @@ peak() {
 # ball LAW...: peak force of a 3/16 in ball at sqrt(2 g 2 in), steel of 7850 kg/m3.
 ball() {
     mass=$(awk 'BEGIN { printf "%.17g", 7850 * atan2(0, -1) / 6 * (0.0254 * 3 / 16) ^ 3 }')
-    "$jostle" law "$@" -m1 "$mass" -v 0.99817624 --tsv </dev/null | awk '$1 == "peak_force" { print $2 }'
+    "$jostle" law "$@" -m1 "$mass" -v 0.99817624 --tsv </dev/null |
+        awk '$1 == "peak_force" { print $2 }'
 }
 
 # row TABLE LAW PRINTED COMPUTED [OTHER]: percents are of what the paper prints.
@@ -20,7 +22,8 @@ row() {
             return sprintf("%+.1f %%", 100 * (x - paper) / paper)
         }
         BEGIN {
-            printf "%s\t| %s | %s | %s | %s |", name, law, paper, number(computed, 4), against(computed)
+            printf "%s\t| %s | %s | %s | %s |", name, law, paper, number(computed, 4),
+                against(computed)
             if (other != "") {
                 printf " %s | %s |", number(other, 4), against(other)
             }
@@ -33,9 +36,14 @@ row ball 'kelvin-voigt, k = 2.07e7 N/m, ζ = 0.14' 80.7 "$(peak B1_ball_kelvin_v
 row ball 'hertz, k = 4.66e9 N/m^1.5' 80.7 "$(peak B1_ball_hertz)" "$(ball hertz -k 4.66e9)"
 row ball 'jankowski, k = 1.03e10 N/m^1.5, ζ = 0.35' 80.7 "$(peak B1_ball_jankowski)" \
     "$(ball jankowski -k 1.03e10 -zeta 0.35)"
-row striker 'kelvin-voigt, k = 9.35e7 N/m, ζ = 0.14' 102.5 "$(peak B2_pendulum_kelvin_voigt_single | awk '{ print $1 / 1000 }')"
-row striker 'hertz, k = 1.13e9 N/m^1.5' 102.5 "$(peak B2_pendulum_hertz_single | awk '{ print $1 / 1000 }')"
-row striker 'jankowski, k = 2.75e9 N/m^1.5, ζ = 0.35' 102.5 "$(peak B2_pendulum_jankowski_single | awk '{ print $1 / 1000 }')"
+# striker LAW CASE: the same in kN.
+striker() {
+    row striker "$1" 102.5 "$(peak "B2_pendulum_$2_single" | awk '{ print $1 / 1000 }')"
+}
+
+striker 'kelvin-voigt, k = 9.35e7 N/m, ζ = 0.14' kelvin_voigt
+striker 'hertz, k = 1.13e9 N/m^1.5' hertz
+striker 'jankowski, k = 2.75e9 N/m^1.5, ζ = 0.35' jankowski
 
 # Closed form of the Hertz force, k^(2/5) (1.25 m v0^2)^(3/5).
 awk "$format"'

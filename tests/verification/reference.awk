@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# reference.awk REFERENCE RESULT: a row of errors, the largest over all floors or contacts, each over the
-# largest value of its kind. The table of a result, `show --tsv`, has names in column 2.
+# reference.awk REFERENCE RESULT: a row of errors, the largest over all floors or contacts, each
+# over the largest value of its kind. The table of a result, `show --tsv`, has names in column 2.
 function error(kind) {
     if (!(kind in most)) {
         return "-"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# rigid.awk TABLES: a row of the bouncing body. It meets the wall at t0 = 0.1 s with 1 m/s, rebounds the n-th time
-# with e^n, and flies 2 e^n t0; the sum of all flights ends at t0 (1 + e) / (1 - e).
+# rigid.awk TABLES: a row of the bouncing body. It meets the wall at t0 = 0.1 s with 1 m/s, rebounds
+# the n-th time with e^n, and flies 2 e^n t0; the sum of all flights ends at t0 (1 + e) / (1 - e).
 $1 == "impacts" {
     v[$4, $3] = $5
     n = $4

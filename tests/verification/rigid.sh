@@ -26,7 +26,8 @@ simulate bodies "$work/bodies.deck"
 {
     printf 'instant of impact\ts\t0.02\t%s\n' "$(value bodies impacts t_start)"
     printf 'velocity of rebound\tm/s\t0.325\t%s\n' "$(value bodies impacts v_rebound)"
-    printf 'impulse, m* (1 + e) v\tN s\t%s\t%s\n' 12692.307692307692 "$(value bodies impacts impulse)"
+    printf 'impulse, m* (1 + e) v\tN s\t%s\t%s\n' 12692.307692307692 \
+        "$(value bodies impacts impulse)"
     printf 'dissipated, m* (1 - e²) v² / 2\tN m\t%s\t%s\n' 1110.5769230769231 \
         "$(value bodies impacts dissipated)"
 } | compare bodies 6

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# For each arrangement: its factors, the geometric means of the five ratios, in how many of the runs the mean of the end
-# buildings was above that of the three within, the runs, and the mean count of impacts.
+# For each arrangement: its factors, the geometric means of the five ratios, in how many of the runs
+# the mean of the end buildings was above that of the three within, the runs, and the mean count of
+# impacts.
 {
     key = $1 " " $2 " " $3 " " $4 " " $5
     if (!(key in runs)) {

@@ -10,7 +10,8 @@ row() {
     echo 'param record ""'
     for factor in "$@"; do
         i=$((i + 1))
-        echo "building B$i -floors 1 -mass 300t -stiffness \${300t * (2 * pi / ($factor * ${base}s))^2}"
+        echo "building B$i -floors 1 -mass 300t" \
+            "-stiffness \${300t * (2 * pi / ($factor * ${base}s))^2}"
         echo "damping B$i modal 5%"
     done
     while [ $i -gt 1 ]; do
@@ -48,8 +49,8 @@ done <<'END' >"$work/runs"
 END
 awk -f $here/row.awk "$work/runs" >"$work/ratios"
 awk '{
-    printf "row\t| %s, %s, %s, %s, %s | %.2f | %.2f | %.2f | %.2f | %.2f | %d of %d | %.0f |\n", $1, $2, $3, $4,
-        $5, $6, $7, $8, $9, $10, $11, $12, $13
+    printf "row\t| %s, %s, %s, %s, %s | %.2f | %.2f | %.2f | %.2f | %.2f | %d of %d | %.0f |\n",
+        $1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12, $13
 }' "$work/ratios"
 awk '{
     above += $11

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# storeys.awk REFERENCE RESULT: law, step, and the errors of the displacement of roof A, of the largest force and of
-# the sum of all impulses; impacts of the reference and of jostle.
+# storeys.awk REFERENCE RESULT: law, step, and the errors of the displacement of roof A, of the
+# largest force and of the sum of all impulses; impacts of the reference and of jostle.
 FNR == NR {
     if ($1 == "displacement" && $2 == "A" && $3 == 8) { roof = $4 }
     if ($1 == "force" && $4 > force) { force = $4 }

@@ -9,7 +9,8 @@ distance() {
 pi=3.141592653589793
 for zeta in 0.01 0.05 0.2; do
     period=$(awk -v zeta=$zeta 'BEGIN { printf "%.17g", 1 / sqrt(1 - zeta ^ 2) }')
-    simulate decay $here/vibration.deck -D zeta=$zeta -D end="$(echo "$period" | awk '{ printf "%.17g", 5 * $1 }')" \
+    simulate decay $here/vibration.deck -D zeta=$zeta \
+        -D end="$(echo "$period" | awk '{ printf "%.17g", 5 * $1 }')" \
         -D dt="$(echo "$period" | awk '{ printf "%.17g", $1 / 2000 }')"
     distance decay | awk -v zeta=$zeta -v pi=$pi '{
         printf "logarithmic decrement at %g %%\t-\t%.17g\t%.17g\n", 100 * zeta,
@@ -23,7 +24,8 @@ for zeta in 0.01 0.05 0.2; do
 done | compare vibration 6
 
 # Errors of |u| at 1.3 s from 1 m without damping, at n = 32, 64, ... steps.
-for method in '0 0.5' '0.083333333333333333 0.5' '0.16666666666666667 0.5' '0.25 0.5' '0.3025 0.6'; do
+for method in '0 0.5' '0.083333333333333333 0.5' '0.16666666666666667 0.5' '0.25 0.5' \
+    '0.3025 0.6'; do
     set -- $method
     for n in 32 64 128 256 512 1024; do
         simulate order $here/vibration.deck -D beta=$1 -D gamma=$2 -D end=1.3 \

@@ -136,7 +136,7 @@ static void build_record(struct builder *b, const struct statement *s) {
     struct record r;
     struct error e;
     if (record_read(b->arena, &request, &r, &e) != STATUS_OK) {
-        deck_error(b->deck, blamed(s, a, r.wrong), "%s", e.message);
+        deck_error_of(b->deck, blamed(s, a, r.wrong), &e);
         return;
     }
     for (int i = 0; i < r.n_warning; i++) {

@@ -76,7 +76,7 @@ static bool read_history(struct builder *b, const struct statement *s, struct si
     struct record r;
     struct error e;
     if (record_read(b->arena, &request, &r, &e) != STATUS_OK) {
-        deck_error(b->deck, r.wrong == RECORD_DT ? &a[H_DT].word[0] : &s->word[3], "%s", e.message);
+        deck_error_of(b->deck, r.wrong == RECORD_DT ? &a[H_DT].word[0] : &s->word[3], &e);
         return false;
     }
     if (signal_init_samples(out, b->arena, r.value, r.n, r.dt / second, a[H_SCALE].number[0], 0.0,

@@ -55,8 +55,8 @@ static bool check_study(struct builder *b, const struct statement *s) {
     const struct word *behind = deck_option(s, "histories", &n);
     if (behind) {
         deck_error(b->deck, behind - 1,
-                   "-histories is for studies by sweep, which are not available in this version; "
-                   "one analysis always writes its histories");
+                   "-histories is for studies by sweep, which do not write histories in this "
+                   "version; one analysis always writes its histories");
     }
     return !behind;
 }

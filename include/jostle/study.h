@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a study: a deck with sweeps, on several threads, into one file, and so that nothing finished
+// is lost: finished runs are kept in a journal beside the result file, from which the same command
+// goes on after whatever ended the program.
+#ifndef JOSTLE_STUDY_H
+#define JOSTLE_STUDY_H
+
+#include <stdint.h>
+
+#include "jostle/model.h"
+#include "jostle/result.h"
+
+struct study_progress {
+    long n_run;     // of the study
+    long n_kept;    // runs found in the journal of an earlier start
+    long n_done;    // runs done so far, kept and failed ones included
+    long n_failed;  // of them, those that failed
+    int n_thread;
+    char failure[768];  // the first failed run of this start, and why; "": none
+};
+
+// What to do with the journal of an earlier start.
+enum study_journal { STUDY_RESUME, STUDY_RESTART };
+
+struct study_request {
+    const struct model *first;  // the model of the deck, that of its first run
+    const char *const *define;  // (n_define) NAME=VALUE it was read with
+    int n_define;
+    int n_thread;
+    enum study_journal journal;
+    uint64_t program;  // checksum of the program: results of another one are not mixed in
+    struct result_options result;
+
+    // Called every 0.1 s by the thread that called study_run. Not 0 ends the study with that
+    // status; what is finished stays in the journal.
+    int (*poll)(void *context, const struct study_progress *p, struct error *e);
+    void *context;
+};
+
+// Runs what the journal does not have and writes the result file; the journal is then removed.
+// Results do not depend on the number of threads, nor on interruptions, to the last bit. Runs that
+// fail are results. *p tells how far it came, whatever happens. Errors: STATUS_INPUT (the result
+// exists; the journal is that of another study; runs differ in their buildings or contacts; a file
+// changed), STATUS_SYSTEM, or what `poll` returned.
+int study_run(const struct study_request *q, struct study_progress *p, struct error *e);
+
+#endif

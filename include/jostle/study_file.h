@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The result file of a study: the tree of one analysis without histories and impacts, each value
+// with the dimensions of the sweeps in front.
+#ifndef JOSTLE_STUDY_FILE_H
+#define JOSTLE_STUDY_FILE_H
+
+#include "jostle/deck.h"
+#include "jostle/result.h"
+
+enum { STUDY_MESSAGE_MAX = 512 };
+
+// One dataset: some of the values that every run gives.
+struct study_item {
+    const char *parent, *owner, *leaf;  // group: "buildings", "A", "envelope"; NULL: none
+    const char *name, *long_name;
+    const struct dimension *dimension;  // NULL: a pure number, or read from a file
+    const char *units;                  // of values read from a file
+    const char *scale;                  // dimension of the values: "floor"; NULL: one value
+    bool property;                      // of the model, known before the run
+    size_t first, n;                    // values [first, first + n) of a run
+};
+
+// What the runs of a study give, in the order of a run's values.
+struct study_table {
+    struct arena *arena;  // owns everything
+    int n_item;
+    const struct study_item *item;  // (n_item)
+    size_t n_value;                 // of a run
+};
+
+// The table for runs with the buildings, contacts and links of `r`, whose names are borrowed. *out
+// must be given to study_table_free. Errors: STATUS_SYSTEM (no memory).
+int study_table_create(const struct report *r, struct study_table **out, struct error *e);
+void study_table_free(struct study_table *t);  // NULL is allowed
+
+// The values of one run, (n_value).
+void study_table_read(const struct report *r, double *value);
+
+// How a run ended.
+enum study_status { STUDY_DONE = 0, STUDY_FAILED = 1 };
+struct study_outcome {
+    int status;                       // enum study_status
+    char message[STUDY_MESSAGE_MAX];  // "" if done
+};
+
+// A finished study. Runs are numbered from 0, the last sweep varying fastest.
+struct study_content {
+    const struct report *first;       // of the first run, before or after it
+    const struct study_table *table;  // of it
+    const struct sweep *sweeps;
+    long n_run;
+    long n_kept;     // of them, runs of an earlier start
+    int n_thread;    // of this one
+    double seconds;  // wall time of this one
+
+    // The outcomes (n) and values (n, n_value) of runs first ... first + n - 1; NaN where a run
+    // failed.
+    int (*read)(void *context, long first, long n, struct study_outcome *outcome, double *value,
+                struct error *e);
+    void *context;
+};
+
+// Can the file be written under these names? Errors: STATUS_INPUT (it exists; names of buildings or
+// sweeps that cannot stand in it).
+int study_file_check(const struct study_content *c, const struct result_options *o,
+                     struct error *e);
+
+// Writes the file as PATH.part and gives it its name when it is complete. Memory does not depend on
+// the number of runs. Errors as of study_file_check, STATUS_SYSTEM, or what `read` returns.
+int study_file_write(const struct study_content *c, const struct result_options *o,
+                     struct error *e);
+
+struct study_file;
+
+// What a study file says apart from its values.
+struct study_view {
+    struct arena *arena;  // owns everything below
+    const char *path, *title;
+    int n_sweep;
+    const struct sweep *sweep[STUDY_SWEEPS_MAX];
+    const char *sweep_units[STUDY_SWEEPS_MAX];  // "" for texts
+    long n_run, n_kept;
+    int n_thread;
+    double seconds;
+    struct study_table table;
+    int n_contact, n_link;
+    const char *const *contact;  // (n_contact) names
+    const char *const *link;     // (n_link)
+};
+
+// True if the file at `path` is the complete result of a study.
+bool study_file_is_study(const char *path);
+
+// Opens a study file. Errors: STATUS_SYSTEM, STATUS_INPUT (not one, damaged); they name the path.
+int study_file_open(const char *path, struct study_file **out, struct error *e);
+void study_file_close(struct study_file *f);  // NULL is allowed
+const struct study_view *study_file_view(const struct study_file *f);
+
+// The outcomes (n) and values (n, n_value) of runs first ... first + n - 1.
+int study_file_read(struct study_file *f, long first, long n, struct study_outcome *outcome,
+                    double *value, struct error *e);
+
+#endif

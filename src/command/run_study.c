@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle run on a deck with sweeps.
+#include <unistd.h>
+
+#include "command/interrupt.h"
+#include "command/run.h"
+#include "command/show_study.h"
+#include "command/study_progress.h"
+#include "core/checksum.h"
+
+static int watch(void *context, const struct study_progress *p, struct error *e) {
+    struct study_display *display = context;
+    study_display_show(display, p);
+    const int signal = interrupt_number();
+    return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", signal) : STATUS_OK;
+}
+
+static int all_cores(void) {
+    long n = sysconf(_SC_NPROCESSORS_ONLN);
+    return n < 1 ? 1 : n > 4096 ? 4096 : (int)n;
+}
+
+// Tells builds apart that have the same version; 0 where the system does not show the program.
+static uint64_t program_sum(void) {
+    uint64_t sum;
+    struct error e;
+    return checksum_file("/proc/self/exe", &sum, &e) == STATUS_OK ? sum : 0;
+}
+
+// What ended the study, and what is left of it.
+static int report_error(const struct study_progress *p, const char *path, struct error *e) {
+    int status = command_fail(e);
+    if (p->n_done > 0) {
+        fprintf(stderr,
+                "jostle: %ld of %ld runs are kept in %s.runs; the same command goes on with "
+                "them\n",
+                p->n_done, p->n_run, path);
+    }
+    return status;
+}
+
+int run_study(const struct model *first, const struct run_options *o,
+              const struct result_options *result) {
+    struct study_display display;
+    const struct study_request request = {
+        .first = first,
+        .define = o->load.define,
+        .n_define = o->load.n_define,
+        .n_thread = o->n_thread ? o->n_thread : all_cores(),
+        .journal = o->journal,
+        .program = program_sum(),
+        .result = *result,
+        .poll = watch,
+        .context = &display,
+    };
+    struct study_progress p;
+    struct error e;
+    study_display_start(&display, o->load.quiet ? DISPLAY_NOTHING : DISPLAY_PROGRESS);
+    int status = study_run(&request, &p, &e);
+    study_display_end(&display);
+    if (status != STATUS_OK) {
+        return report_error(&p, result->path, &e);
+    }
+    if (!o->load.quiet && show_study(result->path, STUDY_SUMMARY, stdout, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    if (p.n_failed > 0) {
+        error_set(&e, STATUS_FAILED, "%ld of %ld runs failed; /message in %s says why%s%s",
+                  p.n_failed, p.n_run, result->path, p.failure[0] ? ", the first: " : "",
+                  p.failure);
+        return command_fail(&e);
+    }
+    return EXIT_DONE;
+}

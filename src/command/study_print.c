@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/study_print.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "command/sweeps.h"
+#include "core/text.h"
+
+void study_print_text(const char *text, FILE *to) {
+    for (; *text; text++) {
+        fputc((unsigned char)*text < ' ' ? ' ' : *text, to);
+    }
+}
+
+const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i) {
+    if (item->owner) {
+        return item->owner;
+    }
+    if (!item->scale) {
+        return "";
+    }
+    const bool contact = strcmp(item->parent, "contacts") == 0;
+    const size_t n = (size_t)(contact ? v->n_contact : v->n_link);
+    return i < n ? (contact ? v->contact[i] : v->link[i]) : "";
+}
+
+// Times of peaks are no quantities of their own.
+static bool is_shown(const struct study_item *item) {
+    const char *underscore = strrchr(item->name, '_');
+    return item->leaf && !(underscore && strcmp(underscore, "_time") == 0);
+}
+
+void study_peaks_add(struct study_peaks *p, const struct study_view *v, long run,
+                     const struct study_outcome *outcome, const double *value) {
+    if (outcome->status != STUDY_DONE) {
+        if (p->n_failed++ == 0) {
+            p->failed = run;
+            snprintf(p->message, sizeof p->message, "%s", outcome->message);
+        }
+        return;
+    }
+    for (int k = 0; k < v->table.n_item; k++) {
+        const struct study_item *item = &v->table.item[k];
+        struct study_peak *peak = &p->peak[k];
+        for (size_t i = 0; is_shown(item) && i < item->n; i++) {
+            const double x = value[item->first + i];
+            if (!isnan(x) && (!peak->found || x > peak->value)) {
+                *peak = (struct study_peak){.found = true, .value = x, .run = run, .at = i};
+            }
+        }
+    }
+}
+
+static void print_run(const struct study_view *v, long run, FILE *to) {
+    fprintf(to, "%ld (", run + 1);
+    long later = v->n_run;
+    for (int i = 0; i < v->n_sweep; i++) {
+        struct text_short t;
+        const struct sweep *s = v->sweep[i];
+        later /= s->n;
+        fprintf(to, "%s%s ", i > 0 ? ", " : "", s->name);
+        if (s->number) {
+            fprintf(to, "%.4g", s->number[run / later % s->n]);
+        } else {
+            fputs(text_short(&t, s->label[run / later % s->n]), to);
+        }
+    }
+    fputs(")\n", to);
+}
+
+void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to) {
+    struct text_short t;
+    fprintf(to, "%s%s", v->title, v->title[0] ? "\n" : "");
+    fprintf(to, "study of %ld runs, %ld failed\n", v->n_run, p->n_failed);
+    for (int i = 0; i < v->n_sweep; i++) {
+        sweeps_print_line(v->sweep[i], v->sweep_units[i], to);
+    }
+    fprintf(to, "\nlargest values\n%-12s %-14s %5s %12s %-8s run\n", "", "quantity", "floor", "",
+            "unit");
+    for (int k = 0; k < v->table.n_item; k++) {
+        const struct study_item *item = &v->table.item[k];
+        const struct study_peak *peak = &p->peak[k];
+        if (!peak->found) {
+            continue;
+        }
+        char floor[24] = "";
+        if (item->owner) {
+            snprintf(floor, sizeof floor, "%zu", peak->at + 1);
+        }
+        fprintf(to, "%-12s %-14s %5s %12.5g %-8s ",
+                text_short(&t, study_print_name(v, item, peak->at)), item->name, floor, peak->value,
+                item->units);
+        print_run(v, peak->run, to);
+    }
+    if (p->n_failed > 0) {
+        fprintf(to, "\nthe first failed run: ");
+        print_run(v, p->failed, to);
+        fprintf(to, "  %s\n", p->message);
+    }
+    fprintf(to, "\nwall time   %.3g s on %d thread%s", v->seconds, v->n_thread,
+            v->n_thread == 1 ? "" : "s");
+    if (v->n_kept > 0) {
+        fprintf(to, ", without %ld runs of an earlier start", v->n_kept);
+    }
+    fprintf(to, "\nresults     %s\n", v->path);
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces of the tables that `show` prints of a study.
+#ifndef JOSTLE_STUDY_PRINT_H
+#define JOSTLE_STUDY_PRINT_H
+
+#include <stdio.h>
+
+#include "jostle/study_file.h"
+
+// Where a quantity of the envelopes is largest over all runs.
+struct study_peak {
+    bool found;
+    double value;
+    long run;
+    size_t at;  // among its values
+};
+struct study_peaks {
+    struct study_peak *peak;  // (n_item)
+    long n_failed;
+    long failed;  // the first run that did
+    char message[STUDY_MESSAGE_MAX];
+};
+
+void study_peaks_add(struct study_peaks *p, const struct study_view *v, long run,
+                     const struct study_outcome *outcome, const double *value);
+void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to);
+
+// The building, contact or link of value `i`; "" if there is none.
+const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i);
+// Without what would break a table.
+void study_print_text(const char *text, FILE *to);
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/study_progress.h"
+
+#include <stdio.h>
+#include <time.h>
+#include <unistd.h>
+
+static const double TERMINAL_INTERVAL = 0.5, INTERVAL = 10.0;  // [s]
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void study_display_start(struct study_display *d, enum display display) {
+    *d = (struct study_display){
+        .display = display, .terminal = isatty(STDERR_FILENO) != 0, .start = now()};
+    d->last = d->start;
+}
+
+// A time as an engineer says it: 42 s, 5 min 10 s, 3 h 20 min.
+static void print_time(double seconds) {
+    const long s = (long)(seconds + 0.5);
+    if (s < 60) {
+        fprintf(stderr, "%ld s", s);
+    } else if (s < 3600) {
+        fprintf(stderr, "%ld min %ld s", s / 60, s % 60);
+    } else {
+        fprintf(stderr, "%ld h %ld min", s / 3600, s / 60 % 60);
+    }
+}
+
+void study_display_show(struct study_display *d, const struct study_progress *p) {
+    const double wall = now();
+    if (d->display == DISPLAY_NOTHING ||
+        wall - d->last < (d->terminal ? TERMINAL_INTERVAL : INTERVAL)) {
+        return;
+    }
+    const long mine = p->n_done - p->n_kept;
+    const double rate = (double)mine / (wall - d->start);
+    fprintf(stderr, "%s%ld of %ld runs, %ld failed", d->terminal ? "\r" : "", p->n_done, p->n_run,
+            p->n_failed);
+    if (mine > 0) {
+        fprintf(stderr, ", %.3g runs/s, ", rate);
+        print_time((double)(p->n_run - p->n_done) / rate);
+        fprintf(stderr, " left");
+    }
+    fprintf(stderr, d->terminal ? " \033[K" : "\n");
+    fflush(stderr);
+    d->last = wall;
+    d->shown = d->terminal;
+}
+
+void study_display_end(struct study_display *d) {
+    if (d->shown) {
+        fprintf(stderr, "\r\033[K");
+        d->shown = false;
+    }
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far a study is: on a terminal one line that is written over, elsewhere a line every ten
+// seconds.
+#ifndef JOSTLE_STUDY_PROGRESS_H
+#define JOSTLE_STUDY_PROGRESS_H
+
+#include "jostle/study.h"
+
+enum display { DISPLAY_NOTHING, DISPLAY_PROGRESS };
+
+struct study_display {
+    enum display display;
+    bool terminal;  // stderr is one
+    bool shown;
+    double start, last;  // wall time [s]
+};
+
+void study_display_start(struct study_display *d, enum display display);
+void study_display_show(struct study_display *d, const struct study_progress *p);
+void study_display_end(struct study_display *d);
+
+#endif

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef JOSTLE_SWEEPS_H
+#define JOSTLE_SWEEPS_H
+
+#include <stdio.h>
+
+#include "jostle/deck.h"
+
+// Prints "study of N runs" and a line for each sweep to stdout; nothing for a deck without sweeps.
+void sweeps_print(const struct deck *d);
+
+// A line for one sweep; `units` of its numbers.
+void sweeps_print_line(const struct sweep *s, const char *units, FILE *to);
+
+#endif

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// sweep NAME values|range|files ...: a parameter that takes one value after another, run by run.
+//
+// range gives FROM + i (TO - FROM) / (N - 1), or with -log FROM (TO / FROM)^(i / (N - 1)), i = 0 ..
+// N - 1; the last is TO itself. The values of a sweep do not depend on other sweeps, so that the
+// runs of a study form a grid.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+#include "deck/reader.h"
+#include "deck/sweep_files.h"
+
+const char sweep_usage[] = "sweep NAME values LIST | range FROM TO N [-log] | files \"GLOB\"";
+
+static void *array(struct deck *d, size_t n, size_t size) {
+    void *p = arena_alloc(d->arena, n, size);
+    if (!p) {
+        diagnostics_no_memory(&d->diagnostics);
+    }
+    return p;
+}
+
+// Reads `w` as a value that fits the first one; false after having reported why it does not.
+static bool read_value(struct deck *d, const struct word *w, const struct parameter *first,
+                       struct parameter *p) {
+    struct quantity_text got, needed;
+    parameter_read(d, w, p);
+    if (p->kind == PARAMETER_WRONG || first->kind == PARAMETER_WRONG) {
+        return false;
+    }
+    if (p->kind != first->kind) {
+        deck_error(d, w, "this is a %s, the first value a %s",
+                   p->kind == PARAMETER_TEXT ? "text" : "number",
+                   p->kind == PARAMETER_TEXT ? "number" : "text");
+        return false;
+    }
+    if (p->kind == PARAMETER_TEXT) {
+        return true;
+    }
+    if (p->number.known != first->number.known) {
+        deck_error(d, w, "either all values have a unit or none has");
+        return false;
+    }
+    if (p->number.known && !dimension_equal(p->number.dimension, first->number.dimension)) {
+        deck_error(d, w, "this is %s, the first value %s",
+                   quantity_describe(&d->units, p->number.dimension, &got),
+                   quantity_describe(&d->units, first->number.dimension, &needed));
+        return false;
+    }
+    return true;
+}
+
+// Reads `n` words that must be alike into an array; NULL after having reported.
+static struct parameter *read_values(struct deck *d, const struct word *word, int n) {
+    struct parameter *p = array(d, (size_t)n, sizeof *p);
+    bool good = p != NULL;
+    for (int i = 0; p && i < n; i++) {
+        good = read_value(d, &word[i], &p[0], &p[i]) && good;
+    }
+    return good ? p : NULL;
+}
+
+// The values as the sweep keeps them.
+static bool take(struct deck *d, struct sweep *s, const struct parameter *p, int n) {
+    s->n = n;
+    if (p[0].kind == PARAMETER_TEXT) {
+        const char **text = array(d, (size_t)n, sizeof *text);
+        for (int i = 0; text && i < n; i++) {
+            text[i] = p[i].text;
+        }
+        s->text = text;
+        s->label = text;
+        return text != NULL;
+    }
+    double *number = array(d, (size_t)n, sizeof *number);
+    for (int i = 0; number && i < n; i++) {
+        number[i] = p[i].number.value;
+    }
+    s->number = number;
+    s->known = p[0].number.known;
+    s->dimension = p[0].number.dimension;
+    return number != NULL;
+}
+
+struct key {
+    double number;
+    const char *label;  // NULL: a number
+    int at;
+};
+
+static int compare(const void *a, const void *b) {
+    const struct key *x = a, *y = b;
+    int order =
+        x->label ? strcmp(x->label, y->label) : (x->number > y->number) - (x->number < y->number);
+    return order ? order : x->at - y->at;
+}
+
+// False after having reported a value that stands twice: results are found by their values.
+static bool check_distinct(struct deck *d, const struct sweep *s, const struct word *word) {
+    struct key *key = array(d, (size_t)s->n, sizeof *key);
+    for (int i = 0; key && i < s->n; i++) {
+        key[i] = (struct key){s->number ? s->number[i] : 0.0, s->label ? s->label[i] : NULL, i};
+    }
+    if (!key) {
+        return false;
+    }
+    qsort(key, (size_t)s->n, sizeof *key, compare);
+    for (int i = 1; i < s->n; i++) {
+        struct key before = key[i - 1];
+        before.at = key[i].at;
+        if (compare(&before, &key[i]) == 0) {
+            struct text_short t;
+            deck_error(d, &word[key[i].at], "value %s stands twice",
+                       text_short(&t, word[key[i].at].text));
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool read_list(struct deck *d, const struct statement *s, struct sweep *sweep) {
+    const int n = s->n_word - 3;
+    if (n < 1 || n > SWEEP_VALUES_MAX) {
+        deck_error(d, &s->word[2], "%d values are given; 1 to %d are allowed", n, SWEEP_VALUES_MAX);
+        return false;
+    }
+    const struct parameter *p = read_values(d, &s->word[3], n);
+    return p && take(d, sweep, p, n) && check_distinct(d, sweep, &s->word[3]);
+}
+
+enum spacing { SPACING_LINEAR, SPACING_LOG };
+
+static bool read_spacing(struct deck *d, const struct statement *s, enum spacing *spacing) {
+    static const char *const known[] = {"-log"};
+    *spacing = s->n_plain < s->n_word ? SPACING_LOG : SPACING_LINEAR;
+    if (s->n_plain < s->n_word && strcmp(s->word[s->n_plain].text, known[0]) != 0) {
+        deck_unknown(d, &s->word[s->n_plain], "option", known, 1);
+        return false;
+    }
+    return true;
+}
+
+// FROM and TO; NULL after having reported what is wrong with them.
+static const struct parameter *read_ends(struct deck *d, const struct word *word,
+                                         enum spacing spacing) {
+    const struct parameter *p = read_values(d, word, 2);
+    if (!p) {
+        return NULL;
+    }
+    if (p[0].kind == PARAMETER_TEXT) {
+        deck_error(d, &word[0], "a range goes from number to number; this is a text");
+        return NULL;
+    }
+    const double from = p[0].number.value, to = p[1].number.value;
+    if (from == to) {
+        deck_error(d, &word[1], "the range ends where it starts");
+        return NULL;
+    }
+    if (spacing == SPACING_LOG && (from <= 0.0 || to <= 0.0)) {
+        deck_error(d, &word[from <= 0.0 ? 0 : 1], "with -log both ends must be > 0");
+        return NULL;
+    }
+    return p;
+}
+
+static bool read_range(struct deck *d, const struct statement *s, struct sweep *sweep) {
+    static const struct range count = {
+        .min = 2, .max = SWEEP_VALUES_MAX, .text = ">= 2 and <= 1e6"};
+    const struct row row = {.key = "N", .kind = ROW_INTEGER, .range = &count};
+    struct argument n;
+    enum spacing spacing;
+    if (!read_spacing(d, s, &spacing)) {
+        return false;
+    }
+    if (s->n_plain != 6 || s->n_word > 7) {
+        deck_error(d, &s->word[2], "a range is FROM TO N [-log]");
+        return false;
+    }
+    const struct parameter *p = read_ends(d, &s->word[3], spacing);
+    if (!deck_values(d, &row, 0, &s->word[5], 1, &n) || !p) {
+        return false;
+    }
+    sweep->n = (int)n.number[0];
+    double *number = array(d, (size_t)sweep->n, sizeof *number);
+    const double from = p[0].number.value, to = p[1].number.value;
+    for (int i = 0; number && i < sweep->n; i++) {
+        const double share = (double)i / (sweep->n - 1);
+        number[i] = i == sweep->n - 1        ? to
+                    : spacing == SPACING_LOG ? from * pow(to / from, share)
+                                             : from + (to - from) * share;
+    }
+    sweep->number = number;
+    sweep->known = p[0].number.known;
+    sweep->dimension = p[0].number.dimension;
+    return number != NULL;
+}
+
+static bool read_files(struct deck *d, const struct statement *s, struct sweep *sweep) {
+    if (s->n_word != 4) {
+        deck_error(d, &s->word[2], "one pattern of file names is expected");
+        return false;
+    }
+    const char *pattern = deck_text(d, &s->word[3]);
+    return pattern && sweep_files(d, &s->word[3], pattern, sweep);
+}
+
+static bool read_values_of(struct deck *d, const struct statement *s, struct sweep *sweep) {
+    static const struct {
+        const char *name;
+        bool (*read)(struct deck *, const struct statement *, struct sweep *);
+    } kind[] = {{"values", read_list}, {"range", read_range}, {"files", read_files}};
+    static const char *const known[] = {"values", "range", "files"};
+    for (int i = 0; i < 3; i++) {
+        if (strcmp(kind[i].name, s->word[2].text) == 0) {
+            if (i != 1 && s->n_plain < s->n_word) {
+                deck_error(d, &s->word[s->n_plain], "the statement is %s", sweep_usage);
+                return false;
+            }
+            return kind[i].read(d, s, sweep);
+        }
+    }
+    deck_unknown(d, &s->word[2], "kind of sweep", known, 3);
+    return false;
+}
+
+// The value of this run as a parameter.
+static struct parameter chosen(const struct deck *d, const struct sweep *sweep) {
+    const struct reader *r = d->reader;
+    const struct sweep *from = sweep;
+    int choice = 0;
+    if (r->bound) {
+        from = r->bound;
+        for (int i = 0; from && i < r->n_sweep; i++) {
+            from = from->next;
+        }
+        choice = from && !from->fixed ? r->choice[r->n_sweep] : 0;
+        from = from && (from->number != NULL) == (sweep->number != NULL) ? from : sweep;
+    }
+    struct parameter p = {
+        .kind = from->number ? PARAMETER_NUMBER : PARAMETER_TEXT, .sweep = true, .swept = true};
+    if (from->number) {
+        p.number = (struct quantity){from->number[choice], from->known, from->dimension};
+    } else {
+        p.text = from->text[choice];
+    }
+    return p;
+}
+
+static void append(struct deck *d, const struct word *name, struct sweep *s) {
+    struct reader *r = d->reader;
+    if (s->fixed) {
+        s->n = 1;
+    }
+    if (d->n_run > STUDY_RUNS_MAX / s->n) {
+        deck_error(d, name, "the sweeps make more than %d runs", STUDY_RUNS_MAX);
+        return;
+    }
+    d->n_run *= s->n;
+    if (r->last_sweep) {
+        r->last_sweep->next = s;
+    } else {
+        d->sweeps = s;
+    }
+    r->last_sweep = s;
+    r->n_sweep++;
+}
+
+// Reads the values; false after having reported what is wrong with them.
+static bool read(struct deck *d, const struct statement *s, struct sweep *sweep) {
+    d->reader->swept = false;
+    if (!read_values_of(d, s, sweep)) {
+        return false;
+    }
+    if (d->reader->swept) {
+        deck_error(d, &s->word[2], "the values of a sweep cannot depend on another sweep");
+        return false;
+    }
+    if (d->reader->n_sweep == STUDY_SWEEPS_MAX) {
+        deck_error(d, s->word, "more than %d sweeps", STUDY_SWEEPS_MAX);
+        return false;
+    }
+    return true;
+}
+
+// What -D gives in place of the values.
+static void fix(struct deck *d, const struct parameter *p, struct sweep *s) {
+    s->fixed = true;
+    if (p->kind != PARAMETER_WRONG) {
+        take(d, s, p, 1);
+    }
+}
+
+void sweep_run(struct deck *d, const struct statement *s) {
+    if (s->n_plain < 4) {
+        deck_error(d, s->word, "a word is missing; the statement is %s", sweep_usage);
+    }
+    if (s->n_plain < 2 || !parameter_is_free(d, &s->word[1])) {
+        return;
+    }
+    struct sweep *sweep = array(d, 1, sizeof *sweep);
+    if (!sweep) {
+        return;
+    }
+    sweep->name = s->word[1].text;
+    struct parameter p = {.kind = PARAMETER_WRONG};
+    if (s->n_plain >= 4 && read(d, s, sweep)) {
+        p = chosen(d, sweep);
+    }
+    const bool good = p.kind != PARAMETER_WRONG;
+    if (parameter_keep(d, &s->word[1], &p) && good) {
+        fix(d, &p, sweep);
+    }
+    if (good) {
+        append(d, &s->word[1], sweep);
+    }
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/sweep_files.h"
+
+#include <glob.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+
+static int compare(const void *a, const void *b) {
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+// The part of a path that a label shows: 0 the name without its ending, 1 the name, 2 all of it.
+static const char *label_of(struct deck *d, const char *path, int form) {
+    const char *slash = strrchr(path, '/');
+    const char *name = slash && form < 2 ? slash + 1 : path;
+    const char *dot = strrchr(name, '.');
+    return arena_text(d->arena, name,
+                      form == 0 && dot > name ? (size_t)(dot - name) : strlen(name));
+}
+
+// True if the labels differ; *no_memory if they could not be compared.
+static bool are_distinct(struct deck *d, const char *const *label, int n) {
+    const char **sorted = arena_alloc(d->arena, (size_t)n, sizeof *sorted);
+    if (!sorted) {
+        diagnostics_no_memory(&d->diagnostics);
+        return true;
+    }
+    memcpy(sorted, label, (size_t)n * sizeof *sorted);
+    qsort(sorted, (size_t)n, sizeof *sorted, compare);
+    for (int i = 1; i < n; i++) {
+        if (strcmp(sorted[i - 1], sorted[i]) == 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void set_labels(struct deck *d, struct sweep *s) {
+    const char **label = arena_alloc(d->arena, (size_t)s->n, sizeof *label);
+    if (!label) {
+        diagnostics_no_memory(&d->diagnostics);
+        return;
+    }
+    for (int form = 0; form < 3; form++) {
+        for (int i = 0; i < s->n; i++) {
+            label[i] = label_of(d, s->text[i], form);
+            if (!label[i]) {
+                diagnostics_no_memory(&d->diagnostics);
+                return;
+            }
+        }
+        if (are_distinct(d, label, s->n)) {
+            break;
+        }
+    }
+    s->label = label;
+}
+
+// The paths found, without the first `skip` bytes, which are the folder of the deck.
+static bool take_paths(struct deck *d, const struct word *w, const glob_t *found, size_t skip,
+                       struct sweep *out) {
+    if (found->gl_pathc > SWEEP_VALUES_MAX) {
+        deck_error(d, w, "the pattern matches %zu files; at most %d are allowed", found->gl_pathc,
+                   SWEEP_VALUES_MAX);
+        return false;
+    }
+    const char **path = arena_alloc(d->arena, found->gl_pathc, sizeof *path);
+    out->n = (int)found->gl_pathc;
+    for (int i = 0; path && i < out->n; i++) {
+        const char *name = found->gl_pathv[i] + skip;
+        size_t at;
+        if (!text_is_utf8(name, strlen(name), &at)) {
+            struct text_short t;
+            deck_error(d, w, "the file name '%s' is not UTF-8", text_short(&t, name));
+            return false;
+        }
+        path[i] = arena_text(d->arena, name, strlen(name));
+        path = path[i] ? path : NULL;
+    }
+    if (!path) {
+        diagnostics_no_memory(&d->diagnostics);
+        return false;
+    }
+    qsort(path, (size_t)out->n, sizeof *path, compare);
+    out->text = path;
+    set_labels(d, out);
+    return out->label != NULL;
+}
+
+// `path`, in whose first `n` bytes, a folder, nothing stands for other letters.
+static const char *escaped(struct deck *d, const char *path, size_t n) {
+    char *text = arena_alloc(d->arena, n + strlen(path) + 1, 1);
+    char *to = text;
+    for (size_t i = 0; text && path[i]; i++) {
+        if (i < n && strchr("*?[\\", path[i])) {
+            *to++ = '\\';
+        }
+        *to++ = path[i];
+    }
+    return text;
+}
+
+static bool search(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
+    const char *path = source_path(d, w->place.source, pattern);
+    const size_t folder = path ? strlen(path) - strlen(pattern) : 0;
+    path = path ? escaped(d, path, folder) : NULL;
+    if (!path) {
+        diagnostics_no_memory(&d->diagnostics);
+        return false;
+    }
+    glob_t found;
+    int answer = glob(path, GLOB_NOSORT, NULL, &found);
+    if (answer != 0) {
+        struct text_short t;
+        deck_error(d, w, answer == GLOB_NOMATCH ? "no file matches '%s'" : "cannot search for '%s'",
+                   text_short(&t, pattern));
+        return false;
+    }
+    bool good = take_paths(d, w, &found, folder, out);
+    globfree(&found);
+    return good;
+}
+
+bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
+    const struct sweep *from = d->reader->bound;
+    for (int i = 0; from && i < d->reader->n_sweep; i++) {
+        from = from->next;
+    }
+    if (!from || !from->text) {
+        return search(d, w, pattern, out);
+    }
+    out->n = from->n;
+    out->text = from->text;
+    out->label = from->label;
+    return true;
+}

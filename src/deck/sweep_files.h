@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files of a sweep.
+#ifndef JOSTLE_SWEEP_FILES_H
+#define JOSTLE_SWEEP_FILES_H
+
+#include "deck/reader.h"
+
+// The files that `pattern` matches, relative to the deck that `w` stands in, in the order of their
+// bytes: paths relative to that deck as texts, and as labels the shortest names that tell them
+// apart: without folder and ending, without folder, or the whole path. In a bound deck the files
+// found by the other reading. False after having reported that there is none.
+bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out);
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Boxes of datasets with several dimensions.
+#include "result/h5.h"
+
+// Selects the box in the file and in memory; false after a failure. Both are to be closed.
+static bool select_box(struct h5 *h, hid_t dataset, const struct h5_block *part, hid_t *file,
+                       hid_t *memory) {
+    const hsize_t size[2] = {part->n, part->stride}, start[2] = {0, 0};
+    const hsize_t count[2] = {part->n, part->width};
+    *file = H5Dget_space(dataset);
+    *memory = H5Screate_simple(2, size, NULL);
+    return !h5_failed(h, *file) && !h5_failed(h, *memory) &&
+           !h5_failed(h, H5Sselect_hyperslab(*file, H5S_SELECT_SET, part->start, NULL, part->count,
+                                             NULL)) &&
+           !h5_failed(h, H5Sselect_hyperslab(*memory, H5S_SELECT_SET, start, NULL, count, NULL));
+}
+
+static void close_spaces(hid_t file, hid_t memory) {
+    if (memory >= 0) {
+        H5Sclose(memory);
+    }
+    if (file >= 0) {
+        H5Sclose(file);
+    }
+}
+
+static void put(struct h5 *h, hid_t dataset, const struct h5_block *part, hid_t type,
+                const void *value) {
+    hid_t file = -1, memory = -1;
+    if (!h->failed && select_box(h, dataset, part, &file, &memory)) {
+        h5_failed(h, H5Dwrite(dataset, type, memory, file, H5P_DEFAULT, value));
+    }
+    close_spaces(file, memory);
+}
+
+static void get(struct h5 *h, hid_t dataset, const struct h5_block *part, hid_t type, void *value) {
+    hid_t file = -1, memory = -1;
+    if (!h->failed && select_box(h, dataset, part, &file, &memory)) {
+        h5_failed(h, H5Dread(dataset, type, memory, file, H5P_DEFAULT, value));
+    }
+    close_spaces(file, memory);
+}
+
+void h5_put_block(struct h5 *h, hid_t dataset, const struct h5_block *part, const double *value) {
+    put(h, dataset, part, H5T_NATIVE_DOUBLE, value);
+}
+
+void h5_put_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, const int *value) {
+    put(h, dataset, part, H5T_NATIVE_INT, value);
+}
+
+void h5_put_texts(struct h5 *h, hid_t dataset, const struct h5_block *part,
+                  const char *const *text) {
+    put(h, dataset, part, h->text, text);
+}
+
+void h5_get_block(struct h5 *h, hid_t dataset, const struct h5_block *part, double *value) {
+    get(h, dataset, part, H5T_NATIVE_DOUBLE, value);
+}
+
+void h5_get_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, int *value) {
+    get(h, dataset, part, H5T_NATIVE_INT, value);
+}
+
+void h5_get_texts(struct h5 *h, hid_t dataset, const struct h5_block *part, char **text) {
+    get(h, dataset, part, h->text, text);
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "result/part.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+int part_claim(const char *path, const char *part, struct error *e) {
+    int old = open(part, O_RDWR);
+    if (old >= 0) {
+        const int locked = flock(old, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+        close(old);
+        if (locked) {
+            return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing %s", path,
+                             part);
+        }
+        unlink(part);
+    }
+    int file = open(part, O_RDWR | O_CREAT | O_EXCL, 0666);
+    if (file < 0) {
+        return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, strerror(errno));
+    }
+    close(file);
+    return STATUS_OK;
+}
+
+// Names of buildings become names of groups.
+static int check_names(const struct report *r, struct error *e) {
+    for (int i = 0; i < r->n_building; i++) {
+        const char *name = r->building[i].name;
+        if (strchr(name, '/') || strcmp(name, ".") == 0 || name[0] == '\0') {
+            return error_set(e, STATUS_INPUT,
+                             "building name '%s' cannot stand in a result file; it must not be "
+                             "empty, '.' or contain '/'",
+                             name);
+        }
+    }
+    return STATUS_OK;
+}
+
+int part_check(const struct report *r, const struct result_options *o, struct error *e) {
+    if (o->existing == RESULT_KEEP && access(o->path, F_OK) == 0) {
+        return error_set(e, STATUS_INPUT, "%s exists; --force overwrites it", o->path);
+    }
+    return check_names(r, e);
+}
+
+void part_attributes(struct h5 *h, const struct report *r) {
+    h5_put_text(h, h->file, "format", "jostle");
+    h5_put_long(h, h->file, "format_version", RESULT_FORMAT_VERSION);
+    h5_put_text(h, h->file, "status", "running");
+    h5_put_text(h, h->file, "unit_force", r->units.force_name);
+    h5_put_text(h, h->file, "unit_length", r->units.length_name);
+    h5_put_text(h, h->file, "unit_time", r->units.time_name);
+}

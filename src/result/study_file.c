@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes a study file block by block: a block is a range of one sweep with all later sweeps whole,
+// so that it is a box in every dataset.
+#include "jostle/study_file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "result/part.h"
+#include "result/study_box.h"
+#include "result/study_writer.h"
+
+static const size_t bytes_max = (size_t)16 << 20;
+enum { RUNS_MAX = 4096 };  // of a block
+
+// A block of runs in memory.
+struct block {
+    long capacity;
+    struct study_outcome *outcome;  // (capacity)
+    double *value;                  // (capacity, n_value)
+    int *status;                    // (capacity)
+    const char **message;           // (capacity)
+};
+
+static int block_init(struct block *b, const struct study_content *c, struct error *e) {
+    const size_t row = c->table->n_value * sizeof *b->value;
+    b->capacity = (long)(bytes_max / row);
+    b->capacity = b->capacity < 1 ? 1 : b->capacity > RUNS_MAX ? RUNS_MAX : b->capacity;
+    b->capacity = b->capacity > c->n_run ? c->n_run : b->capacity;
+    const size_t n = (size_t)b->capacity;
+    b->outcome = malloc(n * sizeof *b->outcome);
+    b->value = malloc(n * row);
+    b->status = malloc(n * sizeof *b->status);
+    b->message = malloc(n * sizeof *b->message);
+    return b->outcome && b->value && b->status && b->message ? STATUS_OK : error_no_memory(e);
+}
+
+static void block_close(struct block *b) {
+    free(b->outcome);
+    free(b->value);
+    free(b->status);
+    free(b->message);
+}
+
+static void put_values(struct study_writer *w, const struct block *b, struct h5_block box) {
+    const struct study_table *t = w->content->table;
+    for (int i = 0; i < t->n_item && !w->h.failed; i++) {
+        const struct study_item *item = &t->item[i];
+        if (w->dataset[i] < 0 || item->n == 0) {
+            continue;
+        }
+        box.stride = t->n_value;
+        box.width = item->n;
+        box.start[w->n_sweep] = 0;
+        box.count[w->n_sweep] = item->n;
+        h5_put_block(&w->h, w->dataset[i], &box, b->value + item->first);
+    }
+}
+
+static void put_outcomes(struct study_writer *w, struct block *b, struct h5_block box) {
+    for (hsize_t i = 0; i < box.n; i++) {
+        b->status[i] = b->outcome[i].status;
+        b->message[i] = b->outcome[i].message;
+    }
+    box.stride = 1;
+    box.width = 1;
+    h5_put_integers(&w->h, w->status, &box, b->status);
+    h5_put_texts(&w->h, w->message, &box, b->message);
+}
+
+static int put_runs(struct study_writer *w, struct block *b, struct error *e) {
+    const struct study_content *c = w->content;
+    for (long first = 0; first < c->n_run && !w->h.failed;) {
+        const struct h5_block box = study_box(w->sweep, w->n_sweep, first, b->capacity);
+        int status = c->read(c->context, first, (long)box.n, b->outcome, b->value, e);
+        if (status != STATUS_OK) {
+            return status;
+        }
+        put_outcomes(w, b, box);
+        put_values(w, b, box);
+        first += (long)box.n;
+    }
+    return STATUS_OK;
+}
+
+static void close_all(struct study_writer *w) {
+    for (int i = 0; i < w->content->table->n_item; i++) {
+        h5_close(&w->h, w->dataset[i]);
+    }
+    for (int i = 0; i < w->n_sweep; i++) {
+        h5_close(&w->h, w->scale[i]);
+    }
+    h5_close(&w->h, w->status);
+    h5_close(&w->h, w->message);
+    h5_close_types(&w->h);
+    if (w->h.file >= 0) {
+        h5_failed(&w->h, H5Fclose(w->h.file));
+    }
+}
+
+static int write_part(struct study_writer *w, const char *path, const char *part, struct error *e) {
+    struct block b = {0};
+    int status = block_init(&b, w->content, e);
+    if (status == STATUS_OK) {
+        h5_create(&w->h, part);
+        study_tree(w);
+        status = put_runs(w, &b, e);
+        h5_put_text(&w->h, w->h.file, "status", "complete");
+        close_all(w);
+    }
+    block_close(&b);
+    if (status == STATUS_OK && w->h.failed) {
+        status = error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, w->h.cause);
+    }
+    return status;
+}
+
+static int write_all(struct study_writer *w, const struct result_options *o, const char *part,
+                     struct error *e) {
+    int status = part_claim(o->path, part, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    status = write_part(w, o->path, part, e);
+    if (status != STATUS_OK) {
+        unlink(part);
+        return status;
+    }
+    return result_publish(part, o->path, o->existing, e);
+}
+
+int study_file_check(const struct study_content *c, const struct result_options *o,
+                     struct error *e) {
+    int status = part_check(c->first, o, e);
+    return status == STATUS_OK ? study_tree_check(c, e) : status;
+}
+
+int study_file_write(const struct study_content *c, const struct result_options *o,
+                     struct error *e) {
+    int status = study_file_check(c, o, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    struct study_writer w = {.h = {.file = -1, .units = &c->first->units},
+                             .content = c,
+                             .command_line = o->command_line,
+                             .status = -1,
+                             .message = -1};
+    for (const struct sweep *s = c->sweeps; s; s = s->next) {
+        if (!s->fixed) {
+            w.scale[w.n_sweep] = -1;
+            w.sweep[w.n_sweep++] = s;
+        }
+    }
+    const size_t n = (size_t)c->table->n_item, n_path = strlen(o->path) + sizeof ".part";
+    w.dataset = malloc(n * sizeof *w.dataset);
+    char *part = malloc(n_path);
+    for (size_t i = 0; w.dataset && i < n; i++) {
+        w.dataset[i] = -1;
+    }
+    if (w.dataset && part) {
+        snprintf(part, n_path, "%s.part", o->path);
+        status = write_all(&w, o, part, e);
+    } else {
+        status = error_no_memory(e);
+    }
+    free(w.dataset);
+    free(part);
+    return status;
+}

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a study file back: its sweeps, and the table of what its runs gave.
+#include <hdf5_hl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/arena.h"
+#include "jostle/study_file.h"
+#include "result/study_box.h"
+
+// What a file may claim before it is taken for damaged.
+enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
+
+struct study_file {
+    struct h5 h;
+    struct study_view view;
+    struct study_item *item;  // (capacity) malloc'd
+    hid_t *dataset;           // (capacity) malloc'd
+    int capacity;
+    hid_t status, message;
+};
+
+// Where the items of a group belong.
+struct spot {
+    struct study_file *file;
+    const char *parent, *owner, *leaf;
+    const char *scale;
+};
+
+static char *text_of(struct study_file *f, const char *text) {
+    char *copy = arena_text(f->view.arena, text, strlen(text));
+    if (!copy) {
+        h5_fail(&f->h, "out of memory");
+    }
+    return copy;
+}
+
+static bool grow(struct study_file *f) {
+    if (f->view.table.n_item < f->capacity) {
+        return true;
+    }
+    const int capacity = f->capacity ? 2 * f->capacity : 64;
+    struct study_item *item = realloc(f->item, (size_t)capacity * sizeof *item);
+    f->item = item ? item : f->item;
+    hid_t *dataset = realloc(f->dataset, (size_t)capacity * sizeof *dataset);
+    f->dataset = dataset ? dataset : f->dataset;
+    if (!item || !dataset || capacity > ITEMS_LIMIT) {
+        h5_fail(&f->h, "out of memory");
+        return false;
+    }
+    f->capacity = capacity;
+    return true;
+}
+
+// The values of a run in a dataset over all sweeps; 0: it is another one.
+static size_t values_of_run(const struct study_file *f, hid_t dataset) {
+    hsize_t dim[H5S_MAX_RANK];
+    hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
+    const int n = H5Sget_simple_extent_dims(space, dim, NULL);
+    bool good = H5Tget_class(type) == H5T_FLOAT &&
+                (n == f->view.n_sweep || n == f->view.n_sweep + 1) && H5DSis_scale(dataset) == 0;
+    for (int i = 0; good && i < f->view.n_sweep; i++) {
+        good = dim[i] == (hsize_t)f->view.sweep[i]->n;
+    }
+    H5Tclose(type);
+    H5Sclose(space);
+    const hsize_t width = good && n > f->view.n_sweep ? dim[n - 1] : 1;
+    return good && width <= VALUES_LIMIT ? (size_t)width : 0;
+}
+
+static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void *context) {
+    (void)info;
+    const struct spot *p = context;
+    struct study_file *f = p->file;
+    H5O_info_t object;
+    if (h5_failed(&f->h, H5Oget_info_by_name(group, name, &object, H5P_DEFAULT)) || !grow(f)) {
+        return -1;
+    }
+    hid_t dataset = object.type == H5O_TYPE_DATASET ? h5_open_object(&f->h, group, name) : -1;
+    const size_t n = dataset >= 0 ? values_of_run(f, dataset) : 0;
+    if (n == 0) {
+        h5_close(&f->h, dataset);
+        return f->h.failed ? -1 : 0;
+    }
+    struct study_table *t = &f->view.table;
+    f->dataset[t->n_item] = dataset;
+    f->item[t->n_item++] = (struct study_item){
+        .parent = p->parent,
+        .owner = p->owner,
+        .leaf = p->leaf,
+        .name = text_of(f, name),
+        .long_name = h5_get_text(&f->h, f->view.arena, dataset, "long_name"),
+        .units = h5_get_text(&f->h, f->view.arena, dataset, "units"),
+        .scale = p->scale,
+        .first = t->n_value,
+        .n = n,
+    };
+    t->n_value += n;
+    if (t->n_value > VALUES_LIMIT) {
+        h5_fail(&f->h, "a run has more than %d values", VALUES_LIMIT);
+    }
+    return f->h.failed ? -1 : 0;
+}
+
+static void get_group(const struct spot *p) {
+    char path[GROUP_MAX];
+    struct study_file *f = p->file;
+    snprintf(path, sizeof path, "/%s%s%s%s%s", p->parent, p->owner ? "/" : "",
+             p->owner ? p->owner : "", p->leaf ? "/" : "", p->leaf ? p->leaf : "");
+    hid_t group = h5_open_object(&f->h, f->h.file, path);
+    if (group >= 0) {
+        h5_failed(&f->h, H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit, (void *)p));
+    }
+    h5_close(&f->h, group);
+}
+
+static void get_both(struct spot p) {
+    get_group(&p);
+    p.leaf = "envelope";
+    get_group(&p);
+}
+
+static herr_t visit_building(hid_t group, const char *name, const H5L_info_t *info, void *context) {
+    (void)info, (void)group;
+    struct study_file *f = context;
+    const struct spot p = {
+        .file = f, .parent = "buildings", .owner = text_of(f, name), .scale = "floor"};
+    if (!f->h.failed) {
+        get_both(p);
+    }
+    return f->h.failed ? -1 : 0;
+}
+
+static char **get_texts(struct study_file *f, hid_t group, const char *name, size_t n) {
+    char **text = arena_alloc(f->view.arena, n + 1, sizeof *text);
+    hid_t dataset = text ? h5_open_object(&f->h, group, name) : -1;
+    if (!text) {
+        h5_fail(&f->h, "out of memory");
+    }
+    hid_t type = dataset >= 0 ? H5Dget_type(dataset) : -1;
+    if (type >= 0 && H5Tis_variable_str(type) <= 0) {
+        h5_fail(&f->h, "dataset '%s' is not of the kind expected", name);
+    }
+    const struct h5_block all = {.count = {n}, .n = n, .stride = 1, .width = 1};
+    if (n > 0 && !f->h.failed) {
+        h5_get_texts(&f->h, dataset, &all, text);
+    }
+    for (size_t i = 0; i < n && !f->h.failed; i++) {
+        char *library = text[i];
+        text[i] = text_of(f, library ? library : "");
+        H5free_memory(library);
+    }
+    if (type >= 0) {
+        H5Tclose(type);
+    }
+    h5_close(&f->h, dataset);
+    return text;
+}
+
+static const char *const *get_links(struct study_file *f, const char *name, const char *scale,
+                                    int *n) {
+    hid_t group = h5_get_group(&f->h, f->h.file, name);
+    const size_t length = h5_get_length(&f->h, group, scale, ITEMS_LIMIT);
+    char **text = f->h.failed ? NULL : get_texts(f, group, "name", length);
+    h5_close(&f->h, group);
+    *n = (int)length;
+    get_both((struct spot){.file = f, .parent = name, .scale = scale});
+    return (const char *const *)text;
+}
+
+// A sweep from the scale of dimension `i` of /status.
+static void get_sweep(struct study_file *f, hid_t scale, int i) {
+    struct study_view *v = &f->view;
+    char name[256] = "";
+    struct sweep *s = arena_alloc(v->arena, 1, sizeof *s);
+    if (!s || h5_failed(&f->h, H5Iget_name(scale, name, sizeof name))) {
+        h5_fail(&f->h, "out of memory");
+        return;
+    }
+    const char *slash = strrchr(name, '/');
+    hid_t group = h5_get_group(&f->h, f->h.file, "sweep");
+    s->name = text_of(f, slash ? slash + 1 : name);
+    s->n = (int)h5_get_length(&f->h, group, s->name, STUDY_RUNS_MAX);
+    hid_t type = H5Dget_type(scale);
+    v->sweep_units[i] = "";
+    if (H5Tget_class(type) == H5T_FLOAT) {
+        s->number = h5_get_doubles(&f->h, v->arena, group, s->name, (size_t)s->n);
+        v->sweep_units[i] = h5_get_text(&f->h, v->arena, scale, "units");
+    } else {
+        s->label = (const char *const *)get_texts(f, group, s->name, (size_t)s->n);
+        s->text = s->label;
+    }
+    H5Tclose(type);
+    h5_close(&f->h, group);
+    v->sweep[v->n_sweep++] = s;
+    v->n_run *= s->n > 0 ? s->n : 1;
+}
+
+static herr_t visit_scale(hid_t dataset, unsigned dimension, hid_t scale, void *context) {
+    (void)dataset;
+    struct study_file *f = context;
+    get_sweep(f, scale, (int)dimension);
+    return f->h.failed ? -1 : 1;
+}
+
+static void get_sweeps(struct study_file *f) {
+    f->status = h5_open_object(&f->h, f->h.file, "status");
+    f->message = h5_open_object(&f->h, f->h.file, "message");
+    hid_t space = f->h.failed ? -1 : H5Dget_space(f->status);
+    const int n = space >= 0 ? H5Sget_simple_extent_ndims(space) : 0;
+    if (space >= 0) {
+        H5Sclose(space);
+    }
+    if (!f->h.failed && (n < 1 || n > STUDY_SWEEPS_MAX)) {
+        h5_fail(&f->h, "it has %d sweeps; 1 to %d are allowed", n, STUDY_SWEEPS_MAX);
+    }
+    f->view.n_run = 1;
+    for (int i = 0; i < n && !f->h.failed; i++) {
+        if (H5DSiterate_scales(f->status, (unsigned)i, NULL, visit_scale, f) < 0 ||
+            f->view.n_sweep != i + 1) {
+            h5_fail(&f->h, "dimension %d has no scale", i + 1);
+        }
+    }
+}
+
+static void get_all(struct study_file *f) {
+    struct study_view *v = &f->view;
+    v->title = h5_get_text(&f->h, v->arena, f->h.file, "title");
+    v->n_kept = h5_get_long(&f->h, f->h.file, "runs_kept");
+    v->n_thread = (int)h5_get_long(&f->h, f->h.file, "threads");
+    v->seconds = h5_get_double(&f->h, f->h.file, "wall_seconds");
+    get_sweeps(f);
+    hid_t buildings = h5_get_group(&f->h, f->h.file, "buildings");
+    if (!f->h.failed) {
+        h5_failed(&f->h,
+                  H5Literate(buildings, H5_INDEX_NAME, H5_ITER_INC, NULL, visit_building, f));
+    }
+    h5_close(&f->h, buildings);
+    v->contact = get_links(f, "contacts", "contact", &v->n_contact);
+    if (h5_has(&f->h, f->h.file, "links")) {
+        v->link = get_links(f, "links", "link", &v->n_link);
+    }
+    get_group(&(struct spot){.file = f, .parent = "energy"});
+    get_group(&(struct spot){.file = f, .parent = "totals"});
+    v->table.item = f->item;
+}
+
+bool study_file_is_study(const char *path) {
+    if (access(path, R_OK) != 0 || H5Fis_hdf5(path) <= 0) {
+        return false;
+    }
+    hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (file < 0) {
+        return false;
+    }
+    const bool is = H5Lexists(file, "sweep", H5P_DEFAULT) > 0;
+    H5Fclose(file);
+    return is;
+}
+
+int study_file_open(const char *path, struct study_file **out, struct error *e) {
+    struct study_file *f = calloc(1, sizeof *f);
+    struct arena *a = f ? arena_create() : NULL;
+    if (!a) {
+        free(f);
+        return error_no_memory(e);
+    }
+    f->view.arena = a;
+    f->status = f->message = -1;
+    f->h.file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    h5_failed(&f->h, f->h.file);
+    f->view.path = f->h.failed ? path : text_of(f, path);
+    if (!f->h.failed) {
+        h5_open_types(&f->h);
+        get_all(f);
+    }
+    if (f->h.failed) {
+        int status = strcmp(f->h.cause, "out of memory") == 0 ? STATUS_SYSTEM : STATUS_INPUT;
+        error_set(e, status, "cannot read %s: %s", path, f->h.cause);
+        study_file_close(f);
+        return status;
+    }
+    *out = f;
+    return STATUS_OK;
+}
+
+void study_file_close(struct study_file *f) {
+    if (!f) {
+        return;
+    }
+    for (int i = 0; i < f->view.table.n_item; i++) {
+        h5_close(&f->h, f->dataset[i]);
+    }
+    h5_close(&f->h, f->status);
+    h5_close(&f->h, f->message);
+    h5_close_types(&f->h);
+    if (f->h.file >= 0) {
+        H5Fclose(f->h.file);
+    }
+    arena_free(f->view.arena);
+    free(f->item);
+    free(f->dataset);
+    free(f);
+}
+
+const struct study_view *study_file_view(const struct study_file *f) {
+    return &f->view;
+}
+
+static void read_outcome(struct study_file *f, struct h5_block box, struct study_outcome *out) {
+    int status = 0;
+    char *message = NULL;
+    box.stride = box.width = 1;
+    h5_get_integers(&f->h, f->status, &box, &status);
+    h5_get_texts(&f->h, f->message, &box, &message);
+    *out = (struct study_outcome){.status = status};
+    if (message) {
+        snprintf(out->message, sizeof out->message, "%s", message);
+        H5free_memory(message);
+    }
+}
+
+static void read_values(struct study_file *f, struct h5_block box, double *value) {
+    const struct study_table *t = &f->view.table;
+    for (int i = 0; i < t->n_item && !f->h.failed; i++) {
+        box.stride = t->n_value;
+        box.width = t->item[i].n;
+        box.start[f->view.n_sweep] = 0;
+        box.count[f->view.n_sweep] = t->item[i].n;
+        h5_get_block(&f->h, f->dataset[i], &box, value + t->item[i].first);
+    }
+}
+
+int study_file_read(struct study_file *f, long first, long n, struct study_outcome *outcome,
+                    double *value, struct error *e) {
+    for (long at = 0; at < n && !f->h.failed;) {
+        const struct study_view *v = &f->view;
+        const struct h5_block box = study_box(v->sweep, v->n_sweep, first + at, n - at);
+        for (long i = 0; i < (long)box.n; i++) {
+            read_outcome(f, study_box(v->sweep, v->n_sweep, first + at + i, 1), &outcome[at + i]);
+        }
+        read_values(f, box, value + (size_t)at * v->table.n_value);
+        at += (long)box.n;
+    }
+    return f->h.failed ? error_set(e, STATUS_INPUT, "cannot read %s: %s", f->view.path, f->h.cause)
+                       : STATUS_OK;
+}

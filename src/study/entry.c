@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/entry.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/checksum.h"
+
+enum { CONTENT_MAX = 1 << 30 };
+
+// How the content of a run starts; the message and, if it is done, the values follow.
+struct run_head {
+    int64_t run;
+    int32_t status;
+    int32_t n_message;
+};
+
+unsigned char *entry_content(unsigned char *entry) {
+    return entry + ENTRY_HEAD;
+}
+
+size_t entry_seal(unsigned char *entry, enum entry_kind kind, size_t n) {
+    const uint32_t head[2] = {(uint32_t)kind, (uint32_t)n};
+    _Static_assert(sizeof head == ENTRY_HEAD, "as written");
+    memcpy(entry, head, sizeof head);
+    const uint64_t sum = checksum_add(checksum_start, entry, ENTRY_HEAD + n);
+    memcpy(entry + ENTRY_HEAD + n, &sum, sizeof sum);
+    return ENTRY_HEAD + n + ENTRY_TAIL;
+}
+
+bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
+    uint32_t head[2];
+    memcpy(head, entry, sizeof head);
+    *kind = (enum entry_kind)head[0];
+    *n = head[1];
+    return (*kind == ENTRY_HEAD_TEXT || *kind == ENTRY_FILE || *kind == ENTRY_RUN) &&
+           *n <= CONTENT_MAX;
+}
+
+bool entry_is_sound(const unsigned char *entry, size_t n) {
+    uint64_t sum;
+    memcpy(&sum, entry + ENTRY_HEAD + n, sizeof sum);
+    return sum == checksum_add(checksum_start, entry, ENTRY_HEAD + n);
+}
+
+size_t entry_run_size(size_t n_value) {
+    return sizeof(struct run_head) + STUDY_MESSAGE_MAX + n_value * sizeof(double);
+}
+
+size_t entry_put_run(unsigned char *entry, long run, const struct study_outcome *outcome,
+                     const double *value, size_t n_value) {
+    const size_t n_message = strlen(outcome->message);
+    const struct run_head head = {
+        .run = run, .status = outcome->status, .n_message = (int32_t)n_message};
+    unsigned char *to = entry_content(entry);
+    memcpy(to, &head, sizeof head);
+    memcpy(to + sizeof head, outcome->message, n_message);
+    size_t n = sizeof head + n_message;
+    if (outcome->status == STUDY_DONE) {
+        memcpy(to + n, value, n_value * sizeof *value);
+        n += n_value * sizeof *value;
+    }
+    return n;
+}
+
+bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, long *run,
+                   struct study_outcome *outcome, double *value) {
+    struct run_head head;
+    const unsigned char *from = entry + ENTRY_HEAD;
+    if (n < sizeof head) {
+        return false;
+    }
+    memcpy(&head, from, sizeof head);
+    const bool done = head.status == STUDY_DONE;
+    const size_t n_bytes = done ? n_value * sizeof *value : 0;
+    if ((!done && head.status != STUDY_FAILED) || head.n_message < 0 ||
+        head.n_message >= STUDY_MESSAGE_MAX ||
+        n != sizeof head + (size_t)head.n_message + n_bytes) {
+        return false;
+    }
+    *run = (long)head.run;
+    *outcome = (struct study_outcome){.status = head.status};
+    memcpy(outcome->message, from + sizeof head, (size_t)head.n_message);
+    if (value && done) {
+        memcpy(value, from + sizeof head + (size_t)head.n_message, n_bytes);
+    }
+    for (size_t i = 0; value && !done && i < n_value; i++) {
+        value[i] = NAN;
+    }
+    return true;
+}
+
+size_t entry_file_size(const char *path) {
+    return sizeof(uint64_t) + strlen(path) + 1;
+}
+
+size_t entry_put_file(unsigned char *entry, const char *path, uint64_t sum) {
+    unsigned char *to = entry_content(entry);
+    memcpy(to, &sum, sizeof sum);
+    memcpy(to + sizeof sum, path, strlen(path) + 1);
+    return entry_file_size(path);
+}
+
+bool entry_get_file(const unsigned char *entry, size_t n, const char **path, uint64_t *sum) {
+    const unsigned char *from = entry + ENTRY_HEAD;
+    if (n <= sizeof *sum || from[n - 1] != 0) {
+        return false;
+    }
+    memcpy(sum, from, sizeof *sum);
+    *path = (const char *)from + sizeof *sum;
+    return true;
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The entries of a journal as bytes: what stands where.
+#ifndef JOSTLE_ENTRY_H
+#define JOSTLE_ENTRY_H
+
+#include <stdint.h>
+
+#include "jostle/study_file.h"
+
+enum entry_kind { ENTRY_HEAD_TEXT = 0x64616568, ENTRY_FILE = 0x656c6966, ENTRY_RUN = 0x206e7572 };
+enum { ENTRY_HEAD = 8, ENTRY_TAIL = 8 };  // bytes before and behind the content
+
+// The content of the entry at `entry`.
+unsigned char *entry_content(unsigned char *entry);
+
+// Completes an entry with `n` bytes of content; returns its size.
+size_t entry_seal(unsigned char *entry, enum entry_kind kind, size_t n);
+
+// Reads the head: false if it cannot be one.
+bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n);
+bool entry_is_sound(const unsigned char *entry, size_t n);
+
+// Largest content of a run of `n_value` values.
+size_t entry_run_size(size_t n_value);
+// Fill the content and return its size; values of a failed run are not written.
+size_t entry_put_run(unsigned char *entry, long run, const struct study_outcome *outcome,
+                     const double *value, size_t n_value);
+size_t entry_file_size(const char *path);
+size_t entry_put_file(unsigned char *entry, const char *path, uint64_t sum);
+
+// Read the content, `n` bytes; false if it cannot be one. `value` NULL: the values are not wanted.
+bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, long *run,
+                   struct study_outcome *outcome, double *value);
+bool entry_get_file(const unsigned char *entry, size_t n, const char **path, uint64_t *sum);
+
+#endif

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/journal.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/checksum.h"
+#include "study/entry.h"
+
+static const char magic[8] = "jostle1\n";
+
+static int cannot(const struct journal *j, const char *what, struct error *e) {
+    return error_set(e, STATUS_SYSTEM, "cannot %s %s: %s", what, j->path, strerror(errno));
+}
+
+void journal_close(struct journal *j) {
+    if (j->file >= 0) {
+        close(j->file);
+    }
+    free(j->path);
+    free(j->offset);
+    free(j->buffer);
+    free(j->head);
+    *j = (struct journal){.file = -1};
+}
+
+void journal_remove(struct journal *j) {
+    unlink(j->path);
+    journal_close(j);
+}
+
+// Reads `n` bytes at `at`; the number read, fewer at the end of the file, -1 after an error.
+static ssize_t read_at(const struct journal *j, void *to, size_t n, off_t at) {
+    size_t got = 0;
+    while (got < n) {
+        ssize_t more = pread(j->file, (char *)to + got, n - got, at + (off_t)got);
+        if (more < 0 && errno == EINTR) {
+            continue;
+        }
+        if (more < 0) {
+            return -1;
+        }
+        if (more == 0) {
+            break;
+        }
+        got += (size_t)more;
+    }
+    return (ssize_t)got;
+}
+
+static int write_at(const struct journal *j, const void *from, size_t n, off_t at) {
+    size_t put = 0;
+    while (put < n) {
+        ssize_t more = pwrite(j->file, (const char *)from + put, n - put, at + (off_t)put);
+        if (more < 0 && errno != EINTR) {
+            return -1;
+        }
+        put += more > 0 ? (size_t)more : 0;
+    }
+    return 0;
+}
+
+static bool reserve(struct journal *j, size_t n) {
+    if (n > j->capacity) {
+        unsigned char *more = realloc(j->buffer, n);
+        if (!more) {
+            return false;
+        }
+        j->buffer = more;
+        j->capacity = n;
+    }
+    return true;
+}
+
+// Appends the entry that the buffer holds from entry_content on.
+static int append(struct journal *j, enum entry_kind kind, size_t n, struct error *e) {
+    const size_t size = entry_seal(j->buffer, kind, n);
+    if (write_at(j, j->buffer, size, j->end) != 0) {
+        const int cause = errno;
+        if (ftruncate(j->file, j->end) != 0) {
+            errno = cause;  // the torn entry is dropped by whoever reads it
+        }
+        errno = cause;
+        return cannot(j, "write", e);
+    }
+    j->end += (off_t)size;
+    return STATUS_OK;
+}
+
+// The entry at `at` into the buffer: 1 with *n, the bytes of its content; 0 if there is no sound
+// one; else an error.
+static int load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t *n,
+                      struct error *e) {
+    ssize_t got = read_at(j, j->buffer, ENTRY_HEAD, at);
+    if (got < 0) {
+        return cannot(j, "read", e);
+    }
+    if (got < ENTRY_HEAD || !entry_size(j->buffer, kind, n)) {
+        return 0;
+    }
+    const size_t size = ENTRY_HEAD + *n + ENTRY_TAIL;
+    if (lseek(j->file, 0, SEEK_END) - at < (off_t)size) {
+        return 0;
+    }
+    if (!reserve(j, size)) {
+        return error_no_memory(e);
+    }
+    got = read_at(j, j->buffer, size, at);
+    if (got < 0) {
+        return cannot(j, "read", e);
+    }
+    return (size_t)got == size && entry_is_sound(j->buffer, *n) ? 1 : 0;
+}
+
+// Reads the magic word and the head. A file that is neither is not ours, unless it was torn there.
+static int load_head(struct journal *j, struct error *e) {
+    char found[sizeof magic];
+    enum entry_kind kind;
+    size_t n;
+    ssize_t got = read_at(j, found, sizeof found, 0);
+    if (got < 0) {
+        return cannot(j, "read", e);
+    }
+    if (memcmp(found, magic, (size_t)got) != 0) {
+        return error_set(e, STATUS_INPUT,
+                         "%s is not the journal of a study; move it out of the way", j->path);
+    }
+    int status = load_entry(j, sizeof magic, &kind, &n, e);
+    if (status != 1 || kind != ENTRY_HEAD_TEXT) {
+        return status < 0 ? status : STATUS_OK;
+    }
+    j->head = malloc(n + 1);
+    if (!j->head) {
+        return error_no_memory(e);
+    }
+    memcpy(j->head, entry_content(j->buffer), n);
+    j->head[n] = '\0';
+    j->end = (off_t)(sizeof magic + ENTRY_HEAD + n + ENTRY_TAIL);
+    return STATUS_OK;
+}
+
+static int open_file(struct journal *j, struct error *e) {
+    j->file = open(j->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (j->file < 0) {
+        return cannot(j, "write", e);
+    }
+    if (flock(j->file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing it", j->path);
+    }
+    return load_head(j, e);
+}
+
+int journal_open(struct journal *j, const char *path, long n_run, size_t n_value, struct error *e) {
+    *j = (struct journal){.file = -1, .n_run = n_run, .n_value = n_value};
+    const size_t n = strlen(path) + 1;
+    j->path = malloc(n);
+    j->offset = calloc((size_t)n_run, sizeof *j->offset);
+    const bool room = reserve(j, ENTRY_HEAD + entry_run_size(n_value) + ENTRY_TAIL);
+    if (!j->path || !j->offset || !room) {
+        journal_close(j);
+        return error_no_memory(e);
+    }
+    memcpy(j->path, path, n);
+    int status = open_file(j, e);
+    if (status != STATUS_OK) {
+        journal_close(j);
+    }
+    return status;
+}
+
+// Takes the entry in the buffer; 0 if it is not one of this study.
+static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_function *file,
+                void *context, struct error *e) {
+    long run;
+    struct study_outcome outcome;
+    const char *path;
+    uint64_t sum;
+    if (kind == ENTRY_RUN && entry_get_run(j->buffer, n, j->n_value, &run, &outcome, NULL) &&
+        run >= 0 && run < j->n_run) {
+        j->n_done += j->offset[run] == 0;
+        j->n_failed += j->offset[run] == 0 && outcome.status == STUDY_FAILED;
+        j->offset[run] = j->end;
+        return 1;
+    }
+    if (kind == ENTRY_FILE && entry_get_file(j->buffer, n, &path, &sum)) {
+        int status = file(context, path, sum, e);
+        return status == STATUS_OK ? 1 : status;
+    }
+    return 0;
+}
+
+int journal_load(struct journal *j, journal_file_function *file, void *context, struct error *e) {
+    enum entry_kind kind;
+    size_t n;
+    int sound;
+    while ((sound = load_entry(j, j->end, &kind, &n, e)) == 1 &&
+           (sound = take(j, kind, n, file, context, e)) == 1) {
+        j->end += (off_t)(ENTRY_HEAD + n + ENTRY_TAIL);
+    }
+    if (sound < 0) {
+        return sound;
+    }
+    return ftruncate(j->file, j->end) == 0 ? STATUS_OK : cannot(j, "write", e);
+}
+
+int journal_reset(struct journal *j, const char *head, struct error *e) {
+    const size_t n = strlen(head);
+    memset(j->offset, 0, (size_t)j->n_run * sizeof *j->offset);
+    j->n_done = 0;
+    j->n_failed = 0;
+    j->end = sizeof magic;
+    if (!reserve(j, ENTRY_HEAD + n + ENTRY_TAIL)) {
+        return error_no_memory(e);
+    }
+    if (ftruncate(j->file, 0) != 0 || write_at(j, magic, sizeof magic, 0) != 0) {
+        return cannot(j, "write", e);
+    }
+    memcpy(entry_content(j->buffer), head, n);
+    int status = append(j, ENTRY_HEAD_TEXT, n, e);
+    return status == STATUS_OK ? journal_sync(j, e) : status;
+}
+
+int journal_add_file(struct journal *j, const char *path, uint64_t sum, struct error *e) {
+    if (!reserve(j, ENTRY_HEAD + entry_file_size(path) + ENTRY_TAIL)) {
+        return error_no_memory(e);
+    }
+    return append(j, ENTRY_FILE, entry_put_file(j->buffer, path, sum), e);
+}
+
+int journal_add_run(struct journal *j, long run, const struct study_outcome *outcome,
+                    const double *value, struct error *e) {
+    const off_t at = j->end;
+    int status = append(j, ENTRY_RUN, entry_put_run(j->buffer, run, outcome, value, j->n_value), e);
+    if (status == STATUS_OK) {
+        j->offset[run] = at;
+        j->n_done++;
+        j->n_failed += outcome->status == STUDY_FAILED;
+    }
+    return status;
+}
+
+int journal_read(struct journal *j, long run, struct study_outcome *outcome, double *value,
+                 struct error *e) {
+    enum entry_kind kind;
+    size_t n;
+    long found;
+    int sound = load_entry(j, (off_t)j->offset[run], &kind, &n, e);
+    if (sound < 0) {
+        return sound;
+    }
+    if (sound == 0 || kind != ENTRY_RUN ||
+        !entry_get_run(j->buffer, n, j->n_value, &found, outcome, value) || found != run) {
+        return error_set(e, STATUS_SYSTEM, "%s was damaged while the study ran: run %ld is lost",
+                         j->path, run + 1);
+    }
+    return STATUS_OK;
+}
+
+int journal_sync(const struct journal *j, struct error *e) {
+    return fsync(j->file) == 0 ? STATUS_OK : cannot(j, "write", e);
+}

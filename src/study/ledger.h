@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files that the runs of a study have read, so that none changes while it runs or between its
+// start and its resumption.
+#ifndef JOSTLE_LEDGER_H
+#define JOSTLE_LEDGER_H
+
+#include <stdint.h>
+#include <sys/stat.h>
+
+#include "core/arena.h"
+#include "jostle/error.h"
+
+struct ledger_file {
+    const char *path;
+    uint64_t sum;      // 0: it cannot be read
+    struct stat seen;  // when the sum was made
+    struct ledger_file *next;
+};
+
+struct ledger {
+    struct arena *arena;  // owned
+    struct ledger_file *file;
+};
+
+int ledger_init(struct ledger *l, struct error *e);
+void ledger_close(struct ledger *l);
+
+// Enters the file as it is now: *added, or compares it with what was entered. Errors: STATUS_INPUT
+// (it has changed), STATUS_SYSTEM (no memory).
+int ledger_check(struct ledger *l, const char *path, const struct ledger_file **added,
+                 struct error *e);
+
+// Enters a file with the checksum it had; the same errors.
+int ledger_expect(struct ledger *l, const char *path, uint64_t sum, struct error *e);
+
+#endif

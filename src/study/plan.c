@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/plan.h"
+
+#include <string.h>
+
+int plan_init(struct plan *p, const struct model *first, const char *const *define, int n_define,
+              const char *path, const char *version, struct error *e) {
+    *p = (struct plan){
+        .first = first, .define = define, .n_define = n_define, .n_run = first->deck->n_run};
+    int status = report_create(first, NULL, path, version, &p->report, e);
+    if (status == STATUS_OK) {
+        status = study_table_create(p->report, &p->table, e);
+    }
+    if (status != STATUS_OK) {
+        plan_close(p);
+    }
+    return status;
+}
+
+void plan_close(struct plan *p) {
+    study_table_free(p->table);
+    report_free(p->report);
+    *p = (struct plan){.first = NULL};
+}
+
+void plan_choose(const struct plan *p, long run, int *choice) {
+    int n = 0;
+    long later = p->n_run;  // runs for each value of the sweep
+    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
+        later /= s->n;
+        choice[n++] = (int)(run / later % s->n);
+    }
+}
+
+const char *plan_describe(const struct plan *p, long run, struct plan_text *t) {
+    int choice[STUDY_SWEEPS_MAX];
+    plan_choose(p, run, choice);
+    int used = snprintf(t->text, sizeof t->text, "run %ld", run + 1);
+    const char *before = " (";
+    int i = 0;
+    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next, i++) {
+        const size_t at = (size_t)used < sizeof t->text ? (size_t)used : sizeof t->text - 1;
+        if (s->fixed) {
+            continue;
+        }
+        used += s->number ? snprintf(t->text + at, sizeof t->text - at, "%s%s = %.6g", before,
+                                     s->name, s->number[choice[i]])
+                          : snprintf(t->text + at, sizeof t->text - at, "%s%s = %s", before,
+                                     s->name, s->label[choice[i]]);
+        before = ", ";
+    }
+    const size_t at = (size_t)used < sizeof t->text ? (size_t)used : sizeof t->text - 2;
+    snprintf(t->text + at, sizeof t->text - at, ")");
+    return t->text;
+}
+
+static bool same_values(const struct sweep *a, const struct sweep *b) {
+    if (strcmp(a->name, b->name) != 0 || a->n != b->n || !a->number != !b->number) {
+        return false;
+    }
+    if (a->number) {
+        return memcmp(a->number, b->number, (size_t)a->n * sizeof *a->number) == 0;
+    }
+    for (int i = 0; i < a->n; i++) {
+        if (strcmp(a->text[i], b->text[i]) != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool same_sweeps(const struct sweep *a, const struct sweep *b) {
+    while (a && b && same_values(a, b)) {
+        a = a->next;
+        b = b->next;
+    }
+    return !a && !b;
+}
+
+static int differs(const struct plan *p, long run, struct error *e, const char *cause) {
+    struct plan_text t;
+    return error_set(e, STATUS_INPUT,
+                     "%s differs from the first run in its %s; all runs of a study need the same",
+                     plan_describe(p, run, &t), cause);
+}
+
+static int check_buildings(const struct plan *p, long run, const struct model *m, struct error *e) {
+    if (m->n_building != p->first->n_building) {
+        return differs(p, run, e, "number of buildings");
+    }
+    for (int i = 0; i < m->n_building; i++) {
+        const struct building *a = &p->first->building[i], *b = &m->building[i];
+        if (strcmp(a->name, b->name) != 0) {
+            return differs(p, run, e, "names of buildings");
+        }
+        if (a->n_floor != b->n_floor) {
+            struct plan_text t;
+            return error_set(e, STATUS_INPUT,
+                             "%s has %d floors in building %s, the first run has %d; all runs of "
+                             "a study need the same",
+                             plan_describe(p, run, &t), b->n_floor, b->name, a->n_floor);
+        }
+    }
+    return STATUS_OK;
+}
+
+static int check_links(const struct plan *p, long run, const struct model *m, struct error *e) {
+    if (m->n_contact != p->first->n_contact || m->n_link != p->first->n_link) {
+        return differs(p, run, e, "number of contacts and links");
+    }
+    for (int i = 0; i < m->n_link; i++) {
+        const struct link *a = &p->first->link[i], *b = &m->link[i];
+        if (strcmp(a->name, b->name) != 0 || a->dof[0] != b->dof[0] || a->dof[1] != b->dof[1]) {
+            return differs(p, run, e, "contacts and links");
+        }
+    }
+    return STATUS_OK;
+}
+
+int plan_check(const struct plan *p, long run, const struct model *m, struct error *e) {
+    const struct unit_system *a = &p->first->deck->units, *b = &m->deck->units;
+    if (!same_sweeps(p->first->deck->sweeps, m->deck->sweeps)) {
+        return differs(p, run, e, "sweeps");
+    }
+    if (a->force != b->force || a->length != b->length || a->time != b->time) {
+        return differs(p, run, e, "units");
+    }
+    int status = check_buildings(p, run, m, e);
+    return status == STATUS_OK ? check_links(p, run, m, e) : status;
+}

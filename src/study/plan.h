@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a study runs: the deck, read again for each run with other values of its sweeps. Runs are
+// numbered from 0; the last sweep of the deck varies fastest.
+#ifndef JOSTLE_PLAN_H
+#define JOSTLE_PLAN_H
+
+#include "core/arena.h"
+#include "jostle/study_file.h"
+
+struct plan {
+    const struct model *first;  // borrowed: the model of run 0
+    const char *const *define;  // (n_define) borrowed
+    int n_define;
+    long n_run;
+    struct report *report;      // owned: of the first model, before its run
+    struct study_table *table;  // owned
+};
+
+// Errors: STATUS_SYSTEM (no memory).
+int plan_init(struct plan *p, const struct model *first, const char *const *define, int n_define,
+              const char *path, const char *version, struct error *e);
+void plan_close(struct plan *p);
+
+// The value that each sweep takes in a run, fixed ones included; room for STUDY_SWEEPS_MAX.
+void plan_choose(const struct plan *p, long run, int *choice);
+
+// "run 7 (gap = 0.02, record = ELCENTRO)", cut to fit; runs are counted from 1 here.
+struct plan_text {
+    char text[256];
+};
+const char *plan_describe(const struct plan *p, long run, struct plan_text *t);
+
+// Checks that a model is one of this study: the same sweeps, units, buildings, floors, contacts and
+// links as the first. Errors: STATUS_INPUT, which names the run and the difference.
+int plan_check(const struct plan *p, long run, const struct model *m, struct error *e);
+
+#endif

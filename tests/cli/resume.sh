@@ -1,0 +1,126 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Nothing is lost: a study that was killed, interrupted or ran into a full disk goes on where it
+# was, and ends in the same file; one that has changed meanwhile is refused. JOSTLE_LONG=1 kills it
+# 50 times.
+. tests/support/cli.sh
+
+if ! command -v h5diff >/dev/null; then
+    skip "a killed study goes on" "no h5diff"
+    exit 0
+fi
+
+mkdir records
+for i in 1 2 3; do
+    awk -v i=$i 'BEGIN { for (k = 0; k < 2000; k++) print i * sin((0.05 + 0.05 * i) * k) }' >records/$i.txt
+done
+two_buildings study.deck
+sed -i 's/^param gap .*/sweep gap range 2mm 20mm 60/; /^ground/d; /^damping B/d' study.deck
+sed -i '3i sweep record files "records/*.txt"' study.deck
+echo 'ground record $record -unit m/s2 -dt 0.01' >>study.deck
+run "$jostle" run study.deck -q -o whole.h5
+expect "a study of 180 runs ends" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+
+kills=5
+[ -z "${JOSTLE_LONG-}" ] || kills=50
+starts=0
+killed=0
+kept=0
+while [ $killed -lt $kills ] && [ $starts -lt 500 ]; do
+    "$jostle" run study.deck -q -o killed.h5 >"$out" 2>"$err" </dev/null &
+    child=$!
+    sleep 0.$((RANDOM % 2))$((RANDOM % 10))$((RANDOM % 10))
+    kill -s KILL $child 2>/dev/null
+    wait $child 2>/dev/null
+    status=$?
+    starts=$((starts + 1))
+    [ $status -ne 137 ] || killed=$((killed + 1))
+    if [ $status -eq 0 ]; then
+        same whole.h5 killed.h5 || break
+        rm killed.h5
+    fi
+    size=$(stat -c %s killed.h5.runs 2>/dev/null || echo 0)
+    [ "$size" -le 1500 ] || kept=$((kept + 1))
+done
+expect "it is killed $kills times, some of them amid its runs" '[ $killed -eq $kills ] && [ $kept -gt 0 ]'
+run "$jostle" run study.deck -o killed.h5
+expect "the same command ends it" '[ $status -eq 0 ] && [ ! -e killed.h5.runs ]'
+expect "and its file is that of an uninterrupted one" 'same whole.h5 killed.h5'
+
+# start_and_stop SIGNAL: a study that is interrupted when some of its runs are done.
+start_and_stop() {
+    rm -f part.h5*
+    "$jostle" run study.deck -j 1 -o part.h5 >"$out" 2>"$err" </dev/null &
+    child=$!
+    for _ in $(seq 200); do
+        [ "$(stat -c %s part.h5.runs 2>/dev/null || echo 0)" -le 8000 ] || break
+        sleep 0.005
+    done
+    kill -s "$1" $child
+    wait $child
+    status=$?
+}
+start_and_stop TERM
+expect "a signal ends it with 3 and says what is kept" '[ $status -eq 3 ] && said "interrupted by signal 15" && grep -qE "[0-9]+ of 180 runs are kept in part.h5.runs" "$err" && [ -s part.h5.runs ] && [ ! -e part.h5 ]'
+cp part.h5.runs kept.runs
+
+run "$jostle" run study.deck -q -o part.h5 -D gap=5mm
+expect "another -D is refused" '[ $status -eq 2 ] && said "part.h5.runs holds runs of this study, but -D has changed since; --restart"'
+cp study.deck kept.deck
+echo '# a comment' >>study.deck
+run "$jostle" run study.deck -q -o part.h5
+expect "a changed deck is refused" '[ $status -eq 2 ] && said "but the deck has changed since"'
+mv kept.deck study.deck
+cp records/1.txt kept.txt
+echo 0.1 >>records/1.txt
+run "$jostle" run study.deck -q -o part.h5
+expect "a changed record is refused" '[ $status -eq 2 ] && said "records/1.txt has changed since the study was started; --restart"'
+mv kept.txt records/1.txt
+cp records/1.txt records/4.txt
+run "$jostle" run study.deck -q -o part.h5
+expect "a record more is refused" '[ $status -eq 2 ] && said "but the list of values of '"'record'"' has changed"'
+rm records/4.txt
+cp "$jostle" other
+printf x >>other
+run ./other run study.deck -q -o part.h5
+expect "another program is refused" '[ $status -eq 2 ] && said "but the program has changed since"'
+expect "none of which harms the journal" 'cmp part.h5.runs kept.runs'
+touch records/1.txt
+run "$jostle" run study.deck -o part.h5
+expect "the unchanged study goes on" '[ $status -eq 0 ] && grep -q "of an earlier start" "$out" && same whole.h5 part.h5'
+
+cp kept.runs part.h5.runs
+run "$jostle" run study.deck --force -q -o part.h5 -D gap=5mm --restart
+expect "--restart begins another one" '[ $status -eq 0 ] && [ ! -e part.h5.runs ] && ! same whole.h5 part.h5'
+
+rm part.h5
+head -c $(($(stat -c %s kept.runs) - 100)) kept.runs >part.h5.runs
+run "$jostle" run study.deck -q -o part.h5
+expect "a torn entry at the end is dropped" '[ $status -eq 0 ] && same whole.h5 part.h5'
+rm part.h5
+cp kept.runs part.h5.runs
+printf '\377' | dd of=part.h5.runs bs=1 seek=5000 conv=notrunc 2>/dev/null
+run "$jostle" run study.deck -q -o part.h5
+expect "a damaged entry too, with what follows" '[ $status -eq 0 ] && same whole.h5 part.h5'
+rm part.h5
+echo 'not a journal' >part.h5.runs
+run "$jostle" run study.deck -q -o part.h5
+expect "a file of another kind is left alone" '[ $status -eq 2 ] && said "part.h5.runs is not the journal of a study" && [ "$(cat part.h5.runs)" = "not a journal" ]'
+rm part.h5.runs
+
+run bash -c "ulimit -f 40; exec '$jostle' run study.deck -q -o part.h5"
+expect "a limit to the size of files ends it with 3" '[ $status -eq 3 ] && said "cannot write part.h5.runs: File too large" && said "runs are kept" && [ ! -e part.h5 ]'
+run "$jostle" run study.deck -q -o part.h5
+expect "from where it goes on" '[ $status -eq 0 ] && same whole.h5 part.h5'
+
+mkdir small
+if mount -t tmpfs -o size=64k tmpfs small 2>/dev/null; then
+    run "$jostle" run study.deck -q -o small/part.h5
+    expect "a full disk ends it with 3" '[ $status -eq 3 ] && said "No space left on device" && said "runs are kept" && [ ! -e small/part.h5 ] && [ ! -e small/part.h5.part ]'
+    mount -o remount,size=4m small
+    run "$jostle" run study.deck -q -o small/part.h5
+    expect "and it goes on when there is room" '[ $status -eq 0 ] && same whole.h5 small/part.h5'
+    umount small
+else
+    skip "a full disk ends it with 3" "no disk can be mounted here"
+fi

@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Studies: sweeps of every kind, one file whatever the number of threads, runs that fail.
+. tests/support/cli.sh
+
+# A table of the values that do not tell of the way they were computed.
+values() {
+    LC_ALL=C awk -F '\t' -v OFS='\t' -v first="$1" '
+        $first == "buildings" || $first == "energy" {
+            if ($(first + 2) !~ /_time$/) print $first, $(first + 1), $(first + 2), $(first + 3), $(first + 4)
+        }' | sort
+}
+
+mkdir records
+awk 'BEGIN { for (i = 0; i < 200; i++) print 2 * sin(0.3 * i) }' >records/one.txt
+awk 'BEGIN { for (i = 0; i < 300; i++) print 3 * sin(0.2 * i) }' >records/two.txt
+cat >grid.deck <<'END'
+title "a grid"
+units kN m s
+sweep gap values 5mm 8mm
+sweep k range 1e5 1e7 3 -log
+sweep record files "records/*.txt"
+building A -floors 2 -mass 100t -stiffness 50MN/m
+building B -floors 3 -mass 80t -stiffness 20MN/m
+contact A B -gap $gap -law linear -k $k
+ground record $record -unit m/s2 -dt 0.02
+step fixed 1ms
+END
+run "$jostle" run grid.deck -j 1 -o one.h5
+expect "a study runs and says how it went" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^study of 12 runs, 0 failed" "$out"'
+expect "it leaves only its file" 'only grid.deck one.h5 records/one.txt records/two.txt'
+run "$jostle" run grid.deck -q -o two.h5 -j 2
+expect "-q prints nothing" '[ $status -eq 0 ] && [ ! -s "$out" ] && [ ! -s "$err" ]'
+if command -v h5diff >/dev/null; then
+    expect "any number of threads gives the same file" 'same one.h5 two.h5'
+    run "$jostle" run grid.deck -q -o eight.h5 -j 8
+    expect "eight of them too" 'same one.h5 eight.h5'
+    run "$jostle" run grid.deck -q -o other.h5 -D gap=6mm
+    expect "other values give another one" '! same one.h5 other.h5'
+else
+    skip "any number of threads gives the same file" "no h5diff"
+fi
+
+run "$jostle" show --tsv one.h5
+table=$(cat "$out")
+expect "show --tsv prints lines of one length, a column for each sweep" '[ $status -eq 0 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 11 ] && head -n 1 "$out" | grep -q "^run	gap	k	record	status"'
+expect "labels of files are their names" 'grep -q "	one	done	" "$out" && ! grep -q "records/" "$out"'
+expect "a logarithmic range has equal ratios" '[ "$(cut -f 3 "$out" | sort -u | grep -c .)" = 4 ] && cut -f 3 "$out" | grep -q "^1000000$"'
+"$jostle" run grid.deck -q -o single.h5 -D gap=8mm -D k=1e7 -D record=records/two.txt
+run "$jostle" show --tsv single.h5
+values 1 <"$out" >single.tsv
+awk -F '\t' '$1 == 12' <<<"$table" | values 6 >twelfth.tsv
+expect "a run of a study is the single run with its values, to the last digit" '[ $(wc -l <single.tsv) -gt 40 ] && cmp single.tsv twelfth.tsv'
+run "$jostle" show one.h5
+expect "show prints where each quantity is largest" '[ $status -eq 0 ] && grep -qE "^A +drift +[0-9] .* m +[0-9]+ \(gap " "$out"'
+run "$jostle" show --json one.h5
+expect "--json is refused for a study" '[ $status -eq 2 ] && said "is a study"'
+run "$jostle" plot one.h5
+expect "plot says that it is a study" '[ $status -eq 2 ] && said "the result of a study"'
+run "$jostle" check grid.deck -D k=2e6
+expect "check prints the sweeps and the first model" '[ $status -eq 0 ] && grep -q "^study of 4 runs" "$out" && grep -q "k  *fixed by -D: 2e+06" "$out" && grep -q "building A: 2 floors" "$out"'
+run "$jostle" run grid.deck -o one.h5
+expect "an existing file is refused" '[ $status -eq 2 ] && said "one.h5 exists; --force overwrites it"'
+rm -f ./*.h5 ./*.tsv
+
+if python3 -c 'import xarray, netCDF4' 2>/dev/null; then
+    "$jostle" run grid.deck -q -o x.h5
+    run python3 - <<'END'
+import xarray
+root = xarray.open_dataset("x.h5")
+assert root.status.dims == ("gap", "k", "record") and int(root.status.sum()) == 0
+assert list(root.record.values) == ["one", "two"] and list(root.gap.values) == [0.005, 0.008]
+assert root.gap.attrs["units"] == "m"
+drift = xarray.open_dataset("x.h5", group="/buildings/B/envelope").drift
+assert drift.dims == ("gap", "k", "record", "floor") and drift.attrs["units"] == "m"
+assert drift.sel(gap=0.008, k=1e6, record="two").shape == (3,)
+links = xarray.open_dataset("x.h5", group="/contacts/envelope")
+assert float(links.impacts.sum()) > 0 and links.force.dims[-1] == "contact"
+assert "steps" in xarray.open_dataset("x.h5", group="/totals")
+END
+    expect "xarray selects by the values of the sweeps" '[ $status -eq 0 ]'
+    rm x.h5
+else
+    skip "xarray selects by the values of the sweeps" "no xarray"
+fi
+
+cat >fails.deck <<'END'
+sweep m values 1 1e-300 2
+sweep e values 0.5 1.5 0.7
+building A -floors 1 -mass $m -stiffness 1
+contact A wall -gap 1 -law stereomechanical -e $e
+load A:1 constant ${min(1e300, 1 + 1e300 * (1 - min(1, $m)))}
+step fixed 0.01
+duration 1
+END
+run "$jostle" run fails.deck
+expect "runs that fail do not stop the others; exit status 1" '[ $status -eq 1 ] && grep -q "^study of 9 runs, 5 failed" "$out" && said "5 of 9 runs failed" && said "run 2 (m = 1, e = 1.5): fails.deck:4:48: e is 1.5"'
+run "$jostle" show --tsv fails.h5
+expect "their messages are in the file" '[ "$(grep -c "	failed	message	" "$out")" -eq 5 ] && grep -q "not finite at floor 1 of building A" "$out" && ! grep drift "$out" | grep -qE "nan|inf"'
+expect "and nothing else is left" 'only fails.deck fails.h5 grid.deck records/one.txt records/two.txt'
+rm fails.*
+
+cat >shapes.deck <<'END'
+sweep n values 2 3
+building A -floors $n -mass 1 -stiffness 400
+ground sine -amplitude 1 -frequency 1
+step fixed 0.01
+duration 1
+END
+run "$jostle" run shapes.deck -j 1
+expect "models of different sizes are refused" '[ $status -eq 2 ] && said "run 2 (n = 3) has 3 floors in building A, the first run has 2" && [ ! -e shapes.h5 ]'
+rm -f shapes.*
+
+cat >names.deck <<'END'
+sweep force values 1 2
+building A -floors 1 -mass $force -stiffness 400
+ground sine -amplitude 1 -frequency 1
+step fixed 0.01
+duration 1
+END
+run "$jostle" run names.deck
+expect "a sweep cannot have the name of a result" '[ $status -eq 2 ] && said "sweep '"'force'"' has the name of a result" && only grid.deck names.deck records/one.txt records/two.txt'
+sed -i 's/sweep force/sweep mass/; s/\$force/$mass/' names.deck
+run "$jostle" run names.deck
+expect "but that of a property, which it replaces" '[ $status -eq 0 ] && "$jostle" show --tsv names.h5 | grep -q "	period	"'

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sweeps as the deck language reads them: values, ranges, files, -D, and the deck of one run.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "jostle/deck.h"
+#include "support/support.h"
+
+// Reads a whole deck; what its statement `show` says is kept in *shown.
+static struct deck *read_deck(const char *text, const char *define, const struct deck *bound,
+                              const int *choice, const char **shown) {
+    struct deck *d;
+    struct error e;
+    const char *path = support_path("sweep.deck");
+    assert_int_equal(deck_open_text(path, text, &define, define ? 1 : 0, &d, &e), STATUS_OK);
+    if (bound) {
+        deck_bind(d, bound->sweeps, choice);
+    }
+    struct statement s;
+    while (deck_next(d, &s)) {
+        *shown = s.n_word > 1 ? deck_text(d, &s.word[1]) : NULL;
+    }
+    return d;
+}
+
+static void values_keep_their_order_and_their_unit(void **state) {
+    (void)state;
+    const char *shown;
+    struct deck *d = read_deck("units kN m s\nsweep gap values 20mm 5mm 1.5cm\nshow $gap\n", NULL,
+                               NULL, NULL, &shown);
+    assert_int_equal(d->diagnostics.n_error, 0);
+    const struct sweep *s = d->sweeps;
+    assert_string_equal(s->name, "gap");
+    assert_int_equal(s->n, 3);
+    assert_true(s->known && dimension_equal(s->dimension, dimension_length));
+    assert_close(s->number[0], 0.02, 1e-15);
+    assert_close(s->number[1], 0.005, 1e-15);
+    assert_close(s->number[2], 0.015, 1e-15);
+    assert_int_equal(d->n_run, 3);
+    assert_true(deck_is_study(d));
+    assert_string_equal(shown, "0.02");
+    deck_free(d);
+}
+
+static void ranges_hold_both_ends_exactly(void **state) {
+    (void)state;
+    const char *shown;
+    struct deck *d = read_deck("sweep a range 0.1 0.7 7\nsweep b range 1e-3 1e3 7 -log\n"
+                               "sweep c range 5 -5 3\nshow $a$b$c\n",
+                               NULL, NULL, NULL, &shown);
+    assert_int_equal(d->diagnostics.n_error, 0);
+    const struct sweep *a = d->sweeps, *b = a->next, *c = b->next;
+    assert_int_equal(d->n_run, 7 * 7 * 3);
+    assert_true(a->number[0] == 0.1 && a->number[6] == 0.7);
+    assert_true(b->number[0] == 1e-3 && b->number[6] == 1e3);
+    for (int i = 0; i < 7; i++) {
+        assert_close(a->number[i], 0.1 * (i + 1), 1e-14);
+        assert_close(b->number[i], pow(10.0, i - 3), 1e-13);
+    }
+    assert_true(c->number[0] == 5.0 && c->number[1] == 0.0 && c->number[2] == -5.0);
+    deck_free(d);
+}
+
+static void a_bound_deck_takes_the_values_of_its_run(void **state) {
+    (void)state;
+    static const char text[] = "sweep law values hertz linear\nsweep k range 1 3 3\n"
+                               "param twice ${2*k}\nshow \"$law $twice\"\n";
+    const char *shown;
+    struct deck *first = read_deck(text, NULL, NULL, NULL, &shown);
+    assert_string_equal(shown, "hertz 2");
+    for (int run = 0; run < 6; run++) {
+        const int choice[] = {run / 3, run % 3};
+        char want[32];
+        snprintf(want, sizeof want, "%s %d", run / 3 ? "linear" : "hertz", 2 * (run % 3 + 1));
+        struct deck *d = read_deck(text, NULL, first, choice, &shown);
+        assert_int_equal(d->diagnostics.n_error, 0);
+        assert_string_equal(shown, want);
+        deck_free(d);
+    }
+    deck_free(first);
+}
+
+static void a_define_fixes_a_sweep(void **state) {
+    (void)state;
+    const char *shown;
+    struct deck *d = read_deck("sweep k range 1 3 3\nshow $k\n", "k=7", NULL, NULL, &shown);
+    assert_int_equal(d->diagnostics.n_error, 0);
+    assert_string_equal(shown, "7");
+    assert_true(d->sweeps->fixed && d->sweeps->n == 1 && d->sweeps->number[0] == 7.0);
+    assert_int_equal(d->n_run, 1);
+    assert_false(deck_is_study(d));
+    deck_free(d);
+}
+
+// The labels of the files that a pattern matches, with blanks between.
+static const char *labels(const char *pattern, char *to, size_t size) {
+    char text[256];
+    const char *shown;
+    snprintf(text, sizeof text, "sweep f files \"%s\"\nshow $f\n", pattern);
+    struct deck *d = read_deck(text, NULL, NULL, NULL, &shown);
+    assert_int_equal(d->diagnostics.n_error, 0);
+    to[0] = '\0';
+    for (int i = 0; i < d->sweeps->n; i++) {
+        const size_t used = strlen(to);
+        snprintf(to + used, size - used, "%s%s", i ? " " : "", d->sweeps->label[i]);
+    }
+    assert_string_equal(shown, d->sweeps->text[0]);
+    deck_free(d);
+    return to;
+}
+
+static void files_are_sorted_and_have_the_shortest_labels_that_differ(void **state) {
+    (void)state;
+    char text[256];
+    assert_int_equal(mkdir(support_path("one"), 0777), 0);
+    assert_int_equal(mkdir(support_path("two"), 0777), 0);
+    support_write("one/b.AT2", "");
+    support_write("one/a.AT2", "");
+    support_write("one/a.txt", "");
+    support_write("two/c.AT2", "");
+    assert_string_equal(labels("*/*.AT2", text, sizeof text), "a b c");
+    assert_string_equal(labels("one/*", text, sizeof text), "a.AT2 a.txt b.AT2");
+    support_write("two/a.AT2", "");
+    assert_string_equal(labels("*/a.AT2", text, sizeof text), "one/a.AT2 two/a.AT2");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(values_keep_their_order_and_their_unit),
+        cmocka_unit_test(ranges_hold_both_ends_exactly),
+        cmocka_unit_test(a_bound_deck_takes_the_values_of_its_run),
+        cmocka_unit_test(a_define_fixes_a_sweep),
+        cmocka_unit_test(files_are_sorted_and_have_the_shortest_labels_that_differ),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
