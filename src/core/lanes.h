@@ -25,7 +25,8 @@ enum { LANES_WIDTH = 4 };
 typedef double lanes
     __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
 
-// A zeroed array for n values with at least one 0 behind them; NULL: no memory.
+// A zeroed array for n values, with at least one 0 behind them and behind the lanes in which that
+// one lies, so that element i + 1 can be read there too; NULL: no memory.
 double *lanes_array(struct arena *a, int n);
 
 // n rounded up to whole lanes.

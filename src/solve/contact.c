@@ -38,7 +38,7 @@ enum { PULLING_SWEEPS = 25 };
 static const double SLOW = 0.2;
 
 // Changes of a force less than this share of it may come from the rounding of others.
-static const double SMALL = 1e-9;
+static const double SMALL = 1e-8;
 
 // Acceleration of the ends of a link towards each other per unit of its force, negative: S_ll.
 static double own_flexibility(struct work *w, const struct link *l) {
