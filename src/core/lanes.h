@@ -16,8 +16,8 @@
 
 struct arena;
 
-// Arrays for such loops have a multiple of LANES_WIDTH elements, those beyond the end 0, and
-// LANES_WIDTH zeros more at both ends, so that the neighbours of each element can be read.
+// Arrays for such loops have a multiple of LANES_WIDTH elements, those beyond the end 0, and as
+// many zeros in front, so that element -1 can be read.
 enum { LANES_WIDTH = 4 };
 
 // That many neighbours in an array, for loops that the compiler does not see by itself. The one
@@ -25,7 +25,8 @@ enum { LANES_WIDTH = 4 };
 typedef double lanes
     __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
 
-// A zeroed array for n values; NULL: no memory.
+// A zeroed array for n values, with at least one 0 behind them and behind the lanes in which that
+// one lies, so that element i + 1 can be read there too; NULL: no memory.
 double *lanes_array(struct arena *a, int n);
 
 // n rounded up to whole lanes.

@@ -39,7 +39,7 @@ enum { PULLING_SWEEPS = 25 };
 static const double SLOW = 0.2;
 
 // Changes of a force less than this share of it may come from the rounding of others.
-static const double SMALL = 1e-9;
+static const double SMALL = 1e-8;
 
 // Acceleration of the ends of a link towards each other per unit of its force, negative: S_ll.
 static double own_flexibility(struct work *w, const struct link *l) {
@@ -92,7 +92,7 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
 void contact_apply(struct work *w, struct state *next, int k, double df) {
     const struct link *l = &w->model->link[k];
     next->force[k] += df;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2 && df != 0.0; i++) {
         if (l->dof[i] == WALL) {
             continue;
         }
@@ -218,14 +218,15 @@ static double noise(const struct line *l, enum branch branch, double f, double d
     return l->d_force > 0.0 ? d / l->d_force : 0.0;
 }
 
-// Is a change of the force no more than rounding? That of other links counts where it is small.
+// Is a change of the force no more than rounding? That of other links counts where it is small and
+// sweeps take long.
 static bool negligible(const struct work *w, const struct line *l, enum branch branch, double f,
                        double df) {
     double d = state_rounding(l->link, w->u_trial) + 4.0 * DBL_EPSILON * l->link->gap;
     double v = state_rounding(l->link, w->v_trial);
     if (fabs(df) <= SMALL * fabs(f)) {
-        d += rounding_of_others(w, w->u_trial);
-        v += rounding_of_others(w, w->v_trial);
+        d += w->others_d;
+        v += w->others_v;
     }
     bool maybe = l->v_force * fabs(df) <= v || l->d_force * fabs(df) <= d;
     return maybe && fabs(df) <= noise(l, branch, f, d, v);
@@ -298,6 +299,7 @@ static bool block_steps(struct work *w, const struct state *now, struct state *n
 // Sweeps, with block steps between them once plain sweeps are too slow.
 static int iterate(struct work *w, const struct state *now, struct state *next, bool *blocked) {
     double before = INFINITY;
+    w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->nearest[i] = INFINITY;
     }
@@ -310,6 +312,10 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
         }
         if (converged) {
             return STATUS_OK;
+        }
+        if (i == PLAIN_SWEEPS) {
+            w->others_d = rounding_of_others(w, w->u_trial);
+            w->others_v = rounding_of_others(w, w->v_trial);
         }
         if (i == PULLING_SWEEPS) {
             clamp(w, next);

@@ -133,6 +133,48 @@ void effective_solve(struct effective *e, double *r, double *q) {
     }
 }
 
+// Four chains of dependences in flight.
+static void solve_four(const struct effective *e, double *const r[4]) {
+    int n = e->building->n_floor;
+    const double *l0 = e[0].factor, *l1 = e[1].factor, *l2 = e[2].factor, *l3 = e[3].factor;
+    const double *p0 = e[0].pivot, *p1 = e[1].pivot, *p2 = e[2].pivot, *p3 = e[3].pivot;
+    double *restrict r0 = r[0], *restrict r1 = r[1], *restrict r2 = r[2], *restrict r3 = r[3];
+    double x0 = r0[0], x1 = r1[0], x2 = r2[0], x3 = r3[0];
+    for (int i = 1; i < n; i++) {
+        r0[i] = x0 = r0[i] - l0[i - 1] * x0;
+        r1[i] = x1 = r1[i] - l1[i - 1] * x1;
+        r2[i] = x2 = r2[i] - l2[i - 1] * x2;
+        r3[i] = x3 = r3[i] - l3[i - 1] * x3;
+    }
+    x0 = x1 = x2 = x3 = 0.0;
+    for (int i = n - 1; i >= 0; i--) {
+        r0[i] = x0 = r0[i] * p0[i] - l0[i] * x0;
+        r1[i] = x1 = r1[i] * p1[i] - l1[i] * x1;
+        r2[i] = x2 = r2[i] * p2[i] - l2[i] * x2;
+        r3[i] = x3 = r3[i] * p3[i] - l3[i] * x3;
+    }
+}
+
+void effective_solve_four(struct effective *e, double *const r[4], double *const q[4]) {
+    int n = e->building->n_floor;
+    bool alike = n > INVERSE_FLOORS_MAX;
+    for (int k = 0; k < 4; k++) {
+        alike = alike && e[k].building->n_floor == n && e[k].n_ready < n;
+    }
+    if (!alike) {
+        for (int k = 0; k < 4; k++) {
+            effective_solve(&e[k], r[k], q[k]);
+        }
+        return;
+    }
+    solve_four(e, r);
+    for (int k = 0; k < 4; k++) {
+        for (int i = 0; i < n; i++) {
+            q[k][i] += r[k][i];
+        }
+    }
+}
+
 const double *effective_column(struct effective *e, int i) {
     double *column = e->inverse + (size_t)i * (size_t)e->stride;
     if (!e->ready[i]) {

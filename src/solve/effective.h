@@ -28,6 +28,10 @@ int effective_factor(struct effective *e, double b, double g);
 // Adds A^-1 r to q; both (n_floor), r is overwritten.
 void effective_solve(struct effective *e, double *r, double *q);
 
+// The same for four buildings at once, which takes little longer than for one where all are
+// tridiagonal and of the same height.
+void effective_solve_four(struct effective *e, double *const r[4], double *const q[4]);
+
 // Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on
 // floor i + 1. Computed when first asked for after a factorisation.
 const double *effective_column(struct effective *e, int i);

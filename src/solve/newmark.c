@@ -60,13 +60,28 @@ static void residuals(struct work *w, struct state *next, const double *u, const
     add_link_forces(w, next);
 }
 
-// Adds A^-1 residual to the correction of the buildings that are not settled.
+// Adds A^-1 residual to the correction of the buildings from k on that are not settled; returns how
+// many buildings it went over.
+static int solve_some(struct work *w, int k) {
+    const struct building *g = &w->model->building[k];
+    double *r = w->residual;
+    double *q = w->correction;
+    if (k + 4 <= w->model->n_building && !w->settled[k] && !w->settled[k + 1] &&
+        !w->settled[k + 2] && !w->settled[k + 3]) {
+        double *const rs[] = {r + g[0].first, r + g[1].first, r + g[2].first, r + g[3].first};
+        double *const qs[] = {q + g[0].first, q + g[1].first, q + g[2].first, q + g[3].first};
+        effective_solve_four(&w->effective[k], rs, qs);
+        return 4;
+    }
+    if (!w->settled[k]) {
+        effective_solve(&w->effective[k], r + g->first, q + g->first);
+    }
+    return 1;
+}
+
 static void solve_buildings(struct work *w) {
-    for (int k = 0; k < w->model->n_building; k++) {
-        if (!w->settled[k]) {
-            int first = w->model->building[k].first;
-            effective_solve(&w->effective[k], w->residual + first, w->correction + first);
-        }
+    for (int k = 0; k < w->model->n_building;) {
+        k += solve_some(w, k);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "core/number.h"
 #include "solve/account.h"
 
 // Floors, in whole lanes, that are looked at together for a new peak.
@@ -29,19 +30,36 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
     return r->link && r->deepest;
 }
 
+// Where |x| is greater than the peak, the peak and its time.
+LANES static void raise(int first, int n, const double *restrict x, double time,
+                        double *restrict peak, double *restrict peak_time) {
+    for (int i = first, end = first + lanes_whole(n); i < end; i++) {
+        double size = fabs(x[i]);
+        peak_time[i] = size > peak[i] ? time : peak_time[i];
+        peak[i] = size > peak[i] ? size : peak[i];
+    }
+}
+
+// The largest of x and `other`.
+LANES static double largest(int first, int n, const double *restrict x, double other) {
+    double most[LANES_WIDTH] = {other, other, other, other};
+    for (int i = first, end = first + lanes_whole(n); i < end; i += LANES_WIDTH) {
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            most[lane] = number_max(most[lane], x[i + lane]);
+        }
+    }
+    for (int lane = 1; lane < LANES_WIDTH; lane++) {
+        most[0] = number_max(most[0], most[lane]);
+    }
+    return most[0];
+}
+
 static void floors_update(struct results *r, int first, int n,
                           const double *const value[PEAK_COUNT], double time) {
     for (int q = 0; q < PEAK_COUNT; q++) {
-        for (int i = first; i < first + n; i++) {
-            double size = fabs(value[q][i]);
-            if (size > r->peak[q][i]) {
-                r->peak[q][i] = size;
-                r->peak_time[q][i] = time;
-                r->totals.speed =
-                    q == PEAK_VELOCITY ? fmax(r->totals.speed, size) : r->totals.speed;
-            }
-        }
+        raise(first, n, value[q], time, r->peak[q], r->peak_time[q]);
     }
+    r->totals.speed = largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
 }
 
 LANES static bool any_exceeds(int n, const double *restrict x, const double *restrict limit) {

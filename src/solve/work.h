@@ -44,6 +44,7 @@ struct work {
     bool *clamped;                  // (n_link) live links whose laws are not let pull
     double *kept_q, *kept_f;        // (n_dof), (n_link) to step back to
     int *parent, *start, *cluster;  // (n_building) scratch of cluster.c
+    double others_d, others_v;      // [L] [L/T] rounding that links bring to each other
     double *nearest;                // (n_building) least change of a cluster in a sweep so far
     int *grouped;                   // (n_link) live links by cluster
     double *matrix, *vector;        // (block_max, block_max), (block_max) of the block solve
