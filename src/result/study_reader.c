@@ -135,10 +135,11 @@ static herr_t visit_building(hid_t group, const char *name, const H5L_info_t *in
 
 static char **get_texts(struct study_file *f, hid_t group, const char *name, size_t n) {
     char **text = arena_alloc(f->view.arena, n + 1, sizeof *text);
-    hid_t dataset = text ? h5_open_object(&f->h, group, name) : -1;
     if (!text) {
         h5_fail(&f->h, "out of memory");
+        return NULL;
     }
+    hid_t dataset = h5_open_object(&f->h, group, name);
     hid_t type = dataset >= 0 ? H5Dget_type(dataset) : -1;
     if (type >= 0 && H5Tis_variable_str(type) <= 0) {
         h5_fail(&f->h, "dataset '%s' is not of the kind expected", name);

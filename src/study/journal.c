@@ -178,8 +178,8 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
                 void *context, struct error *e) {
     long run;
     struct study_outcome outcome;
-    const char *path;
-    uint64_t sum;
+    const char *path = NULL;
+    uint64_t sum = 0;
     if (kind == ENTRY_RUN && entry_get_run(j->buffer, n, j->n_value, &run, &outcome, NULL) &&
         run >= 0 && run < j->n_run) {
         j->n_done += j->offset[run] == 0;
@@ -195,8 +195,8 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
 }
 
 int journal_load(struct journal *j, journal_file_function *file, void *context, struct error *e) {
-    enum entry_kind kind;
-    size_t n;
+    enum entry_kind kind = ENTRY_RUN;
+    size_t n = 0;
     int sound;
     while ((sound = load_entry(j, j->end, &kind, &n, e)) == 1 &&
            (sound = take(j, kind, n, file, context, e)) == 1) {
@@ -246,9 +246,9 @@ int journal_add_run(struct journal *j, long run, const struct study_outcome *out
 
 int journal_read(struct journal *j, long run, struct study_outcome *outcome, double *value,
                  struct error *e) {
-    enum entry_kind kind;
-    size_t n;
-    long found;
+    enum entry_kind kind = ENTRY_FILE;
+    size_t n = 0;
+    long found = -1;
     int sound = load_entry(j, (off_t)j->offset[run], &kind, &n, e);
     if (sound < 0) {
         return sound;

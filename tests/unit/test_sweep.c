@@ -27,7 +27,7 @@ static struct deck *read_deck(const char *text, const char *define, const struct
 
 static void values_keep_their_order_and_their_unit(void **state) {
     (void)state;
-    const char *shown;
+    const char *shown = NULL;
     struct deck *d = read_deck("units kN m s\nsweep gap values 20mm 5mm 1.5cm\nshow $gap\n", NULL,
                                NULL, NULL, &shown);
     assert_int_equal(d->diagnostics.n_error, 0);
@@ -46,7 +46,7 @@ static void values_keep_their_order_and_their_unit(void **state) {
 
 static void ranges_hold_both_ends_exactly(void **state) {
     (void)state;
-    const char *shown;
+    const char *shown = NULL;
     struct deck *d = read_deck("sweep a range 0.1 0.7 7\nsweep b range 1e-3 1e3 7 -log\n"
                                "sweep c range 5 -5 3\nshow $a$b$c\n",
                                NULL, NULL, NULL, &shown);
@@ -67,7 +67,7 @@ static void a_bound_deck_takes_the_values_of_its_run(void **state) {
     (void)state;
     static const char text[] = "sweep law values hertz linear\nsweep k range 1 3 3\n"
                                "param twice ${2*k}\nshow \"$law $twice\"\n";
-    const char *shown;
+    const char *shown = NULL;
     struct deck *first = read_deck(text, NULL, NULL, NULL, &shown);
     assert_string_equal(shown, "hertz 2");
     for (int run = 0; run < 6; run++) {
@@ -84,7 +84,7 @@ static void a_bound_deck_takes_the_values_of_its_run(void **state) {
 
 static void a_define_fixes_a_sweep(void **state) {
     (void)state;
-    const char *shown;
+    const char *shown = NULL;
     struct deck *d = read_deck("sweep k range 1 3 3\nshow $k\n", "k=7", NULL, NULL, &shown);
     assert_int_equal(d->diagnostics.n_error, 0);
     assert_string_equal(shown, "7");
@@ -97,7 +97,7 @@ static void a_define_fixes_a_sweep(void **state) {
 // The labels of the files that a pattern matches, with blanks between.
 static const char *labels(const char *pattern, char *to, size_t size) {
     char text[256];
-    const char *shown;
+    const char *shown = NULL;
     snprintf(text, sizeof text, "sweep f files \"%s\"\nshow $f\n", pattern);
     struct deck *d = read_deck(text, NULL, NULL, NULL, &shown);
     assert_int_equal(d->diagnostics.n_error, 0);
