@@ -9,6 +9,7 @@
 #include "plot/script.h"
 
 static const double character = 0.56;  // [em]
+static const double BOLD = 1.15;       // width of bold text over that of plain text
 
 // " at screen x,y" of a point in em.
 static void write_place(const struct canvas *c, double x, double y) {
@@ -25,7 +26,7 @@ static void write_label(const struct canvas *c, const char *text, double width) 
 void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
     struct area *a = &c->area;
     if (c->kind == CANVAS_BLOCK) {
-        write_label(c, subtitle, a->right - a->left);
+        write_label(c, subtitle, (a->right - a->left) / BOLD);
         write_place(c, a->left, a->top - 0.7);
         fprintf(c->to, " left font block_font\n");
         a->top -= 1.5;
@@ -214,7 +215,7 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
         fprintf(c->to, ".\"\\n\".");
     }
     script_text(c->to, fits ? text : unit + 1);
-    write_place(c, a.left - (fits ? 4.4 : 5.0), (a.top + a.bottom) / 2);
+    write_place(c, a.left - (fits ? 4.4 : 5.8), (a.top + a.bottom) / 2);
     fprintf(c->to, " center rotate by 90\n");
 }
 

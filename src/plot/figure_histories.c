@@ -296,8 +296,8 @@ static int write_data(const struct view *v, FILE *to, struct error *e) {
 
 static void write_panels(const struct view *v, struct canvas *c) {
     if (v->s->n == 1) {
-        write_facing(v, c, canvas_inset(canvas_part(c, 0, 1, 0.38, 1), 5.8, 0.5, 0.5, 0.7));
-        write_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.38), 5.8, 0.5, 3.2, 0.5));
+        write_facing(v, c, canvas_inset(canvas_part(c, 0, 1, 0.38, 1), 7, 0.5, 0.5, 0.7));
+        write_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.38), 7, 0.5, 3.2, 0.5));
         return;
     }
     int shown[2], n = 0;
@@ -309,10 +309,10 @@ static void write_panels(const struct view *v, struct canvas *c) {
     const double height = 0.68 / n;
     for (int i = 0; i < n; i++) {
         const double top = 1 - i * height;
-        write_floor(v, c, canvas_inset(canvas_part(c, 0, 1, top - height, top), 5.8, 0.5, 0, 1.8),
+        write_floor(v, c, canvas_inset(canvas_part(c, 0, 1, top - height, top), 7, 0.5, 0, 1.8),
                     shown[i]);
     }
-    write_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.32), 5.8, 0.5, 3.2, 0.5));
+    write_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.32), 7, 0.5, 3.2, 0.5));
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
