@@ -54,7 +54,7 @@ history() {
     "$jostle" plot "$work/$1.h5" histories --script "$work/$1.script" --force
     awk '/^EOD/ { inside = 0 }
          inside && !/^#/ { print $1, $2 }
-         /^\$rows0/ { inside = 1 }' "$work/$1.script/histories.gp"
+         /^\$rows0/ { inside = 1 }' "$work/$1.script/histories.dat"
 }
 
 # draw HEIGHT: draws verification_CASE.svg by CASE.gp, which finds its data in the work folder;

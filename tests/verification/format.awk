@@ -4,8 +4,12 @@ function size(x) {
     return x < 0 ? -x : x
 }
 
-# `digits` significant digits, zeros at the end kept.
+# `digits` significant digits, zeros at the end kept. What is no number stops the manual.
 function number(x, digits,    text) {
+    if (x !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) {
+        print "'" x "' is no number in: " $0 >"/dev/stderr"
+        exit 1
+    }
     if (x != 0 && (size(x) >= 1e5 || size(x) < 1e-3)) {
         return scientific(x, digits)
     }
