@@ -4,7 +4,7 @@
 #include "core/arena.h"
 
 double *lanes_array(struct arena *a, int n) {
-    size_t room = (size_t)lanes_whole(n + 1) + 2 * LANES_WIDTH;
+    size_t room = (size_t)lanes_whole(n + 1) + 2 * (size_t)LANES_WIDTH;
     double *x = arena_alloc(a, room, sizeof *x);
     return x ? x + LANES_WIDTH : NULL;
 }

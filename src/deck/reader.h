@@ -133,9 +133,9 @@ void sweep_run(struct deck *d, const struct statement *s);
 bool parameter_open(struct deck *d, const char *const *define, int n_define);
 void parameter_define(struct deck *d, const struct word *name, const struct word *value);
 // The steps of parameter_define: false after having reported that `name` cannot be defined; reads
-// `value`; adds the parameter with `value` or that of a -D, in which case it returns true.
+// `w`; adds the parameter with `value` or that of a -D, in which case it returns true.
 bool parameter_is_free(struct deck *d, const struct word *name);
-void parameter_read(struct deck *d, const struct word *value, struct parameter *p);
+void parameter_read(struct deck *d, const struct word *w, struct parameter *p);
 bool parameter_keep(struct deck *d, const struct word *name, struct parameter *value);
 struct parameter *parameter_find(const struct deck *d, const char *name, size_t n);
 // The parameter called from `from` to `to` in `w`; NULL after having reported an error.

@@ -88,7 +88,7 @@ struct dp_works {
 
 // The works on each floor of one ground and of the dampers of its building into input and damping
 // (n_dof) [F L].
-void dp_system_works(const struct dp_system *s, const struct dp_works *w, double *input,
+void dp_system_works(const struct dp_system *s, const struct dp_works *t, double *input,
                      double *damping);
 
 // The total acceleration of floor i alone, from the motion of its building and of the floors that
