@@ -93,8 +93,7 @@ static void write_head(const struct runs *s, struct canvas *c) {
     script_unit(&r->units, dimension_energy, unit, sizeof unit);
     script_number(r->initial_energy + r->energy[ENERGY_INPUT], in, sizeof in);
     script_number(r->energy[ENERGY_CONTACT], contact, sizeof contact);
-    snprintf(text, sizeof text, "energy: %s %s in, %s %s into contacts", in, unit,
-             contact, unit);
+    snprintf(text, sizeof text, "energy: %s %s in, %s %s into contacts", in, unit, contact, unit);
     canvas_head(c, runs_title(s), s->n > 1 ? "where the energy went" : text);
     for (int p = 0; p < PARTS; p++) {
         bool any = false;
