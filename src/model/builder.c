@@ -70,19 +70,6 @@ bool builder_once(struct builder *b, struct word *mark, const struct statement *
     return true;
 }
 
-void builder_unknown(struct builder *b, const struct word *w, const char *text, const char *what,
-                     const char *const *known, int n, const char *const *later) {
-    for (; later && *later; later++) {
-        if (strcmp(*later, text) == 0) {
-            deck_error(b->deck, w, "%s '%s' is not available in this version", what, text);
-            return;
-        }
-    }
-    struct word part = *w;
-    part.text = text;
-    deck_unknown(b->deck, &part, what, known, n);
-}
-
 struct building_draft *builder_draft(struct builder *b, int i) {
     return (struct building_draft *)b->buildings.item + i;
 }
@@ -109,7 +96,9 @@ static int find_or_report(struct builder *b, const struct word *w, const char *n
         const char *text = arena_text(b->arena, name, length);
         b->no_memory |= !text;
         if (known && text) {
-            builder_unknown(b, w, text, "building", known, (int)n, NULL);
+            struct word part = *w;
+            part.text = text;
+            deck_unknown(b->deck, &part, "building", known, (int)n);
         }
     }
     return i;

@@ -93,11 +93,6 @@ double *builder_spread(struct builder *b, const struct argument *a, int n, const
 bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
                    const char *usage);
 
-// Reports that the `n` words `known` do not have `text`, which stands at `w`: not in this version
-// if it is one of `later` (NULL-terminated; NULL: none), else unknown.
-void builder_unknown(struct builder *b, const struct word *w, const char *text, const char *what,
-                     const char *const *known, int n, const char *const *later);
-
 // The building named by the whole word; -1 after having reported that there is none.
 int builder_building(struct builder *b, const struct word *w);
 struct building_draft *builder_draft(struct builder *b, int i);

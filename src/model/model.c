@@ -27,7 +27,7 @@ static void report_unknown(struct builder *b, const struct word *w) {
                                         : deck_statements[i - n_statement_kind].name;
     }
     if (known) {
-        builder_unknown(b, w, w->text, "statement", known, n, NULL);
+        deck_unknown(b->deck, w, "statement", known, n);
     }
 }
 

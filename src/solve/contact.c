@@ -57,12 +57,6 @@ static double ends_difference(const struct ends *e, const double *x) {
     return x[e->left] - x[e->right];
 }
 
-static double ground_difference(const struct model *m, const struct link *l, const double *ground) {
-    return l->moving_ground ? ground[m->building[l->building[0]].ground] -
-                                  ground[m->building[l->building[1]].ground]
-                            : 0.0;
-}
-
 static double recovery(const struct model *m) {
     return 2.0 * m->beta <= m->gamma ? RECOVERY : 0.0;
 }
@@ -76,9 +70,9 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
         .link = l,
         .history = next->link_history + l->history,
         .d_free = ends_difference(e, w->u_trial) - e->gap + w->b * corrected +
-                  ground_difference(w->model, l, next->ground_u),
+                  state_ground_gap(l, w->model, next->ground_u),
         .v_free = ends_difference(e, w->v_trial) + w->g * corrected +
-                  ground_difference(w->model, l, next->ground_v),
+                  state_ground_gap(l, w->model, next->ground_v),
         .d_force = w->b * s,
         .v_force = w->g * s,
         .v_rest = -recovery(w->model) * now->delta[k] / w->h,
@@ -143,7 +137,7 @@ void contact_penetrations(const struct work *w, struct state *next) {
         delta[k] = u[e->left] - u[e->right] - e->gap;
     }
     for (int k = 0; w->model->n_ground > 1 && k < w->model->n_link; k++) {
-        delta[k] += ground_difference(w->model, &w->model->link[k], next->ground_u);
+        delta[k] += state_ground_gap(&w->model->link[k], w->model, next->ground_u);
     }
 }
 

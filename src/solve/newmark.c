@@ -34,19 +34,6 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
 }
 
-static void add_link_forces(struct work *w, const struct state *next) {
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        const int *dof = w->model->link[k].dof;
-        if (dof[0] != WALL) {
-            w->residual[dof[0]] -= next->force[k];
-        }
-        if (dof[1] != WALL) {
-            w->residual[dof[1]] += next->force[k];
-        }
-    }
-}
-
 // residual = external - M a - C v - storey shears - link forces, at u, v and a.
 static void residuals(struct work *w, struct state *next, const double *u, const double *v,
                       const double *a) {
@@ -57,7 +44,7 @@ static void residuals(struct work *w, struct state *next, const double *u, const
         state_internal_forces(next, m, u, v);
         chain_residual(&m->chain, next->external, a, next->damping_force, next->shear, w->residual);
     }
-    add_link_forces(w, next);
+    state_add_link_forces(next, m, w->residual);
 }
 
 // Adds A^-1 residual to the correction of the buildings from k on that are not settled; returns how

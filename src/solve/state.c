@@ -119,11 +119,7 @@ double state_gap(const struct link *l, const struct model *m, const double *u,
     if (l->dof[1] != WALL) {
         delta -= u[l->dof[1]];
     }
-    if (l->moving_ground) {
-        delta +=
-            ground[m->building[l->building[0]].ground] - ground[m->building[l->building[1]].ground];
-    }
-    return delta;
+    return delta + state_ground_gap(l, m, ground);
 }
 
 double state_rounding(const struct link *l, const double *x) {
@@ -175,21 +171,25 @@ bool state_rests(const struct state *s, const struct model *m, int k) {
     return s->closed[k] && m->link[k].law->rebound;
 }
 
+void state_add_link_forces(const struct state *s, const struct model *m, double *floor) {
+    for (int i = 0; i < s->n_live; i++) {
+        int k = s->live[i];
+        const int *dof = m->link[k].dof;
+        if (dof[0] != WALL) {
+            floor[dof[0]] -= s->force[k];
+        }
+        if (dof[1] != WALL) {
+            floor[dof[1]] += s->force[k];
+        }
+    }
+}
+
 // M a = external - C v - storey shears - link forces; the forces stand in `total` meanwhile.
 static void accelerations(struct state *s, const struct model *m) {
     double *force = s->total;
     memset(s->a, 0, (size_t)m->n_dof * sizeof *s->a);
     chain_residual(&m->chain, s->external, s->a, s->damping_force, s->shear, force);
-    for (int i = 0; i < s->n_live; i++) {
-        int k = s->live[i];
-        const int *dof = m->link[k].dof;
-        if (dof[0] != WALL) {
-            force[dof[0]] -= s->force[k];
-        }
-        if (dof[1] != WALL) {
-            force[dof[1]] += s->force[k];
-        }
-    }
+    state_add_link_forces(s, m, force);
     for (int i = 0; i < m->n_dof; i++) {
         s->a[i] = force[i] / m->mass[i];
     }

@@ -73,6 +73,18 @@ void state_internal_forces(struct state *s, const struct model *m, const double 
 double state_gap(const struct link *l, const struct model *m, const double *u,
                  const double *ground);
 
+// The ground's share of that; 0 where both ends stand on the same ground. In line for the contact
+// iteration.
+static inline double state_ground_gap(const struct link *l, const struct model *m,
+                                      const double *ground) {
+    return l->moving_ground ? ground[m->building[l->building[0]].ground] -
+                                  ground[m->building[l->building[1]].ground]
+                            : 0.0;
+}
+
+// Adds to `floor` (n_dof) the forces of the live links on the floors.
+void state_add_link_forces(const struct state *s, const struct model *m, double *floor);
+
 // Rounding of the difference of `x` (n_dof) between both ends of a link.
 double state_rounding(const struct link *l, const double *x);
 

@@ -4,26 +4,14 @@
 // The tension just before separation is kept, so that an isolated impact delivers exactly the e
 // that zeta was made from. The force jumps from 0 to c v0 at closure, and from its tension to 0 at
 // opening.
-#include <math.h>
-
 #include "law/contact_list.h"
+#include "law/dashpot.h"
 #include "law/restitution.h"
-
-enum { K, E, ZETA, N_ROW };
-enum { STIFFNESS, DASHPOT, N_CONSTANT };
-
-static const struct row rows[N_ROW] = {
-    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
-    [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
-    [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, {0}, &range_non_negative, NAN, "damping ratio"},
-};
 
 static int kelvin_voigt_prepare(const double *value, double m_eff, double *constant,
                                 struct error *e) {
     (void)e;
-    double zeta = restitution_ratio(value[E], value[ZETA], restitution_kelvin_voigt);
-    constant[STIFFNESS] = value[K];
-    constant[DASHPOT] = 2.0 * zeta * sqrt(value[K] * m_eff);
+    dashpot_prepare(value, m_eff, restitution_kelvin_voigt, constant);
     return STATUS_OK;
 }
 
@@ -31,9 +19,9 @@ static struct contact_response kelvin_voigt_force(const double *c, const double 
                                                   double v) {
     (void)h;
     return (struct contact_response){
-        .force = c[STIFFNESS] * d + c[DASHPOT] * v,
-        .dfdd = c[STIFFNESS],
-        .dfdv = c[DASHPOT],
+        .force = c[DASHPOT_STIFFNESS] * d + c[DASHPOT_COEFFICIENT] * v,
+        .dfdd = c[DASHPOT_STIFFNESS],
+        .dfdv = c[DASHPOT_COEFFICIENT],
     };
 }
 
@@ -46,9 +34,9 @@ const struct contact_law contact_kelvin_voigt = {
     .remarks = "for comparison with the literature; delivers e exactly in an isolated impact, "
                "whatever v0; jumps at closure and pulls before separation",
     .example = "-k 93.5MN/m -e 0.65",
-    .row = rows,
-    .n_row = N_ROW,
-    .n_constant = N_CONSTANT,
+    .row = dashpot_rows,
+    .n_row = DASHPOT_ROWS,
+    .n_constant = DASHPOT_CONSTANTS,
     .traits = CONTACT_JUMPS | CONTACT_MAY_PULL | CONTACT_NEEDS_MASS,
     .prepare = kelvin_voigt_prepare,
     .force = kelvin_voigt_force,

@@ -9,10 +9,11 @@
 #include <math.h>
 
 #include "law/contact_list.h"
+#include "law/dashpot.h"
 #include "law/restitution.h"
 
-enum { K, E, ZETA, RELATION, N_ROW };
-enum { STIFFNESS, DASHPOT, N_CONSTANT };
+// The rows of law/dashpot.h, and one more.
+enum { K = DASHPOT_K, E = DASHPOT_E, ZETA = DASHPOT_ZETA, RELATION = DASHPOT_ROWS, N_ROW };
 
 static const struct range relation_range = {.min = 2008, .max = 2011, .text = "2008 or 2011"};
 
@@ -47,20 +48,17 @@ static int mahmoud_jankowski_prepare(const double *value, double m_eff, double *
         return error_set(e, STATUS_INPUT,
                          "-relation is of no use where -zeta or -calibrate sets the damping");
     }
-    double zeta =
-        restitution_ratio(value[E], value[ZETA], year == 2008.0 ? relation_2008 : relation_2011);
-    constant[STIFFNESS] = value[K];
-    constant[DASHPOT] = 2.0 * zeta * sqrt(value[K] * m_eff);
+    dashpot_prepare(value, m_eff, year == 2008.0 ? relation_2008 : relation_2011, constant);
     return STATUS_OK;
 }
 
 static struct contact_response mahmoud_jankowski_force(const double *c, const double *h, double d,
                                                        double v) {
     (void)h;
-    struct contact_response r = {.force = c[STIFFNESS] * d, .dfdd = c[STIFFNESS]};
+    struct contact_response r = {.force = c[DASHPOT_STIFFNESS] * d, .dfdd = c[DASHPOT_STIFFNESS]};
     if (v > 0.0) {
-        r.force += c[DASHPOT] * v;
-        r.dfdv = c[DASHPOT];
+        r.force += c[DASHPOT_COEFFICIENT] * v;
+        r.dfdv = c[DASHPOT_COEFFICIENT];
     }
     return r;
 }
@@ -77,7 +75,7 @@ const struct contact_law contact_mahmoud_jankowski = {
     .example = "-k 93.5MN/m -e 0.65",
     .row = rows,
     .n_row = N_ROW,
-    .n_constant = N_CONSTANT,
+    .n_constant = DASHPOT_CONSTANTS,
     .traits = CONTACT_JUMPS | CONTACT_NEEDS_MASS,
     .prepare = mahmoud_jankowski_prepare,
     .force = mahmoud_jankowski_force,

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "law/dashpot.h"
+
+#include <math.h>
+
+#include "law/restitution.h"
+
+const struct row dashpot_rows[DASHPOT_ROWS] = {
+    [DASHPOT_K] =
+        {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
+    [DASHPOT_E] =
+        {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
+    [DASHPOT_ZETA] =
+        {"zeta", ROW_NUMBER, ROW_ONE_OF, {0}, &range_non_negative, NAN, "damping ratio"},
+};
+
+void dashpot_prepare(const double *value, double m_eff, double (*relation)(double e),
+                     double *constant) {
+    double zeta = restitution_ratio(value[DASHPOT_E], value[DASHPOT_ZETA], relation);
+    constant[DASHPOT_STIFFNESS] = value[DASHPOT_K];
+    constant[DASHPOT_COEFFICIENT] = 2.0 * zeta * sqrt(value[DASHPOT_K] * m_eff);
+}
