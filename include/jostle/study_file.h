@@ -75,7 +75,8 @@ struct study_file;
 // What a study file says apart from its values.
 struct study_view {
     struct arena *arena;  // owns everything below
-    const char *path, *title;
+    const char *path, *title, *version;
+    struct unit_system units;
     int n_sweep;
     const struct sweep *sweep[STUDY_SWEEPS_MAX];
     const char *sweep_units[STUDY_SWEEPS_MAX];  // "" for texts

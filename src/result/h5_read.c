@@ -229,3 +229,22 @@ void h5_get_member(struct h5 *h, struct arena *a, hid_t object, const struct col
         memcpy(to, &number, sizeof number);
     }
 }
+
+static void get_unit(struct h5 *h, struct arena *a, const char *name, char *to) {
+    const char *text = h5_get_text(h, a, h->file, name);
+    if (text && strlen(text) >= UNIT_NAME_MAX) {
+        h5_fail(h, "attribute '%s' is longer than %d characters", name, UNIT_NAME_MAX - 1);
+    } else if (text) {
+        memcpy(to, text, strlen(text) + 1);
+    }
+}
+
+void h5_get_units(struct h5 *h, struct arena *a, struct unit_system *units) {
+    get_unit(h, a, "unit_force", units->force_name);
+    get_unit(h, a, "unit_length", units->length_name);
+    get_unit(h, a, "unit_time", units->time_name);
+    units->force = h5_get_double(h, h->file, "unit_force_in_N");
+    units->length = h5_get_double(h, h->file, "unit_length_in_m");
+    units->time = h5_get_double(h, h->file, "unit_time_in_s");
+    units->gravity = h5_get_double(h, h->file, "gravity_in_m_per_s2");
+}

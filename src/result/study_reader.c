@@ -229,6 +229,8 @@ static void get_sweeps(struct study_file *f) {
 static void get_all(struct study_file *f) {
     struct study_view *v = &f->view;
     v->title = h5_get_text(&f->h, v->arena, f->h.file, "title");
+    v->version = h5_get_text(&f->h, v->arena, f->h.file, "version");
+    h5_get_units(&f->h, v->arena, &v->units);
     v->n_kept = h5_get_long(&f->h, f->h.file, "runs_kept");
     v->n_thread = (int)h5_get_long(&f->h, f->h.file, "threads");
     v->seconds = h5_get_double(&f->h, f->h.file, "wall_seconds");
