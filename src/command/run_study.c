@@ -61,7 +61,9 @@ int run_study(const struct model *first, const struct run_options *o,
     if (status != STATUS_OK) {
         return report_error(&p, result->path, &e);
     }
-    if (!o->load.quiet && show_study(result->path, STUDY_SUMMARY, stdout, &e) != STATUS_OK) {
+    if (!o->load.quiet &&
+        show_study(result->path, &(struct show_study_request){.content = STUDY_SUMMARY}, stdout,
+                   &e) != STATUS_OK) {
         return command_fail(&e);
     }
     if (p.n_failed > 0) {

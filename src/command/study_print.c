@@ -7,12 +7,6 @@
 #include "command/sweeps.h"
 #include "core/text.h"
 
-void study_print_text(const char *text, FILE *to) {
-    for (; *text; text++) {
-        fputc((unsigned char)*text < ' ' ? ' ' : *text, to);
-    }
-}
-
 const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i) {
     if (item->owner) {
         return item->owner;
