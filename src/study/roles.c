@@ -132,19 +132,42 @@ static int guess(const struct study_view *v, const struct roles *r, const char *
 static const char *const intensities[] = {"im", "sa", "pga", "intensity", "scale", NULL};
 static const char *const records[] = {"record", "records", NULL};
 
+// The first sweep of numbers that is free, else the first free one; -1.
+static int any_free(const struct study_view *v, const struct roles *r) {
+    int any = -1;
+    for (int i = v->n_sweep - 1; i >= 0; i--) {
+        const bool free = r->role[i] == ROLE_GROUP;
+        any = free && (v->sweep[i]->number || any < 0 || !v->sweep[any]->number) ? i : any;
+    }
+    return any;
+}
+
+static bool is_one_of(const char *name, const char *const *known) {
+    while (*known && strcmp(name, *known) != 0) {
+        known++;
+    }
+    return *known != NULL;
+}
+
 static int find_abscissa(const struct study_view *v, const struct suite_request *q, struct roles *r,
                          struct error *e) {
-    r->abscissa = q->abscissa
-                      ? find_sweep(v, q->abscissa, strlen(q->abscissa), "--im or --against", e)
-                      : guess(v, r, intensities, VALUES_NUMBER);
-    if (r->abscissa >= 0) {
-        return set_role(v, r, r->abscissa, ROLE_ABSCISSA, e);
+    int i = q->abscissa ? find_sweep(v, q->abscissa, strlen(q->abscissa), "--im or --against", e)
+                        : guess(v, r, intensities, VALUES_NUMBER);
+    if (i < 0 && q->abscissa) {
+        return STATUS_INPUT;
     }
-    return q->abscissa ? STATUS_INPUT
-                       : error_set(e, STATUS_INPUT,
-                                   "%s has no sweep 'im', 'sa' or 'pga'; name the one to go along "
-                                   "by --im NAME (or --against NAME)",
-                                   v->path);
+    if (i < 0 && q->guess == SUITE_ANY) {
+        i = any_free(v, r);
+    }
+    if (i < 0) {
+        return error_set(e, STATUS_INPUT,
+                         "%s has no sweep 'im', 'sa' or 'pga'; name the one to go along by --im "
+                         "NAME",
+                         v->path);
+    }
+    r->abscissa = i;
+    r->is_intensity = is_one_of(v->sweep[i]->name, intensities);
+    return set_role(v, r, i, ROLE_ABSCISSA, e);
 }
 
 int roles_find(const struct study_view *v, const struct suite_request *q, struct roles *out,

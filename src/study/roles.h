@@ -10,6 +10,7 @@ struct roles {
     enum role role[STUDY_SWEEPS_MAX];
     int fixed[STUDY_SWEEPS_MAX];  // value of a fixed sweep
     int abscissa;                 // its sweep
+    bool is_intensity;            // it has the name of one
 };
 
 // Errors: STATUS_INPUT.

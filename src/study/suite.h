@@ -10,12 +10,16 @@
 // What to do with runs that failed: they count as above every value, or are left out.
 enum suite_failed { SUITE_FAILED_ABOVE, SUITE_FAILED_LEFT_OUT };
 
+// Which sweep to go along where none is named: the intensity, or any.
+enum suite_guess { SUITE_INTENSITY, SUITE_ANY };
+
 struct suite_request {
     const char *edp;        // NULL: drift-ratio, or drift where the deck gives no heights
     const char *abscissa;   // sweep that the picture or table goes along; NULL: found
     const char *over;       // sweeps whose values are samples, "record,k"; NULL: found; "": none
     const char *const *at;  // (n_at) NAME=VALUE, sweeps of which one value only is looked at
     int n_at;
+    enum suite_guess guess;
     enum suite_failed failed;
 };
 
@@ -25,6 +29,7 @@ struct suite {
     const struct study_view *view;  // borrowed
     struct edp edp;
     const struct sweep *abscissa;
+    bool is_intensity;           // by its name
     const char *abscissa_units;  // "" for texts and pure numbers
     struct dimension abscissa_dimension;
     int n_point, n_sample, n_group;
