@@ -58,6 +58,7 @@ _jostle_value() {
         ;;
     KIND) _jostle_words "$word" "$(_jostle_names "$help")" ;;
     STATEMENT) _jostle_words "$word" "$(_jostle_names "$("$program" deck)")" ;;
+    EDP) _jostle_words "$word" "$(_jostle_names "$("$program" fragility --help)")" ;;
     LAW | LAWS) _jostle_words "$word" "$(_jostle_laws "$program" Storey)" ;;
     NAME) _jostle_words "$word" "$(_jostle_laws "$program")" ;;
     esac

@@ -13,8 +13,8 @@ static int fragility_command(int argc, char **argv);
 
 const struct command command_fragility = {
     .name = "fragility",
-    .usage = "FILE.h5 --edp EDP --limit VALUE[,VALUE...] [--im NAME] [--over NAME] "
-             "[--at NAME=VALUE] [--tsv|--csv]",
+    .usage = "FILE.h5 [--tsv|--csv] --edp EDP --limit VALUE[,VALUE...] [--im NAME] "
+             "[--over NAME] [--at NAME=VALUE]",
     .summary = "fits lognormal fragility curves to a study",
     .run = fragility_command,
 };

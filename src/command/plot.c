@@ -177,10 +177,21 @@ static int open_and_make(struct request *q, struct error *e) {
     return status;
 }
 
+// Options of studies are no use for one run.
+static int refuse_options(const struct request *q) {
+    struct result_file *file;
+    struct error e;
+    if (result_open(q->result, &file, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    result_close(file);
+    return command_usage(&command_plot, "%s is for studies; %s is one run", q->study.first,
+                         q->result);
+}
+
 static int plot_run(struct request *q) {
     if (q->study.first) {
-        return command_usage(&command_plot, "%s is for studies; %s is one run", q->study.first,
-                             q->result);
+        return refuse_options(q);
     }
     q->figure = q->kind ? figure_find(q->kind) : NULL;
     if (q->kind && !q->figure) {

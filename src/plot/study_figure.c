@@ -101,12 +101,12 @@ struct axis study_abscissa_axis(const struct suite *s) {
 }
 
 void study_head(struct canvas *c, const struct suite *s, const char *what) {
-    char text[512];
-    const int n = snprintf(text, sizeof text, "%s%s%s", what, s->fixed[0] ? "; " : "", s->fixed);
-    if (s->n_failed > 0 && n < (int)sizeof text) {
-        snprintf(text + n, sizeof text - (size_t)n, "; %ld of %ld runs failed, %s", s->n_failed,
-                 s->n_run, s->rule == SUITE_FAILED_ABOVE ? "counted above" : "left out");
+    char text[512], failed[128] = "";
+    if (s->n_failed > 0) {
+        snprintf(failed, sizeof failed, "%ld of %ld runs failed, %s; ", s->n_failed, s->n_run,
+                 s->rule == SUITE_FAILED_ABOVE ? "counted above" : "left out");
     }
+    snprintf(text, sizeof text, "%s%s%s%s", failed, what, s->fixed[0] ? "; " : "", s->fixed);
     script_raise(text);
     const char *title = s->view->title[0] ? s->view->title : s->view->path;
     canvas_head(c, title, text);

@@ -52,8 +52,7 @@ struct axis study_demand_axis(const struct study_demand *d, const struct suite *
 // The axis of the sweep, logarithmic where its values are in equal ratios over a decade or more.
 struct axis study_abscissa_axis(const struct suite *s);
 
-// Title, and a subtitle of what is shown and over which samples, with `what` in front; the runs
-// that failed.
+// Title, and a subtitle: the runs that failed, `what` is shown, and at which values of --at.
 void study_head(struct canvas *c, const struct suite *s, const char *what);
 
 // The name of a group as it is shown, into `text`.

@@ -212,11 +212,14 @@ static int default_edp(const struct study_view *v, struct study_file *f, struct 
         return error_no_memory(e);
     }
     int at, status = study_file_read(f, 0, 1, outcome, value, e);
-    if (status == STATUS_OK && edp_parse(v, "drift-ratio", a, out, e) == STATUS_OK &&
-        isfinite(edp_value(out, value, &at))) {
-        return STATUS_OK;
+    if (status != STATUS_OK) {
+        return status;
     }
-    return status == STATUS_OK ? edp_parse(v, "drift", a, out, e) : status;
+    status = edp_parse(v, "drift-ratio", a, out, e);
+    if (status == STATUS_INPUT || (status == STATUS_OK && !isfinite(edp_value(out, value, &at)))) {
+        status = edp_parse(v, "drift", a, out, e);
+    }
+    return status;
 }
 
 static int make(struct maker *m, struct study_file *f, const struct suite_request *q,

@@ -49,6 +49,10 @@ complete_line plot b.h5 --script ""
 expect "--script takes a folder" '[ "$proposed" = " decks " ]'
 complete_line plot b.h5 en
 expect "plot takes a kind behind the file" '[ "$proposed" = " energy " ]'
+complete_line fragility b.h5 --edp drif
+expect "--edp takes a demand" '[ "$proposed" = " drift drift-ratio " ]'
+complete_line plot b.h5 ida --edp imp
+expect "of plot too" '[ "$proposed" = " impacts impulse " ]'
 complete_line law hert
 expect "law takes a contact law" '[ "$proposed" = " hertz hertz-damp " ]'
 complete_line law elas

@@ -55,8 +55,6 @@ run "$jostle" show one.h5
 expect "show prints where each quantity is largest" '[ $status -eq 0 ] && grep -qE "^A +drift +[0-9] .* m +[0-9]+ \(gap " "$out"'
 run "$jostle" show --json one.h5
 expect "--json is refused for a study" '[ $status -eq 2 ] && said "is a study"'
-run "$jostle" plot one.h5
-expect "plot says that it is a study" '[ $status -eq 2 ] && said "the result of a study"'
 run "$jostle" check grid.deck -D k=2e6
 expect "check prints the sweeps and the first model" '[ $status -eq 0 ] && grep -q "^study of 4 runs" "$out" && grep -q "k  *fixed by -D: 2e+06" "$out" && grep -q "building A: 2 floors" "$out"'
 run "$jostle" run grid.deck -o one.h5
