@@ -2,9 +2,9 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "jostle/record.h"
 #include "model/signals.h"
 #include "model/statement.h"
+#include "motion/shelf.h"
 
 enum {
     R_FORMAT,
@@ -209,7 +209,7 @@ static void build_record(struct builder *b, const struct statement *s) {
     };
     struct record r;
     struct error e;
-    if (record_read(b->arena, &request, &r, &e) != STATUS_OK) {
+    if (shelf_read(b->records, b->arena, &request, &r, &e) != STATUS_OK) {
         deck_error_of(b->deck, blamed(s, a, r.wrong), &e);
         return;
     }
