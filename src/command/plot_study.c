@@ -28,7 +28,8 @@ void plot_study_help(void) {
            "                 --help' lists all\n"
            "  --im NAME      the sweep that is the intensity (default: im, sa, pga, intensity or\n"
            "                 scale, or the only sweep of numbers)\n"
-           "  --against NAME the sweep that response is drawn against\n"
+           "  --against NAME\n"
+           "                 the sweep that response is drawn against\n"
            "  --limit VALUE[,VALUE...]\n"
            "                 limits of the demand, for fragility and ida\n"
            "%s",

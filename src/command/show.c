@@ -26,7 +26,8 @@ static const char details[] =
     "  --json    everything but the histories as JSON; a missing number is null\n"
     "  --long    of a study: what engineers ask for, a line each: parameters, edp, location,\n"
     "            value, unit, status (done or failed); as TSV, or as CSV with --csv\n"
-    "  --edp EDP with --long: one line a run for this demand; may be repeated. 'jostle\n"
+    "  --edp EDP\n"
+    "            with --long: one line a run for this demand; may be repeated. 'jostle\n"
     "            fragility --help' lists what EDP can be\n"
     "  --help    this text\n";
 

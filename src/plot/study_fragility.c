@@ -100,7 +100,7 @@ static void write_panel(const struct view *v, struct canvas *c) {
     study_panel(c, v->p->suite, 3.2, &v->x, &y);
     fprintf(c->to, "plot");
     for (int i = 0; i < v->n; i++) {
-        fprintf(c->to, "%s \\\n  $counts%d using 1:2 with points pt %d ps point lc rgb '%s'",
+        fprintf(c->to, "%s \\\n  $counts%d using 1:2 with points pt %d ps 1.5*point lc rgb '%s'",
                 i > 0 ? "," : "", i, point[i], script_colour[i]);
         if (v->fit[i].outcome == FRAGILITY_FITTED) {
             fprintf(c->to, ", \\\n  $curve%d using 1:2 with lines lc rgb '%s' lw 1.5", i,
