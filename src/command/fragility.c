@@ -195,10 +195,9 @@ static int open_and_fit(const struct request *q, const char *path) {
     struct error e;
     if (!study_file_is_study(path)) {
         struct result_file *file;
-        int status = result_open(path, &file, &e);
-        if (status == STATUS_OK) {
+        if (result_open(path, &file, &e) == STATUS_OK) {
             result_close(file);
-            status = error_set(&e, STATUS_INPUT, "%s is one analysis, not a study", path);
+            error_set(&e, STATUS_INPUT, "%s is one analysis, not a study", path);
         }
         return command_fail(&e);
     }

@@ -29,7 +29,7 @@ static void print_line(struct printer *p, const struct study_run *r, const struc
         cells_empty(&p->cells);
     }
     cells_text(&p->cells, edp->units);
-    cells_text(&p->cells, done ? "done" : "failed");
+    cells_text(&p->cells, study_runs_status(r));
     cells_end(&p->cells);
 }
 
@@ -78,7 +78,8 @@ static int read_demands(const struct study_view *v, const struct show_study_requ
 int show_demands(struct study_file *f, const struct show_study_request *q, FILE *to,
                  struct error *e) {
     struct arena *a = arena_create();
-    struct edp *edp = a ? arena_alloc(a, (size_t)(q->n_edp + n_edp_quantity), sizeof *edp) : NULL;
+    struct edp *edp =
+        a ? arena_alloc(a, (size_t)q->n_edp + (size_t)n_edp_quantity, sizeof *edp) : NULL;
     struct printer p = {.view = study_file_view(f),
                         .cells = {.to = to, .form = q->form},
                         .form = q->n_edp > 0 ? DEMAND_REDUCED : DEMAND_EVERYWHERE,

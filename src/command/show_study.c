@@ -30,7 +30,7 @@ void show_sweep_cells(struct cells *c, const struct study_view *v, long number) 
 static void begin_line(struct printer *p, const struct study_run *r) {
     cells_whole(&p->cells, r->number + 1);
     show_sweep_cells(&p->cells, p->view, r->number);
-    cells_text(&p->cells, r->outcome.status == STUDY_DONE ? "done" : "failed");
+    cells_text(&p->cells, study_runs_status(r));
 }
 
 static void print_item(struct printer *p, const struct study_run *r,

@@ -46,3 +46,14 @@ int study_runs_choice(const struct study_view *v, long number, int i) {
     }
     return (int)(number % v->sweep[i]->n);
 }
+
+const char *study_runs_status(const struct study_run *r) {
+    switch (r->outcome.status) {
+        case STUDY_DONE:
+            return "done";
+        case STUDY_FAILED:
+            return "failed";
+        default:
+            return "missing";
+    }
+}

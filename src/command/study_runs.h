@@ -18,4 +18,7 @@ int study_runs_each(struct study_file *f, void (*take)(void *context, const stru
 // Which value of sweep `i` a run has.
 int study_runs_choice(const struct study_view *v, long number, int i);
 
+// "done", "failed", or "missing": not in the file.
+const char *study_runs_status(const struct study_run *r);
+
 #endif

@@ -96,6 +96,10 @@ int suite_options_limits(const struct suite_options *o, const struct suite *s, d
 }
 
 void suite_options_warn(const struct suite *s) {
+    if (s->n_missing > 0) {
+        fprintf(stderr, "jostle: warning: %ld of %ld runs are not in %s; they are left out\n",
+                s->n_missing, s->n_run, s->view->path);
+    }
     if (s->n_failed == 0) {
         return;
     }

@@ -46,7 +46,7 @@ extern const char suite_options_help[];
 // What EDP can be, a line each.
 void suite_options_print_edps(void);
 
-// Warns on stderr of runs that failed, and says how they count.
+// Warns on stderr of runs that are missing or failed, and says how they count.
 void suite_options_warn(const struct suite *s);
 
 #endif

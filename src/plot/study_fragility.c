@@ -43,7 +43,10 @@ static double limit_of(const struct view *v, int i) {
 static int write_counts(struct view *v, FILE *to, struct error *e) {
     const struct suite *s = v->p->suite;
     struct fragility_level *level = malloc((size_t)s->n_point * sizeof *level);
-    int status = level ? STATUS_OK : error_no_memory(e);
+    if (!level) {
+        return error_no_memory(e);
+    }
+    int status = STATUS_OK;
     for (int i = 0; i < v->n && status == STATUS_OK; i++) {
         fragility_count(s, i % s->n_group, limit_of(v, i), level);
         fprintf(to, "$counts%d << EOD\n# intensity, share above the limit, runs\n", i);

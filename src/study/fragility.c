@@ -218,8 +218,7 @@ const char *fragility_reason(const struct fragility *f) {
         [FRAGILITY_NO_RUNS] = "no run is left",
         [FRAGILITY_NONE_EXCEEDS] = "no run exceeds the limit",
         [FRAGILITY_ALL_EXCEED] = "all runs exceed the limit",
-        [FRAGILITY_SEPARATED] = "one intensity separates the runs that exceed the limit from those "
-                                "that do not",
+        [FRAGILITY_SEPARATED] = "one intensity separates the runs above the limit from the others",
         [FRAGILITY_ONE_LEVEL] = "all runs have the same intensity",
         [FRAGILITY_FALLS] = "exceedance does not grow with the intensity",
         [FRAGILITY_NOT_POSITIVE] = "an intensity is not > 0, it has no logarithm",

@@ -159,9 +159,11 @@ static int take_run(struct maker *m, long run, const struct study_outcome *outco
     struct suite *s = m->s;
     int k[STUDY_SWEEPS_MAX];
     digits(s->view, run, k);
-    if (!is_looked_at(m, k)) {
+    const bool there = outcome->status == STUDY_DONE || outcome->status == STUDY_FAILED;
+    if (!there || !is_looked_at(m, k)) {
         return STATUS_OK;
     }
+    s->n_missing--;
     const size_t sample = (size_t)index_of(m, ROLE_SAMPLE, k);
     const size_t group = (size_t)index_of(m, ROLE_GROUP, k);
     const size_t at = (group * (size_t)s->n_sample + sample) * (size_t)s->n_point +
@@ -203,7 +205,7 @@ static int read_all(struct maker *m, struct study_file *f, struct error *e) {
     return status;
 }
 
-// Storey heights are 0 where the deck gives none.
+// Storey heights are 0 where the deck gives none; the first run that was done says so.
 static int default_edp(const struct study_view *v, struct study_file *f, struct arena *a,
                        struct edp *out, struct error *e) {
     struct study_outcome *outcome = arena_alloc(a, 1, sizeof *outcome);
@@ -211,7 +213,11 @@ static int default_edp(const struct study_view *v, struct study_file *f, struct 
     if (!outcome || !value) {
         return error_no_memory(e);
     }
-    int at, status = study_file_read(f, 0, 1, outcome, value, e);
+    int at, status = STATUS_OK;
+    outcome->status = STUDY_FAILED;
+    for (long i = 0; i < v->n_run && outcome->status != STUDY_DONE && status == STATUS_OK; i++) {
+        status = study_file_read(f, i, 1, outcome, value, e);
+    }
     if (status != STATUS_OK) {
         return status;
     }
@@ -247,6 +253,10 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     m->value = take(m, (size_t)s->n_run, sizeof *m->value);
     s->value = m->value;
     order_points(m);
+    s->n_missing = s->n_run;
+    for (long i = 0; m->value && i < s->n_run; i++) {
+        m->value[i] = NAN;
+    }
     if (!m->no_memory) {
         name_roles(m);
     }

@@ -41,6 +41,7 @@ struct suite {
     const char *fixed;          // "gap = 0.02 m" of --at; ""
     const double *value;        // (n_group, n_sample, n_point); INFINITY: above all; NAN: left out
     long n_run;                 // n_group n_sample n_point
+    long n_missing;             // of them, runs that the file does not have; they are left out
     long n_failed;              // of them; the first ones are named
     const char *failed[SUITE_NAMED_MAX];  // "run 7 (record X, im 0.3): why"
     enum suite_failed rule;
