@@ -69,9 +69,12 @@ static void print_parameters(const struct result *r) {
         return;
     }
     printf("no curve: %s", fragility_reason(f));
-    if (f->outcome == FRAGILITY_SEPARATED) {
-        printf("; the median is between %.4g and %.4g%s%s", f->between[0], f->between[1],
-               unit[0] ? " " : "", unit);
+    const char *blank = unit[0] ? " " : "";
+    if (f->outcome == FRAGILITY_SEPARATED && f->between[0] < f->between[1]) {
+        printf("; the median is between %.4g and %.4g%s%s", f->between[0], f->between[1], blank,
+               unit);
+    } else if (f->outcome == FRAGILITY_SEPARATED) {
+        printf("; only at %.4g%s%s are there both", f->between[0], blank, unit);
     }
     printf("\n");
 }

@@ -30,7 +30,9 @@ struct fragility {
     enum fragility_outcome outcome;
     double median, dispersion;
     double log_median_error, dispersion_error;  // standard errors of ln theta and of beta
-    double between[2];                          // separated: theta lies between these intensities
+    // Separated: the highest intensity with runs below the limit, and the lowest with runs above
+    // it; they are equal where one intensity has both.
+    double between[2];
 };
 
 // Maximum likelihood over counts of exceedance, Baker (2015), Earthquake Spectra 31(1), 579-599,

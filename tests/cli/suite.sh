@@ -79,6 +79,8 @@ run "$jostle" fragility failed.h5 --edp drift --limit 9m --at wide=0
 expect "failed runs count as above, and are named" '[ $status -eq 0 ] && said "2 of 6 runs failed; they count as above every value" && said "run 2 (record = ELCENTRO_1940_NS, im = 4 m/s^2, wide = 0): " && grep -qE "^ +4 +2 +2 +1.000" "$out" && grep -q "no curve: one intensity separates" "$out" && grep -q "the median is between 2 and 4 m/s^2" "$out"'
 run "$jostle" fragility failed.h5 --edp drift --limit 9m --at wide=0 --failed left-out
 expect "or are left out" '[ $status -eq 0 ] && said "they are left out" && grep -qE "^ +4 +0 +0 +- +-" "$out"'
+run "$jostle" fragility whole.h5 --edp drift --limit 9m,1e-7m
+expect "all or none above the limit is no curve" '[ $status -eq 0 ] && [ "$(grep -c "^no curve: no run exceeds the limit$" "$out")" -eq 2 ] && [ "$(grep -c "^no curve: all runs exceed the limit$" "$out")" -eq 2 ]'
 for wrong in "--edp drift" "--limit 1m" "--edp drift --limit 1kN" "--edp drift --limit" "--edp drift --limit 1m --im record" "--edp drift --limit 1m --over nothing" "--edp drift --limit 1m --at im=3" "--edp drift --limit 1m --failed perhaps" "--edp drift --limit 1m --tsv --csv" "--edp drift:Z --limit 1m"; do
     # shellcheck disable=SC2086  # several words
     run "$jostle" fragility whole.h5 $wrong
