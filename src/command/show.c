@@ -45,13 +45,16 @@ static int show_of_study(const char *path, const struct request *q) {
         return command_usage(&command_show, "%s is a study, which --tsv shows, but not --json",
                              path);
     }
-    const struct show_study_request study = {.content = q->longer ? STUDY_DEMANDS
-                                                        : q->form ? STUDY_ALL
-                                                                  : STUDY_SUMMARY,
-                                             .form = q->form == 'c' ? CELLS_CSV : CELLS_TSV,
-                                             .edp = q->edp,
-                                             .n_edp = q->n_edp};
-    return show_study(path, &study, stdout, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
+    int status;
+    if (q->longer) {
+        const struct show_demands_request demands = {
+            .form = q->form == 'c' ? CELLS_CSV : CELLS_TSV, .edp = q->edp, .n_edp = q->n_edp};
+        status = show_demands(path, &demands, stdout, &e);
+    } else {
+        const enum study_form table = q->form == 'c' ? STUDY_CSV : STUDY_TSV;
+        status = show_study(path, q->form ? table : STUDY_SUMMARY, stdout, &e);
+    }
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 static int show_of_run(const char *path, const struct request *q) {

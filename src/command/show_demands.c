@@ -61,7 +61,7 @@ static int print(struct study_file *f, struct printer *p, struct error *e) {
 }
 
 // Quantities that the file does not have are left out where all are asked for.
-static int read_demands(const struct study_view *v, const struct show_study_request *q,
+static int read_demands(const struct study_view *v, const struct show_demands_request *q,
                         struct arena *a, struct edp *edp, int *n, struct error *e) {
     const int n_asked = q->n_edp > 0 ? q->n_edp : n_edp_quantity;
     for (int i = 0; i < n_asked; i++) {
@@ -75,8 +75,8 @@ static int read_demands(const struct study_view *v, const struct show_study_requ
     return STATUS_OK;
 }
 
-int show_demands(struct study_file *f, const struct show_study_request *q, FILE *to,
-                 struct error *e) {
+static int show(struct study_file *f, const struct show_demands_request *q, FILE *to,
+                struct error *e) {
     struct arena *a = arena_create();
     struct edp *edp =
         a ? arena_alloc(a, (size_t)q->n_edp + (size_t)n_edp_quantity, sizeof *edp) : NULL;
@@ -89,5 +89,16 @@ int show_demands(struct study_file *f, const struct show_study_request *q, FILE 
         status = print(f, &p, e);
     }
     arena_free(a);
+    return status;
+}
+
+int show_demands(const char *path, const struct show_demands_request *q, FILE *to,
+                 struct error *e) {
+    struct study_file *f;
+    int status = study_file_open(path, &f, e);
+    if (status == STATUS_OK) {
+        status = show(f, q, to, e);
+        study_file_close(f);
+    }
     return status;
 }

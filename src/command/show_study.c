@@ -97,23 +97,15 @@ static int print_summary(struct study_file *f, struct printer *p, FILE *to, stru
     return status;
 }
 
-int show_study(const char *path, const struct show_study_request *q, FILE *to, struct error *e) {
+int show_study(const char *path, enum study_form form, FILE *to, struct error *e) {
     struct study_file *f;
     int status = study_file_open(path, &f, e);
     if (status != STATUS_OK) {
         return status;
     }
-    struct printer p = {.view = study_file_view(f), .cells = {.to = to, .form = q->form}};
-    switch (q->content) {
-        case STUDY_ALL:
-            status = print_all(f, &p, e);
-            break;
-        case STUDY_DEMANDS:
-            status = show_demands(f, q, to, e);
-            break;
-        default:
-            status = print_summary(f, &p, to, e);
-    }
+    struct printer p = {.view = study_file_view(f),
+                        .cells = {.to = to, .form = form == STUDY_CSV ? CELLS_CSV : CELLS_TSV}};
+    status = form == STUDY_SUMMARY ? print_summary(f, &p, to, e) : print_all(f, &p, e);
     study_file_close(f);
     return status;
 }
