@@ -77,4 +77,4 @@ awk "$format"'{
     printf "storeys\t| %s | %s | %s | %s | %s | %s |\n", law, $2, small($3, 1e-12),
         small($4, 1e-12), small($5, 1e-12), $6
 }' "$work/storeys"
-draw 330
+draw 360
