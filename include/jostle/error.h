@@ -69,6 +69,9 @@ void diagnostics_add(struct diagnostics *d, const struct diagnostic *entry, cons
 // Remembers a lack of memory, which counts as one error.
 void diagnostics_no_memory(struct diagnostics *d);
 
+// Writes `file:line:column: message` of the first error to `text`; nothing if there is none.
+void diagnostics_first(const struct diagnostics *d, char *text, size_t size);
+
 // Writes `file:line:column: error: message`, the source line and a caret line for each entry, with
 // ANSI colours if `colour`.
 void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour);

@@ -19,7 +19,7 @@ const struct command command_spectrum = {
         "           [--format F] [--unit U] [--dt DT] [--intensities] [--tsv]\n"
         "           [-o FILE.png|.svg|.pdf] [--script DIR] [--force]\n"
         "       jostle spectrum --pounding DECK [--periods FROM:TO:N|LIST] [-D NAME=VALUE]...\n"
-        "           [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
+        "           [-j THREADS] [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
     .summary = "prints or draws intensities and response spectra of ground motions",
     .run = spectrum_command,
 };

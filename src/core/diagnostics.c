@@ -134,6 +134,17 @@ static void print_item(const struct diagnostic *item, FILE *to, bool colour) {
     }
 }
 
+void diagnostics_first(const struct diagnostics *d, char *text, size_t size) {
+    for (int i = 0; i < d->n_item; i++) {
+        const struct diagnostic *item = &d->item[i];
+        if (item->severity == SEVERITY_ERROR) {
+            snprintf(text, size, "%s:%d:%d: %s", item->file, item->line, item->column,
+                     item->message);
+            return;
+        }
+    }
+}
+
 void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour) {
     for (int i = 0; i < d->n_item; i++) {
         print_item(&d->item[i], to, colour);
