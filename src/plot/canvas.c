@@ -159,7 +159,8 @@ static double fitting_step(const struct axis *axis, double length, double line) 
     }
     const double most = fmax(fabs(axis->span.low), fabs(axis->span.high));
     const double power = pow(10, floor(log10(most)));
-    return power * floor(most / power);
+    const double round = power * floor(most / power);
+    return round > axis->span.low && -round < axis->span.high ? round : script_step(size, 2);
 }
 
 // The tics one by one, as multiples of the axis's power of ten.
