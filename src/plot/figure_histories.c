@@ -12,7 +12,7 @@
 #include "plot/figure.h"
 #include "plot/script.h"
 
-enum { BINS = 600, MARKS_MAX = 400 };
+enum { BINS = 200, MARKS_MAX = 400 };
 
 // Columns of the data.
 enum { TIME, LEFT, RIGHT, GROUND_LEFT, GROUND_RIGHT, N_COLUMN };
