@@ -6,12 +6,16 @@
 #include <stdio.h>
 
 #include "jostle/analysis.h"
+#include "motion/shelf.h"
 #include "study/workers.h"
+
+static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
 
 // Guarded by the lock of the workers.
 struct map {
     const struct force_map_request *request;
     double *force;
+    struct shelf *records;
     long next, n_done;
     long failed;  // the first pair that failed; LONG_MAX: none
     struct error error;
@@ -63,15 +67,16 @@ static int analyse(const struct model *m, struct workers *w, double *force, stru
     return STATUS_OK;
 }
 
-static int read_and_analyse(const struct force_map_request *q, const char *const *define,
-                            struct workers *w, double *force, struct error *e) {
+static int read_and_analyse(const struct map *map, const char *const *define, struct workers *w,
+                            double *force, struct error *e) {
+    const struct force_map_request *q = map->request;
     struct deck *deck;
     struct model *m;
     int status = deck_open(q->path, define, q->n_define + 2, &deck, e);
     if (status != STATUS_OK) {
         return status;
     }
-    status = model_build(deck, &m, e);
+    status = model_build_shared(deck, map->records, &m, e);
     if (status == STATUS_OK) {
         status = analyse(m, w, force, e);
     } else {
@@ -83,7 +88,8 @@ static int read_and_analyse(const struct force_map_request *q, const char *const
 
 // An error of the pair is left to `enter`; one of the system ends the map at once.
 static int work(void *context, struct workers *w, long job, void *scratch, struct error *e) {
-    const struct force_map_request *q = ((const struct map *)context)->request;
+    const struct map *map = context;
+    const struct force_map_request *q = map->request;
     const double t1 = q->period[job / q->n_period], t2 = q->period[job % q->n_period];
     struct entry *entry = scratch;
     struct force_map_pair pair;
@@ -94,7 +100,7 @@ static int work(void *context, struct workers *w, long job, void *scratch, struc
     }
     entry->define[q->n_define] = pair.define[0];
     entry->define[q->n_define + 1] = pair.define[1];
-    entry->status = read_and_analyse(q, entry->define, w, &entry->force, &cause);
+    entry->status = read_and_analyse(map, entry->define, w, &entry->force, &cause);
     if (entry->status == STATUS_OK) {
         return STATUS_OK;
     }
@@ -128,7 +134,11 @@ static int poll_owner(void *context, struct workers *w, struct error *e) {
 }
 
 int force_map_run(const struct force_map_request *q, double *force, struct error *e) {
-    struct map map = {.request = q, .force = force, .failed = LONG_MAX};
+    struct map map = {
+        .request = q, .force = force, .records = shelf_create(RECORDS_MAX), .failed = LONG_MAX};
+    if (!map.records) {
+        return error_no_memory(e);
+    }
     const long n_pair = (long)q->n_period * q->n_period;
     const size_t define = ((size_t)q->n_define + 2) * sizeof(char *);
     const struct workers_request request = {.n_thread =
@@ -140,6 +150,7 @@ int force_map_run(const struct force_map_request *q, double *force, struct error
                                             .poll = poll_owner,
                                             .context = &map};
     const int status = workers_run(&request, e);
+    shelf_free(map.records);
     if (status == STATUS_OK && map.failed != LONG_MAX) {
         *e = map.error;
         return map.error.status;

@@ -3,10 +3,13 @@
 
 #include <stdio.h>
 
+#include "motion/shelf.h"
 #include "study/trial.h"
 #include "study/workers.h"
 
 enum { SYNC_TICKS = 10 };  // polls between synchronisations of the journal
+
+static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
 
 // Guarded by the lock of the workers.
 struct pool {
@@ -14,6 +17,7 @@ struct pool {
     const struct plan *plan;
     struct journal *journal;
     struct ledger *ledger;
+    struct shelf *records;
     struct study_progress progress;
     long next;  // the run to look at next
     int tick;
@@ -67,7 +71,8 @@ static int work(void *context, struct workers *w, long run, void *scratch, struc
     struct pool *p = context;
     struct view view = {.pool = p, .workers = w};
     struct entry *entry = scratch;
-    const struct trial_watch watch = {.files = enter_files, .poll = poll_trial, .context = &view};
+    const struct trial_watch watch = {
+        .files = enter_files, .poll = poll_trial, .context = &view, .records = p->records};
     return trial_run(p->plan, run, &watch, &entry->outcome, entry->value, e);
 }
 
@@ -108,8 +113,15 @@ static int watch(void *context, struct workers *w, struct error *e) {
 
 int pool_run(const struct study_request *q, const struct plan *plan, struct journal *journal,
              struct ledger *ledger, struct study_progress *progress, struct error *e) {
-    struct pool p = {
-        .request = q, .plan = plan, .journal = journal, .ledger = ledger, .progress = *progress};
+    struct pool p = {.request = q,
+                     .plan = plan,
+                     .journal = journal,
+                     .ledger = ledger,
+                     .records = shelf_create(RECORDS_MAX),
+                     .progress = *progress};
+    if (!p.records) {
+        return error_no_memory(e);
+    }
     const long missing = plan->n_run - journal->n_done;
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
@@ -122,6 +134,7 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
                                             .poll = watch,
                                             .context = &p};
     const int status = n_thread > 0 ? workers_run(&request, e) : STATUS_OK;
+    shelf_free(p.records);
     *progress = p.progress;
     return status;
 }
