@@ -80,7 +80,7 @@ static int read_and_analyse(const struct map *map, const char *const *define, st
     if (status == STATUS_OK) {
         status = analyse(m, w, force, e);
     } else {
-        diagnostics_first(&deck->diagnostics, e->message, sizeof e->message);
+        status = diagnostics_cause(&deck->diagnostics, e);
     }
     deck_free(deck);  // and the model with it
     return status;

@@ -16,13 +16,10 @@ static void fail(struct study_outcome *outcome, const char *message) {
 
 // A deck that is wrong for these values is a failed run; a system that fails ends the study.
 static int fail_deck(struct study_outcome *outcome, const struct deck *deck, struct error *e) {
-    char text[STUDY_MESSAGE_MAX];
-    snprintf(text, sizeof text, "%s", e->message);
-    diagnostics_first(&deck->diagnostics, text, sizeof text);
-    if (deck->diagnostics.system || deck->diagnostics.out_of_memory) {
-        return error_set(e, STATUS_SYSTEM, "%s", text);
+    if (diagnostics_cause(&deck->diagnostics, e) == STATUS_SYSTEM) {
+        return STATUS_SYSTEM;
     }
-    fail(outcome, text);
+    fail(outcome, e->message);
     return STATUS_OK;
 }
 
