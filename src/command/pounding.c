@@ -2,6 +2,7 @@
 // jostle spectrum --pounding: the pounding force spectrum of a deck, as a table or a map.
 #include "command/pounding.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "command/interrupt.h"
@@ -140,6 +141,7 @@ int pounding_run(const struct spectrum_request *q, struct arena *a) {
     if (status != EXIT_DONE) {
         return status;
     }
+    assert(p.title && p.force);
     if (q->output || q->script_folder) {
         status = draw(&p);
     }

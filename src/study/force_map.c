@@ -134,8 +134,8 @@ static int poll_owner(void *context, struct workers *w, struct error *e) {
 }
 
 int force_map_run(const struct force_map_request *q, double *force, struct error *e) {
-    struct map map = {
-        .request = q, .force = force, .records = shelf_create(RECORDS_MAX), .failed = LONG_MAX};
+    struct map map = {.request = q, .records = shelf_create(RECORDS_MAX), .failed = LONG_MAX};
+    map.force = force;
     if (!map.records) {
         return error_no_memory(e);
     }
