@@ -56,12 +56,12 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
     return status;
 }
 
-// The next run to be done; -1: there is none.
+// The next run of the part to be done; -1: there is none.
 static long take(struct pool *p) {
-    while (p->next < p->plan->n_run && p->journal->offset[p->next] != 0) {
+    while (p->next < p->plan->n_mine && p->journal->offset[p->next] != 0) {
         p->next++;
     }
-    return p->next < p->plan->n_run && !atomic_load(&p->stop) ? p->next++ : -1;
+    return p->next < p->plan->n_mine && !atomic_load(&p->stop) ? p->next++ : -1;
 }
 
 static void count(struct pool *p, long run, const struct study_outcome *outcome) {
@@ -71,7 +71,8 @@ static void count(struct pool *p, long run, const struct study_outcome *outcome)
         to->n_failed++;
         if (!to->failure[0]) {
             struct plan_text t;
-            snprintf(to->failure, sizeof to->failure, "%s: %s", plan_describe(p->plan, run, &t),
+            snprintf(to->failure, sizeof to->failure, "%s: %s",
+                     plan_describe(p->plan, study_shard_run(&p->plan->shard, run), &t),
                      outcome->message);
         }
     }
@@ -96,7 +97,8 @@ static void work(struct pool *p, double *value) {
         struct study_outcome outcome;
         struct error e;
         pthread_mutex_unlock(&p->lock);
-        int status = trial_run(p->plan, run, &watch, &outcome, value, &e);
+        int status =
+            trial_run(p->plan, study_shard_run(&p->plan->shard, run), &watch, &outcome, value, &e);
         pthread_mutex_lock(&p->lock);
         finish(p, run, status, &outcome, value, &e);
     }
@@ -199,7 +201,7 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
              struct ledger *ledger, struct study_progress *progress, struct error *e) {
     struct pool p = {.plan = plan, .journal = journal, .ledger = ledger, .progress = *progress};
     atomic_init(&p.stop, false);
-    const long missing = plan->n_run - journal->n_done;
+    const long missing = plan->n_mine - journal->n_done;
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     pthread_t *thread = calloc((size_t)n_thread + 1, sizeof *thread);
     if (!thread || init_locks(&p) != 0) {
