@@ -2,9 +2,11 @@
 // Parts to the file of a study. All parts stay open; the runs of a block of the new file are read
 // from those that have them. What parts have in common is compared first, so that nothing is
 // written where something does not fit.
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "jostle/study_file.h"
 #include "study/identity.h"
@@ -39,6 +41,10 @@ static const char *path_of(const struct merge *m, int k) {
 static int open_part(struct merge *m, int k, struct error *e) {
     struct input *in = &m->input[k];
     const char *path = path_of(m, k);
+    if (access(path, R_OK) != 0) {
+        return error_set(e, errno == ENOENT || errno == ENOTDIR ? STATUS_INPUT : STATUS_SYSTEM,
+                         "cannot open %s: %s", path, strerror(errno));
+    }
     if (!study_file_is_study(path)) {
         return error_set(e, STATUS_INPUT, "%s is not the file of a part of a study", path);
     }

@@ -34,10 +34,10 @@ two_buildings one.deck
 run "$jostle" run one.deck --shard 1/2
 expect "an analysis has no parts" '[ $status -eq 2 ] && said "one.deck is not a study" && [ ! -e one.1-of-2.h5 ]'
 run "$jostle" run study.deck --shard 2/4
-expect "a part is run and says which it is" '[ $status -eq 0 ] && grep -q "^part 2 of 4: 7 of the 27 runs of a study, 0 failed" "$out"'
+expect "a part is run and says which it is" '[ $status -eq 0 ] && grep -q "^part 2 of 4: 6 of the 27 runs of a study, 0 failed" "$out"'
 expect "it has a name of its own" '[ -s study.2-of-4.h5 ] && [ ! -e study.2-of-4.h5.runs ]'
 run "$jostle" show study.2-of-4.h5 --tsv
-expect "its table has the numbers of the runs in the study" '[ "$(tail -n +2 "$out" | cut -f 1 | uniq | tr "\n" " ")" = "2 5 12 15 18 21 24 " ] || [ "$(tail -n +2 "$out" | cut -f 1 | uniq | tr "\n" " ")" = "2 5 12 15 18 21 28 " ] || [ "$(tail -n +2 "$out" | cut -f 1 | uniq | wc -l)" -eq 7 ]'
+expect "its table has the numbers of the runs in the study" '[ "$(tail -n +2 "$out" | cut -f 1 | uniq | tr "\n" " ")" = "2 5 12 15 18 21 " ]'
 "$jostle" show whole.h5 --tsv >whole.tsv
 expect "and their values" 'awk -F "\t" "\$1 == 2 && \$7 == \"drift\"" "$out" | cmp - <(awk -F "\t" "\$1 == 2 && \$7 == \"drift\"" whole.tsv)'
 cp study.2-of-4.h5 kept.h5
@@ -64,14 +64,13 @@ if ! command -v h5diff >/dev/null; then
     skip "merged parts equal one run" "no h5diff"
     exit $failed
 fi
-for n in 1 2 3 16 30; do
+for n in 1 3 30 16; do
     parts $n -j 1
     run "$jostle" merge part/*.h5 -o merged.h5
-    expect "$n parts merged equal one run" '[ $status -eq 0 ] && [ ! -s "$err" ] && same whole.h5 merged.h5'
-    expect "whose summary is that of the whole ($n)" 'diff <(grep -v -e "^wall" -e "^results" "$out") <("$jostle" show whole.h5 | grep -v -e "^wall" -e "^results")'
+    expect "the summary of $n parts is that of the whole" 'diff <(grep -v -e "^wall" -e "^results" "$out") <("$jostle" show whole.h5 | grep -v -e "^wall" -e "^results")'
+    expect "merged they equal one run ($n)" '[ $status -eq 0 ] && [ ! -s "$err" ] && same whole.h5 merged.h5'
     rm merged.h5
 done
-parts 16 -j 2
 ls part/*.h5 | sort -R >order
 run "$jostle" merge $(cat order) "$empty" study.2-of-4.h5 part/3.h5 -o merged.h5 -q
 expect "in any order, of any division, one of them twice" '[ $status -eq 0 ] && [ ! -s "$out" ] && same whole.h5 merged.h5'
@@ -92,15 +91,15 @@ expect "or several" '[ $status -eq 1 ] && said "missing: parts 7, 9-11 of 16"'
 run "$jostle" merge part/*.h5 study.2-of-4.h5 -o merged.h5
 expect "of parts of different divisions, the runs" '[ $status -eq 1 ] && said "runs are missing: runs " && said " of 27; --partial"'
 run "$jostle" merge part/*.h5 -o merged.h5 --partial
-expect "--partial writes the others; exit status 1" '[ $status -eq 1 ] && said "7 of 27 runs are missing in merged.h5: parts 7, 9-11 of 16" && grep -q "^study of 27 runs, 0 failed, 7 missing" "$out"'
+expect "--partial writes the others; exit status 1" '[ $status -eq 1 ] && said "8 of 27 runs are missing in merged.h5: parts 7, 9-11 of 16" && grep -q "^study of 27 runs, 0 failed, 8 missing" "$out"'
 "$jostle" show merged.h5 --tsv >partial.tsv
-expect "with the values that are there" '[ "$(cut -f 1,5 partial.tsv | sort -u | grep -c missing)" -eq 7 ] && grep "	done	" partial.tsv | cmp - <(grep "	done	" whole.tsv | grep -f <(grep "	done	" partial.tsv | cut -f 1 | sort -u | sed "s/.*/^&	/"))'
+expect "with the values that are there" '[ "$(cut -f 1,4 partial.tsv | sort -u | grep -c missing)" -eq 8 ] && grep "	done	" partial.tsv | cmp - <(grep "	done	" whole.tsv | grep -f <(grep "	done	" partial.tsv | cut -f 1 | sort -u | sed "s/.*/^&	/"))'
 run "$jostle" merge merged.h5 part/*.h5 -o other.h5
 expect "which is no part itself" '[ $status -eq 2 ] && said "merged.h5 is a whole study, not a part of one"'
 run "$jostle" merge study.deck -o other.h5
 expect "nor is a deck" '[ $status -eq 2 ] && said "study.deck is not the file of a part of a study"'
 run "$jostle" merge nothing.h5 -o other.h5
-expect "nor what is not there" '[ $status -eq 2 ] && said "nothing.h5: No such file"'
+expect "nor what is not there" '[ $status -eq 2 ] && said "cannot open nothing.h5: No such file"'
 head -c 20000 away.h5 >torn.h5
 run "$jostle" merge torn.h5 -o other.h5
 expect "nor a torn file" '[ $status -eq 2 ] && said "torn.h5" && [ ! -e other.h5 ]'
@@ -111,9 +110,10 @@ expect "and the result" '[ $status -eq 2 ] && said "-o FILE.h5 is expected"'
 
 # refused CAUSE: part 7, made again as things are now, does not fit the others.
 refused() {
+    what=$1
     "$jostle" run study.deck -q --shard 7/16 -o part/7.h5 --force "${@:2}"
     run "$jostle" merge part/*.h5 -o merged.h5 --force
-    expect "parts are refused where $1 differs" '[ $status -eq 2 ] && said "are parts of different studies: $1 differs"'
+    expect "parts are refused where $what differs" '[ $status -eq 2 ] && said "are parts of different studies: $what differs"'
 }
 refused '-D' -D gap=5mm
 echo '# a comment' >>study.deck
@@ -169,13 +169,6 @@ contact A wall -gap 1 -law stereomechanical -e $e
 load A:1 constant ${min(1e300, 1 + 1e300 * (1 - min(1, $m)))}
 step fixed 0.01
 duration 1
-sweep m values 1 1e-300 2
-sweep e values 0.5 1.5 0.7
-building A -floors 1 -mass $m -stiffness 1
-contact A wall -gap 1 -law stereomechanical -e $e
-load A:1 constant ${min(1e300, 1 + 1e300 * (1 - min(1, $m)))}
-step fixed 0.01
-duration 1
 END
 "$jostle" run fails.deck -q -o fails.h5 2>"$err"
 codes=
@@ -210,19 +203,22 @@ expect "so is a name with a line break" '[ $status -eq 2 ] && said "line break"'
 odd="it's a \"test\" \$HOME;"
 mkdir "$odd"
 cp -r records study.deck "$odd"
+cp records/1.txt "$odd/records/it's one.txt"
+one="record=records/it's one.txt"
 mkdir bin
 ln -s "$jostle" bin/jostle
 PATH=$PWD/bin:$PATH
-"$jostle" tasks "$odd/study.deck" -n 3 -o "$odd/-the result.h5" -D 'gap=${5 mm}' >lines
-"$jostle" run study.deck -q -D 'gap=${5 mm}' -o odd.h5
+"$jostle" tasks "$odd/study.deck" -n 3 -o "$odd/-the result.h5" -D "$one" >lines
+"$jostle" run "$odd/study.deck" -q -D "$one" -o odd.h5
 expect "tasks takes a deck with such a name" '[ $(wc -l <lines) -eq 3 ]'
 while IFS= read -r line; do
     run sh -c "$line"
     expect "sh runs: $line" '[ $status -eq 0 ] && [ ! -s "$out" ] && [ ! -s "$err" ]'
 done <lines
-run sh -c "$("$jostle" tasks "$odd/study.deck" -n 3 -o "$odd/-the result.h5" -D 'gap=${5 mm}' --merge)"
+run sh -c "$("$jostle" tasks "$odd/study.deck" -n 3 -o "$odd/-the result.h5" -D "$one" --merge)"
 expect "and the merge command" '[ $status -eq 0 ] && same odd.h5 "$odd/-the result.h5"'
 cd "$odd" || exit 1
+rm "records/it's one.txt"
 cp study.deck ./-study.deck
 "$jostle" tasks -n 2 -o -x.h5 -- -study.deck >lines
 "$jostle" tasks -n 2 -o -x.h5 --merge -- -study.deck >>lines
