@@ -12,6 +12,7 @@
 
 // What a file may claim before it is taken for damaged.
 enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
+enum { SIEVE_BYTES = 1024 };
 
 // Where the items of a group belong.
 struct spot {
@@ -284,6 +285,20 @@ int study_reader_fail(const struct study_file *f, struct error *e) {
     return error_set(e, status, "cannot read %s: %s", f->view.path, f->h.cause);
 }
 
+// Without the buffers of 64 KiB that the library gives each dataset: boxes are read as they stand in
+// the file, and merging opens many files with many datasets each.
+static void open_file(struct study_file *f, const char *path) {
+    hid_t list = H5Pcreate(H5P_FILE_ACCESS);
+    f->h.file = -1;
+    if (!h5_failed(&f->h, list) && !h5_failed(&f->h, H5Pset_sieve_buf_size(list, SIEVE_BYTES))) {
+        f->h.file = H5Fopen(path, H5F_ACC_RDONLY, list);
+        h5_failed(&f->h, f->h.file);
+    }
+    if (list >= 0) {
+        H5Pclose(list);
+    }
+}
+
 int study_file_open(const char *path, struct study_file **out, struct error *e) {
     struct study_file *f = calloc(1, sizeof *f);
     struct arena *a = f ? arena_create() : NULL;
@@ -293,8 +308,7 @@ int study_file_open(const char *path, struct study_file **out, struct error *e) 
     }
     f->view.arena = a;
     f->status = f->message = -1;
-    f->h.file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    h5_failed(&f->h, f->h.file);
+    open_file(f, path);
     f->view.path = path;
     const char *copy = f->h.failed ? NULL : text_of(f, path);
     if (copy) {

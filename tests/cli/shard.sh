@@ -60,6 +60,19 @@ run "$jostle" run study.deck --shard 40/50
 expect "a part without runs is a file too" '[ $status -eq 0 ] && grep -q "^part 40 of 50: 0 of the 27 runs" "$out" && "$jostle" show study.40-of-50.h5 --tsv | cmp - <(head -n 1 whole.tsv)'
 empty=$PWD/study.40-of-50.h5
 
+if python3 -c 'import xarray, netCDF4' 2>/dev/null; then
+    run python3 - <<'END'
+import xarray
+root = xarray.open_dataset("study.2-of-4.h5")
+assert list(root.run.values) == [2, 5, 12, 15, 18, 21] and root.status.dims == ("run",)
+drift = xarray.open_dataset("study.2-of-4.h5", group="/buildings/B/envelope").drift
+assert drift.dims == ("run", "floor") and drift.sel(run=12).shape == (3,)
+END
+    expect "xarray selects by the numbers of its runs" '[ $status -eq 0 ]'
+else
+    skip "xarray selects by the numbers of its runs" "no xarray"
+fi
+
 if ! command -v h5diff >/dev/null; then
     skip "merged parts equal one run" "no h5diff"
     exit $failed
