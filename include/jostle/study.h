@@ -9,7 +9,7 @@
 
 #include "jostle/model.h"
 #include "jostle/result.h"
-#include "jostle/study_part.h"
+#include "jostle/study_file.h"
 
 enum { STUDY_THREADS_MAX = 4096 };
 

@@ -4,11 +4,33 @@
 #ifndef JOSTLE_STUDY_FILE_H
 #define JOSTLE_STUDY_FILE_H
 
+#include <stdint.h>
+
 #include "jostle/deck.h"
 #include "jostle/result.h"
-#include "jostle/study_part.h"
 
 enum { STUDY_MESSAGE_MAX = 512 };
+
+// Part `number` of `n`, from 1; n = 0: the whole study.
+struct study_shard {
+    long number, n;
+};
+
+// A file that runs have read.
+struct study_source {
+    const char *path;  // relative to the folder of the deck where it lies below it
+    uint64_t sum;      // checksum
+};
+
+// What the file of a part says besides the results of its runs.
+struct study_part {
+    struct study_shard shard;
+    const double *run;  // (n_run of the file) the numbers of its runs in the study, from 1, rising
+    const char *study;  // which study it is: see study/identity.h
+    long n_failed;      // runs of the part
+    int n_source;       // in the order of their paths
+    const struct study_source *source;  // (n_source)
+};
 
 // One dataset: some of the values that every run gives.
 struct study_item {

@@ -6,7 +6,7 @@
 #include "command/output_name.h"
 #include "command/show_study.h"
 #include "command/study_end.h"
-#include "jostle/study_part.h"
+#include "jostle/study_merge.h"
 
 static int merge_command(int argc, char **argv);
 
@@ -24,8 +24,8 @@ static const char details[] =
     "  --partial          writes the file even if parts are missing: their runs have status 2\n"
     "                     and no numbers\n"
     "  --help             this text\n\n"
-    "Parts are written by jostle run DECK --shard K/N. Exit status 1: runs have failed, or are\n"
-    "missing.\n";
+    "The parts are what the commands write that jostle tasks prints. Exit status 1: runs have\n"
+    "failed, or are missing.\n";
 
 struct merge_options {
     struct study_merge_request request;

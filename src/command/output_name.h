@@ -4,7 +4,7 @@
 #define JOSTLE_OUTPUT_NAME_H
 
 #include "core/arena.h"
-#include "jostle/study_part.h"
+#include "jostle/study_file.h"
 
 // The deck's name with .h5 for its ending, without its folder. NULL: no memory.
 const char *output_name(struct arena *a, const char *deck);

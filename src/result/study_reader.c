@@ -285,8 +285,8 @@ int study_reader_fail(const struct study_file *f, struct error *e) {
     return error_set(e, status, "cannot read %s: %s", f->view.path, f->h.cause);
 }
 
-// Without the buffers of 64 KiB that the library gives each dataset: boxes are read as they stand in
-// the file, and merging opens many files with many datasets each.
+// Without the buffers of 64 KiB that the library gives each dataset: boxes are read as they stand
+// in the file, and merging opens many files with many datasets each.
 static void open_file(struct study_file *f, const char *path) {
     hid_t list = H5Pcreate(H5P_FILE_ACCESS);
     f->h.file = -1;

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "jostle/study_file.h"
+#include "jostle/study_merge.h"
 #include "study/identity.h"
 #include "study/number_list.h"
 
@@ -332,7 +332,9 @@ static int join(struct merge *m, struct error *e) {
 }
 
 static int open_and_join(struct merge *m, struct error *e) {
-    int status = STATUS_OK;
+    int status = m->request->n_path > 0
+                     ? STATUS_OK
+                     : error_set(e, STATUS_INPUT, "there are no parts to be joined");
     for (int k = 0; k < m->request->n_path && status == STATUS_OK; k++) {
         status = open_part(m, k, e);
     }

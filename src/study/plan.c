@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "jostle/study_merge.h"
+
 int plan_init(struct plan *p, const struct study_request *q, struct error *e) {
     const long n_run = q->first->deck->n_run;
     *p = (struct plan){.first = q->first,

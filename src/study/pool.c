@@ -7,6 +7,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "jostle/study_merge.h"
 #include "motion/shelf.h"
 #include "study/trial.h"
 

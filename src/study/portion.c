@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "jostle/study_merge.h"
 #include "study/identity.h"
 
 // A path below the folder of the deck without it: parts may come from machines where it lies

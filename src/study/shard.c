@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "jostle/study_part.h"
+#include "jostle/study_merge.h"
 
 long study_shard_run(const struct study_shard *s, long i) {
     if (s->n == 0) {

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "jostle/study_merge.h"
 #include "study/identity.h"
 #include "study/journal.h"
 #include "study/ledger.h"
@@ -144,7 +145,7 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
 
 // Runs it, unless it is a part that is done.
 static int find_or_run(struct study *s, struct study_progress *p, struct error *e) {
-    bool found;
+    bool found = false;
     s->identity = identity_study(s->ledger.arena, s->request, s->plan.table->n_value);
     int status = s->identity
                      ? portion_find(s->request, &s->ledger, s->identity, &found, &p->n_failed, e)

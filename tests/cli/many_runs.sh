@@ -3,37 +3,18 @@
 # A study of ten thousand runs: its file opens in xarray, one slice of it takes milliseconds, and the
 # program needs no more memory than for a small one, but for a buffer.
 . tests/support/cli.sh
+. "$root/tests/support/many_runs.sh"
 
-# study N: a study of N x N runs of half a second.
-study() {
-    cat <<END
-units kN m s
-sweep gap range 1mm 20mm $1
-sweep amplitude range 0.5m/s^2 5m/s^2 $1
-building A -floors 8 -mass 300t -stiffness 345MN/m
-building B -floors 5 -mass 300t -stiffness 345MN/m
-contact A B -gap \$gap -law linear -k 1e6kN/m
-ground sine -amplitude \$amplitude -frequency 1.5 -cycles 1
-step fixed 10ms
-duration 0.5
-END
-}
-study 10 >few.deck
-study 100 >many.deck
+many_runs 10 >few.deck
+many_runs 100 >many.deck
 
 if ! python3 -c 'import xarray, netCDF4' 2>/dev/null; then
     skip "a study of ten thousand runs opens in xarray" "no xarray"
     exit 0
 fi
 
-# peak WORD...: the peak memory of a command [KiB].
-cat >peak.py <<'END'
-import resource, subprocess, sys
-subprocess.run(sys.argv[1:], check=True)
-print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
-END
-few=$(python3 peak.py "$jostle" run few.deck -q)
-many=$(python3 peak.py "$jostle" run many.deck -q)
+few=$(python3 "$root/tests/support/peak.py" "$jostle" run few.deck -q)
+many=$(python3 "$root/tests/support/peak.py" "$jostle" run many.deck -q)
 expect "a study of ten thousand runs ends" '[ "$("$jostle" show many.h5 | head -n 1)" = "study of 10000 runs, 0 failed" ]'
 if [ -n "${JOSTLE_SANITIZED-}" ]; then
     skip "it needs no more memory than one of a hundred" "the sanitizers keep what is freed"

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "jostle/study.h"
+#include "jostle/study_merge.h"
 #include "support/fail_alloc.h"
 #include "support/support.h"
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "jostle/study.h"
+#include "jostle/study_merge.h"
 #include "support/support.h"
 
 static const char text[] = "sweep k values 100 400 900 1600\n"

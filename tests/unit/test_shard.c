@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "jostle/study_part.h"
+#include "jostle/study_merge.h"
 #include "study/number_list.h"
 #include "support/support.h"
 

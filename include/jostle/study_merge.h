@@ -1,34 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study in parts: which runs a part has, what its file says of the study it belongs to, and the
-// parts joined to one file.
-#ifndef JOSTLE_STUDY_PART_H
-#define JOSTLE_STUDY_PART_H
+// A study in parts: which runs a part has, and the parts joined to one file.
+#ifndef JOSTLE_STUDY_MERGE_H
+#define JOSTLE_STUDY_MERGE_H
 
-#include <stdint.h>
-
-#include "jostle/deck.h"
-#include "jostle/result.h"
-
-// Part `number` of `n`, from 1; n = 0: the whole study.
-struct study_shard {
-    long number, n;
-};
-
-// A file that runs have read.
-struct study_source {
-    const char *path;  // relative to the folder of the deck where it lies below it
-    uint64_t sum;      // checksum
-};
-
-// What the file of a part says besides the results of its runs.
-struct study_part {
-    struct study_shard shard;
-    const double *run;  // (n_run of the file) the numbers of its runs in the study, from 1, rising
-    const char *study;  // which study it is: see study/identity.h
-    long n_failed;      // runs of the part
-    int n_source;       // in the order of their paths
-    const struct study_source *source;  // (n_source)
-};
+#include "jostle/study_file.h"
 
 // How many of the `n_run` runs of a study a part has, and the number, from 0, of its run `i`.
 //
