@@ -43,7 +43,7 @@ bool study_tree_is_shared(const struct column *c) {
 
 static void put_attributes(struct study_writer *w) {
     const struct report *r = w->content->first;
-    part_attributes(&w->h, r);
+    part_attributes(&w->h, w->h.file, r);
     for (int c = 0; c < layout_root.n_column; c++) {
         if (study_tree_is_shared(&layout_root.column[c])) {
             h5_put_member(&w->h, w->h.file, &layout_root, c, r);

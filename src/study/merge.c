@@ -2,6 +2,7 @@
 // Parts to the file of a study. All parts stay open; the runs of a block of the new file are read
 // from those that have them. What parts have in common is compared first, so that nothing is
 // written where something does not fit.
+#include <assert.h>
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -332,15 +333,17 @@ static int join(struct merge *m, struct error *e) {
 }
 
 static int open_and_join(struct merge *m, struct error *e) {
-    int status = m->request->n_path > 0
-                     ? STATUS_OK
-                     : error_set(e, STATUS_INPUT, "there are no parts to be joined");
+    int status = STATUS_OK;
+    if (m->request->n_path < 1) {
+        return error_set(e, STATUS_INPUT, "there are no parts to be joined");
+    }
     for (int k = 0; k < m->request->n_path && status == STATUS_OK; k++) {
         status = open_part(m, k, e);
     }
     if (status != STATUS_OK) {
         return status;
     }
+    assert(m->input[0].view);
     m->out->n_run = m->input[0].view->n_study;
     status = check_sources(m, e);
     status = status == STATUS_OK ? check_missing(m, e) : status;

@@ -71,7 +71,10 @@ static int compare_part(const struct study_request *q, struct ledger *l, const c
     for (int i = 0; i < part->n_source; i++) {
         const struct study_source *s = &part->source[i];
         const char *path = absolute(l->arena, q->first->deck->path, s->path);
-        int status = path ? ledger_expect(l, path, s->sum, e) : error_no_memory(e);
+        if (!path) {
+            return error_no_memory(e);
+        }
+        int status = ledger_expect(l, path, s->sum, e);
         if (status != STATUS_OK) {
             return status == STATUS_INPUT ? refuse(q, path, (int)strlen(path), e) : status;
         }

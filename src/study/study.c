@@ -18,8 +18,9 @@ struct study {
     struct plan plan;
     struct ledger ledger;
     struct journal journal;
-    const char *identity;  // of the study
-    double start;          // wall time [s]
+    const char *identity;    // of the study
+    struct study_part part;  // if that is what is run
+    double start;            // wall time [s]
 };
 
 static double now(void) {
@@ -101,11 +102,10 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
     content->n_kept = p->n_kept;
     content->n_thread = p->n_thread;
     content->seconds = now() - s->start;
-    struct study_part part;
     if (s->request->shard.n > 0) {
-        status = portion_describe(&s->plan, &s->ledger, s->identity, &part, e);
-        part.n_failed = p->n_failed;
-        content->part = &part;
+        status = portion_describe(&s->plan, &s->ledger, s->identity, &s->part, e);
+        s->part.n_failed = p->n_failed;
+        content->part = &s->part;
     }
     return status == STATUS_OK ? study_file_write(content, &s->request->result, e) : status;
 }
