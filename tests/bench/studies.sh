@@ -41,6 +41,8 @@ done | awk 'function least(a, b) { return a == "" || b < a ? b : a }
     { wall[$1] = least(wall[$1], $2); cpu[$1] = least(cpu[$1], $3 + $4) }
     END { print wall[1], cpu[1], wall[2], cpu[2] }' >times
 read -r one one_cpu two two_cpu <times
+LC_ALL=C date -u '+%Y-%m-%d' | tr '\n' ','
+sed -n 's/^model name[^:]*: *\(.*\)/ \1/p' /proc/cpuinfo | head -n 1
 echo "$n_record records x 20 intensities x 3 gaps: $n_run runs, fastest of $rounds rounds"
 awk -v one="$one" -v two="$two" -v one_cpu="$one_cpu" -v two_cpu="$two_cpu" -v n="$n_run" 'BEGIN {
     line = "  %-34s %6.2f s %6.2f ms a run, %6.2f ms of CPU time\n"
