@@ -4,14 +4,7 @@
 # whole; what does not belong together is refused.
 . tests/support/cli.sh
 
-mkdir records
-for i in 1 2 3; do
-    awk -v i=$i 'BEGIN { for (k = 0; k < 300; k++) print i * sin((0.05 + 0.05 * i) * k) }' >records/$i.txt
-done
-two_buildings study.deck
-sed -i 's/^param gap .*/sweep gap range 2mm 20mm 9/; /^ground/d; /^damping B/d' study.deck
-sed -i '3i sweep record files "records/*.txt"' study.deck
-echo 'ground record $record -unit m/s2 -dt 0.01' >>study.deck
+study_of_records study.deck 9 300
 cp study.deck kept.deck
 "$jostle" run study.deck -q -o whole.h5
 
@@ -174,15 +167,7 @@ run "$jostle" merge half.h5 other.h5 -o merged.h5 -q
 expect "and is what it would have been" '[ $status -eq 0 ] && same whole.h5 merged.h5'
 rm -f merged.h5
 
-cat >fails.deck <<'END'
-sweep m values 1 1e-300 2
-sweep e values 0.5 1.5 0.7
-building A -floors 1 -mass $m -stiffness 1
-contact A wall -gap 1 -law stereomechanical -e $e
-load A:1 constant ${min(1e300, 1 + 1e300 * (1 - min(1, $m)))}
-step fixed 0.01
-duration 1
-END
+failing_study fails.deck
 "$jostle" run fails.deck -q -o fails.h5 2>"$err"
 codes=
 for k in 1 2 3; do
