@@ -11,8 +11,6 @@
 #include "jostle/result.h"
 #include "jostle/study_file.h"
 
-enum { STUDY_THREADS_MAX = 4096 };
-
 struct study_progress {
     long n_run;     // of the study, or of the part of it
     long n_kept;    // runs found in the journal of an earlier start

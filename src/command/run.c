@@ -9,6 +9,7 @@
 #include "command/output_name.h"
 #include "command/progress.h"
 #include "command/run.h"
+#include "command/threads.h"
 #include "core/arena.h"
 #include "jostle/result.h"
 
@@ -76,7 +77,6 @@ static int parse(int argc, char **argv, const char **define, struct run_options 
         {"help", no_argument, NULL, 'h'},
         {NULL, 0, NULL, 0},
     };
-    long threads = 0;
     int status = EXIT_DONE;
     opterr = 0;
     optind = 1;
@@ -93,9 +93,7 @@ static int parse(int argc, char **argv, const char **define, struct run_options 
                 define[o->load.n_define++] = optarg;
                 break;
             case 'j':
-                status = command_count(&command_run, "-j takes a number of threads", optarg,
-                                       STUDY_THREADS_MAX, &threads);
-                o->n_thread = (int)threads;
+                status = threads_parse(&command_run, optarg, &o->n_thread);
                 break;
             case 's':
                 status = parse_shard(optarg, o);

@@ -6,6 +6,7 @@
 
 #include "command/load.h"
 #include "command/output_name.h"
+#include "command/threads.h"
 #include "jostle/study.h"
 
 static int tasks_command(int argc, char **argv);
@@ -137,7 +138,6 @@ static bool parse(int argc, char **argv, const char **define, struct tasks_optio
     optind = 1;
     for (int c;
          *status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:n:j:h", option, NULL)) != -1;) {
-        long threads = o->n_thread;
         switch (c) {
             case 'o':
                 o->output = optarg;
@@ -150,9 +150,7 @@ static bool parse(int argc, char **argv, const char **define, struct tasks_optio
                                         STUDY_RUNS_MAX, &o->n_part);
                 break;
             case 'j':
-                *status = command_count(&command_tasks, "-j takes a number of threads", optarg,
-                                        STUDY_THREADS_MAX, &threads);
-                o->n_thread = (int)threads;
+                *status = threads_parse(&command_tasks, optarg, &o->n_thread);
                 break;
             case 'm':
                 o->lines = TASKS_MERGE;
