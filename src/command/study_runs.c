@@ -19,7 +19,7 @@ static int each(struct study_file *f, struct block *b,
         const long left = v->n_run - first, n = left < b->capacity ? left : b->capacity;
         status = study_file_read(f, first, n, b->outcome, b->value, e);
         for (long i = 0; i < n && status == STATUS_OK; i++) {
-            take(context, &(struct study_run){first + i, b->outcome[i],
+            take(context, &(struct study_run){study_view_run(v, first + i), b->outcome[i],
                                               b->value + (size_t)i * v->table.n_value});
         }
     }

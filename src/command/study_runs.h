@@ -5,7 +5,7 @@
 #include "jostle/study_file.h"
 
 struct study_run {
-    long number;  // from 0
+    long number;  // in the study, from 0
     struct study_outcome outcome;
     const double *value;  // (n_value)
 };

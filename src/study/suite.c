@@ -190,7 +190,8 @@ static int read_runs(struct maker *m, struct study_file *f, struct study_outcome
         const long n = v->n_run - first < BLOCK_RUNS ? v->n_run - first : BLOCK_RUNS;
         status = study_file_read(f, first, n, outcome, value, e);
         for (long i = 0; i < n && status == STATUS_OK; i++) {
-            status = take_run(m, first + i, &outcome[i], value + (size_t)i * v->table.n_value, e);
+            status = take_run(m, study_view_run(v, first + i), &outcome[i],
+                              value + (size_t)i * v->table.n_value, e);
         }
     }
     return status;

@@ -130,3 +130,19 @@ run "$jostle" plot scaled.h5 --edp drift
 expect "options of studies are refused for one run" '[ $status -eq 2 ] && said "--edp is for studies"'
 run "$jostle" plot missing.h5 --edp drift
 expect "a file that is not there is said to be so" '[ $status -eq 2 ] && said "cannot open missing.h5"'
+
+# Parts of a study hold some of its runs; the numbers are those of the whole.
+for k in 1 2; do
+    run "$jostle" run suite.deck --shard $k/3 -q -o part$k.h5
+done
+run "$jostle" fragility part1.h5 --edp drift --limit 1mm --at wide=1
+expect "runs that a part does not have are left out" '[ $status -eq 0 ] && said "runs are not in part1.h5; they are left out"'
+run "$jostle" merge part1.h5 part2.h5 -o parts.h5 --partial -q
+run "$jostle" show parts.h5 --long --edp drift
+cp "$out" parts.tsv
+run "$jostle" show whole.h5 --long --edp drift
+expect "those that are there are the runs of the whole" '[ "$(grep -c "	missing$" parts.tsv)" -eq 4 ] && [ "$(grep -Fxc -f parts.tsv "$out")" -eq 9 ]'
+run "$jostle" show part2.h5 --long --edp drift
+expect "in a part, too" '[ "$(wc -l <"$out")" -eq 5 ] && [ "$(grep -Fxc -f parts.tsv "$out")" -eq 5 ]'
+run "$jostle" fragility parts.h5 --edp drift --limit 1mm --at wide=1
+expect "missing runs of a merged study are left out" '[ $status -eq 0 ] && said "runs are not in parts.h5"'
