@@ -230,7 +230,8 @@ static int advance_fixed(struct run *r, double end, double h) {
     return advance(r, end, h, 0);
 }
 
-// The steps need not end at `end`: `now` is the state within the last of them.
+// The steps need not end at `end`: `now` is the state within the last of them, which nobody asks
+// for between the start and the end of a run that is not observed.
 static int advance_adaptive(struct run *r, double end, double h) {
     (void)h;
     while (dormand_prince_time(r->adaptive) < end) {
@@ -240,7 +241,9 @@ static int advance_adaptive(struct run *r, double end, double h) {
             return status;
         }
     }
-    dormand_prince_row(r->adaptive, end, r->now, &r->energy);
+    if (r->observer || end == r->model->duration) {
+        dormand_prince_row(r->adaptive, end, r->now, &r->energy);
+    }
     return STATUS_OK;
 }
 
@@ -283,7 +286,8 @@ static int loop(struct run *r) {
         double end = model_time(m, n);
         double h = n < m->n_step ? m->dt : end - r->now->time;
         status = r->advance(r, end, h);
-        if (status == STATUS_OK && (n % m->output.every == 0 || n == m->n_step)) {
+        bool shown = r->observer && n % m->output.every == 0;
+        if (status == STATUS_OK && (shown || n == m->n_step)) {
             status = observe(r);
         }
     }

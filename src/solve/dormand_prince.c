@@ -37,8 +37,7 @@ static const double CROWD_TIME = 1e-7;
 enum { PACE_STEPS = 20000 };
 
 static bool alloc_stages(struct dp *p, struct arena *a) {
-    double **const part[] = {&p->zero,    &p->error_u, &p->error_v, &p->scale_u,
-                             &p->scale_v, &p->input,   &p->damping};
+    double **const part[] = {&p->zero, &p->error_u, &p->error_v, &p->scale_u, &p->scale_v};
     bool good = true;
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         good = good && (*part[i] = lanes_array(a, p->model->n_dof));
@@ -78,6 +77,7 @@ static void bind(struct dp *p) {
         rates[i]->ground =
             (struct forcing_values){end[i]->ground_a, end[i]->ground_v, end[i]->ground_u};
     }
+    dp_stages_bind(p);
 }
 
 static void rates_now(struct dp *p) {

@@ -11,6 +11,9 @@
 
 enum { DP_STAGES = 7 };
 
+// The stages that sums go over: those before it, or the ones that the solution is made of.
+enum dp_terms { DP_ALL, DP_BUT_SECOND, DP_TERMS };
+
 enum dp_event_kind {
     DP_NONE,
     DP_CLOSE,   // a contact closes
@@ -36,16 +39,16 @@ struct dp {
     struct impact_log *impacts;  // borrowed
     struct dp_system system;
     struct state now, next;  // the ends of the step; histories and closed links are in `now`
-    struct dp_rates stage[DP_STAGES];      // the first at `now`, the last at `next`
-    struct meeting *meeting;               // (n_contact) scratch of rigid impacts
-    double *rate[2];                       // [L/T] (n_link) of penetrations at both ends
-    double *zero, *no_depth;               // (n_dof), (n_link) zeros
-    double *error_u, *error_v;             // (n_dof) scratch
-    double *input, *damping;               // [F L] (n_dof) scratch
-    double *scale_u, *scale_v;             // [1/L] [T/L] (n_dof) of errors, building by building
-    double most_u, most_v;                 // [L] [L/T] of any building so far
-    bool grown;                            // since the scales were made
-    struct energy_account before, energy;  // up to the start and to the end of the step
+    struct dp_rates stage[DP_STAGES];         // the first at `now`, the last at `next`
+    const double *term[DP_TERMS][DP_STAGES];  // their accelerations
+    struct meeting *meeting;                  // (n_contact) scratch of rigid impacts
+    double *rate[2];                          // [L/T] (n_link) of penetrations at both ends
+    double *zero, *no_depth;                  // (n_dof), (n_link) zeros
+    double *error_u, *error_v;                // (n_dof) scratch
+    double *scale_u, *scale_v;                // [1/L] [T/L] (n_dof) of errors, building by building
+    double most_u, most_v;                    // [L] [L/T] of any building so far
+    bool grown;                               // since the scales were made
+    struct energy_account before, energy;     // up to the start and to the end of the step
 
     double h;               // [T] the step; 0: none has been made
     double trial;           // [T] what the error control would take next
@@ -58,7 +61,10 @@ struct dp {
     double pace_time;       // [T] when their pace was last looked at
 };
 
-// dp_stages.c: takes the step from `now` of length h to time `end` into `next`.
+// dp_stages.c: makes the sums go over the arrays that the stages have.
+void dp_stages_bind(struct dp *p);
+
+// Takes the step from `now` of length h to time `end` into `next`.
 void dp_stages_take(struct dp *p, double h, double end);
 
 // The estimated error of that step over the tolerance.
@@ -78,7 +84,7 @@ void dp_stages_gaps(const struct model *m, struct state *s, double *rate);
 // The motion of all floors at place x of the step.
 void dp_stages_between(const struct dp *p, double x, double *u, double *v);
 
-// Makes the scales of errors again, if motions have grown.
+// Makes the scales of errors again, as motions have grown.
 void dp_stages_rescale(struct dp *p);
 
 // dp_event.c: the motion of a floor, of a link, of a storey, and the first event in the step.

@@ -3,39 +3,21 @@
 // nodes of a quadrature whose weights are those of the solution, so that they have its order 5; up
 // to a place within the step, its continuous extension has order 4. Positions and velocities there
 // are those of the Hermite polynomial of degree 5, and everything else follows from them.
-#include <assert.h>
 #include <math.h>
 #include <string.h>
 
 #include "solve/dp.h"
 
-static double sum_of(const double *x, int n) {
-    double sum = 0.0;
-    for (int i = 0; i < n; i++) {
-        sum += x[i];
-    }
-    return sum;
-}
-
 // Works that enter the energy account. The weight of the second stage is always 0.
-static void integrate(struct dp *p, const double *weight, double *work) {
-    int n = p->model->n_dof;
-    struct dp_works works;
+static void integrate(const struct dp *p, const double *weight, double *work) {
     work[0] = work[1] = work[2] = 0.0;
-    static_assert(DP_WORKS == DP_STAGES - 1, "one stage is left out");
-    for (int i = 0; i < DP_WORKS; i++) {
-        int s = i == 0 ? 0 : i + 1;
+    for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
         const struct dp_rates *r = &p->stage[s];
         double time = p->h * weight[s];
-        works.rates[i] = r;
-        works.weight[i] = time;
         work[0] += time * r->input;
         work[1] += time * r->damping;
         work[2] += time * r->storey;
     }
-    dp_system_works(&p->system, &works, p->input, p->damping);
-    work[0] += sum_of(p->input, n);
-    work[1] += sum_of(p->damping, n);
 }
 
 // Work done on link number i of the active ones up to place x, and its impulse.

@@ -5,6 +5,8 @@
 #ifndef JOSTLE_FORCING_H
 #define JOSTLE_FORCING_H
 
+#include <stdbool.h>
+
 #include "jostle/model.h"
 
 enum piece_shape { PIECE_LINE, PIECE_SINE };
@@ -18,10 +20,17 @@ struct piece {
     double value, slope;  // [.] [./T]
 };
 
+// The lines of a ground's signals together: value + slope (t - start).
+struct sloping {
+    double start, value, slope;
+};
+
 struct forcing {
     const struct model *model;  // borrowed
     struct piece *ground;       // those of ground 0, then 1, ...
     struct piece *load;         // (model.n_load)
+    struct sloping *lines;      // (model.n_ground)
+    bool sines;                 // does any ground move in one?
     double corner;              // [T] the next corner of all; may be infinite
 };
 
