@@ -52,7 +52,6 @@ struct dp {
 
     double h;               // [T] the step; 0: none has been made
     double trial;           // [T] what the error control would take next
-    double error;           // of the last accepted step, 1: the tolerance
     struct dp_event event;  // at the end of the step
     int last_link;          // of the last event; -1: none
     long events_before;     // events when time was last seen to move
