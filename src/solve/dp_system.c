@@ -143,7 +143,7 @@ struct contact_response dp_system_response(const struct dp_system *s, const stru
     if (phase == PHASE_ANY) {
         return l->law->force(l->constant, history, d, v);
     }
-    double inside = fmax(d, 0.0);
+    double inside = d > 0.0 ? d : 0.0;
     double seen = phase * v > 0.0 ? v : phase * DBL_MIN;
     struct contact_response r = l->law->force(l->constant, history, inside, seen);
     if (seen != v) {
@@ -248,13 +248,20 @@ static void load_rates(const struct dp_system *s, double t, struct dp_rates *r) 
     }
 }
 
+// state_gap from arrays with a zero in front, at which a wall stands.
+static double gap(const struct link *l, const struct model *m, const double *x,
+                  const double *ground) {
+    static_assert(WALL == -1, "a wall is the zero in front of an array");
+    return x[l->dof[0]] - x[l->dof[1]] + state_ground_gap(l, m, ground);
+}
+
 static void link_rates(const struct dp_system *s, const struct state *now, struct dp_rates *r) {
     const struct model *m = s->model;
     for (int i = 0; i < now->n_live; i++) {
         int k = now->live[i];
         const struct link *l = &m->link[k];
-        double rate = state_gap(l, m, r->v, r->ground.v);
-        double d = state_gap(l, m, r->u, r->ground.u) - l->gap;
+        double rate = gap(l, m, r->v, r->ground.v);
+        double d = gap(l, m, r->u, r->ground.u) - l->gap;
         double force = dp_system_response(s, now, k, d, rate).force;
         r->force[i] = force;
         r->power[i] = force * rate;

@@ -136,16 +136,12 @@ static void integrals(const struct model *m, double t, struct forcing_values *ou
     }
 }
 
-void forcing_ground(const struct forcing *f, double t, struct forcing_values *out) {
-    const struct model *m = f->model;
-    for (int k = 0; k < m->n_ground; k++) {
-        out->a[k] = f->lines[k].value + f->lines[k].slope * (t - f->lines[k].start);
-    }
+void forcing_beside_lines(const struct forcing *f, double t, struct forcing_values *out) {
     if (f->sines) {
         add_sines(f, t, out->a);
     }
-    if (m->n_ground > 1) {
-        integrals(m, t, out);
+    if (f->model->n_ground > 1) {
+        integrals(f->model, t, out);
     }
 }
 
