@@ -27,9 +27,6 @@ static const double AFTER_CLOSURE = 1e-2, AFTER_TURN = 1.0;
 
 static const double FIRST_OF_PERIOD = 1e-2, FIRST_OF_DURATION = 1e-6;
 
-// Share of the expected motion that counts as its size from the start.
-static const double EXPECTED = 1e-2;
-
 // More events than this in such a share of the duration do not come from bodies that bounce.
 enum { CROWD = 4000, CROWD_PER_LINK = 4 };
 static const double CROWD_TIME = 1e-7;
@@ -38,7 +35,7 @@ static const double CROWD_TIME = 1e-7;
 enum { PACE_STEPS = 20000 };
 
 static bool alloc_stages(struct dp *p, struct arena *a) {
-    double **const part[] = {&p->zero, &p->error_u, &p->error_v, &p->scale_u, &p->scale_v};
+    double **const part[] = {&p->zero, &p->error_u, &p->error_v};
     bool good = true;
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         good = good && (*part[i] = lanes_array(a, p->model->n_dof));
@@ -62,8 +59,8 @@ struct dp *dormand_prince_create(const struct model *m, struct results *r, struc
     p->no_depth = arena_alloc(a, n_rate, sizeof(double));
     p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
     bool good = p->meeting && p->rate[0] && p->rate[1] && p->no_depth &&
-                dp_system_alloc(&p->system, m, a) && state_alloc(&p->now, m, a) &&
-                state_alloc(&p->next, m, a) && alloc_stages(p, a);
+                scales_alloc(&p->scales, m, a) && dp_system_alloc(&p->system, m, a) &&
+                state_alloc(&p->now, m, a) && state_alloc(&p->next, m, a) && alloc_stages(p, a);
     return good ? p : NULL;
 }
 
@@ -95,30 +92,6 @@ static double first_step(const struct model *m) {
     return omega > 0.0 ? FIRST_OF_PERIOD / omega : FIRST_OF_DURATION * m->duration;
 }
 
-// Sizes that motions will reach at least: those of the slowest mode under a hundredth of the
-// excitation. Without them a start from rest under forces with a kink at rest would take endless
-// steps.
-static void expect(struct dp *p) {
-    const struct model *m = p->model;
-    double acceleration = 0.0;
-    double time = m->duration;
-    for (int k = 0; k < m->n_ground; k++) {
-        for (int i = 0; i < m->ground[k].n_signal; i++) {
-            acceleration = fmax(acceleration, signal_peak(&m->ground[k].signal[i]));
-        }
-    }
-    for (int k = 0; k < m->n_load; k++) {
-        acceleration =
-            fmax(acceleration, signal_peak(&m->load[k].signal) / m->mass[m->load[k].dof]);
-    }
-    for (int k = 0; k < m->n_building; k++) {
-        time = fmin(time, 1.0 / m->building[k].omega[0]);
-    }
-    p->most_v = EXPECTED * acceleration * time;
-    p->most_u = p->most_v * time;
-    p->grown = true;
-}
-
 void dormand_prince_start(struct dp *p, const struct state *start,
                           const struct energy_account *energy) {
     const struct model *m = p->model;
@@ -144,7 +117,8 @@ void dormand_prince_start(struct dp *p, const struct state *start,
     dp_system_start(&p->system, now);
     rates_now(p);
     dp_stages_gaps(m, now, p->rate[0]);
-    expect(p);
+    scales_expect(&p->scales, m);
+    p->grown = true;
     dp_peaks_now(p);
     p->energy = *energy;
     p->trial = fmax(first_step(m), m->control.shortest);

@@ -8,6 +8,7 @@
 #include "solve/account.h"
 #include "solve/dp_system.h"
 #include "solve/hermite.h"
+#include "solve/scale.h"
 
 enum { DP_STAGES = 7 };
 
@@ -45,8 +46,7 @@ struct dp {
     double *rate[2];                          // [L/T] (n_link) of penetrations at both ends
     double *zero, *no_depth;                  // (n_dof), (n_link) zeros
     double *error_u, *error_v;                // (n_dof) scratch
-    double *scale_u, *scale_v;                // [1/L] [T/L] (n_dof) of errors, building by building
-    double most_u, most_v;                    // [L] [L/T] of any building so far
+    struct scales scales;                     // of errors
     bool grown;                               // since the scales were made
     struct energy_account before, energy;     // up to the start and to the end of the step
 
@@ -82,9 +82,6 @@ void dp_stages_gaps(const struct model *m, struct state *s, double *rate);
 
 // The motion of all floors at place x of the step.
 void dp_stages_between(const struct dp *p, double x, double *u, double *v);
-
-// Makes the scales of errors again, as motions have grown.
-void dp_stages_rescale(struct dp *p);
 
 // dp_event.c: the motion of a floor, of a link, of a storey, and the first event in the step.
 struct motion dp_event_floor(const struct dp *p, int i);

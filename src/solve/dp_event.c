@@ -186,7 +186,7 @@ static bool is_straight(const struct dp *p, int i) {
 static struct dp_event storey_event(const struct dp *p, int i) {
     struct motion m = dp_event_storey(p, i);
     struct pieces s = cut(&m);
-    double least = fmax(dp_system_storey_noise(&p->system, &p->now, i), STILL * p->most_u);
+    double least = fmax(dp_system_storey_noise(&p->system, &p->now, i), STILL * p->scales.most_u);
     double tangent = p->system.tangent[i];
     bool moved = false;
     for (int n = 0; n < s.n; n++) {
@@ -305,7 +305,7 @@ static int toggle(struct dp *p, int k, struct error *e) {
 static int meet(struct dp *p, int k, struct error *e) {
     const struct model *m = p->model;
     struct state *now = &p->now;
-    const struct least_bounce least = {.velocity = m->control.tolerance * p->most_v};
+    const struct least_bounce least = {.velocity = m->control.tolerance * p->scales.most_v};
     excitation_at(now, m, now->time);
     impulse_meet(now, m, k, REBOUND_BY_LAW, &least, p->meeting);
     energy_meet(&p->energy, m, now, p->meeting);

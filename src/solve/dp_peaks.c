@@ -188,6 +188,14 @@ LANES static bool may_peak(const struct dp *p, int first, int n) {
     return found != 0;
 }
 
+// Makes the scales of errors again, if motions have grown.
+static void rescale(struct dp *p) {
+    if (p->grown) {
+        p->grown = false;
+        scales_update(&p->scales, p->model, p->results);
+    }
+}
+
 static void floors_step(struct dp *p) {
     const struct model *m = p->model;
     bool always = m->n_ground != 1 || m->n_storey_history > 0;
@@ -199,9 +207,7 @@ static void floors_step(struct dp *p) {
             floor_at(p, &p->next, i);
         }
     }
-    if (p->grown) {
-        dp_stages_rescale(p);
-    }
+    rescale(p);
 }
 
 static void note_force(struct link_peak *l, double force, double time) {
@@ -308,9 +314,7 @@ void dp_peaks_now(struct dp *p) {
     for (int i = 0; i < p->model->n_dof; i++) {
         floor_at(p, &p->now, i);
     }
-    if (p->grown) {
-        dp_stages_rescale(p);
-    }
+    rescale(p);
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
         bool both = p->model->link[k].bilateral;

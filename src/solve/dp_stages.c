@@ -213,50 +213,13 @@ double dp_stages_error(struct dp *p) {
     double sum = 0.0;
     int n = p->model->n_dof;
     sum_stages(p, &error_sums, 0.0, p->zero, p->zero, p->error_u, p->error_v);
-    scale_errors(n, p->scale_u, p->scale_v, p->error_u, p->error_v);
+    scale_errors(n, p->scales.over_u, p->scales.over_v, p->error_u, p->error_v);
     for (int i = 0; i < n; i++) {
         double error = p->error_u[i];
         largest = error > largest ? error : largest;
         sum += error;
     }
     return isfinite(sum) ? largest / p->model->control.tolerance : INFINITY;
-}
-
-// A building that has hardly moved yet is measured by a hundredth of what others have: without
-// that, the first touch of a building at rest would take endless steps.
-static const double SHARE = 1e-2;
-
-static double largest_of(const double *x, const struct building *g) {
-    double largest = 0.0;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        largest = x[i] > largest ? x[i] : largest;
-    }
-    return largest;
-}
-
-// Where nothing moves, nothing is expected to and nothing is wrong.
-static double over(double size) {
-    return size > 0.0 ? 1.0 / size : 0.0;
-}
-
-void dp_stages_rescale(struct dp *p) {
-    const struct model *m = p->model;
-    const double *u = p->results->peak[PEAK_DISPLACEMENT];
-    const double *v = p->results->peak[PEAK_VELOCITY];
-    p->grown = false;
-    for (int i = 0; i < m->n_dof; i++) {
-        p->most_u = fmax(p->most_u, u[i]);
-        p->most_v = fmax(p->most_v, v[i]);
-    }
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        double of_u = over(fmax(largest_of(u, g), SHARE * p->most_u));
-        double of_v = over(fmax(largest_of(v, g), SHARE * p->most_v));
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            p->scale_u[i] = of_u;
-            p->scale_v[i] = of_v;
-        }
-    }
 }
 
 const double dp_stages_whole[DP_STAGES] = {
