@@ -31,9 +31,6 @@ static const double FIRST_OF_PERIOD = 1e-2, FIRST_OF_DURATION = 1e-6;
 enum { CROWD = 4000, CROWD_PER_LINK = 4 };
 static const double CROWD_TIME = 1e-7;
 
-// A run in which this many steps get less far than their share of ADAPTIVE_STEPS_MAX is given up.
-enum { PACE_STEPS = 20000 };
-
 static bool alloc_stages(struct dp *p, struct arena *a) {
     double **const part[] = {&p->zero, &p->error_u, &p->error_v};
     bool good = true;
@@ -259,22 +256,12 @@ static int too_short(const struct dp *p, double h, double error, struct error *e
                      p->now.time, unit, h, unit, cause(p, h));
 }
 
-// Are the steps so short that the run would take too many?
-static int too_slow(struct dp *p, struct error *e) {
+static int too_slow(const struct dp *p, double step, struct error *e) {
     const char *unit = p->model->deck->units.time_name;
-    double way = p->now.time - p->pace_time;
-    if (++p->tried % PACE_STEPS != 0) {
-        return STATUS_OK;
-    }
-    p->pace_time = p->now.time;
-    if (way * ADAPTIVE_STEPS_MAX >= PACE_STEPS * p->model->duration) {
-        return STATUS_OK;
-    }
     return error_set(e, STATUS_FAILED,
                      "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
                      "%.0e of them; use a larger -tolerance or step fixed DT",
-                     p->now.time, unit, way / PACE_STEPS, unit, cause(p, way / PACE_STEPS),
-                     (double)ADAPTIVE_STEPS_MAX);
+                     p->now.time, unit, step, unit, cause(p, step), (double)ADAPTIVE_STEPS_MAX);
 }
 
 // Tries steps until one meets the tolerance.
@@ -283,8 +270,9 @@ static int attempt(struct dp *p, struct error *e) {
         take(p);
         double error = dp_stages_error(p);
         double change = SAFETY * pow(error, -EXPONENT);
-        if (too_slow(p, e) != STATUS_OK) {
-            return e->status;
+        double step;
+        if (pace_is_slow(&p->pace, p->model, p->now.time, &step)) {
+            return too_slow(p, step, e);
         }
         if (error <= 1.0) {
             p->trial = p->h * fmin(change, GROW_MOST);

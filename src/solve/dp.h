@@ -8,6 +8,7 @@
 #include "solve/account.h"
 #include "solve/dp_system.h"
 #include "solve/hermite.h"
+#include "solve/pace.h"
 #include "solve/scale.h"
 
 enum { DP_STAGES = 7 };
@@ -56,8 +57,7 @@ struct dp {
     int last_link;          // of the last event; -1: none
     long events_before;     // events when time was last seen to move
     double time_before;     // [T] then
-    long tried;             // steps, rejected ones included
-    double pace_time;       // [T] when their pace was last looked at
+    struct pace pace;       // of all steps
 };
 
 // dp_stages.c: makes the sums go over the arrays that the stages have.
