@@ -23,7 +23,8 @@
 static const double SAFETY = 0.9, EXPONENT = 1.0 / 3.0;
 static const double SHRINK_MOST = 0.1, GROW_MOST = 4.0, GROW_LEAST = 1.2;
 
-// The equal parts may be this much longer than the error control asks for.
+// The equal parts may be this much longer than the error control asks for: less than 1 / SAFETY, so
+// that a step rejected is never tried again.
 static const double STRETCH = 0.1;
 
 // The first step over the interval of output, and one after an event over the one before it.
@@ -129,7 +130,7 @@ int step_length_reject(struct step_length *s, const struct state *now, double h,
     const struct step_control *control = &s->model->control;
     const char *unit = s->model->deck->units.time_name;
     s->unsolved = unsolved;
-    if (s->trial >= h) {  // not by the tolerance
+    if (s->trial > SAFETY * h) {  // not by the tolerance
         s->trial = h / 2.0;
     }
     s->trial = fmax(s->trial, control->shortest);

@@ -115,6 +115,19 @@ static void rigid_bodies_bounce_by_newton_s_law(void **state) {
     analysis_free(&a);
 }
 
+// A rebound too small to follow, after which the storeys pull the bodies apart at once.
+static void rigid_bodies_that_part_where_they_come_to_rest_are_apart(void **state) {
+    (void)state;
+    struct analysis a =
+        analysis_of("building A -floors 1 -mass 2 -stiffness 200\n"
+                    "initial A:1 -displacement -0.1\n"
+                    "contact A wall -gap 0.0999999999999 -law stereomechanical -e 0.01\n"
+                    "step adaptive -tolerance 1e-3\nduration 2\n");
+    assert_int_equal(a.results->n_impact, 3);
+    assert_near(analysis_displacement(&a, 0, 2.0), -0.1 * cos(20.0), 1e-3);
+    analysis_free(&a);
+}
+
 // The oscillator swings to 0.1 m; the touch lasts 2 sqrt(2 depth / 0.1) / omega, far less than a
 // step.
 static void a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not(void **state) {
@@ -223,7 +236,8 @@ static void what_takes_too_many_steps_ends_with_advice(void **state) {
     fails_with("building A -floors 1 -mass 2 -stiffness 0\nload A:1 constant 20\n"
                "contact A wall -name stop -gap 0.05 -law stereomechanical -e 0.65\n"
                "step adaptive\nduration 1\n",
-               "contact stop comes to rest, which adaptive steps do not follow; use step fixed DT");
+               "contact stop comes to rest, which dormand-prince does not follow; use integrator "
+               "newmark or step fixed DT");
 }
 
 // The deck with adaptive steps.
@@ -298,6 +312,7 @@ int main(void) {
         cmocka_unit_test(error_and_energy_residual_go_with_the_tolerance),
         cmocka_unit_test(impacts_against_a_wall_have_their_closed_forms),
         cmocka_unit_test(rigid_bodies_bounce_by_newton_s_law),
+        cmocka_unit_test(rigid_bodies_that_part_where_they_come_to_rest_are_apart),
         cmocka_unit_test(a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not),
         cmocka_unit_test(yielding_and_unloading_are_located),
         cmocka_unit_test(whatever_a_deck_has_agrees_with_fixed_steps),
