@@ -163,7 +163,7 @@ static int too_crowded(struct dp *p, struct error *e) {
     }
     return error_set(e, STATUS_FAILED,
                      "at t = %.9g %s %s rattles: %ld events within %.2g %s; it wants a softer or a "
-                     "damped contact, or step fixed DT",
+                     "damped contact, integrator newmark or step fixed DT",
                      p->now.time, m->deck->units.time_name,
                      p->last_link < 0 ? "a storey" : m->link[p->last_link].name,
                      t->events - p->events_before, p->now.time - p->time_before,
@@ -252,7 +252,7 @@ static int too_short(const struct dp *p, double h, double error, struct error *e
     }
     return error_set(e, STATUS_FAILED,
                      "at t = %.9g %s a step of %.3g %s is still too long for %s; use a larger "
-                     "-tolerance, a smaller -min or step fixed DT",
+                     "-tolerance, a smaller -min, integrator newmark or step fixed DT",
                      p->now.time, unit, h, unit, cause(p, h));
 }
 
@@ -260,7 +260,7 @@ static int too_slow(const struct dp *p, double step, struct error *e) {
     const char *unit = p->model->deck->units.time_name;
     return error_set(e, STATUS_FAILED,
                      "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
-                     "%.0e of them; use a larger -tolerance or step fixed DT",
+                     "%.0e of them; use a larger -tolerance, integrator newmark or step fixed DT",
                      p->now.time, unit, step, unit, cause(p, step), (double)ADAPTIVE_STEPS_MAX);
 }
 

@@ -60,7 +60,8 @@ static int too_slow(const struct step_length *s, double time, double step, struc
     const char *unit = s->model->deck->units.time_name;
     return error_set(e, STATUS_FAILED,
                      "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
-                     "%.0e of them; use a larger -tolerance or step fixed DT",
+                     "%.0e of them; use a larger -tolerance, integrator newmark -gamma above 0.5 "
+                     "or step fixed DT",
                      time, unit, step, unit, cause(s), (double)ADAPTIVE_STEPS_MAX);
 }
 
