@@ -119,10 +119,10 @@ static void rigid_bodies_bounce_by_newton_s_law(void **state) {
 // would leave it with less than the tolerance; its storey pulls it back at once.
 static void rigid_bodies_that_part_where_they_come_to_rest_are_apart(void **state) {
     (void)state;
-    struct analysis a = analysis_of(
-        "building A -floors 1 -mass 2 -stiffness 200\ninitial A:1 -displacement -0.1\n"
-        "contact A wall -gap 0.0999 -law stereomechanical -e 1e-3\n"
-        "step adaptive -tolerance 1e-4\nduration 0.8\n");
+    struct analysis a =
+        analysis_of("building A -floors 1 -mass 2 -stiffness 200\ninitial A:1 -displacement -0.1\n"
+                    "contact A wall -gap 0.0999 -law stereomechanical -e 1e-3\n"
+                    "step adaptive -tolerance 1e-4\nduration 0.8\n");
     double met = (M_PI - acos(0.999)) / 10.0;
     assert_int_equal(a.results->n_impact, 1);
     assert_true(a.results->impact[0].complete);
