@@ -13,7 +13,7 @@
 #include "support/support.h"
 
 // Relative, of the first closure [s], and the share of the largest energy by which small ones are
-// judged. Adaptive steps run to a tolerance of 1e-9: each of them is right to that share of the
+// judged. Adaptive steps run to a tolerance of 1e-8: each of them is right to that share of the
 // largest velocity, and so the sum of their works to some hundred times that share of the energy.
 struct accuracy {
     double relative, time, small_energy;
@@ -195,7 +195,9 @@ static void fixed_steps_agree(void **state) {
 }
 
 static void adaptive_steps_agree(void **state) {
-    struct analysis a = run_adaptive(*state, "step adaptive -tolerance 1e-8");
+    bool amplifies = strcmp(*state, "F_towers_wang") == 0;  // errors of 1e-8 140 times
+    struct analysis a = run_adaptive(*state, amplifies ? "step adaptive -tolerance 1e-9"
+                                                       : "step adaptive -tolerance 1e-8");
     compare(*state, &a, &adaptive);
 }
 
