@@ -61,7 +61,7 @@ struct dp *dormand_prince_create(const struct model *m, struct results *r, struc
     p->no_depth = arena_alloc(a, n_rate, sizeof(double));
     p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
     bool good = p->meeting && p->rate[0] && p->rate[1] && p->no_depth &&
-                scales_alloc(&p->scales, m, a) && dp_system_alloc(&p->system, m, a) &&
+                scale_alloc(&p->scales, m, a) && dp_system_alloc(&p->system, m, a) &&
                 state_alloc(&p->now, m, a) && state_alloc(&p->next, m, a) && alloc_stages(p, a);
     return good ? p : NULL;
 }
@@ -119,7 +119,7 @@ void dormand_prince_start(struct dp *p, const struct state *start,
     dp_system_start(&p->system, now);
     rates_now(p);
     dp_stages_gaps(m, now, p->rate[0]);
-    scales_expect(&p->scales, m);
+    scale_expect(&p->scales, m);
     p->grown = true;
     dp_peaks_now(p);
     p->energy = *energy;

@@ -192,7 +192,7 @@ LANES static bool may_peak(const struct dp *p, int first, int n) {
 static void rescale(struct dp *p) {
     if (p->grown) {
         p->grown = false;
-        scales_update(&p->scales, p->model, p->results);
+        scale_update(&p->scales, p->model, p->results);
     }
 }
 

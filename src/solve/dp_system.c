@@ -159,9 +159,9 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
     return s->calls[i] ? storey_at(s, now, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
-static double sum_of(lanes x) {
+static double sum_of(const lanes *x) {
     static_assert(LANES_WIDTH == 4, "all of them are summed");
-    return (x[0] + x[1]) + (x[2] + x[3]);
+    return ((*x)[0] + (*x)[1]) + ((*x)[2] + (*x)[3]);
 }
 
 // Accelerations of all floors without links, loads and what is special, under the ground
@@ -190,8 +190,8 @@ LANES static void floor_rates(const struct dp_system *s, double ground, struct d
         damped += damping * momentum;
         a[j] = constant[j] - ground * share[j] - (spring + damping);
     }
-    r->input = -ground * sum_of(carried);
-    r->damping = sum_of(damped);
+    r->input = -ground * sum_of(&carried);
+    r->damping = sum_of(&damped);
 }
 
 // Ground accelerations where there are several.

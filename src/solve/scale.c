@@ -12,13 +12,13 @@ static const double EXPECTED = 1e-2;
 // that, the first touch of a building at rest would take endless steps.
 static const double SHARE = 1e-2;
 
-bool scales_alloc(struct scales *s, const struct model *m, struct arena *a) {
+bool scale_alloc(struct scales *s, const struct model *m, struct arena *a) {
     s->over_u = lanes_array(a, m->n_dof);
     s->over_v = lanes_array(a, m->n_dof);
     return s->over_u && s->over_v;
 }
 
-void scales_expect(struct scales *s, const struct model *m) {
+void scale_expect(struct scales *s, const struct model *m) {
     double acceleration = 0.0;
     double time = m->duration;
     for (int k = 0; k < m->n_ground; k++) {
@@ -50,7 +50,7 @@ static double over(double size) {
     return size > 0.0 ? 1.0 / size : 0.0;
 }
 
-void scales_update(struct scales *s, const struct model *m, const struct results *r) {
+void scale_update(struct scales *s, const struct model *m, const struct results *r) {
     const double *u = r->peak[PEAK_DISPLACEMENT];
     const double *v = r->peak[PEAK_VELOCITY];
     for (int i = 0; i < m->n_dof; i++) {

@@ -12,14 +12,14 @@ struct scales {
 };
 
 // Room for the scales of a model; false: no memory.
-bool scales_alloc(struct scales *s, const struct model *m, struct arena *a);
+bool scale_alloc(struct scales *s, const struct model *m, struct arena *a);
 
 // Sizes that motions will reach at least: those of the slowest mode under a hundredth of the
 // excitation. Without them a start from rest under forces with a kink at rest would take endless
 // steps.
-void scales_expect(struct scales *s, const struct model *m);
+void scale_expect(struct scales *s, const struct model *m);
 
 // Makes the scales again from the peaks so far.
-void scales_update(struct scales *s, const struct model *m, const struct results *r);
+void scale_update(struct scales *s, const struct model *m, const struct results *r);
 
 #endif

@@ -39,13 +39,13 @@ bool step_length_alloc(struct step_length *s, const struct model *m, const struc
     s->before = lanes_array(a, m->n_dof);
     s->within = lanes_array(a, m->n_dof);
     return s->before && s->within && forcing_alloc(&s->forcing, m, a) &&
-           scales_alloc(&s->scales, m, a);
+           scale_alloc(&s->scales, m, a);
 }
 
 void step_length_start(struct step_length *s, const struct state *now) {
     (void)forcing_turn(&s->forcing, now->time);
-    scales_expect(&s->scales, s->model);
-    scales_update(&s->scales, s->model, s->results);
+    scale_expect(&s->scales, s->model);
+    scale_update(&s->scales, s->model, s->results);
     s->trial = fmax(FIRST * s->model->dt, s->model->control.shortest);
     s->cut = now->time;
     s->unsolved = -1;
@@ -161,7 +161,7 @@ void step_length_take(struct step_length *s, const struct state *old, const stru
     }
     s->last = h;
     turn(s, now->time);
-    scales_update(&s->scales, s->model, s->results);
+    scale_update(&s->scales, s->model, s->results);
 }
 
 void step_length_cut(struct step_length *s, const struct state *now) {
@@ -170,5 +170,5 @@ void step_length_cut(struct step_length *s, const struct state *now) {
     s->cut = now->time;
     s->last = 0.0;
     turn(s, now->time);
-    scales_update(&s->scales, s->model, s->results);
+    scale_update(&s->scales, s->model, s->results);
 }
