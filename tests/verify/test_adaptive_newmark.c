@@ -4,7 +4,6 @@
 // closes to rounding, and what that method refuses is done.
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "support/analysis.h"
@@ -154,21 +153,6 @@ static void rigid_bodies_come_to_rest(void **state) {
     analysis_free(&a);
 }
 
-// The deck with adaptive steps of Newmark's method.
-static void make_adaptive(const char *text, char *out, size_t size) {
-    size_t n = 0;
-    while (*text) {
-        int length = (int)strcspn(text, "\n");
-        bool step = strncmp(text, "step ", 5) == 0;
-        if (strncmp(text, "integrator ", 11) != 0) {
-            n += (size_t)snprintf(out + n, size - n, "%.*s\n", step ? 39 : length,
-                                  step ? "integrator newmark\nstep adaptive       \n" : text);
-        }
-        assert_true(n < size);
-        text += length + (text[length] == '\n');
-    }
-}
-
 // Bodies that stick between the branches of a law that jumps at v = 0 are under a constraint, on
 // which accelerations of the trapezoidal rule go to and fro from step to step: two of the decks.
 static void every_random_deck_ends_with_a_closed_account_or_advice(void **state) {
@@ -176,11 +160,9 @@ static void every_random_deck_ends_with_a_closed_account_or_advice(void **state)
     int given_up = 0;
     for (uint64_t seed = 1; seed <= 60; seed++) {
         char text[4096];
-        char adaptive[4096];
         struct error e = {0};
-        random_deck(seed, text, sizeof text);
-        make_adaptive(text, adaptive, sizeof adaptive);
-        struct analysis a = analysis_try(adaptive, &e);
+        random_deck_stepped(seed, "integrator newmark\nstep adaptive", text, sizeof text);
+        struct analysis a = analysis_try(text, &e);
         if (e.status == STATUS_OK) {
             double flow = a.results->initial_energy;
             for (long i = 0; i < a.rows.n * ENERGY_COUNT; i++) {

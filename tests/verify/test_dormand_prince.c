@@ -243,31 +243,14 @@ static void what_takes_too_many_steps_ends_with_advice(void **state) {
                "newmark or step fixed DT");
 }
 
-// The deck with adaptive steps.
-static void make_adaptive(const char *text, char *out, size_t size) {
-    size_t n = 0;
-    while (*text) {
-        int length = (int)strcspn(text, "\n");
-        if (strncmp(text, "step ", 5) == 0) {
-            n += (size_t)snprintf(out + n, size - n, "step adaptive\n");
-        } else if (strncmp(text, "integrator ", 11) != 0) {
-            n += (size_t)snprintf(out + n, size - n, "%.*s\n", length, text);
-        }
-        assert_true(n < size);
-        text += length + (text[length] == '\n');
-    }
-}
-
 static void every_random_deck_ends_with_a_closed_account_or_advice(void **state) {
     (void)state;
     int given_up = 0;
     for (uint64_t seed = 1; seed <= 60; seed++) {
         char text[4096];
-        char adaptive[4096];
         struct error e = {0};
-        random_deck(seed, text, sizeof text);
-        make_adaptive(text, adaptive, sizeof adaptive);
-        struct analysis a = analysis_try(adaptive, &e);
+        random_deck_stepped(seed, "step adaptive", text, sizeof text);
+        struct analysis a = analysis_try(text, &e);
         if (e.status == STATUS_OK) {
             double flow = a.results->initial_energy;
             for (long i = 0; i < a.rows.n * ENERGY_COUNT; i++) {
