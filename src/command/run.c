@@ -171,9 +171,11 @@ static int check_output(const struct model *m, const struct run_options *o, cons
     return STATUS_OK;
 }
 
+// With Newmark's method and these parameters the account closes to rounding. With Dormand &
+// Prince's the residual is of the size of the tolerance.
 static void warn_residual(const struct model *m, const struct results *r) {
     double scale = fmax(fabs(r->energy[ENERGY_INPUT]), r->initial_energy);
-    bool closes = m->beta == 0.25 && m->gamma == 0.5;
+    bool closes = m->integrator == INTEGRATOR_NEWMARK && m->beta == 0.25 && m->gamma == 0.5;
     if (closes && r->residual_peak > 1e-6 * scale) {
         fprintf(
             stderr,
