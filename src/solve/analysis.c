@@ -11,6 +11,7 @@
 #include "solve/account.h"
 #include "solve/dormand_prince.h"
 #include "solve/event.h"
+#include "solve/flight.h"
 #include "solve/newmark.h"
 
 // A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
@@ -36,9 +37,10 @@ struct run {
     const struct observer *observer;
     struct state *now, *next;
     struct state store[2];
-    // Takes `now` to the time `end`, h later.
-    int (*advance)(struct run *r, double end, double h);
-    struct work work;     // of Newmark's method
+    // Takes `now` from step n of the deck to step `end`.
+    int (*advance)(struct run *r, long n, long end);
+    struct work work;  // of Newmark's method
+    struct flight flight;
     struct dp *adaptive;  // Dormand & Prince's method; NULL: Newmark's
     struct energy_account energy;
     struct impact_log impacts;
@@ -225,22 +227,47 @@ static void forget_events(struct run *r) {
     }
 }
 
-static int advance_fixed(struct run *r, double end, double h) {
+// One step of the deck.
+static int advance_step(struct run *r, long n) {
+    const struct model *m = r->model;
+    double end = model_time(m, n);
     forget_events(r);
-    return advance(r, end, h, 0);
+    return advance(r, end, n < m->n_step ? m->dt : end - r->now->time, 0);
+}
+
+// As far as the next poll, and no further than `end`.
+static long until_poll(const struct run *r, long n, long end) {
+    long left = POLL_STEPS - r->results->totals.steps % POLL_STEPS;
+    return end - n < left ? end : n + left;
+}
+
+static int advance_fixed(struct run *r, long n, long end) {
+    int status = STATUS_OK;
+    while (status == STATUS_OK && n < end) {
+        long reached = flight_take(&r->flight, &r->now, &r->next, n, until_poll(r, n, end));
+        if (reached > n) {
+            status = poll(r, r->now->time);
+            n = reached;
+        } else {
+            status = advance_step(r, ++n);
+        }
+    }
+    return status;
 }
 
 // The steps need not end at `end`: `now` is the state within the last of them.
-static int advance_adaptive(struct run *r, double end, double h) {
-    (void)h;
-    while (dormand_prince_time(r->adaptive) < end) {
-        int status = dormand_prince_step(r->adaptive, r->error);
-        status = status == STATUS_OK ? poll(r, dormand_prince_time(r->adaptive)) : status;
-        if (status != STATUS_OK) {
-            return status;
+static int advance_adaptive(struct run *r, long n, long end) {
+    while (n++ < end) {
+        double time = model_time(r->model, n);
+        while (dormand_prince_time(r->adaptive) < time) {
+            int status = dormand_prince_step(r->adaptive, r->error);
+            status = status == STATUS_OK ? poll(r, dormand_prince_time(r->adaptive)) : status;
+            if (status != STATUS_OK) {
+                return status;
+            }
         }
+        dormand_prince_row(r->adaptive, time, r->now, &r->energy);
     }
-    dormand_prince_row(r->adaptive, end, r->now, &r->energy);
     return STATUS_OK;
 }
 
@@ -276,14 +303,14 @@ static int observe(struct run *r) {
     return r->observer ? r->observer->row(r->observer->context, &row, r->error) : STATUS_OK;
 }
 
+// From row to row of the output.
 static int loop(struct run *r) {
     const struct model *m = r->model;
     int status = observe(r);
-    for (long n = 1; status == STATUS_OK && n <= m->n_step; n++) {
-        double end = model_time(m, n);
-        double h = n < m->n_step ? m->dt : end - r->now->time;
-        status = r->advance(r, end, h);
-        if (status == STATUS_OK && (n % m->output.every == 0 || n == m->n_step)) {
+    for (long n = 0, row; status == STATUS_OK && n < m->n_step; n = row) {
+        row = n + m->output.every < m->n_step ? n + m->output.every : m->n_step;
+        status = r->advance(r, n, row);
+        if (status == STATUS_OK) {
             status = observe(r);
         }
     }
@@ -306,8 +333,9 @@ static bool run_alloc(struct run *r, struct arena *a) {
     r->advance = advance_fixed;
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
+    r->flight = (struct flight){.work = &r->work, .results = r->results, .energy = &r->energy};
     return r->events && r->meeting && state_alloc(r->next, m, a) &&
-           work_alloc(&r->work, m, &r->results->totals, a);
+           work_alloc(&r->work, m, &r->results->totals, a) && flight_alloc(&r->flight, m, a);
 }
 
 static int run_start(struct run *r) {

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "core/lanes.h"
+#include "solve/chain_floor.h"
 
 // The compiler sees from the mask that there are no elements beyond whole lanes.
 static inline int whole(int n) {
@@ -24,16 +25,12 @@ LANES void chain_trial(const struct chain *c, double h, const double *restrict u
 
 LANES void chain_forces(const struct chain *c, const double *restrict u, const double *restrict v,
                         double *restrict drift, double *restrict shear, double *restrict damping) {
-    const double *restrict joint = c->joint;
     const double *restrict k = c->stiffness;
-    const double *restrict below = c->damping_below;
-    const double *restrict own = c->damping;
-    const double *restrict above = c->damping_above;
     for (int i = 0, n = whole(c->n); i < n; i++) {
-        double d = u[i] - joint[i] * u[i - 1];
+        double d = floor_drift(c, u, i);
         drift[i] = d;
         shear[i] = k[i] * d;
-        damping[i] = below[i] * v[i - 1] + own[i] * v[i] + above[i] * v[i + 1];
+        damping[i] = floor_damping(c, v, i);
     }
 }
 
@@ -42,6 +39,16 @@ LANES void chain_inertia(const struct chain *c, const double *restrict base,
     const double *restrict mass = c->mass;
     for (int i = 0, n = whole(c->n); i < n; i++) {
         external[i] = -mass[i] * base[i];
+    }
+}
+
+LANES void chain_ground(const struct chain *c, double acceleration, double *restrict base,
+                        double *restrict external) {
+    const double *restrict mass = c->mass;
+    const double *restrict floor = c->floor;
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        base[i] = floor[i] * acceleration;
+        external[i] = -mass[i] * acceleration;
     }
 }
 
@@ -58,17 +65,8 @@ LANES void chain_residual(const struct chain *c, const double *restrict external
 LANES void chain_elastic_residual(const struct chain *c, const double *restrict external,
                                   const double *restrict a, const double *restrict u,
                                   const double *restrict v, double *restrict r) {
-    const double *restrict joint = c->joint;
-    const double *restrict mass = c->mass;
-    const double *restrict k = c->stiffness;
-    const double *restrict below = c->damping_below;
-    const double *restrict own = c->damping;
-    const double *restrict above = c->damping_above;
     for (int i = 0, n = whole(c->n); i < n; i++) {
-        double shear = k[i] * (u[i] - joint[i] * u[i - 1]);
-        double shear_above = joint[i + 1] * (k[i + 1] * (u[i + 1] - u[i]));
-        double damping = below[i] * v[i - 1] + own[i] * v[i] + above[i] * v[i + 1];
-        r[i] = external[i] - mass[i] * a[i] - damping - shear + shear_above;
+        r[i] = floor_residual(c, external, a, u, v, i);
     }
 }
 

@@ -14,8 +14,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-
-enum { INVERSE_FLOORS_MAX = 16 };
+#include "solve/product.h"
 
 bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
                      struct arena *a) {
@@ -90,21 +89,11 @@ static int factor_full(struct effective *e, double b, double g) {
     return STATUS_OK;
 }
 
-// Do solves multiply by the inverse, once it is there?
-static bool prefers_inverse(const struct effective *e) {
-    return e->use == EFFECTIVE_LONG &&
-           (e->building->damping_full || e->building->n_floor <= INVERSE_FLOORS_MAX);
-}
-
-static bool has_inverse(const struct effective *e) {
-    return e->n_ready == e->building->n_floor && prefers_inverse(e);
-}
-
 int effective_factor(struct effective *e, double b, double g) {
     int status = e->building->damping_full ? factor_full(e, b, g) : factor_tridiagonal(e, b, g);
     e->b = status == STATUS_OK ? b : NAN;
     e->g = g;
-    bool at_once = status == STATUS_OK && e->building->elastic && prefers_inverse(e);
+    bool at_once = status == STATUS_OK && e->building->elastic && effective_prefers_inverse(e);
     for (int i = 0; at_once && i < e->building->n_floor; i++) {
         effective_column(e, i);
     }
@@ -127,23 +116,17 @@ static void solve_tridiagonal(const struct effective *e, double *r) {
 LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
                            int n, double *restrict q) {
     for (int j = 0; j < n; j += LANES_WIDTH) {
-        const double *restrict row = inverse + j;
-        lanes y = {0.0};
-        for (int i = 0; i < n; i++, row += stride) {
-            y += r[i] * *(const lanes *)row;
-        }
-        if (j + LANES_WIDTH <= n) {
-            *(lanes *)(q + j) += y;
-        }
-        for (int lane = 0; j + LANES_WIDTH > n && j + lane < n; lane++) {
-            q[j + lane] += y[lane];
+        lanes y[LANES_WIDTH / LANES_VECTOR];
+        product_of_columns(inverse + j, stride, r, n, y);
+        for (int i = j; i < j + LANES_WIDTH && i < n; i++) {
+            q[i] += y[(i - j) / LANES_VECTOR][(i - j) % LANES_VECTOR];
         }
     }
 }
 
 void effective_solve(struct effective *e, double *r, double *q) {
     int n = e->building->n_floor;
-    if (has_inverse(e)) {
+    if (effective_has_inverse(e)) {
         multiply(e->inverse, e->stride, r, n, q);
         return;
     }
@@ -151,7 +134,7 @@ void effective_solve(struct effective *e, double *r, double *q) {
     for (int i = 0; i < n; i++) {
         q[i] += r[i];
     }
-    if (prefers_inverse(e)) {
+    if (effective_prefers_inverse(e)) {
         effective_column(e, e->n_ready);
     }
 }
@@ -182,7 +165,7 @@ void effective_solve_four(struct effective *e, double *const r[4], double *const
     int n = e->building->n_floor;
     bool alike = true;
     for (int k = 0; k < 4; k++) {
-        alike = alike && e[k].building->n_floor == n && !prefers_inverse(&e[k]);
+        alike = alike && e[k].building->n_floor == n && !effective_prefers_inverse(&e[k]);
     }
     if (!alike) {
         for (int k = 0; k < 4; k++) {

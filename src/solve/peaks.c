@@ -8,7 +8,7 @@
 #include "solve/account.h"
 
 // Floors, in whole lanes, that are looked at together for a new peak.
-enum { BLOCK = 16 * LANES_WIDTH };
+enum { BLOCK = 8 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
@@ -42,7 +42,10 @@ LANES static void raise(int first, int n, const double *restrict x, double time,
 
 // The largest of x and `other`.
 LANES static double largest(int first, int n, const double *restrict x, double other) {
-    double most[LANES_WIDTH] = {other, other, other, other};
+    double most[LANES_WIDTH];
+    for (int lane = 0; lane < LANES_WIDTH; lane++) {
+        most[lane] = other;
+    }
     for (int i = first, end = first + lanes_whole(n); i < end; i += LANES_WIDTH) {
         for (int lane = 0; lane < LANES_WIDTH; lane++) {
             most[lane] = number_max(most[lane], x[i + lane]);
