@@ -32,12 +32,14 @@ struct arena;
 // many zeros in front, so that element -1 can be read.
 enum { LANES_WIDTH = 8 };
 
-// Neighbours in an array, for loops that the compiler does not see by itself: as many as AVX2 has
-// in one register, as wider ones would be kept in memory there. The one type that needs a name of
-// its own.
+// Neighbours in an array, for what the compiler does not see by itself. The only types that need
+// names of their own. `lanes` are as many as AVX2 has in one register; `lanes_wide` serve where no
+// value is carried from one turn of a loop to the next, as it would be in memory there.
 enum { LANES_VECTOR = 4 };
 typedef double lanes
     __attribute__((vector_size(LANES_VECTOR * sizeof(double)), aligned(sizeof(double)), may_alias));
+typedef double lanes_wide
+    __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
 typedef int64_t lanes_bits __attribute__((vector_size(LANES_VECTOR * sizeof(int64_t))));
 
 // A zeroed array for n values, with at least one 0 behind them and behind the lanes in which that

@@ -42,16 +42,6 @@ LANES void chain_inertia(const struct chain *c, const double *restrict base,
     }
 }
 
-LANES void chain_ground(const struct chain *c, double acceleration, double *restrict base,
-                        double *restrict external) {
-    const double *restrict mass = c->mass;
-    const double *restrict floor = c->floor;
-    for (int i = 0, n = whole(c->n); i < n; i++) {
-        base[i] = floor[i] * acceleration;
-        external[i] = -mass[i] * acceleration;
-    }
-}
-
 LANES void chain_residual(const struct chain *c, const double *restrict external,
                           const double *restrict a, const double *restrict damping,
                           const double *restrict shear, double *restrict r) {

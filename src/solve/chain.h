@@ -18,9 +18,6 @@ void chain_forces(const struct chain *c, const double *u, const double *v, doubl
 // External forces -m base of the ground accelerations below each floor.
 void chain_inertia(const struct chain *c, const double *base, double *external);
 
-// The same with one ground acceleration under all floors, and base with it.
-void chain_ground(const struct chain *c, double acceleration, double *base, double *external);
-
 // r = external - m a - damping - shear below + shear above.
 void chain_residual(const struct chain *c, const double *external, const double *a,
                     const double *damping, const double *shear, double *r);

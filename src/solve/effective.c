@@ -14,7 +14,6 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/product.h"
 
 bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
                      struct arena *a) {
@@ -26,7 +25,7 @@ bool effective_alloc(struct effective *e, const struct building *building, enum 
     e->pivot = arena_alloc(a, n, sizeof *e->pivot);
     e->factor = arena_alloc(a, n, sizeof *e->factor);
     e->stride = lanes_whole(building->n_floor);
-    e->inverse = arena_alloc(a, n * (size_t)e->stride, sizeof *e->inverse);
+    e->inverse = lanes_array(a, e->stride * e->stride);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
     if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->ready) {
         return false;
@@ -115,11 +114,17 @@ static void solve_tridiagonal(const struct effective *e, double *r) {
 // Adds to q (n) the sum of r_i times row i of the inverse.
 LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
                            int n, double *restrict q) {
-    for (int j = 0; j < n; j += LANES_WIDTH) {
-        lanes y[LANES_WIDTH / LANES_VECTOR];
-        product_of_columns(inverse + j, stride, r, n, y);
-        for (int i = j; i < j + LANES_WIDTH && i < n; i++) {
-            q[i] += y[(i - j) / LANES_VECTOR][(i - j) % LANES_VECTOR];
+    for (int j = 0; j < n; j += LANES_VECTOR) {
+        const double *restrict row = inverse + j;
+        lanes y = {0.0};
+        for (int i = 0; i < n; i++, row += stride) {
+            y += r[i] * *(const lanes *)row;
+        }
+        if (j + LANES_VECTOR <= n) {
+            *(lanes *)(q + j) += y;
+        }
+        for (int lane = 0; j + LANES_VECTOR > n && j + lane < n; lane++) {
+            q[j + lane] += y[lane];
         }
     }
 }

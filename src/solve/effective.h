@@ -23,7 +23,7 @@ struct effective {
     double *tangent;         // [F/L] (n_floor) storey tangents it was factorised with
     double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T; tridiagonal
     int stride;              // of the rows of `inverse`: n_floor in whole lanes
-    double *inverse;         // (n_floor, stride) A^-1; rows ready where marked
+    double *inverse;         // (stride, stride) A^-1, rows ready where marked, and zeros
     bool *ready;             // (n_floor) row of `inverse` is valid
     int n_ready;             // rows below this are
 };

@@ -3,26 +3,20 @@
 
 #include "solve/chain.h"
 
-double excitation_of_ground(const struct ground *g, double t) {
-    double a = 0.0;
-    for (int i = 0; i < g->n_signal; i++) {
-        a += signal_value(&g->signal[i], t);
-    }
-    return a;
-}
-
 // With one ground under all, nothing depends on its velocity and displacement.
 static void ground_at(struct state *s, const struct model *m, double t) {
     for (int k = 0; k < m->n_ground; k++) {
         const struct ground *g = &m->ground[k];
-        s->ground_a[k] = excitation_of_ground(g, t);
-        s->ground_v[k] = s->ground_u[k] = 0.0;
-        for (int i = 0; m->n_ground > 1 && i < g->n_signal; i++) {
-            double v;
-            double u;
-            signal_integrals(&g->signal[i], t, &v, &u);
-            s->ground_v[k] += v;
-            s->ground_u[k] += u;
+        s->ground_a[k] = s->ground_v[k] = s->ground_u[k] = 0.0;
+        for (int i = 0; i < g->n_signal; i++) {
+            s->ground_a[k] += signal_value(&g->signal[i], t);
+            if (m->n_ground > 1) {
+                double v;
+                double u;
+                signal_integrals(&g->signal[i], t, &v, &u);
+                s->ground_v[k] += v;
+                s->ground_u[k] += u;
+            }
         }
     }
 }

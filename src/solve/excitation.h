@@ -9,7 +9,4 @@
 // external forces -m a_ground + p of `s` to time t.
 void excitation_at(struct state *s, const struct model *m, double t);
 
-// The acceleration of a ground at time t.
-double excitation_of_ground(const struct ground *g, double t);
-
 #endif

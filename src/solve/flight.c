@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/flight.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -52,6 +51,7 @@ static bool is_possible(const struct model *m) {
 bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     f->model = m;
     f->possible = is_possible(m);
+    f->uniform = m->n_ground == 1 && m->n_load == 0;
     size_t n = f->possible ? (size_t)m->n_contact : 0;
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
@@ -68,13 +68,16 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     return true;
 }
 
-static bool is_finite(const struct model *m, const struct state *s) {
-    for (int i = 0; i < m->n_dof; i++) {
-        if (!(fabs(s->u[i]) + fabs(s->v[i]) + fabs(s->a[i]) <= DBL_MAX)) {
-            return false;
+unsigned flight_near(const struct flight *f, struct state *next) {
+    int n = f->model->n_contact;
+    contact_penetrations(f->work, next);
+    for (int k = 0; k < n; k++) {
+        if (next->delta[k] > 0.0) {
+            return FLIGHT_ENDS;
         }
     }
-    return true;
+    peaks_penetrations(f->results, n, next);
+    return 0;
 }
 
 // What flight_step leaves out.
@@ -86,62 +89,69 @@ static void complete(const struct flight *f, struct state *s) {
     }
 }
 
-// The ground acceleration at step n, which repeats what excitation_at does.
-static double ground_ahead(struct flight *f, long n) {
-    if (n < f->ahead_from || n >= f->ahead_from + FLIGHT_AHEAD) {
-        f->ahead_from = n;
-        for (int i = 0; i < FLIGHT_AHEAD; i++) {
-            f->ahead[i] = excitation_of_ground(&f->model->ground[0], model_time(f->model, n + i));
-        }
+// Times from step n on, and the ground accelerations then.
+static void look_ahead(struct flight *f, long n) {
+    f->ahead_from = n;
+    for (int i = 0; i < FLIGHT_AHEAD; i++) {
+        f->time[i] = model_time(f->model, n + i);
+        f->ground[i] = 0.0;
     }
-    return f->ahead[n - f->ahead_from];
+    const struct ground *g = &f->model->ground[0];
+    for (int i = 0; f->uniform && i < g->n_signal; i++) {
+        signal_add_values(&g->signal[i], FLIGHT_AHEAD, f->time, f->ground);
+    }
 }
 
-static void excite(struct flight *f, struct state *s, long n) {
-    const struct model *m = f->model;
-    s->time = model_time(m, n);
-    if (m->n_ground == 1 && m->n_load == 0) {
-        s->ground_a[0] = ground_ahead(f, n);
-        chain_ground(&m->chain, s->ground_a[0], s->base, s->external);
-    } else {
-        excitation_at(s, m, s->time);
+static unsigned step_to(struct flight *f, const struct state *now, struct state *next, long n) {
+    if (n < f->ahead_from || n >= f->ahead_from + FLIGHT_AHEAD) {
+        look_ahead(f, n);
     }
+    next->time = f->time[n - f->ahead_from];
+    double ground = f->ground[n - f->ahead_from];
+    if (f->uniform) {
+        next->ground_a[0] = ground;
+    } else {
+        excitation_at(next, f->model, next->time);
+    }
+    return flight_step(f, now, next, ground);
 }
 
 static bool may_start(const struct flight *f, const struct state *s) {
     return f->possible && s->n_live == 0 && f->work->h == f->model->dt;
 }
 
+// Takes the account of n steps to the state s.
+static void finish(const struct flight *f, struct state *s, long n) {
+    struct totals *t = &f->results->totals;
+    complete(f, s);
+    peaks_speed(f->results, 0, f->model->n_dof);
+    t->steps += n;
+    t->iterations += n;
+}
+
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end) {
-    long start = n;
     if (!may_start(f, *now)) {
         return n;
     }
     end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
     state_open_links(*next);
     memset(f->work->settled, 0, (size_t)f->model->n_building * sizeof *f->work->settled);
+    long start = n;
     while (n < end) {
         struct state *s = *next;
-        excite(f, s, n + 1);
-        enum flight_outcome outcome = flight_step(f, *now, s);
-        if (outcome == FLIGHT_PEAK) {
-            complete(f, s);
-            outcome = is_finite(f->model, s) ? outcome : FLIGHT_MEETS;
+        unsigned events = step_to(f, *now, s, n + 1);
+        if (events == FLIGHT_PEAK) {
+            events = flight_peaks(f, s);
         }
-        if (outcome == FLIGHT_MEETS) {
+        if (events == FLIGHT_ENDS) {
             break;
-        }
-        if (outcome == FLIGHT_PEAK) {
-            peaks_update(f->results, f->model, s);
         }
         *next = *now;
         *now = s;
         n++;
     }
     if (n > start) {
-        complete(f, *now);
-        f->results->totals.steps += n - start;
-        f->results->totals.iterations += n - start;
+        finish(f, *now, n - start);
     }
     return n;
 }

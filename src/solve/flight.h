@@ -8,9 +8,6 @@
 #include "solve/account.h"
 #include "solve/work.h"
 
-// Ground accelerations computed at a time.
-enum { FLIGHT_AHEAD = 64 };
-
 // Contacts that follow each other, as do the floors at both their ends: LANES_WIDTH at most.
 struct gap_group {
     int contact;    // the first
@@ -18,17 +15,22 @@ struct gap_group {
     int ground[2];  // that move them apart; the same where none does
 };
 
+// Steps whose ground acceleration is computed at a time.
+enum { FLIGHT_AHEAD = 64 };
+
 struct flight {
     const struct model *model;  // borrowed, as are the next three
     struct work *work;
     struct results *results;
     struct energy_account *energy;
-    bool possible;            // with this model
-    struct gap_group *group;  // (n_group)
+    bool possible;  // with this model
+    bool uniform;   // one ground moves all, and there are no loads
     int n_group;
-    double *gap;                 // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
-    long ahead_from;             // step of the first of the accelerations computed ahead
-    double ahead[FLIGHT_AHEAD];  // [L/T^2] of the ground, where there is one
+    struct gap_group *group;  // (n_group)
+    double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
+    long ahead_from;          // step of the first of the next two
+    double time[FLIGHT_AHEAD];
+    double ground[FLIGHT_AHEAD];  // [L/T^2]; uniform
 };
 
 // Room for the flights of a model; false: no memory.
@@ -40,15 +42,21 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
 // What a step may turn out to be.
-enum flight_outcome {
-    FLIGHT_GOES_ON,
-    FLIGHT_PEAK,   // something may be greater than it was ever before, or is not finite
-    FLIGHT_MEETS,  // a contact closes: the step is not taken
+enum flight_event {
+    FLIGHT_PEAK = 1,  // a floor may have reached a peak, or is not finite
+    FLIGHT_ENDS = 2,  // a contact closes: the step is not taken
 };
 
-// Displacements, velocities, accelerations and damping forces of `next`, whose base and external
-// forces are there, and the works of the step.
-enum flight_outcome flight_step(const struct flight *f, const struct state *now,
-                                struct state *next);
+// The step from `now` to `next`: displacements, velocities, accelerations and damping forces, and
+// the works done, under the ground acceleration `ground`, or where that is not uniform under the
+// base and external forces of `next`.
+unsigned flight_step(const struct flight *f, const struct state *now, struct state *next,
+                     double ground);
+
+// Looks closer at contacts that may have come nearer than ever: FLIGHT_ENDS if one is closed.
+unsigned flight_near(const struct flight *f, struct state *next);
+
+// Takes the floors of `s` into the peaks: FLIGHT_ENDS if one is not finite.
+unsigned flight_peaks(const struct flight *f, const struct state *s);
 
 #endif

@@ -8,6 +8,7 @@
 //
 // |x| > p is tested by the sign of bits(p) - bits(|x|): numbers that are not negative stand in the
 // order of their bits, and what is not a number stands above all.
+#include <float.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -15,7 +16,6 @@
 #include "solve/chain_floor.h"
 #include "solve/flight.h"
 #include "solve/newmark.h"
-#include "solve/product.h"
 
 static inline int whole(int n) {
     return n & ~(LANES_WIDTH - 1);
@@ -27,13 +27,21 @@ static inline int64_t bits(double x) {
     return b;
 }
 
-// Negative if |x| > peak.
-static inline int64_t beyond(double x, double peak) {
-    return bits(peak) - (bits(x) & INT64_MAX);
+// Negative if |x| > limit.
+static inline int64_t beyond(double x, double limit) {
+    return bits(limit) - (bits(x) & INT64_MAX);
 }
 
-static inline void predict(const struct chain *c, double h, const struct state *now,
-                           double *restrict u, double *restrict v) {
+static inline void shake(const struct chain *c, double ground, double *base, double *external) {
+    LANES_LOOP
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        base[i] = c->floor[i] * ground;
+        external[i] = -c->mass[i] * ground;
+    }
+}
+
+static inline void predict(const struct chain *c, double h, const struct state *now, double *u,
+                           double *v) {
     const double *u0 = now->u, *v0 = now->v, *a0 = now->a;
     double half = h * h / 2.0;
     LANES_LOOP
@@ -44,17 +52,63 @@ static inline void predict(const struct chain *c, double h, const struct state *
 }
 
 static inline void unbalance(const struct chain *c, const double *external, const double *a,
-                             const double *u, const double *v, double *restrict r) {
+                             const double *u, const double *v, double *r) {
     LANES_LOOP
     for (int i = 0, n = whole(c->n); i < n; i++) {
         r[i] = floor_residual(c, external, a, u, v, i);
     }
 }
 
+// Adds to y LANES_WIDTH rows, each times its r.
+static inline void add_rows(const double *row, int stride, const double *r, lanes_wide *y) {
+    lanes_wide sum = *y;
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        sum += r[i] * *(const lanes_wide *)(row + i * stride);
+    }
+    *y = sum;
+}
+
+// q = A^-1 r. Rows and columns beyond the inverse are 0, and what is written beyond q belongs to
+// the next building.
+static inline void multiply(const struct effective *e, const double *r, double *q) {
+    if (e->stride == LANES_WIDTH) {
+        *(lanes_wide *)q = (lanes_wide){0.0};
+        add_rows(e->inverse, LANES_WIDTH, r, (lanes_wide *)q);
+        return;
+    }
+    for (int j = 0; j < e->stride; j += LANES_WIDTH) {
+        lanes_wide y = {0.0};
+        for (int i = 0; i < e->stride; i += LANES_WIDTH) {
+            add_rows(e->inverse + i * e->stride + j, e->stride, r + i, &y);
+        }
+        *(lanes_wide *)(q + j) = y;
+    }
+}
+
+// Solves for building k, or for the four from k on; returns how many.
+static int solve_tall(struct work *w, int k) {
+    const struct building *g = &w->model->building[k];
+    int last = k + 4 <= w->model->n_building ? k + 3 : w->model->n_building - 1;
+    int n = w->model->building[last].first + w->model->building[last].n_floor - g->first;
+    memset(w->correction + g->first, 0, (size_t)n * sizeof *w->correction);
+    return newmark_solve_from(w, k);
+}
+
+static inline void solve(struct work *w) {
+    for (int k = 0, n = w->model->n_building; k < n;) {
+        const struct effective *e = &w->effective[k];
+        if (e->stride <= INVERSE_FLOORS_MAX) {
+            multiply(e, w->residual + e->building->first, w->correction + e->building->first);
+            k++;
+        } else {
+            k += solve_tall(w, k);
+        }
+    }
+}
+
 // Negative if a displacement, velocity or total acceleration is greater than ever.
 static inline int64_t correct(const struct work *w, const struct state *now, const double *base,
-                              double *const peak[PEAK_COUNT], double *restrict u,
-                              double *restrict v, double *restrict a) {
+                              double *const peak[PEAK_COUNT], double *u, double *v, double *a) {
     const double *q = w->correction, *a0 = now->a;
     const double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
     const double *peak_a = peak[PEAK_ACCELERATION];
@@ -71,11 +125,10 @@ static inline int64_t correct(const struct work *w, const struct state *now, con
     return sign;
 }
 
-// Is a contact closed? *sign becomes negative if one has come nearer than ever.
-static inline bool meets(const struct flight *f, const double *u, const double *ground,
-                         int64_t *sign) {
+// Is a contact closed, or has one come nearer than ever?
+static inline bool is_near(const struct flight *f, const double *u, const double *ground) {
     const double *gap = f->gap;
-    lanes_bits closed = {0}, nearer = {0};
+    lanes_bits sign = {0};
     for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++) {
         const double *left = u + g->dof[0], *right = u + g->dof[1];
         const double *deepest = f->results->deepest + g->contact;
@@ -83,19 +136,17 @@ static inline bool meets(const struct flight *f, const double *u, const double *
         for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR, gap += LANES_VECTOR) {
             lanes delta = *(const lanes *)(left + i) - *(const lanes *)(right + i) -
                           *(const lanes *)gap + apart;
-            closed |= (lanes_bits)(0.0 - delta);
-            nearer |= (lanes_bits)(*(const lanes *)(deepest + i) - delta);
+            sign |= (lanes_bits)(0.0 - delta) | (lanes_bits)(*(const lanes *)(deepest + i) - delta);
         }
     }
-    *sign |= nearer[0] | nearer[1] | nearer[2] | nearer[3];
-    return (closed[0] | closed[1] | closed[2] | closed[3]) < 0;
+    return (sign[0] | sign[1] | sign[2] | sign[3]) < 0;
 }
 
-// Negative if a drift is greater than ever. So is the shear then, or it is not: k |drift| rounds to
-// no less for a greater drift.
+// Negative if a drift is greater than ever. A shear is so only with its drift: k |drift| is rounded
+// to no less for a greater drift.
 static inline int64_t account(const struct flight *f, const struct state *now,
-                              const struct state *next, double *restrict damping,
-                              double *restrict input_2x, double *restrict damping_2x) {
+                              const struct state *next, double *damping, double *input_2x,
+                              double *damping_2x) {
     const struct chain *c = &f->model->chain;
     const double *u0 = now->u, *u = next->u, *v = next->v;
     const double *damping0 = now->damping_force;
@@ -114,36 +165,45 @@ static inline int64_t account(const struct flight *f, const struct state *now,
     return sign;
 }
 
-// q = A^-1 r of building k, or of the four from k on; returns how many.
-static inline int solve(struct work *w, int k) {
-    const struct effective *e = &w->effective[k];
-    int n = e->building->n_floor, first = e->building->first;
-    double *q = w->correction + first;
-    if (!effective_has_inverse(e)) {
-        const struct building *last = &w->model->building[w->model->n_building - 1];
-        last = last < e->building + 3 ? last : e->building + 3;
-        memset(q, 0, (size_t)(last->first + last->n_floor - first) * sizeof *q);
-        return newmark_solve_from(w, k);
-    }
-    for (int j = 0; j < n; j += LANES_WIDTH) {  // what goes beyond n is of the next building
-        product_of_columns(e->inverse + j, e->stride, w->residual + first, n, (lanes *)(q + j));
-    }
-    return 1;
-}
-
-LANES enum flight_outcome flight_step(const struct flight *f, const struct state *now,
-                                      struct state *next) {
+LANES unsigned flight_step(const struct flight *f, const struct state *now, struct state *next,
+                           double ground) {
     struct work *w = f->work;
     const struct chain *c = &f->model->chain;
+    if (f->uniform) {
+        shake(c, ground, next->base, next->external);
+    }
     predict(c, w->h, now, next->u, next->v);
     unbalance(c, next->external, now->a, next->u, next->v, w->residual);
-    for (int k = 0; k < f->model->n_building;) {
-        k += solve(w, k);
-    }
+    solve(w);
     int64_t sign = correct(w, now, next->base, f->results->peak, next->u, next->v, next->a);
-    if (meets(f, next->u, next->ground_u, &sign)) {
-        return FLIGHT_MEETS;
+    if (is_near(f, next->u, next->ground_u) && flight_near(f, next) == FLIGHT_ENDS) {
+        return FLIGHT_ENDS;
     }
     sign |= account(f, now, next, next->damping_force, f->energy->input_2x, f->energy->damping_2x);
-    return sign < 0 ? FLIGHT_PEAK : FLIGHT_GOES_ON;
+    return sign < 0 ? FLIGHT_PEAK : 0;
+}
+
+LANES unsigned flight_peaks(const struct flight *f, const struct state *s) {
+    const struct chain *c = &f->model->chain;
+    double *const *peak = f->results->peak, *const *when = f->results->peak_time;
+    double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
+    double *peak_a = peak[PEAK_ACCELERATION];
+    double *peak_d = peak[PEAK_DRIFT], *peak_s = peak[PEAK_SHEAR];
+    double *when_u = when[PEAK_DISPLACEMENT], *when_v = when[PEAK_VELOCITY];
+    double *when_a = when[PEAK_ACCELERATION];
+    double *when_d = when[PEAK_DRIFT], *when_s = when[PEAK_SHEAR];
+    const double *u = s->u, *v = s->v, *a = s->a, *base = s->base;
+    double time = s->time;
+    int64_t sign = 0;
+    LANES_LOOP
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        double drift = floor_drift(c, u, i);
+        sign |= beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
+        peak_raise(u[i], time, &peak_u[i], &when_u[i]);
+        peak_raise(v[i], time, &peak_v[i], &when_v[i]);
+        peak_raise(a[i] + base[i], time, &peak_a[i], &when_a[i]);
+        peak_raise(drift, time, &peak_d[i], &when_d[i]);
+        peak_raise(c->stiffness[i] * drift, time, &peak_s[i], &when_s[i]);
+    }
+    return sign < 0 ? FLIGHT_ENDS : 0;
 }
