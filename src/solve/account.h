@@ -14,7 +14,8 @@ struct energy_account {
     double *input_2x, *damping_2x;  // (n_dof) twice the work of external and damping forces
     double input, damping;          // beyond that: of links on the grounds, of adaptive steps
     double contact;
-    double storey;        // work on storeys that are not elastic
+    double *storey_2x;    // (n_dof) twice the work on storeys, where some are not elastic
+    double storey;        // work on storeys that are not elastic, beyond that
     double stored_start;  // their recoverable energy at t = 0
 };
 

@@ -90,6 +90,14 @@ LANES void chain_works(const struct chain *c, const double *const from[2],
     }
 }
 
+LANES void chain_storey_works(const struct chain *c, const double *restrict f0,
+                              const double *restrict f1, const double *restrict d0,
+                              const double *restrict d1, double *restrict work) {
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        work[i] += (f0[i] + f1[i]) * (d1[i] - d0[i]);
+    }
+}
+
 LANES bool chain_exceeds(int first, int n, const double *const x[PEAK_COUNT],
                          double *const peak[PEAK_COUNT]) {
     const double *restrict x0 = x[0], *restrict x1 = x[1], *restrict x2 = x[2];

@@ -15,13 +15,20 @@ static inline double floor_damping(const struct chain *c, const double *v, int i
     return c->damping_below[i] * v[i - 1] + c->damping[i] * v[i] + c->damping_above[i] * v[i + 1];
 }
 
-// Row i of external - M a - C v - K u, with elastic storeys.
+// Row i of external - M a - C v - storey shears.
+static inline double floor_unbalanced(const struct chain *c, const double *external,
+                                      const double *a, const double *v, double shear,
+                                      double shear_above, int i) {
+    return external[i] - c->mass[i] * a[i] - floor_damping(c, v, i) - shear +
+           c->joint[i + 1] * shear_above;
+}
+
+// The same with elastic storeys.
 static inline double floor_residual(const struct chain *c, const double *external, const double *a,
                                     const double *u, const double *v, int i) {
     const double *k = c->stiffness;
-    double shear = k[i] * floor_drift(c, u, i);
-    double shear_above = c->joint[i + 1] * (k[i + 1] * (u[i + 1] - u[i]));
-    return external[i] - c->mass[i] * a[i] - floor_damping(c, v, i) - shear + shear_above;
+    return floor_unbalanced(c, external, a, v, k[i] * floor_drift(c, u, i),
+                            k[i + 1] * (u[i + 1] - u[i]), i);
 }
 
 #endif

@@ -39,24 +39,68 @@ static void group_contacts(struct flight *f, const struct model *m) {
     }
 }
 
-// Are all links contacts with a law of force, and all buildings linear?
+// Are all links contacts with a law of force, and all storeys of straight lines?
 static bool is_possible(const struct model *m) {
-    bool possible = m->n_link == m->n_contact && !m->chain.full_damping && m->n_storey_history == 0;
+    bool possible = m->n_link == m->n_contact && !m->chain.full_damping;
     for (int k = 0; k < m->n_link; k++) {
         possible = possible && !m->link[k].law->rebound;
     }
+    for (int i = 0; i < m->n_dof; i++) {
+        possible = possible && m->storey[i].law->branch;
+    }
     return possible;
+}
+
+static void find_branches(struct flight *f, const double *history) {
+    for (int i = 0; i < f->model->n_dof; i++) {
+        const struct storey *s = &f->model->storey[i];
+        const double *h = s->law->n_history > 0 ? history + s->history : NULL;
+        struct storey_branch b = s->law->branch(s->constant, h);
+        f->back[i] = b.back;
+        f->spring[i] = b.spring;
+        f->rest[i] = b.rest;
+        f->limit[i] = b.limit;
+    }
+}
+
+// Are the buildings factorised for the branches, and do low ones have their inverse?
+static bool is_factorised(const struct flight *f) {
+    for (int k = 0; k < f->model->n_building; k++) {
+        const struct effective *e = &f->work->effective[k];
+        const struct building *g = e->building;
+        for (int i = 0; !g->elastic && i < g->n_floor; i++) {
+            if (e->tangent[i] != f->back[g->first + i] + f->spring[g->first + i]) {
+                return false;
+            }
+        }
+        if (effective_prefers_inverse(e) && !effective_has_inverse(e)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool branches_alloc(struct flight *f, const struct model *m, struct arena *a) {
+    double **const part[] = {&f->back, &f->spring, &f->rest, &f->limit};
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        *part[i] = lanes_array(a, m->n_dof);
+        if (!*part[i]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     f->model = m;
     f->possible = is_possible(m);
+    f->yields = m->n_storey_history > 0;
     f->uniform = m->n_ground == 1 && m->n_load == 0;
     size_t n = f->possible ? (size_t)m->n_contact : 0;
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
     f->ahead_from = -FLIGHT_AHEAD;
-    if (!f->group || !f->gap) {
+    if (!f->group || !f->gap || !branches_alloc(f, m, a)) {
         return false;
     }
     for (size_t i = 0; i < n * LANES_WIDTH; i++) {
@@ -64,6 +108,9 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     }
     if (f->possible) {
         group_contacts(f, m);
+    }
+    if (f->possible && !f->yields) {
+        find_branches(f, NULL);
     }
     return true;
 }
@@ -116,8 +163,25 @@ static unsigned step_to(struct flight *f, const struct state *now, struct state 
     return flight_step(f, now, next, ground);
 }
 
-static bool may_start(const struct flight *f, const struct state *s) {
-    return f->possible && s->n_live == 0 && f->work->h == f->model->dt;
+static bool may_start(struct flight *f, const struct state *s) {
+    if (!f->possible || s->n_live > 0 || f->work->h != f->model->dt) {
+        return false;
+    }
+    if (!f->yields) {
+        return true;
+    }
+    find_branches(f, s->storey_history);
+    return is_factorised(f);
+}
+
+static void start(const struct flight *f, const struct state *now, struct state *next) {
+    const struct model *m = f->model;
+    state_open_links(next);
+    memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
+    if (f->yields) {
+        memcpy(next->storey_history, now->storey_history,
+               (size_t)m->n_storey_history * sizeof *next->storey_history);
+    }
 }
 
 // Takes the account of n steps to the state s.
@@ -134,9 +198,8 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
         return n;
     }
     end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
-    state_open_links(*next);
-    memset(f->work->settled, 0, (size_t)f->model->n_building * sizeof *f->work->settled);
-    long start = n;
+    start(f, *now, *next);
+    long first = n;
     while (n < end) {
         struct state *s = *next;
         unsigned events = step_to(f, *now, s, n + 1);
@@ -150,8 +213,8 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
         *now = s;
         n++;
     }
-    if (n > start) {
-        finish(f, *now, n - start);
+    if (n > first) {
+        finish(f, *now, n - first);
     }
     return n;
 }

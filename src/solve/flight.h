@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Free flight: steps of the model's size in which no link acts. They need no iteration and no
+// Free flight: steps of the model's size in which no link acts and no storey changes its branch.
+// They need no iteration and no
 // search, and most steps are such, so they have a way of their own through the solver. It gives the
 // same bits as newmark_step, energy_step and peaks_update.
 #ifndef JOSTLE_FLIGHT_H
@@ -24,7 +25,10 @@ struct flight {
     struct results *results;
     struct energy_account *energy;
     bool possible;  // with this model
-    bool uniform;   // one ground moves all, and there are no loads
+    bool yields;    // not all storeys are elastic
+    // The storeys' branches, all (n_dof): struct storey_branch.
+    double *back, *spring, *rest, *limit;
+    bool uniform;  // one ground moves all, and there are no loads
     int n_group;
     struct gap_group *group;  // (n_group)
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
@@ -37,14 +41,15 @@ struct flight {
 bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
 
 // Steps from step `n` of the model, whose state is `*now`, as far as step `end`, but stops before a
-// step in which a link would act. Returns the step that it has reached; `*now` is its state, and
+// step in which a link would act or a storey change its branch. Returns the step that it has
+// reached; `*now` is its state, and
 // `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
 // What a step may turn out to be.
 enum flight_event {
     FLIGHT_PEAK = 1,  // a floor may have reached a peak, or is not finite
-    FLIGHT_ENDS = 2,  // a contact closes: the step is not taken
+    FLIGHT_ENDS = 2,  // a contact closes or a storey leaves its branch: the step is not taken
 };
 
 // The step from `now` to `next`: displacements, velocities, accelerations and damping forces, and

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One step of Newmark's method in free flight, where all is linear:
+// One step of Newmark's method in free flight, where all is linear (K u stands for the shears of
+// storeys on their branches):
 //     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
 //     A q = external - M a - C v_t - K u_t,
 //     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
@@ -56,6 +57,31 @@ static inline void unbalance(const struct chain *c, const double *external, cons
     LANES_LOOP
     for (int i = 0, n = whole(c->n); i < n; i++) {
         r[i] = floor_residual(c, external, a, u, v, i);
+    }
+}
+
+// Drifts and shears on the storeys' branches. Negative if a storey is beyond its own.
+static inline int64_t follow(const struct flight *f, const double *u, double *drift,
+                             double *shear) {
+    const struct chain *c = &f->model->chain;
+    const double *back = f->back, *spring = f->spring, *rest = f->rest, *limit = f->limit;
+    int64_t sign = 0;
+    LANES_LOOP
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        double d = floor_drift(c, u, i);
+        double force = spring[i] * (d - rest[i]);
+        sign |= beyond(force, limit[i]);
+        drift[i] = d;
+        shear[i] = back[i] * d + force;
+    }
+    return sign;
+}
+
+static inline void unbalance_of(const struct chain *c, const double *external, const double *a,
+                                const double *v, const double *shear, double *r) {
+    LANES_LOOP
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        r[i] = floor_unbalanced(c, external, a, v, shear[i], shear[i + 1], i);
     }
 }
 
@@ -142,8 +168,8 @@ static inline bool is_near(const struct flight *f, const double *u, const double
     return (sign[0] | sign[1] | sign[2] | sign[3]) < 0;
 }
 
-// Negative if a drift is greater than ever. A shear is so only with its drift: k |drift| is rounded
-// to no less for a greater drift.
+// Negative if a drift is greater than ever. The shear of an elastic storey is so only with its
+// drift: k |drift| is rounded to no less for a greater drift.
 static inline int64_t account(const struct flight *f, const struct state *now,
                               const struct state *next, double *damping, double *input_2x,
                               double *damping_2x) {
@@ -165,6 +191,21 @@ static inline int64_t account(const struct flight *f, const struct state *now,
     return sign;
 }
 
+// Negative if a shear is greater than ever.
+static inline int64_t account_storeys(const struct flight *f, const struct state *now,
+                                      const struct state *next, double *work_2x) {
+    const double *shear0 = now->shear, *shear = next->shear;
+    const double *drift0 = now->drift, *drift = next->drift;
+    const double *peak = f->results->peak[PEAK_SHEAR];
+    int64_t sign = 0;
+    LANES_LOOP
+    for (int i = 0, n = whole(f->model->chain.n); i < n; i++) {
+        sign |= beyond(shear[i], peak[i]);
+        work_2x[i] += (shear0[i] + shear[i]) * (drift[i] - drift0[i]);
+    }
+    return sign;
+}
+
 LANES unsigned flight_step(const struct flight *f, const struct state *now, struct state *next,
                            double ground) {
     struct work *w = f->work;
@@ -173,13 +214,25 @@ LANES unsigned flight_step(const struct flight *f, const struct state *now, stru
         shake(c, ground, next->base, next->external);
     }
     predict(c, w->h, now, next->u, next->v);
-    unbalance(c, next->external, now->a, next->u, next->v, w->residual);
+    if (!f->yields) {
+        unbalance(c, next->external, now->a, next->u, next->v, w->residual);
+    } else if (follow(f, next->u, next->drift, next->shear) < 0) {
+        return FLIGHT_ENDS;
+    } else {
+        unbalance_of(c, next->external, now->a, next->v, next->shear, w->residual);
+    }
     solve(w);
     int64_t sign = correct(w, now, next->base, f->results->peak, next->u, next->v, next->a);
+    if (f->yields && follow(f, next->u, next->drift, next->shear) < 0) {
+        return FLIGHT_ENDS;
+    }
     if (is_near(f, next->u, next->ground_u) && flight_near(f, next) == FLIGHT_ENDS) {
         return FLIGHT_ENDS;
     }
     sign |= account(f, now, next, next->damping_force, f->energy->input_2x, f->energy->damping_2x);
+    if (f->yields) {
+        sign |= account_storeys(f, now, next, f->energy->storey_2x);
+    }
     return sign < 0 ? FLIGHT_PEAK : 0;
 }
 
@@ -193,6 +246,7 @@ LANES unsigned flight_peaks(const struct flight *f, const struct state *s) {
     double *when_a = when[PEAK_ACCELERATION];
     double *when_d = when[PEAK_DRIFT], *when_s = when[PEAK_SHEAR];
     const double *u = s->u, *v = s->v, *a = s->a, *base = s->base;
+    const double *back = f->back, *spring = f->spring, *rest = f->rest;
     double time = s->time;
     int64_t sign = 0;
     LANES_LOOP
@@ -203,7 +257,7 @@ LANES unsigned flight_peaks(const struct flight *f, const struct state *s) {
         peak_raise(v[i], time, &peak_v[i], &when_v[i]);
         peak_raise(a[i] + base[i], time, &peak_a[i], &when_a[i]);
         peak_raise(drift, time, &peak_d[i], &when_d[i]);
-        peak_raise(c->stiffness[i] * drift, time, &peak_s[i], &when_s[i]);
+        peak_raise(back[i] * drift + spring[i] * (drift - rest[i]), time, &peak_s[i], &when_s[i]);
     }
     return sign < 0 ? FLIGHT_ENDS : 0;
 }
