@@ -210,10 +210,10 @@ LANES unsigned flight_step(const struct flight *f, const struct state *now, stru
                            double ground) {
     struct work *w = f->work;
     const struct chain *c = &f->model->chain;
+    predict(c, w->h, now, next->u, next->v);
     if (f->uniform) {
         shake(c, ground, next->base, next->external);
     }
-    predict(c, w->h, now, next->u, next->v);
     if (!f->yields) {
         unbalance(c, next->external, now->a, next->u, next->v, w->residual);
     } else if (follow(f, next->u, next->drift, next->shear) < 0) {
