@@ -160,7 +160,8 @@ static unsigned step_to(struct flight *f, const struct state *now, struct state 
     } else {
         excitation_at(next, f->model, next->time);
     }
-    return flight_step(f, now, next, ground);
+    return f->yields ? flight_step_yielding(f, now, next, ground)
+                     : flight_step(f, now, next, ground);
 }
 
 static bool may_start(struct flight *f, const struct state *s) {

@@ -58,6 +58,10 @@ enum flight_event {
 unsigned flight_step(const struct flight *f, const struct state *now, struct state *next,
                      double ground);
 
+// The same where not all storeys are elastic.
+unsigned flight_step_yielding(const struct flight *f, const struct state *now, struct state *next,
+                              double ground);
+
 // Looks closer at contacts that may have come nearer than ever: FLIGHT_ENDS if one is closed.
 unsigned flight_near(const struct flight *f, struct state *next);
 

@@ -85,7 +85,7 @@ static inline void unbalance_of(const struct chain *c, const double *external, c
     }
 }
 
-// Adds to y LANES_WIDTH rows, each times its r.
+// Adds to y (LANES_WIDTH) as many rows, each times its r.
 static inline void add_rows(const double *row, int stride, const double *r, lanes_wide *y) {
     lanes_wide sum = *y;
     for (int i = 0; i < LANES_WIDTH; i++) {
@@ -94,20 +94,24 @@ static inline void add_rows(const double *row, int stride, const double *r, lane
     *y = sum;
 }
 
+// LANES_WIDTH columns of q = A^-1 r, whose rows are `stride` long.
+static inline void multiply_columns(const double *inverse, int stride, const double *r, double *q) {
+    lanes_wide y = {0.0};
+    for (int i = 0; i < stride; i += LANES_WIDTH) {
+        add_rows(inverse + i * stride, stride, r + i, &y);
+    }
+    *(lanes_wide *)q = y;
+}
+
 // q = A^-1 r. Rows and columns beyond the inverse are 0, and what is written beyond q belongs to
 // the next building.
 static inline void multiply(const struct effective *e, const double *r, double *q) {
     if (e->stride == LANES_WIDTH) {
-        *(lanes_wide *)q = (lanes_wide){0.0};
-        add_rows(e->inverse, LANES_WIDTH, r, (lanes_wide *)q);
+        multiply_columns(e->inverse, LANES_WIDTH, r, q);
         return;
     }
     for (int j = 0; j < e->stride; j += LANES_WIDTH) {
-        lanes_wide y = {0.0};
-        for (int i = 0; i < e->stride; i += LANES_WIDTH) {
-            add_rows(e->inverse + i * e->stride + j, e->stride, r + i, &y);
-        }
-        *(lanes_wide *)(q + j) = y;
+        multiply_columns(e->inverse + j, e->stride, r, q + j);
     }
 }
 
@@ -133,8 +137,10 @@ static inline void solve(struct work *w) {
 }
 
 // Negative if a displacement, velocity or total acceleration is greater than ever.
-static inline int64_t correct(const struct work *w, const struct state *now, const double *base,
-                              double *const peak[PEAK_COUNT], double *u, double *v, double *a) {
+static inline int64_t correct(const struct flight *f, const struct state *now, const double *base,
+                              double *u, double *v, double *a) {
+    const struct work *w = f->work;
+    double *const *peak = f->results->peak;
     const double *q = w->correction, *a0 = now->a;
     const double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
     const double *peak_a = peak[PEAK_ACCELERATION];
@@ -206,34 +212,51 @@ static inline int64_t account_storeys(const struct flight *f, const struct state
     return sign;
 }
 
-LANES unsigned flight_step(const struct flight *f, const struct state *now, struct state *next,
-                           double ground) {
-    struct work *w = f->work;
+static inline void begin(const struct flight *f, const struct state *now, struct state *next,
+                         double ground) {
     const struct chain *c = &f->model->chain;
-    predict(c, w->h, now, next->u, next->v);
+    predict(c, f->work->h, now, next->u, next->v);
     if (f->uniform) {
         shake(c, ground, next->base, next->external);
     }
-    if (!f->yields) {
-        unbalance(c, next->external, now->a, next->u, next->v, w->residual);
-    } else if (follow(f, next->u, next->drift, next->shear) < 0) {
-        return FLIGHT_ENDS;
-    } else {
-        unbalance_of(c, next->external, now->a, next->v, next->shear, w->residual);
-    }
-    solve(w);
-    int64_t sign = correct(w, now, next->base, f->results->peak, next->u, next->v, next->a);
-    if (f->yields && follow(f, next->u, next->drift, next->shear) < 0) {
-        return FLIGHT_ENDS;
-    }
+}
+
+// `sign` is what `correct` has found.
+static inline unsigned end(const struct flight *f, const struct state *now, struct state *next,
+                           int64_t sign) {
     if (is_near(f, next->u, next->ground_u) && flight_near(f, next) == FLIGHT_ENDS) {
         return FLIGHT_ENDS;
     }
     sign |= account(f, now, next, next->damping_force, f->energy->input_2x, f->energy->damping_2x);
-    if (f->yields) {
-        sign |= account_storeys(f, now, next, f->energy->storey_2x);
-    }
     return sign < 0 ? FLIGHT_PEAK : 0;
+}
+
+LANES unsigned flight_step(const struct flight *f, const struct state *now, struct state *next,
+                           double ground) {
+    struct work *w = f->work;
+    begin(f, now, next, ground);
+    unbalance(&f->model->chain, next->external, now->a, next->u, next->v, w->residual);
+    solve(w);
+    return end(f, now, next, correct(f, now, next->base, next->u, next->v, next->a));
+}
+
+LANES unsigned flight_step_yielding(const struct flight *f, const struct state *now,
+                                    struct state *next, double ground) {
+    struct work *w = f->work;
+    begin(f, now, next, ground);
+    if (follow(f, next->u, next->drift, next->shear) < 0) {
+        return FLIGHT_ENDS;
+    }
+    unbalance_of(&f->model->chain, next->external, now->a, next->v, next->shear, w->residual);
+    solve(w);
+    int64_t sign = correct(f, now, next->base, next->u, next->v, next->a);
+    if (follow(f, next->u, next->drift, next->shear) < 0) {
+        return FLIGHT_ENDS;
+    }
+    unsigned event = end(f, now, next, sign);
+    bool goes_on = event != FLIGHT_ENDS;
+    bool peak = goes_on && account_storeys(f, now, next, f->energy->storey_2x) < 0;
+    return peak ? FLIGHT_PEAK : event;
 }
 
 LANES unsigned flight_peaks(const struct flight *f, const struct state *s) {
