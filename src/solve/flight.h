@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Free flight: steps of the model's size in which no link acts and no storey changes its branch.
-// They need no iteration and no
-// search, and most steps are such, so they have a way of their own through the solver. It gives the
-// same bits as newmark_step, energy_step and peaks_update.
+// They need no iteration and no search, and most steps are such, so they have a way of their own
+// through the solver. It gives the same bits as newmark_step, energy_step and peaks_update.
 #ifndef JOSTLE_FLIGHT_H
 #define JOSTLE_FLIGHT_H
 
@@ -26,15 +25,17 @@ struct flight {
     struct energy_account *energy;
     bool possible;  // with this model
     bool yields;    // not all storeys are elastic
-    // The storeys' branches, all (n_dof): struct storey_branch.
-    double *back, *spring, *rest, *limit;
-    bool uniform;  // one ground moves all, and there are no loads
+    bool uniform;   // one ground moves all, and there are no loads
+
+    double *back, *spring, *rest, *limit;  // (n_dof) the storeys' branches: struct storey_branch
+
     int n_group;
     struct gap_group *group;  // (n_group)
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
-    long ahead_from;          // step of the first of the next two
-    double time[FLIGHT_AHEAD];
-    double ground[FLIGHT_AHEAD];  // [L/T^2]; uniform
+
+    long ahead_from;              // step of the first of what is computed ahead:
+    double time[FLIGHT_AHEAD];    // [T]
+    double ground[FLIGHT_AHEAD];  // [L/T^2] acceleration; uniform
 };
 
 // Room for the flights of a model; false: no memory.
@@ -42,8 +43,7 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
 
 // Steps from step `n` of the model, whose state is `*now`, as far as step `end`, but stops before a
 // step in which a link would act or a storey change its branch. Returns the step that it has
-// reached; `*now` is its state, and
-// `*next` is of no meaning.
+// reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
 // What a step may turn out to be.
