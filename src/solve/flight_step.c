@@ -10,6 +10,7 @@
 // |x| > p is tested by the sign of bits(p) - bits(|x|): numbers that are not negative stand in the
 // order of their bits, and what is not a number stands above all.
 #include <float.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -86,7 +87,7 @@ static inline void unbalance_of(const struct chain *c, const double *external, c
 }
 
 // Adds to y (LANES_WIDTH) as many rows, each times its r.
-static inline void add_rows(const double *row, int stride, const double *r, lanes_wide *y) {
+static inline void add_rows(const double *row, ptrdiff_t stride, const double *r, lanes_wide *y) {
     lanes_wide sum = *y;
     for (int i = 0; i < LANES_WIDTH; i++) {
         sum += r[i] * *(const lanes_wide *)(row + i * stride);
@@ -95,9 +96,10 @@ static inline void add_rows(const double *row, int stride, const double *r, lane
 }
 
 // LANES_WIDTH columns of q = A^-1 r, whose rows are `stride` long.
-static inline void multiply_columns(const double *inverse, int stride, const double *r, double *q) {
+static inline void multiply_columns(const double *inverse, ptrdiff_t stride, const double *r,
+                                    double *q) {
     lanes_wide y = {0.0};
-    for (int i = 0; i < stride; i += LANES_WIDTH) {
+    for (ptrdiff_t i = 0; i < stride; i += LANES_WIDTH) {
         add_rows(inverse + i * stride, stride, r + i, &y);
     }
     *(lanes_wide *)q = y;
