@@ -11,7 +11,11 @@
 // made, it is compiled once.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
     !defined(__SANITIZE_ADDRESS__)
+#if __GNUC__ >= 12
 #define LANES __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
+#else
+#define LANES __attribute__((target_clones("default", "avx2")))
+#endif
 #else
 #define LANES
 #endif
