@@ -9,6 +9,7 @@
 //
 // |x| > p is tested by the sign of bits(p) - bits(|x|): numbers that are not negative stand in the
 // order of their bits, and what is not a number stands above all.
+#include <assert.h>
 #include <float.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -86,34 +87,37 @@ static inline void unbalance_of(const struct chain *c, const double *external, c
     }
 }
 
-// Adds to y (LANES_WIDTH) as many rows, each times its r.
-static inline void add_rows(const double *row, ptrdiff_t stride, const double *r, lanes_wide *y) {
-    lanes_wide sum = *y;
+// q = A^-1 r for at most LANES_WIDTH floors.
+static inline void multiply_low(const double *inverse, const double *r, double *q) {
+    lanes_wide sum = {0.0};
     for (int i = 0; i < LANES_WIDTH; i++) {
-        sum += r[i] * *(const lanes_wide *)(row + i * stride);
+        sum += r[i] * *(const lanes_wide *)(inverse + (ptrdiff_t)i * LANES_WIDTH);
     }
-    *y = sum;
+    *(lanes_wide *)q = sum;
 }
 
-// LANES_WIDTH columns of q = A^-1 r, whose rows are `stride` long.
-static inline void multiply_columns(const double *inverse, ptrdiff_t stride, const double *r,
-                                    double *q) {
-    lanes_wide y = {0.0};
-    for (ptrdiff_t i = 0; i < stride; i += LANES_WIDTH) {
-        add_rows(inverse + i * stride, stride, r + i, &y);
+// For at most twice as many: LANES_WIDTH columns, the first of which is column j.
+static inline void multiply_columns(const double *inverse, int j, const double *r, double *q) {
+    const double *row = inverse + j;
+    lanes first = {0.0}, second = {0.0};
+    for (int i = 0; i < 2 * LANES_WIDTH; i++, row += 2 * LANES_WIDTH) {
+        first += r[i] * *(const lanes *)row;
+        second += r[i] * *(const lanes *)(row + LANES_VECTOR);
     }
-    *(lanes_wide *)q = y;
+    *(lanes *)(q + j) = first;
+    *(lanes *)(q + j + LANES_VECTOR) = second;
 }
 
 // q = A^-1 r. Rows and columns beyond the inverse are 0, and what is written beyond q belongs to
 // the next building.
 static inline void multiply(const struct effective *e, const double *r, double *q) {
+    static_assert(INVERSE_FLOORS_MAX <= 2 * LANES_WIDTH, "those are all the strides there are");
+    static_assert(LANES_WIDTH == 2 * LANES_VECTOR, "there are two halves");
     if (e->stride == LANES_WIDTH) {
+        multiply_low(e->inverse, r, q);
+    } else {
+        multiply_columns(e->inverse, 0, r, q);
         multiply_columns(e->inverse, LANES_WIDTH, r, q);
-        return;
-    }
-    for (int j = 0; j < e->stride; j += LANES_WIDTH) {
-        multiply_columns(e->inverse + j, e->stride, r, q + j);
     }
 }
 
