@@ -98,9 +98,10 @@ static inline void multiply_low(const double *inverse, const double *r, double *
 
 // For at most twice as many: LANES_WIDTH columns, the first of which is column j.
 static inline void multiply_columns(const double *inverse, int j, const double *r, double *q) {
+    enum { STRIDE = 2 * LANES_WIDTH };
     const double *row = inverse + j;
     lanes first = {0.0}, second = {0.0};
-    for (int i = 0; i < 2 * LANES_WIDTH; i++, row += 2 * LANES_WIDTH) {
+    for (int i = 0; i < STRIDE; i++, row += STRIDE) {
         first += r[i] * *(const lanes *)row;
         second += r[i] * *(const lanes *)(row + LANES_VECTOR);
     }
