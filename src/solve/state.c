@@ -33,6 +33,7 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
     } part[] = {
         {&s->storey_history, (size_t)m->n_storey_history},
         {&s->force, n_link},
+        {&s->past, 2 * n_link},
         {&s->delta, n_link + LANES_WIDTH},
         {&s->t_close, n_link},
         {&s->v_close, n_link},
@@ -48,9 +49,10 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
         }
     }
     s->live = arena_alloc(a, n_link, sizeof *s->live);
+    s->n_past = arena_alloc(a, n_link, sizeof *s->n_past);
     s->is_live = arena_alloc(a, n_link, sizeof *s->is_live);
     s->closed = arena_alloc(a, n_link, sizeof *s->closed);
-    return s->live && s->is_live && s->closed && alloc_floors(s, m, a);
+    return s->live && s->n_past && s->is_live && s->closed && alloc_floors(s, m, a);
 }
 
 void state_open_links(struct state *s) {
@@ -144,6 +146,7 @@ void state_close_link(struct state *s, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     state_enliven(s, k);
     s->closed[k] = true;
+    s->n_past[k] = 0;
     s->t_close[k] = s->time;
     s->v_close[k] = fmax(state_rate(s, m, k), 0.0);
     if (l->law->close) {
