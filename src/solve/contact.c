@@ -16,7 +16,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "core/number.h"
 #include "solve/block.h"
@@ -99,6 +98,7 @@ static double guess(const struct state *now, int k) {
     return f > 0.0 ? number_max(next, 0.0) : f;
 }
 
+// A link is enlivened at most once a step.
 static void enliven(struct work *w, struct state *next, int k) {
     state_enliven(next, k);
     gaps_touch(&w->gaps, k);
@@ -118,12 +118,17 @@ void contact_begin(struct work *w, const struct state *now, struct state *next) 
             next->n_past[k] = now->n_past[k] < 2 ? now->n_past[k] + 1 : 2;
             next->t_close[k] = now->t_close[k];
             next->v_close[k] = now->v_close[k];
-            memcpy(next->link_history + l->history, now->link_history + l->history,
-                   (size_t)l->law->n_history * sizeof *next->link_history);
+            for (int j = l->history; j < l->history + l->law->n_history; j++) {
+                next->link_history[j] = now->link_history[j];
+            }
             w->branch[k] = BRANCH_CLOSED;
             w->clamped[k] = false;
         }
     }
+}
+
+void contact_penetrations(struct work *w, struct state *next) {
+    gaps_update(&w->gaps, next);
 }
 
 // Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
@@ -252,7 +257,7 @@ static struct progress sweep(struct work *w, const struct state *now, struct sta
             w->totals->iterations++;
             return s;
         }
-        answer(w, now, next, &w->quick[i], &s);
+        answer(w, now, next, &w->quick[next->live[i]], &s);
     }
 }
 

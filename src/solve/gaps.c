@@ -3,6 +3,8 @@
 // j + 1, ... of the next, so that their penetrations are differences of stretches of one array.
 #include "solve/gaps.h"
 
+#include <math.h>
+
 #include "core/arena.h"
 #include "core/lanes.h"
 
@@ -19,11 +21,16 @@ static bool continues(const struct model *m, const struct gap_run *r, int k) {
            l->building[0] == r->building[0] && l->building[1] == r->building[1];
 }
 
+static double open_limit(const struct link *l) {
+    return l->law->rebound ? INFINITY : 0.0;
+}
+
 static void find_runs(struct gaps *g) {
     const struct model *m = g->model;
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         g->gap[k] = l->gap;
+        g->limit[k] = open_limit(l);
         if (g->n_run > 0 && continues(m, &g->run[g->n_run - 1], k)) {
             g->run[g->n_run - 1].n++;
             continue;
@@ -63,6 +70,8 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
     *g = (struct gaps){
         .model = m,
         .gap = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->gap),
+        .limit = arena_alloc(a, n_link, sizeof *g->limit),
+        .acting = arena_alloc(a, n_link, sizeof *g->acting),
         .run = arena_alloc(a, n_link, sizeof *g->run),
         .start = arena_alloc(a, n_building + 1, sizeof *g->start),
         .of_building = arena_alloc(a, 2 * n_link, sizeof *g->of_building),
@@ -71,7 +80,7 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
         .touched = arena_alloc(a, n_building, sizeof *g->touched),
         .is_touched = arena_alloc(a, n_building, sizeof *g->is_touched),
     };
-    if (!g->gap || !g->run || !g->start || !g->of_building || !g->visited || !g->pressed ||
+    if (!g->gap || !g->limit || !g->acting || !g->run || !g->start || !g->of_building || !g->visited || !g->pressed ||
         !g->touched || !g->is_touched) {
         return false;
     }
@@ -89,12 +98,13 @@ LANES static int update(const struct gaps *g, const double *restrict u, double *
         const double *restrict left = u + r->left;
         const double *restrict right = u + r->right;
         const double *restrict gap = g->gap + r->first;
+        const double *restrict limit = g->limit + r->first;
         double *restrict delta = all + r->first;
         long any = 0;
         for (int j = 0, n = r->n; j < n; j++) {
             double d = left[j] - right[j] - gap[j];
             delta[j] = d;
-            any |= d > 0.0;
+            any |= d > limit[j];
         }
         pressed[n_pressed] = g->visited[i];
         n_pressed += any != 0;
@@ -150,13 +160,18 @@ void gaps_update_touched(struct gaps *g, struct state *s) {
 }
 
 void gaps_forget(struct gaps *g) {
+    for (int i = 0; i < g->n_acting; i++) {
+        g->limit[g->acting[i]] = open_limit(&g->model->link[g->acting[i]]);
+    }
     for (int i = 0; i < g->n_touched; i++) {
         g->is_touched[g->touched[i]] = false;
     }
-    g->n_touched = 0;
+    g->n_acting = g->n_touched = 0;
 }
 
 void gaps_touch(struct gaps *g, int k) {
+    g->acting[g->n_acting++] = k;
+    g->limit[k] = INFINITY;
     for (int i = 0; i < 2; i++) {
         int b = g->model->link[k].building[i];
         if (b != WALL && !g->is_touched[b]) {

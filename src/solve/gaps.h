@@ -15,12 +15,15 @@ struct gap_run {
 struct gaps {
     const struct model *model;  // borrowed
     double *gap;                // [L] (n_link)
+    double *limit;              // [L] (n_link) a link beyond this may close: 0, but infinite for
+                                // links that act, and for those without a force
     int n_run;
     struct gap_run *run;
     int *start, *of_building;    // (n_building + 1): runs at each building, one list behind another
     int n_visited, *visited;     // scratch: runs that an update goes over
-    int n_pressed, *pressed;     // runs in which a link had delta > 0 in the last update
-    int n_touched, *touched;     // buildings whose links act in this step
+    int n_pressed, *pressed;     // runs in which a link was beyond its limit in the last update
+    int n_acting, *acting;       // links that act in this step
+    int n_touched, *touched;     // their buildings
     bool *is_touched;            // (n_building)
 };
 
@@ -32,10 +35,10 @@ void gaps_update(struct gaps *g, struct state *s);
 // The same where only touched buildings have moved.
 void gaps_update_touched(struct gaps *g, struct state *s);
 
-// No building is touched any more.
+// No link acts, and no building is touched any more.
 void gaps_forget(struct gaps *g);
 
-// The buildings of link k are.
+// Link k acts, and touches its buildings.
 void gaps_touch(struct gaps *g, int k);
 
 #endif

@@ -77,7 +77,7 @@ static void solve_buildings(struct work *w) {
 static bool correct(struct work *w, const struct state *now, struct state *next) {
     bool finite = chain_correct(&w->model->chain, w->b, w->g, w->correction, w->u_trial, w->v_trial,
                                 now->a, next->base, next->u, next->v, next->a, next->total);
-    gaps_update(&w->gaps, next);
+    contact_penetrations(w, next);
     return finite;
 }
 

@@ -25,43 +25,53 @@
 static const double NEAR = 0.1;
 static const double STEEPEST = 0.1;
 
-static void gather(struct work *w, const struct state *next, int k, struct quick *p) {
-    const struct link *l = &w->model->link[k];
-    const struct ends *e = &w->ends[k];
-    *p = (struct quick){
-        .link = l,
-        .history = next->link_history + l->history,
-        .index = k,
-        .smooth = l->law->traits & CONTACT_SMOOTH,
-        .trusted = w->branch[k] == BRANCH_CLOSED && l->law->force && !w->clamped[k],
-        .end = {e->left, e->right},
-        .d_trial = w->u_trial[e->left] - w->u_trial[e->right] - e->gap +
-                   state_ground_gap(l, w->model, next->ground_u),
-        .v_trial = w->v_trial[e->left] - w->v_trial[e->right] +
-                   state_ground_gap(l, w->model, next->ground_v),
-    };
+void quick_init(struct quick *p, const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    *p = (struct quick){.link = l, .index = k, .smooth = l->law->traits & CONTACT_SMOOTH};
+    for (int i = 0; i < 2; i++) {
+        bool wall = l->dof[i] == WALL;
+        p->end[i] = wall ? m->n_dof : l->dof[i];
+        p->first[i] = wall ? 0 : m->building[l->building[i]].first;
+        p->column[i] = NULL;
+    }
+}
+
+// Where d and v are without corrections, and how the ends yield.
+static void gather(const struct work *w, const struct state *next, struct quick *p) {
+    const struct link *l = p->link;
+    int left = p->end[0];
+    int right = p->end[1];
+    p->history = next->link_history + l->history;
+    p->trusted = w->branch[p->index] == BRANCH_CLOSED && l->law->force && !w->clamped[p->index];
+    p->settled = p->open = false;
+    p->d_trial = w->u_trial[left] - w->u_trial[right] - l->gap;
+    p->v_trial = w->v_trial[left] - w->v_trial[right];
+    if (l->moving_ground) {
+        p->d_trial += state_ground_gap(l, w->model, next->ground_u);
+        p->v_trial += state_ground_gap(l, w->model, next->ground_v);
+    }
+    p->flexibility = 0.0;
     for (int i = 0; i < 2; i++) {
         if (l->dof[i] != WALL) {
             struct effective *a = &w->effective[l->building[i]];
-            int floor = l->floor[i] - 1;
-            p->column[i] = effective_column(a, floor);
+            p->column[i] = effective_column(a, l->floor[i] - 1);
             p->lanes[i] = a->stride;
-            p->correction[i] = w->correction + (l->dof[i] - floor);
-            p->flexibility += p->column[i][floor];
+            p->flexibility += p->column[i][l->floor[i] - 1];
         }
     }
-    w->flexibility[k] = p->flexibility;
+    w->flexibility[p->index] = p->flexibility;
 }
 
 void quick_gather(struct work *w, const struct state *next) {
     for (int i = 0; i < next->n_live; i++) {
-        gather(w, next, next->live[i], &w->quick[i]);
+        gather(w, next, &w->quick[next->live[i]]);
     }
 }
 
 // q += f column; beyond the floors of the building the column is 0.
 static inline void push(double *restrict q, const double *restrict column, int n, double f) {
-    for (int i = 0; i < n; i += LANES_WIDTH) {
+    enum { VECTOR = sizeof(lanes) / sizeof(double) };
+    for (int i = 0; i < n; i += VECTOR) {
         *(lanes *)(q + i) += f * *(const lanes *)(column + i);
     }
 }
@@ -97,10 +107,10 @@ static inline bool straight(double change, double f, double enough) {
 }
 
 // Moves the ends of the link by what df does to them.
-static inline void move(struct quick *p, double x, double df) {
+static inline void move(const struct work *w, struct quick *p, double x, double df) {
     p->seen = x - p->flexibility * df;
-    push(p->correction[0], p->column[0], p->lanes[0], -df);
-    push(p->correction[1], p->column[1], p->lanes[1], df);
+    push(w->correction + p->first[0], p->column[0], p->lanes[0], -df);
+    push(w->correction + p->first[1], p->column[1], p->lanes[1], df);
 }
 
 // A Newton step on the force f of a link that sees x; false: not safe.
@@ -127,7 +137,7 @@ static inline bool step(const struct work *w, struct quick *p, double x, double 
     }
     *f += df;
     p->settled = moved < p->room_v && straight(slope * df, *f, s->enough);
-    move(p, x, df);
+    move(w, p, x, df);
     if (fabs(df) > s->change && fabs(df) > s->enough && !negligible(w, p, df)) {
         s->change = fabs(df);
     }
@@ -136,7 +146,7 @@ static inline bool step(const struct work *w, struct quick *p, double x, double 
 
 LANES int quick_sweep(struct work *w, struct state *next, int first, struct progress *s) {
     for (int i = first; i < next->n_live; i++) {
-        struct quick *p = &w->quick[i];
+        struct quick *p = &w->quick[next->live[i]];
         double *f = &next->force[p->index];
         double x = w->correction[p->end[0]] - w->correction[p->end[1]];
         bool apart = p->open && p->d_trial + w->b * x <= 0.0;

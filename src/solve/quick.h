@@ -6,24 +6,24 @@
 
 #include "solve/work.h"
 
-// One live link within a contact solve.
+// One link. What changes is gathered where it is live.
 struct quick {
     const struct link *link;
-    const double *history;
-    int index;                   // of the link
-    bool trusted;                // its force is on the closed branch: a Newton step may start there
-    bool smooth;                 // its law is CONTACT_SMOOTH
-    bool settled;                // its force obeyed the law when it saw `seen`
-    bool open;                   // its force is 0 as long as d <= 0
-    int end[2];                  // of the link among the arrays of struct chain
-    int lanes[2];                // floors of the building at either end, in whole lanes; wall: 0
-    double *correction[2];       // [L/T^2] of those floors
-    const double *column[2];     // of A^-1 for the floors of the link
-    double d_trial, v_trial;     // [L] [L/T] without corrections
-    double flexibility;          // S_ll
-    double seen;                 // [L/T^2] difference of the corrections
-    double room, room_v;         // [L/T^2] by how much it may change where d and v were then
-    double slope;                // dF per difference of corrections
+    int index;       // of the link
+    bool smooth;     // its law is CONTACT_SMOOTH
+    bool trusted;    // its force is on the closed branch: a Newton step may start there
+    bool open;       // its force is 0 as long as d <= 0
+    bool settled;    // its force obeyed the law when it saw `seen`
+    int end[2];      // among the arrays of struct chain
+    int first[2];    // first floor of the building at either end, there
+    int lanes[2];    // floors of that building, in whole lanes; 0 for a wall
+    const double *column[2];      // of A^-1 for the floors of the link
+    const double *history;        // of the law
+    double d_trial, v_trial;      // [L] [L/T] without corrections
+    double flexibility;           // S_ll
+    double seen;                  // [L/T^2] difference of the corrections of its ends
+    double slope;                 // dF per difference of corrections
+    double room, room_v;          // [L/T^2] by how much it may change where d and v were then
     struct contact_response law;  // at the last Newton step
 };
 
@@ -33,11 +33,14 @@ struct progress {
     double enough;           // [F] changes below this do not matter
 };
 
-// Gathers the live links of `next` into w->quick.
+// What does not change of link k.
+void quick_init(struct quick *p, const struct model *m, int k);
+
+// The rest for the live links of `next`.
 void quick_gather(struct work *w, const struct state *next);
 
-// Takes Newton steps from link `first` of w->quick on, until one that is not safe; returns its
-// index, or how many links there are.
+// Takes Newton steps on the live links of `next` from number `first` on, until one that is not safe;
+// returns its number, or next->n_live.
 int quick_sweep(struct work *w, struct state *next, int first, struct progress *progress);
 
 #endif

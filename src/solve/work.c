@@ -43,6 +43,7 @@ static bool alloc_links(struct work *w, const struct model *m, struct arena *a) 
 static void fill_links(struct work *w, const struct model *m) {
     for (int k = 0; k < m->n_link; k++) {
         const int *dof = m->link[k].dof;
+        quick_init(&w->quick[k], m, k);
         w->ends[k] = (struct ends){dof[0] == WALL ? m->n_dof : dof[0],
                                    dof[1] == WALL ? m->n_dof : dof[1], m->link[k].gap};
         if (m->link[k].law->rebound) {

@@ -42,7 +42,7 @@ struct work {
     bool *settled;              // (n_building) storeys agree with the tangents used
 
     struct gaps gaps;
-    struct quick *quick;            // (n_link) live links within a contact solve
+    struct quick *quick;            // (n_link) of quick sweeps
     struct ends *ends;              // (n_link)
     int n_rigid, *rigid;            // contacts of laws without a force
     double *flexibility;            // [L/T^2/F] (n_link) S_ll of live links
