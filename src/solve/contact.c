@@ -4,10 +4,12 @@
 // With A the effective masses and B the links' directions, accelerations are a = a_free - A^-1 B'
 // f, so that link l sees d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l
 // with the flexibility S = B A^-1 B'. S is never formed: a column of A^-1 carries each change of a
-// force into the accelerations. A sweep gives every active link its exact answer (line.c) with the
-// others held, which is coordinate descent on a convex function where laws do not pull, and so
-// converges whatever the step. Where it is slow, because stiff links share a floor, a block Newton
-// step (block.c) is put between sweeps, and kept only if it halves the error.
+// force into the accelerations. Quick sweeps (quick.c) take Newton steps, link by link, and give a
+// link its exact answer (line.c) with the others held where such a step is not safe; they do as
+// long as changes shrink fast. From then on every link gets its exact answer in each sweep, which
+// is coordinate descent on a convex function where laws do not pull, and so converges whatever the
+// step. Where it is slow, because stiff links share a floor, a block Newton step (block.c) is put
+// between sweeps, and kept only if it halves the error.
 //
 // Converged: in one sweep no force changes by more than the tolerance relative to the largest, or
 // the change moves the link by less than the rounding of its displacements. The latter keeps
@@ -29,13 +31,13 @@
 // is 1/2 (eigenvalues of the recursion for d, v and a); then nothing is given back.
 static const double RECOVERY = 0.5;
 
-// Block steps are tried after so many sweeps, where the last one brought the change of the forces
-// down by less than this factor.
+// Quick sweeps end, and block steps are tried, after so many sweeps, where the last one brought the
+// change of the forces down by less than the factor SLOW.
 enum { PLAIN_SWEEPS = 4 };
+static const double SLOW = 0.2;
 
 // After so many, laws are no longer let pull.
 enum { PULLING_SWEEPS = 25 };
-static const double SLOW = 0.2;
 
 // Changes of a force less than this share of it may come from the rounding of others.
 static const double SMALL = 1e-8;
@@ -94,7 +96,9 @@ static double guess(const struct state *now, int k) {
     double f = now->force[k];
     double f1 = now->past[2 * k];
     double f2 = now->past[2 * k + 1];
-    double next = now->n_past[k] == 0 ? f : now->n_past[k] == 1 ? 2.0 * f - f1 : 3.0 * (f - f1) + f2;
+    double next = now->n_past[k] == 0   ? f
+                  : now->n_past[k] == 1 ? 2.0 * f - f1
+                                        : 3.0 * (f - f1) + f2;
     return f > 0.0 ? number_max(next, 0.0) : f;
 }
 
@@ -229,14 +233,13 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
     int k = p->index;
     const struct contact_law *law = p->link->law;
     double df = contact_settle(w, now, next, k);
-    double size = fabs(next->force[k]);
     bool jumps = law->traits & CONTACT_JUMPS;
     bool pulls = law->traits & CONTACT_MAY_PULL;
     p->trusted = w->branch[k] == BRANCH_CLOSED && law->force && !w->clamped[k] &&
                  (now->closed[k] || !(jumps || pulls));
     p->open = w->branch[k] == BRANCH_OPEN && law->force && !(now->closed[k] && pulls);
     p->settled = false;
-    s->largest = number_max(s->largest, size);
+    s->largest = number_max(s->largest, fabs(next->force[k]));
     if (fabs(df) > s->change) {
         struct line line = contact_line(w, now, next, k);
         if (!negligible(w, &line, w->branch[k], next->force[k], df)) {
@@ -295,8 +298,9 @@ static double largest_guess(const struct state *next) {
     return largest;
 }
 
-// Sweeps, with block steps between them once plain sweeps are too slow.
-static int iterate(struct work *w, const struct state *now, struct state *next, bool *blocked) {
+// Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
+// for what it took.
+static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
     double before = INFINITY;
     double largest = largest_guess(next);
     w->others_d = w->others_v = 0.0;
@@ -319,10 +323,12 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
         }
         if (i == PULLING_SWEEPS) {
             clamp(w, next);
+            answers = ANSWERS_EXACT;
         }
         if (i + 1 >= PLAIN_SWEEPS && s.change > SLOW * before) {
             answers = ANSWERS_EXACT;
-            *blocked |= block_steps(w, now, next);
+            bool blocked = block_steps(w, now, next) || *counter == &w->totals->block;
+            *counter = blocked ? &w->totals->block : &w->totals->scalar;
         }
         before = s.change;
         largest = s.largest;
@@ -356,10 +362,9 @@ static bool undecided(const struct work *w, const struct state *now, const struc
 }
 
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
-    bool blocked = false;
-    long before = w->totals->iterations;
+    long *counter = &w->totals->fast;
     quick_gather(w, next);
-    int status = iterate(w, now, next, &blocked);
+    int status = iterate(w, now, next, &counter);
     if (status != STATUS_OK) {
         return status;
     }
@@ -367,7 +372,6 @@ int contact_solve(struct work *w, const struct state *now, struct state *next) {
     if (undecided(w, now, next)) {
         return STATUS_RETRY;
     }
-    long sweeps = w->totals->iterations - before;
-    *(blocked ? &w->totals->block : sweeps > 2 ? &w->totals->scalar : &w->totals->fast) += 1;
+    *counter += 1;
     return STATUS_OK;
 }

@@ -24,6 +24,9 @@ struct effective {
     double *inverse;         // (n_floor, stride) A^-1; rows ready where marked
     bool *ready;             // (n_floor) row of `inverse` is valid
     int n_ready;             // rows below this are
+    struct reach {
+        int from, to;  // in whole lanes
+    } * reach;         // (n_floor) of ready rows: entries outside are below rounding
 };
 
 // Room for the factors of `building`, with the initial tangents; false: no memory.

@@ -19,12 +19,12 @@ struct gaps {
                                 // links that act, and for those without a force
     int n_run;
     struct gap_run *run;
-    int *start, *of_building;    // (n_building + 1): runs at each building, one list behind another
-    int n_visited, *visited;     // scratch: runs that an update goes over
-    int n_pressed, *pressed;     // runs in which a link was beyond its limit in the last update
-    int n_acting, *acting;       // links that act in this step
-    int n_touched, *touched;     // their buildings
-    bool *is_touched;            // (n_building)
+    int *start, *of_building;  // (n_building + 1): runs at each building, one list behind another
+    int n_visited, *visited;   // scratch: runs that an update goes over
+    int n_pressed, *pressed;   // runs in which a link was beyond its limit in the last update
+    int n_acting, *acting;     // links that act in this step
+    int n_touched, *touched;   // their buildings
+    bool *is_touched;          // (n_building)
 };
 
 bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a);

@@ -29,10 +29,7 @@ void quick_init(struct quick *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     *p = (struct quick){.link = l, .index = k, .smooth = l->law->traits & CONTACT_SMOOTH};
     for (int i = 0; i < 2; i++) {
-        bool wall = l->dof[i] == WALL;
-        p->end[i] = wall ? m->n_dof : l->dof[i];
-        p->first[i] = wall ? 0 : m->building[l->building[i]].first;
-        p->column[i] = NULL;
+        p->end[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
     }
 }
 
@@ -54,9 +51,13 @@ static void gather(const struct work *w, const struct state *next, struct quick 
     for (int i = 0; i < 2; i++) {
         if (l->dof[i] != WALL) {
             struct effective *a = &w->effective[l->building[i]];
-            p->column[i] = effective_column(a, l->floor[i] - 1);
-            p->lanes[i] = a->stride;
-            p->flexibility += p->column[i][l->floor[i] - 1];
+            int floor = l->floor[i] - 1;
+            const double *column = effective_column(a, floor);
+            const struct reach *reach = &a->reach[floor];
+            p->flexibility += column[floor];
+            p->column[i] = column + reach->from;
+            p->first[i] = l->dof[i] - floor + reach->from;
+            p->lanes[i] = reach->to - reach->from;
         }
     }
     w->flexibility[p->index] = p->flexibility;
@@ -94,8 +95,8 @@ static inline bool evaluate(const struct work *w, struct quick *p, double x) {
     }
     p->law = l->law->force(l->constant, p->history, d, v);
     p->slope = w->b * p->law.dfdd + w->g * p->law.dfdv;
-    p->room = l->bilateral ? INFINITY : NEAR * d / w->b;
-    p->room_v = p->smooth ? fabs(v) / w->g : 0.0;
+    p->room = l->bilateral ? INFINITY : NEAR * d;
+    p->room_v = p->smooth ? fabs(v) : 0.0;
     double slope = p->flexibility * p->slope;
     return slope >= 0.0 && slope <= STEEPEST;
 }
@@ -118,7 +119,7 @@ static inline bool step(const struct work *w, struct quick *p, double x, double 
                         struct progress *s) {
     double dx = x - p->seen;
     double pending = p->slope * dx;
-    bool known = p->settled && fabs(dx) <= p->room && fabs(dx) < p->room_v &&
+    bool known = p->settled && w->b * fabs(dx) <= p->room && w->g * fabs(dx) < p->room_v &&
                  straight(pending, *f, s->enough);
     if (known && fabs(pending) <= 0.1 * s->enough) {
         return true;
@@ -132,11 +133,11 @@ static inline bool step(const struct work *w, struct quick *p, double x, double 
     double slope = p->flexibility * p->slope;
     double df = pending / (1.0 + slope);
     double moved = p->flexibility * fabs(df);
-    if (moved > p->room || fabs(df) > NEAR * fabs(*f)) {
+    if (w->b * moved > p->room || fabs(df) > NEAR * fabs(*f)) {
         return false;
     }
     *f += df;
-    p->settled = moved < p->room_v && straight(slope * df, *f, s->enough);
+    p->settled = w->g * moved < p->room_v && straight(slope * df, *f, s->enough);
     move(w, p, x, df);
     if (fabs(df) > s->change && fabs(df) > s->enough && !negligible(w, p, df)) {
         s->change = fabs(df);

@@ -36,8 +36,9 @@ static bool alloc_links(struct work *w, const struct model *m, struct arena *a) 
     w->vector = arena_alloc(a, n_block, sizeof *w->vector);
     w->order = arena_alloc(a, n_block, sizeof *w->order);
     w->matrix = arena_alloc(a, n_block * n_block, sizeof *w->matrix);
-    return w->quick && gaps_alloc(&w->gaps, m, a) && w->ends && w->rigid && w->branch && w->clamped && w->flexibility && w->checked &&
-           w->kept_f && w->grouped && w->vector && w->order && w->matrix;
+    return w->quick && gaps_alloc(&w->gaps, m, a) && w->ends && w->rigid && w->branch &&
+           w->clamped && w->flexibility && w->checked && w->kept_f && w->grouped && w->vector &&
+           w->order && w->matrix;
 }
 
 static void fill_links(struct work *w, const struct model *m) {
