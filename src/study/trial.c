@@ -77,7 +77,7 @@ static int build_and_run(const struct plan *p, long run, struct deck *deck,
                          const struct trial_watch *watch, struct study_outcome *outcome,
                          double *value, struct error *e) {
     struct model *m;
-    int status = model_build(deck, &m, e);
+    int status = model_build_shared(deck, watch->records, &m, e);
     const bool built = status == STATUS_OK;
     if (status == STATUS_INPUT) {
         status = fail_deck(outcome, deck, e);

@@ -12,6 +12,7 @@ struct trial_watch {
     // Called now and then.
     int (*poll)(void *context, double time, struct error *e);
     void *context;
+    struct shelf *records;  // that all trials share
 };
 
 // Builds the model of run `run` and runs it: its outcome and its values (n_value), NaN if it
