@@ -18,9 +18,6 @@
 
 enum { INVERSE_FLOORS_MAX = 16 };
 
-// Entries of a row of the inverse that are this small against its diagonal are below rounding.
-static const double NEGLIGIBLE = 1e-20;
-
 bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
                      struct arena *a) {
     size_t n = (size_t)building->n_floor;
@@ -178,6 +175,9 @@ void effective_solve_four(struct effective *e, double *const r[4], double *const
     }
     four_solve(e, r, q);
 }
+
+// Entries of a row of the inverse that are this small against its diagonal are below rounding.
+static const double NEGLIGIBLE = 1e-20;
 
 // Entries of row i fall off fast on both sides of the diagonal where the step is short.
 static struct reach reach_of(const struct effective *e, int i) {
