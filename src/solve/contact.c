@@ -94,12 +94,18 @@ void contact_apply(struct work *w, struct state *next, int k, double df) {
 // were with the link closed.
 static double guess(const struct state *now, int k) {
     double f = now->force[k];
-    double f1 = now->past[2 * k];
-    double f2 = now->past[2 * k + 1];
+    double f1 = now->past[k][0];
+    double f2 = now->past[k][1];
     double next = now->n_past[k] == 0   ? f
                   : now->n_past[k] == 1 ? 2.0 * f - f1
                                         : 3.0 * (f - f1) + f2;
     return f > 0.0 ? number_max(next, 0.0) : f;
+}
+
+// Forces of rigid contacts at rest hardly curve; a parabola would enlarge what they miss.
+static int past_after(const struct state *now, const struct link *l, int k) {
+    int most = l->law->rebound ? 1 : 2;
+    return now->n_past[k] < most ? now->n_past[k] + 1 : most;
 }
 
 // A link is enlivened at most once a step.
@@ -117,9 +123,9 @@ void contact_begin(struct work *w, const struct state *now, struct state *next) 
         if (now->closed[k]) {
             enliven(w, next, k);
             next->force[k] = guess(now, k);
-            next->past[2 * k] = now->force[k];
-            next->past[2 * k + 1] = now->past[2 * k];
-            next->n_past[k] = now->n_past[k] < 2 ? now->n_past[k] + 1 : 2;
+            next->past[k][0] = now->force[k];
+            next->past[k][1] = now->past[k][0];
+            next->n_past[k] = past_after(now, l, k);
             next->t_close[k] = now->t_close[k];
             next->v_close[k] = now->v_close[k];
             for (int j = l->history; j < l->history + l->law->n_history; j++) {
@@ -143,7 +149,6 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
     w->branch[k] = BRANCH_OPEN;
     w->clamped[k] = false;
     w->checked[k] = 0.0;
-    next->n_past[k] = 0;
     w->flexibility[k] = 0.0;  // its force is still 0
     struct line line = contact_line(w, now, next, k);
     struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
@@ -298,6 +303,13 @@ static double largest_guess(const struct state *next) {
     return largest;
 }
 
+// Has the sweep changed next to nothing? If it took Newton steps it measured that by the largest
+// force of the sweep before, which may have been much larger.
+static bool converged(const struct work *w, enum answers answers, const struct progress *s) {
+    double tolerance = w->model->tolerance * s->largest;
+    return s->change <= tolerance && (answers == ANSWERS_EXACT || s->enough <= 4.0 * tolerance);
+}
+
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
 // for what it took.
 static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
@@ -310,7 +322,7 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
     enum answers answers = ANSWERS_NEWTON;
     for (int i = 0; i < w->model->iterations; i++) {
         struct progress s = sweep(w, now, next, answers, largest);
-        bool done = s.change <= w->model->tolerance * s.largest;
+        bool done = converged(w, answers, &s);
         if ((done || i == PLAIN_SWEEPS) && !suffices(w, now, next)) {
             return STATUS_RETRY;
         }

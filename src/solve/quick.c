@@ -25,6 +25,9 @@
 static const double NEAR = 0.1;
 static const double STEEPEST = 0.1;
 
+// What was settled while forces were larger by this factor still is.
+static const double LOOSER = 4.0;
+
 void quick_init(struct quick *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     *p = (struct quick){.link = l, .index = k, .smooth = l->law->traits & CONTACT_SMOOTH};
@@ -119,8 +122,8 @@ static inline bool step(const struct work *w, struct quick *p, double x, double 
                         struct progress *s) {
     double dx = x - p->seen;
     double pending = p->slope * dx;
-    bool known = p->settled && w->b * fabs(dx) <= p->room && w->g * fabs(dx) < p->room_v &&
-                 straight(pending, *f, s->enough);
+    bool known = p->settled && p->within <= LOOSER * s->enough && w->b * fabs(dx) <= p->room &&
+                 w->g * fabs(dx) < p->room_v && straight(pending, *f, s->enough);
     if (known && fabs(pending) <= 0.1 * s->enough) {
         return true;
     }
@@ -129,6 +132,7 @@ static inline bool step(const struct work *w, struct quick *p, double x, double 
             return false;
         }
         pending = p->law.force - *f;
+        p->within = s->enough;
     }
     double slope = p->flexibility * p->slope;
     double df = pending / (1.0 + slope);
@@ -139,6 +143,7 @@ static inline bool step(const struct work *w, struct quick *p, double x, double 
     *f += df;
     p->settled = w->g * moved < p->room_v && straight(slope * df, *f, s->enough);
     move(w, p, x, df);
+    p->room_v = p->smooth ? fabs(p->v_trial + w->g * p->seen) : 0.0;
     if (fabs(df) > s->change && fabs(df) > s->enough && !negligible(w, p, df)) {
         s->change = fabs(df);
     }

@@ -25,6 +25,7 @@ struct quick {
     double slope;             // dF per difference of corrections
     double room, room_v;      // [L] [L/T] by how much d and v may move from where they were
     struct contact_response law;  // at the last Newton step
+    double within;                // [F] what did not matter then
 };
 
 // What a sweep found.

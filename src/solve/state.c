@@ -33,7 +33,6 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
     } part[] = {
         {&s->storey_history, (size_t)m->n_storey_history},
         {&s->force, n_link},
-        {&s->past, 2 * n_link},
         {&s->delta, n_link + LANES_WIDTH},
         {&s->t_close, n_link},
         {&s->v_close, n_link},
@@ -49,10 +48,11 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
         }
     }
     s->live = arena_alloc(a, n_link, sizeof *s->live);
+    s->past = arena_alloc(a, n_link, sizeof *s->past);
     s->n_past = arena_alloc(a, n_link, sizeof *s->n_past);
     s->is_live = arena_alloc(a, n_link, sizeof *s->is_live);
     s->closed = arena_alloc(a, n_link, sizeof *s->closed);
-    return s->live && s->n_past && s->is_live && s->closed && alloc_floors(s, m, a);
+    return s->live && s->past && s->n_past && s->is_live && s->closed && alloc_floors(s, m, a);
 }
 
 void state_open_links(struct state *s) {
@@ -67,6 +67,7 @@ void state_open_links(struct state *s) {
 void state_enliven(struct state *s, int k) {
     if (!s->is_live[k]) {
         s->is_live[k] = true;
+        s->n_past[k] = 0;
         s->live[s->n_live++] = k;
     }
 }
