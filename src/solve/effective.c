@@ -14,6 +14,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "solve/four.h"
 
 bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
                      struct arena *a) {
@@ -27,7 +28,8 @@ bool effective_alloc(struct effective *e, const struct building *building, enum 
     e->stride = lanes_whole(building->n_floor);
     e->inverse = lanes_array(a, e->stride * e->stride);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
-    if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->ready) {
+    e->reach = arena_alloc(a, n, sizeof *e->reach);
+    if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->ready || !e->reach) {
         return false;
     }
     memcpy(e->tangent, building->stiffness, n * sizeof *e->tangent);
@@ -84,6 +86,9 @@ static int factor_full(struct effective *e, double b, double g) {
         return STATUS_RETRY;
     }
     memset(e->ready, true, n * sizeof *e->ready);
+    for (size_t i = 0; i < n; i++) {
+        e->reach[i] = (struct reach){0, e->stride};
+    }
     e->n_ready = building->n_floor;
     return STATUS_OK;
 }
@@ -144,28 +149,6 @@ void effective_solve(struct effective *e, double *r, double *q) {
     }
 }
 
-// Four chains of dependences in flight.
-static void solve_four(const struct effective *e, double *const r[4]) {
-    int n = e->building->n_floor;
-    const double *l0 = e[0].factor, *l1 = e[1].factor, *l2 = e[2].factor, *l3 = e[3].factor;
-    const double *p0 = e[0].pivot, *p1 = e[1].pivot, *p2 = e[2].pivot, *p3 = e[3].pivot;
-    double *restrict r0 = r[0], *restrict r1 = r[1], *restrict r2 = r[2], *restrict r3 = r[3];
-    double x0 = r0[0], x1 = r1[0], x2 = r2[0], x3 = r3[0];
-    for (int i = 1; i < n; i++) {
-        r0[i] = x0 = r0[i] - l0[i - 1] * x0;
-        r1[i] = x1 = r1[i] - l1[i - 1] * x1;
-        r2[i] = x2 = r2[i] - l2[i - 1] * x2;
-        r3[i] = x3 = r3[i] - l3[i - 1] * x3;
-    }
-    x0 = x1 = x2 = x3 = 0.0;
-    for (int i = n - 1; i >= 0; i--) {
-        r0[i] = x0 = r0[i] * p0[i] - l0[i] * x0;
-        r1[i] = x1 = r1[i] * p1[i] - l1[i] * x1;
-        r2[i] = x2 = r2[i] * p2[i] - l2[i] * x2;
-        r3[i] = x3 = r3[i] * p3[i] - l3[i] * x3;
-    }
-}
-
 void effective_solve_four(struct effective *e, double *const r[4], double *const q[4]) {
     int n = e->building->n_floor;
     bool alike = true;
@@ -178,12 +161,25 @@ void effective_solve_four(struct effective *e, double *const r[4], double *const
         }
         return;
     }
-    solve_four(e, r);
-    for (int k = 0; k < 4; k++) {
-        for (int i = 0; i < n; i++) {
-            q[k][i] += r[k][i];
-        }
+    four_solve(e, r, q);
+}
+
+// Entries of a row of the inverse that are this small against its diagonal are below rounding.
+static const double NEGLIGIBLE = 1e-20;
+
+// Entries of row i fall off fast on both sides of the diagonal where the step is short.
+static struct reach reach_of(const struct effective *e, int i) {
+    const double *row = e->inverse + (size_t)i * (size_t)e->stride;
+    double least = NEGLIGIBLE * fabs(row[i]);
+    int from = i;
+    int to = i + 1;
+    while (from > 0 && fabs(row[from - 1]) > least) {
+        from--;
     }
+    while (to < e->building->n_floor && fabs(row[to]) > least) {
+        to++;
+    }
+    return (struct reach){from / LANES_WIDTH * LANES_WIDTH, lanes_whole(to)};
 }
 
 const double *effective_column(struct effective *e, int i) {
@@ -193,6 +189,7 @@ const double *effective_column(struct effective *e, int i) {
         column[i] = 1.0;
         solve_tridiagonal(e, column);
         e->ready[i] = true;
+        e->reach[i] = reach_of(e, i);
         while (e->n_ready < e->building->n_floor && e->ready[e->n_ready]) {
             e->n_ready++;
         }

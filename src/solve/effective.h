@@ -26,6 +26,9 @@ struct effective {
     double *inverse;         // (stride, stride) A^-1, rows ready where marked, and zeros
     bool *ready;             // (n_floor) row of `inverse` is valid
     int n_ready;             // rows below this are
+    struct reach {
+        int from, to;  // in whole lanes
+    } * reach;         // (n_floor) of ready rows: entries outside are below rounding
 };
 
 // Room for the factors of `building`, with the initial tangents; false: no memory.
