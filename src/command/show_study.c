@@ -31,11 +31,13 @@ static void begin_line(const struct study_view *v, const struct run *r, FILE *to
         const struct sweep *s = v->sweep[i];
         later /= s->n;
         const long k = r->number / later % s->n;
-        if (s->number) {
-            fprintf(to, "%.17g\t", s->number[k]);
-        } else {
-            study_print_text(s->label[k], to);
-            fputc('\t', to);
+        for (const struct sweep *p = s; p; p = p->along) {
+            if (p->number) {
+                fprintf(to, "%.17g\t", p->number[k]);
+            } else {
+                study_print_text(p->label[k], to);
+                fputc('\t', to);
+            }
         }
     }
     fputs(r->outcome.status == STUDY_DONE ? "done\t" : "failed\t", to);
@@ -71,7 +73,9 @@ static void print_run(const struct study_view *v, const struct run *r, FILE *to)
 static void print_head(const struct study_view *v, FILE *to) {
     fputs("run\t", to);
     for (int i = 0; i < v->n_sweep; i++) {
-        fprintf(to, "%s\t", v->sweep[i]->name);
+        for (const struct sweep *p = v->sweep[i]; p; p = p->along) {
+            fprintf(to, "%s\t", p->name);
+        }
     }
     fputs("status\ttable\tname\tquantity\tlocation\tvalue\tunit\n", to);
 }
