@@ -2,11 +2,14 @@
 // The tridiagonal case is L D L^T from the ground up (Golub & Van Loan, Matrix Computations,
 // section 4.3.6), with the reciprocal pivots stored, so that a solve has no division. The full case
 // stores the inverse, which costs n^2 per solve like a pair of triangular solves but has no chain
-// of dependences. So do low buildings, once a factorisation has been used some times: there a
-// product in lanes takes less time than the chain.
+// of dependences. So do low buildings where the factorisation serves for long: there a product in
+// lanes takes less time than the chain. An elastic building has its inverse at once, so that which
+// arithmetic a step sees depends on its size alone; one that yields has it once a factorisation has
+// been used some times.
 #include "solve/effective.h"
 
 #include <gsl/gsl_linalg.h>
+#include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -14,9 +17,12 @@
 
 enum { INVERSE_FLOORS_MAX = 16 };
 
-bool effective_alloc(struct effective *e, const struct building *building, struct arena *a) {
+bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
+                     struct arena *a) {
     size_t n = (size_t)building->n_floor;
     e->building = building;
+    e->use = building->damping_full ? EFFECTIVE_LONG : use;
+    e->b = e->g = NAN;
     e->tangent = arena_alloc(a, n, sizeof *e->tangent);
     e->pivot = arena_alloc(a, n, sizeof *e->pivot);
     e->factor = arena_alloc(a, n, sizeof *e->factor);
@@ -84,8 +90,25 @@ static int factor_full(struct effective *e, double b, double g) {
     return STATUS_OK;
 }
 
+// Do solves multiply by the inverse, once it is there?
+static bool prefers_inverse(const struct effective *e) {
+    return e->use == EFFECTIVE_LONG &&
+           (e->building->damping_full || e->building->n_floor <= INVERSE_FLOORS_MAX);
+}
+
+static bool has_inverse(const struct effective *e) {
+    return e->n_ready == e->building->n_floor && prefers_inverse(e);
+}
+
 int effective_factor(struct effective *e, double b, double g) {
-    return e->building->damping_full ? factor_full(e, b, g) : factor_tridiagonal(e, b, g);
+    int status = e->building->damping_full ? factor_full(e, b, g) : factor_tridiagonal(e, b, g);
+    e->b = status == STATUS_OK ? b : NAN;
+    e->g = g;
+    bool at_once = status == STATUS_OK && e->building->elastic && prefers_inverse(e);
+    for (int i = 0; at_once && i < e->building->n_floor; i++) {
+        effective_column(e, i);
+    }
+    return status;
 }
 
 static void solve_tridiagonal(const struct effective *e, double *r) {
@@ -120,7 +143,7 @@ LANES static void multiply(const double *restrict inverse, int stride, const dou
 
 void effective_solve(struct effective *e, double *r, double *q) {
     int n = e->building->n_floor;
-    if (e->n_ready == n) {
+    if (has_inverse(e)) {
         multiply(e->inverse, e->stride, r, n, q);
         return;
     }
@@ -128,7 +151,7 @@ void effective_solve(struct effective *e, double *r, double *q) {
     for (int i = 0; i < n; i++) {
         q[i] += r[i];
     }
-    if (n <= INVERSE_FLOORS_MAX) {
+    if (prefers_inverse(e)) {
         effective_column(e, e->n_ready);
     }
 }
@@ -157,9 +180,9 @@ static void solve_four(const struct effective *e, double *const r[4]) {
 
 void effective_solve_four(struct effective *e, double *const r[4], double *const q[4]) {
     int n = e->building->n_floor;
-    bool alike = n > INVERSE_FLOORS_MAX;
+    bool alike = true;
     for (int k = 0; k < 4; k++) {
-        alike = alike && e[k].building->n_floor == n && e[k].n_ready < n;
+        alike = alike && e[k].building->n_floor == n && !prefers_inverse(&e[k]);
     }
     if (!alike) {
         for (int k = 0; k < 4; k++) {

@@ -8,18 +8,27 @@
 
 #include "jostle/model.h"
 
+// How long a factorisation will serve.
+enum effective_use {
+    EFFECTIVE_BRIEFLY,  // a step or so: solves go through the factors
+    EFFECTIVE_LONG,     // solves of low buildings multiply by the inverse
+};
+
 struct effective {
     const struct building *building;  // borrowed
-    double *tangent;                  // [F/L] (n_floor) storey tangents it was factorised with
-    double *pivot, *factor;           // (n_floor) 1/d_i and l_i of A = L D L^T; tridiagonal
-    int stride;                       // of the rows of `inverse`: n_floor in whole lanes
-    double *inverse;                  // (n_floor, stride) A^-1; rows ready where marked
-    bool *ready;                      // (n_floor) row of `inverse` is valid
-    int n_ready;                      // rows below this are
+    enum effective_use use;
+    double b, g;             // beta h^2 and gamma h of the factors; NAN: none
+    double *tangent;         // [F/L] (n_floor) storey tangents it was factorised with
+    double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T; tridiagonal
+    int stride;              // of the rows of `inverse`: n_floor in whole lanes
+    double *inverse;         // (n_floor, stride) A^-1; rows ready where marked
+    bool *ready;             // (n_floor) row of `inverse` is valid
+    int n_ready;             // rows below this are
 };
 
 // Room for the factors of `building`, with the initial tangents; false: no memory.
-bool effective_alloc(struct effective *e, const struct building *building, struct arena *a);
+bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
+                     struct arena *a);
 
 // Factorises A for beta h^2 = `b`, gamma h = `g` and the tangents of `e`. STATUS_RETRY: A is not
 // positive definite to working accuracy.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/work.h"
 
+#include <string.h>
+
 #include "core/arena.h"
 #include "core/lanes.h"
 
@@ -56,38 +58,57 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
         .block_max = m->n_link < BLOCK_MAX ? m->n_link : BLOCK_MAX,
     };
     size_t n = (size_t)m->n_building;
-    w->effective = arena_alloc(a, n, sizeof *w->effective);
+    w->home = arena_alloc(a, n, sizeof *w->home);
+    w->other = arena_alloc(a, n, sizeof *w->other);
+    w->effective = w->home;
     w->settled = arena_alloc(a, n, sizeof *w->settled);
     w->parent = arena_alloc(a, n, sizeof *w->parent);
     w->start = arena_alloc(a, n, sizeof *w->start);
     w->cluster = arena_alloc(a, n, sizeof *w->cluster);
     w->nearest = arena_alloc(a, n, sizeof *w->nearest);
-    if (!w->nearest || !w->effective || !w->settled || !w->parent || !w->start || !w->cluster ||
-        !alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
+    if (!w->nearest || !w->home || !w->other || !w->settled || !w->parent || !w->start ||
+        !w->cluster || !alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
         return false;
     }
     fill_links(w, m);
     for (int k = 0; k < m->n_building; k++) {
-        if (!effective_alloc(&w->effective[k], &m->building[k], a)) {
+        const struct building *g = &m->building[k];
+        if (!effective_alloc(&w->home[k], g, EFFECTIVE_LONG, a) ||
+            !effective_alloc(&w->other[k], g, EFFECTIVE_BRIEFLY, a)) {
             return false;
         }
     }
     return true;
 }
 
+// Factorises building k of `e` unless it is there for b, g and the tangents last used.
+static int refactor(struct work *w, struct effective *e, int k) {
+    const struct building *g = e[k].building;
+    const double *tangent = w->effective[k].tangent;
+    size_t size = (size_t)g->n_floor * sizeof *tangent;
+    bool same = g->elastic || memcmp(e[k].tangent, tangent, size) == 0;
+    if (same && e[k].b == w->b && e[k].g == w->g) {
+        return STATUS_OK;
+    }
+    memmove(e[k].tangent, tangent, size);
+    return effective_factor(&e[k], w->b, w->g);
+}
+
 int work_factor(struct work *w, double h) {
     if (w->h == h) {
         return STATUS_OK;
     }
+    struct effective *e = h == w->model->dt ? w->home : w->other;
     w->h = 0.0;
     w->b = w->model->beta * h * h;
     w->g = w->model->gamma * h;
     for (int k = 0; k < w->model->n_building; k++) {
-        int status = effective_factor(&w->effective[k], w->b, w->g);
+        int status = refactor(w, e, k);
         if (status != STATUS_OK) {
             return status;
         }
     }
+    w->effective = e;
     w->h = h;
     return STATUS_OK;
 }

@@ -24,7 +24,9 @@ struct ends {
 struct work {
     const struct model *model;    // borrowed
     struct totals *totals;        // borrowed: counters
-    struct effective *effective;  // (n_building)
+    struct effective *effective;  // (n_building) of the step in hand: `home` or `other`
+    struct effective *home;       // (n_building) for steps of the model's size
+    struct effective *other;      // (n_building) for those that were cut
     double h;                     // [T] step of the factors; 0: none yet
     double b, g;                  // beta h^2 and gamma h
     enum strictness strictness;
@@ -54,7 +56,8 @@ struct work {
 
 bool work_alloc(struct work *w, const struct model *m, struct totals *totals, struct arena *a);
 
-// Makes the factors right for a step of size h. STATUS_RETRY: a matrix is not positive definite.
+// Makes the factors right for a step of size h. Those for the model's own step are kept meanwhile.
+// STATUS_RETRY: a matrix is not positive definite.
 int work_factor(struct work *w, double h);
 
 #endif
