@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A gap that never closes is 1024 m wide: far beyond what buildings move, and yet a displacement of
+// 1 m keeps 12 digits in its difference from it. A power of two costs the gap itself no digit.
+#include "study/suite.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "study/crew.h"
+#include "study/trial.h"
+
+static const double FAR = 1024.0;  // [m]
+
+// One run of one case.
+struct job {
+    const struct suite *suite;
+    const struct suite_case *which;
+    double *value;
+};
+
+static void fail(struct study_outcome *outcome, const char *text) {
+    outcome->status = STUDY_FAILED;
+    snprintf(outcome->message, sizeof outcome->message, "%s", text);
+}
+
+// The contacts of `m` with the gap; NULL: no memory.
+static struct link *links_at(const struct model *m, double gap) {
+    struct link *link = malloc(((size_t)m->n_link + 1) * sizeof *link);
+    if (!link) {
+        return NULL;
+    }
+    memcpy(link, m->link, (size_t)m->n_link * sizeof *link);
+    for (int i = 0; i < m->n_contact && !isnan(gap); i++) {
+        link[i].gap = isinf(gap) ? FAR / m->deck->units.length : gap;
+    }
+    return link;
+}
+
+// A contact that the gap closes at t = 0 although the deck's does not; NULL: there is none.
+static const struct link *closed_at_start(const struct model *m, const struct link *link) {
+    for (int i = 0; i < m->n_contact; i++) {
+        const struct link *l = &link[i];
+        double x = l->dof[0] == WALL ? 0.0 : m->displacement[l->dof[0]];
+        x -= l->dof[1] == WALL ? 0.0 : m->displacement[l->dof[1]];
+        if (x > l->gap && x <= m->link[i].gap) {
+            return l;
+        }
+    }
+    return NULL;
+}
+
+static bool any_closed(const struct model *m, const struct results *r) {
+    bool any = false;
+    for (int i = 0; i < m->n_contact; i++) {
+        any = any || r->link[i].penetration >= 0.0;
+    }
+    return any;
+}
+
+static int analyse(const struct job *job, const struct model *m, const struct model *deck,
+                   struct study_outcome *outcome, struct error *e) {
+    const struct trial_watch watch = {.files = NULL};
+    struct results *results;
+    int status = trial_analyse(m, &watch, outcome, &results, e);
+    if (status != STATUS_OK || !results) {
+        return status;
+    }
+    if (isinf(job->which->gap) && any_closed(m, results)) {
+        fail(outcome, "a contact would close a gap of 1024 m");
+    } else {
+        job->suite->read(job->suite->context, m, deck, results, job->value);
+    }
+    results_free(results);
+    return STATUS_OK;
+}
+
+static int use_model(void *context, const struct model *m, struct study_outcome *outcome,
+                     struct error *e) {
+    const struct job *job = context;
+    struct link *link = links_at(m, job->which->gap);
+    if (!link) {
+        return error_no_memory(e);
+    }
+    struct model changed = *m;
+    changed.link = link;
+    const struct link *closed = closed_at_start(m, link);
+    int status = STATUS_OK;
+    if (closed) {
+        char text[STUDY_MESSAGE_MAX];
+        snprintf(text, sizeof text, "contact %s is closed at t = 0 with a gap of %.6g",
+                 closed->name, closed->gap);
+        fail(outcome, text);
+    } else {
+        status = analyse(job, &changed, m, outcome, e);
+    }
+    free(link);
+    return status;
+}
+
+static int do_job(void *context, long number, struct error *e) {
+    const struct suite *s = context;
+    const long n_run = s->which[0].plan->n_run;
+    struct job job = {.suite = s,
+                      .which = &s->which[number / n_run],
+                      .value = s->value + (size_t)number * s->n_value};
+    const struct trial_watch watch = {.files = NULL};
+    for (size_t i = 0; i < s->n_value; i++) {
+        job.value[i] = NAN;
+    }
+    return trial_build(job.which->plan, number % n_run, &watch, use_model, &job,
+                       &s->outcome[number], e);
+}
+
+static int poll_suite(void *context, long n_done, struct error *e) {
+    const struct suite *s = context;
+    return s->poll ? s->poll(s->context, n_done, e) : STATUS_OK;
+}
+
+int suite_run(const struct suite *s, struct error *e) {
+    struct crew crew = {.n_job = s->n_case * s->which[0].plan->n_run,
+                        .n_thread = s->n_thread,
+                        .job = do_job,
+                        .poll = poll_suite,
+                        .context = (void *)s};
+    return crew_run(&crew, e);
+}
