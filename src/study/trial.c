@@ -91,7 +91,7 @@ static int fill_table(void *context, const struct model *m, struct study_outcome
 static int build(const struct plan *p, long run, struct deck *deck, const struct trial_watch *watch,
                  trial_use *use, void *context, struct study_outcome *outcome, struct error *e) {
     struct model *m;
-    int status = model_build(deck, &m, e);
+    int status = model_build_shared(deck, watch->records, &m, e);
     const bool built = status == STATUS_OK;
     if (status == STATUS_INPUT) {
         status = fail_deck(outcome, deck, e);

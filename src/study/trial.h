@@ -13,6 +13,7 @@ struct trial_watch {
     // Called now and then. NULL: never.
     int (*poll)(void *context, double time, struct error *e);
     void *context;
+    struct shelf *records;  // that all trials share
 };
 
 // "file:line:column: message" of the first error of the deck; *text stays where there is none.
