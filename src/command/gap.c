@@ -20,7 +20,7 @@ const struct command command_gap = {
     .usage =
         "DECK [-D NAME=VALUE]... [-j THREADS] [--tsv]\n"
         "       jostle gap DECK --limit EDP=VALUE [--range FROM:TO:N] [--tolerance LENGTH]\n"
-        "                  [--percentile P] [--parameter NAME] [-D NAME=VALUE]... [-j THREADS]\n"
+        "                  [--percentile P] [--parameter PARAM] [-D NAME=VALUE]... [-j THREADS]\n"
         "                  [--tsv]",
     .summary = "prints the gap that would avoid contact, or keep a limit",
     .run = gap_command,
@@ -36,7 +36,7 @@ static const char details[] =
     "  --range FROM:TO:N   gaps to scan; default 0 to the largest closing displacement, 33 gaps\n"
     "  --tolerance LENGTH  of the bisection; default a thousandth of the range\n"
     "  --percentile P      of the runs that must keep the limit; default 100, all of them\n"
-    "  --parameter NAME    the parameter of the deck that is the gap; default: all contacts get "
+    "  --parameter PARAM   the parameter of the deck that is the gap; default: all contacts get "
     "it\n"
     "  --tsv               a table separated by tabs: every run and contact, or every gap\n"
     "  --help              this text\n\n"

@@ -74,7 +74,8 @@ static void print_ratios(const struct plan *p, const struct apart *a, double *sc
         for (int k = 0; k < SEPARATION_RULES; k++) {
             const struct apart_summary s =
                 apart_summarise(a, i, APART_RULE + k, APART_CLOSING, scratch);
-            printf(" %6.3f %6.3f", s.mean, s.least);
+            print_number(s.mean, 6, 3);
+            print_number(s.least, 6, 3);
         }
         printf("\n");
     }
@@ -82,7 +83,7 @@ static void print_ratios(const struct plan *p, const struct apart *a, double *sc
 
 static void print_modes(const struct plan *p, const struct apart *a, double *scratch) {
     const struct model *m = p->first;
-    printf("\n%-*s %9s %9s\n", NAME_WIDTH, "first modes", "T", "damping");
+    printf("\n%-*s %9s %9s\n", NAME_WIDTH, "first modes", "T", "damp. [%]");
     for (int building = 0; building < m->n_building; building++) {
         struct text_short t;
         int contact = -1, side = 0;
@@ -105,7 +106,7 @@ static void print_modes(const struct plan *p, const struct apart *a, double *scr
             100.0 *
                 apart_summarise(a, contact, APART_DAMPING_LEFT + side, APART_VALUES, scratch).mean,
             9, 4);
-        printf(" %%\n");
+        printf("\n");
     }
 }
 
@@ -118,12 +119,10 @@ void gap_print_apart(const struct plan *p, const struct apart *a, double *scratc
     print_rules(p, a, scratch);
     print_ratios(p, a, scratch);
     print_modes(p, a, scratch);
-    printf(
-        "\nclosing by: largest x_A - x_B at the floors of the contact, A the left one\n"
-        "uA, uB: largest displacements of these floors in the same run; rules run by run, then the "
-        "mean\n");
+    printf("\nclosing by: largest x_A - x_B at the floors of the contact, A the left one\n"
+           "uA, uB: largest displacements of these floors; the rules are applied run by run\n");
     for (int k = 0; k < SEPARATION_RULES; k++) {
-        printf("%s: %s\n  %s\n", separation_rules[k].name, separation_rules[k].formula,
+        printf("%-12s = %s\n    %s\n", separation_rules[k].name, separation_rules[k].formula,
                separation_rules[k].source);
     }
 }

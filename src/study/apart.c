@@ -84,7 +84,9 @@ struct apart_summary apart_summarise(const struct apart *a, int contact, int val
     size_t n = 0;
     for (long run = 0; run < a->n_run; run++) {
         const double *v = apart_values(a, run, contact);
-        const double x = below == APART_VALUES ? v[value] : v[value] / v[below];
+        const double x = below == APART_VALUES ? v[value]
+                         : v[below] > 0.0      ? v[value] / v[below]
+                                               : NAN;
         if (!isnan(x)) {
             s.run = n == 0 || x > s.largest ? run : s.run;
             s.largest = n == 0 || x > s.largest ? x : s.largest;

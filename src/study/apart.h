@@ -44,8 +44,8 @@ struct apart_summary {
     long run;  // of the largest
 };
 
-// The summary of a value of a contact, or of its ratio to `below` (APART_VALUES: as it is);
-// `scratch` has room for n_run.
+// The summary of a value of a contact, or of its ratio to `below` where that is > 0 (APART_VALUES:
+// as it is); `scratch` has room for n_run.
 struct apart_summary apart_summarise(const struct apart *a, int contact, int value, int below,
                                      double *scratch);
 

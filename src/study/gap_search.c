@@ -152,7 +152,7 @@ static int scan(struct search *s, struct error *e) {
         return error_no_memory(e);
     }
     for (int i = 0; i < q->n; i++) {
-        gap[i] = i == q->n - 1 ? q->to : q->from + (q->to - q->from) * i / (q->n - 1);
+        gap[i] = (q->from * (q->n - 1 - i) + q->to * i) / (q->n - 1);
     }
     int status = look(s, GAP_SCAN, gap, q->n, e);
     free(gap);

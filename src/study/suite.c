@@ -8,10 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "motion/shelf.h"
 #include "study/crew.h"
 #include "study/trial.h"
 
-static const double FAR = 1024.0;  // [m]
+static const double FAR = 1024.0;                    // [m]
+static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
+
+// All jobs.
+struct work {
+    const struct suite *suite;
+    struct shelf *records;
+};
 
 // One run of one case.
 struct job {
@@ -100,12 +108,13 @@ static int use_model(void *context, const struct model *m, struct study_outcome 
 }
 
 static int do_job(void *context, long number, struct error *e) {
-    const struct suite *s = context;
+    const struct work *w = context;
+    const struct suite *s = w->suite;
     const long n_run = s->which[0].plan->n_run;
     struct job job = {.suite = s,
                       .which = &s->which[number / n_run],
                       .value = s->value + (size_t)number * s->n_value};
-    const struct trial_watch watch = {.files = NULL};
+    const struct trial_watch watch = {.records = w->records};
     for (size_t i = 0; i < s->n_value; i++) {
         job.value[i] = NAN;
     }
@@ -114,15 +123,18 @@ static int do_job(void *context, long number, struct error *e) {
 }
 
 static int poll_suite(void *context, long n_done, struct error *e) {
-    const struct suite *s = context;
+    const struct suite *s = ((const struct work *)context)->suite;
     return s->poll ? s->poll(s->context, n_done, e) : STATUS_OK;
 }
 
 int suite_run(const struct suite *s, struct error *e) {
-    struct crew crew = {.n_job = s->n_case * s->which[0].plan->n_run,
-                        .n_thread = s->n_thread,
-                        .job = do_job,
-                        .poll = poll_suite,
-                        .context = (void *)s};
-    return crew_run(&crew, e);
+    struct work w = {.suite = s, .records = shelf_create(RECORDS_MAX)};
+    const struct crew crew = {.n_job = s->n_case * s->which[0].plan->n_run,
+                              .n_thread = s->n_thread,
+                              .job = do_job,
+                              .poll = poll_suite,
+                              .context = &w};
+    int status = w.records ? crew_run(&crew, e) : error_no_memory(e);
+    shelf_free(w.records);
+    return status;
 }

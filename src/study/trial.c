@@ -18,11 +18,16 @@ void trial_deck_error(const struct deck *deck, char *text, size_t size) {
     const struct diagnostics *d = &deck->diagnostics;
     for (int i = 0; i < d->n_item; i++) {
         const struct diagnostic *item = &d->item[i];
-        if (item->severity == SEVERITY_ERROR) {
+        if (item->severity != SEVERITY_ERROR) {
+            continue;
+        }
+        if (item->line > 0) {
             snprintf(text, size, "%s:%d:%d: %s", item->file, item->line, item->column,
                      item->message);
-            return;
+        } else {
+            snprintf(text, size, "%s: %s", item->file, item->message);
         }
+        return;
     }
 }
 
