@@ -18,6 +18,7 @@ static void put_history(struct result_writer *w, hid_t parent, const char *name,
         .dim = {(hsize_t)w->report->n_row, s.width},
         .scale = {w->time, width_scale},
         .chunk_rows = w->capacity,
+        .compress = w->model->output.compress,
     };
     writer_stream(w, parent, &d, s);
 }
