@@ -21,6 +21,14 @@ static void print_number(double x, int width, int digits) {
     }
 }
 
+static void print_ratio(double x) {
+    if (isnan(x)) {
+        printf(" %6s", "-");
+    } else {
+        printf(" %6.3f", x);
+    }
+}
+
 static void print_closings(const struct plan *p, const struct apart *a, double *scratch) {
     printf("%-*s %9s %9s %9s %9s %9s %9s %6s %9s\n", NAME_WIDTH, "closing by", "mean", "16 %",
            "50 %", "84 %", "largest", "in run", "gap", "runs hit");
@@ -74,8 +82,8 @@ static void print_ratios(const struct plan *p, const struct apart *a, double *sc
         for (int k = 0; k < SEPARATION_RULES; k++) {
             const struct apart_summary s =
                 apart_summarise(a, i, APART_RULE + k, APART_CLOSING, scratch);
-            print_number(s.mean, 6, 3);
-            print_number(s.least, 6, 3);
+            print_ratio(s.mean);
+            print_ratio(s.least);
         }
         printf("\n");
     }

@@ -87,8 +87,8 @@ static const struct distribution uniform = {
     .value = uniform_value,
 };
 
-const struct distribution *const distributions[] = {&normal, &lognormal, &uniform};
-const int n_distribution = sizeof distributions / sizeof distributions[0];
+const struct distribution *const random_distributions[] = {&normal, &lognormal, &uniform};
+const int n_random_distribution = sizeof random_distributions / sizeof random_distributions[0];
 
 // The part of the standard normal distribution that is sampled: from `p` upwards of width `width`,
 // both of the lower tail, or of the upper one downwards.

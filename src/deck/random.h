@@ -17,8 +17,8 @@ struct distribution {
     const char *pure_b;  // what b is called where it has no dimension; NULL: that of a
 };
 
-extern const struct distribution *const distributions[];
-extern const int n_distribution;
+extern const struct distribution *const random_distributions[];
+extern const int n_random_distribution;
 
 enum random_plan { RANDOM_INDEPENDENT, RANDOM_LATIN };
 

@@ -63,13 +63,13 @@ static void *array(struct deck *d, size_t n, size_t size) {
 
 static const struct distribution *find_distribution(struct deck *d, const struct word *w) {
     const char *known[8];
-    for (int i = 0; i < n_distribution; i++) {
-        known[i] = distributions[i]->name;
+    for (int i = 0; i < n_random_distribution; i++) {
+        known[i] = random_distributions[i]->name;
         if (strcmp(known[i], w->text) == 0) {
-            return distributions[i];
+            return random_distributions[i];
         }
     }
-    deck_unknown(d, w, "distribution", known, n_distribution);
+    deck_unknown(d, w, "distribution", known, n_random_distribution);
     return NULL;
 }
 

@@ -61,9 +61,12 @@ int apart_run(const struct plan *plan, const struct suite *how, struct apart *ou
     *out = (struct apart){.n_run = plan->n_run, .n_contact = plan->first->n_contact};
     s.outcome = out->outcome = calloc(n_run, sizeof *out->outcome);
     s.value = out->value = calloc(n_run * s.n_value + 1, sizeof *out->value);
-    int status = out->outcome && out->value ? suite_run(&s, e) : error_no_memory(e);
+    if (!s.outcome || !s.value) {
+        return error_no_memory(e);
+    }
+    int status = suite_run(&s, e);
     for (long i = 0; i < out->n_run && status == STATUS_OK; i++) {
-        out->n_failed += out->outcome[i].status == STUDY_FAILED;
+        out->n_failed += s.outcome[i].status == STUDY_FAILED;
     }
     return status;
 }

@@ -20,6 +20,7 @@ struct search {
     struct gap_search *out;
     struct suite_case *which;  // (n)
     struct plan *plan;         // (n) of decks with the parameter set
+    long n_run;                // of each plan
     double *scratch;           // (n_run)
 };
 
@@ -79,8 +80,11 @@ static int open_case(struct search *s, int i, double gap, struct error *e) {
     }
     int status = open_plan(s, gap, &s->plan[i], e);
     s->which[i] = (struct suite_case){.plan = &s->plan[i], .gap = NAN};
+    if (status == STATUS_OK && i == 0) {
+        s->n_run = s->plan[0].n_run;
+    }
     if (status == STATUS_OK &&
-        (s->plan[i].n_run != s->plan[0].n_run || s->plan[i].n_run > s->request->plan->n_run)) {
+        (s->plan[i].n_run != s->n_run || s->n_run > s->request->plan->n_run)) {
         status = error_set(e, STATUS_INPUT, "'%s' changes the number of runs of the deck",
                            s->request->parameter);
     }
@@ -89,7 +93,7 @@ static int open_case(struct search *s, int i, double gap, struct error *e) {
 
 // What the runs of a case say of its gap.
 static void judge(struct search *s, int i, struct gap_point *p) {
-    const long n_run = s->which[0].plan->n_run;
+    const long n_run = s->n_run;
     const double *value = s->suite.value + (size_t)i * (size_t)n_run;
     const struct study_outcome *outcome = s->suite.outcome + (size_t)i * (size_t)n_run;
     for (long run = 0; run < n_run; run++) {
@@ -110,7 +114,7 @@ static void judge(struct search *s, int i, struct gap_point *p) {
 }
 
 static int run_cases(struct search *s, int n, struct error *e) {
-    const size_t n_job = (size_t)n * (size_t)s->which[0].plan->n_run;
+    const size_t n_job = (size_t)n * (size_t)s->n_run;
     struct suite suite = s->suite;
     suite.which = s->which;
     suite.n_case = n;
@@ -196,7 +200,7 @@ static int search(struct search *s, struct error *e) {
 int gap_search_run(const struct gap_search_request *q, const struct suite *how,
                    struct gap_search *out, struct error *e) {
     const size_t n = (size_t)q->n, capacity = n + BISECTIONS_MAX;
-    struct search s = {.request = q, .suite = *how, .out = out};
+    struct search s = {.request = q, .suite = *how, .out = out, .n_run = q->plan->n_run};
     *out = (struct gap_search){.gap = NAN, .below = NAN};
     s.suite.outcome = NULL;
     s.suite.value = NULL;

@@ -100,7 +100,7 @@ static void percentiles_are_over_the_runs(void **state) {
     const struct apart_summary ratio = apart_summarise(&a, 0, APART_RULE, APART_CLOSING, scratch);
     assert_close(ratio.mean, 1.0, RTOL);
     run_apart(m, 3, &other);
-    assert_memory_equal(a.value, other.value, 5 * APART_VALUES * sizeof *a.value);
+    assert_memory_equal(a.value, other.value, (size_t)5 * APART_VALUES * sizeof *a.value);
     apart_close(&other);
     apart_close(&a);
     model_free(m);

@@ -16,9 +16,9 @@ static double value[MANY], other[MANY];
 static int order[MANY];
 
 static const struct distribution *find(const char *name) {
-    for (int i = 0; i < n_distribution; i++) {
-        if (strcmp(distributions[i]->name, name) == 0) {
-            return distributions[i];
+    for (int i = 0; i < n_random_distribution; i++) {
+        if (strcmp(random_distributions[i]->name, name) == 0) {
+            return random_distributions[i];
         }
     }
     fail_msg("no distribution %s", name);
