@@ -8,27 +8,28 @@
 #include <stdlib.h>
 
 // The first mode of the building alone.
-static void first_mode(const struct model *m, int building, double *period, double *damping) {
-    struct error e;
+static int first_mode(const struct model *m, int building, double *period, double *damping,
+                      struct error *e) {
     *period = *damping = NAN;
     if (building == WALL) {
-        return;
+        return STATUS_OK;
     }
     const struct building *g = &m->building[building];
     *period = 2.0 * M_PI / g->omega[0];
-    if (building_damping_ratio(g, 1, damping, &e) != STATUS_OK) {
-        *damping = NAN;
-    }
+    return building_damping_ratio(g, 1, damping, e);
 }
 
-static void read_contact(const struct model *m, const struct model *deck, const struct results *r,
-                         int i, double *value) {
+static int read_contact(const struct model *m, const struct model *deck, const struct results *r,
+                        int i, double *value, struct error *e) {
     const struct link *l = &m->link[i];
     struct separation_ends ends;
     for (int side = 0; side < 2; side++) {
         const int dof = l->dof[side];
+        int status = first_mode(m, l->building[side], &ends.period[side], &ends.damping[side], e);
+        if (status != STATUS_OK) {
+            return status;
+        }
         ends.displacement[side] = dof == WALL ? 0.0 : r->peak[PEAK_DISPLACEMENT][dof];
-        first_mode(m, l->building[side], &ends.period[side], &ends.damping[side]);
         value[APART_LEFT + side] = ends.displacement[side];
         value[APART_PERIOD_LEFT + side] = ends.period[side];
         value[APART_DAMPING_LEFT + side] = ends.damping[side];
@@ -39,14 +40,17 @@ static void read_contact(const struct model *m, const struct model *deck, const 
     for (int k = 0; k < SEPARATION_RULES; k++) {
         value[APART_RULE + k] = separation_by(&separation_rules[k], &ends);
     }
+    return STATUS_OK;
 }
 
-static void read_run(void *context, const struct model *m, const struct model *deck,
-                     const struct results *r, double *value) {
+static int read_run(void *context, const struct model *m, const struct model *deck,
+                    const struct results *r, double *value, struct error *e) {
     (void)context;
-    for (int i = 0; i < m->n_contact; i++) {
-        read_contact(m, deck, r, i, value + (size_t)i * APART_VALUES);
+    int status = STATUS_OK;
+    for (int i = 0; i < m->n_contact && status == STATUS_OK; i++) {
+        status = read_contact(m, deck, r, i, value + (size_t)i * APART_VALUES, e);
     }
+    return status;
 }
 
 int apart_run(const struct plan *plan, const struct suite *how, struct apart *out,

@@ -24,11 +24,12 @@ struct search {
     double *scratch;           // (n_run)
 };
 
-static void read_run(void *context, const struct model *m, const struct model *deck,
-                     const struct results *r, double *value) {
-    (void)deck;
+static int read_run(void *context, const struct model *m, const struct model *deck,
+                    const struct results *r, double *value, struct error *e) {
+    (void)deck, (void)e;
     const struct search *s = context;
     *value = edp_value(&s->request->edp, m, r);
+    return STATUS_OK;
 }
 
 static int poll_search(void *context, long n_done, struct error *e) {

@@ -78,10 +78,10 @@ static int analyse(const struct job *job, const struct model *m, const struct mo
     if (isinf(job->which->gap) && any_closed(m, results)) {
         fail(outcome, "a contact would close a gap of 1024 m");
     } else {
-        job->suite->read(job->suite->context, m, deck, results, job->value);
+        status = job->suite->read(job->suite->context, m, deck, results, job->value, e);
     }
     results_free(results);
-    return STATUS_OK;
+    return status;
 }
 
 static int use_model(void *context, const struct model *m, struct study_outcome *outcome,

@@ -12,9 +12,10 @@ struct suite_case {
     double gap;  // [L] of all its contacts; NAN: as the deck has it; infinite: they never close
 };
 
-// Takes what is wanted from a run: `m` as it was run, `deck` as the deck has it.
-typedef void suite_read(void *context, const struct model *m, const struct model *deck,
-                        const struct results *r, double *value);
+// Takes what is wanted from a run: `m` as it was run, `deck` as the deck has it. Errors:
+// STATUS_SYSTEM (no memory).
+typedef int suite_read(void *context, const struct model *m, const struct model *deck,
+                       const struct results *r, double *value, struct error *e);
 
 struct suite {
     const struct suite_case *which;  // (n_case) plans of as many runs

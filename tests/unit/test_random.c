@@ -200,7 +200,7 @@ static void a_longer_sample_begins_like_a_shorter_one(void **state) {
 static void other_names_and_seeds_give_independent_values(void **state) {
     (void)state;
     struct random_values r = request("normal", 0.0, 1.0, MANY);
-    for (int plan = RANDOM_INDEPENDENT; plan <= RANDOM_LATIN; plan++) {
+    for (enum random_plan plan = RANDOM_INDEPENDENT; plan <= RANDOM_LATIN; plan++) {
         r.plan = plan;
         r.name = "k";
         r.seed = 1;
