@@ -5,12 +5,13 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "command/gap_print.h"
+#include "command/interrupt.h"
 #include "command/load.h"
 #include "command/progress.h"
 #include "command/quantity_word.h"
+#include "command/threads.h"
 #include "core/text.h"
 
 static int gap_command(int argc, char **argv);
@@ -48,7 +49,7 @@ static const char details[] =
     "bisected; the response is no monotone function of the gap, so the scan bounds what is seen.\n"
     "Nothing is written. Exit status: 1 if runs failed or no gap keeps the limit.\n";
 
-enum { POINTS_DEFAULT = 33, THREADS_MAX = 4096 };
+enum { POINTS_DEFAULT = 33 };
 
 struct options {
     struct load_request load;
@@ -58,14 +59,9 @@ struct options {
 };
 
 static int show_progress(void *context, long n_done, struct error *e) {
-    (void)e;
     progress_show(context, (double)n_done);
-    return STATUS_OK;
-}
-
-static int all_cores(void) {
-    const long n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n < 1 ? 1 : n > THREADS_MAX ? THREADS_MAX : (int)n;
+    const int signal = interrupt_number();
+    return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", signal) : STATUS_OK;
 }
 
 // EXIT_DONE, or the status of what ended the runs.
@@ -233,8 +229,11 @@ static int run_search(const struct plan *p, const struct options *o) {
     }
     struct gap_search s;
     struct error e;
-    const struct suite how = {.n_thread = o->n_thread};
+    struct progress progress;
+    const struct suite how = {.n_thread = o->n_thread, .poll = show_progress, .context = &progress};
+    progress_start(&progress, (double)q.n * (double)p->n_run, "runs");
     status = gap_search_run(&q, &how, &s, &e);
+    progress_end(&progress);
     if (status != STATUS_OK) {
         status = command_fail(&e);
     } else {
@@ -258,18 +257,8 @@ static int run_deck(const struct model *m, const struct options *o) {
                               .define = o->load.define,
                               .n_define = o->load.n_define,
                               .n_run = m->deck->n_run};
+    interrupt_catch();
     return o->limit ? run_search(&plan, o) : print_apart(&plan, o);
-}
-
-static int parse_threads(const char *text, int *n_thread) {
-    char *end;
-    const long n = strtol(text, &end, 10);
-    if (end == text || *end || n < 1 || n > THREADS_MAX) {
-        return command_usage(&command_gap, "-j takes a number of threads from 1 to %d, not '%s'",
-                             THREADS_MAX, text);
-    }
-    *n_thread = (int)n;
-    return EXIT_DONE;
 }
 
 static int check_options(const struct options *o, int n_operand) {
@@ -315,7 +304,7 @@ static int parse(int argc, char **argv, const char **define, struct options *o, 
         } else if (c == 'D') {
             define[o->load.n_define++] = optarg;
         } else if (c == 'j') {
-            status = parse_threads(optarg, &o->n_thread);
+            status = threads_parse(&command_gap, optarg, &o->n_thread);
         } else if (c == 's') {
             o->tsv = true;
         } else if (c == 'h') {
@@ -330,7 +319,7 @@ static int parse(int argc, char **argv, const char **define, struct options *o, 
 }
 
 static int gap_command(int argc, char **argv) {
-    struct options o = {.n_thread = all_cores()};
+    struct options o = {.n_thread = threads_all()};
     const char **define = calloc((size_t)argc, sizeof *define);
     if (!define) {
         struct error e;

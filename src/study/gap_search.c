@@ -54,12 +54,10 @@ static int open_plan(const struct search *s, double gap, struct plan *out, struc
     define[p->n_define] = text;
     int status = deck_open_text(from->path, from->text, define, p->n_define + 1, &deck, e);
     if (status == STATUS_OK && (status = model_build(deck, &m, e)) != STATUS_OK) {
-        char cause[STUDY_MESSAGE_MAX] = "";
-        trial_deck_error(deck, cause, sizeof cause);
+        struct error cause = *e;
+        status = diagnostics_cause(&deck->diagnostics, &cause);
         deck_free(deck);
-        return cause[0]
-                   ? error_set(e, status, "at %s = %.6g: %s", s->request->parameter, gap, cause)
-                   : status;
+        return error_set(e, status, "at %s = %.6g: %s", s->request->parameter, gap, cause.message);
     }
     if (status == STATUS_OK) {
         *out = (struct plan){

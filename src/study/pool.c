@@ -1,54 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/pool.h"
 
-#include <pthread.h>
-#include <stdatomic.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+#include <stdio.h>
 
 #include "motion/shelf.h"
 #include "study/trial.h"
+#include "study/workers.h"
 
-enum { TICK = 100000000, SYNC_TICKS = 10 };  // [ns] between polls; polls between synchronisations
+enum { SYNC_TICKS = 10 };  // polls between synchronisations of the journal
 
 static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
 
-// Everything below the lock is guarded by it.
+// Guarded by the lock of the workers.
 struct pool {
+    const struct study_request *request;
     const struct plan *plan;
-    atomic_bool stop;
-    pthread_mutex_t lock;
-    pthread_cond_t ended;  // a worker has
     struct journal *journal;
     struct ledger *ledger;
     struct shelf *records;
     struct study_progress progress;
     long next;  // the run to look at next
-    int n_worker;
-    int status;  // the first error
-    struct error error;
+    int tick;
 };
 
-// Ends the study with this error, unless another came first.
-static void give_up(struct pool *p, int status, const struct error *e) {
-    if (p->status == STATUS_OK) {
-        p->status = status;
-        p->error = *e;
-    }
-    atomic_store(&p->stop, true);
-}
+// What a thread has of the run it works on.
+struct entry {
+    struct study_outcome outcome;
+    double value[];  // (n_value)
+};
+
+// The pool as one of its threads sees it.
+struct view {
+    struct pool *pool;
+    struct workers *workers;
+};
 
 static int poll_trial(void *context, double time, struct error *e) {
-    struct pool *p = context;
+    const struct view *v = context;
     (void)time;
-    return atomic_load(&p->stop) ? error_set(e, STATUS_SYSTEM, "the study has ended") : STATUS_OK;
+    return workers_stopped(v->workers) ? error_set(e, STATUS_SYSTEM, "the study has ended")
+                                       : STATUS_OK;
 }
 
 static int enter_files(void *context, const struct deck_path *files, struct error *e) {
-    struct pool *p = context;
+    const struct view *v = context;
+    struct pool *p = v->pool;
     int status = STATUS_OK;
-    pthread_mutex_lock(&p->lock);
+    workers_lock(v->workers);
     for (; files && status == STATUS_OK; files = files->next) {
         const struct ledger_file *added;
         status = ledger_check(p->ledger, files->path, &added, e);
@@ -56,16 +54,26 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
             status = journal_add_file(p->journal, added->path, added->sum, e);
         }
     }
-    pthread_mutex_unlock(&p->lock);
+    workers_unlock(v->workers);
     return status;
 }
 
 // The next run to be done; -1: there is none.
-static long take(struct pool *p) {
+static long take(void *context) {
+    struct pool *p = context;
     while (p->next < p->plan->n_run && p->journal->offset[p->next] != 0) {
         p->next++;
     }
-    return p->next < p->plan->n_run && !atomic_load(&p->stop) ? p->next++ : -1;
+    return p->next < p->plan->n_run ? p->next++ : -1;
+}
+
+static int work(void *context, struct workers *w, long run, void *scratch, struct error *e) {
+    struct pool *p = context;
+    struct view view = {.pool = p, .workers = w};
+    struct entry *entry = scratch;
+    const struct trial_watch watch = {
+        .files = enter_files, .poll = poll_trial, .context = &view, .records = p->records};
+    return trial_run(p->plan, run, &watch, &entry->outcome, entry->value, e);
 }
 
 static void count(struct pool *p, long run, const struct study_outcome *outcome) {
@@ -81,147 +89,52 @@ static void count(struct pool *p, long run, const struct study_outcome *outcome)
     }
 }
 
-static void finish(struct pool *p, long run, int status, const struct study_outcome *outcome,
-                   const double *value, struct error *e) {
-    if (status == STATUS_OK) {
-        status = journal_add_run(p->journal, run, outcome, value, e);
-    }
-    if (status == STATUS_OK) {
-        count(p, run, outcome);
-    } else {
-        give_up(p, status, e);
-    }
-}
-
-static void work(struct pool *p, double *value) {
-    const struct trial_watch watch = {
-        .files = enter_files, .poll = poll_trial, .context = p, .records = p->records};
-    pthread_mutex_lock(&p->lock);
-    for (long run; (run = take(p)) >= 0;) {
-        struct study_outcome outcome;
-        struct error e;
-        pthread_mutex_unlock(&p->lock);
-        int status = trial_run(p->plan, run, &watch, &outcome, value, &e);
-        pthread_mutex_lock(&p->lock);
-        finish(p, run, status, &outcome, value, &e);
-    }
-    pthread_mutex_unlock(&p->lock);
-}
-
-static void *worker(void *context) {
+static int enter(void *context, long run, const void *scratch, struct error *e) {
     struct pool *p = context;
-    double *value = malloc(p->plan->table->n_value * sizeof *value);
-    if (value) {
-        work(p, value);
+    const struct entry *entry = scratch;
+    const int status = journal_add_run(p->journal, run, &entry->outcome, entry->value, e);
+    if (status == STATUS_OK) {
+        count(p, run, &entry->outcome);
     }
-    pthread_mutex_lock(&p->lock);
-    if (!value) {
-        struct error e;
-        give_up(p, error_no_memory(&e), &e);
-    }
-    free(value);
-    p->n_worker--;
-    pthread_cond_signal(&p->ended);
-    pthread_mutex_unlock(&p->lock);
-    return NULL;
+    return status;
 }
 
-static void wait_a_tick(struct pool *p) {
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_nsec += TICK;
-    until.tv_sec += until.tv_nsec / 1000000000;
-    until.tv_nsec %= 1000000000;
-    while (p->n_worker > 0 && pthread_cond_timedwait(&p->ended, &p->lock, &until) == 0) {
-    }
-}
-
-// What the calling thread does meanwhile; returns when all workers have ended.
-static void watch(struct pool *p, const struct study_request *q) {
-    pthread_mutex_lock(&p->lock);
-    for (int tick = 1; p->n_worker > 0; tick++) {
-        wait_a_tick(p);
-        struct study_progress now = p->progress;
-        struct error e;
-        pthread_mutex_unlock(&p->lock);
-        int status = q->poll ? q->poll(q->context, &now, &e) : STATUS_OK;
-        if (status == STATUS_OK && tick % SYNC_TICKS == 0) {
-            status = journal_sync(p->journal, &e);
-        }
-        pthread_mutex_lock(&p->lock);
-        if (status != STATUS_OK) {
-            give_up(p, status, &e);
-        }
-    }
-    pthread_mutex_unlock(&p->lock);
-}
-
-static void start(struct pool *p, pthread_t *thread, int *n_thread) {
-    const int wanted = *n_thread;
-    *n_thread = 0;
-    pthread_mutex_lock(&p->lock);
-    for (int i = 0; i < wanted; i++) {
-        int cause = pthread_create(&thread[i], NULL, worker, p);
-        if (cause != 0) {
-            struct error e;
-            give_up(p,
-                    error_set(&e, STATUS_SYSTEM, "cannot start %d threads: %s", wanted,
-                              strerror(cause)),
-                    &e);
-            break;
-        }
-        p->n_worker++;
-        *n_thread = i + 1;
-    }
-    pthread_mutex_unlock(&p->lock);
-}
-
-static void run_threads(struct pool *p, const struct study_request *q, pthread_t *thread,
-                        int n_thread) {
-    start(p, thread, &n_thread);
-    watch(p, q);
-    for (int i = 0; i < n_thread; i++) {
-        pthread_join(thread[i], NULL);
-    }
-}
-
-static int init_locks(struct pool *p) {
-    pthread_condattr_t attributes;
-    if (pthread_condattr_init(&attributes) != 0) {
-        return -1;
-    }
-    int bad = pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC) != 0 ||
-              pthread_cond_init(&p->ended, &attributes) != 0;
-    pthread_condattr_destroy(&attributes);
-    if (!bad && pthread_mutex_init(&p->lock, NULL) != 0) {
-        pthread_cond_destroy(&p->ended);
-        bad = 1;
-    }
-    return bad ? -1 : 0;
+// What the calling thread does meanwhile.
+static int watch(void *context, struct workers *w, struct error *e) {
+    struct pool *p = context;
+    const struct study_request *q = p->request;
+    workers_lock(w);
+    const struct study_progress now = p->progress;
+    workers_unlock(w);
+    const int status = q->poll ? q->poll(q->context, &now, e) : STATUS_OK;
+    return status == STATUS_OK && ++p->tick % SYNC_TICKS == 0 ? journal_sync(p->journal, e)
+                                                              : status;
 }
 
 int pool_run(const struct study_request *q, const struct plan *plan, struct journal *journal,
              struct ledger *ledger, struct study_progress *progress, struct error *e) {
-    struct pool p = {.plan = plan, .journal = journal, .ledger = ledger, .progress = *progress};
-    p.records = shelf_create(RECORDS_MAX);
-    atomic_init(&p.stop, false);
-    const long missing = plan->n_run - journal->n_done;
-    const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
-    pthread_t *thread = calloc((size_t)n_thread + 1, sizeof *thread);
-    if (!thread || !p.records || init_locks(&p) != 0) {
-        free(thread);
-        shelf_free(p.records);
+    struct pool p = {.request = q,
+                     .plan = plan,
+                     .journal = journal,
+                     .ledger = ledger,
+                     .records = shelf_create(RECORDS_MAX),
+                     .progress = *progress};
+    if (!p.records) {
         return error_no_memory(e);
     }
+    const long missing = plan->n_run - journal->n_done;
+    const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
-    run_threads(&p, q, thread, n_thread);
-    pthread_cond_destroy(&p.ended);
-    pthread_mutex_destroy(&p.lock);
+    const struct workers_request request = {.n_thread = n_thread,
+                                            .scratch = sizeof(struct entry) +
+                                                       plan->table->n_value * sizeof(double),
+                                            .take = take,
+                                            .work = work,
+                                            .enter = enter,
+                                            .poll = watch,
+                                            .context = &p};
+    const int status = n_thread > 0 ? workers_run(&request, e) : STATUS_OK;
     shelf_free(p.records);
-    free(thread);
     *progress = p.progress;
-    if (p.status != STATUS_OK) {
-        *e = p.error;
-    }
-    return p.status;
+    return status;
 }

@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "motion/shelf.h"
-#include "study/crew.h"
 #include "study/trial.h"
+#include "study/workers.h"
 
 static const double FAR = 1024.0;                    // [m]
 static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
@@ -19,12 +19,14 @@ static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
 struct work {
     const struct suite *suite;
     struct shelf *records;
+    long n, next, n_done;  // the last two are guarded by the lock
 };
 
 // One run of one case.
 struct job {
     const struct suite *suite;
     const struct suite_case *which;
+    struct workers *workers;
     double *value;
 };
 
@@ -67,9 +69,16 @@ static bool any_closed(const struct model *m, const struct results *r) {
     return any;
 }
 
-static int analyse(const struct job *job, const struct model *m, const struct model *deck,
+static int poll_job(void *context, double time, struct error *e) {
+    const struct job *job = context;
+    (void)time;
+    return workers_stopped(job->workers) ? error_set(e, STATUS_SYSTEM, "the runs have ended")
+                                         : STATUS_OK;
+}
+
+static int analyse(struct job *job, const struct model *m, const struct model *deck,
                    struct study_outcome *outcome, struct error *e) {
-    const struct trial_watch watch = {.files = NULL};
+    const struct trial_watch watch = {.poll = poll_job, .context = job};
     struct results *results;
     int status = trial_analyse(m, &watch, outcome, &results, e);
     if (status != STATUS_OK || !results) {
@@ -86,7 +95,7 @@ static int analyse(const struct job *job, const struct model *m, const struct mo
 
 static int use_model(void *context, const struct model *m, struct study_outcome *outcome,
                      struct error *e) {
-    const struct job *job = context;
+    struct job *job = context;
     struct link *link = links_at(m, job->which->gap);
     if (!link) {
         return error_no_memory(e);
@@ -107,14 +116,22 @@ static int use_model(void *context, const struct model *m, struct study_outcome 
     return status;
 }
 
-static int do_job(void *context, long number, struct error *e) {
+static long take(void *context) {
+    struct work *w = context;
+    return w->next < w->n ? w->next++ : -1;
+}
+
+static int do_job(void *context, struct workers *workers, long number, void *scratch,
+                  struct error *e) {
     const struct work *w = context;
     const struct suite *s = w->suite;
     const long n_run = s->which[0].plan->n_run;
     struct job job = {.suite = s,
                       .which = &s->which[number / n_run],
+                      .workers = workers,
                       .value = s->value + (size_t)number * s->n_value};
     const struct trial_watch watch = {.records = w->records};
+    (void)scratch;
     for (size_t i = 0; i < s->n_value; i++) {
         job.value[i] = NAN;
     }
@@ -122,19 +139,33 @@ static int do_job(void *context, long number, struct error *e) {
                        &s->outcome[number], e);
 }
 
-static int poll_suite(void *context, long n_done, struct error *e) {
-    const struct suite *s = ((const struct work *)context)->suite;
-    return s->poll ? s->poll(s->context, n_done, e) : STATUS_OK;
+static int count(void *context, long number, const void *scratch, struct error *e) {
+    struct work *w = context;
+    (void)number, (void)scratch, (void)e;
+    w->n_done++;
+    return STATUS_OK;
+}
+
+static int poll_suite(void *context, struct workers *workers, struct error *e) {
+    struct work *w = context;
+    workers_lock(workers);
+    const long n_done = w->n_done;
+    workers_unlock(workers);
+    return w->suite->poll ? w->suite->poll(w->suite->context, n_done, e) : STATUS_OK;
 }
 
 int suite_run(const struct suite *s, struct error *e) {
-    struct work w = {.suite = s, .records = shelf_create(RECORDS_MAX)};
-    const struct crew crew = {.n_job = s->n_case * s->which[0].plan->n_run,
-                              .n_thread = s->n_thread,
-                              .job = do_job,
-                              .poll = poll_suite,
-                              .context = &w};
-    int status = w.records ? crew_run(&crew, e) : error_no_memory(e);
+    struct work w = {
+        .suite = s, .records = shelf_create(RECORDS_MAX), .n = s->n_case * s->which[0].plan->n_run};
+    const struct workers_request request = {
+        .n_thread = w.n < s->n_thread ? (int)w.n : s->n_thread,
+        .scratch = 1,  // none is needed: each job has its place in the results
+        .take = take,
+        .work = do_job,
+        .enter = count,
+        .poll = poll_suite,
+        .context = &w};
+    int status = w.records ? workers_run(&request, e) : error_no_memory(e);
     shelf_free(w.records);
     return status;
 }

@@ -16,9 +16,6 @@ struct trial_watch {
     struct shelf *records;  // that all trials share
 };
 
-// "file:line:column: message" of the first error of the deck; *text stays where there is none.
-void trial_deck_error(const struct deck *deck, char *text, size_t size);
-
 // What is done with the model of a run. Errors as of trial_run.
 typedef int trial_use(void *context, const struct model *m, struct study_outcome *outcome,
                       struct error *e);
