@@ -36,6 +36,23 @@ void study_samples_name(struct h5 *h, hid_t object, const struct sweep *const *s
     free(names);
 }
 
+static const char *const exponents[] = {"exponent_force", "exponent_length", "exponent_time"};
+
+void study_samples_put_dimension(struct h5 *h, hid_t values, const struct sweep *s) {
+    const double power[] = {s->dimension.force, s->dimension.length, s->dimension.time};
+    for (int i = 0; i < 3 && s->known; i++) {
+        h5_put_double(h, values, exponents[i], power[i]);
+    }
+}
+
+static void get_dimension(struct h5 *h, hid_t values, struct sweep *s) {
+    double *const power[] = {&s->dimension.force, &s->dimension.length, &s->dimension.time};
+    s->known = !h->failed && H5Aexists(values, exponents[0]) > 0;
+    for (int i = 0; i < 3 && s->known; i++) {
+        *power[i] = h5_get_double(h, values, exponents[i]);
+    }
+}
+
 void study_samples_link(struct study_writer *w, hid_t group, const struct sweep *s) {
     for (const struct sweep *p = s->along; p && !w->h.failed; p = p->along) {
         hid_t sweeps = h5_get_group(&w->h, w->h.file, "sweep");
@@ -68,6 +85,7 @@ static struct sweep *get_values(struct h5 *h, struct arena *a, hid_t group, cons
     s->number = h5_get_doubles(h, a, group, name, (size_t)n);
     hid_t values = h5_open_object(h, group, name);
     s->units = h5_get_text(h, a, values, "units");
+    get_dimension(h, values, s);
     h5_close(h, values);
     return h->failed ? NULL : s;
 }

@@ -89,7 +89,9 @@ static hid_t put_values(struct study_writer *w, hid_t group, const struct sweep 
 static hid_t put_sweep(struct study_writer *w, hid_t group, const struct sweep *s) {
     hid_t scale = put_values(w, group, s, 0);
     for (const struct sweep *p = s->along; p; p = p->along) {
-        h5_close(&w->h, put_values(w, group, p, scale));
+        hid_t values = put_values(w, group, p, scale);
+        study_samples_put_dimension(&w->h, values, p);
+        h5_close(&w->h, values);
     }
     study_samples_name(&w->h, scale, &s, 1, STUDY_SAMPLES_NAMES);
     return scale;
