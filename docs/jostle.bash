@@ -89,7 +89,7 @@ _jostle() {
         ;;
     esac
     # Operands stand in the usage in front of the options; the last one may be repeated.
-    operands=$(sed -n "1s/^usage: jostle $command //p" <<<"$help" | sed 's/ \[-.*//; s/[][]//g; s/\.\.\.//')
+    operands=$(sed -n "1s/^usage: jostle $command //p" <<<"$help" | sed 's/ \[\{0,1\}-.*//; s/[][]//g; s/\.\.\.//')
     for ((i = 2; i < COMP_CWORD; i++)); do
         case ${COMP_WORDS[i]} in
         -*) awk -v option="${COMP_WORDS[i]}" '$1 == option && $2 { found = 1 } END { exit !found }' \

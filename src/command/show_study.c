@@ -11,7 +11,7 @@
 
 // One run at a time.
 struct run {
-    long number;  // from 0
+    long number;  // in the study, from 0
     struct study_outcome outcome;
     const double *value;  // (n_value)
 };
@@ -25,8 +25,9 @@ struct block {
 };
 
 static void begin_line(const struct study_view *v, const struct run *r, FILE *to) {
+    static const char *const ends[] = {"done\t", "failed\t", "missing\t"};
     fprintf(to, "%ld\t", r->number + 1);
-    long later = v->n_run;
+    long later = v->n_study;
     for (int i = 0; i < v->n_sweep; i++) {
         const struct sweep *s = v->sweep[i];
         later /= s->n;
@@ -40,7 +41,7 @@ static void begin_line(const struct study_view *v, const struct run *r, FILE *to
             }
         }
     }
-    fputs(r->outcome.status == STUDY_DONE ? "done\t" : "failed\t", to);
+    fputs(ends[r->outcome.status], to);
 }
 
 static void print_item(const struct study_view *v, const struct run *r,
@@ -90,8 +91,8 @@ static int each_run(struct study_file *f, struct block *b,
         const long left = v->n_run - first, n = left < b->capacity ? left : b->capacity;
         status = study_file_read(f, first, n, b->outcome, b->value, e);
         for (long i = 0; i < n && status == STATUS_OK; i++) {
-            take(context,
-                 &(struct run){first + i, b->outcome[i], b->value + (size_t)i * v->table.n_value});
+            take(context, &(struct run){study_view_run(v, first + i), b->outcome[i],
+                                        b->value + (size_t)i * v->table.n_value});
         }
     }
     return status;

@@ -102,6 +102,8 @@ hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name);
 char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name);
 long h5_get_long(struct h5 *h, hid_t object, const char *name);
 double h5_get_double(struct h5 *h, hid_t object, const char *name);
+// The names of the units that the attributes of / give.
+void h5_get_unit_names(struct h5 *h, struct arena *a, struct unit_system *u);
 // Length of the one-dimensional dataset; checked to be at most `limit`.
 size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit);
 // The `n` values of a one-dimensional dataset as doubles.

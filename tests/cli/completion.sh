@@ -59,3 +59,7 @@ complete_line deck "sto"
 expect "deck takes a statement" '[ "$proposed" = " storey " ]'
 complete_line nothing ""
 expect "an unknown command has nothing" '[ -z "${proposed// /}" ]'
+complete_line merge b.h5 ""
+expect "merge takes one result after another" '[ "$proposed" = " decks b.h5 " ]'
+complete_line tasks ""
+expect "tasks takes decks" '[ "$proposed" = " decks a.deck " ]'

@@ -59,3 +59,15 @@ END
 else
     skip "xarray has the parameters as coordinates of the sample" "no xarray"
 fi
+
+rm -f ./*.h5
+run "$jostle" run study.deck -q -o whole.h5
+for part in 1 2 3; do
+    "$jostle" run study.deck -q -o part$part.h5 --shard $part/3
+done
+run "$jostle" merge part1.h5 part2.h5 part3.h5 -o merged.h5
+if command -v h5diff >/dev/null; then
+    expect "parts of a study make the file of the whole" '[ $status -eq 0 ] && same whole.h5 merged.h5'
+else
+    expect "parts of a study are joined" '[ $status -eq 0 ]'
+fi

@@ -34,6 +34,7 @@ home() {
     record | signal | spectrum | intensity) echo motion ;;
     analysis) echo solve ;;
     study_file) echo result ;;
+    study_merge) echo study ;;
     *) echo "$1" ;;
     esac
 }
