@@ -68,7 +68,8 @@ static int show_progress(void *context, long n_done, struct error *e) {
 static int run_apart(const struct plan *p, const struct options *o, struct apart *a) {
     struct progress progress;
     struct error e;
-    const struct suite how = {.n_thread = o->n_thread, .poll = show_progress, .context = &progress};
+    const struct gap_runs how = {
+        .n_thread = o->n_thread, .poll = show_progress, .context = &progress};
     progress_start(&progress, (double)p->n_run, "runs");
     int status = apart_run(p, &how, a, &e);
     progress_end(&progress);
@@ -166,9 +167,10 @@ static int parse_quantity(const char *option, const struct unit_system *u,
 
 static int unknown_edp(const char *name, size_t n) {
     char known[256] = "";
-    for (int i = 0; i < n_edp_kind; i++) {
+    for (int i = 0; i < n_gap_measure_kind; i++) {
         const size_t used = strlen(known);
-        snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", edp_kinds[i].name);
+        snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "",
+                 gap_measure_kinds[i].name);
     }
     return command_usage(&command_gap, "--limit knows no '%.*s'; it takes %s", (int)n, name, known);
 }
@@ -180,9 +182,10 @@ static int parse_limit(const struct model *m, const char *text, struct gap_searc
     if (!equal) {
         return command_usage(&command_gap, "--limit takes EDP=VALUE, not '%s'", text);
     }
-    for (int i = 0; i < n_edp_kind; i++) {
-        if (strlen(edp_kinds[i].name) == n && strncmp(edp_kinds[i].name, text, n) == 0) {
-            q->edp = (struct edp){.kind = &edp_kinds[i], .owner = -1};
+    for (int i = 0; i < n_gap_measure_kind; i++) {
+        if (strlen(gap_measure_kinds[i].name) == n &&
+            strncmp(gap_measure_kinds[i].name, text, n) == 0) {
+            q->edp = (struct gap_measure){.kind = &gap_measure_kinds[i], .owner = -1};
         }
     }
     if (!q->edp.kind) {
@@ -191,7 +194,7 @@ static int parse_limit(const struct model *m, const char *text, struct gap_searc
     if (text[n] == ':') {
         char name[256];
         snprintf(name, sizeof name, "%.*s", (int)(equal - text - (long)n - 1), text + n + 1);
-        q->edp.owner = edp_find_owner(q->edp.kind, m, name);
+        q->edp.owner = gap_measure_find_owner(q->edp.kind, m, name);
         if (q->edp.owner < 0) {
             return command_usage(&command_gap, "the deck has no %s '%s'",
                                  q->edp.kind->of_link ? "contact" : "building", name);
@@ -230,7 +233,8 @@ static int run_search(const struct plan *p, const struct options *o) {
     struct gap_search s;
     struct error e;
     struct progress progress;
-    const struct suite how = {.n_thread = o->n_thread, .poll = show_progress, .context = &progress};
+    const struct gap_runs how = {
+        .n_thread = o->n_thread, .poll = show_progress, .context = &progress};
     progress_start(&progress, (double)q.n * (double)p->n_run, "runs");
     status = gap_search_run(&q, &how, &s, &e);
     progress_end(&progress);

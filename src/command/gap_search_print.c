@@ -17,7 +17,7 @@ static double spacing(const struct gap_search_request *q) {
 // "84 % of the runs keep drift <= 0.02 m"
 static void print_aim(const struct gap_search_request *q) {
     const struct model *m = q->plan->first;
-    const struct edp *edp = &q->edp;
+    const struct gap_measure *edp = &q->edp;
     char unit[64];
     const char *owner = edp->owner < 0       ? ""
                         : edp->kind->of_link ? m->link[edp->owner].name

@@ -53,10 +53,10 @@ static int read_run(void *context, const struct model *m, const struct model *de
     return status;
 }
 
-int apart_run(const struct plan *plan, const struct suite *how, struct apart *out,
+int apart_run(const struct plan *plan, const struct gap_runs *how, struct apart *out,
               struct error *e) {
-    const struct suite_case which = {.plan = plan, .gap = INFINITY};
-    struct suite s = *how;
+    const struct gap_runs_case which = {.plan = plan, .gap = INFINITY};
+    struct gap_runs s = *how;
     const size_t n_run = (size_t)plan->n_run;
     s.which = &which;
     s.n_case = 1;
@@ -68,7 +68,7 @@ int apart_run(const struct plan *plan, const struct suite *how, struct apart *ou
     if (!s.outcome || !s.value) {
         return error_no_memory(e);
     }
-    int status = suite_run(&s, e);
+    int status = gap_runs_run(&s, e);
     for (long i = 0; i < out->n_run && status == STATUS_OK; i++) {
         out->n_failed += s.outcome[i].status == STUDY_FAILED;
     }

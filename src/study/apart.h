@@ -4,8 +4,8 @@
 #ifndef JOSTLE_APART_H
 #define JOSTLE_APART_H
 
+#include "study/gap_runs.h"
 #include "study/separation.h"
-#include "study/suite.h"
 
 // What a run gives for a contact.
 enum apart_value {
@@ -30,8 +30,9 @@ struct apart {
 };
 
 // Runs all runs of the plan with its contacts open; bilateral links act. *out must be given to
-// apart_close, whatever happens. Errors as of suite_run.
-int apart_run(const struct plan *plan, const struct suite *how, struct apart *out, struct error *e);
+// apart_close, whatever happens. Errors as of gap_runs_run.
+int apart_run(const struct plan *plan, const struct gap_runs *how, struct apart *out,
+              struct error *e);
 void apart_close(struct apart *a);
 
 // The values (APART_VALUES) of a contact in a run.

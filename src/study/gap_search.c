@@ -16,19 +16,19 @@ enum { BISECTIONS_MAX = 200 };  // more than a double has digits
 
 struct search {
     const struct gap_search_request *request;
-    struct suite suite;
+    struct gap_runs suite;
     struct gap_search *out;
-    struct suite_case *which;  // (n)
-    struct plan *plan;         // (n) of decks with the parameter set
-    long n_run;                // of each plan
-    double *scratch;           // (n_run)
+    struct gap_runs_case *which;  // (n)
+    struct plan *plan;            // (n) of decks with the parameter set
+    long n_run;                   // of each plan
+    double *scratch;              // (n_run)
 };
 
 static int read_run(void *context, const struct model *m, const struct model *deck,
                     const struct results *r, double *value, struct error *e) {
     (void)deck, (void)e;
     const struct search *s = context;
-    *value = edp_value(&s->request->edp, m, r);
+    *value = gap_measure_value(&s->request->edp, m, r);
     return STATUS_OK;
 }
 
@@ -73,12 +73,12 @@ static void close_plan(struct plan *p) {
 
 // The case of a gap.
 static int open_case(struct search *s, int i, double gap, struct error *e) {
-    s->which[i] = (struct suite_case){.plan = s->request->plan, .gap = gap};
+    s->which[i] = (struct gap_runs_case){.plan = s->request->plan, .gap = gap};
     if (!s->request->parameter) {
         return STATUS_OK;
     }
     int status = open_plan(s, gap, &s->plan[i], e);
-    s->which[i] = (struct suite_case){.plan = &s->plan[i], .gap = NAN};
+    s->which[i] = (struct gap_runs_case){.plan = &s->plan[i], .gap = NAN};
     if (status == STATUS_OK && i == 0) {
         s->n_run = s->plan[0].n_run;
     }
@@ -114,7 +114,7 @@ static void judge(struct search *s, int i, struct gap_point *p) {
 
 static int run_cases(struct search *s, int n, struct error *e) {
     const size_t n_job = (size_t)n * (size_t)s->n_run;
-    struct suite suite = s->suite;
+    struct gap_runs suite = s->suite;
     suite.which = s->which;
     suite.n_case = n;
     suite.n_value = 1;
@@ -127,7 +127,7 @@ static int run_cases(struct search *s, int n, struct error *e) {
     free(s->suite.value);
     s->suite.outcome = suite.outcome;
     s->suite.value = suite.value;
-    return suite.outcome && suite.value ? suite_run(&suite, e) : error_no_memory(e);
+    return suite.outcome && suite.value ? gap_runs_run(&suite, e) : error_no_memory(e);
 }
 
 // Runs n gaps and adds their points, in the order given.
@@ -196,7 +196,7 @@ static int search(struct search *s, struct error *e) {
     return out->found && first > 0 ? bisect(s, e) : STATUS_OK;
 }
 
-int gap_search_run(const struct gap_search_request *q, const struct suite *how,
+int gap_search_run(const struct gap_search_request *q, const struct gap_runs *how,
                    struct gap_search *out, struct error *e) {
     const size_t n = (size_t)q->n, capacity = n + BISECTIONS_MAX;
     struct search s = {.request = q, .suite = *how, .out = out, .n_run = q->plan->n_run};

@@ -17,14 +17,14 @@ static const char text[] = "param gap 1mm\n"
 static int run_search(const struct plan *p, struct error *e) {
     const struct gap_search_request q = {.plan = p,
                                          .parameter = "gap",
-                                         .edp = {.kind = &edp_kinds[0], .owner = -1},
+                                         .edp = {.kind = &gap_measure_kinds[0], .owner = -1},
                                          .limit = 1.0,
                                          .percentile = 100.0,
                                          .from = 0.0,
                                          .to = 0.01,
                                          .n = 2,
                                          .tolerance = 0.004};
-    const struct suite how = {.n_thread = 1};
+    const struct gap_runs how = {.n_thread = 1};
     struct gap_search s;
     int status = gap_search_run(&q, &how, &s, e);
     gap_search_close(&s);
@@ -40,7 +40,7 @@ static int run_all(const char *path, struct error *e) {
     }
     if (status == STATUS_OK) {
         const struct plan p = {.first = m, .n_run = d->n_run};
-        const struct suite how = {.n_thread = 1};
+        const struct gap_runs how = {.n_thread = 1};
         struct apart a;
         status = apart_run(&p, &how, &a, e);
         apart_close(&a);

@@ -28,7 +28,7 @@ static struct plan plan_of(const struct model *m) {
 static void run_apart(const struct model *m, int n_thread, struct apart *a) {
     struct error e;
     const struct plan p = plan_of(m);
-    const struct suite how = {.n_thread = n_thread};
+    const struct gap_runs how = {.n_thread = n_thread};
     assert_int_equal(apart_run(&p, &how, a, &e), STATUS_OK);
 }
 
@@ -110,18 +110,18 @@ static struct gap_search search(const struct model *m, struct gap_search_request
     struct gap_search s;
     struct error e;
     const struct plan p = plan_of(m);
-    const struct suite how = {.n_thread = 2};
+    const struct gap_runs how = {.n_thread = 2};
     q.plan = &p;
     assert_int_equal(gap_search_run(&q, &how, &s, &e), STATUS_OK);
     return s;
 }
 
-static const struct edp_kind *kind(const char *name) {
+static const struct gap_measure_kind *kind(const char *name) {
     int i = 0;
-    while (strcmp(edp_kinds[i].name, name) != 0) {
+    while (strcmp(gap_measure_kinds[i].name, name) != 0) {
         i++;
     }
-    return &edp_kinds[i];
+    return &gap_measure_kinds[i];
 }
 
 static struct gap_search_request no_impacts(double percentile, const char *parameter) {
@@ -164,7 +164,7 @@ static void a_parameter_of_the_deck_can_be_the_gap(void **state) {
     struct gap_search_request q = no_impacts(100.0, "gap");
     struct error e;
     q.plan = &p;
-    assert_int_equal(gap_search_run(&q, &(struct suite){.n_thread = 1}, &s, &e), STATUS_INPUT);
+    assert_int_equal(gap_search_run(&q, &(struct gap_runs){.n_thread = 1}, &s, &e), STATUS_INPUT);
     assert_non_null(strstr(e.message, "gap"));
     gap_search_close(&s);
     model_free(m);

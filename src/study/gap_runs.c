@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A gap that never closes is 1024 m wide: far beyond what buildings move, and yet a displacement of
 // 1 m keeps 12 digits in its difference from it. A power of two costs the gap itself no digit.
-#include "study/suite.h"
+#include "study/gap_runs.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,15 +17,15 @@ static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
 
 // All jobs.
 struct work {
-    const struct suite *suite;
+    const struct gap_runs *suite;
     struct shelf *records;
     long n, next, n_done;  // the last two are guarded by the lock
 };
 
 // One run of one case.
 struct job {
-    const struct suite *suite;
-    const struct suite_case *which;
+    const struct gap_runs *suite;
+    const struct gap_runs_case *which;
     struct workers *workers;
     double *value;
 };
@@ -124,7 +124,7 @@ static long take(void *context) {
 static int do_job(void *context, struct workers *workers, long number, void *scratch,
                   struct error *e) {
     const struct work *w = context;
-    const struct suite *s = w->suite;
+    const struct gap_runs *s = w->suite;
     const long n_run = s->which[0].plan->n_run;
     struct job job = {.suite = s,
                       .which = &s->which[number / n_run],
@@ -146,7 +146,7 @@ static int count(void *context, long number, const void *scratch, struct error *
     return STATUS_OK;
 }
 
-static int poll_suite(void *context, struct workers *workers, struct error *e) {
+static int poll_runs(void *context, struct workers *workers, struct error *e) {
     struct work *w = context;
     workers_lock(workers);
     const long n_done = w->n_done;
@@ -154,7 +154,7 @@ static int poll_suite(void *context, struct workers *workers, struct error *e) {
     return w->suite->poll ? w->suite->poll(w->suite->context, n_done, e) : STATUS_OK;
 }
 
-int suite_run(const struct suite *s, struct error *e) {
+int gap_runs_run(const struct gap_runs *s, struct error *e) {
     struct work w = {
         .suite = s, .records = shelf_create(RECORDS_MAX), .n = s->n_case * s->which[0].plan->n_run};
     const struct workers_request request = {
@@ -163,7 +163,7 @@ int suite_run(const struct suite *s, struct error *e) {
         .take = take,
         .work = do_job,
         .enter = count,
-        .poll = poll_suite,
+        .poll = poll_runs,
         .context = &w};
     int status = w.records ? workers_run(&request, e) : error_no_memory(e);
     shelf_free(w.records);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/edp.h"
+#include "study/gap_measure.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,7 +16,7 @@ static double impacts(const struct link_peak *p) {
     return (double)p->impacts;
 }
 
-const struct edp_kind edp_kinds[] = {
+const struct gap_measure_kind gap_measure_kinds[] = {
     {"force", &dimension_force, 0, force},
     {"drift", &dimension_length, PEAK_DRIFT, NULL},
     {"acceleration", &dimension_acceleration, PEAK_ACCELERATION, NULL},
@@ -26,9 +26,10 @@ const struct edp_kind edp_kinds[] = {
     {"impulse", &dimension_impulse, 0, impulse},
     {"impacts", &dimension_none, 0, impacts},
 };
-const int n_edp_kind = sizeof edp_kinds / sizeof edp_kinds[0];
+const int n_gap_measure_kind = sizeof gap_measure_kinds / sizeof gap_measure_kinds[0];
 
-static double of_contacts(const struct edp *edp, const struct model *m, const struct results *r) {
+static double of_contacts(const struct gap_measure *edp, const struct model *m,
+                          const struct results *r) {
     double most = 0.0;
     for (int i = 0; i < m->n_contact; i++) {
         most =
@@ -37,7 +38,8 @@ static double of_contacts(const struct edp *edp, const struct model *m, const st
     return most;
 }
 
-double edp_value(const struct edp *edp, const struct model *m, const struct results *r) {
+double gap_measure_value(const struct gap_measure *edp, const struct model *m,
+                         const struct results *r) {
     if (edp->kind->of_link) {
         return of_contacts(edp, m, r);
     }
@@ -52,7 +54,8 @@ double edp_value(const struct edp *edp, const struct model *m, const struct resu
     return most;
 }
 
-int edp_find_owner(const struct edp_kind *kind, const struct model *m, const char *name) {
+int gap_measure_find_owner(const struct gap_measure_kind *kind, const struct model *m,
+                           const char *name) {
     const int n = kind->of_link ? m->n_contact : m->n_building;
     for (int i = 0; i < n; i++) {
         if (strcmp(kind->of_link ? m->link[i].name : m->building[i].name, name) == 0) {
