@@ -34,32 +34,47 @@ static int open_deck(const struct plan *p, long run, int *choice, struct deck **
     return status;
 }
 
-static int run_model(const struct plan *p, const struct model *m, const struct trial_watch *watch,
-                     struct study_outcome *outcome, double *value, struct error *e) {
+int trial_analyse(const struct model *m, const struct trial_watch *watch,
+                  struct study_outcome *outcome, struct results **out, struct error *e) {
     const struct observer observer = {
         .row = ignore_row, .poll = watch->poll, .context = watch->context};
-    struct results *results;
-    int status = analysis_run(m, &observer, &results, e);
+    *out = NULL;
+    int status = analysis_run(m, &observer, out, e);
     if (status == STATUS_FAILED) {
         fail(outcome, e->message);
+        *out = NULL;
         return STATUS_OK;
     }
-    if (status != STATUS_OK) {
+    return status;
+}
+
+// What the runs of a study give.
+struct table_use {
+    const struct plan *plan;
+    const struct trial_watch *watch;
+    double *value;
+};
+
+static int fill_table(void *context, const struct model *m, struct study_outcome *outcome,
+                      struct error *e) {
+    const struct table_use *u = context;
+    struct results *results;
+    int status = trial_analyse(m, u->watch, outcome, &results, e);
+    if (status != STATUS_OK || !results) {
         return status;
     }
     struct report *report;
-    status = report_create(m, results, NULL, p->report->version, &report, e);
+    status = report_create(m, results, NULL, u->plan->report->version, &report, e);
     if (status == STATUS_OK) {
-        study_table_read(report, value);
+        study_table_read(report, u->value);
         report_free(report);
     }
     results_free(results);
     return status;
 }
 
-static int build_and_run(const struct plan *p, long run, struct deck *deck,
-                         const struct trial_watch *watch, struct study_outcome *outcome,
-                         double *value, struct error *e) {
+static int build(const struct plan *p, long run, struct deck *deck, const struct trial_watch *watch,
+                 trial_use *use, void *context, struct study_outcome *outcome, struct error *e) {
     struct model *m;
     int status = model_build_shared(deck, watch->records, &m, e);
     const bool built = status == STATUS_OK;
@@ -69,25 +84,31 @@ static int build_and_run(const struct plan *p, long run, struct deck *deck,
     if (status != STATUS_OK) {
         return status;
     }
-    status = watch->files(watch->context, deck->files, e);
+    status = watch->files ? watch->files(watch->context, deck->files, e) : STATUS_OK;
     if (status == STATUS_OK && built) {
         status = plan_check(p, run, m, e);
     }
-    return status == STATUS_OK && built ? run_model(p, m, watch, outcome, value, e) : status;
+    return status == STATUS_OK && built ? use(context, m, outcome, e) : status;
+}
+
+int trial_build(const struct plan *p, long run, const struct trial_watch *watch, trial_use *use,
+                void *context, struct study_outcome *outcome, struct error *e) {
+    int choice[STUDY_SWEEPS_MAX];
+    struct deck *deck;
+    *outcome = (struct study_outcome){.status = STUDY_DONE};
+    int status = open_deck(p, run, choice, &deck, e);
+    if (status == STATUS_OK) {
+        status = build(p, run, deck, watch, use, context, outcome, e);
+        deck_free(deck);  // and the model with it
+    }
+    return status;
 }
 
 int trial_run(const struct plan *p, long run, const struct trial_watch *watch,
               struct study_outcome *outcome, double *value, struct error *e) {
-    int choice[STUDY_SWEEPS_MAX];
-    struct deck *deck;
-    *outcome = (struct study_outcome){.status = STUDY_DONE};
+    struct table_use use = {.plan = p, .watch = watch, .value = value};
     for (size_t i = 0; i < p->table->n_value; i++) {
         value[i] = NAN;
     }
-    int status = open_deck(p, run, choice, &deck, e);
-    if (status == STATUS_OK) {
-        status = build_and_run(p, run, deck, watch, outcome, value, e);
-        deck_free(deck);  // and the model with it
-    }
-    return status;
+    return trial_build(p, run, watch, fill_table, &use, outcome, e);
 }
