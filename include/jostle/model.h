@@ -40,6 +40,7 @@ struct chain {
     int n;                    // degrees of freedom, in whole lanes
     const double *mass;       // [M] (n)
     const double *stiffness;  // [F/L] (n) initial, of the storey below
+    const double *floor;      // (n) 1; 0 behind the last
     const double *joint;      // (n + 1) 1: floor i stands on floor i - 1; else 0
     const double *damping_below, *damping, *damping_above;  // [F T/L] (n) bands of C; 0 where full
     bool full_damping;                                      // somewhere
@@ -106,6 +107,8 @@ struct output {
 // An adaptive analysis that needs more steps than this is refused, or given up.
 enum { ADAPTIVE_STEPS_MAX = 2000000 };
 
+enum integrator { INTEGRATOR_NEWMARK, INTEGRATOR_DORMAND_PRINCE };
+
 // How the steps of an adaptive analysis are chosen.
 struct step_control {
     double tolerance;  // error of one step relative to the largest displacement and velocity
@@ -130,7 +133,8 @@ struct model {
     double beta, gamma;  // Newmark
     double tolerance;    // of the contact iteration, relative
     int iterations;      // of the contact iteration, before the step is cut
-    bool adaptive;       // Dormand-Prince with error control; else Newmark with fixed steps
+    enum integrator integrator;
+    bool adaptive;                // steps with error control
     struct step_control control;  // adaptive
     double dt;                    // [T] fixed step; adaptive: from row to row of output
     double duration;              // [T]

@@ -22,7 +22,8 @@ struct signal {
 
     // amplitude sin(omega (t - start) + phase); a constant has omega = 0 and phase = pi/2.
     double amplitude, omega, phase;
-    const char *name;  // file name, "sine" or "constant"
+    const char *name;    // file name, "sine" or "constant"
+    const char *scaled;  // how a record was scaled to a spectrum, half a sentence; NULL: it was not
 };
 
 // A sampled signal of n >= 2 values, scaled; integrates them exactly as a piecewise linear
@@ -32,6 +33,9 @@ int signal_init_samples(struct signal *s, struct arena *a, const double *value, 
 
 // The value at time t.
 double signal_value(const struct signal *s, double t);
+
+// Adds to sum (n) the values at the times t (n).
+void signal_add_values(const struct signal *s, int n, const double *t, double *sum);
 
 // First and second integral from -infinity to t.
 void signal_integrals(const struct signal *s, double t, double *velocity, double *displacement);

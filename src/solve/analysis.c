@@ -8,10 +8,12 @@
 #include <time.h>
 
 #include "core/arena.h"
-#include "solve/account.h"
+#include "solve/adaptive_newmark.h"
 #include "solve/dormand_prince.h"
 #include "solve/event.h"
+#include "solve/flight.h"
 #include "solve/newmark.h"
+#include "solve/run.h"
 
 // A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
 enum { CUTS_MAX = 30 };
@@ -30,24 +32,6 @@ static const double TOGETHER = 1e-6;
 // A run in which steps were cut more often than this, and this often per step of the deck, will not
 // end in a reasonable time.
 enum { CUTS_BUDGET = 2000000, CUTS_BUDGET_PER_STEP = 100 };
-
-struct run {
-    const struct model *model;
-    const struct observer *observer;
-    struct state *now, *next;
-    struct state store[2];
-    // Takes `now` to the time `end`, h later.
-    int (*advance)(struct run *r, double end, double h);
-    struct work work;     // of Newmark's method
-    struct dp *adaptive;  // Dormand & Prince's method; NULL: Newmark's
-    struct energy_account energy;
-    struct impact_log impacts;
-    int *events;              // (n_contact) at which the current step of the deck was split
-    long events_before;       // totals.events at the start of it
-    struct meeting *meeting;  // (n_contact) scratch of rigid impacts
-    struct results *results;
-    struct error *error;
-};
 
 // Asks the observer now and then whether to go on.
 static int poll(struct run *r, double time) {
@@ -133,7 +117,10 @@ static int meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
     bool chatters = r->events[event->link] > EVENTS_RIGID_MAX;
     enum rebound rebound = chatters ? REBOUND_NONE : REBOUND_BY_LAW;
-    const struct least_bounce least = {.time = SHORTEST_BOUNCE * m->dt};
+    const struct least_bounce least = {
+        .time = m->adaptive ? 0.0 : SHORTEST_BOUNCE * m->dt,
+        .velocity = m->adaptive ? m->control.tolerance * r->results->totals.speed : 0.0,
+    };
     impulse_meet(r->now, m, event->link, rebound, &least, r->meeting);
     energy_meet(&r->energy, m, r->now, r->meeting);
     return impacts_meet(&r->impacts, r->results, m, r->now, r->meeting, r->error);
@@ -183,13 +170,16 @@ static int pass(struct run *r, struct event *event, double end, double h) {
     return status;
 }
 
-// Steps to `end`, h later, or to the first event on the way; *rest is what is left of h.
-static int step(struct run *r, double end, double h, int cuts, double *rest) {
+int run_step(struct run *r, double end, double h, int cuts, double *rest) {
     r->work.strictness = cuts < CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
     *rest = 0.0;
     int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
     if (status != STATUS_OK) {
         return status;
+    }
+    if (r->model->adaptive && step_length_judge(&r->length, r->now, r->next, h) != STATUS_OK) {
+        r->work.unresolved = -1;
+        return STATUS_RETRY;
     }
     struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);
     if (event.link < 0) {
@@ -204,7 +194,7 @@ static int step(struct run *r, double end, double h, int cuts, double *rest) {
 static int advance(struct run *r, double end, double h, int cuts) {
     while (h > 0.0) {
         double rest;
-        int status = step(r, end, h, cuts, &rest);
+        int status = run_step(r, end, h, cuts, &rest);
         if (status == STATUS_RETRY) {
             status = spend_cut(r, h, cuts++);
             rest = h / 2.0;
@@ -218,29 +208,56 @@ static int advance(struct run *r, double end, double h, int cuts) {
     return STATUS_OK;
 }
 
-static void forget_events(struct run *r) {
+void run_forget_events(struct run *r) {
     if (r->results->totals.events > r->events_before) {
         memset(r->events, 0, (size_t)r->model->n_contact * sizeof *r->events);
         r->events_before = r->results->totals.events;
     }
 }
 
-static int advance_fixed(struct run *r, double end, double h) {
-    forget_events(r);
-    return advance(r, end, h, 0);
+// One step of the deck.
+static int advance_step(struct run *r, long n) {
+    const struct model *m = r->model;
+    double end = model_time(m, n);
+    run_forget_events(r);
+    return advance(r, end, n < m->n_step ? m->dt : end - r->now->time, 0);
 }
 
-// The steps need not end at `end`: `now` is the state within the last of them.
-static int advance_adaptive(struct run *r, double end, double h) {
-    (void)h;
-    while (dormand_prince_time(r->adaptive) < end) {
+// As far as the next poll, and no further than `end`.
+static long until_poll(const struct run *r, long n, long end) {
+    long left = POLL_STEPS - r->results->totals.steps % POLL_STEPS;
+    return end - n < left ? end : n + left;
+}
+
+static int advance_fixed(struct run *r, long n, long end) {
+    int status = STATUS_OK;
+    while (status == STATUS_OK && n < end) {
+        long reached = flight_take(&r->flight, &r->now, &r->next, n, until_poll(r, n, end));
+        if (reached > n) {
+            status = poll(r, r->now->time);
+            n = reached;
+        } else {
+            status = advance_step(r, ++n);
+        }
+    }
+    return status;
+}
+
+// The steps need not end where those of the deck do: `now` is the state within the last of them,
+// which nobody asks for between the start and the end of a run that is not observed.
+static int advance_dormand_prince(struct run *r, long n, long end) {
+    double time = model_time(r->model, end);
+    (void)n;
+    while (dormand_prince_time(r->adaptive) < time) {
         int status = dormand_prince_step(r->adaptive, r->error);
         status = status == STATUS_OK ? poll(r, dormand_prince_time(r->adaptive)) : status;
         if (status != STATUS_OK) {
             return status;
         }
     }
-    dormand_prince_row(r->adaptive, end, r->now, &r->energy);
+    if (r->observer || end == r->model->n_step) {
+        dormand_prince_row(r->adaptive, time, r->now, &r->energy);
+    }
     return STATUS_OK;
 }
 
@@ -276,14 +293,14 @@ static int observe(struct run *r) {
     return r->observer ? r->observer->row(r->observer->context, &row, r->error) : STATUS_OK;
 }
 
+// From row to row of the output.
 static int loop(struct run *r) {
     const struct model *m = r->model;
     int status = observe(r);
-    for (long n = 1; status == STATUS_OK && n <= m->n_step; n++) {
-        double end = model_time(m, n);
-        double h = n < m->n_step ? m->dt : end - r->now->time;
-        status = r->advance(r, end, h);
-        if (status == STATUS_OK && (n % m->output.every == 0 || n == m->n_step)) {
+    for (long n = 0, row; status == STATUS_OK && n < m->n_step; n = row) {
+        row = n + m->output.every < m->n_step ? n + m->output.every : m->n_step;
+        status = r->advance(r, n, row);
+        if (status == STATUS_OK && (r->observer || row == m->n_step)) {
             status = observe(r);
         }
     }
@@ -298,16 +315,18 @@ static bool run_alloc(struct run *r, struct arena *a) {
         !impacts_alloc(&r->impacts, m, a) || !peaks_alloc(r->results, m, a)) {
         return false;
     }
-    if (m->adaptive) {
-        r->advance = advance_adaptive;
+    if (m->integrator == INTEGRATOR_DORMAND_PRINCE) {
+        r->advance = advance_dormand_prince;
         r->adaptive = dormand_prince_create(m, r->results, &r->impacts, a);
         return r->adaptive != NULL;
     }
-    r->advance = advance_fixed;
+    r->advance = m->adaptive ? adaptive_newmark_advance : advance_fixed;
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
+    r->flight = (struct flight){.work = &r->work, .results = r->results, .energy = &r->energy};
     return r->events && r->meeting && state_alloc(r->next, m, a) &&
-           work_alloc(&r->work, m, &r->results->totals, a);
+           work_alloc(&r->work, m, &r->results->totals, a) && flight_alloc(&r->flight, m, a) &&
+           (!m->adaptive || step_length_alloc(&r->length, m, r->results, a));
 }
 
 static int run_start(struct run *r) {
@@ -320,6 +339,8 @@ static int run_start(struct run *r) {
     }
     if (r->adaptive) {
         dormand_prince_start(r->adaptive, r->now, &r->energy);
+    } else if (r->model->adaptive) {
+        step_length_start(&r->length, r->now);
     }
     return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
 }

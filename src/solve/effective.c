@@ -16,8 +16,6 @@
 #include "core/lanes.h"
 #include "solve/four.h"
 
-enum { INVERSE_FLOORS_MAX = 16 };
-
 bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
                      struct arena *a) {
     size_t n = (size_t)building->n_floor;
@@ -28,7 +26,7 @@ bool effective_alloc(struct effective *e, const struct building *building, enum 
     e->pivot = arena_alloc(a, n, sizeof *e->pivot);
     e->factor = arena_alloc(a, n, sizeof *e->factor);
     e->stride = lanes_whole(building->n_floor);
-    e->inverse = arena_alloc(a, n * (size_t)e->stride, sizeof *e->inverse);
+    e->inverse = lanes_array(a, e->stride * e->stride);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
     e->reach = arena_alloc(a, n, sizeof *e->reach);
     if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->ready || !e->reach) {
@@ -95,21 +93,11 @@ static int factor_full(struct effective *e, double b, double g) {
     return STATUS_OK;
 }
 
-// Do solves multiply by the inverse, once it is there?
-static bool prefers_inverse(const struct effective *e) {
-    return e->use == EFFECTIVE_LONG &&
-           (e->building->damping_full || e->building->n_floor <= INVERSE_FLOORS_MAX);
-}
-
-static bool has_inverse(const struct effective *e) {
-    return e->n_ready == e->building->n_floor && prefers_inverse(e);
-}
-
 int effective_factor(struct effective *e, double b, double g) {
     int status = e->building->damping_full ? factor_full(e, b, g) : factor_tridiagonal(e, b, g);
     e->b = status == STATUS_OK ? b : NAN;
     e->g = g;
-    bool at_once = status == STATUS_OK && e->building->elastic && prefers_inverse(e);
+    bool at_once = status == STATUS_OK && e->building->elastic && effective_prefers_inverse(e);
     for (int i = 0; at_once && i < e->building->n_floor; i++) {
         effective_column(e, i);
     }
@@ -131,16 +119,16 @@ static void solve_tridiagonal(const struct effective *e, double *r) {
 // Adds to q (n) the sum of r_i times row i of the inverse.
 LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
                            int n, double *restrict q) {
-    for (int j = 0; j < n; j += LANES_WIDTH) {
+    for (int j = 0; j < n; j += LANES_VECTOR) {
         const double *restrict row = inverse + j;
         lanes y = {0.0};
         for (int i = 0; i < n; i++, row += stride) {
             y += r[i] * *(const lanes *)row;
         }
-        if (j + LANES_WIDTH <= n) {
+        if (j + LANES_VECTOR <= n) {
             *(lanes *)(q + j) += y;
         }
-        for (int lane = 0; j + LANES_WIDTH > n && j + lane < n; lane++) {
+        for (int lane = 0; j + LANES_VECTOR > n && j + lane < n; lane++) {
             q[j + lane] += y[lane];
         }
     }
@@ -148,7 +136,7 @@ LANES static void multiply(const double *restrict inverse, int stride, const dou
 
 void effective_solve(struct effective *e, double *r, double *q) {
     int n = e->building->n_floor;
-    if (has_inverse(e)) {
+    if (effective_has_inverse(e)) {
         multiply(e->inverse, e->stride, r, n, q);
         return;
     }
@@ -156,7 +144,7 @@ void effective_solve(struct effective *e, double *r, double *q) {
     for (int i = 0; i < n; i++) {
         q[i] += r[i];
     }
-    if (prefers_inverse(e)) {
+    if (effective_prefers_inverse(e)) {
         effective_column(e, e->n_ready);
     }
 }
@@ -165,7 +153,7 @@ void effective_solve_four(struct effective *e, double *const r[4], double *const
     int n = e->building->n_floor;
     bool alike = true;
     for (int k = 0; k < 4; k++) {
-        alike = alike && e[k].building->n_floor == n && !prefers_inverse(&e[k]);
+        alike = alike && e[k].building->n_floor == n && !effective_prefers_inverse(&e[k]);
     }
     if (!alike) {
         for (int k = 0; k < 4; k++) {

@@ -48,9 +48,7 @@ static void residuals(struct work *w, struct state *next, const double *u, const
     state_add_link_forces(next, m, w->residual);
 }
 
-// Adds A^-1 residual to the correction of the buildings from k on that are not settled; returns how
-// many buildings it went over.
-static int solve_some(struct work *w, int k) {
+int newmark_solve_from(struct work *w, int k) {
     const struct building *g = &w->model->building[k];
     double *r = w->residual;
     double *q = w->correction;
@@ -69,7 +67,7 @@ static int solve_some(struct work *w, int k) {
 
 static void solve_buildings(struct work *w) {
     for (int k = 0; k < w->model->n_building;) {
-        k += solve_some(w, k);
+        k += newmark_solve_from(w, k);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "jostle/study_merge.h"
 #include "motion/shelf.h"
 #include "study/trial.h"
 #include "study/workers.h"
@@ -58,13 +59,13 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
     return status;
 }
 
-// The next run to be done; -1: there is none.
+// The next run of the part to be done; -1: there is none.
 static long take(void *context) {
     struct pool *p = context;
-    while (p->next < p->plan->n_run && p->journal->offset[p->next] != 0) {
+    while (p->next < p->plan->n_mine && p->journal->offset[p->next] != 0) {
         p->next++;
     }
-    return p->next < p->plan->n_run ? p->next++ : -1;
+    return p->next < p->plan->n_mine ? p->next++ : -1;
 }
 
 static int work(void *context, struct workers *w, long run, void *scratch, struct error *e) {
@@ -73,6 +74,7 @@ static int work(void *context, struct workers *w, long run, void *scratch, struc
     struct entry *entry = scratch;
     const struct trial_watch watch = {
         .files = enter_files, .poll = poll_trial, .context = &view, .records = p->records};
+    run = study_shard_run(&p->plan->shard, run);
     return trial_run(p->plan, run, &watch, &entry->outcome, entry->value, e);
 }
 
@@ -83,7 +85,8 @@ static void count(struct pool *p, long run, const struct study_outcome *outcome)
         to->n_failed++;
         if (!to->failure[0]) {
             struct plan_text t;
-            snprintf(to->failure, sizeof to->failure, "%s: %s", plan_describe(p->plan, run, &t),
+            snprintf(to->failure, sizeof to->failure, "%s: %s",
+                     plan_describe(p->plan, study_shard_run(&p->plan->shard, run), &t),
                      outcome->message);
         }
     }
@@ -122,7 +125,7 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
     if (!p.records) {
         return error_no_memory(e);
     }
-    const long missing = plan->n_run - journal->n_done;
+    const long missing = plan->n_mine - journal->n_done;
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
     const struct workers_request request = {.n_thread = n_thread,

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An analysis under way, and the step that all of Newmark's steps are made of; in analysis.c.
+#ifndef JOSTLE_RUN_H
+#define JOSTLE_RUN_H
+
+#include "solve/account.h"
+#include "solve/dormand_prince.h"
+#include "solve/flight.h"
+#include "solve/step_length.h"
+#include "solve/work.h"
+
+struct run {
+    const struct model *model;
+    const struct observer *observer;
+    struct state *now, *next;
+    struct state store[2];
+    // Takes `now` from step n of the deck to step `end`.
+    int (*advance)(struct run *r, long n, long end);
+    struct work work;           // of Newmark's method
+    struct flight flight;       // of its fixed steps
+    struct step_length length;  // of its adaptive steps
+    struct dp *adaptive;        // Dormand & Prince's method; NULL: Newmark's
+    struct energy_account energy;
+    struct impact_log impacts;
+    int *events;              // (n_contact) at which the current step of the deck was split
+    long events_before;       // totals.events at the start of it
+    struct meeting *meeting;  // (n_contact) scratch of rigid impacts
+    struct results *results;
+    struct error *error;
+};
+
+// Steps to `end`, h later, or to the first event on the way; *rest is what is left of h. A step of
+// so many `cuts` is taken as it is where it cannot be cut. STATUS_RETRY: a shorter one is wanted.
+int run_step(struct run *r, double end, double h, int cuts, double *rest);
+
+// Starts to count the events of each contact anew, if there were any.
+void run_forget_events(struct run *r);
+
+#endif
