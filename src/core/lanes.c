@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lanes.h"
 
+#include <stdint.h>
+
 #include "core/arena.h"
 
 double *lanes_array(struct arena *a, int n) {
     size_t room = (size_t)lanes_whole(n + 1) + 2 * (size_t)LANES_WIDTH;
     double *x = arena_alloc(a, room, sizeof *x);
     return x ? x + LANES_WIDTH : NULL;
+}
+
+wide *lanes_wide_array(struct arena *a, int n) {
+    char *x = arena_alloc(a, (size_t)n + 3, sizeof(wide));
+    if (!x) {
+        return NULL;
+    }
+    uintptr_t behind = (uintptr_t)x % sizeof(wide);
+    return (wide *)(void *)(x + (sizeof(wide) - behind)) + 1;
 }

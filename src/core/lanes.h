@@ -10,8 +10,10 @@
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
     !defined(__SANITIZE_ADDRESS__)
 #define LANES __attribute__((target_clones("default", "avx2")))
+#define WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
 #define LANES
+#define WIDE
 #endif
 
 struct arena;
@@ -24,6 +26,15 @@ enum { LANES_WIDTH = 4 };
 // type that needs a name of its own.
 typedef double lanes
     __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
+
+// One value of each of eight runs that are computed in lockstep. The compiler splits it where the
+// processor's lanes are narrower; WIDE is LANES for functions that use it.
+enum { WIDE_RUNS = 8 };
+typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
+typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
+
+// A zeroed array for n such values, with a 0 in front and one behind; NULL: no memory.
+wide *lanes_wide_array(struct arena *a, int n);
 
 // A zeroed array for n values, with at least one 0 behind them and behind the lanes in which that
 // one lies, so that element i + 1 can be read there too; NULL: no memory.

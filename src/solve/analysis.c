@@ -8,10 +8,10 @@
 #include <time.h>
 
 #include "core/arena.h"
-#include "solve/account.h"
 #include "solve/dormand_prince.h"
 #include "solve/event.h"
 #include "solve/newmark.h"
+#include "solve/run.h"
 
 // A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
 enum { CUTS_MAX = 30 };
@@ -30,24 +30,6 @@ static const double TOGETHER = 1e-6;
 // A run in which steps were cut more often than this, and this often per step of the deck, will not
 // end in a reasonable time.
 enum { CUTS_BUDGET = 2000000, CUTS_BUDGET_PER_STEP = 100 };
-
-struct run {
-    const struct model *model;
-    const struct observer *observer;
-    struct state *now, *next;
-    struct state store[2];
-    // Takes `now` to the time `end`, h later.
-    int (*advance)(struct run *r, double end, double h);
-    struct work work;     // of Newmark's method
-    struct dp *adaptive;  // Dormand & Prince's method; NULL: Newmark's
-    struct energy_account energy;
-    struct impact_log impacts;
-    int *events;              // (n_contact) at which the current step of the deck was split
-    long events_before;       // totals.events at the start of it
-    struct meeting *meeting;  // (n_contact) scratch of rigid impacts
-    struct results *results;
-    struct error *error;
-};
 
 // Asks the observer now and then whether to go on.
 static int poll(struct run *r, double time) {
@@ -244,9 +226,8 @@ static int advance_adaptive(struct run *r, double end, double h) {
     return STATUS_OK;
 }
 
-static int balance(struct run *r) {
+int analysis_balanced(struct run *r) {
     struct results *out = r->results;
-    energy_balance(&r->energy, r->model, r->now, out->energy);
     double residual = fabs(out->energy[ENERGY_RESIDUAL]);
     if (!isfinite(residual)) {
         return error_set(r->error, STATUS_FAILED, "the energy is not finite at t = %.9g",
@@ -258,7 +239,8 @@ static int balance(struct run *r) {
 
 static int observe(struct run *r) {
     const struct state *s = r->now;
-    if (balance(r) != STATUS_OK) {
+    energy_balance(&r->energy, r->model, s, r->results->energy);
+    if (analysis_balanced(r) != STATUS_OK) {
         return STATUS_FAILED;
     }
     struct row_view row = {
@@ -273,21 +255,17 @@ static int observe(struct run *r) {
         .ground = s->ground_a,
         .energy = r->results->energy,
     };
-    return r->observer ? r->observer->row(r->observer->context, &row, r->error) : STATUS_OK;
+    const struct observer *o = r->observer;
+    return o && o->row ? o->row(o->context, &row, r->error) : STATUS_OK;
 }
 
-static int loop(struct run *r) {
+int analysis_step(struct run *r, long n) {
     const struct model *m = r->model;
-    int status = observe(r);
-    for (long n = 1; status == STATUS_OK && n <= m->n_step; n++) {
-        double end = model_time(m, n);
-        double h = n < m->n_step ? m->dt : end - r->now->time;
-        status = r->advance(r, end, h);
-        if (status == STATUS_OK && (n % m->output.every == 0 || n == m->n_step)) {
-            status = observe(r);
-        }
-    }
-    return status;
+    double end = model_time(m, n);
+    double h = n < m->n_step ? m->dt : end - r->now->time;
+    int status = r->advance(r, end, h);
+    bool row = n % m->output.every == 0 || n == m->n_step;
+    return status == STATUS_OK && row ? observe(r) : status;
 }
 
 static bool run_alloc(struct run *r, struct arena *a) {
@@ -330,30 +308,42 @@ static double seconds_now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
-                 struct error *e) {
+int analysis_begin(struct run *r, const struct model *m, const struct observer *observer,
+                   struct error *e) {
     struct arena *a = arena_create();
     struct results *results = a ? arena_alloc(a, 1, sizeof *results) : NULL;
+    *r = (struct run){.model = m, .observer = observer, .results = results, .error = e};
     if (!results) {
         arena_free(a);
         return error_no_memory(e);
     }
+    r->start = seconds_now();
     results->arena = a;
-    struct run r = {.model = m, .observer = observer, .results = results, .error = e};
-    double start = seconds_now();
-    int status = run_alloc(&r, a) ? run_start(&r) : error_no_memory(e);
-    if (status == STATUS_OK) {
-        status = loop(&r);
-    }
+    int status = run_alloc(r, a) ? run_start(r) : error_no_memory(e);
+    return status == STATUS_OK ? observe(r) : status;
+}
+
+int analysis_end(struct run *r, int status, struct results **out) {
+    struct results *results = r->results;
     if (status != STATUS_OK) {
         results_free(results);
         return status;
     }
-    impacts_finish(&r.impacts, results, m, r.now);
-    results->initial_energy = r.energy.initial;
-    results->totals.seconds = seconds_now() - start;
+    impacts_finish(&r->impacts, results, r->model, r->now);
+    results->initial_energy = r->energy.initial;
+    results->totals.seconds = seconds_now() - r->start;
     *out = results;
     return STATUS_OK;
+}
+
+int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
+                 struct error *e) {
+    struct run r;
+    int status = analysis_begin(&r, m, observer, e);
+    for (long n = 1; status == STATUS_OK && n <= m->n_step; n++) {
+        status = analysis_step(&r, n);
+    }
+    return analysis_end(&r, status, out);
 }
 
 void results_free(struct results *r) {
