@@ -90,10 +90,13 @@ static int factor_full(struct effective *e, double b, double g) {
     return STATUS_OK;
 }
 
+bool effective_multiplies(const struct building *building) {
+    return building->damping_full || building->n_floor <= INVERSE_FLOORS_MAX;
+}
+
 // Do solves multiply by the inverse, once it is there?
 static bool prefers_inverse(const struct effective *e) {
-    return e->use == EFFECTIVE_LONG &&
-           (e->building->damping_full || e->building->n_floor <= INVERSE_FLOORS_MAX);
+    return e->use == EFFECTIVE_LONG && effective_multiplies(e->building);
 }
 
 static bool has_inverse(const struct effective *e) {

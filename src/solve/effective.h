@@ -14,6 +14,9 @@ enum effective_use {
     EFFECTIVE_LONG,     // solves of low buildings multiply by the inverse
 };
 
+// Whether solves of a building with a factorisation of long use multiply by the inverse.
+bool effective_multiplies(const struct building *building);
+
 struct effective {
     const struct building *building;  // borrowed
     enum effective_use use;
