@@ -3,6 +3,8 @@
 #ifndef JOSTLE_LANES_H
 #define JOSTLE_LANES_H
 
+#include <stdint.h>  // any header of the library says which library it is
+
 // In front of a function: it is compiled for the baseline and for AVX2, and the loader takes what
 // the processor has. Each element sees the same operations in the same order either way, so the
 // bits are the same. Elsewhere, and under sanitizers, which run before such choices can be made,

@@ -4,43 +4,44 @@
 
 #include "solve/ensemble_lanes.h"
 
+// Vectors are compared by the sign of a difference and chosen between by their bits: compilers take
+// apart what is said with < and ?:, and may not pass vectors by value between processors.
 static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
+enum { SIGN = 63 };
 
-// |x| and a choice by bits; vectors are not passed by value, as that depends on the processor.
+#define INLINE static inline __attribute__((always_inline))
 #define ABSOLUTE(x) ((wide)((wide_bits)(x)&SIZE))
+#define LESS(a, b) ((wide_bits)((a) - (b)))  // negative where a < b
 #define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
 WIDE unsigned ensemble_leaving(const struct ensemble_lanes *e) {
-    wide_bits stays;
-    memcpy(&stays, e->aboard, sizeof stays);
+    const wide most = ENSEMBLE_LARGEST - (wide){0.0};
+    wide_bits bad = {0};
     for (int k = 0; k < e->n_contact; k++) {
         wide delta = e->next.u[e->ends[k].left] - e->next.u[e->ends[k].right] - e->gap[k];
-        stays &= delta <= 0.0;
+        bad |= LESS(0.0, delta);
     }
     for (int i = 0; i < e->n_dof; i++) {
-        stays &= ABSOLUTE(e->next.u[i]) <= ENSEMBLE_LARGEST;
-        stays &= ABSOLUTE(e->next.v[i]) <= ENSEMBLE_LARGEST;
-        stays &= ABSOLUTE(e->total[i]) <= ENSEMBLE_LARGEST;
+        bad |= LESS(most, ABSOLUTE(e->next.u[i])) | LESS(most, ABSOLUTE(e->next.v[i])) |
+               LESS(most, ABSOLUTE(e->total[i]));
     }
     unsigned leaving = 0;
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        leaving |= (unsigned)(e->aboard[lane] != 0 && stays[lane] == 0) << lane;
+        leaving |= (unsigned)((e->aboard[lane] & bad[lane]) < 0) << lane;
     }
     return leaving;
 }
 
 // Where `size` is greater than the peak of a run aboard, the peak and its time.
-static inline __attribute__((always_inline)) void raise(const wide_bits *aboard, const wide *size,
-                                                        double time, wide *peak, wide *peak_time) {
-    wide_bits above = (*size > *peak) & *aboard;
-    wide now = time - (wide){0.0};
+INLINE void raise(const wide_bits *aboard, const wide *size, const wide *time, wide *peak,
+                  wide *peak_time) {
+    wide_bits above = (LESS(*peak, *size) >> SIGN) & *aboard;
     *peak = CHOOSE(above, *size, *peak);
-    *peak_time = CHOOSE(above, now, *peak_time);
+    *peak_time = CHOOSE(above, *time, *peak_time);
 }
 
-static inline __attribute__((always_inline)) void raise_floor(struct ensemble_lanes *e, int i,
-                                                              const wide_bits *aboard, double time,
-                                                              const wide *drift) {
+INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard, const wide *time,
+                        const wide *drift) {
     const wide value[PEAK_COUNT] = {
         [PEAK_DISPLACEMENT] = ABSOLUTE(e->next.u[i]),      [PEAK_VELOCITY] = ABSOLUTE(e->next.v[i]),
         [PEAK_ACCELERATION] = ABSOLUTE(e->total[i]),       [PEAK_DRIFT] = ABSOLUTE(*drift),
@@ -54,18 +55,19 @@ static inline __attribute__((always_inline)) void raise_floor(struct ensemble_la
 WIDE void ensemble_commit(struct ensemble_lanes *e, double time) {
     wide_bits aboard;
     memcpy(&aboard, e->aboard, sizeof aboard);
+    const wide now = time - (wide){0.0};
     const wide *u = e->next.u;
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
         wide drift = u[g->first] - 0.0 * u[g->first - 1];
         for (int i = g->first; i < g->first + g->n_floor; i++) {
-            raise_floor(e, i, &aboard, time, &drift);
+            raise_floor(e, i, &aboard, &now, &drift);
             drift = u[i + 1] - u[i];
         }
     }
     for (int k = 0; k < e->n_contact; k++) {
         wide delta = u[e->ends[k].left] - u[e->ends[k].right] - e->gap[k];
-        raise(&aboard, &delta, time, &e->deepest[k], &e->deepest_time[k]);
+        raise(&aboard, &delta, &now, &e->deepest[k], &e->deepest_time[k]);
     }
     struct ensemble_state old = e->now;
     e->now = e->next;
