@@ -58,7 +58,10 @@ bool lines_next(struct lines *l) {
 }
 
 static bool is_separator(char c, const char *separators) {
-    return c != '\0' && strchr(separators, c);
+    while (*separators != '\0' && *separators != c) {
+        separators++;
+    }
+    return *separators != '\0';
 }
 
 bool lines_field(struct span *rest, const char *separators, struct span *field) {

@@ -4,7 +4,10 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+enum { CONVERSION_BUFFER = 16384 };  // bytes
 
 // The library's work at exit would touch what is left of a file that could not be closed, because
 // the disk is full, and crash; all files are closed long before.
@@ -71,19 +74,35 @@ void h5_create(struct h5 *h, const char *path) {
     }
 }
 
+// The library converts in a buffer that is 1 MiB, cleared for each call, unless it is told
+// otherwise: a fifth of the time of a short run.
 void h5_open_types(struct h5 *h) {
     h->text = H5Tcopy(H5T_C_S1);
-    if (h5_failed(h, h->text) || h5_failed(h, H5Tset_size(h->text, H5T_VARIABLE))) {
+    if (h5_failed(h, h->text) || h5_failed(h, H5Tset_size(h->text, H5T_VARIABLE)) ||
+        h5_failed(h, H5Tset_cset(h->text, H5T_CSET_UTF8))) {
         return;
     }
-    h5_failed(h, H5Tset_cset(h->text, H5T_CSET_UTF8));
+    h->references = H5Tvlen_create(H5T_STD_REF_OBJ);
+    h->plain = H5Pcreate(H5P_DATASET_CREATE);
+    h->transfer = H5Pcreate(H5P_DATASET_XFER);
+    if (h5_failed(h, h->references) || h5_failed(h, h->plain) || h5_failed(h, h->transfer)) {
+        return;
+    }
+    h5_failed(h, H5Pset_obj_track_times(h->plain, false));
+    h5_failed(h, H5Pset_buffer(h->transfer, CONVERSION_BUFFER, NULL, NULL));
 }
 
 void h5_close_types(struct h5 *h) {
-    if (h->text > 0) {
-        H5Tclose(h->text);
+    hid_t *const held[] = {&h->text, &h->references, &h->plain, &h->transfer};
+    for (size_t i = 0; i < sizeof held / sizeof held[0]; i++) {
+        if (*held[i] > 0) {
+            H5Idec_ref(*held[i]);
+        }
+        *held[i] = 0;
     }
-    h->text = 0;
+    free(h->use);
+    h->use = NULL;
+    h->n_use = h->use_capacity = 0;
 }
 
 hid_t h5_group(struct h5 *h, hid_t parent, const char *name) {

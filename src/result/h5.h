@@ -12,10 +12,16 @@
 #include "result/layout.h"
 
 enum { H5_CAUSE_MAX = 256, H5_DIMENSIONS_MAX = STUDY_SWEEPS_MAX + 1 };
+struct h5_use;
 struct h5 {
     hid_t file;
     hid_t text;                       // type of texts: UTF-8, any length
+    hid_t references;                 // type of lists of references to objects
+    hid_t plain;                      // creation list of contiguous datasets
+    hid_t transfer;                   // for writing
     const struct unit_system *units;  // borrowed
+    struct h5_use *use;               // (n_use) of scales; heap
+    size_t n_use, use_capacity;
     bool failed;
     char cause[H5_CAUSE_MAX];
 };
@@ -52,6 +58,10 @@ void h5_put_double(struct h5 *h, hid_t object, const char *name, double value);
 
 // The open dataset; -1 after a failure.
 hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d);
+// Makes scale[i] the scale of dimension i of the open dataset (n_dim); 0: none.
+void h5_attach(struct h5 *h, hid_t dataset, const hid_t *scale, int n_dim);
+// Lists in each scale the datasets that use it; once, when all are there.
+void h5_list_uses(struct h5 *h);
 // Creates, writes and closes.
 void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data);
 // Creates the dimension scale `name` with the numbers 1..n; open.

@@ -9,25 +9,28 @@
 
 #include "result/h5.h"
 
-enum { CONVERSION_BUFFER = 16384 };  // bytes
+// The open attribute of an object, created if it is not there.
+static hid_t open_attribute(struct h5 *h, hid_t object, const char *name, hid_t type) {
+    htri_t present = H5Aexists(object, name);
+    if (h5_failed(h, present) || present) {
+        return present > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
+    }
+    hid_t space = H5Screate(H5S_SCALAR);
+    hid_t attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Sclose(space);
+    return attribute;
+}
 
 static void put_attribute(struct h5 *h, hid_t object, const char *name, hid_t type,
                           const void *value) {
     if (h->failed) {
         return;
     }
-    htri_t present = H5Aexists(object, name);
-    if (h5_failed(h, present)) {
-        return;
-    }
-    hid_t space = H5Screate(H5S_SCALAR);
-    hid_t attribute = present ? H5Aopen(object, name, H5P_DEFAULT)
-                              : H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    hid_t attribute = open_attribute(h, object, name, type);
     if (!h5_failed(h, attribute)) {
         h5_failed(h, H5Awrite(attribute, type, value));
         H5Aclose(attribute);
     }
-    H5Sclose(space);
 }
 
 void h5_put_text(struct h5 *h, hid_t object, const char *name, const char *text) {
@@ -42,15 +45,13 @@ void h5_put_double(struct h5 *h, hid_t object, const char *name, double value) {
     put_attribute(h, object, name, H5T_NATIVE_DOUBLE, &value);
 }
 
-// Chunks are written whole and never kept in memory by the library. Rows not yet written read as
-// NaN. A scale of thousands of datasets lists them in an attribute of more than the 64 KiB that an
-// object header takes, so it keeps its attributes outside.
+// Rows not yet written read as NaN. A scale of thousands of datasets lists them in an attribute of
+// more than the 64 KiB that an object header takes, so it keeps its attributes outside.
 static hid_t creation_list(struct h5 *h, const struct h5_dataset *d, hsize_t values) {
-    hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+    hid_t list = H5Pcopy(h->plain);
     if (h5_failed(h, list)) {
         return list;
     }
-    h5_failed(h, H5Pset_obj_track_times(list, false));
     if (d->many_users) {
         h5_failed(h, H5Pset_attr_creation_order(list, H5P_CRT_ORDER_TRACKED));
         h5_failed(h, H5Pset_attr_phase_change(list, 0, 0));
@@ -64,6 +65,7 @@ static hid_t creation_list(struct h5 *h, const struct h5_dataset *d, hsize_t val
     return list;
 }
 
+// Chunks are written whole and never kept in memory by the library.
 static hid_t access_list(struct h5 *h) {
     hid_t list = H5Pcreate(H5P_DATASET_ACCESS);
     if (!h5_failed(h, list)) {
@@ -72,20 +74,26 @@ static hid_t access_list(struct h5 *h) {
     return list;
 }
 
+static hid_t create_with(struct h5 *h, hid_t parent, const struct h5_dataset *d, hid_t list,
+                         hid_t access) {
+    hid_t space = H5Screate_simple(d->n_dim, d->dim, NULL);
+    if (h5_failed(h, space)) {
+        return -1;
+    }
+    hid_t dataset = H5Dcreate2(parent, d->name, d->file_type, space, H5P_DEFAULT, list, access);
+    h5_failed(h, dataset);
+    H5Sclose(space);
+    return dataset;
+}
+
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
+    if (d->chunk_rows == 0 && !d->many_users) {
+        return create_with(h, parent, d, h->plain, H5P_DEFAULT);
+    }
     const hsize_t values = d->n_dim == 2 ? d->dim[0] * d->dim[1] : d->dim[0];
     hid_t list = creation_list(h, d, values);
     hid_t access = access_list(h);
-    hid_t space = H5Screate_simple(d->n_dim, d->dim, NULL);
-    h5_failed(h, space);
-    hid_t dataset = -1;
-    if (!h->failed) {
-        dataset = H5Dcreate2(parent, d->name, d->file_type, space, H5P_DEFAULT, list, access);
-        h5_failed(h, dataset);
-    }
-    if (space >= 0) {
-        H5Sclose(space);
-    }
+    hid_t dataset = h->failed ? -1 : create_with(h, parent, d, list, access);
     if (access >= 0) {
         H5Pclose(access);
     }
@@ -106,12 +114,11 @@ hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     }
     h5_put_text(h, dataset, "units", units);
     h5_put_text(h, dataset, "long_name", d->quantity.long_name);
-    for (int i = 0; i < d->n_dim && !h->failed; i++) {
-        if (d->scale[i] > 0) {
-            h5_failed(h, H5DSattach_scale(dataset, d->scale[i], (unsigned)i));
-        } else {
-            h5_failed(h, H5DSset_scale(dataset, d->name));
-        }
+    bool is_scale = d->n_dim == 1 && d->scale[0] <= 0;
+    if (is_scale && !h->failed) {
+        h5_failed(h, H5DSset_scale(dataset, d->name));
+    } else {
+        h5_attach(h, dataset, d->scale, d->n_dim);
     }
     if (h->failed) {
         H5Dclose(dataset);
@@ -120,15 +127,9 @@ hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     return dataset;
 }
 
-// Writes the whole dataset. The library converts in a buffer that is 1 MiB, cleared for each call,
-// unless it is told otherwise: a fifth of the time of a short run.
 static void write_all(struct h5 *h, hid_t dataset, hid_t memory_type, const void *data) {
-    hid_t list = H5Pcreate(H5P_DATASET_XFER);
-    if (!h5_failed(h, list) && !h5_failed(h, H5Pset_buffer(list, CONVERSION_BUFFER, NULL, NULL))) {
-        h5_failed(h, H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, list, data));
-    }
-    if (list >= 0) {
-        H5Pclose(list);
+    if (!h->failed) {
+        h5_failed(h, H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, h->transfer, data));
     }
 }
 

@@ -107,6 +107,7 @@ static int write_part(struct study_writer *w, const char *path, const char *part
         h5_create(&w->h, part);
         study_tree(w);
         status = put_runs(w, &b, e);
+        h5_list_uses(&w->h);
         h5_put_text(&w->h, w->h.file, "status", "complete");
         close_all(w);
     }

@@ -206,6 +206,7 @@ static int write_end(struct result_writer *w, const struct results *r, struct er
     if (!w->h.failed) {
         h5_failed(&w->h, H5Fflush(w->h.file, H5F_SCOPE_LOCAL));
     }
+    h5_list_uses(&w->h);
     h5_put_text(&w->h, w->h.file, "status", "complete");
     if (!w->h.failed) {
         h5_failed(&w->h, H5Fflush(w->h.file, H5F_SCOPE_LOCAL));

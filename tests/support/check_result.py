@@ -49,6 +49,8 @@ class Checker:
                 self.expect(keys == [scale], f"{where} has scales {keys} on dimension {i}")
                 for s in d.dims[i].values():
                     self.expect(s.shape == (d.shape[i],), f"{where}: scale {scale} has another size")
+                    self.expect(h5py.h5ds.is_attached(d.id, s.id, i),
+                                f"{where} is not in the list of its scale {scale}")
         for attribute in ("units", "long_name"):
             text = d.attrs.get(attribute)
             self.expect(isinstance(text, str) and text, f"{where} has no {attribute}")
