@@ -270,18 +270,13 @@ static void start(struct fleet *f, struct ensemble_member *member) {
     }
 }
 
-static void run_alone(struct ensemble_member *member, const struct observer *observer) {
-    member->results = NULL;
-    member->status = analysis_run(member->model, observer, &member->results, &member->error);
-}
-
-// Runs the `n` members of models alike.
+// Runs the `n` members of models alike in lockstep. STATUS_SYSTEM: no memory.
 static int run_alike(struct ensemble_member **member, int n, const struct observer *observer,
-                     struct arena *a) {
+                     struct arena *a, struct error *e) {
     const struct model *m = member[0]->model;
-    struct fleet *f = arena_alloc(a, 1, sizeof *f);
+    struct fleet *f = a ? arena_alloc(a, 1, sizeof *f) : NULL;
     if (!f || !ensemble_lanes_alloc(&f->lanes, m, a)) {
-        return STATUS_SYSTEM;
+        return error_no_memory(e);
     }
     f->observer = observer;
     f->every = m->output.every;
@@ -296,6 +291,17 @@ static int run_alike(struct ensemble_member **member, int n, const struct observ
     return STATUS_OK;
 }
 
+static void run_together(struct ensemble_member **member, int n, const struct observer *observer) {
+    struct error e;
+    struct arena *a = arena_create();
+    int status = run_alike(member, n, observer, a, &e);
+    for (int k = 0; status != STATUS_OK && k < n; k++) {
+        member[k]->status = status;
+        member[k]->error = e;
+    }
+    arena_free(a);
+}
+
 void ensemble_run(struct ensemble_member *member, int n, const struct observer *observer) {
     struct ensemble_member *alike[ENSEMBLE_MAX];
     int n_alike = 0;
@@ -307,15 +313,16 @@ void ensemble_run(struct ensemble_member *member, int n, const struct observer *
             alike[n_alike++] = &member[k];
         }
     }
-    struct arena *a = n_alike >= RUNS_LEAST ? arena_create() : NULL;
-    bool marched = a && run_alike(alike, n_alike, observer, a) == STATUS_OK;
-    arena_free(a);
-    int next = 0;
-    for (int k = 0; k < n; k++) {
-        bool done = next < n_alike && alike[next] == &member[k];
-        next += done;
-        if (!done || !marched) {
-            run_alone(&member[k], observer);
+    n_alike = n_alike < RUNS_LEAST ? 0 : n_alike;
+    if (n_alike > 0) {
+        run_together(alike, n_alike, observer);
+    }
+    for (int k = 0, next = 0; k < n; k++) {
+        if (next < n_alike && alike[next] == &member[k]) {
+            next++;
+        } else {
+            member[k].status =
+                analysis_run(member[k].model, observer, &member[k].results, &member[k].error);
         }
     }
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "jostle/ensemble.h"
 #include "study/trial.h"
 
 enum { TICK = 100000000, SYNC_TICKS = 10 };  // [ns] between polls; polls between synchronisations
@@ -14,6 +15,7 @@ enum { TICK = 100000000, SYNC_TICKS = 10 };  // [ns] between polls; polls betwee
 // Everything below the lock is guarded by it.
 struct pool {
     const struct plan *plan;
+    int most;  // runs that a thread takes at once
     atomic_bool stop;
     pthread_mutex_t lock;
     pthread_cond_t ended;  // a worker has
@@ -21,6 +23,7 @@ struct pool {
     struct ledger *ledger;
     struct study_progress progress;
     long next;  // the run to look at next
+    long left;  // runs that no thread has taken yet
     int n_worker;
     int status;  // the first error
     struct error error;
@@ -56,12 +59,25 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
     return status;
 }
 
-// The next run to be done; -1: there is none.
-static long take(struct pool *p) {
-    while (p->next < p->plan->n_run && p->journal->offset[p->next] != 0) {
-        p->next++;
+// How many runs a thread takes at once: those that can go in lockstep, but so that all threads get
+// their share.
+static long portion(const struct pool *p) {
+    const long share = (p->left + p->progress.n_thread - 1) / p->progress.n_thread;
+    return share < p->most ? share : p->most;
+}
+
+// The next runs to be done; returns how many.
+static int take(struct pool *p, struct trial *trial) {
+    int n = 0;
+    const long most = portion(p);
+    while (n < most && p->next < p->plan->n_run && !atomic_load(&p->stop)) {
+        const long run = p->next++;
+        if (p->journal->offset[run] == 0) {
+            trial[n++].run = run;
+            p->left--;
+        }
     }
-    return p->next < p->plan->n_run && !atomic_load(&p->stop) ? p->next++ : -1;
+    return n;
 }
 
 static void count(struct pool *p, long run, const struct study_outcome *outcome) {
@@ -77,37 +93,41 @@ static void count(struct pool *p, long run, const struct study_outcome *outcome)
     }
 }
 
-static void finish(struct pool *p, long run, int status, const struct study_outcome *outcome,
-                   const double *value, struct error *e) {
-    if (status == STATUS_OK) {
-        status = journal_add_run(p->journal, run, outcome, value, e);
+static void finish(struct pool *p, struct trial *t) {
+    if (t->status == STATUS_OK) {
+        t->status = journal_add_run(p->journal, t->run, &t->outcome, t->value, &t->error);
     }
-    if (status == STATUS_OK) {
-        count(p, run, outcome);
+    if (t->status == STATUS_OK) {
+        count(p, t->run, &t->outcome);
     } else {
-        give_up(p, status, e);
+        give_up(p, t->status, &t->error);
     }
 }
 
-static void work(struct pool *p, double *value) {
+static void work(struct pool *p, struct trial *trial) {
     const struct trial_watch watch = {.files = enter_files, .poll = poll_trial, .context = p};
     pthread_mutex_lock(&p->lock);
-    for (long run; (run = take(p)) >= 0;) {
-        struct study_outcome outcome;
-        struct error e;
+    for (int n; (n = take(p, trial)) > 0;) {
         pthread_mutex_unlock(&p->lock);
-        int status = trial_run(p->plan, run, &watch, &outcome, value, &e);
+        trial_run(p->plan, trial, n, &watch);
         pthread_mutex_lock(&p->lock);
-        finish(p, run, status, &outcome, value, &e);
+        for (int i = 0; i < n; i++) {
+            finish(p, &trial[i]);
+        }
     }
     pthread_mutex_unlock(&p->lock);
 }
 
 static void *worker(void *context) {
     struct pool *p = context;
-    double *value = malloc(p->plan->table->n_value * sizeof *value);
+    struct trial trial[ENSEMBLE_MAX];
+    const size_t n_value = p->plan->table->n_value;
+    double *value = malloc((size_t)p->most * n_value * sizeof *value);
+    for (int i = 0; value && i < p->most; i++) {
+        trial[i].value = value + (size_t)i * n_value;
+    }
     if (value) {
-        work(p, value);
+        work(p, trial);
     }
     pthread_mutex_lock(&p->lock);
     if (!value) {
@@ -207,6 +227,8 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
         return error_no_memory(e);
     }
     p.progress.n_thread = n_thread;
+    p.left = missing;
+    p.most = trial_most(plan);
     run_threads(&p, q, thread, n_thread);
     pthread_cond_destroy(&p.ended);
     pthread_mutex_destroy(&p.lock);

@@ -4,10 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-static int ignore_row(void *context, const struct row_view *row, struct error *e) {
-    (void)context, (void)row, (void)e;
-    return STATUS_OK;
-}
+#include "jostle/ensemble.h"
 
 static void fail(struct study_outcome *outcome, const char *message) {
     outcome->status = STUDY_FAILED;
@@ -39,8 +36,15 @@ static int fail_deck(struct study_outcome *outcome, const struct deck *deck, str
     return STATUS_OK;
 }
 
-static int open_deck(const struct plan *p, long run, int *choice, struct deck **out,
-                     struct error *e) {
+static void start(const struct plan *p, struct trial *t) {
+    t->outcome = (struct study_outcome){.status = STUDY_DONE};
+    for (size_t i = 0; i < p->table->n_value; i++) {
+        t->value[i] = NAN;
+    }
+}
+
+static int open_deck(const struct plan *p, long run, struct deck **out, struct error *e) {
+    int choice[STUDY_SWEEPS_MAX];
     const struct deck *first = p->first->deck;
     int status = deck_open_text(first->path, first->text, p->define, p->n_define, out, e);
     if (status == STATUS_OK) {
@@ -50,60 +54,69 @@ static int open_deck(const struct plan *p, long run, int *choice, struct deck **
     return status;
 }
 
-static int run_model(const struct plan *p, const struct model *m, const struct trial_watch *watch,
-                     struct study_outcome *outcome, double *value, struct error *e) {
-    const struct observer observer = {
-        .row = ignore_row, .poll = watch->poll, .context = watch->context};
-    struct results *results;
-    int status = analysis_run(m, &observer, &results, e);
-    if (status == STATUS_FAILED) {
-        fail(outcome, e->message);
-        return STATUS_OK;
-    }
-    if (status != STATUS_OK) {
-        return status;
-    }
-    struct report *report;
-    status = report_create(m, results, NULL, p->report->version, &report, e);
-    if (status == STATUS_OK) {
-        study_table_read(report, value);
-        report_free(report);
-    }
-    results_free(results);
-    return status;
-}
-
-static int build_and_run(const struct plan *p, long run, struct deck *deck,
-                         const struct trial_watch *watch, struct study_outcome *outcome,
-                         double *value, struct error *e) {
-    struct model *m;
-    int status = model_build(deck, &m, e);
+// The model of a run; NULL: its deck is wrong for its values, which is an outcome.
+static int build(const struct plan *p, struct trial *t, const struct trial_watch *watch,
+                 struct deck *deck, struct model **out) {
+    int status = model_build(deck, out, &t->error);
     const bool built = status == STATUS_OK;
     if (status == STATUS_INPUT) {
-        status = fail_deck(outcome, deck, e);
+        status = fail_deck(&t->outcome, deck, &t->error);
     }
-    if (status != STATUS_OK) {
-        return status;
+    if (status == STATUS_OK) {
+        status = watch->files(watch->context, deck->files, &t->error);
     }
-    status = watch->files(watch->context, deck->files, e);
-    if (status == STATUS_OK && built) {
-        status = plan_check(p, run, m, e);
-    }
-    return status == STATUS_OK && built ? run_model(p, m, watch, outcome, value, e) : status;
+    return status == STATUS_OK && built ? plan_check(p, t->run, *out, &t->error) : status;
 }
 
-int trial_run(const struct plan *p, long run, const struct trial_watch *watch,
-              struct study_outcome *outcome, double *value, struct error *e) {
-    int choice[STUDY_SWEEPS_MAX];
-    struct deck *deck;
-    *outcome = (struct study_outcome){.status = STUDY_DONE};
-    for (size_t i = 0; i < p->table->n_value; i++) {
-        value[i] = NAN;
+// What the run of a model came to.
+static int conclude(const struct plan *p, struct trial *t, struct ensemble_member *member) {
+    if (member->status == STATUS_FAILED) {
+        fail(&t->outcome, member->error.message);
+        return STATUS_OK;
     }
-    int status = open_deck(p, run, choice, &deck, e);
+    if (member->status != STATUS_OK) {
+        t->error = member->error;
+        return member->status;
+    }
+    struct report *report;
+    int status =
+        report_create(member->model, member->results, NULL, p->report->version, &report, &t->error);
     if (status == STATUS_OK) {
-        status = build_and_run(p, run, deck, watch, outcome, value, e);
-        deck_free(deck);  // and the model with it
+        study_table_read(report, t->value);
+        report_free(report);
     }
+    results_free(member->results);
     return status;
+}
+
+int trial_most(const struct plan *p) {
+    return ensemble_suits(p->first) ? ENSEMBLE_MAX : 1;
+}
+
+void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch) {
+    const struct observer observer = {.poll = watch->poll, .context = watch->context};
+    struct deck *deck[ENSEMBLE_MAX] = {NULL};
+    struct ensemble_member member[ENSEMBLE_MAX];
+    struct trial *built[ENSEMBLE_MAX];
+    int n_built = 0;
+    for (int i = 0; i < n; i++) {
+        struct trial *t = &trial[i];
+        struct model *m = NULL;
+        start(p, t);
+        t->status = open_deck(p, t->run, &deck[i], &t->error);
+        if (t->status == STATUS_OK) {
+            t->status = build(p, t, watch, deck[i], &m);
+        }
+        if (t->status == STATUS_OK && m) {
+            member[n_built] = (struct ensemble_member){.model = m};
+            built[n_built++] = t;
+        }
+    }
+    ensemble_run(member, n_built, &observer);
+    for (int i = 0; i < n_built; i++) {
+        built[i]->status = conclude(p, built[i], &member[i]);
+    }
+    for (int i = 0; i < n; i++) {
+        deck_free(deck[i]);  // and its model
+    }
 }

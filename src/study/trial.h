@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run of a study, in memory.
+// Some runs of a study, in memory. Those whose models are alike go in lockstep.
 #ifndef JOSTLE_TRIAL_H
 #define JOSTLE_TRIAL_H
 
@@ -7,18 +7,29 @@
 
 // What a trial asks of the study it belongs to. Not 0 ends the trial with that status.
 struct trial_watch {
-    // The deck of the run has been read; `files` are those it read.
+    // The deck of a run has been read; `files` are those it read.
     int (*files)(void *context, const struct deck_path *files, struct error *e);
     // Called now and then.
     int (*poll)(void *context, double time, struct error *e);
     void *context;
 };
 
-// Builds the model of run `run` and runs it: its outcome and its values (n_value), NaN if it
-// failed. A deck that is wrong for these values and an analysis that fails are outcomes; errors are
-// those that end the study: STATUS_INPUT (the run has another shape), STATUS_SYSTEM, or what the
-// watch returned.
-int trial_run(const struct plan *p, long run, const struct trial_watch *watch,
-              struct study_outcome *outcome, double *value, struct error *e);
+struct trial {
+    long run;       // from 0
+    double *value;  // (n_value) borrowed: its values, NaN if it failed
+    struct study_outcome outcome;
+    int status;  // 0, or an error that ends the study
+    struct error error;
+};
+
+// How many runs of a plan are worth running at once: 1 where they cannot go in lockstep, and never
+// more than ENSEMBLE_MAX.
+int trial_most(const struct plan *p);
+
+// Builds the models of `n` <= ENSEMBLE_MAX runs and runs them: the outcome and the values of each,
+// which do not depend on what else is run. A deck that is wrong for its values and an analysis that
+// fails are outcomes; errors are those that end the study: STATUS_INPUT (the run has another
+// shape), STATUS_SYSTEM, or what the watch returned.
+void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch);
 
 #endif
