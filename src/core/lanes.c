@@ -11,11 +11,11 @@ double *lanes_array(struct arena *a, int n) {
     return x ? x + LANES_WIDTH : NULL;
 }
 
-wide *lanes_wide_array(struct arena *a, int n) {
-    char *x = arena_alloc(a, (size_t)n + 3, sizeof(wide));
+void *lanes_wide_array(struct arena *a, int n, size_t size) {
+    char *x = arena_alloc(a, (size_t)n + 3, size);
     if (!x) {
         return NULL;
     }
-    uintptr_t behind = (uintptr_t)x % sizeof(wide);
-    return (wide *)(void *)(x + (sizeof(wide) - behind)) + 1;
+    uintptr_t over = (uintptr_t)x % sizeof(wide);
+    return x + (sizeof(wide) - over) + size;
 }

@@ -3,6 +3,7 @@
 #ifndef JOSTLE_LANES_H
 #define JOSTLE_LANES_H
 
+#include <stddef.h>
 #include <stdint.h>  // any header of the library says which library it is
 
 // In front of a function: it is compiled for the baseline and for AVX2, and the loader takes what
@@ -35,8 +36,9 @@ enum { WIDE_RUNS = 8 };
 typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
 typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
 
-// A zeroed array for n such values, with a 0 in front and one behind; NULL: no memory.
-wide *lanes_wide_array(struct arena *a, int n);
+// A zeroed array for n things of such values, `size` bytes each, with one in front and one behind;
+// NULL: no memory.
+void *lanes_wide_array(struct arena *a, int n, size_t size);
 
 // A zeroed array for n values, with at least one 0 behind them and behind the lanes in which that
 // one lies, so that element i + 1 can be read there too; NULL: no memory.

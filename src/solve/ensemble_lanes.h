@@ -14,41 +14,44 @@ enum { ENSEMBLE_STRETCH = 64 };
 // can overflow: the largest are products of seven of them.
 static const double ENSEMBLE_LARGEST = 1e40;
 
-// What a step changes, all (n_dof).
+// What a step changes of a floor.
 struct ensemble_state {
-    wide *u, *v, *a;              // [L] [L/T] [L/T^2] relative to the ground
-    wide *external, *damping;     // [F] -m a_ground and C v
-    wide *input_2x, *damping_2x;  // [F L] twice the work of these so far
+    wide u, v, a;               // [L] [L/T] [L/T^2] relative to the ground
+    wide external, damping;     // [F] -m a_ground and C v
+    wide input_2x, damping_2x;  // [F L] twice the work of these so far
+};
+
+// The rest of a floor, with the storey below it.
+struct ensemble_floor {
+    wide inertia;               // [M] minus the mass
+    wide stiffness;             // [F/L]
+    wide below, own, above;     // [F T/L] bands of C
+    wide pivot, factor;         // of A = L D L^T
+    wide u_trial, v_trial;      // of the step under way
+    wide residual, correction;  // [F] [L/T^2]
+    wide total;                 // [L/T^2] of the state after it
+    wide peak[PEAK_COUNT];      // since the run came aboard, or before: never above that of the run
+    wide peak_time[PEAK_COUNT];
+};
+
+struct ensemble_contact {
+    int left, right;             // floors; a wall is the zero behind them
+    wide gap;                    // [L]
+    wide deepest, deepest_time;  // [L] [T] as the peaks
 };
 
 struct ensemble_lanes {
     // The shape, and the steps: those of the first model.
-    int n_building, n_dof, n_contact;
+    int n_building, n_floor, n_contact;
     const struct building *building;  // borrowed
     double b, g, h;                   // beta h^2, gamma h and h
 
-    // Numbers of the models; (n_dof) but where another shape is given.
-    wide *inertia;              // [M] minus the masses
-    wide *stiffness;            // [F/L]
-    wide *below, *own, *above;  // [F T/L] bands of C
-    wide **inverse;             // (n_building) of each (n_floor, n_floor), or NULL: factors
-    wide *pivot, *factor;       // of A = L D L^T
-    wide *gap;                  // [L] (n_contact)
-    struct ensemble_ends {
-        int left, right;  // a wall is the zero behind the floors
-    } * ends;             // (n_contact)
-
-    struct ensemble_state now, next;
-    wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
-
-    // Envelopes of the lanes since they came aboard, or before: never above those of their runs.
-    wide *peak[PEAK_COUNT], *peak_time[PEAK_COUNT];  // (n_dof)
-    wide *deepest, *deepest_time;                    // [L] [T] (n_contact)
-
-    long long aboard[WIDE_RUNS];  // all bits of the lanes whose runs are aboard
-
-    wide *u_trial, *v_trial, *residual;  // scratch
-    wide *total;                         // [L/T^2] (n_dof) of `next`
+    long long aboard[WIDE_RUNS];        // all bits of the lanes whose runs are aboard
+    struct ensemble_floor *floor;       // (n_floor) of all buildings
+    struct ensemble_state *now, *next;  // (n_floor)
+    struct ensemble_contact *contact;   // (n_contact)
+    wide **inverse;  // (n_building) A^-1 of each (n_floor, n_floor), or NULL: factors
+    wide *base;      // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
 
 // Room for the runs of models like `m`; false: no memory.
@@ -66,6 +69,13 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
 
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
+
+// Commits the step that has been computed, without a look at its peaks.
+static inline void ensemble_swap(struct ensemble_lanes *e) {
+    struct ensemble_state *old = e->now;
+    e->now = e->next;
+    e->next = old;
+}
 
 // Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them asks
 // for ensemble_look: that one is computed, but not committed. Returns the number committed.

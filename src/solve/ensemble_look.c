@@ -18,12 +18,14 @@ WIDE unsigned ensemble_leaving(const struct ensemble_lanes *e) {
     const wide most = ENSEMBLE_LARGEST - (wide){0.0};
     wide_bits bad = {0};
     for (int k = 0; k < e->n_contact; k++) {
-        wide delta = e->next.u[e->ends[k].left] - e->next.u[e->ends[k].right] - e->gap[k];
+        const struct ensemble_contact *c = &e->contact[k];
+        wide delta = e->next[c->left].u - e->next[c->right].u - c->gap;
         bad |= LESS(0.0, delta);
     }
-    for (int i = 0; i < e->n_dof; i++) {
-        bad |= LESS(most, ABSOLUTE(e->next.u[i])) | LESS(most, ABSOLUTE(e->next.v[i])) |
-               LESS(most, ABSOLUTE(e->total[i]));
+    for (int i = 0; i < e->n_floor; i++) {
+        const struct ensemble_state *s = &e->next[i];
+        bad |= LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) |
+               LESS(most, ABSOLUTE(e->floor[i].total));
     }
     unsigned leaving = 0;
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
@@ -43,12 +45,14 @@ INLINE void raise(const wide_bits *aboard, const wide *size, const wide *time, w
 INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard, const wide *time,
                         const wide *drift) {
     const wide value[PEAK_COUNT] = {
-        [PEAK_DISPLACEMENT] = ABSOLUTE(e->next.u[i]),      [PEAK_VELOCITY] = ABSOLUTE(e->next.v[i]),
-        [PEAK_ACCELERATION] = ABSOLUTE(e->total[i]),       [PEAK_DRIFT] = ABSOLUTE(*drift),
-        [PEAK_SHEAR] = ABSOLUTE(e->stiffness[i] * *drift),
+        [PEAK_DISPLACEMENT] = ABSOLUTE(e->next[i].u),
+        [PEAK_VELOCITY] = ABSOLUTE(e->next[i].v),
+        [PEAK_ACCELERATION] = ABSOLUTE(e->floor[i].total),
+        [PEAK_DRIFT] = ABSOLUTE(*drift),
+        [PEAK_SHEAR] = ABSOLUTE(e->floor[i].stiffness * *drift),
     };
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(aboard, &value[q], time, &e->peak[q][i], &e->peak_time[q][i]);
+        raise(aboard, &value[q], time, &e->floor[i].peak[q], &e->floor[i].peak_time[q]);
     }
 }
 
@@ -56,36 +60,35 @@ WIDE void ensemble_commit(struct ensemble_lanes *e, double time) {
     wide_bits aboard;
     memcpy(&aboard, e->aboard, sizeof aboard);
     const wide now = time - (wide){0.0};
-    const wide *u = e->next.u;
+    const struct ensemble_state *s = e->next;
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
-        wide drift = u[g->first] - 0.0 * u[g->first - 1];
+        wide drift = s[g->first].u - 0.0 * s[g->first - 1].u;
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             raise_floor(e, i, &aboard, &now, &drift);
-            drift = u[i + 1] - u[i];
+            drift = s[i + 1].u - s[i].u;
         }
     }
     for (int k = 0; k < e->n_contact; k++) {
-        wide delta = u[e->ends[k].left] - u[e->ends[k].right] - e->gap[k];
-        raise(&aboard, &delta, &now, &e->deepest[k], &e->deepest_time[k]);
+        struct ensemble_contact *c = &e->contact[k];
+        wide delta = s[c->left].u - s[c->right].u - c->gap;
+        raise(&aboard, &delta, &now, &c->deepest, &c->deepest_time);
     }
-    struct ensemble_state old = e->now;
-    e->now = e->next;
-    e->next = old;
+    ensemble_swap(e);
 }
 
 WIDE void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
     wide kinetic = {0.0}, elastic = {0.0}, input = {0.0}, damping = {0.0};
-    const wide *u = e->now.u, *v = e->now.v;
+    const struct ensemble_state *s = e->now;
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
-        wide drift = u[g->first] - 0.0 * u[g->first - 1];
+        wide drift = s[g->first].u - 0.0 * s[g->first - 1].u;
         for (int i = g->first; i < g->first + g->n_floor; i++) {
-            kinetic -= e->inertia[i] * v[i] * v[i];
-            elastic += e->stiffness[i] * drift * drift / 2.0;
-            input += e->now.input_2x[i];
-            damping += e->now.damping_2x[i];
-            drift = u[i + 1] - u[i];
+            kinetic -= e->floor[i].inertia * s[i].v * s[i].v;
+            elastic += e->floor[i].stiffness * drift * drift / 2.0;
+            input += s[i].input_2x;
+            damping += s[i].damping_2x;
+            drift = s[i + 1].u - s[i].u;
         }
     }
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
