@@ -141,6 +141,11 @@ struct model {
 // Reads the deck to its end and builds the model. Whatever is wrong is in deck->diagnostics; then
 // STATUS_INPUT. The model owns the deck when the call succeeds, and only then.
 int model_build(struct deck *deck, struct model **out, struct error *e);
+
+// The same with records from a shelf (motion/shelf.h) that many builds share; NULL: none.
+struct shelf;
+int model_build_shared(struct deck *deck, struct shelf *records, struct model **out,
+                       struct error *e);
 void model_free(struct model *m);  // NULL is allowed
 
 // The damping forces C v of building `g`; v and force are (n_floor) [L/T] [F].

@@ -62,6 +62,7 @@ struct link_draft {
 struct builder {
     struct deck *deck;
     struct arena *arena;  // of the deck
+    struct shelf *records;
     struct list buildings, grounds, links, loads;
     bool no_memory;
 

@@ -53,9 +53,15 @@ static int build_all(struct builder *b, struct error *e) {
 }
 
 int model_build(struct deck *deck, struct model **out, struct error *e) {
+    return model_build_shared(deck, NULL, out, e);
+}
+
+int model_build_shared(struct deck *deck, struct shelf *records, struct model **out,
+                       struct error *e) {
     struct builder b = {
         .deck = deck,
         .arena = deck->arena,
+        .records = records,
         .beta = 0.25,
         .gamma = 0.5,
         .tolerance = 1e-12,

@@ -8,9 +8,12 @@
 #include <time.h>
 
 #include "jostle/ensemble.h"
+#include "motion/shelf.h"
 #include "study/trial.h"
 
 enum { TICK = 100000000, SYNC_TICKS = 10 };  // [ns] between polls; polls between synchronisations
+
+static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
 
 // Everything below the lock is guarded by it.
 struct pool {
@@ -21,6 +24,7 @@ struct pool {
     pthread_cond_t ended;  // a worker has
     struct journal *journal;
     struct ledger *ledger;
+    struct shelf *records;
     struct study_progress progress;
     long next;  // the run to look at next
     long left;  // runs that no thread has taken yet
@@ -105,7 +109,8 @@ static void finish(struct pool *p, struct trial *t) {
 }
 
 static void work(struct pool *p, struct trial *trial) {
-    const struct trial_watch watch = {.files = enter_files, .poll = poll_trial, .context = p};
+    const struct trial_watch watch = {
+        .files = enter_files, .poll = poll_trial, .context = p, .records = p->records};
     pthread_mutex_lock(&p->lock);
     for (int n; (n = take(p, trial)) > 0;) {
         pthread_mutex_unlock(&p->lock);
@@ -218,12 +223,14 @@ static int init_locks(struct pool *p) {
 int pool_run(const struct study_request *q, const struct plan *plan, struct journal *journal,
              struct ledger *ledger, struct study_progress *progress, struct error *e) {
     struct pool p = {.plan = plan, .journal = journal, .ledger = ledger, .progress = *progress};
+    p.records = shelf_create(RECORDS_MAX);
     atomic_init(&p.stop, false);
     const long missing = plan->n_run - journal->n_done;
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     pthread_t *thread = calloc((size_t)n_thread + 1, sizeof *thread);
-    if (!thread || init_locks(&p) != 0) {
+    if (!thread || !p.records || init_locks(&p) != 0) {
         free(thread);
+        shelf_free(p.records);
         return error_no_memory(e);
     }
     p.progress.n_thread = n_thread;
@@ -232,6 +239,7 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
     run_threads(&p, q, thread, n_thread);
     pthread_cond_destroy(&p.ended);
     pthread_mutex_destroy(&p.lock);
+    shelf_free(p.records);
     free(thread);
     *progress = p.progress;
     if (p.status != STATUS_OK) {

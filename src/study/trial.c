@@ -57,7 +57,7 @@ static int open_deck(const struct plan *p, long run, struct deck **out, struct e
 // The model of a run; NULL: its deck is wrong for its values, which is an outcome.
 static int build(const struct plan *p, struct trial *t, const struct trial_watch *watch,
                  struct deck *deck, struct model **out) {
-    int status = model_build(deck, out, &t->error);
+    int status = model_build_shared(deck, watch->records, out, &t->error);
     const bool built = status == STATUS_OK;
     if (status == STATUS_INPUT) {
         status = fail_deck(&t->outcome, deck, &t->error);

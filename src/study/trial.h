@@ -12,6 +12,7 @@ struct trial_watch {
     // Called now and then.
     int (*poll)(void *context, double time, struct error *e);
     void *context;
+    struct shelf *records;  // that all trials share
 };
 
 struct trial {

@@ -2,9 +2,9 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "jostle/record.h"
 #include "model/signals.h"
 #include "model/statement.h"
+#include "motion/shelf.h"
 
 enum { R_FORMAT, R_UNIT, R_DT, R_SCALE, R_PGA, R_DELAY, R_BUILDINGS, N_RECORD_ROW };
 enum { S_DELAY = SINE_ROWS, S_BUILDINGS, N_SINE_ROW };
@@ -135,7 +135,7 @@ static void build_record(struct builder *b, const struct statement *s) {
     };
     struct record r;
     struct error e;
-    if (record_read(b->arena, &request, &r, &e) != STATUS_OK) {
+    if (shelf_read(b->records, b->arena, &request, &r, &e) != STATUS_OK) {
         deck_error_of(b->deck, blamed(s, a, r.wrong), &e);
         return;
     }

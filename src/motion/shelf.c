@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Entries in the order of their last use, the latest first. Those that have not been used for
+// longest make room, so that memory does not grow with the number of records of a study.
+#include "motion/shelf.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+
+struct entry {
+    struct entry *next;
+    struct arena *arena;  // of what follows, and of itself
+    struct record_request request;
+    struct record record;
+};
+
+struct shelf {
+    pthread_mutex_t lock;  // guards all below
+    struct entry *first;
+    size_t bytes, bytes_max;
+};
+
+struct shelf *shelf_create(size_t bytes_max) {
+    struct shelf *s = calloc(1, sizeof *s);
+    if (s && pthread_mutex_init(&s->lock, NULL) != 0) {
+        free(s);
+        s = NULL;
+    }
+    if (s) {
+        s->bytes_max = bytes_max;
+    }
+    return s;
+}
+
+void shelf_free(struct shelf *s) {
+    if (!s) {
+        return;
+    }
+    for (struct entry *i = s->first; i;) {
+        struct entry *next = i->next;
+        arena_free(i->arena);
+        i = next;
+    }
+    pthread_mutex_destroy(&s->lock);
+    free(s);
+}
+
+static bool same_text(const char *a, const char *b) {
+    return a == b || (a && b && strcmp(a, b) == 0);
+}
+
+static bool same(const struct record_request *a, const struct record_request *b) {
+    return strcmp(a->path, b->path) == 0 && same_text(a->format, b->format) && a->dt == b->dt &&
+           same_text(a->unit, b->unit) && a->gravity == b->gravity && a->plain == b->plain;
+}
+
+static size_t bytes_of(const struct record *r) {
+    return sizeof(struct entry) + r->n * sizeof *r->value;
+}
+
+// The entry, moved to the front; NULL: none.
+static struct entry *find(struct shelf *s, const struct record_request *request) {
+    for (struct entry **at = &s->first; *at; at = &(*at)->next) {
+        struct entry *found = *at;
+        if (same(&found->request, request)) {
+            *at = found->next;
+            found->next = s->first;
+            s->first = found;
+            return found;
+        }
+    }
+    return NULL;
+}
+
+// Takes off the shelf what is behind the entries that fit.
+static void make_room(struct shelf *s) {
+    size_t bytes = 0;
+    for (struct entry **at = &s->first; *at;) {
+        struct entry *i = *at;
+        if (bytes + bytes_of(&i->record) > s->bytes_max) {
+            *at = i->next;
+            arena_free(i->arena);
+        } else {
+            bytes += bytes_of(&i->record);
+            at = &i->next;
+        }
+    }
+    s->bytes = bytes;
+}
+
+// `r` with a copy of its values from `a`; false: no memory.
+static bool copy(struct arena *a, const struct record *r, struct record *out) {
+    double *value = arena_alloc(a, r->n, sizeof *value);
+    if (!value) {
+        return false;
+    }
+    memcpy(value, r->value, r->n * sizeof *value);
+    *out = *r;
+    out->value = value;
+    return true;
+}
+
+// `request` with copies of its texts from `a`; false: no memory.
+static bool copy_request(struct arena *a, const struct record_request *request,
+                         struct record_request *out) {
+    *out = *request;
+    out->path = arena_text(a, request->path, strlen(request->path));
+    if (request->format) {
+        out->format = arena_text(a, request->format, strlen(request->format));
+    }
+    if (request->unit) {
+        out->unit = arena_text(a, request->unit, strlen(request->unit));
+    }
+    return out->path && (out->format || !request->format) && (out->unit || !request->unit);
+}
+
+// Puts a copy in front.
+static int put(struct shelf *s, const struct record_request *request, const struct record *r,
+               struct error *e) {
+    struct arena *a = arena_create();
+    struct entry *new = a ? arena_alloc(a, 1, sizeof *new) : NULL;
+    if (!new || !copy_request(a, request, &new->request) || !copy(a, r, &new->record)) {
+        arena_free(a);
+        return error_no_memory(e);
+    }
+    new->arena = a;
+    new->next = s->first;
+    s->first = new;
+    s->bytes += bytes_of(r);
+    if (s->bytes > s->bytes_max) {
+        make_room(s);
+    }
+    return STATUS_OK;
+}
+
+int shelf_read(struct shelf *s, struct arena *a, const struct record_request *request,
+               struct record *out, struct error *e) {
+    if (!s) {
+        return record_read(a, request, out, e);
+    }
+    int status = STATUS_OK;
+    pthread_mutex_lock(&s->lock);
+    struct entry *found = find(s, request);
+    if (!found) {
+        status = record_read(a, request, out, e);
+        if (status == STATUS_OK) {
+            status = put(s, request, out, e);
+        }
+    } else if (!copy(a, &found->record, out)) {
+        status = error_no_memory(e);
+    }
+    pthread_mutex_unlock(&s->lock);
+    return status;
+}
