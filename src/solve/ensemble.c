@@ -16,8 +16,8 @@ static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
 // Lanes of more floors do not fit into the second cache.
 enum { FLOORS_MOST = 256 };
 
-// Fewer runs than this are faster alone.
-enum { RUNS_LEAST = 2 };
+// Fewer runs than this are faster alone: a step of the lanes takes as long as some single steps.
+enum { RUNS_LEAST = 4 };
 
 enum { POLL_STEPS = 64 * ENSEMBLE_STRETCH };
 

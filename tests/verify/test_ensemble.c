@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs in lockstep against the same runs alone: every result has the same bits.
 #include <gsl/gsl_errno.h>
-#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "jostle/ensemble.h"
 #include "support/analysis.h"
+#include "support/random_deck.h"
 #include "support/support.h"
 
 // The bits of two arrays.
@@ -113,10 +114,151 @@ static void laws_masses_and_grounds_may_differ(void **state) {
     free_models(member, 5);
 }
 
+// Eight runs of one model with other gaps, and up to a few per cent of mass more.
+static long compare_gaps(const struct model *m) {
+    struct ensemble_member member[ENSEMBLE_MAX];
+    struct model model[ENSEMBLE_MAX];
+    struct link *link = calloc((size_t)m->n_link * ENSEMBLE_MAX + 1, sizeof *link);
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        model[k] = *m;
+        model[k].link = link + k * m->n_link;
+        for (int i = 0; i < m->n_link; i++) {
+            link[k * m->n_link + i] = m->link[i];
+            link[k * m->n_link + i].gap *= 0.5 + 0.25 * k;
+        }
+        member[k] = (struct ensemble_member){.model = &model[k]};
+    }
+    long n_impact = compare(member, ENSEMBLE_MAX);
+    free(link);
+    return n_impact;
+}
+
+// Every law and size of step, walls, buildings that start in contact.
+static void decks_made_at_random_have_the_same_bits(void **state) {
+    (void)state;
+    const uint64_t n_deck = getenv("JOSTLE_LONG") ? 4000 : 300;
+    long n_impact = 0;
+    int n_suited = 0;
+    for (uint64_t seed = 0; seed < n_deck; seed++) {
+        char text[8192];
+        random_deck(seed, text, sizeof text);
+        struct model *m = analysis_model("%s", text);
+        if (ensemble_suits(m)) {
+            n_suited++;
+            n_impact += compare_gaps(m);
+        }
+        model_free(m);
+    }
+    assert_true(n_suited > 10 && n_impact > 500);
+}
+
+// Above 16 floors a building is solved by its factors. Any beta and gamma.
+static void tall_buildings_and_other_integrators_have_the_same_bits(void **state) {
+    (void)state;
+    static const char *const integrator[] = {"newmark", "newmark -beta 0.3025 -gamma 0.6",
+                                             "newmark -beta 0.16666666666666666"};
+    for (int i = 0; i < 3; i++) {
+        struct model *m = analysis_model(
+            "building A -floors 20 -mass 300t -stiffness 600MN/m\n"
+            "building B -floors 17 -mass 300t -stiffness 400MN/m\n"
+            "building C -floors 3 -mass 300t -stiffness 400MN/m\n"
+            "damping A rayleigh 5%%\ndamping C rayleigh 2%%\n"
+            "contact A B -gap 20mm -law hertz-damp -k 2.75e9N/m^1.5 -e 0.65\n"
+            "contact B C -gap 30mm -law linear -k 100MN/m\n"
+            "contact C wall -gap 15mm -law linear -k 100MN/m\n"
+            "ground %s\nduration 5.0004s\nintegrator %s\nstep fixed 1ms\noutput -every 7\n",
+            record, integrator[i]);
+        assert_true(compare_gaps(m) > 50);
+        model_free(m);
+    }
+}
+
+// Damping that drives: two lanes grow without bound, beyond what lanes may hold and then beyond all
+// numbers, and end with errors; the others go on.
+static void a_run_that_fails_leaves_the_others_alone(void **state) {
+    (void)state;
+    struct ensemble_member member[6];
+    struct model model[6];
+    double driving[16] = {0};
+    for (int i = 0; i < 13; i++) {
+        driving[i] = -300e3 / 1e-3;
+    }
+    for (int k = 0; k < 6; k++) {
+        const bool driven = k == 1 || k == 4;
+        member[k] = driven ? pair(300, record, 1e42, "linear -k 1kN/m")
+                           : pair(300, record, 5 + k, jankowski);
+        model[k] = *member[k].model;
+        model[k].chain.damping = driven ? driving : model[k].chain.damping;
+        member[k].model = &model[k];
+    }
+    assert_true(compare(member, 6) > 50);
+    for (int k = 0; k < 6; k++) {
+        assert_int_equal(member[k].status, k == 1 || k == 4 ? STATUS_FAILED : STATUS_OK);
+        deck_free(model[k].deck);
+    }
+}
+
+// Others than the first by their duration, step, floors, law or storeys.
+static void runs_of_another_kind_go_alone(void **state) {
+    (void)state;
+    static const char *const line[] = {
+        "duration 8s\nstep fixed 1ms\n",
+        "duration 8s\nstep fixed 1ms\n",
+        "duration 8.5s\nstep fixed 1ms\n",
+        "duration 8s\nstep fixed 2ms\n",
+        "duration 8s\nstep fixed 1ms\nstorey A:all bilinear -yield 4MN -hardening 0.05\n",
+        "duration 8s\nstep adaptive\n",
+        "duration 8s\nstep fixed 1ms\n",
+        "duration 8s\nstep fixed 1ms\n",
+    };
+    struct ensemble_member member[ENSEMBLE_MAX];
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        member[k].model = analysis_model("building A -floors 8 -mass 300t -stiffness 345MN/m\n"
+                                         "building B -floors 5 -mass 300t -stiffness 345MN/m\n"
+                                         "contact A B -gap %dmm -law linear -k 100MN/m\n"
+                                         "ground %s\n%s",
+                                         5 + k, record, line[k]);
+    }
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        const bool other_kind = k >= 2 && k <= 5;
+        assert_int_equal(ensemble_alike(member[0].model, member[k].model), !other_kind);
+    }
+    assert_true(compare(member, ENSEMBLE_MAX) > 50);
+    free_models(member, ENSEMBLE_MAX);
+}
+
+static int count_polls(void *context, double time, struct error *e) {
+    int *left = context;
+    (void)time;
+    return (*left)-- > 0 ? STATUS_OK : error_set(e, STATUS_SYSTEM, "enough");
+}
+
+static void a_poll_ends_all_runs(void **state) {
+    (void)state;
+    struct ensemble_member member[5];
+    int left = 5;  // the first question to each, at the start
+    const struct observer observer = {.poll = count_polls, .context = &left};
+    for (int k = 0; k < 5; k++) {
+        member[k] = pair(300, record, 1000, jankowski);
+    }
+    ensemble_run(member, 5, &observer);
+    for (int k = 0; k < 5; k++) {
+        assert_int_equal(member[k].status, STATUS_SYSTEM);
+        assert_string_equal(member[k].error.message, "enough");
+        assert_null(member[k].results);
+    }
+    free_models(member, 5);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(eight_gaps_give_the_bits_of_eight_runs),
         cmocka_unit_test(laws_masses_and_grounds_may_differ),
+        cmocka_unit_test(decks_made_at_random_have_the_same_bits),
+        cmocka_unit_test(tall_buildings_and_other_integrators_have_the_same_bits),
+        cmocka_unit_test(a_run_that_fails_leaves_the_others_alone),
+        cmocka_unit_test(runs_of_another_kind_go_alone),
+        cmocka_unit_test(a_poll_ends_all_runs),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests(tests, NULL, NULL);
