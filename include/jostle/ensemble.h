@@ -21,13 +21,13 @@ struct ensemble_member {
 // not so many floors that the state of all lanes would not stay near the processor.
 bool ensemble_suits(const struct model *m);
 
-// Whether `b` can go in lockstep with `a`, which suits: the same floors, contacts, steps and rows;
-// all else may differ.
+// Whether `b` can go in lockstep with `a`, which suits: the same floors, contacts, step and rows;
+// all else may differ, the duration too.
 bool ensemble_alike(const struct model *a, const struct model *b);
 
-// Runs `n` <= ENSEMBLE_MAX models and fills in what came of each. Those that cannot go in lockstep
-// with the first that suits run alone. The observer's poll is asked for each run; an observer that
-// wants rows makes all run alone.
+// Runs `n` <= ENSEMBLE_MAX models and fills in what came of each. Those without enough others like
+// them run alone. The observer's poll is asked for each run; an observer that wants rows makes all
+// run alone. totals.seconds of a run are those of all that went with it.
 void ensemble_run(struct ensemble_member *member, int n, const struct observer *observer);
 
 #endif

@@ -5,6 +5,7 @@
 #include "jostle/ensemble.h"
 
 #include <assert.h>
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -43,9 +44,9 @@ struct fleet {
     int n;
     struct boat boat[ENSEMBLE_MAX];  // (n) boat k in lane k
     int n_aboard, n_ashore;
-    long n_step;  // in lockstep: all but the last, which may be shorter
-    long known;   // ground accelerations are there up to this step
-    int every;    // steps between two rows
+    long due;    // the step after which a run has but its last one, which may be shorter
+    long known;  // ground accelerations are there up to this step
+    int every;   // steps between two rows
 };
 
 bool ensemble_suits(const struct model *m) {
@@ -61,8 +62,7 @@ bool ensemble_suits(const struct model *m) {
 bool ensemble_alike(const struct model *a, const struct model *b) {
     bool alike = ensemble_suits(b) && a->n_building == b->n_building && a->n_dof == b->n_dof &&
                  a->n_link == b->n_link && a->beta == b->beta && a->gamma == b->gamma &&
-                 a->dt == b->dt && a->n_step == b->n_step && a->duration == b->duration &&
-                 a->output.every == b->output.every;
+                 a->dt == b->dt && a->output.every == b->output.every;
     for (int k = 0; alike && k < a->n_building; k++) {
         alike = a->building[k].n_floor == b->building[k].n_floor;
     }
@@ -106,8 +106,8 @@ static void look_ahead(struct fleet *f, long n) {
         const int same = f->boat[k].ground;
         for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
             wide *base = &f->lanes.base[i];
-            (*base)[k] =
-                same < k ? (*base)[same] : ground_acceleration(&m->ground[0], model_time(m, n + i));
+            (*base)[k] = same < k ? (*base)[same]
+                                  : ground_acceleration(&m->ground[0], (double)(n + i) * m->dt);
         }
     }
     f->known = n + ENSEMBLE_STRETCH - 1;
@@ -150,7 +150,7 @@ static long least(long a, long b) {
 static long cruise(struct fleet *f, long n) {
     struct ensemble_lanes *e = &f->lanes;
     const long row = (n + f->every - 1) / f->every * f->every;
-    const long last = f->n_ashore > 0 ? n : least(least(f->known, f->n_step), row);
+    const long last = f->n_ashore > 0 ? n : least(least(f->known, f->due), row);
     if (f->n_aboard == 0) {
         return last;
     }
@@ -165,7 +165,7 @@ static long cruise(struct fleet *f, long n) {
             leave(f, k, taken);
         }
     }
-    ensemble_commit(e, model_time(f->boat[0].run.model, taken + 1));
+    ensemble_commit(e, (double)(taken + 1) * e->h);
     return taken + 1;
 }
 
@@ -212,13 +212,42 @@ static void step_ashore(struct fleet *f, long n) {
     }
 }
 
+// The last step of a run, which it takes ashore.
+static void land(struct fleet *f, int k) {
+    struct boat *b = &f->boat[k];
+    const long last = b->run.model->n_step;
+    if (b->berth == BERTH_ABOARD) {
+        leave(f, k, last - 1);
+    }
+    ensemble_lanes_merge(&f->lanes, k, b->run.results);
+    end(f, k, analysis_step(&b->run, last));
+}
+
+// Lands the runs that have but one step left after step n, and looks for the next that will.
+static void land_due(struct fleet *f, long n) {
+    if (n < f->due) {
+        return;
+    }
+    f->due = LONG_MAX;
+    for (int k = 0; k < f->n; k++) {
+        const struct boat *b = &f->boat[k];
+        const long due = b->run.model->n_step - 1;
+        if (b->berth != BERTH_ENDED && due == n) {
+            land(f, k);
+        } else if (b->berth != BERTH_ENDED) {
+            f->due = least(f->due, due);
+        }
+    }
+}
+
 static void lockstep(struct fleet *f) {
-    const struct model *m = f->boat[0].run.model;
-    for (long n = 1; n <= f->n_step && f->n_aboard + f->n_ashore > 0; n++) {
+    const double dt = f->boat[0].run.model->dt;
+    land_due(f, 0);
+    for (long n = 1; f->n_aboard + f->n_ashore > 0; n++) {
         if (n > f->known) {
             look_ahead(f, n);
             if (n % POLL_STEPS == 1) {
-                poll(f, model_time(m, n - 1));
+                poll(f, (double)(n - 1) * dt);
             }
         }
         n = cruise(f, n);
@@ -226,20 +255,8 @@ static void lockstep(struct fleet *f) {
             balance(f);
         }
         step_ashore(f, n);
+        land_due(f, n);
     }
-}
-
-// The last step, which all runs take ashore.
-static void land(struct fleet *f, int k) {
-    struct boat *b = &f->boat[k];
-    if (b->berth == BERTH_ENDED) {
-        return;
-    }
-    if (b->berth == BERTH_ABOARD) {
-        leave(f, k, f->n_step);
-    }
-    ensemble_lanes_merge(&f->lanes, k, b->run.results);
-    end(f, k, analysis_step(&b->run, f->n_step + 1));
 }
 
 static int first_with_ground(const struct fleet *f, const struct model *m) {
@@ -256,6 +273,7 @@ static void start(struct fleet *f, struct ensemble_member *member) {
     const int k = f->n;
     struct boat *b = &f->boat[k];
     b->member = member;
+    member->results = NULL;
     b->ground = first_with_ground(f, m);
     b->berth = BERTH_STAYS;
     f->n++;
@@ -280,14 +298,10 @@ static int run_alike(struct ensemble_member **member, int n, const struct observ
     }
     f->observer = observer;
     f->every = m->output.every;
-    f->n_step = m->n_step - 1;
     for (int k = 0; k < n; k++) {
         start(f, member[k]);
     }
     lockstep(f);
-    for (int k = 0; k < n; k++) {
-        land(f, k);
-    }
     return STATUS_OK;
 }
 
@@ -302,27 +316,34 @@ static void run_together(struct ensemble_member **member, int n, const struct ob
     arena_free(a);
 }
 
-void ensemble_run(struct ensemble_member *member, int n, const struct observer *observer) {
-    struct ensemble_member *alike[ENSEMBLE_MAX];
+// Takes member k and those behind it that are alike out of `left`; returns how many.
+static int take_alike(struct ensemble_member *member, int n, int k, bool *left,
+                      struct ensemble_member **alike) {
     int n_alike = 0;
-    const bool rows = observer && observer->row;
-    for (int k = 0; k < n; k++) {
-        const struct model *m = member[k].model;
-        member[k].results = NULL;
-        if (!rows && (n_alike > 0 ? ensemble_alike(alike[0]->model, m) : ensemble_suits(m))) {
-            alike[n_alike++] = &member[k];
+    for (int i = k; i < n; i++) {
+        if (left[i] && (i == k || ensemble_alike(member[k].model, member[i].model))) {
+            alike[n_alike++] = &member[i];
+            left[i] = false;
         }
     }
-    n_alike = n_alike < RUNS_LEAST ? 0 : n_alike;
-    if (n_alike > 0) {
-        run_together(alike, n_alike, observer);
-    }
-    for (int k = 0, next = 0; k < n; k++) {
-        if (next < n_alike && alike[next] == &member[k]) {
-            next++;
-        } else {
-            member[k].status =
-                analysis_run(member[k].model, observer, &member[k].results, &member[k].error);
+    return n_alike;
+}
+
+void ensemble_run(struct ensemble_member *member, int n, const struct observer *observer) {
+    bool left[ENSEMBLE_MAX];
+    memset(left, true, sizeof left);
+    for (int k = 0; k < n; k++) {
+        struct ensemble_member *alike[ENSEMBLE_MAX];
+        const bool alone = (observer && observer->row) || !ensemble_suits(member[k].model);
+        const int n_alike = left[k] ? take_alike(member, alone ? k + 1 : n, k, left, alike) : 0;
+        if (n_alike >= RUNS_LEAST) {
+            run_together(alike, n_alike, observer);
+            continue;
+        }
+        for (int i = 0; i < n_alike; i++) {
+            struct ensemble_member *m = alike[i];
+            m->results = NULL;
+            m->status = analysis_run(m->model, observer, &m->results, &m->error);
         }
     }
 }
