@@ -99,6 +99,7 @@ struct output {
     int every;         // steps between two rows of the histories
     unsigned fields;   // enum field
     bool single;       // histories as 32-bit floats
+    int compress;      // level of deflate for histories, 1 to 9; 0: none
     const char *file;  // result file named by the deck; NULL: none
 };
 

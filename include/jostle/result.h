@@ -81,12 +81,17 @@ struct result_options {
 };
 
 struct result_writer;
+struct result_place;
 
 // Opens PATH.part for the model, which is borrowed until the writer is gone. At most 64 MiB of rows
 // are kept in memory. Errors: STATUS_INPUT (the file exists, a name that cannot stand in the file),
 // STATUS_SYSTEM (cannot write; names the path and the cause).
 int result_create(const struct model *m, const struct result_options *options,
                   struct result_writer **out, struct error *e);
+
+// The same in a place of a file that somebody else writes, such as that of one run of a study.
+int result_create_in(const struct result_place *place, const struct model *m, const char *version,
+                     struct result_writer **out, struct error *e);
 
 // Hands the rows of analysis_run to the writer. A row that cannot be written ends the run.
 struct observer result_observer(struct result_writer *w);

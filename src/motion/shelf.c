@@ -141,6 +141,7 @@ int shelf_read(struct shelf *s, struct arena *a, const struct record_request *re
         return record_read(a, request, out, e);
     }
     int status = STATUS_OK;
+    *out = (struct record){.wrong = RECORD_PATH};
     pthread_mutex_lock(&s->lock);
     struct entry *found = find(s, request);
     if (!found) {

@@ -36,6 +36,7 @@ struct h5_dataset {
     hid_t scale[H5_DIMENSIONS_MAX];  // dimension scale of each dimension; 0: none, or it becomes
                                      // one itself
     hsize_t chunk_rows;  // 0: contiguous; otherwise rows of a chunk, unwritten rows read as NaN
+    int compress;        // level of deflate for chunks; 0: none
     bool many_users;     // a scale that thousands of datasets refer to
 };
 

@@ -61,6 +61,10 @@ static hid_t creation_list(struct h5 *h, const struct h5_dataset *d, hsize_t val
         const double missing = NAN;
         h5_failed(h, H5Pset_chunk(list, d->n_dim, chunk));
         h5_failed(h, H5Pset_fill_value(list, H5T_NATIVE_DOUBLE, &missing));
+        if (d->compress > 0) {
+            h5_failed(h, H5Pset_shuffle(list));
+            h5_failed(h, H5Pset_deflate(list, (unsigned)d->compress));
+        }
     }
     return list;
 }

@@ -47,11 +47,11 @@ int part_check(const struct report *r, const struct result_options *o, struct er
     return check_names(r, e);
 }
 
-void part_attributes(struct h5 *h, const struct report *r) {
-    h5_put_text(h, h->file, "format", "jostle");
-    h5_put_long(h, h->file, "format_version", RESULT_FORMAT_VERSION);
-    h5_put_text(h, h->file, "status", "running");
-    h5_put_text(h, h->file, "unit_force", r->units.force_name);
-    h5_put_text(h, h->file, "unit_length", r->units.length_name);
-    h5_put_text(h, h->file, "unit_time", r->units.time_name);
+void part_attributes(struct h5 *h, hid_t root, const struct report *r) {
+    h5_put_text(h, root, "format", "jostle");
+    h5_put_long(h, root, "format_version", RESULT_FORMAT_VERSION);
+    h5_put_text(h, root, "status", "running");
+    h5_put_text(h, root, "unit_force", r->units.force_name);
+    h5_put_text(h, root, "unit_length", r->units.length_name);
+    h5_put_text(h, root, "unit_time", r->units.time_name);
 }

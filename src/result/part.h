@@ -15,7 +15,7 @@ int part_check(const struct report *r, const struct result_options *o, struct er
 // Errors: STATUS_SYSTEM.
 int part_claim(const char *path, const char *part, struct error *e);
 
-// What every result file says of itself; its status is "running".
-void part_attributes(struct h5 *h, const struct report *r);
+// What every result says of itself at its root; its status is "running".
+void part_attributes(struct h5 *h, hid_t root, const struct report *r);
 
 #endif

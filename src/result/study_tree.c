@@ -35,7 +35,7 @@ int study_tree_check(const struct study_content *c, struct error *e) {
 static void put_attributes(struct study_writer *w) {
     static const char *const of_one_run[] = {"parameters", "command_line", "duration", "step"};
     const struct report *r = w->content->first;
-    part_attributes(&w->h, r);
+    part_attributes(&w->h, w->h.file, r);
     for (int c = 0; c < layout_root.n_column; c++) {
         bool skip = false;
         for (size_t i = 0; i < sizeof of_one_run / sizeof of_one_run[0]; i++) {

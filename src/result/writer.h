@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The writer's state, shared by writer.c (file and rows) and writer_tables.c (everything else).
+// The writer's state, shared by writer.c (rows), writer_tables.c and writer_results.c (everything
+// else), and writer_file.c (the file).
 #ifndef JOSTLE_WRITER_H
 #define JOSTLE_WRITER_H
 
@@ -28,19 +29,40 @@ struct stream {
 };
 
 struct result_writer {
-    struct h5 h;
+    struct h5 *h;               // `own`, or borrowed from a study
+    hid_t root;                 // the group that everything stands in
     const struct model *model;  // borrowed
     struct report *report;      // owned
-    char *path, *part;          // owned
-    enum result_existing existing;
-    hid_t time;  // the scale of all histories
+    hid_t time;                 // the scale of all histories
     int n_stream, stream_capacity;
     struct stream *stream;  // owned
     double *rows;           // owned: the rows of all streams
     size_t capacity;        // rows
     size_t pending;         // rows in memory
     long n_written;         // rows in the file
+
+    // Of a file of its own.
+    struct h5 own;
+    char *path, *part;  // owned
+    enum result_existing existing;
 };
+
+// A group of a file that is being written.
+struct result_place {
+    struct h5 *h;
+    hid_t group;
+    const char *path;  // of the file, for messages
+};
+
+// Report and room for the rows of the model of `w`. Errors: STATUS_SYSTEM (no memory).
+int writer_alloc(struct result_writer *w, const struct result_options *o, struct error *e);
+// Creates everything that is known before the run in w->root.
+int writer_start(struct result_writer *w, struct error *e);
+// Writes the rows left and everything that is known after the run, and marks it complete.
+int writer_end(struct result_writer *w, const struct results *r, struct error *e);
+// Closes the histories.
+void writer_close_streams(struct result_writer *w);
+int writer_failed(const struct result_writer *w, struct error *e);
 
 // Creates everything that is known before the run, histories included, and adds their streams.
 void writer_layout(struct result_writer *w);

@@ -39,10 +39,10 @@ static void put_envelope(struct h5 *h, hid_t buildings, const struct report_buil
 
 // /contacts/envelope or /links/envelope. The table is of struct link_peak, which stands in each
 // struct report_link.
-static void put_link_envelope(struct h5 *h, const char *name, const char *scale_name,
+static void put_link_envelope(struct h5 *h, hid_t root, const char *name, const char *scale_name,
                               const struct column_table *peaks, const struct report_link *link,
                               size_t n) {
-    hid_t group = h5_open_object(h, h->file, name);
+    hid_t group = h5_open_object(h, root, name);
     hid_t scale = h5_open_object(h, group, scale_name);
     hid_t envelope = h5_group(h, group, "envelope");
     h5_hard_link(h, scale, envelope, scale_name);
@@ -56,9 +56,9 @@ static void put_link_envelope(struct h5 *h, const char *name, const char *scale_
     h5_close(h, group);
 }
 
-static void put_impacts(struct h5 *h, const struct report *r) {
+static void put_impacts(struct h5 *h, hid_t root, const struct report *r) {
     const size_t n = (size_t)r->n_impact;
-    hid_t group = h5_group(h, h->file, "impacts");
+    hid_t group = h5_group(h, root, "impacts");
     hid_t scale = h5_put_scale(h, group, "impact", "impact", n);
     for (int c = 0; c < layout_impact.n_column; c++) {
         h5_put_column(h, group, &layout_impact, c, r->impact, n, scale);
@@ -68,8 +68,8 @@ static void put_impacts(struct h5 *h, const struct report *r) {
 }
 
 // The account at the end as attributes: histories may be of single precision.
-static void put_energy_end(struct h5 *h, const struct report *r) {
-    hid_t group = h5_open_object(h, h->file, "energy");
+static void put_energy_end(struct h5 *h, hid_t root, const struct report *r) {
+    hid_t group = h5_open_object(h, root, "energy");
     for (int i = 0; i < ENERGY_COUNT; i++) {
         hid_t history = h5_open_object(h, group, energy_names[i]);
         h5_put_double(h, history, "final", r->energy[i]);
@@ -81,19 +81,21 @@ static void put_energy_end(struct h5 *h, const struct report *r) {
 }
 
 void writer_results(struct result_writer *w, const struct report *r) {
-    struct h5 *h = &w->h;
-    hid_t buildings = h5_open_object(h, h->file, "buildings");
+    struct h5 *h = w->h;
+    hid_t buildings = h5_open_object(h, w->root, "buildings");
     for (int i = 0; i < r->n_building && !h->failed; i++) {
         put_envelope(h, buildings, &r->building[i]);
     }
     h5_close(h, buildings);
-    put_link_envelope(h, "contacts", "contact", &layout_contact, r->contact, (size_t)r->n_contact);
+    put_link_envelope(h, w->root, "contacts", "contact", &layout_contact, r->contact,
+                      (size_t)r->n_contact);
     if (r->n_link > 0) {
-        put_link_envelope(h, "links", "link", &layout_link_peak, r->link, (size_t)r->n_link);
+        put_link_envelope(h, w->root, "links", "link", &layout_link_peak, r->link,
+                          (size_t)r->n_link);
     }
-    put_impacts(h, r);
-    put_energy_end(h, r);
+    put_impacts(h, w->root, r);
+    put_energy_end(h, w->root, r);
     for (int c = 0; c < layout_totals.n_column; c++) {
-        h5_put_member(h, h->file, &layout_totals, c, &r->totals);
+        h5_put_member(h, w->root, &layout_totals, c, &r->totals);
     }
 }

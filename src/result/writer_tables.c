@@ -18,6 +18,7 @@ static void put_history(struct result_writer *w, hid_t parent, const char *name,
         .dim = {(hsize_t)w->report->n_row, s.width},
         .scale = {w->time, width_scale},
         .chunk_rows = w->capacity,
+        .compress = w->model->output.compress,
     };
     writer_stream(w, parent, &d, s);
 }
@@ -32,18 +33,18 @@ static void put_time(struct result_writer *w) {
         .chunk_rows = w->capacity,
         .many_users = true,
     };
-    writer_stream(w, w->h.file, &d, (struct stream){.source = SOURCE_TIME, .width = 1});
+    writer_stream(w, w->root, &d, (struct stream){.source = SOURCE_TIME, .width = 1});
     w->time = w->n_stream > 0 ? w->stream[0].dataset : -1;
 }
 
 static void put_building(struct result_writer *w, hid_t parent, int position) {
     const struct report_building *b = &w->report->building[position];
     const size_t n = (size_t)b->n_floor;
-    hid_t group = h5_group(&w->h, parent, b->name);
-    h5_put_long(&w->h, group, "position", position);
-    hid_t floor = h5_put_scale(&w->h, group, "floor", "floor", n);
-    h5_hard_link(&w->h, w->time, group, "time");
-    for (int c = 0; c < layout_building.n_column && !w->h.failed; c++) {
+    hid_t group = h5_group(w->h, parent, b->name);
+    h5_put_long(w->h, group, "position", position);
+    hid_t floor = h5_put_scale(w->h, group, "floor", "floor", n);
+    h5_hard_link(w->h, w->time, group, "time");
+    for (int c = 0; c < layout_building.n_column && !w->h->failed; c++) {
         const double *const *value = layout_at(&layout_building, c, b, 0);
         const struct h5_dataset d = {
             .name = layout_building.column[c].name,
@@ -54,7 +55,7 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
             .dim = {n},
             .scale = {floor},
         };
-        h5_put(&w->h, group, &d, *value);
+        h5_put(w->h, group, &d, *value);
     }
     for (int f = 0; f < FLOOR_FIELD_COUNT; f++) {
         if (w->report->fields >> f & 1) {
@@ -64,19 +65,19 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
             put_history(w, group, field_names[f], layout_field[f], s, floor);
         }
     }
-    h5_close(&w->h, floor);
-    h5_close(&w->h, group);
+    h5_close(w->h, floor);
+    h5_close(w->h, group);
 }
 
 // /contacts or /links: the table of the links and the histories of their force and penetration.
 static void put_links(struct result_writer *w, const char *name, const char *scale_name,
                       const char *const field[2], const struct quantity *quantity,
                       const struct report_link *link, size_t first, size_t n) {
-    hid_t group = h5_group(&w->h, w->h.file, name);
-    hid_t scale = h5_put_scale(&w->h, group, scale_name, scale_name, n);
-    h5_hard_link(&w->h, w->time, group, "time");
+    hid_t group = h5_group(w->h, w->root, name);
+    hid_t scale = h5_put_scale(w->h, group, scale_name, scale_name, n);
+    h5_hard_link(w->h, w->time, group, "time");
     for (int c = 0; c < layout_link.n_column; c++) {
-        h5_put_column(&w->h, group, &layout_link, c, link, n, scale);
+        h5_put_column(w->h, group, &layout_link, c, link, n, scale);
     }
     for (int f = 0; f < 2; f++) {
         if (w->report->fields >> (FLOOR_FIELD_COUNT + f) & 1) {
@@ -84,18 +85,18 @@ static void put_links(struct result_writer *w, const char *name, const char *sca
             put_history(w, group, field[f], quantity[f], s, scale);
         }
     }
-    h5_close(&w->h, scale);
-    h5_close(&w->h, group);
+    h5_close(w->h, scale);
+    h5_close(w->h, group);
 }
 
 static void put_energy(struct result_writer *w) {
-    hid_t group = h5_group(&w->h, w->h.file, "energy");
-    h5_hard_link(&w->h, w->time, group, "time");
+    hid_t group = h5_group(w->h, w->root, "energy");
+    h5_hard_link(w->h, w->time, group, "time");
     for (size_t i = 0; i < ENERGY_COUNT; i++) {
         const struct stream s = {.source = SOURCE_ENERGY, .first = i, .width = 1};
         put_history(w, group, energy_names[i], layout_energy[i], s, 0);
     }
-    h5_close(&w->h, group);
+    h5_close(w->h, group);
 }
 
 // Buildings on the same ground share one dataset. A building called `time` takes the place of the
@@ -104,19 +105,19 @@ static void put_ground(struct result_writer *w) {
     const struct model *m = w->model;
     static const struct quantity quantity = {"ground acceleration as applied",
                                              &dimension_acceleration};
-    hid_t group = h5_group(&w->h, w->h.file, "ground");
+    hid_t group = h5_group(w->h, w->root, "ground");
     int *owner = calloc((size_t)m->n_ground + 1, sizeof *owner);
     if (!owner) {
-        h5_fail(&w->h, "out of memory");
-        h5_close(&w->h, group);
+        h5_fail(w->h, "out of memory");
+        h5_close(w->h, group);
         return;
     }
     bool time_is_taken = false;
-    for (int i = 0; i < m->n_building && !w->h.failed; i++) {
+    for (int i = 0; i < m->n_building && !w->h->failed; i++) {
         const struct building *b = &m->building[i];
         time_is_taken = time_is_taken || strcmp(b->name, "time") == 0;
         if (owner[b->ground] > 0) {
-            h5_hard_link(&w->h, w->stream[owner[b->ground]].dataset, group, b->name);
+            h5_hard_link(w->h, w->stream[owner[b->ground]].dataset, group, b->name);
             continue;
         }
         const struct stream s = {.source = SOURCE_GROUND, .first = (size_t)b->ground, .width = 1};
@@ -124,16 +125,16 @@ static void put_ground(struct result_writer *w) {
         owner[b->ground] = w->n_stream - 1;
     }
     if (!time_is_taken) {
-        h5_hard_link(&w->h, w->time, group, "time");
+        h5_hard_link(w->h, w->time, group, "time");
     }
     free(owner);
-    h5_close(&w->h, group);
+    h5_close(w->h, group);
 }
 
 static void put_attributes(struct result_writer *w) {
-    part_attributes(&w->h, w->report);
+    part_attributes(w->h, w->root, w->report);
     for (int c = 0; c < layout_root.n_column; c++) {
-        h5_put_member(&w->h, w->h.file, &layout_root, c, w->report);
+        h5_put_member(w->h, w->root, &layout_root, c, w->report);
     }
 }
 
@@ -143,11 +144,11 @@ void writer_layout(struct result_writer *w) {
     const struct report *r = w->report;
     put_attributes(w);
     put_time(w);
-    hid_t buildings = h5_group(&w->h, w->h.file, "buildings");
-    for (int i = 0; i < r->n_building && !w->h.failed; i++) {
+    hid_t buildings = h5_group(w->h, w->root, "buildings");
+    for (int i = 0; i < r->n_building && !w->h->failed; i++) {
         put_building(w, buildings, i);
     }
-    h5_close(&w->h, buildings);
+    h5_close(w->h, buildings);
     put_links(w, "contacts", "contact", contact_field, layout_field + FLOOR_FIELD_COUNT, r->contact,
               0, (size_t)r->n_contact);
     if (r->n_link > 0) {

@@ -202,14 +202,16 @@ static void output_chooses_fields_precision_and_file(void **state) {
     (void)state;
     struct model *m = analysis_model(
         TWO "initial A:1 -velocity 1\nduration 1\noutput -fields drift force -precision single "
-            "-file \"my result.h5\"\n" STEP);
+            "-compress 4 -file \"my result.h5\"\n" STEP);
     assert_int_equal(m->output.fields, FIELD_DRIFT | FIELD_FORCE);
     assert_true(m->output.single);
+    assert_int_equal(m->output.compress, 4);
     assert_string_equal(m->output.file, "my result.h5");
     model_free(m);
     m = analysis_model(TWO "initial A:1 -velocity 1\nduration 1\n" STEP);
     assert_int_equal(m->output.fields, FIELD_ALL);
     assert_false(m->output.single);
+    assert_int_equal(m->output.compress, 0);
     assert_null(m->output.file);
     model_free(m);
 }

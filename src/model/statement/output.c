@@ -3,9 +3,10 @@
 
 #include "model/statement.h"
 
-enum { EVERY, INTERVAL, FIELDS, PRECISION, FILE_NAME, N_ROW };
+enum { EVERY, INTERVAL, FIELDS, PRECISION, COMPRESS, FILE_NAME, N_ROW };
 
 static const struct range every_range = {.min = 1.0, .max = 1e9, .text = ">= 1 and <= 1e9"};
+static const struct range level_range = {.min = 1.0, .max = 9.0, .text = ">= 1 and <= 9"};
 
 static const struct row rows[N_ROW] = {
     [EVERY] = {"every", ROW_INTEGER, 0, {0}, &every_range, NAN, "steps from row to row"},
@@ -18,6 +19,13 @@ static const struct row rows[N_ROW] = {
                   "time from row to row, a multiple of the step; default 0.01 s"},
     [FIELDS] = {"fields", ROW_TEXTS, 0, {0}, NULL, NAN, "histories written; all if not given"},
     [PRECISION] = {"precision", ROW_TEXT, 0, {0}, NULL, NAN, "single: histories in 32 bits"},
+    [COMPRESS] = {"compress",
+                  ROW_INTEGER,
+                  0,
+                  {0},
+                  &level_range,
+                  NAN,
+                  "histories by shuffle and deflate of this level"},
     [FILE_NAME] = {"file", ROW_TEXT, 0, {0}, NULL, NAN, "result file, from the current directory"},
 };
 
@@ -83,6 +91,9 @@ static void build(struct builder *b, const struct statement *s) {
     if (a[PRECISION].given) {
         read_precision(b, &a[PRECISION]);
     }
+    if (a[COMPRESS].given) {
+        b->out.compress = (int)a[COMPRESS].number[0];
+    }
     if (a[FILE_NAME].given) {
         b->out.file = a[FILE_NAME].text[0];
     }
@@ -90,7 +101,8 @@ static void build(struct builder *b, const struct statement *s) {
 
 const struct statement_kind statement_output = {
     .name = "output",
-    .usage = "[-every N | -interval DT] [-fields LIST] [-precision single] [-file FILE]",
+    .usage = "[-every N | -interval DT] [-fields LIST] [-precision single] [-compress LEVEL] "
+             "[-file FILE]",
     .summary = "which histories are written, and where",
     .example = "output -interval 0.02s -fields displacement force",
     .row = rows,
