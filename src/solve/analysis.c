@@ -315,7 +315,8 @@ int analysis_begin(struct run *r, const struct model *m, const struct observer *
     *r = (struct run){.model = m, .observer = observer, .results = results, .error = e};
     if (!results) {
         arena_free(a);
-        return error_no_memory(e);
+        error_no_memory(e);
+        return STATUS_SYSTEM;
     }
     r->start = seconds_now();
     results->arena = a;

@@ -64,7 +64,7 @@ INLINE void multiply_four(const wide *restrict row, int n, struct ensemble_floor
 INLINE void multiply(const wide *restrict inverse, int n, struct ensemble_floor *restrict f) {
     int j = 0;
     for (; j + 4 <= n; j += 4) {
-        multiply_four(inverse + j * n, n, f, j);
+        multiply_four(inverse + (size_t)j * (size_t)n, n, f, j);
     }
     for (; j < n; j++) {
         wide q = {0.0};

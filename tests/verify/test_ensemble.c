@@ -121,11 +121,12 @@ static long compare_gaps(const struct model *m) {
     struct link *link = calloc((size_t)m->n_link * ENSEMBLE_MAX + 1, sizeof *link);
     for (int k = 0; k < ENSEMBLE_MAX; k++) {
         model[k] = *m;
-        model[k].link = link + k * m->n_link;
+        struct link *own = link + (size_t)k * (size_t)m->n_link;
         for (int i = 0; i < m->n_link; i++) {
-            link[k * m->n_link + i] = m->link[i];
-            link[k * m->n_link + i].gap *= 0.5 + 0.25 * k;
+            own[i] = m->link[i];
+            own[i].gap *= 0.5 + 0.25 * k;
         }
+        model[k].link = own;
         member[k] = (struct ensemble_member){.model = &model[k]};
     }
     long n_impact = compare(member, ENSEMBLE_MAX);
