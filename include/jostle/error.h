@@ -69,6 +69,11 @@ void diagnostics_add(struct diagnostics *d, const struct diagnostic *entry, cons
 // Remembers a lack of memory, which counts as one error.
 void diagnostics_no_memory(struct diagnostics *d);
 
+// What was wrong with what was read, as the one error `e`, which says so far that something was:
+// `file:line:column: message` of the first error, and STATUS_SYSTEM if the system is to blame.
+// Returns its status.
+int diagnostics_cause(const struct diagnostics *d, struct error *e);
+
 // Writes `file:line:column: error: message`, the source line and a caret line for each entry, with
 // ANSI colours if `colour`.
 void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour);

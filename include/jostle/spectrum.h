@@ -38,6 +38,9 @@ struct spectra {
     const double *damping;         // (n_damping), borrowed
     const double *period;          // (n_period) [T], borrowed
     struct spectrum_point *point;  // (n_record + SPECTRA_STATISTICS, n_damping, n_period)
+    // Called for each point of each record; NULL: nothing to tell.
+    void (*tell)(void *context, long n_done, long n);
+    void *context;
 };
 
 // Fills `point`, from `a`, of a struct that has everything else. Errors: STATUS_SYSTEM (no memory).

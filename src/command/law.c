@@ -18,7 +18,7 @@ static int law_command(int argc, char **argv);
 const struct command command_law = {
     .name = "law",
     .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv] [--compare LAWS]... [--history FILE.tsv]\n"
-             "                  [--plot FILE.png|.svg|.pdf] [--fit FILE] [--force]",
+             "                  [--plot FILE.png|.svg|.pdf] [--script DIR] [--fit FILE] [--force]",
     .summary = "runs one isolated impact under a contact law",
     .run = law_command,
 };
@@ -34,6 +34,8 @@ static const char details[] =
     "                     with its own, \"LAW -k K ...\"; may be repeated\n"
     "  --history FILE     writes time, penetration, velocity and force\n"
     "  --plot FILE        draws force against time and penetration; ends in .png, .svg or .pdf\n"
+    "  --script DIR       writes the picture as DIR/impact.gp for gnuplot and its data,\n"
+    "                     DIR/impact.dat\n"
     "  --fit FILE         finds -k and -zeta from a measured force: time and force, separated by\n"
     "                     blanks, tabs, commas or semicolons\n"
     "  --force            overwrites what exists\n"
@@ -44,7 +46,7 @@ enum { PATH_SIZE = 4096 };
 struct options {
     struct law_words words;
     const char **word, **compare;  // behind words
-    const char *history, *plot;
+    const char *history, *plot, *script;
     enum result_existing existing;
     bool tsv, help;
 };
@@ -67,16 +69,17 @@ static int take_value(struct options *o, const char *option, const char *value) 
         return EXIT_DONE;
     }
     return take_once(option, value,
-                     strcmp(option, "--history") == 0 ? &o->history
-                     : strcmp(option, "--plot") == 0  ? &o->plot
-                                                      : &o->words.fit);
+                     strcmp(option, "--history") == 0  ? &o->history
+                     : strcmp(option, "--plot") == 0   ? &o->plot
+                     : strcmp(option, "--script") == 0 ? &o->script
+                                                       : &o->words.fit);
 }
 
 // An option of the command; *behind: its value stands in the next word.
 static int take_option(struct options *o, const char *option, const char *next, bool *behind) {
-    static const char *const known[] = {"--compare", "--history", "--plot", "--fit",
-                                        "--tsv",     "--force",   "--help"};
-    enum { N_VALUED = 4, N_KNOWN = sizeof known / sizeof known[0] };
+    static const char *const known[] = {"--compare", "--history", "--plot",  "--script",
+                                        "--fit",     "--tsv",     "--force", "--help"};
+    enum { N_VALUED = 5, N_KNOWN = sizeof known / sizeof known[0] };
     const size_t n = strcspn(option, "=");
     for (int i = 0; i < N_KNOWN; i++) {
         if (n != strlen(known[i]) || strncmp(option, known[i], n) != 0) {
@@ -251,6 +254,7 @@ static int draw(const struct options *o, struct law_impacts *l, struct error *e)
     }
     const struct picture_request picture = {.name = "impact",
                                             .output = o->plot,
+                                            .script_folder = o->script,
                                             .existing = o->existing,
                                             .write = write_figure,
                                             .context = l};
@@ -263,7 +267,7 @@ static int report(const struct options *o, struct law_impacts *l) {
     if (status == STATUS_OK && o->history) {
         status = write_history(o, &l->impact[0], &e);
     }
-    if (status == STATUS_OK && o->plot) {
+    if (status == STATUS_OK && (o->plot || o->script)) {
         status = draw(o, l, &e);
     }
     if (status != STATUS_OK) {

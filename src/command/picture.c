@@ -166,7 +166,9 @@ static int run_gnuplot(const char *folder, struct error *e) {
         return STATUS_OK;
     }
     if (WIFEXITED(state) && WEXITSTATUS(state) == NOT_FOUND) {
-        return error_set(e, STATUS_SYSTEM, "cannot run gnuplot: it is not installed");
+        return error_set(e, STATUS_SYSTEM,
+                         "cannot run gnuplot: it is not installed; --script DIR "
+                         "writes the picture as a script");
     }
     if (WIFSIGNALED(state)) {
         return error_set(e, STATUS_SYSTEM, "gnuplot was ended by signal %d", WTERMSIG(state));

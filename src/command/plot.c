@@ -6,6 +6,7 @@
 
 #include "command/command.h"
 #include "command/picture.h"
+#include "command/progress.h"
 #include "core/text.h"
 #include "plot/figure.h"
 
@@ -125,8 +126,14 @@ static int parse(int argc, char **argv, struct request *q) {
 }
 
 static int write_figure(void *context, const struct figure_files *to, struct error *e) {
-    const struct request *q = context;
-    return figure_write(q->figure, &q->runs, to, e);
+    struct request *q = context;
+    struct progress progress;
+    progress_start(&progress, 1, "points");
+    q->runs.tell = progress_tell;
+    q->runs.context = &progress;
+    const int status = figure_write(q->figure, &q->runs, to, e);
+    progress_end(&progress);
+    return status;
 }
 
 static int make(struct request *q, const struct result_file *first,

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pounding force spectrum after Jankowski (2006), Engineering Structures 28, 1149-1161: the
-// largest contact force of two structures over the period of each. The deck is read anew for every
-// pair, with its params T1 and T2 overridden, so law, gap, record and all else are the deck's.
+// jostle spectrum --pounding: the pounding force spectrum of a deck, as a table or a map.
 #include "command/pounding.h"
 
-#include <math.h>
+#include <assert.h>
 #include <string.h>
 
+#include "command/interrupt.h"
 #include "command/load.h"
 #include "command/picture.h"
 #include "command/progress.h"
 #include "core/arena.h"
-#include "jostle/analysis.h"
 #include "plot/pounding_map.h"
+#include "study/force_map.h"
 
 struct pounding {
     const struct spectrum_request *request;
@@ -21,79 +20,69 @@ struct pounding {
     struct unit_system units;  // of the deck
 };
 
-static double largest_force(const struct model *m, const struct results *r) {
-    double force = 0.0;
-    for (int i = 0; i < m->n_contact; i++) {
-        force = fmax(force, r->link[i].force);
-    }
-    return force;
-}
-
-// Runs one model; EXIT_DONE with *force, or the exit status.
-static int analyse(const struct model *m, double t1, double t2, double *force) {
-    struct results *r;
-    struct error cause, e;
-    if (m->n_contact == 0) {
-        error_set(&e, STATUS_INPUT, "the deck has no contact");
-        return command_fail(&e);
-    }
-    const int status = analysis_run(m, NULL, &r, &cause);
-    if (status != STATUS_OK) {
-        error_set(&e, status, "at T1 = %.6g s, T2 = %.6g s: %s", t1, t2, cause.message);
-        return command_fail(&e);
-    }
-    *force = largest_force(m, r);
-    results_free(r);
-    return EXIT_DONE;
-}
-
-// The deck with these periods. What it warns of is told once.
-static int run_pair(struct pounding *p, int i, int k, const char **define, struct arena *a) {
+// The deck with the first pair of periods: its title and units, and what it warns of, which is told
+// once.
+static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     const struct spectrum_request *q = p->request;
-    const double t1 = q->period[i], t2 = q->period[k];
-    char first[64], second[64];
-    snprintf(first, sizeof first, "T1=%.17gs", t1);
-    snprintf(second, sizeof second, "T2=%.17gs", t2);
+    struct force_map_pair pair;
+    force_map_pair(&pair, q->period[0], q->period[0]);
     memcpy(define, q->define, (size_t)q->n_define * sizeof *define);
-    define[q->n_define] = first;
-    define[q->n_define + 1] = second;
-    const struct load_request request = {.path = q->pounding,
-                                         .define = define,
-                                         .n_define = q->n_define + 2,
-                                         .quiet = i > 0 || k > 0};
+    define[q->n_define] = pair.define[0];
+    define[q->n_define + 1] = pair.define[1];
+    const struct load_request request = {
+        .path = q->pounding, .define = define, .n_define = q->n_define + 2};
     struct model *m;
-    int status = load_model(&request, &m);
+    const int status = load_model(&request, &m);
     if (status != EXIT_DONE) {
         return status;
     }
-    status = analyse(m, t1, t2, &p->force[(size_t)i * (size_t)q->n_period + (size_t)k]);
-    if (i == 0 && k == 0) {
-        p->units = m->deck->units;
-        p->title = arena_text(a, m->deck->title, strlen(m->deck->title));
-    }
+    p->units = m->deck->units;
+    p->title = arena_text(a, m->deck->title, strlen(m->deck->title));
+    const int n_contact = m->n_contact;
     model_free(m);
-    return status;
+    struct error e;
+    if (n_contact == 0) {
+        error_set(&e, STATUS_INPUT, "the deck has no contact");
+    } else if (!p->title) {
+        error_no_memory(&e);
+    }
+    return n_contact == 0 || !p->title ? command_fail(&e) : EXIT_DONE;
+}
+
+static int watch(void *context, long n_done, struct error *e) {
+    progress_show(context, (double)n_done);
+    const int signal = interrupt_number();
+    return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", signal) : STATUS_OK;
 }
 
 static int run_all(struct pounding *p, struct arena *a) {
     const struct spectrum_request *q = p->request;
-    const int n = q->n_period;
+    const size_t n = (size_t)q->n_period;
     const char **define = arena_alloc(a, (size_t)q->n_define + 2, sizeof *define);
-    p->force = arena_alloc(a, (size_t)n * (size_t)n, sizeof *p->force);
+    p->force = arena_alloc(a, n * n, sizeof *p->force);
+    struct error e;
     if (!define || !p->force) {
-        struct error e;
         error_no_memory(&e);
         return command_fail(&e);
     }
-    struct progress progress;
-    int status = EXIT_DONE;
-    progress_start(&progress, (double)n * n, "runs");
-    for (int pair = 0; pair < n * n && status == EXIT_DONE; pair++) {
-        status = run_pair(p, pair / n, pair % n, define, a);
-        progress_show(&progress, pair + 1.0);
+    const int status = read_deck(p, define, a);
+    if (status != EXIT_DONE) {
+        return status;
     }
+    struct progress progress;
+    const struct force_map_request request = {.path = q->pounding,
+                                              .define = q->define,
+                                              .n_define = q->n_define,
+                                              .period = q->period,
+                                              .n_period = q->n_period,
+                                              .n_thread = q->n_thread,
+                                              .poll = watch,
+                                              .context = &progress};
+    interrupt_catch();
+    progress_start(&progress, (double)n * (double)n, "runs");
+    const int done = force_map_run(&request, p->force, &e);
     progress_end(&progress);
-    return status;
+    return done == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 static void print_tsv(const struct pounding *p) {
@@ -152,11 +141,7 @@ int pounding_run(const struct spectrum_request *q, struct arena *a) {
     if (status != EXIT_DONE) {
         return status;
     }
-    if (!p.title) {
-        struct error e;
-        error_no_memory(&e);
-        return command_fail(&e);
-    }
+    assert(p.title && p.force);
     if (q->output || q->script_folder) {
         status = draw(&p);
     }

@@ -32,6 +32,12 @@ void progress_show(struct progress *p, double time) {
     p->shown = true;
 }
 
+void progress_tell(void *context, long n_done, long n) {
+    struct progress *p = context;
+    p->duration = (double)n;
+    progress_show(p, (double)n_done);
+}
+
 void progress_end(struct progress *p) {
     if (p->shown) {
         fprintf(stderr, "\r\033[K");

@@ -17,6 +17,8 @@ struct progress {
 void progress_start(struct progress *p, double duration, const char *unit);
 // The analysis stands at `time`.
 void progress_show(struct progress *p, double time);
+// The same with the duration, as the library tells it; `context` is the progress.
+void progress_tell(void *context, long n_done, long n);
 // Takes the line away.
 void progress_end(struct progress *p);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle run: a deck through time, into a result file, and a summary. run_study.c runs studies.
 #include <assert.h>
-#include <errno.h>
 #include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
@@ -11,6 +10,7 @@
 #include "command/interrupt.h"
 #include "command/progress.h"
 #include "command/run.h"
+#include "command/threads.h"
 #include "core/arena.h"
 #include "jostle/result.h"
 
@@ -55,19 +55,6 @@ static int watch_poll(void *context, double time, struct error *e) {
                   : STATUS_OK;
 }
 
-static int parse_threads(const char *text, int *n_thread) {
-    assert(text);
-    char *end;
-    errno = 0;
-    long n = strtol(text, &end, 10);
-    if (errno || end == text || *end || n < 1 || n > 4096) {
-        return command_usage(&command_run, "-j takes a number of threads from 1 to 4096, not '%s'",
-                             text);
-    }
-    *n_thread = (int)n;
-    return EXIT_DONE;
-}
-
 // EXIT_DONE with the options filled, else the status to return; *helped if help was asked for.
 static int parse(int argc, char **argv, const char **define, struct run_options *o, bool *helped) {
     static const struct option option[] = {
@@ -92,7 +79,7 @@ static int parse(int argc, char **argv, const char **define, struct run_options 
                 define[o->load.n_define++] = optarg;
                 break;
             case 'j':
-                status = parse_threads(optarg, &o->n_thread);
+                status = threads_parse(&command_run, optarg, &o->n_thread);
                 break;
             case 'q':
                 o->load.quiet = true;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle run on a deck with sweeps.
-#include <unistd.h>
-
 #include "command/interrupt.h"
 #include "command/run.h"
 #include "command/show_study.h"
 #include "command/study_progress.h"
+#include "command/threads.h"
 #include "core/checksum.h"
 
 static int watch(void *context, const struct study_progress *p, struct error *e) {
@@ -13,11 +12,6 @@ static int watch(void *context, const struct study_progress *p, struct error *e)
     study_display_show(display, p);
     const int signal = interrupt_number();
     return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", signal) : STATUS_OK;
-}
-
-static int all_cores(void) {
-    long n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n < 1 ? 1 : n > 4096 ? 4096 : (int)n;
 }
 
 // Tells builds apart that have the same version; 0 where the system does not show the program.
@@ -46,7 +40,7 @@ int run_study(const struct model *first, const struct run_options *o,
         .first = first,
         .define = o->load.define,
         .n_define = o->load.n_define,
-        .n_thread = o->n_thread ? o->n_thread : all_cores(),
+        .n_thread = o->n_thread ? o->n_thread : threads_all(),
         .journal = o->journal,
         .program = program_sum(),
         .result = *result,

@@ -7,6 +7,7 @@
 
 #include "command/picture.h"
 #include "command/pounding.h"
+#include "command/progress.h"
 #include "core/arena.h"
 #include "plot/response.h"
 
@@ -19,7 +20,7 @@ const struct command command_spectrum = {
         "           [--format F] [--unit U] [--dt DT] [--intensities] [--tsv]\n"
         "           [-o FILE.png|.svg|.pdf] [--script DIR] [--force]\n"
         "       jostle spectrum --pounding DECK [--periods FROM:TO:N|LIST] [-D NAME=VALUE]...\n"
-        "           [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
+        "           [-j THREADS] [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
     .summary = "prints or draws intensities and response spectra of ground motions",
     .run = spectrum_command,
 };
@@ -105,7 +106,8 @@ static int allocate(const struct spectrum_request *q, struct arena *a, struct sp
                     .n_damping = q->n_damping,
                     .n_period = q->n_period,
                     .damping = q->damping,
-                    .period = q->period},
+                    .period = q->period,
+                    .tell = progress_tell},
     };
     return set->name && set->scale && set->ground && set->intensity ? STATUS_OK
                                                                     : error_no_memory(e);
@@ -124,7 +126,12 @@ static int compute(const struct spectrum_request *q, struct arena *a, struct spe
         }
     }
     if (status == STATUS_OK && q->content == CONTENT_ALL) {
+        struct progress progress;
+        progress_start(&progress, 1, "points");
+        set->spectra.context = &progress;
         status = spectra_compute(&set->spectra, set->ground, a, e);
+        set->spectra.context = NULL;
+        progress_end(&progress);
     }
     return status;
 }

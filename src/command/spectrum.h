@@ -27,6 +27,7 @@ struct spectrum_request {
     const char *pounding;  // the deck of a pounding force spectrum; NULL: records are asked for
     const char **define;   // (n_define) NAME=VALUE for it
     int n_define;
+    int n_thread;  // for it
 };
 
 // All in SI units.

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "command/spectrum.h"
+#include "command/threads.h"
 #include "core/arena.h"
 #include "core/text.h"
 #include "plot/figure.h"
@@ -62,6 +63,7 @@ static const char details[] =
     "                   which it takes from its params T1 and T2; --periods is for both (default:\n"
     "                   0.1:2:20)\n"
     "  -D NAME=VALUE    overrides a param of that deck; may be repeated\n"
+    "  -j THREADS       threads for its runs (default: all cores)\n"
     "  --tsv            tab-separated values of full precision, one line a record (and\n"
     "                   statistic), damping and period; with --intensities one line a record\n"
     "  -o FILE          draws the pseudo-acceleration, or the force; .png, .svg or .pdf\n"
@@ -270,6 +272,8 @@ static int take_option(const struct command *c, int option, struct arena *a,
         case 'D':
             q->define[q->n_define++] = optarg;
             return -1;
+        case 'j':
+            return threads_parse(c, optarg, &q->n_thread) == EXIT_DONE ? -1 : EXIT_INPUT;
         case 'h':
             return command_help(c, details);
         default:
@@ -294,12 +298,13 @@ static int parse_options(const struct command *c, int argc, char **argv, struct 
         {"force", no_argument, NULL, OPTION_FORCE},
         {"pounding", required_argument, NULL, OPTION_POUNDING},
         {"define", required_argument, NULL, 'D'},
+        {"threads", required_argument, NULL, 'j'},
         {"help", no_argument, NULL, 'h'},
         {NULL, 0, NULL, 0},
     };
     opterr = 0;
     optind = 1;
-    for (int letter; (letter = getopt_long_only(argc, argv, ":hD:o:", option, NULL)) != -1;) {
+    for (int letter; (letter = getopt_long_only(argc, argv, ":hD:j:o:", option, NULL)) != -1;) {
         const int done = letter == '?' || letter == ':' ? command_bad_option(c, letter, argv)
                                                         : take_option(c, letter, a, q);
         if (done >= 0) {
@@ -319,9 +324,6 @@ static int check_pounding(const struct command *c, const struct spectrum_request
         q->pga != 0.0 || q->damping || q->content == CONTENT_INTENSITIES) {
         return command_usage(c, "--pounding takes records and damping from the deck");
     }
-    if (q->output && !figure_ending(q->output)) {
-        return command_usage(c, "'%s' must end in .png, .svg or .pdf", q->output);
-    }
     if (q->period && q->period[0] == 0.0) {
         return command_usage(c, "a structure of period 0 does not pound");
     }
@@ -335,20 +337,20 @@ static int check_pounding(const struct command *c, const struct spectrum_request
 }
 
 static int check(const struct command *c, const struct spectrum_request *q) {
+    if (q->output && !figure_ending(q->output)) {
+        return command_usage(c, "'%s' must end in .png, .svg or .pdf", q->output);
+    }
     if (q->pounding) {
         return check_pounding(c, q);
     }
-    if (q->n_define > 0) {
-        return command_usage(c, "-D is for the deck of --pounding");
+    if (q->n_define > 0 || q->n_thread > 0) {
+        return command_usage(c, "%s is for the deck of --pounding", q->n_define > 0 ? "-D" : "-j");
     }
     if (q->n_record < 1) {
         return command_usage(c, "a record is expected");
     }
     if (q->scale != 1.0 && q->pga > 0.0) {
         return command_usage(c, "give --scale or --pga, not both");
-    }
-    if (q->output && !figure_ending(q->output)) {
-        return command_usage(c, "'%s' must end in .png, .svg or .pdf", q->output);
     }
     if (q->content == CONTENT_INTENSITIES && (draws(q) || q->damping || q->period)) {
         return command_usage(c, "--intensities leaves no spectrum to draw, damp or sample");
@@ -381,6 +383,7 @@ int spectrum_parse(const struct command *c, int argc, char **argv, struct arena 
         return done;
     }
     if (q->pounding) {
+        q->n_thread = q->n_thread > 0 ? q->n_thread : threads_all();
         return q->period ? -1 : log_grid(POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT, a, q);
     }
     if (!q->damping) {

@@ -134,6 +134,19 @@ static void print_item(const struct diagnostic *item, FILE *to, bool colour) {
     }
 }
 
+int diagnostics_cause(const struct diagnostics *d, struct error *e) {
+    const int status = d->system || d->out_of_memory ? STATUS_SYSTEM : e->status;
+    e->status = status;
+    for (int i = 0; i < d->n_item; i++) {
+        const struct diagnostic *item = &d->item[i];
+        if (item->severity == SEVERITY_ERROR) {
+            return error_set(e, status, "%s:%d:%d: %s", item->file, item->line, item->column,
+                             item->message);
+        }
+    }
+    return status;
+}
+
 void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour) {
     for (int i = 0; i < d->n_item; i++) {
         print_item(&d->item[i], to, colour);

@@ -46,10 +46,15 @@ int spectra_compute(struct spectra *s, const struct signal *ground, struct arena
     if (!s->point || !value) {
         return error_no_memory(e);
     }
+    const long n = (long)s->n_record * s->n_damping * s->n_period;
+    long n_done = 0;
     for (int d = 0; d < s->n_damping; d++) {
         for (int p = 0; p < s->n_period; p++) {
             for (int r = 0; r < s->n_record; r++) {
                 *point_at(s, r, d, p) = spectrum_at(&ground[r], s->period[p], s->damping[d]);
+                if (s->tell) {
+                    s->tell(s->context, ++n_done, n);
+                }
             }
             take_statistics(s, d, p, value);
         }

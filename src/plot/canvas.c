@@ -41,16 +41,24 @@ void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
     a->top -= 3.3;
 }
 
+// A line of the legend. Dashes are lines of their own: gnuplot's svg terminal draws dashed arrows
+// solid.
+static void write_line(const struct canvas *c, struct mark mark, double x, double y) {
+    const bool dashed = mark.kind == MARK_DASHED;
+    const double length = dashed ? 0.4 : 1.6;
+    for (double at = 0; at + length < 1.65; at += 0.6) {
+        fprintf(c->to,
+                "set arrow from screen %.4f,%.4f rto screen %.4f,0 nohead lc rgb '%s' lw 1.5\n",
+                (x + at) / c->width, y / c->height, length / c->width, mark.colour);
+    }
+}
+
 static void write_mark(const struct canvas *c, struct mark mark, double x, double y) {
     const double size = mark.size > 0 ? mark.size : 1;
     switch (mark.kind) {
         case MARK_LINE:
         case MARK_DASHED:
-            fprintf(c->to,
-                    "set arrow from screen %.4f,%.4f rto screen %.4f,0 nohead lc rgb '%s' lw 1.5 "
-                    "dt %s\n",
-                    x / c->width, y / c->height, 1.6 / c->width, mark.colour,
-                    mark.kind == MARK_DASHED ? "(10,6)" : "solid");
+            write_line(c, mark, x, y);
             break;
         case MARK_AREA:
             fprintf(c->to,
@@ -151,7 +159,8 @@ static double fitting_step(const struct axis *axis, double length, double line) 
     }
     const double most = fmax(fabs(axis->span.low), fabs(axis->span.high));
     const double power = pow(10, floor(log10(most)));
-    return power * floor(most / power);
+    const double round = power * floor(most / power);
+    return round > axis->span.low && -round < axis->span.high ? round : script_step(size, 2);
 }
 
 // The tics one by one, as multiples of the axis's power of ten.
@@ -202,21 +211,27 @@ static void write_scale(const struct canvas *c, char letter, const struct axis *
             axis->kind == AXIS_FULL ? "%h" : "");
 }
 
+static void write_upright(const struct canvas *c, const char *text, double x, double y) {
+    fprintf(c->to, "set label ");
+    script_text(c->to, text);
+    write_place(c, x, y);
+    fprintf(c->to, " center rotate by 90\n");
+}
+
 void canvas_upright(const struct canvas *c, struct area a, const struct unit_system *units,
                     const struct axis *axis) {
     char text[160], name[160];
     axis_text(axis, units, text, sizeof text);
     const char *unit = strstr(text, " [");
     const bool fits = !unit || character * script_columns(text) <= a.top - a.bottom;
-    fprintf(c->to, "set label ");
-    if (!fits) {
-        snprintf(name, sizeof name, "%.*s", (int)(unit - text), text);
-        script_text(c->to, name);
-        fprintf(c->to, ".\"\\n\".");
+    const double middle = (a.top + a.bottom) / 2;
+    if (fits) {
+        write_upright(c, text, a.left - 4.4, middle);
+        return;
     }
-    script_text(c->to, fits ? text : unit + 1);
-    write_place(c, a.left - (fits ? 4.4 : 5.8), (a.top + a.bottom) / 2);
-    fprintf(c->to, " center rotate by 90\n");
+    snprintf(name, sizeof name, "%.*s", (int)(unit - text), text);
+    write_upright(c, name, a.left - 5.35, middle);
+    write_upright(c, unit + 1, a.left - 4.05, middle);
 }
 
 void canvas_panel(const struct canvas *c, struct area a, const struct unit_system *units,

@@ -26,25 +26,44 @@ static const struct sheet_size sheets[] = {
     [SHEET_PAGE] = {70, 99},
 };
 
-// One em in the terminal's unit of size; the number that makes gnuplot set text of one em: it
-// counts points, 4/3 pixels each for pngcairo, and pdfcairo halves them; and what makes a point of
-// size 1 a quarter of an em on the sheet across, which each terminal sees differently.
+// How a terminal is told what the canvas wants.
 struct picture {
     const char *ending, *format;
-    double em[2], font, point;
+    const char *font;     // a browser knows no font called Sans
+    const char *heading;  // the font of headings, heading_size times as large; svg has no bold one
+    double heading_size;
+    double em[2];       // the terminal's unit of size, on each sheet
+    double text;        // gnuplot's size of text of one em: it counts points, 4/3 pixels each for
+                        // pngcairo, and pdfcairo halves them
+    double point;       // makes a point of size 1 a quarter of an em on the sheet across
+    double below_axis;  // [characters] raises the numbers, which svg puts lower than the others
 };
 static const struct picture pictures[] = {
-    {"png", "pngcairo size %.0f,%.0f font 'Sans,%g' linewidth 1.5", {26, 19}, 0.75, 1},
-    {"svg",
-     "svg size %.0f,%.0f font 'Sans,%g' linewidth 1 background '#ffffff'",
-     {16, 14},
-     1,
-     0.33},
-    {"pdf",
-     "pdfcairo size %.4fin,%.4fin font 'Sans,%g' linewidth 1",
-     {10 / 72.0, 8.4 / 72.0},
-     108,
-     0.4},
+    {.ending = "png",
+     .format = "pngcairo size %.0f,%.0f linewidth 1.5",
+     .font = "Sans",
+     .heading = "Sans:Bold",
+     .heading_size = 1,
+     .em = {26, 19},
+     .text = 0.75,
+     .point = 1},
+    {.ending = "svg",
+     .format = "svg size %.0f,%.0f linewidth 1 background '#ffffff'",
+     .font = "sans-serif",
+     .heading = "sans-serif",
+     .heading_size = 1.15,
+     .em = {16, 14},
+     .text = 1,
+     .point = 0.33,
+     .below_axis = 0.4},
+    {.ending = "pdf",
+     .format = "pdfcairo size %.4fin,%.4fin linewidth 1",
+     .font = "Sans",
+     .heading = "Sans:Bold",
+     .heading_size = 1,
+     .em = {10 / 72.0, 8.4 / 72.0},
+     .text = 108,
+     .point = 0.4},
 };
 enum { N_PICTURE = sizeof pictures / sizeof pictures[0] };
 
@@ -82,27 +101,29 @@ const char *figure_ending(const char *path) {
 
 static void write_head(const struct figure_head *head, const struct figure_files *to,
                        const struct picture *p) {
-    const struct sheet_size *size = &sheets[head->sheet];
-    const double em = p->em[head->sheet], font = em * p->font;
+    const struct sheet_size *sheet = &sheets[head->sheet];
+    const double em = p->em[head->sheet], size = em * p->text;
     fprintf(to->data, "# Data of %s.gp, written by jostle %s.\n", head->name, head->version);
     fprintf(to->script,
             "# %s: %s. Written by jostle %s; run with gnuplot.\n"
             "load ARG0[1:strlen(ARG0)-3].'.dat'  # stands beside this script\n"
             "set encoding utf8\nset terminal ",
             head->name, head->doc, head->version);
-    fprintf(to->script, p->format, size->width * em, size->height * em, font);
-    fprintf(to->script, "\nset output ");
+    fprintf(to->script, p->format, sheet->width * em, sheet->height * em);
+    fprintf(to->script, " font '%s,%g'\nset output ", p->font, size);
     script_text(to->script, to->picture);
     fprintf(to->script,
             "\nset termoption noenhanced\npoint = %.3g\n"
-            "title_font = 'Sans,%g'\nblock_font = 'Sans Bold,%g'\nsmall_font = 'Sans,%g'\n"
+            "title_font = '%s,%g'\nblock_font = '%s,%g'\nsmall_font = '%s,%g'\n"
             "unset key\n"
             "set border 3 lc rgb '#404040' lw 0.8\n"
             "set tics nomirror out scale 0.5 textcolor rgb '#202020'\n"
+            "set xtics offset 0,%g\n"
             "set grid lc rgb '#e4e4e4' lt 1 lw 0.6\n"
             "set style fill solid noborder\n"
             "set multiplot\n",
-            p->point * em / p->em[SHEET_ACROSS], 1.2 * font, font, 0.75 * font);
+            p->point * em / p->em[SHEET_ACROSS], p->font, 1.2 * size, p->heading,
+            p->heading_size * size, p->font, 0.75 * size, p->below_axis);
 }
 
 int figure_open(const struct figure_head *head, const struct figure_files *to, struct canvas *c,

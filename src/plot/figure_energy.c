@@ -8,7 +8,7 @@
 #include "plot/figure.h"
 #include "plot/script.h"
 
-enum { BINS = 500, PARTS = 5, TIME = 0, TOTAL = PARTS + 1, RESIDUAL, N_COLUMN };
+enum { BINS = 200, PARTS = 5, TIME = 0, TOTAL = PARTS + 1, RESIDUAL, N_COLUMN };
 
 struct part {
     enum energy energy;

@@ -12,7 +12,7 @@
 #include "plot/figure.h"
 #include "plot/script.h"
 
-enum { BINS = 600, MARKS_MAX = 400 };
+enum { BINS = 200, MARKS_MAX = 400 };
 
 // Columns of the data.
 enum { TIME, LEFT, RIGHT, GROUND_LEFT, GROUND_RIGHT, N_COLUMN };
@@ -240,6 +240,7 @@ static void write_ground(const struct view *v, struct canvas *c, struct area a) 
     struct span span = span_none;
     data_span(&v->data[0], first, &span);
     data_span(&v->data[other], second, &span);
+    span_add(&span, 0);
     const struct axis x = time_axis(v, AXIS_FULL);
     const struct axis y = {.name = v->s->n > 1 ? "ground" : "ground acc.",
                            .dimension = dimension_acceleration,

@@ -93,6 +93,10 @@ static void write_spectrum(struct view *v, int run, int series, const struct sig
         const double value = spectrum_at(ground, period, damping_ratio).value[SPECTRUM_PSA];
         fprintf(to, "%.7g %.7g\n", period, value);
         span_add(&v->acceleration, value);
+        if (v->s->tell) {
+            const long before = (long)(run * v->n + series) * PERIODS;
+            v->s->tell(v->s->context, before + i + 1, (long)v->s->n * v->n * PERIODS);
+        }
     }
     fprintf(to, "EOD\n");
 }

@@ -11,6 +11,9 @@ struct runs {
     const struct result_file *file[RUNS_MAX];  // borrowed
     const struct report *r[RUNS_MAX];          // borrowed
     char name[RUNS_MAX][64];                   // the files, as short as tells them apart
+    // Called by figures that take their time; NULL: nothing to tell.
+    void (*tell)(void *context, long n_done, long n);
+    void *context;
 };
 
 // `second` is NULL where one run is shown alone. Errors: STATUS_INPUT (the runs have other

@@ -1,57 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/pool.h"
 
-#include <pthread.h>
-#include <stdatomic.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+#include <stdio.h>
 
 #include "jostle/ensemble.h"
 #include "motion/shelf.h"
 #include "study/trial.h"
+#include "study/workers.h"
 
-enum { TICK = 100000000, SYNC_TICKS = 10 };  // [ns] between polls; polls between synchronisations
+enum { SYNC_TICKS = 10 };  // polls between synchronisations of the journal
 
 static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
 
-// Everything below the lock is guarded by it.
+// Guarded by the lock of the workers.
 struct pool {
+    const struct study_request *request;
     const struct plan *plan;
-    int most;  // runs that a thread takes at once
-    atomic_bool stop;
-    pthread_mutex_t lock;
-    pthread_cond_t ended;  // a worker has
     struct journal *journal;
     struct ledger *ledger;
     struct shelf *records;
     struct study_progress progress;
     long next;  // the run to look at next
     long left;  // runs that no thread has taken yet
-    int n_worker;
-    int status;  // the first error
-    struct error error;
+    int most;   // that one takes at once
+    int tick;
 };
 
-// Ends the study with this error, unless another came first.
-static void give_up(struct pool *p, int status, const struct error *e) {
-    if (p->status == STATUS_OK) {
-        p->status = status;
-        p->error = *e;
-    }
-    atomic_store(&p->stop, true);
-}
+// The runs that a thread works on.
+struct batch {
+    int n;
+    struct trial trial[ENSEMBLE_MAX];
+    double value[];  // (pool.most, n_value)
+};
+
+// The pool as one of its threads sees it.
+struct view {
+    struct pool *pool;
+    struct workers *workers;
+};
 
 static int poll_trial(void *context, double time, struct error *e) {
-    struct pool *p = context;
+    const struct view *v = context;
     (void)time;
-    return atomic_load(&p->stop) ? error_set(e, STATUS_SYSTEM, "the study has ended") : STATUS_OK;
+    return workers_stopped(v->workers) ? error_set(e, STATUS_SYSTEM, "the study has ended")
+                                       : STATUS_OK;
 }
 
 static int enter_files(void *context, const struct deck_path *files, struct error *e) {
-    struct pool *p = context;
+    const struct view *v = context;
+    struct pool *p = v->pool;
     int status = STATUS_OK;
-    pthread_mutex_lock(&p->lock);
+    workers_lock(v->workers);
     for (; files && status == STATUS_OK; files = files->next) {
         const struct ledger_file *added;
         status = ledger_check(p->ledger, files->path, &added, e);
@@ -59,7 +58,7 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
             status = journal_add_file(p->journal, added->path, added->sum, e);
         }
     }
-    pthread_mutex_unlock(&p->lock);
+    workers_unlock(v->workers);
     return status;
 }
 
@@ -70,18 +69,32 @@ static long portion(const struct pool *p) {
     return share < p->most ? share : p->most;
 }
 
-// The next runs to be done; returns how many.
-static int take(struct pool *p, struct trial *trial) {
-    int n = 0;
+// The next runs to be done; -1: there are none.
+static long take(void *context, void *scratch) {
+    struct pool *p = context;
+    struct batch *b = scratch;
     const long most = portion(p);
-    while (n < most && p->next < p->plan->n_run && !atomic_load(&p->stop)) {
-        const long run = p->next++;
-        if (p->journal->offset[run] == 0) {
-            trial[n++].run = run;
+    for (b->n = 0; b->n < most && p->next < p->plan->n_run; p->next++) {
+        if (p->journal->offset[p->next] == 0) {
+            struct trial *t = &b->trial[b->n];
+            t->run = p->next;
+            t->value = b->value + (size_t)b->n * p->plan->table->n_value;
+            b->n++;
             p->left--;
         }
     }
-    return n;
+    return b->n > 0 ? b->trial[0].run : -1;
+}
+
+static int work(void *context, struct workers *w, long run, void *scratch, struct error *e) {
+    (void)run, (void)e;
+    struct pool *p = context;
+    struct view view = {.pool = p, .workers = w};
+    struct batch *b = scratch;
+    const struct trial_watch watch = {
+        .files = enter_files, .poll = poll_trial, .context = &view, .records = p->records};
+    trial_run(p->plan, b->trial, b->n, &watch);
+    return STATUS_OK;
 }
 
 static void count(struct pool *p, long run, const struct study_outcome *outcome) {
@@ -97,153 +110,73 @@ static void count(struct pool *p, long run, const struct study_outcome *outcome)
     }
 }
 
-static void finish(struct pool *p, struct trial *t) {
-    if (t->status == STATUS_OK) {
-        t->status = journal_add_run(p->journal, t->run, &t->outcome, t->value, &t->error);
+static int enter_run(struct pool *p, const struct trial *t, struct error *e) {
+    if (t->status != STATUS_OK) {
+        *e = t->error;
+        return t->status;
     }
-    if (t->status == STATUS_OK) {
+    const int status = journal_add_run(p->journal, t->run, &t->outcome, t->value, e);
+    if (status == STATUS_OK) {
         count(p, t->run, &t->outcome);
-    } else {
-        give_up(p, t->status, &t->error);
     }
+    return status;
 }
 
-static void work(struct pool *p, struct trial *trial) {
-    const struct trial_watch watch = {
-        .files = enter_files, .poll = poll_trial, .context = p, .records = p->records};
-    pthread_mutex_lock(&p->lock);
-    for (int n; (n = take(p, trial)) > 0;) {
-        pthread_mutex_unlock(&p->lock);
-        trial_run(p->plan, trial, n, &watch);
-        pthread_mutex_lock(&p->lock);
-        for (int i = 0; i < n; i++) {
-            finish(p, &trial[i]);
+// The first error of a run, after the others have been entered.
+static int enter(void *context, long run, const void *scratch, struct error *e) {
+    (void)run;
+    const struct batch *b = scratch;
+    int status = STATUS_OK;
+    for (int i = 0; i < b->n; i++) {
+        struct error other;
+        const int entered = enter_run(context, &b->trial[i], &other);
+        if (status == STATUS_OK && entered != STATUS_OK) {
+            status = entered;
+            *e = other;
         }
     }
-    pthread_mutex_unlock(&p->lock);
+    return status;
 }
 
-static void *worker(void *context) {
+// What the calling thread does meanwhile.
+static int watch(void *context, struct workers *w, struct error *e) {
     struct pool *p = context;
-    struct trial trial[ENSEMBLE_MAX];
-    const size_t n_value = p->plan->table->n_value;
-    double *value = malloc((size_t)p->most * n_value * sizeof *value);
-    for (int i = 0; value && i < p->most; i++) {
-        trial[i].value = value + (size_t)i * n_value;
-    }
-    if (value) {
-        work(p, trial);
-    }
-    pthread_mutex_lock(&p->lock);
-    if (!value) {
-        struct error e;
-        give_up(p, error_no_memory(&e), &e);
-    }
-    free(value);
-    p->n_worker--;
-    pthread_cond_signal(&p->ended);
-    pthread_mutex_unlock(&p->lock);
-    return NULL;
-}
-
-static void wait_a_tick(struct pool *p) {
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_nsec += TICK;
-    until.tv_sec += until.tv_nsec / 1000000000;
-    until.tv_nsec %= 1000000000;
-    while (p->n_worker > 0 && pthread_cond_timedwait(&p->ended, &p->lock, &until) == 0) {
-    }
-}
-
-// What the calling thread does meanwhile; returns when all workers have ended.
-static void watch(struct pool *p, const struct study_request *q) {
-    pthread_mutex_lock(&p->lock);
-    for (int tick = 1; p->n_worker > 0; tick++) {
-        wait_a_tick(p);
-        struct study_progress now = p->progress;
-        struct error e;
-        pthread_mutex_unlock(&p->lock);
-        int status = q->poll ? q->poll(q->context, &now, &e) : STATUS_OK;
-        if (status == STATUS_OK && tick % SYNC_TICKS == 0) {
-            status = journal_sync(p->journal, &e);
-        }
-        pthread_mutex_lock(&p->lock);
-        if (status != STATUS_OK) {
-            give_up(p, status, &e);
-        }
-    }
-    pthread_mutex_unlock(&p->lock);
-}
-
-static void start(struct pool *p, pthread_t *thread, int *n_thread) {
-    const int wanted = *n_thread;
-    *n_thread = 0;
-    pthread_mutex_lock(&p->lock);
-    for (int i = 0; i < wanted; i++) {
-        int cause = pthread_create(&thread[i], NULL, worker, p);
-        if (cause != 0) {
-            struct error e;
-            give_up(p,
-                    error_set(&e, STATUS_SYSTEM, "cannot start %d threads: %s", wanted,
-                              strerror(cause)),
-                    &e);
-            break;
-        }
-        p->n_worker++;
-        *n_thread = i + 1;
-    }
-    pthread_mutex_unlock(&p->lock);
-}
-
-static void run_threads(struct pool *p, const struct study_request *q, pthread_t *thread,
-                        int n_thread) {
-    start(p, thread, &n_thread);
-    watch(p, q);
-    for (int i = 0; i < n_thread; i++) {
-        pthread_join(thread[i], NULL);
-    }
-}
-
-static int init_locks(struct pool *p) {
-    pthread_condattr_t attributes;
-    if (pthread_condattr_init(&attributes) != 0) {
-        return -1;
-    }
-    int bad = pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC) != 0 ||
-              pthread_cond_init(&p->ended, &attributes) != 0;
-    pthread_condattr_destroy(&attributes);
-    if (!bad && pthread_mutex_init(&p->lock, NULL) != 0) {
-        pthread_cond_destroy(&p->ended);
-        bad = 1;
-    }
-    return bad ? -1 : 0;
+    const struct study_request *q = p->request;
+    workers_lock(w);
+    const struct study_progress now = p->progress;
+    workers_unlock(w);
+    const int status = q->poll ? q->poll(q->context, &now, e) : STATUS_OK;
+    return status == STATUS_OK && ++p->tick % SYNC_TICKS == 0 ? journal_sync(p->journal, e)
+                                                              : status;
 }
 
 int pool_run(const struct study_request *q, const struct plan *plan, struct journal *journal,
              struct ledger *ledger, struct study_progress *progress, struct error *e) {
-    struct pool p = {.plan = plan, .journal = journal, .ledger = ledger, .progress = *progress};
-    p.records = shelf_create(RECORDS_MAX);
-    atomic_init(&p.stop, false);
-    const long missing = plan->n_run - journal->n_done;
-    const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
-    pthread_t *thread = calloc((size_t)n_thread + 1, sizeof *thread);
-    if (!thread || !p.records || init_locks(&p) != 0) {
-        free(thread);
-        shelf_free(p.records);
+    struct pool p = {.request = q,
+                     .plan = plan,
+                     .journal = journal,
+                     .ledger = ledger,
+                     .records = shelf_create(RECORDS_MAX),
+                     .progress = *progress};
+    if (!p.records) {
         return error_no_memory(e);
     }
+    const long missing = plan->n_run - journal->n_done;
+    const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
     p.left = missing;
     p.most = trial_most(plan);
-    run_threads(&p, q, thread, n_thread);
-    pthread_cond_destroy(&p.ended);
-    pthread_mutex_destroy(&p.lock);
+    const size_t values = (size_t)p.most * plan->table->n_value;
+    const struct workers_request request = {.n_thread = n_thread,
+                                            .scratch =
+                                                sizeof(struct batch) + values * sizeof(double),
+                                            .take = take,
+                                            .work = work,
+                                            .enter = enter,
+                                            .poll = watch,
+                                            .context = &p};
+    const int status = n_thread > 0 ? workers_run(&request, e) : STATUS_OK;
     shelf_free(p.records);
-    free(thread);
     *progress = p.progress;
-    if (p.status != STATUS_OK) {
-        *e = p.error;
-    }
-    return p.status;
+    return status;
 }

@@ -11,28 +11,12 @@ static void fail(struct study_outcome *outcome, const char *message) {
     snprintf(outcome->message, sizeof outcome->message, "%s", message);
 }
 
-// "file:line:column: message" of the first error of the deck.
-static void first_error(const struct deck *deck, char *text, size_t size) {
-    const struct diagnostics *d = &deck->diagnostics;
-    for (int i = 0; i < d->n_item; i++) {
-        const struct diagnostic *item = &d->item[i];
-        if (item->severity == SEVERITY_ERROR) {
-            snprintf(text, size, "%s:%d:%d: %s", item->file, item->line, item->column,
-                     item->message);
-            return;
-        }
-    }
-}
-
 // A deck that is wrong for these values is a failed run; a system that fails ends the study.
 static int fail_deck(struct study_outcome *outcome, const struct deck *deck, struct error *e) {
-    char text[STUDY_MESSAGE_MAX];
-    snprintf(text, sizeof text, "%s", e->message);
-    first_error(deck, text, sizeof text);
-    if (deck->diagnostics.system || deck->diagnostics.out_of_memory) {
-        return error_set(e, STATUS_SYSTEM, "%s", text);
+    if (diagnostics_cause(&deck->diagnostics, e) == STATUS_SYSTEM) {
+        return STATUS_SYSTEM;
     }
-    fail(outcome, text);
+    fail(outcome, e->message);
     return STATUS_OK;
 }
 

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The pages that the program prints are committed as it prints them now; `make docs` brings them up
-# to date. In the summary, what differs from machine to machine is left out: wall time, rounding
-# residuals, and the count of iterations.
+# to date. In the summary, what may differ from machine to machine is left out: rounding residuals, and
+# the count of iterations.
 set -u
 folder=${TMPDIR:-/tmp}/docs
 status=0
 missing=
 
 stable() {
-    grep -v -e '^wall time' -e '^residual' -e '^steps' "$1"
+    grep -v -e '^residual' -e '^steps' "$1"
 }
 
 same() {

@@ -159,5 +159,6 @@ if command -v gnuplot >/dev/null; then
 else
     skip "--plot draws" "gnuplot is not installed"
 fi
-run env PATH=/nowhere "$jostle" law $jankowski --plot lost.png
+run env PATH=/nowhere "$jostle" law $jankowski --plot lost.png --script scripts
 expect "without gnuplot the status is 3" '[ $status -eq 3 ] && said "cannot run gnuplot" && [ ! -e lost.png ] && [ ! -s "$out" ]'
+expect "but the script is there" '[ -s scripts/impact.gp ] && [ -s scripts/impact.dat ]'

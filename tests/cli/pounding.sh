@@ -48,6 +48,33 @@ expect "-D reaches the deck, and the summary says what it finds" '[ $status -eq 
 run "$jostle" spectrum --pounding "$deck" --periods 0.3:1:3
 expect "the example runs" '[ $status -eq 0 ] && grep -qE "^largest [0-9]+ kN at T1 = .* s, T2 = .* s; no contact for [0-9]+ of 9 pairs$" "$out"'
 
+for threads in 1 2 7; do
+    run "$jostle" spectrum --pounding pair.deck --periods 0.2:1:5 --tsv -j $threads
+    cp "$out" threads$threads.tsv
+done
+expect "the number of threads changes no bit" '[ $status -eq 0 ] && cmp -s threads1.tsv threads2.tsv && cmp -s threads1.tsv threads7.tsv && [ "$(wc -l <threads7.tsv)" -eq 26 ]'
+cat >fails.deck <<'END'
+units kN m s
+param T1 1s
+param T2 1s
+building A -floors 1 -mass 100t -stiffness ${sqrt(0.6s - T1) / 1s^0.5 * 1e3kN/m}
+building B -floors 1 -mass 100t -stiffness ${4 * pi^2 * 100t / T2^2}
+contact A B -gap 5mm -law linear -k 1e5kN/m
+ground sine -amplitude 3m/s2 -frequency 2Hz -cycles 4
+step fixed 1ms
+END
+for threads in 1 4; do
+    run "$jostle" spectrum --pounding fails.deck --periods 0.3,0.5,0.7,0.9 -j $threads
+    expect "the first pair that fails is named, $threads threads" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "at T1 = 0.7 s, T2 = 0.3 s: fails.deck:4:"'
+done
+grep -v duration pair.deck | sed 's/^step.*/step fixed 1e-3ms\nduration 10000s/' >long.deck
+"$jostle" spectrum --pounding long.deck --periods 0.25,0.5,1 -o long.png -j 2 >"$out" 2>"$err" &
+sleep 1
+kill -INT $!
+wait $!
+status=$?
+expect "an interrupt ends it" '[ $status -eq 3 ] && [ ! -s "$out" ] && said "interrupted by signal 2" && [ ! -e long.png ]'
+
 wrong() {
     local sentence=$1 words=$2
     shift 2
@@ -64,6 +91,8 @@ wrong "so is damping" "takes records and damping from the deck" --pounding pair.
 wrong "a period of 0 is refused" "period 0" --pounding pair.deck --periods 0,1,2
 wrong "so are too many" "up to 1000" --pounding pair.deck --periods 0.1:2:1001
 wrong "-D needs a deck" "-D is for the deck of --pounding" record.AT2 -D gap=1
+wrong "-j takes a number" "-j takes a number of threads" --pounding pair.deck -j 0
+wrong "-j needs a deck" "-j is for the deck of --pounding" record.AT2 -j 2
 wrong "a map needs periods" "three periods" --pounding pair.deck --periods 0.5,1 -o map.png
 wrong "a picture has an ending" "must end in .png, .svg or .pdf" --pounding pair.deck -o map.gif
 

@@ -13,19 +13,19 @@ for deck in two_towers multistorey elastoplastic row_of_five; do
 done
 "$jostle" run input/multistorey.deck -D gap=1m -o "$folder/apart.h5" -q --force
 
-# draw NAME FILE KIND...: the picture NAME.png.
+# draw NAME FILE KIND...: the picture NAME, which has its ending.
 draw() {
-    picture=$pictures/$1.png
+    picture=$pictures/$1
     file=$folder/$2.h5
     shift 2
     "$jostle" plot "$file" "$@" -o "$picture" --force
 }
 
-draw two_towers two_towers histories
-draw multistorey multistorey profiles --compare "$folder/apart.h5"
-draw contact multistorey contact
-draw loops elastoplastic loops
-draw impacts row_of_five impacts
-draw energy multistorey energy --compare "$folder/apart.h5"
-draw floor_spectrum multistorey spectrum
-draw modes multistorey modes
+draw two_towers.svg two_towers histories
+draw multistorey.png multistorey profiles --compare "$folder/apart.h5"
+draw contact.png multistorey contact
+draw loops.png elastoplastic loops
+draw impacts.png row_of_five impacts
+draw energy.png multistorey energy --compare "$folder/apart.h5"
+draw floor_spectrum.png multistorey spectrum
+draw modes.png multistorey modes

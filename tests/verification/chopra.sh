@@ -28,6 +28,11 @@ END
         printf 'closed form, t = %s s\tin\t%s\t%s\n' "$time" "$expected" "$(at fine $time)"
     done
 } | compare oscillator 5
+for run in fine central average linear plastic; do
+    history $run >"$work/$run"
+done
+pick oscillator 1 3 | sed -n 's/^E.*t = \(.*\) s\t/\1\t/p' >"$work/book"
+draw 360
 
 for dt in 0.02 0.01 0.001; do
     simulate five_$dt $here/five_storeys.deck -D dt=${dt}s

@@ -63,3 +63,18 @@ draw() {
     [ "${PICTURES-1}" = 0 ] || gnuplot -e "work = '$work'; height = $1" \
         -e "picture = '$folder/verification_$name.svg'" $here/style.gp "$here/$name.gp"
 }
+
+# pick TABLE COLUMN...: these columns of the rows of a table that are written by now, with tabs
+# between, bare numbers.
+pick() {
+    awk -F ' *[|] *' -v table="$1" -v columns="$(shift && echo "$*")" '
+        BEGIN { n = split(columns, column, " ") }
+        $1 == table "\t" {
+            for (i = 1; i <= n; i++) {
+                text = $(column[i] + 1)
+                sub(/^< /, "", text)
+                sub(/ %$/, "", text)
+                printf "%s%s", text, i < n ? "\t" : "\n"
+            }
+        }' "$work/values"
+}

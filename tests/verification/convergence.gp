@@ -4,18 +4,20 @@ set logscale xy
 set format y '10^{%T}'
 set format x '%g'
 set ytics 100
+set yrange [1e-7:0.1]
 set xlabel 'step, ms'
-set multiplot layout 1, 2
-set key bottom right Left reverse samplen 1.5 font ',13'
-set title 'restitution of an impact' font ',15'
+set ylabel 'error'
+set multiplot layout 1, 2 margins 0.12, 0.98, 0.35, 0.88 spacing 0.1
+set key at screen 0.98, 0.135 right maxrows 2 Left reverse samplen 2
+set title 'restitution of an impact'
 set xrange [0.05:1.3]
-set yrange [1e-14:0.1]
 law(name) = "< awk '$1 == \"".name."\"' ".work."/errors"
 plot for [name in 'linear hertz kelvin-voigt hertz-damp jankowski'] law(name) using 2:3 \
     with linespoints title name
-set title 'roof of 8 and 5 storeys'
+set title 'roof of 8 and 5 storeys, relative'
+unset ylabel
+unset key
 set xrange [0.1:5]
-set yrange [1e-10:0.1]
-plot "< grep kelvin ".work."/storeys" using 2:3 with linespoints lt 3 title 'kelvin-voigt', \
-    "< grep jankowski ".work."/storeys" using 2:3 with linespoints lt 5 title 'jankowski'
+plot "< grep kelvin ".work."/storeys" using 2:3 with linespoints lt 3, \
+    "< grep jankowski ".work."/storeys" using 2:3 with linespoints lt 5
 unset multiplot

@@ -21,9 +21,26 @@ account() {
         }'
 }
 
-for dt in 0.1 1 10; do
+# residual NAME: rows `time, residual / input` of the last run, the largest of each ten rows of the
+# data of a picture.
+residual() {
+    "$jostle" plot "$work/account.h5" energy --script "$work/account.script" --force
+    awk -v input="$(value account energy input)" '
+        /^[0-9]/ {
+            missed = ($8 < 0 ? -$8 : $8) / input
+            most = missed > most ? missed : most
+            if (++n % 10 == 0) {
+                print $1, most
+                most = 0
+            }
+        }' "$work/account.script/energy.dat" >"$work/$1"
+}
+
+for dt in 0.1 1; do
     account '8 and 5 storeys, jankowski' '1/4, 1/2' $dt D_8v5_jankowski
 done
+residual average
+account '8 and 5 storeys, jankowski' '1/4, 1/2' 10 D_8v5_jankowski
 for dt in 0.5 5; do
     account 'yielding storeys, kelvin-voigt' '1/4, 1/2' $dt E2_elastoplastic_kelvin_voigt
 done
@@ -32,6 +49,9 @@ account 'towers, rigid impacts' '1/4, 1/2' 1 F_towers_stereo
 for dt in 0.1 1; do
     account '8 and 5 storeys, jankowski' '1/6, 1/2' $dt D_8v5_jankowski \
         'integrator newmark -beta 0.16666666666666667'
+    residual linear
     account '8 and 5 storeys, jankowski' '0.3025, 0.6' $dt D_8v5_jankowski \
         'integrator newmark -beta 0.3025 -gamma 0.6'
+    residual damped
 done
+draw 330

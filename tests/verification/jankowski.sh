@@ -45,6 +45,13 @@ striker 'kelvin-voigt, k = 9.35e7 N/m, ζ = 0.14' kelvin_voigt
 striker 'hertz, k = 1.13e9 N/m^1.5' hertz
 striker 'jankowski, k = 2.75e9 N/m^1.5, ζ = 0.35' jankowski
 
+{
+    pick ball 1 4 | sed 's/^/5\/32 in, /'
+    pick ball 1 6 | sed 's/^/3\/16 in, /'
+    pick striker 1 4 | sed 's/^/striker, /'
+} | sed 's/, k = [^\t]*//' >"$work/against"
+draw 330
+
 # Closed form of the Hertz force, k^(2/5) (1.25 m v0^2)^(3/5).
 awk "$format"'
 BEGIN {

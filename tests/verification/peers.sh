@@ -44,4 +44,6 @@ hertz-damp -k 2.36e10 -zeta 0.8
 kelvin-voigt -k 1.4e9 -zeta 0.14
 bilinear -k1 1.4e9 -k2 0.2e9 -dy 0.05e-3
 END
+pick peers 1 2 6 7 | grep -v impacts | sed 's/\t/, /' >"$work/differences"
+draw 400
 sed -n 's/^# /version\t/p' $peers

@@ -6,3 +6,5 @@ for deck in tests/verify/reference/*.deck; do
     simulate "$one" "$deck"
     table -v case="$one" -f $here/reference.awk "${deck%.deck}.tsv" "$work/$one.tsv"
 done
+pick reference 1 4 5 6 7 | tr _ ' ' >"$work/errors"
+draw 760

@@ -12,6 +12,9 @@ step fixed 1ms
 END
     simulate bounce "$work/bounce.deck"
     table -v e=$e -f $here/rigid.awk "$work/bounce.tsv"
+    awk -F '\t' '$1 == "impacts" { v[$3, $4] = $5; n = $4 }
+        END { for (i = 1; i < n; i++) print i, v["v_rebound", i] }' "$work/bounce.tsv" \
+        >"$work/rebounds_$e"
 done
 
 cat >"$work/bodies.deck" <<END
@@ -31,3 +34,4 @@ simulate bodies "$work/bodies.deck"
     printf 'dissipated, m* (1 - e²) v² / 2\tN m\t%s\t%s\n' 1110.5769230769231 \
         "$(value bodies impacts dissipated)"
 } | compare bodies 6
+draw 330

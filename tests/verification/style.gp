@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The look of the pictures of the verification manual: colours of Okabe and Ito, as in src/plot.
 set encoding utf8
-set terminal svg size 736,height font 'Sans,15' linewidth 1 background '#ffffff'
+set terminal svg size 736,height font 'sans-serif,16' linewidth 1 background '#ffffff'
 set output picture
 set border 3 lc rgb '#404040' lw 0.8
 set tics nomirror out scale 0.5 textcolor rgb '#202020'
+set xtics offset 0,0.4  # as src/plot/figure.c
+set xlabel offset 0,0.8
+set ylabel offset 1,0
+set title offset 0,-0.5
 unset mxtics
 unset mytics
 set grid lc rgb '#e4e4e4' lt 1 lw 0.6
