@@ -9,6 +9,8 @@ CFLAGS  = -O3 -g
 WERROR  = #           1: warnings are errors
 V       = #           1: show whole commands
 SANITIZE = #          for example address,undefined
+RECORDS = #           folder of the records of make bench-studies; default: those of input/
+ROUNDS = 3#           how often it runs
 FUZZ_SECONDS = 30#    for each reader
 TEST_SECONDS = 600#   limit for one test program
 CORES  := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -157,7 +159,7 @@ $(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) $(CMOCKA)
 
 # --- speed ---------------------------------------------------------------------------------------
-.PHONY: bench bench-docs bench-count
+.PHONY: bench bench-docs bench-count bench-studies
 bench: setup  ## times per step of some models; BENCH=-t: columns separated by tabs
 	@$(MAKE) $(PROGRAM) $(B)/bench
 	@$(B)/bench $(BENCH) $(PROGRAM) $(B)
@@ -165,13 +167,19 @@ bench: setup  ## times per step of some models; BENCH=-t: columns separated by t
 bench-docs: setup  ## bench, and its table into docs/performance.md
 	@$(MAKE) $(PROGRAM) $(B)/bench
 	@$(B)/bench $(PROGRAM) $(B) >$(B)/bench.txt
-	@sh tests/support/with_block.sh bench $(B)/bench.txt <docs/performance.md >$(B)/performance.md
+	@RECORDS= bash tests/bench/studies.sh $(PROGRAM) $(B)/studies >$(B)/studies.txt
+	@sh tests/support/with_block.sh bench $(B)/bench.txt <docs/performance.md | \
+	    sh tests/support/with_block.sh studies $(B)/studies.txt >$(B)/performance.md
 	@cp $(B)/performance.md docs
 
 bench-count: setup  ## instructions per step against those on record; ACCEPT=1 records them
 	$(SETUP) count
 	@$(MAKE) $(B)/bench
 	@ACCEPT='$(filter 1,$(ACCEPT))' BUILT='$(BUILT)' bash tests/bench/count.sh $(B)/bench
+
+bench-studies: setup  ## times and memory of studies; RECORDS=FOLDER of *.AT2, ROUNDS=3
+	@$(MAKE) $(PROGRAM)
+	@RECORDS='$(RECORDS)' ROUNDS='$(ROUNDS)' bash tests/bench/studies.sh $(PROGRAM) $(B)/studies
 
 $(B)/bench: $(BENCH_OBJECTS) $(LIBRARY)
 	$(SAY) LINK $@
@@ -202,7 +210,8 @@ docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
 	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg
 	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/restitution.md \
-	    $(B)/docs/law-command.md $(B)/docs/spectrum.md $(B)/docs/studies.md docs
+	    $(B)/docs/law-command.md $(B)/docs/spectrum.md $(B)/docs/studies.md \
+	    $(B)/docs/ida.md docs
 	@sh tests/support/man.sh $(PROGRAM) docs
 	@cp $(B)/docs/README.md README.md
 	@sh tests/support/accuracy.sh $(PROGRAM) $(B)/docs >$(B)/docs/errors

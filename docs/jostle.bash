@@ -58,6 +58,7 @@ _jostle_value() {
         ;;
     KIND) _jostle_words "$word" "$(_jostle_names "$help")" ;;
     STATEMENT) _jostle_words "$word" "$(_jostle_names "$("$program" deck)")" ;;
+    EDP) _jostle_words "$word" "$(_jostle_names "$("$program" fragility --help)")" ;;
     LAW | LAWS) _jostle_words "$word" "$(_jostle_laws "$program" Storey)" ;;
     NAME) _jostle_words "$word" "$(_jostle_laws "$program")" ;;
     esac
@@ -89,7 +90,7 @@ _jostle() {
         ;;
     esac
     # Operands stand in the usage in front of the options; the last one may be repeated.
-    operands=$(sed -n "1s/^usage: jostle $command //p" <<<"$help" | sed 's/ \[-.*//; s/[][]//g; s/\.\.\.//')
+    operands=$(sed -n "1s/^usage: jostle $command //p" <<<"$help" | sed 's/ \[\{0,1\}-.*//; s/[][]//g; s/\.\.\.//')
     for ((i = 2; i < COMP_CWORD; i++)); do
         case ${COMP_WORDS[i]} in
         -*) awk -v option="${COMP_WORDS[i]}" '$1 == option && $2 { found = 1 } END { exit !found }' \

@@ -44,7 +44,7 @@ struct observer {
     void *context;  // borrowed
 };
 
-// Largest absolute values over every computed step (adaptive: at any time), and when. Arrays
+// Largest absolute values over every computed step (dormand-prince: at any time), and when. Arrays
 // (n_dof).
 enum peak {
     PEAK_DISPLACEMENT,

@@ -106,6 +106,8 @@ struct output {
 // An adaptive analysis that needs more steps than this is refused, or given up.
 enum { ADAPTIVE_STEPS_MAX = 2000000 };
 
+enum integrator { INTEGRATOR_NEWMARK, INTEGRATOR_DORMAND_PRINCE };
+
 // How the steps of an adaptive analysis are chosen.
 struct step_control {
     double tolerance;  // error of one step relative to the largest displacement and velocity
@@ -130,7 +132,8 @@ struct model {
     double beta, gamma;  // Newmark
     double tolerance;    // of the contact iteration, relative
     int iterations;      // of the contact iteration, before the step is cut
-    bool adaptive;       // Dormand-Prince with error control; else Newmark with fixed steps
+    enum integrator integrator;
+    bool adaptive;                // steps with error control
     struct step_control control;  // adaptive
     double dt;                    // [T] fixed step; adaptive: from row to row of output
     double duration;              // [T]

@@ -22,7 +22,8 @@ struct signal {
 
     // amplitude sin(omega (t - start) + phase); a constant has omega = 0 and phase = pi/2.
     double amplitude, omega, phase;
-    const char *name;  // file name, "sine" or "constant"
+    const char *name;    // file name, "sine" or "constant"
+    const char *scaled;  // how a record was scaled to a spectrum, half a sentence; NULL: it was not
 };
 
 // A sampled signal of n >= 2 values, scaled; integrates them exactly as a piecewise linear

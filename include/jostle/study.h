@@ -9,9 +9,10 @@
 
 #include "jostle/model.h"
 #include "jostle/result.h"
+#include "jostle/study_file.h"
 
 struct study_progress {
-    long n_run;     // of the study
+    long n_run;     // of the study, or of the part of it
     long n_kept;    // runs found in the journal of an earlier start
     long n_done;    // runs done so far, kept and failed ones included
     long n_failed;  // of them, those that failed
@@ -27,6 +28,7 @@ struct study_request {
     const char *const *define;  // (n_define) NAME=VALUE it was read with
     int n_define;
     int n_thread;
+    struct study_shard shard;  // the part to run; all zero: the whole
     enum study_journal journal;
     uint64_t program;  // checksum of the program: results of another one are not mixed in
     struct result_options result;
@@ -39,9 +41,10 @@ struct study_request {
 
 // Runs what the journal does not have and writes the result file; the journal is then removed.
 // Results do not depend on the number of threads, nor on interruptions, to the last bit. Runs that
-// fail are results. *p tells how far it came, whatever happens. Errors: STATUS_INPUT (the result
-// exists; the journal is that of another study; runs differ in their buildings or contacts; a file
-// changed), STATUS_SYSTEM, or what `poll` returned.
+// fail are results. *p tells how far it came, whatever happens. A part whose file is there already
+// is done: nothing is run and nothing written. Errors: STATUS_INPUT (the result exists; the journal
+// is that of another study; runs differ in their buildings or contacts; a file changed),
+// STATUS_SYSTEM, or what `poll` returned.
 int study_run(const struct study_request *q, struct study_progress *p, struct error *e);
 
 #endif

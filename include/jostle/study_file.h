@@ -4,10 +4,33 @@
 #ifndef JOSTLE_STUDY_FILE_H
 #define JOSTLE_STUDY_FILE_H
 
+#include <stdint.h>
+
 #include "jostle/deck.h"
 #include "jostle/result.h"
 
 enum { STUDY_MESSAGE_MAX = 512 };
+
+// Part `number` of `n`, from 1; n = 0: the whole study.
+struct study_shard {
+    long number, n;
+};
+
+// A file that runs have read.
+struct study_source {
+    const char *path;  // relative to the folder of the deck where it lies below it
+    uint64_t sum;      // checksum
+};
+
+// What the file of a part says besides the results of its runs.
+struct study_part {
+    struct study_shard shard;
+    const double *run;  // (n_run of the file) the numbers of its runs in the study, from 1, rising
+    const char *study;  // which study it is: see study/identity.h
+    long n_failed;      // runs of the part
+    int n_source;       // in the order of their paths
+    const struct study_source *source;  // (n_source)
+};
 
 // One dataset: some of the values that every run gives.
 struct study_item {
@@ -37,7 +60,7 @@ void study_table_free(struct study_table *t);  // NULL is allowed
 void study_table_read(const struct report *r, double *value);
 
 // How a run ended.
-enum study_status { STUDY_DONE = 0, STUDY_FAILED = 1 };
+enum study_status { STUDY_DONE = 0, STUDY_FAILED = 1, STUDY_MISSING = 2 };
 struct study_outcome {
     int status;                       // enum study_status
     char message[STUDY_MESSAGE_MAX];  // "" if done
@@ -48,13 +71,15 @@ struct study_content {
     const struct report *first;       // of the first run, before or after it
     const struct study_table *table;  // of it
     const struct sweep *sweeps;
-    long n_run;
-    long n_kept;     // of them, runs of an earlier start
-    int n_thread;    // of this one
-    double seconds;  // wall time of this one
+    const struct study_part *part;  // NULL: the file has all runs
+    long n_run;                     // of the file
+    int n_part;                     // the parts it is made of; 0: it was run as a whole
+    long n_kept;                    // of them, runs of an earlier start
+    int n_thread;                   // of this one
+    double seconds;                 // wall time of this one
 
     // The outcomes (n) and values (n, n_value) of runs first ... first + n - 1; NaN where a run
-    // failed.
+    // failed or is missing.
     int (*read)(void *context, long first, long n, struct study_outcome *outcome, double *value,
                 struct error *e);
     void *context;
@@ -75,11 +100,16 @@ struct study_file;
 // What a study file says apart from its values.
 struct study_view {
     struct arena *arena;  // owns everything below
-    const char *path, *title;
+    const char *path, *title, *version;
+    struct unit_system units;
     int n_sweep;
     const struct sweep *sweep[STUDY_SWEEPS_MAX];
     const char *sweep_units[STUDY_SWEEPS_MAX];  // "" for texts
-    long n_run, n_kept;
+    long n_run;                                 // of the file
+    long n_study;                               // of the study
+    struct study_part part;                     // shard.n = 0: the file has all runs
+    int n_part;  // the parts that were joined; 0: it was run as a whole
+    long n_kept;
     int n_thread;
     double seconds;
     struct study_table table;
@@ -96,7 +126,14 @@ int study_file_open(const char *path, struct study_file **out, struct error *e);
 void study_file_close(struct study_file *f);  // NULL is allowed
 const struct study_view *study_file_view(const struct study_file *f);
 
-// The outcomes (n) and values (n, n_value) of runs first ... first + n - 1.
+// The number in the study, from 0, of run `i` of the file.
+long study_view_run(const struct study_view *v, long i);
+
+// What the first run has in common with all others, for a file made of this one: a report without
+// results. To be given to report_free. Errors as of study_file_open.
+int study_file_report(struct study_file *f, struct report **out, struct error *e);
+
+// The outcomes (n) and values (n, n_value) of runs first ... first + n - 1 of the file.
 int study_file_read(struct study_file *f, long first, long n, struct study_outcome *outcome,
                     double *value, struct error *e);
 

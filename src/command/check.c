@@ -113,6 +113,9 @@ static void print_signals(const struct model *m, const struct unit_texts *t) {
             const struct signal *s = &g->signal[i];
             printf("  %s: peak %.4g %s, from %.4g to %.4g %s\n", s->name, signal_peak(s),
                    t->acceleration, s->start, s->end, t->time);
+            if (s->scaled) {
+                printf("    %s\n", s->scaled);
+            }
         }
     }
 }
@@ -184,8 +187,13 @@ static void print_adaptive(const struct model *m, const struct unit_texts *t) {
         const struct building *g = &m->building[k];
         omega = fmax(omega, g->omega[g->n_floor - 1]);
     }
-    printf("\ndormand-prince, adaptive steps to the tolerance %g, duration %.6g %s\n",
-           m->control.tolerance, m->duration, t->time);
+    if (m->integrator == INTEGRATOR_NEWMARK) {
+        printf("\nnewmark beta %g gamma %g", m->beta, m->gamma);
+    } else {
+        printf("\ndormand-prince");
+    }
+    printf(", adaptive steps to the tolerance %g, duration %.6g %s\n", m->control.tolerance,
+           m->duration, t->time);
     if (omega > 0.0) {
         printf("shortest period of a building %.4g %s\n", 2.0 * M_PI / omega, t->time);
     }

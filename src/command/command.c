@@ -2,11 +2,14 @@
 // The list of commands, and what they have in common: messages, help, exit status.
 #include "command/command.h"
 
+#include <errno.h>
 #include <getopt.h>
 #include <limits.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <unistd.h>
+
+#include "core/arena.h"
 
 #define COMMAND(name) extern const struct command command_##name;
 #include "command/command_list.inc"
@@ -53,6 +56,26 @@ int command_usage(const struct command *c, const char *format, ...) {
 int command_help(const struct command *c, const char *details) {
     printf("usage: jostle %s %s\n\n%s\n\n%s", c->name, c->usage, c->summary, details);
     return EXIT_DONE;
+}
+
+int command_count(const struct command *c, const char *what, const char *text, long max,
+                  long *value) {
+    char *end;
+    errno = 0;
+    long n = strtol(text, &end, 10);
+    if (errno || end == text || *end || n < 1 || n > max) {
+        return command_usage(c, "%s from 1 to %ld, not '%s'", what, max, text);
+    }
+    *value = n;
+    return EXIT_DONE;
+}
+
+const char *command_line(struct arena *a, int argc, char **argv) {
+    const char *line = "jostle";
+    for (int i = 0; i < argc && line; i++) {
+        line = arena_format(a, "%s %s", line, argv[i]);
+    }
+    return line;
 }
 
 int command_bad_option(const struct command *c, int answer, char **argv) {

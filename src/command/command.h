@@ -31,6 +31,15 @@ int command_usage(const struct command *c, const char *format, ...)
 // Prints the usage, the summary and `details` to stdout; returns EXIT_DONE.
 int command_help(const struct command *c, const char *details);
 
+// Reads a whole number from 1 to `max`; `what` opens the message: "-j takes a number of threads".
+// Returns EXIT_DONE or EXIT_INPUT.
+int command_count(const struct command *c, const char *what, const char *text, long max,
+                  long *value);
+
+// The words of the command as one text; NULL: no memory.
+struct arena;
+const char *command_line(struct arena *a, int argc, char **argv);
+
 // Messages for getopt_long's '?' and ':'; call it with opterr = 0. Returns EXIT_INPUT.
 int command_bad_option(const struct command *c, int answer, char **argv);
 

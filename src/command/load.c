@@ -33,3 +33,10 @@ int load_model(const struct load_request *request, struct model **out) {
     deck_free(deck);
     return command_fail(&e);
 }
+
+int load_check_study(const struct model *m, struct error *e) {
+    return deck_is_study(m->deck)
+               ? STATUS_OK
+               : error_set(e, STATUS_INPUT,
+                           "%s is not a study: it has no sweep that -D leaves open", m->deck->path);
+}

@@ -19,4 +19,7 @@ struct load_request {
 // *out to be given to model_free, or another exit status.
 int load_model(const struct load_request *request, struct model **out);
 
+// STATUS_INPUT if the deck of the model is not a study.
+int load_check_study(const struct model *m, struct error *e);
+
 #endif

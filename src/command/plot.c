@@ -6,6 +6,8 @@
 
 #include "command/command.h"
 #include "command/picture.h"
+#include "command/plot_names.h"
+#include "command/plot_study.h"
 #include "command/progress.h"
 #include "core/text.h"
 #include "plot/figure.h"
@@ -14,19 +16,20 @@ static int plot_command(int argc, char **argv);
 
 const struct command command_plot = {
     .name = "plot",
-    .usage = "FILE.h5 [KIND] [-o FILE.png|.svg|.pdf] [--compare OTHER.h5] [--script DIR] [--force]",
+    .usage = "FILE.h5 [KIND] [-o FILE.png|.svg|.pdf] [--compare OTHER.h5] [--script DIR] [--force] "
+             "[--edp EDP] ...",
     .summary = "draws the results by gnuplot",
     .run = plot_command,
 };
-
-enum { PATH_SIZE = 4096 };
 
 struct request {
     const char *result, *other, *output, *script_folder;
     const struct figure *figure;  // NULL: the first that the files have the data for
     struct runs runs;
     enum result_existing existing;
-    char default_output[PATH_SIZE];
+    const char *kind;            // NULL: not given
+    struct suite_options study;  // for studies
+    char default_output[PLOT_PATH_SIZE];
 };
 
 static int help(void) {
@@ -47,14 +50,20 @@ static int help(void) {
         "                 nothing else\n"
         "  --force        overwrites what exists\n"
         "  --help         this text\n");
+    plot_study_help();
     return EXIT_DONE;
 }
 
 static int parse_options(int argc, char **argv, struct request *q) {
     static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'}, {"compare", required_argument, NULL, 'c'},
-        {"script", required_argument, NULL, 's'}, {"force", no_argument, NULL, 'f'},
-        {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0},
+        {"output", required_argument, NULL, 'o'},
+        {"compare", required_argument, NULL, 'c'},
+        {"script", required_argument, NULL, 's'},
+        {"force", no_argument, NULL, 'f'},
+        {"help", no_argument, NULL, 'h'},
+        {"against", required_argument, NULL, SUITE_IM},
+        SUITE_OPTIONS,
+        {NULL, 0, NULL, 0},
     };
     opterr = 0;
     optind = 1;
@@ -74,8 +83,14 @@ static int parse_options(int argc, char **argv, struct request *q) {
                 break;
             case 'h':
                 return help();
-            default:
-                return command_bad_option(&command_plot, c, argv);
+            default: {
+                const int done = suite_options_has(c)
+                                     ? suite_options_take(&command_plot, c, &q->study)
+                                     : command_bad_option(&command_plot, c, argv);
+                if (done >= 0) {
+                    return done;
+                }
+            }
         }
     }
     return -1;
@@ -94,14 +109,13 @@ static int unknown_figure(const char *word) {
                : command_usage(&command_plot, "unknown figure '%s'", word);
 }
 
-// FILE.h5 -> FILE-KIND.png without its folder.
-static void name_output(struct request *q) {
-    const char *slash = strrchr(q->result, '/');
-    const char *base = slash ? slash + 1 : q->result;
+const char *plot_name_output(const char *result, const char *kind, char *name) {
+    const char *slash = strrchr(result, '/');
+    const char *base = slash ? slash + 1 : result;
     const char *dot = strrchr(base, '.');
     const int n = dot && dot != base ? (int)(dot - base) : (int)strlen(base);
-    snprintf(q->default_output, sizeof q->default_output, "%.*s-%s.png", n, base, q->figure->name);
-    q->output = q->default_output;
+    snprintf(name, PLOT_PATH_SIZE, "%.*s-%s.png", n, base, kind);
+    return name;
 }
 
 // Returns -1 when there is something to do, else the exit status.
@@ -115,10 +129,7 @@ static int parse(int argc, char **argv, struct request *q) {
         return command_usage(&command_plot, "a result file and at most one figure are expected");
     }
     q->result = argv[optind];
-    q->figure = n == 2 ? figure_find(argv[optind + 1]) : NULL;
-    if (n == 2 && !q->figure) {
-        return unknown_figure(argv[optind + 1]);
-    }
+    q->kind = n == 2 ? argv[optind + 1] : NULL;
     if (q->output && !figure_ending(q->output)) {
         return command_usage(&command_plot, "'%s' must end in .png, .svg or .pdf", q->output);
     }
@@ -146,7 +157,7 @@ static int make(struct request *q, const struct result_file *first,
         q->figure = figure_default(&q->runs);
     }
     if (!q->output && !q->script_folder) {
-        name_output(q);
+        q->output = plot_name_output(q->result, q->figure->name, q->default_output);
     }
     const struct picture_request picture = {
         .name = q->figure->name,
@@ -173,18 +184,61 @@ static int open_and_make(struct request *q, struct error *e) {
     return status;
 }
 
-static int plot_command(int argc, char **argv) {
-    struct request q = {.existing = RESULT_KEEP};
-    const int done = parse(argc, argv, &q);
-    if (done >= 0) {
-        return done;
-    }
+// Options of studies are no use for one run.
+static int refuse_options(const struct request *q) {
+    struct result_file *file;
     struct error e;
-    if (open_and_make(&q, &e) != STATUS_OK) {
+    if (result_open(q->result, &file, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    if (q.output) {
-        printf("%s\n", q.output);
+    result_close(file);
+    return command_usage(&command_plot, "%s is for studies; %s is one run", q->study.first,
+                         q->result);
+}
+
+static int plot_run(struct request *q) {
+    if (q->study.first) {
+        return refuse_options(q);
+    }
+    q->figure = q->kind ? figure_find(q->kind) : NULL;
+    if (q->kind && !q->figure) {
+        return unknown_figure(q->kind);
+    }
+    struct error e;
+    if (open_and_make(q, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    if (q->output) {
+        printf("%s\n", q->output);
     }
     return EXIT_DONE;
+}
+
+static int plot_suite(const struct request *q) {
+    if (q->other) {
+        return command_usage(&command_plot, "--compare is for single runs; %s is a study",
+                             q->result);
+    }
+    const struct plot_study_request study = {.command = &command_plot,
+                                             .path = q->result,
+                                             .kind = q->kind,
+                                             .options = &q->study,
+                                             .output = q->output,
+                                             .script_folder = q->script_folder,
+                                             .existing = q->existing};
+    return plot_study(&study);
+}
+
+static int plot_command(int argc, char **argv) {
+    struct request q = {.existing = RESULT_KEEP};
+    struct error e;
+    if (suite_options_init(&q.study, argc, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    int status = parse(argc, argv, &q);
+    if (status < 0) {
+        status = study_file_is_study(q.result) ? plot_suite(&q) : plot_run(&q);
+    }
+    suite_options_close(&q.study);
+    return status;
 }

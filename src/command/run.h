@@ -11,7 +11,8 @@ struct run_options {
     const char *output;
     enum result_existing existing;
     enum study_journal journal;
-    int n_thread;  // 0: all cores
+    int n_thread;              // 0: all cores
+    struct study_shard shard;  // of a study; n = 0: the whole
 };
 
 // Runs the study whose first model is `first`; returns the exit status.

@@ -3,6 +3,7 @@
 #include "command/interrupt.h"
 #include "command/run.h"
 #include "command/show_study.h"
+#include "command/study_end.h"
 #include "command/study_progress.h"
 #include "command/threads.h"
 #include "core/checksum.h"
@@ -41,6 +42,7 @@ int run_study(const struct model *first, const struct run_options *o,
         .define = o->load.define,
         .n_define = o->load.n_define,
         .n_thread = o->n_thread ? o->n_thread : threads_all(),
+        .shard = o->shard,
         .journal = o->journal,
         .program = program_sum(),
         .result = *result,
@@ -58,11 +60,5 @@ int run_study(const struct model *first, const struct run_options *o,
     if (!o->load.quiet && show_study(result->path, STUDY_SUMMARY, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    if (p.n_failed > 0) {
-        error_set(&e, STATUS_FAILED, "%ld of %ld runs failed; /message in %s says why%s%s",
-                  p.n_failed, p.n_run, result->path, p.failure[0] ? ", the first: " : "",
-                  p.failure);
-        return command_fail(&e);
-    }
-    return EXIT_DONE;
+    return study_end(p.n_failed, p.n_run, result->path, p.failure);
 }

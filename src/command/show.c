@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// jostle show: the results of a file as a summary, as one long table, or as JSON.
+// jostle show: the results of a file as a summary, as long tables, or as JSON.
 #include "command/show.h"
 
 #include <getopt.h>
-#include <string.h>
+#include <stdlib.h>
 
 #include "command/command.h"
 #include "command/show_study.h"
@@ -13,7 +13,7 @@ static int show_command(int argc, char **argv);
 
 const struct command command_show = {
     .name = "show",
-    .usage = "FILE.h5 [--tsv|--json]",
+    .usage = "FILE.h5 [--tsv|--csv|--json] [--long] [--edp EDP]",
     .summary = "prints the results as tables",
     .run = show_command,
 };
@@ -22,28 +22,74 @@ static const char details[] =
     "  --tsv     one long table: table, name, quantity, location, value, unit, time;\n"
     "            separated by tabs. Of a study: run, parameters, status, table, name, quantity,\n"
     "            location, value, unit\n"
+    "  --csv     the same separated by commas, quoted where that is needed (RFC 4180)\n"
     "  --json    everything but the histories as JSON; a missing number is null\n"
+    "  --long    of a study: what engineers ask for, a line each: parameters, edp, location,\n"
+    "            value, unit, status (done or failed); as TSV, or as CSV with --csv\n"
+    "  --edp EDP\n"
+    "            with --long: one line a run for this demand; may be repeated. 'jostle\n"
+    "            fragility --help' lists what EDP can be\n"
     "  --help    this text\n";
 
-static int show_of_study(const char *path, int form) {
+// What the command line asks for.
+struct request {
+    int form;  // 't', 'c', 'j'; 0: the summary
+    bool longer;
+    const char **edp;  // (n_edp)
+    int n_edp;
+};
+
+static int show_of_study(const char *path, const struct request *q) {
     struct error e;
-    if (form == 'j') {
+    if (q->form == 'j') {
         return command_usage(&command_show, "%s is a study, which --tsv shows, but not --json",
                              path);
     }
-    return show_study(path, form == 't' ? STUDY_TSV : STUDY_SUMMARY, stdout, &e) == STATUS_OK
-               ? EXIT_DONE
-               : command_fail(&e);
+    int status;
+    if (q->longer) {
+        const struct show_demands_request demands = {
+            .form = q->form == 'c' ? CELLS_CSV : CELLS_TSV, .edp = q->edp, .n_edp = q->n_edp};
+        status = show_demands(path, &demands, stdout, &e);
+    } else {
+        const enum study_form table = q->form == 'c' ? STUDY_CSV : STUDY_TSV;
+        status = show_study(path, q->form ? table : STUDY_SUMMARY, stdout, &e);
+    }
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
-static int show_command(int argc, char **argv) {
+static int show_of_run(const char *path, const struct request *q) {
+    struct result_file *file;
+    struct error e;
+    if (result_open(path, &file, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    if (q->longer) {
+        result_close(file);
+        return command_usage(&command_show, "--long is for studies; %s is one run", path);
+    }
+    const struct report *r = result_report(file);
+    if (q->form == 'j') {
+        show_json(r, stdout);
+    } else if (q->form) {
+        show_table(r, q->form == 'c' ? CELLS_CSV : CELLS_TSV, stdout);
+    } else {
+        report_print(r, stdout);
+    }
+    result_close(file);
+    return EXIT_DONE;
+}
+
+// Returns -1 when there is something to do, else the exit status.
+static int parse(int argc, char **argv, struct request *q) {
     static const struct option option[] = {
         {"tsv", no_argument, NULL, 't'},
+        {"csv", no_argument, NULL, 'c'},
         {"json", no_argument, NULL, 'j'},
+        {"long", no_argument, NULL, 'l'},
+        {"edp", required_argument, NULL, 'e'},
         {"help", no_argument, NULL, 'h'},
         {NULL, 0, NULL, 0},
     };
-    int form = 0;
     opterr = 0;
     optind = 1;
     for (int c; (c = getopt_long(argc, argv, ":h", option, NULL)) != -1;) {
@@ -53,30 +99,40 @@ static int show_command(int argc, char **argv) {
         if (c == '?' || c == ':') {
             return command_bad_option(&command_show, c, argv);
         }
-        if (form != 0 && form != c) {
-            return command_usage(&command_show, "--tsv and --json exclude each other");
+        if (c == 'l') {
+            q->longer = true;
+        } else if (c == 'e') {
+            q->edp[q->n_edp++] = optarg;
+        } else if (q->form != 0 && q->form != c) {
+            return command_usage(&command_show, "--tsv, --csv and --json exclude each other");
+        } else {
+            q->form = c;
         }
-        form = c;
     }
     if (argc - optind != 1) {
         return command_usage(&command_show, "one result file is expected, not %d", argc - optind);
     }
-    struct result_file *file;
-    struct error e;
-    if (study_file_is_study(argv[optind])) {
-        return show_of_study(argv[optind], form);
+    if (q->n_edp > 0 && !q->longer) {
+        return command_usage(&command_show, "--edp is for --long");
     }
-    if (result_open(argv[optind], &file, &e) != STATUS_OK) {
+    if (q->longer && q->form == 'j') {
+        return command_usage(&command_show, "--long is written as TSV or CSV, not as JSON");
+    }
+    return -1;
+}
+
+static int show_command(int argc, char **argv) {
+    struct request q = {.edp = calloc((size_t)argc, sizeof *q.edp)};
+    if (!q.edp) {
+        struct error e;
+        error_no_memory(&e);
         return command_fail(&e);
     }
-    const struct report *r = result_report(file);
-    if (form == 't') {
-        show_tsv(r, stdout);
-    } else if (form == 'j') {
-        show_json(r, stdout);
-    } else {
-        report_print(r, stdout);
+    int status = parse(argc, argv, &q);
+    if (status < 0) {
+        const char *path = argv[optind];
+        status = study_file_is_study(path) ? show_of_study(path, &q) : show_of_run(path, &q);
     }
-    result_close(file);
-    return EXIT_DONE;
+    free(q.edp);
+    return status;
 }

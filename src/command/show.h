@@ -5,9 +5,10 @@
 
 #include <stdio.h>
 
+#include "command/cells.h"
 #include "jostle/result.h"
 
-void show_tsv(const struct report *r, FILE *to);
+void show_table(const struct report *r, enum cells_form form, FILE *to);
 void show_json(const struct report *r, FILE *to);
 
 #endif

@@ -1,131 +1,99 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file of a study as one long table: run, a column for each swept parameter, status, table,
-// name, quantity, location, value, unit. A failed run has one line, whose value is its message.
+// The file of a study as its largest values, or as one long table: run, a column for each swept
+// parameter, status, table, name, quantity, location, value, unit. A failed run has one line there,
+// whose value is its message.
 #include "command/show_study.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "command/study_print.h"
+#include "command/study_runs.h"
 
-// One run at a time.
-struct run {
-    long number;  // from 0
-    struct study_outcome outcome;
-    const double *value;  // (n_value)
-};
-
-// Runs are read in blocks.
-enum { BLOCK_RUNS = 256, BLOCK_VALUES = 1 << 21 };
-struct block {
-    long capacity;
-    struct study_outcome *outcome;  // (capacity)
-    double *value;                  // (capacity, n_value)
-};
-
-static void begin_line(const struct study_view *v, const struct run *r, FILE *to) {
-    fprintf(to, "%ld\t", r->number + 1);
-    long later = v->n_run;
-    for (int i = 0; i < v->n_sweep; i++) {
-        const struct sweep *s = v->sweep[i];
-        later /= s->n;
-        const long k = r->number / later % s->n;
-        if (s->number) {
-            fprintf(to, "%.17g\t", s->number[k]);
-        } else {
-            study_print_text(s->label[k], to);
-            fputc('\t', to);
-        }
-    }
-    fputs(r->outcome.status == STUDY_DONE ? "done\t" : "failed\t", to);
-}
-
-static void print_item(const struct study_view *v, const struct run *r,
-                       const struct study_item *item, FILE *to) {
-    for (size_t i = 0; i < item->n; i++) {
-        begin_line(v, r, to);
-        fprintf(to, "%s\t", item->parent);
-        study_print_text(study_print_name(v, item, i), to);
-        fprintf(to, "\t%s\t", item->name);
-        if (item->owner) {
-            fprintf(to, "%zu", i + 1);
-        }
-        fprintf(to, "\t%.17g\t%s\n", r->value[item->first + i], item->units);
-    }
-}
-
-static void print_run(const struct study_view *v, const struct run *r, FILE *to) {
-    if (r->outcome.status != STUDY_DONE) {
-        begin_line(v, r, to);
-        fputs("message\t\t\t\t", to);
-        study_print_text(r->outcome.message, to);
-        fputs("\t\n", to);
-        return;
-    }
-    for (int i = 0; i < v->table.n_item; i++) {
-        print_item(v, r, &v->table.item[i], to);
-    }
-}
-
-static void print_head(const struct study_view *v, FILE *to) {
-    fputs("run\t", to);
-    for (int i = 0; i < v->n_sweep; i++) {
-        fprintf(to, "%s\t", v->sweep[i]->name);
-    }
-    fputs("status\ttable\tname\tquantity\tlocation\tvalue\tunit\n", to);
-}
-
-// Calls `take` for each run in turn.
-static int each_run(struct study_file *f, struct block *b,
-                    void (*take)(void *context, const struct run *r), void *context,
-                    struct error *e) {
-    const struct study_view *v = study_file_view(f);
-    int status = STATUS_OK;
-    for (long first = 0; first < v->n_run && status == STATUS_OK; first += b->capacity) {
-        const long left = v->n_run - first, n = left < b->capacity ? left : b->capacity;
-        status = study_file_read(f, first, n, b->outcome, b->value, e);
-        for (long i = 0; i < n && status == STATUS_OK; i++) {
-            take(context,
-                 &(struct run){first + i, b->outcome[i], b->value + (size_t)i * v->table.n_value});
-        }
-    }
-    return status;
-}
-
-// Prints the table, or collects what the summary tells.
 struct printer {
     const struct study_view *view;
-    FILE *to;
+    struct cells cells;
     struct study_peaks peaks;
 };
 
-static void take_line(void *context, const struct run *r) {
-    const struct printer *p = context;
-    print_run(p->view, r, p->to);
+void show_sweep_cells(struct cells *c, const struct study_view *v, long number) {
+    for (int i = 0; i < v->n_sweep; i++) {
+        const struct sweep *s = v->sweep[i];
+        const int k = study_runs_choice(v, number, i);
+        if (s->number) {
+            cells_number(c, s->number[k]);
+        } else {
+            cells_text(c, s->label[k]);
+        }
+    }
 }
 
-static void take_peaks(void *context, const struct run *r) {
+static void begin_line(struct printer *p, const struct study_run *r) {
+    cells_whole(&p->cells, r->number + 1);
+    show_sweep_cells(&p->cells, p->view, r->number);
+    cells_text(&p->cells, study_runs_status(r));
+}
+
+static void print_item(struct printer *p, const struct study_run *r,
+                       const struct study_item *item) {
+    for (size_t i = 0; i < item->n; i++) {
+        begin_line(p, r);
+        cells_text(&p->cells, item->parent);
+        cells_text(&p->cells, study_print_name(p->view, item, i));
+        cells_text(&p->cells, item->name);
+        if (item->owner) {
+            cells_whole(&p->cells, (long)i + 1);
+        } else {
+            cells_empty(&p->cells);
+        }
+        cells_number(&p->cells, r->value[item->first + i]);
+        cells_text(&p->cells, item->units);
+        cells_end(&p->cells);
+    }
+}
+
+static void take_lines(void *context, const struct study_run *r) {
+    struct printer *p = context;
+    if (r->outcome.status == STUDY_DONE) {
+        for (int i = 0; i < p->view->table.n_item; i++) {
+            print_item(p, r, &p->view->table.item[i]);
+        }
+        return;
+    }
+    begin_line(p, r);
+    cells_text(&p->cells, "message");
+    for (int i = 0; i < 3; i++) {
+        cells_empty(&p->cells);
+    }
+    cells_text(&p->cells, r->outcome.message);
+    cells_empty(&p->cells);
+    cells_end(&p->cells);
+}
+
+static int print_all(struct study_file *f, struct printer *p, struct error *e) {
+    cells_words(&p->cells, "run");
+    for (int i = 0; i < p->view->n_sweep; i++) {
+        cells_text(&p->cells, p->view->sweep[i]->name);
+    }
+    cells_words(&p->cells, "status table name quantity location value unit");
+    cells_end(&p->cells);
+    return study_runs_each(f, take_lines, p, e);
+}
+
+static void take_peaks(void *context, const struct study_run *r) {
     struct printer *p = context;
     study_peaks_add(&p->peaks, p->view, r->number, &r->outcome, r->value);
 }
 
-static int print(struct study_file *f, enum study_form form, struct block *b, FILE *to,
-                 struct error *e) {
-    struct printer p = {.view = study_file_view(f), .to = to};
-    if (form == STUDY_TSV) {
-        print_head(p.view, to);
-        return each_run(f, b, take_line, &p, e);
-    }
-    p.peaks.peak = calloc((size_t)p.view->table.n_item + 1, sizeof *p.peaks.peak);
-    if (!p.peaks.peak) {
+static int print_summary(struct study_file *f, struct printer *p, FILE *to, struct error *e) {
+    p->peaks.peak = calloc((size_t)p->view->table.n_item + 1, sizeof *p->peaks.peak);
+    if (!p->peaks.peak) {
         return error_no_memory(e);
     }
-    int status = each_run(f, b, take_peaks, &p, e);
+    const int status = study_runs_each(f, take_peaks, p, e);
     if (status == STATUS_OK) {
-        study_peaks_print(&p.peaks, p.view, to);
+        study_peaks_print(&p->peaks, p->view, to);
     }
-    free(p.peaks.peak);
+    free(p->peaks.peak);
     return status;
 }
 
@@ -135,15 +103,9 @@ int show_study(const char *path, enum study_form form, FILE *to, struct error *e
     if (status != STATUS_OK) {
         return status;
     }
-    const size_t n_value = study_file_view(f)->table.n_value + 1;
-    struct block b = {.capacity = n_value > BLOCK_VALUES / BLOCK_RUNS
-                                      ? (long)(BLOCK_VALUES / n_value) + 1
-                                      : BLOCK_RUNS};
-    b.outcome = malloc((size_t)b.capacity * sizeof *b.outcome);
-    b.value = malloc((size_t)b.capacity * n_value * sizeof *b.value);
-    status = b.outcome && b.value ? print(f, form, &b, to, e) : error_no_memory(e);
-    free(b.outcome);
-    free(b.value);
+    struct printer p = {.view = study_file_view(f),
+                        .cells = {.to = to, .form = form == STUDY_CSV ? CELLS_CSV : CELLS_TSV}};
+    status = form == STUDY_SUMMARY ? print_summary(f, &p, to, e) : print_all(f, &p, e);
     study_file_close(f);
     return status;
 }

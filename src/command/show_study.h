@@ -2,14 +2,25 @@
 #ifndef JOSTLE_SHOW_STUDY_H
 #define JOSTLE_SHOW_STUDY_H
 
-#include <stdio.h>
+#include "command/cells.h"
+#include "jostle/study_file.h"
 
-#include "jostle/error.h"
-
-enum study_form { STUDY_SUMMARY, STUDY_TSV };
+enum study_form { STUDY_SUMMARY, STUDY_TSV, STUDY_CSV };
 
 // Writes what the study file at `path` holds: its sweeps, failures and largest values, or a table
 // of all values, a line each. Errors as of study_file_open and study_file_read.
 int show_study(const char *path, enum study_form form, FILE *to, struct error *e);
+
+struct show_demands_request {
+    enum cells_form form;
+    const char *const *edp;  // (n_edp) what is asked for; none: all, at all places
+    int n_edp;
+};
+
+// Writes a table of the demand parameters. Errors as of show_study and edp_parse.
+int show_demands(const char *path, const struct show_demands_request *q, FILE *to, struct error *e);
+
+// A cell for the value of each sweep in run `number`.
+void show_sweep_cells(struct cells *c, const struct study_view *v, long number);
 
 #endif

@@ -7,12 +7,6 @@
 #include "command/sweeps.h"
 #include "core/text.h"
 
-void study_print_text(const char *text, FILE *to) {
-    for (; *text; text++) {
-        fputc((unsigned char)*text < ' ' ? ' ' : *text, to);
-    }
-}
-
 const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i) {
     if (item->owner) {
         return item->owner;
@@ -33,6 +27,10 @@ static bool is_shown(const struct study_item *item) {
 
 void study_peaks_add(struct study_peaks *p, const struct study_view *v, long run,
                      const struct study_outcome *outcome, const double *value) {
+    if (outcome->status == STUDY_MISSING) {
+        p->n_missing++;
+        return;
+    }
     if (outcome->status != STUDY_DONE) {
         if (p->n_failed++ == 0) {
             p->failed = run;
@@ -54,7 +52,7 @@ void study_peaks_add(struct study_peaks *p, const struct study_view *v, long run
 
 static void print_run(const struct study_view *v, long run, FILE *to) {
     fprintf(to, "%ld (", run + 1);
-    long later = v->n_run;
+    long later = v->n_study;
     for (int i = 0; i < v->n_sweep; i++) {
         struct text_short t;
         const struct sweep *s = v->sweep[i];
@@ -72,7 +70,18 @@ static void print_run(const struct study_view *v, long run, FILE *to) {
 void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to) {
     struct text_short t;
     fprintf(to, "%s%s", v->title, v->title[0] ? "\n" : "");
-    fprintf(to, "study of %ld runs, %ld failed\n", v->n_run, p->n_failed);
+    if (v->part.shard.n > 0) {
+        fprintf(to, "part %ld of %ld: %ld of the ", v->part.shard.number, v->part.shard.n,
+                v->n_run);
+    }
+    fprintf(to,
+            v->part.shard.n > 0 ? "%ld runs of a study, %ld failed"
+                                : "study of %ld runs, %ld failed",
+            v->n_study, p->n_failed);
+    if (p->n_missing > 0) {
+        fprintf(to, ", %ld missing", p->n_missing);
+    }
+    fputc('\n', to);
     for (int i = 0; i < v->n_sweep; i++) {
         sweeps_print_line(v->sweep[i], v->sweep_units[i], to);
     }
@@ -100,6 +109,9 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
     }
     fprintf(to, "\nwall time   %.3g s on %d thread%s", v->seconds, v->n_thread,
             v->n_thread == 1 ? "" : "s");
+    if (v->n_part > 0) {
+        fprintf(to, ", the sum of %d part%s", v->n_part, v->n_part == 1 ? "" : "s");
+    }
     if (v->n_kept > 0) {
         fprintf(to, ", without %ld runs of an earlier start", v->n_kept);
     }

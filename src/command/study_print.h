@@ -16,7 +16,7 @@ struct study_peak {
 };
 struct study_peaks {
     struct study_peak *peak;  // (n_item)
-    long n_failed;
+    long n_failed, n_missing;
     long failed;  // the first run that did
     char message[STUDY_MESSAGE_MAX];
 };
@@ -27,7 +27,5 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
 
 // The building, contact or link of value `i`; "" if there is none.
 const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i);
-// Without what would break a table.
-void study_print_text(const char *text, FILE *to);
 
 #endif

@@ -39,8 +39,19 @@ struct building_draft {
     bool *initial;                    // (n_floor) given
 };
 
+// A record still to be scaled to a pseudo-spectral acceleration, once the buildings' periods are
+// known.
+struct spectral_scaling {
+    double acceleration;  // [L/T^2]; 0: none is asked for
+    double period;        // [T]; 0: the first one of `building`
+    double damping;       // ratio
+    int building;
+    struct word word;  // that asks for it
+};
+
 struct ground_draft {
     struct signal signal;
+    struct spectral_scaling scaling;
     int n_building;       // 0: all
     const int *building;  // (n_building)
     struct word word;

@@ -11,7 +11,8 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e);
 // The floors of all buildings as one chain.
 void finish_chain(struct builder *b, struct model *m);
 
-// Which ground motions act under which building; buildings with the same ones share a ground.
+// Scales records to their spectral accelerations. Which ground motions act under which building;
+// buildings with the same ones share a ground.
 void finish_grounds(struct builder *b, struct model *m, struct building *building);
 
 // Contacts and bilateral links, loads.

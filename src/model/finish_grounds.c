@@ -1,7 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <gsl/gsl_math.h>
 #include <string.h>
 
+#include "core/arena.h"
+#include "jostle/spectrum.h"
 #include "model/finish.h"
+#include "model/signals.h"
+
+// The period that a record is scaled by; 0 after a report.
+static double scaling_period(struct builder *b, const struct building *building,
+                             const struct spectral_scaling *s) {
+    if (s->period > 0.0) {
+        return s->period;
+    }
+    const struct building *g = &building[s->building];
+    const double period = 2.0 * M_PI / g->omega[0], seconds = period * b->deck->units.time;
+    if (!(seconds >= signals_period_range.min && seconds <= signals_period_range.max)) {
+        deck_error(b->deck, &s->word,
+                   "the first period of building %s is %.4g s; it must be %s, or give -period",
+                   g->name, seconds, signals_period_range.text);
+        return 0.0;
+    }
+    return period;
+}
+
+// The record times one factor, so that its spectrum passes the point asked for.
+static void scale_record(struct builder *b, const struct building *building,
+                         struct ground_draft *g) {
+    const struct spectral_scaling *s = &g->scaling;
+    const double period = scaling_period(b, building, s);
+    if (period == 0.0) {
+        return;
+    }
+    const double unscaled = spectrum_at(&g->signal, period, s->damping).value[SPECTRUM_PSA];
+    const double factor = s->acceleration / unscaled;
+    if (!isfinite(factor) || factor == 0.0) {
+        deck_error(b->deck, &s->word,
+                   "the record has a spectral acceleration of %.4g at a period of %.4g %s; it "
+                   "cannot be scaled",
+                   unscaled, period, b->deck->units.time_name);
+        return;
+    }
+    struct error e;
+    const struct signal raw = g->signal;
+    char unit[64];
+    unit_text(&b->deck->units, dimension_acceleration, unit, sizeof unit);
+    if (signal_init_samples(&g->signal, b->arena, raw.value, raw.n, raw.dt, factor, raw.start,
+                            &e) != STATUS_OK) {
+        b->no_memory = true;
+        return;
+    }
+    g->signal.name = raw.name;
+    g->signal.scaled = arena_format(
+        b->arena, "scaled by %.6g to a PSA of %.6g %s at a period of %.6g %s, %.4g %% damping",
+        factor, s->acceleration, unit, period, b->deck->units.time_name, 100.0 * s->damping);
+    b->no_memory |= !g->signal.scaled;
+}
+
+static void scale_records(struct builder *b, const struct building *building) {
+    struct ground_draft *draft = b->grounds.item;
+    for (int k = 0; k < b->grounds.n; k++) {
+        if (draft[k].scaling.acceleration > 0.0) {
+            scale_record(b, building, &draft[k]);
+        }
+    }
+}
 
 static bool acts_under(const struct ground_draft *g, int building) {
     for (int i = 0; i < g->n_building; i++) {
@@ -38,6 +101,7 @@ static void add_ground(struct builder *b, struct ground *g, const bool *mark, in
 }
 
 void finish_grounds(struct builder *b, struct model *m, struct building *building) {
+    scale_records(b, building);
     size_t n_draft = (size_t)b->grounds.n;
     bool *set = builder_array(b, (size_t)m->n_building * n_draft, sizeof *set);
     struct ground *ground = builder_array(b, (size_t)m->n_building, sizeof *ground);

@@ -79,12 +79,14 @@ double model_fastest(const struct model *m, int i) {
     return sqrt(pow(g->omega[g->n_floor - 1], 2.0) + largest);
 }
 
-static void check_stability(struct builder *b, struct model *m) {
+// The largest omega dt that is stable.
+static double stable(const struct model *m) {
     double excess = m->gamma / 2.0 - m->beta;
-    if (excess <= 0.0) {
-        return;
-    }
-    double limit = 1.0 / sqrt(excess);
+    return excess > 0.0 ? 1.0 / sqrt(excess) : INFINITY;
+}
+
+static void check_stability(struct builder *b, struct model *m) {
+    double limit = stable(m);
     const char *unit = b->deck->units.time_name;
     for (int i = 0; i < m->n_building; i++) {
         const struct building *g = &m->building[i];
@@ -117,6 +119,14 @@ static double largest_decay(const struct building *g) {
     return largest;
 }
 
+// Adaptive steps of Newmark's method are no longer than what is stable.
+static void limit_steps(struct model *m) {
+    for (int i = 0; i < m->n_building; i++) {
+        double omega = model_fastest(m, i);
+        m->control.longest = fmin(m->control.longest, stable(m) / omega);
+    }
+}
+
 // Dormand-Prince is stable up to a step of about 3.3 over the fastest rate: Hairer & Wanner (1996),
 // Solving Ordinary Differential Equations II, section IV.2.
 static void check_stiffness(struct builder *b, struct model *m) {
@@ -128,7 +138,7 @@ static void check_stiffness(struct builder *b, struct model *m) {
             const char *unit = b->deck->units.time_name;
             deck_error(b->deck, &b->step,
                        "building %s%s is too stiff for adaptive steps: at most %.3g %s, %.3g of "
-                       "them; use step fixed DT",
+                       "them; use integrator newmark or step fixed DT",
                        g->name, omega > g->omega[g->n_floor - 1] ? " with its links" : "", limit,
                        unit, m->duration / limit);
             return;
@@ -136,16 +146,12 @@ static void check_stiffness(struct builder *b, struct model *m) {
     }
 }
 
-static void check_kind(struct builder *b) {
-    if (b->adaptive && b->integrator.text && !b->dormand_prince) {
-        deck_error(b->deck, &b->step,
-                   "newmark has no adaptive steps; use integrator dormand-prince or step fixed DT");
-    }
+static void check_kind(struct builder *b, const struct model *m) {
     if (!b->adaptive && b->dormand_prince) {
         deck_error(b->deck, &b->step,
                    "dormand-prince has no fixed steps; use step adaptive or integrator newmark");
     }
-    if (b->adaptive && b->newton.text) {
+    if (m->integrator == INTEGRATOR_DORMAND_PRINCE && b->newton.text) {
         deck_warning(b->deck, &b->newton, "dormand-prince does not iterate; newton has no effect");
     }
 }
@@ -158,14 +164,20 @@ void finish_time(struct builder *b, struct model *m) {
     m->step = b->step;
     m->dt = b->dt;
     m->duration = b->duration.text ? b->run_time : b->longest;
+    bool newmark = b->integrator.text ? !b->dormand_prince : !b->adaptive;
+    m->integrator = newmark ? INTEGRATOR_NEWMARK : INTEGRATOR_DORMAND_PRINCE;
     m->adaptive = b->adaptive;
     m->control = b->control;
     m->control.shortest = fmax(m->control.shortest, SHORTEST_SHARE * m->duration);
-    check_kind(b);
+    check_kind(b, m);
     if (m->adaptive) {
         adaptive_rows(b, m);
         count_steps(b, m);
-        check_stiffness(b, m);
+        if (m->integrator == INTEGRATOR_DORMAND_PRINCE) {
+            check_stiffness(b, m);
+        } else {
+            limit_steps(m);
+        }
         return;
     }
     count_steps(b, m);

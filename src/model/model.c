@@ -94,13 +94,17 @@ double model_time(const struct model *m, long n) {
     return n >= m->n_step ? m->duration : (double)n * m->dt;
 }
 
-// The error of Dormand & Prince's method is of the fifth order in the step.
-static const double TOLERANCE_PER_HALVING = 32.0;
+// Half a step has this share of the error: the methods' local errors are of order 3 and 5.
+static const double TOLERANCE_PER_HALVING[] = {
+    [INTEGRATOR_NEWMARK] = 8.0,
+    [INTEGRATOR_DORMAND_PRINCE] = 32.0,
+};
 
 struct model model_refined(const struct model *m, int level) {
     struct model finer = *m;
     if (m->adaptive) {
-        finer.control.tolerance = m->control.tolerance / pow(TOLERANCE_PER_HALVING, level);
+        finer.control.tolerance =
+            m->control.tolerance / pow(TOLERANCE_PER_HALVING[m->integrator], level);
         return finer;
     }
     const long parts = 1L << level;

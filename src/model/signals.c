@@ -3,6 +3,11 @@
 
 #include <gsl/gsl_math.h>
 
+const struct range signals_period_range = {
+    .min = 0.001, .max = 1000.0, .text = ">= 0.001 s and <= 1000 s"};
+const struct range signals_damping_range = {
+    .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
+
 struct signal signals_sine(const struct argument *a, double start) {
     double frequency = a[SINE_FREQUENCY].number[0];
     double end = INFINITY;

@@ -15,4 +15,7 @@ struct signal signals_sine(const struct argument *a, double start);
 // Remembers when a signal ends, for the default duration.
 void signals_longest(struct builder *b, const struct signal *s);
 
+// Periods of oscillators that a record may be scaled by [s], and their damping ratios.
+extern const struct range signals_period_range, signals_damping_range;
+
 #endif

@@ -22,8 +22,7 @@ void script_text(FILE *to, const char *text) {
     fputc('\'', to);
 }
 
-// Puts raised digits for ^2 and ^3.
-static void raise(char *text) {
+void script_raise(char *text) {
     for (char *at; (at = strchr(text, '^')) != NULL;) {
         const bool simple = (at[1] == '2' || at[1] == '3') && at[2] != '.';
         if (!simple) {
@@ -39,7 +38,7 @@ void script_unit(const struct unit_system *units, struct dimension dimension, ch
     char plain[64];
     size_t n = 0;
     unit_text(units, dimension, plain, sizeof plain);
-    raise(plain);
+    script_raise(plain);
     for (const char *s = plain; *s && n + 2 < size; s++) {
         if (*s == '*') {
             text[n++] = (char)0xC2;

@@ -29,6 +29,9 @@ int script_columns(const char *text);
 void script_unit(const struct unit_system *units, struct dimension dimension, char *text,
                  size_t size);
 
+// Puts raised digits for ^2 and ^3; the text gets no longer.
+void script_raise(char *text);
+
 // Ten to the power `exponent`, in raised digits.
 void script_power(int exponent, char *text, size_t size);
 

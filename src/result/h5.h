@@ -102,6 +102,8 @@ hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name);
 char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name);
 long h5_get_long(struct h5 *h, hid_t object, const char *name);
 double h5_get_double(struct h5 *h, hid_t object, const char *name);
+// The units of a file, from its attributes.
+void h5_get_units(struct h5 *h, struct arena *a, struct unit_system *units);
 // Length of the one-dimensional dataset; checked to be at most `limit`.
 size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit);
 // The `n` values of a one-dimensional dataset as doubles.

@@ -86,6 +86,25 @@ double h5_get_double(struct h5 *h, hid_t object, const char *name) {
     return value;
 }
 
+static void get_unit_name(struct h5 *h, struct arena *a, const char *name, char *to) {
+    const char *text = h5_get_text(h, a, h->file, name);
+    if (text && strlen(text) >= UNIT_NAME_MAX) {
+        h5_fail(h, "attribute '%s' is longer than %d characters", name, UNIT_NAME_MAX - 1);
+    } else if (text) {
+        memcpy(to, text, strlen(text) + 1);
+    }
+}
+
+void h5_get_units(struct h5 *h, struct arena *a, struct unit_system *u) {
+    get_unit_name(h, a, "unit_force", u->force_name);
+    get_unit_name(h, a, "unit_length", u->length_name);
+    get_unit_name(h, a, "unit_time", u->time_name);
+    u->force = h5_get_double(h, h->file, "unit_force_in_N");
+    u->length = h5_get_double(h, h->file, "unit_length_in_m");
+    u->time = h5_get_double(h, h->file, "unit_time_in_s");
+    u->gravity = h5_get_double(h, h->file, "gravity_in_m_per_s2");
+}
+
 // Opens a one-dimensional dataset and gives its length.
 static hid_t open_list(struct h5 *h, hid_t parent, const char *name, hsize_t *n) {
     if (h->failed) {

@@ -52,20 +52,9 @@ static int check_format(struct result_file *f, struct error *e) {
     return STATUS_OK;
 }
 
-static void get_unit(struct result_file *f, const char *name, char *to) {
-    const char *text = h5_get_text(&f->h, f->report->arena, f->h.file, name);
-    if (text && strlen(text) >= UNIT_NAME_MAX) {
-        h5_fail(&f->h, "attribute '%s' is longer than %d characters", name, UNIT_NAME_MAX - 1);
-    } else if (text) {
-        memcpy(to, text, strlen(text) + 1);
-    }
-}
-
 static void get_attributes(struct result_file *f) {
     struct report *r = f->report;
-    get_unit(f, "unit_force", r->units.force_name);
-    get_unit(f, "unit_length", r->units.length_name);
-    get_unit(f, "unit_time", r->units.time_name);
+    h5_get_units(&f->h, r->arena, &r->units);
     for (int c = 0; c < layout_root.n_column; c++) {
         h5_get_member(&f->h, r->arena, f->h.file, &layout_root, c, r);
     }

@@ -28,7 +28,7 @@ static int block_init(struct block *b, const struct study_content *c, struct err
     const size_t row = c->table->n_value * sizeof *b->value;
     b->capacity = (long)(bytes_max / row);
     b->capacity = b->capacity < 1 ? 1 : b->capacity > RUNS_MAX ? RUNS_MAX : b->capacity;
-    b->capacity = b->capacity > c->n_run ? c->n_run : b->capacity;
+    b->capacity = b->capacity > c->n_run && c->n_run > 0 ? c->n_run : b->capacity;
     const size_t n = (size_t)b->capacity;
     b->outcome = malloc(n * sizeof *b->outcome);
     b->value = malloc(n * row);
@@ -149,11 +149,14 @@ int study_file_write(const struct study_content *c, const struct result_options 
                              .command_line = o->command_line,
                              .status = -1,
                              .message = -1};
-    for (const struct sweep *s = c->sweeps; s; s = s->next) {
+    for (const struct sweep *s = c->part ? NULL : c->sweeps; s; s = s->next) {
         if (!s->fixed) {
             w.scale[w.n_sweep] = -1;
             w.sweep[w.n_sweep++] = s;
         }
+    }
+    if (c->part) {
+        study_part_dimension(&w);
     }
     const size_t n = (size_t)c->table->n_item, n_path = strlen(o->path) + sizeof ".part";
     w.dataset = malloc(n * sizeof *w.dataset);

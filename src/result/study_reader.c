@@ -7,20 +7,12 @@
 #include <unistd.h>
 
 #include "core/arena.h"
-#include "jostle/study_file.h"
 #include "result/study_box.h"
+#include "result/study_reader.h"
 
 // What a file may claim before it is taken for damaged.
 enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
-
-struct study_file {
-    struct h5 h;
-    struct study_view view;
-    struct study_item *item;  // (capacity) malloc'd
-    hid_t *dataset;           // (capacity) malloc'd
-    int capacity;
-    hid_t status, message;
-};
+enum { SIEVE_BYTES = 1024 };
 
 // Where the items of a group belong.
 struct spot {
@@ -59,14 +51,14 @@ static size_t values_of_run(const struct study_file *f, hid_t dataset) {
     hsize_t dim[H5S_MAX_RANK];
     hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     const int n = H5Sget_simple_extent_dims(space, dim, NULL);
-    bool good = H5Tget_class(type) == H5T_FLOAT &&
-                (n == f->view.n_sweep || n == f->view.n_sweep + 1) && H5DSis_scale(dataset) == 0;
-    for (int i = 0; good && i < f->view.n_sweep; i++) {
-        good = dim[i] == (hsize_t)f->view.sweep[i]->n;
+    bool good = H5Tget_class(type) == H5T_FLOAT && (n == f->n_dim || n == f->n_dim + 1) &&
+                H5DSis_scale(dataset) == 0;
+    for (int i = 0; good && i < f->n_dim; i++) {
+        good = dim[i] == (hsize_t)f->dim[i]->n;
     }
     H5Tclose(type);
     H5Sclose(space);
-    const hsize_t width = good && n > f->view.n_sweep ? dim[n - 1] : 1;
+    const hsize_t width = good && n > f->n_dim ? dim[n - 1] : 1;
     return good && width <= VALUES_LIMIT ? (size_t)width : 0;
 }
 
@@ -133,7 +125,7 @@ static herr_t visit_building(hid_t group, const char *name, const H5L_info_t *in
     return f->h.failed ? -1 : 0;
 }
 
-static char **get_texts(struct study_file *f, hid_t group, const char *name, size_t n) {
+char **study_reader_texts(struct study_file *f, hid_t group, const char *name, size_t n) {
     char **text = arena_alloc(f->view.arena, n + 1, sizeof *text);
     if (!text) {
         h5_fail(&f->h, "out of memory");
@@ -164,45 +156,57 @@ static const char *const *get_links(struct study_file *f, const char *name, cons
                                     int *n) {
     hid_t group = h5_get_group(&f->h, f->h.file, name);
     const size_t length = h5_get_length(&f->h, group, scale, ITEMS_LIMIT);
-    char **text = f->h.failed ? NULL : get_texts(f, group, "name", length);
+    char **text = f->h.failed ? NULL : study_reader_texts(f, group, "name", length);
     h5_close(&f->h, group);
     *n = (int)length;
     get_both((struct spot){.file = f, .parent = name, .scale = scale});
     return (const char *const *)text;
 }
 
-// A sweep from the scale of dimension `i` of /status.
-static void get_sweep(struct study_file *f, hid_t scale, int i) {
+struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name,
+                                 const char **units) {
     struct study_view *v = &f->view;
-    char name[256] = "";
     struct sweep *s = arena_alloc(v->arena, 1, sizeof *s);
-    if (!s || h5_failed(&f->h, H5Iget_name(scale, name, sizeof name))) {
+    if (!s) {
         h5_fail(&f->h, "out of memory");
+        return NULL;
+    }
+    s->name = text_of(f, name);
+    s->n = (int)h5_get_length(&f->h, group, s->name, STUDY_RUNS_MAX);
+    hid_t type = H5Dget_type(scale);
+    *units = "";
+    if (H5Tget_class(type) == H5T_FLOAT) {
+        s->number = h5_get_doubles(&f->h, v->arena, group, s->name, (size_t)s->n);
+        *units = h5_get_text(&f->h, v->arena, scale, "units");
+    } else {
+        s->label = (const char *const *)study_reader_texts(f, group, s->name, (size_t)s->n);
+        s->text = s->label;
+    }
+    H5Tclose(type);
+    return f->h.failed ? NULL : s;
+}
+
+// The scale of dimension `i` of /status.
+static void get_dimension(struct study_file *f, hid_t scale, int i) {
+    char name[256] = "";
+    if (h5_failed(&f->h, H5Iget_name(scale, name, sizeof name))) {
         return;
     }
     const char *slash = strrchr(name, '/');
     hid_t group = h5_get_group(&f->h, f->h.file, "sweep");
-    s->name = text_of(f, slash ? slash + 1 : name);
-    s->n = (int)h5_get_length(&f->h, group, s->name, STUDY_RUNS_MAX);
-    hid_t type = H5Dget_type(scale);
-    v->sweep_units[i] = "";
-    if (H5Tget_class(type) == H5T_FLOAT) {
-        s->number = h5_get_doubles(&f->h, v->arena, group, s->name, (size_t)s->n);
-        v->sweep_units[i] = h5_get_text(&f->h, v->arena, scale, "units");
-    } else {
-        s->label = (const char *const *)get_texts(f, group, s->name, (size_t)s->n);
-        s->text = s->label;
-    }
-    H5Tclose(type);
+    f->dim[i] =
+        study_reader_sweep(f, group, scale, slash ? slash + 1 : name, &f->view.sweep_units[i]);
     h5_close(&f->h, group);
-    v->sweep[v->n_sweep++] = s;
-    v->n_run *= s->n > 0 ? s->n : 1;
+    if (f->dim[i]) {
+        f->n_dim++;
+        f->view.n_run *= f->dim[i]->n;
+    }
 }
 
 static herr_t visit_scale(hid_t dataset, unsigned dimension, hid_t scale, void *context) {
     (void)dataset;
     struct study_file *f = context;
-    get_sweep(f, scale, (int)dimension);
+    get_dimension(f, scale, (int)dimension);
     return f->h.failed ? -1 : 1;
 }
 
@@ -220,18 +224,35 @@ static void get_sweeps(struct study_file *f) {
     f->view.n_run = 1;
     for (int i = 0; i < n && !f->h.failed; i++) {
         if (H5DSiterate_scales(f->status, (unsigned)i, NULL, visit_scale, f) < 0 ||
-            f->view.n_sweep != i + 1) {
+            f->n_dim != i + 1) {
             h5_fail(&f->h, "dimension %d has no scale", i + 1);
         }
     }
+    if (h5_has(&f->h, f->h.file, "part")) {
+        study_part_get(f);
+        return;
+    }
+    struct study_view *v = &f->view;
+    memcpy(v->sweep, f->dim, sizeof v->sweep);
+    v->n_sweep = f->n_dim;
+    v->n_study = v->n_run;
+}
+
+long study_view_run(const struct study_view *v, long i) {
+    return v->part.run ? (long)v->part.run[i] - 1 : i;
 }
 
 static void get_all(struct study_file *f) {
     struct study_view *v = &f->view;
     v->title = h5_get_text(&f->h, v->arena, f->h.file, "title");
+    v->version = h5_get_text(&f->h, v->arena, f->h.file, "version");
+    h5_get_units(&f->h, v->arena, &v->units);
     v->n_kept = h5_get_long(&f->h, f->h.file, "runs_kept");
     v->n_thread = (int)h5_get_long(&f->h, f->h.file, "threads");
     v->seconds = h5_get_double(&f->h, f->h.file, "wall_seconds");
+    if (!f->h.failed && H5Aexists(f->h.file, "parts") > 0) {
+        v->n_part = (int)h5_get_long(&f->h, f->h.file, "parts");
+    }
     get_sweeps(f);
     hid_t buildings = h5_get_group(&f->h, f->h.file, "buildings");
     if (!f->h.failed) {
@@ -261,6 +282,25 @@ bool study_file_is_study(const char *path) {
     return is;
 }
 
+int study_reader_fail(const struct study_file *f, struct error *e) {
+    const int status = strcmp(f->h.cause, "out of memory") == 0 ? STATUS_SYSTEM : STATUS_INPUT;
+    return error_set(e, status, "cannot read %s: %s", f->view.path, f->h.cause);
+}
+
+// Without the buffers of 64 KiB that the library gives each dataset: boxes are read as they stand
+// in the file, and merging opens many files with many datasets each.
+static void open_file(struct study_file *f, const char *path) {
+    hid_t list = H5Pcreate(H5P_FILE_ACCESS);
+    f->h.file = -1;
+    if (!h5_failed(&f->h, list) && !h5_failed(&f->h, H5Pset_sieve_buf_size(list, SIEVE_BYTES))) {
+        f->h.file = H5Fopen(path, H5F_ACC_RDONLY, list);
+        h5_failed(&f->h, f->h.file);
+    }
+    if (list >= 0) {
+        H5Pclose(list);
+    }
+}
+
 int study_file_open(const char *path, struct study_file **out, struct error *e) {
     struct study_file *f = calloc(1, sizeof *f);
     struct arena *a = f ? arena_create() : NULL;
@@ -270,16 +310,16 @@ int study_file_open(const char *path, struct study_file **out, struct error *e) 
     }
     f->view.arena = a;
     f->status = f->message = -1;
-    f->h.file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    h5_failed(&f->h, f->h.file);
-    f->view.path = f->h.failed ? path : text_of(f, path);
-    if (!f->h.failed) {
+    open_file(f, path);
+    f->view.path = path;
+    const char *copy = f->h.failed ? NULL : text_of(f, path);
+    if (copy) {
+        f->view.path = copy;
         h5_open_types(&f->h);
         get_all(f);
     }
     if (f->h.failed) {
-        int status = strcmp(f->h.cause, "out of memory") == 0 ? STATUS_SYSTEM : STATUS_INPUT;
-        error_set(e, status, "cannot read %s: %s", path, f->h.cause);
+        int status = study_reader_fail(f, e);
         study_file_close(f);
         return status;
     }
@@ -316,6 +356,10 @@ static void read_outcome(struct study_file *f, struct h5_block box, struct study
     box.stride = box.width = 1;
     h5_get_integers(&f->h, f->status, &box, &status);
     h5_get_texts(&f->h, f->message, &box, &message);
+    if (status < STUDY_DONE || status > STUDY_MISSING) {
+        h5_fail(&f->h, "a run has the status %d", status);
+        status = STUDY_MISSING;
+    }
     *out = (struct study_outcome){.status = status};
     if (message) {
         snprintf(out->message, sizeof out->message, "%s", message);
@@ -328,8 +372,8 @@ static void read_values(struct study_file *f, struct h5_block box, double *value
     for (int i = 0; i < t->n_item && !f->h.failed; i++) {
         box.stride = t->n_value;
         box.width = t->item[i].n;
-        box.start[f->view.n_sweep] = 0;
-        box.count[f->view.n_sweep] = t->item[i].n;
+        box.start[f->n_dim] = 0;
+        box.count[f->n_dim] = t->item[i].n;
         h5_get_block(&f->h, f->dataset[i], &box, value + t->item[i].first);
     }
 }
@@ -338,13 +382,12 @@ int study_file_read(struct study_file *f, long first, long n, struct study_outco
                     double *value, struct error *e) {
     for (long at = 0; at < n && !f->h.failed;) {
         const struct study_view *v = &f->view;
-        const struct h5_block box = study_box(v->sweep, v->n_sweep, first + at, n - at);
+        const struct h5_block box = study_box(f->dim, f->n_dim, first + at, n - at);
         for (long i = 0; i < (long)box.n; i++) {
-            read_outcome(f, study_box(v->sweep, v->n_sweep, first + at + i, 1), &outcome[at + i]);
+            read_outcome(f, study_box(f->dim, f->n_dim, first + at + i, 1), &outcome[at + i]);
         }
         read_values(f, box, value + (size_t)at * v->table.n_value);
         at += (long)box.n;
     }
-    return f->h.failed ? error_set(e, STATUS_INPUT, "cannot read %s: %s", f->view.path, f->h.cause)
-                       : STATUS_OK;
+    return f->h.failed ? study_reader_fail(f, e) : STATUS_OK;
 }

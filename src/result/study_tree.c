@@ -32,16 +32,20 @@ int study_tree_check(const struct study_content *c, struct error *e) {
     return STATUS_OK;
 }
 
-static void put_attributes(struct study_writer *w) {
+bool study_tree_is_shared(const struct column *c) {
     static const char *const of_one_run[] = {"parameters", "command_line", "duration", "step"};
+    bool shared = true;
+    for (size_t i = 0; i < sizeof of_one_run / sizeof of_one_run[0]; i++) {
+        shared = shared && strcmp(c->name, of_one_run[i]) != 0;
+    }
+    return shared;
+}
+
+static void put_attributes(struct study_writer *w) {
     const struct report *r = w->content->first;
     part_attributes(&w->h, w->h.file, r);
     for (int c = 0; c < layout_root.n_column; c++) {
-        bool skip = false;
-        for (size_t i = 0; i < sizeof of_one_run / sizeof of_one_run[0]; i++) {
-            skip = skip || strcmp(layout_root.column[c].name, of_one_run[i]) == 0;
-        }
-        if (!skip) {
+        if (study_tree_is_shared(&layout_root.column[c])) {
             h5_put_member(&w->h, w->h.file, &layout_root, c, r);
         }
     }
@@ -50,11 +54,11 @@ static void put_attributes(struct study_writer *w) {
     h5_put_long(&w->h, w->h.file, "runs_kept", w->content->n_kept);
     h5_put_long(&w->h, w->h.file, "threads", w->content->n_thread);
     h5_put_double(&w->h, w->h.file, "wall_seconds", w->content->seconds);
+    h5_put_long(&w->h, w->h.file, "parts", w->content->n_part);
 }
 
 // A number without a unit may be of any dimension: only its use says which.
-static void put_sweep(struct study_writer *w, hid_t group, int i) {
-    const struct sweep *s = w->sweep[i];
+hid_t study_tree_sweep(struct study_writer *w, hid_t group, const struct sweep *s) {
     struct h5_dataset d = {
         .name = s->name,
         .quantity = {"swept parameter", s->number && s->known ? &s->dimension : NULL},
@@ -64,16 +68,17 @@ static void put_sweep(struct study_writer *w, hid_t group, int i) {
         .dim = {(hsize_t)s->n},
         .many_users = true,
     };
-    w->scale[i] = h5_dataset(&w->h, group, &d);
+    hid_t scale = h5_dataset(&w->h, group, &d);
     if (s->number && !s->known) {
-        h5_put_text(&w->h, w->scale[i], "units", "unknown");
+        h5_put_text(&w->h, scale, "units", "unknown");
     }
     const struct h5_block all = {.count = {d.dim[0]}, .n = d.dim[0], .stride = 1, .width = 1};
     if (s->number) {
-        h5_put_block(&w->h, w->scale[i], &all, s->number);
+        h5_put_block(&w->h, scale, &all, s->number);
     } else {
-        h5_put_texts(&w->h, w->scale[i], &all, s->label);
+        h5_put_texts(&w->h, scale, &all, s->label);
     }
+    return scale;
 }
 
 static void link_scales(struct study_writer *w, hid_t group) {
@@ -102,7 +107,7 @@ static void put_building(struct study_writer *w, hid_t parent, int position) {
 }
 
 // What is the same for the links of all runs. The law may be swept: the deck says which it is.
-static bool is_fixed(const struct column *c) {
+bool study_tree_is_fixed(const struct column *c) {
     return c->kind == COLUMN_INT || (c->kind == COLUMN_TEXT && strncmp(c->name, "law", 3) != 0);
 }
 
@@ -111,7 +116,7 @@ static void put_links(struct study_writer *w, const char *name, const char *scal
     hid_t group = h5_group(&w->h, w->h.file, name);
     hid_t scale = h5_put_scale(&w->h, group, scale_name, scale_name, (size_t)n);
     for (int c = 0; c < layout_link.n_column; c++) {
-        if (is_fixed(&layout_link.column[c])) {
+        if (study_tree_is_fixed(&layout_link.column[c])) {
             h5_put_column(&w->h, group, &layout_link, c, link, (size_t)n, scale);
         }
     }
@@ -173,7 +178,7 @@ static hid_t put_item(struct study_writer *w, const struct study_item *item) {
 
 static void put_outcome(struct study_writer *w) {
     struct h5_dataset d = over_sweeps(w, "status");
-    d.quantity.long_name = "0: done, 1: failed";
+    d.quantity.long_name = "0: done, 1: failed, 2: missing";
     d.file_type = H5T_STD_I32LE;
     w->status = h5_dataset(&w->h, w->h.file, &d);
     d.name = "message";
@@ -187,10 +192,13 @@ void study_tree(struct study_writer *w) {
     put_attributes(w);
     hid_t sweep = h5_group(&w->h, w->h.file, "sweep");
     for (int i = 0; i < w->n_sweep; i++) {
-        put_sweep(w, sweep, i);
+        w->scale[i] = study_tree_sweep(w, sweep, w->sweep[i]);
     }
     h5_close(&w->h, sweep);
     link_scales(w, w->h.file);
+    if (w->content->part) {
+        study_part_put(w);
+    }
     hid_t buildings = h5_group(&w->h, w->h.file, "buildings");
     for (int i = 0; i < r->n_building && !w->h.failed; i++) {
         put_building(w, buildings, i);

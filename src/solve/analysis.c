@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include "core/arena.h"
+#include "solve/adaptive_newmark.h"
 #include "solve/dormand_prince.h"
 #include "solve/event.h"
 #include "solve/newmark.h"
@@ -115,7 +116,10 @@ static int meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
     bool chatters = r->events[event->link] > EVENTS_RIGID_MAX;
     enum rebound rebound = chatters ? REBOUND_NONE : REBOUND_BY_LAW;
-    const struct least_bounce least = {.time = SHORTEST_BOUNCE * m->dt};
+    const struct least_bounce least = {
+        .time = m->adaptive ? 0.0 : SHORTEST_BOUNCE * m->dt,
+        .velocity = m->adaptive ? m->control.tolerance * r->results->totals.speed : 0.0,
+    };
     impulse_meet(r->now, m, event->link, rebound, &least, r->meeting);
     energy_meet(&r->energy, m, r->now, r->meeting);
     return impacts_meet(&r->impacts, r->results, m, r->now, r->meeting, r->error);
@@ -165,13 +169,16 @@ static int pass(struct run *r, struct event *event, double end, double h) {
     return status;
 }
 
-// Steps to `end`, h later, or to the first event on the way; *rest is what is left of h.
-static int step(struct run *r, double end, double h, int cuts, double *rest) {
+int run_step(struct run *r, double end, double h, int cuts, double *rest) {
     r->work.strictness = cuts < CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
     *rest = 0.0;
     int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
     if (status != STATUS_OK) {
         return status;
+    }
+    if (r->model->adaptive && step_length_judge(&r->length, r->now, r->next, h) != STATUS_OK) {
+        r->work.unresolved = -1;
+        return STATUS_RETRY;
     }
     struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);
     if (event.link < 0) {
@@ -186,7 +193,7 @@ static int step(struct run *r, double end, double h, int cuts, double *rest) {
 static int advance(struct run *r, double end, double h, int cuts) {
     while (h > 0.0) {
         double rest;
-        int status = step(r, end, h, cuts, &rest);
+        int status = run_step(r, end, h, cuts, &rest);
         if (status == STATUS_RETRY) {
             status = spend_cut(r, h, cuts++);
             rest = h / 2.0;
@@ -200,7 +207,7 @@ static int advance(struct run *r, double end, double h, int cuts) {
     return STATUS_OK;
 }
 
-static void forget_events(struct run *r) {
+void run_forget_events(struct run *r) {
     if (r->results->totals.events > r->events_before) {
         memset(r->events, 0, (size_t)r->model->n_contact * sizeof *r->events);
         r->events_before = r->results->totals.events;
@@ -208,12 +215,13 @@ static void forget_events(struct run *r) {
 }
 
 static int advance_fixed(struct run *r, double end, double h) {
-    forget_events(r);
+    run_forget_events(r);
     return advance(r, end, h, 0);
 }
 
-// The steps need not end at `end`: `now` is the state within the last of them.
-static int advance_adaptive(struct run *r, double end, double h) {
+// The steps need not end at `end`: `now` is the state within the last of them, which nobody asks
+// for between the start and the end of a run that is not observed.
+static int advance_dormand_prince(struct run *r, double end, double h) {
     (void)h;
     while (dormand_prince_time(r->adaptive) < end) {
         int status = dormand_prince_step(r->adaptive, r->error);
@@ -222,7 +230,9 @@ static int advance_adaptive(struct run *r, double end, double h) {
             return status;
         }
     }
-    dormand_prince_row(r->adaptive, end, r->now, &r->energy);
+    if (r->observer || end == r->model->duration) {
+        dormand_prince_row(r->adaptive, end, r->now, &r->energy);
+    }
     return STATUS_OK;
 }
 
@@ -264,7 +274,7 @@ int analysis_step(struct run *r, long n) {
     double end = model_time(m, n);
     double h = n < m->n_step ? m->dt : end - r->now->time;
     int status = r->advance(r, end, h);
-    bool row = n % m->output.every == 0 || n == m->n_step;
+    bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
     return status == STATUS_OK && row ? observe(r) : status;
 }
 
@@ -276,16 +286,17 @@ static bool run_alloc(struct run *r, struct arena *a) {
         !impacts_alloc(&r->impacts, m, a) || !peaks_alloc(r->results, m, a)) {
         return false;
     }
-    if (m->adaptive) {
-        r->advance = advance_adaptive;
+    if (m->integrator == INTEGRATOR_DORMAND_PRINCE) {
+        r->advance = advance_dormand_prince;
         r->adaptive = dormand_prince_create(m, r->results, &r->impacts, a);
         return r->adaptive != NULL;
     }
-    r->advance = advance_fixed;
+    r->advance = m->adaptive ? adaptive_newmark_advance : advance_fixed;
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
     return r->events && r->meeting && state_alloc(r->next, m, a) &&
-           work_alloc(&r->work, m, &r->results->totals, a);
+           work_alloc(&r->work, m, &r->results->totals, a) &&
+           (!m->adaptive || step_length_alloc(&r->length, m, r->results, a));
 }
 
 static int run_start(struct run *r) {
@@ -298,6 +309,8 @@ static int run_start(struct run *r) {
     }
     if (r->adaptive) {
         dormand_prince_start(r->adaptive, r->now, &r->energy);
+    } else if (r->model->adaptive) {
+        step_length_start(&r->length, r->now);
     }
     return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
 }

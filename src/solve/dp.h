@@ -8,8 +8,13 @@
 #include "solve/account.h"
 #include "solve/dp_system.h"
 #include "solve/hermite.h"
+#include "solve/pace.h"
+#include "solve/scale.h"
 
 enum { DP_STAGES = 7 };
+
+// The stages that sums go over: those before it, or the ones that the solution is made of.
+enum dp_terms { DP_ALL, DP_BUT_SECOND, DP_TERMS };
 
 enum dp_event_kind {
     DP_NONE,
@@ -36,29 +41,30 @@ struct dp {
     struct impact_log *impacts;  // borrowed
     struct dp_system system;
     struct state now, next;  // the ends of the step; histories and closed links are in `now`
-    struct dp_rates stage[DP_STAGES];      // the first at `now`, the last at `next`
-    struct meeting *meeting;               // (n_contact) scratch of rigid impacts
-    double *rate[2];                       // [L/T] (n_link) of penetrations at both ends
-    double *zero, *no_depth;               // (n_dof), (n_link) zeros
-    double *error_u, *error_v;             // (n_dof) scratch
-    double *input, *damping;               // [F L] (n_dof) scratch
-    double *scale_u, *scale_v;             // [1/L] [T/L] (n_dof) of errors, building by building
-    double most_u, most_v;                 // [L] [L/T] of any building so far
-    bool grown;                            // since the scales were made
-    struct energy_account before, energy;  // up to the start and to the end of the step
+    struct dp_rates stage[DP_STAGES];         // the first at `now`, the last at `next`
+    const double *term[DP_TERMS][DP_STAGES];  // their accelerations
+    struct meeting *meeting;                  // (n_contact) scratch of rigid impacts
+    double *rate[2];                          // [L/T] (n_link) of penetrations at both ends
+    double *zero, *no_depth;                  // (n_dof), (n_link) zeros
+    double *error_u, *error_v;                // (n_dof) scratch
+    struct scales scales;                     // of errors
+    bool grown;                               // since the scales were made
+    struct energy_account before, energy;     // up to the start and to the end of the step
 
     double h;               // [T] the step; 0: none has been made
     double trial;           // [T] what the error control would take next
-    double error;           // of the last accepted step, 1: the tolerance
+    bool closed_now;        // a contact has closed at `now`
     struct dp_event event;  // at the end of the step
     int last_link;          // of the last event; -1: none
     long events_before;     // events when time was last seen to move
     double time_before;     // [T] then
-    long tried;             // steps, rejected ones included
-    double pace_time;       // [T] when their pace was last looked at
+    struct pace pace;       // of all steps
 };
 
-// dp_stages.c: takes the step from `now` of length h to time `end` into `next`.
+// dp_stages.c: makes the sums go over the arrays that the stages have.
+void dp_stages_bind(struct dp *p);
+
+// Takes the step from `now` of length h to time `end` into `next`.
 void dp_stages_take(struct dp *p, double h, double end);
 
 // The estimated error of that step over the tolerance.
@@ -77,9 +83,6 @@ void dp_stages_gaps(const struct model *m, struct state *s, double *rate);
 
 // The motion of all floors at place x of the step.
 void dp_stages_between(const struct dp *p, double x, double *u, double *v);
-
-// Makes the scales of errors again, if motions have grown.
-void dp_stages_rescale(struct dp *p);
 
 // dp_event.c: the motion of a floor, of a link, of a storey, and the first event in the step.
 struct motion dp_event_floor(const struct dp *p, int i);

@@ -21,7 +21,7 @@
 enum { ITERATIONS_MAX = 60 };
 static const double LOCATED = 1e-7;   // of the step: the next correction is about its square
 static const double ROUNDING = 64.0;  // units in the last place that mean nothing
-static const double STILL = 1e-12;    // of the largest displacement: a drift that has not moved
+static const double STILL = 1e-3;     // of the error allowed: a drift that has not moved
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 static void motion_accelerations(const struct dp *p, const struct link *l, struct motion *m) {
@@ -186,7 +186,8 @@ static bool is_straight(const struct dp *p, int i) {
 static struct dp_event storey_event(const struct dp *p, int i) {
     struct motion m = dp_event_storey(p, i);
     struct pieces s = cut(&m);
-    double least = fmax(dp_system_storey_noise(&p->system, &p->now, i), STILL * p->most_u);
+    double still = STILL * p->model->control.tolerance * p->scales.most_u;
+    double least = fmax(dp_system_storey_noise(&p->system, &p->now, i), still);
     double tangent = p->system.tangent[i];
     bool moved = false;
     for (int n = 0; n < s.n; n++) {
@@ -301,19 +302,36 @@ static int toggle(struct dp *p, int k, struct error *e) {
     return impacts_toggle(p->impacts, p->results, p->model, now, k, e);
 }
 
+// After rigid contacts have met: one that rests is an error, one that has rested and parted at this
+// instant is no longer live.
+static int part(struct dp *p, struct error *e) {
+    const struct model *m = p->model;
+    struct state *now = &p->now;
+    for (int i = now->n_live - 1; i >= 0; i--) {
+        int k = now->live[i];
+        if (m->link[k].law->rebound && now->closed[k]) {
+            return error_set(e, STATUS_FAILED,
+                             "at t = %.9g %s contact %s comes to rest, which dormand-prince does "
+                             "not follow; use integrator newmark or step fixed DT",
+                             now->time, m->deck->units.time_name, m->link[k].name);
+        }
+        if (m->link[k].law->rebound) {
+            state_open_link(now, k);
+        }
+    }
+    return STATUS_OK;
+}
+
 // Lets the bodies of rigid contact k meet.
 static int meet(struct dp *p, int k, struct error *e) {
     const struct model *m = p->model;
     struct state *now = &p->now;
-    const struct least_bounce least = {.velocity = m->control.tolerance * p->most_v};
+    const struct least_bounce least = {.velocity = m->control.tolerance * p->scales.most_v};
     excitation_at(now, m, now->time);
     impulse_meet(now, m, k, REBOUND_BY_LAW, &least, p->meeting);
     energy_meet(&p->energy, m, now, p->meeting);
-    if (now->closed[k]) {
-        return error_set(e, STATUS_FAILED,
-                         "at t = %.9g %s contact %s comes to rest, which adaptive steps do not "
-                         "follow; use step fixed DT",
-                         now->time, m->deck->units.time_name, m->link[k].name);
+    if (part(p, e) != STATUS_OK) {
+        return e->status;
     }
     return impacts_meet(p->impacts, p->results, m, now, p->meeting, e);
 }

@@ -33,7 +33,7 @@ static void note_drift(struct dp *p, int i, double drift, double time) {
     note(p, PEAK_SHEAR, i, dp_system_shear(&p->system, &p->now, i, drift), time);
 }
 
-// Could a quantity with this value and rate at the start, which turns in the step, go beyond the
+// Could a quantity with this value and rate at the end, which turns in the step, go beyond the
 // peak?
 static bool may_exceed(double peak, double value, double rate, double h) {
     return fabs(value) + h * fabs(rate) > peak;
@@ -135,14 +135,14 @@ static void inner_step(struct dp *p, int i) {
     double v1 = next->v[i];
     double below0 = i > g->first ? now->v[i - 1] : 0.0;
     double below1 = i > g->first ? next->v[i - 1] : 0.0;
-    if (v0 * v1 < 0.0 && may_exceed(peak[PEAK_DISPLACEMENT][i], now->u[i], v0, h)) {
+    if (v0 * v1 < 0.0 && may_exceed(peak[PEAK_DISPLACEMENT][i], next->u[i], v1, h)) {
         inner_displacement(p, i);
     }
-    if (now->a[i] * next->a[i] < 0.0 && may_exceed(peak[PEAK_VELOCITY][i], v0, now->a[i], h)) {
+    if (now->a[i] * next->a[i] < 0.0 && may_exceed(peak[PEAK_VELOCITY][i], v1, next->a[i], h)) {
         inner_velocity(p, i);
     }
     if ((v0 - below0) * (v1 - below1) < 0.0 &&
-        may_exceed(peak[PEAK_DRIFT][i], now->drift[i], v0 - below0, h)) {
+        may_exceed(peak[PEAK_DRIFT][i], next->drift[i], v1 - below1, h)) {
         inner_drift(p, i);
     }
     if (BEYOND * inner_size(&p->stage[2], &p->stage[3], g->ground, i) >
@@ -165,10 +165,8 @@ static void floor_at(struct dp *p, const struct state *s, int i) {
 // Could one of n floors from `first` on, in whole lanes, have a new peak in the step? Upper bounds
 // of motions, and accelerations at stages with what may lie beyond them.
 LANES static bool may_peak(const struct dp *p, int first, int n) {
-    const double *restrict u0 = p->now.u, *restrict u1 = p->next.u;
-    const double *restrict v0 = p->now.v, *restrict v1 = p->next.v;
-    const double *restrict d0 = p->now.drift, *restrict d1 = p->next.drift;
-    const double *restrict a0 = p->now.a, *restrict a1 = p->next.a;
+    const double *restrict u1 = p->next.u, *restrict v1 = p->next.v;
+    const double *restrict a1 = p->next.a, *restrict d1 = p->next.drift;
     const double *restrict a2 = p->stage[2].a, *restrict a3 = p->stage[3].a;
     const double *restrict share = p->system.row[DP_GROUND];
     const double *restrict joint = p->model->chain.joint;
@@ -181,15 +179,21 @@ LANES static bool may_peak(const struct dp *p, int first, int n) {
     double g3 = p->stage[3].ground.a[0];
     long found = 0;
     for (int i = first, end = first + lanes_whole(n); i < end; i++) {
-        double slip = v0[i] - joint[i] * v0[i - 1];
-        found |= (fabs(u0[i]) + h * fabs(v0[i]) > u[i]) | (fabs(u1[i]) > u[i]) |
-                 (fabs(v0[i]) + h * fabs(a0[i]) > v[i]) | (fabs(v1[i]) > v[i]) |
-                 (fabs(d0[i]) + h * fabs(slip) > d[i]) | (fabs(d1[i]) > d[i]) |
-                 (fabs(a1[i] + share[i] * g1) > a[i]) |
+        double slip = v1[i] - joint[i] * v1[i - 1];
+        found |= (fabs(u1[i]) + h * fabs(v1[i]) > u[i]) | (fabs(v1[i]) + h * fabs(a1[i]) > v[i]) |
+                 (fabs(d1[i]) + h * fabs(slip) > d[i]) | (fabs(a1[i] + share[i] * g1) > a[i]) |
                  (BEYOND * fabs(a2[i] + share[i] * g2) > a[i]) |
                  (BEYOND * fabs(a3[i] + share[i] * g3) > a[i]);
     }
     return found != 0;
+}
+
+// Makes the scales of errors again, if motions have grown.
+static void rescale(struct dp *p) {
+    if (p->grown) {
+        p->grown = false;
+        scale_update(&p->scales, p->model, p->results);
+    }
 }
 
 static void floors_step(struct dp *p) {
@@ -203,7 +207,7 @@ static void floors_step(struct dp *p) {
             floor_at(p, &p->next, i);
         }
     }
-    dp_stages_rescale(p);
+    rescale(p);
 }
 
 static void note_force(struct link_peak *l, double force, double time) {
@@ -310,7 +314,7 @@ void dp_peaks_now(struct dp *p) {
     for (int i = 0; i < p->model->n_dof; i++) {
         floor_at(p, &p->now, i);
     }
-    dp_stages_rescale(p);
+    rescale(p);
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
         bool both = p->model->link[k].bilateral;

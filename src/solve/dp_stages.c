@@ -21,26 +21,26 @@ static const double node[DP_STAGES] = {0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.
 enum { TERMS_MAX = 6 };
 struct sums {
     int n;
-    int stage[TERMS_MAX];
+    enum dp_terms terms;
     double v[TERMS_MAX], u[TERMS_MAX];
 };
 
 // Rows of A and of A A.
 static const struct sums stage_sums[DP_STAGES] = {
     {0},
-    {1, {0}, {1.0 / 5.0}, {0.0}},
-    {2, {0, 1}, {3.0 / 40.0, 9.0 / 40.0}, {9.0 / 200.0, 0.0}},
-    {3, {0, 1, 2}, {44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0}, {-12.0 / 25.0, 4.0 / 5.0, 0.0}},
+    {1, DP_ALL, {1.0 / 5.0}, {0.0}},
+    {2, DP_ALL, {3.0 / 40.0, 9.0 / 40.0}, {9.0 / 200.0, 0.0}},
+    {3, DP_ALL, {44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0}, {-12.0 / 25.0, 4.0 / 5.0, 0.0}},
     {4,
-     {0, 1, 2, 3},
+     DP_ALL,
      {19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0},
      {-12248.0 / 6561.0, 7208.0 / 2187.0, -6784.0 / 6561.0, 0.0}},
     {5,
-     {0, 1, 2, 3, 4},
+     DP_ALL,
      {9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0},
      {-533.0 / 264.0, 91.0 / 22.0, -56.0 / 33.0, 7.0 / 88.0, 0.0}},
     {5,
-     {0, 2, 3, 4, 5},
+     DP_BUT_SECOND,
      {35.0 / 384.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0},
      {35.0 / 384.0, 50.0 / 159.0, 25.0 / 192.0, -243.0 / 6784.0, 0.0}},
 };
@@ -48,7 +48,7 @@ static const struct sums stage_sums[DP_STAGES] = {
 // The difference of the solutions of order 5 and 4.
 static const struct sums error_sums = {
     6,
-    {0, 2, 3, 4, 5, 6},
+    DP_BUT_SECOND,
     {71.0 / 57600.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0,
      -1.0 / 40.0},
     {611.0 / 230400.0, -514.0 / 83475.0, 391.0 / 38400.0, -4617.0 / 1356800.0, -11.0 / 3360.0, 0.0},
@@ -122,11 +122,16 @@ static combine_fn *const combine_terms[TERMS_MAX + 1] = {NULL,      combine_1, c
 // The sums over the stages' accelerations.
 static void sum_stages(const struct dp *p, const struct sums *s, double c, const double *u0,
                        const double *v0, double *u, double *v) {
-    const double *a[TERMS_MAX] = {NULL};
-    for (int j = 0; j < s->n; j++) {
-        a[j] = p->stage[s->stage[j]].a;
+    combine_terms[s->n](s, p->term[s->terms], p->h, p->model->n_dof, c, u0, v0, u, v);
+}
+
+void dp_stages_bind(struct dp *p) {
+    for (int s = 0; s < DP_STAGES; s++) {
+        p->term[DP_ALL][s] = p->stage[s].a;
     }
-    combine_terms[s->n](s, a, p->h, p->model->n_dof, c, u0, v0, u, v);
+    for (int s = 0; s + 1 < DP_STAGES; s++) {
+        p->term[DP_BUT_SECOND][s] = p->stage[s == 0 ? 0 : s + 1].a;
+    }
 }
 
 void dp_stages_take(struct dp *p, double h, double end) {
@@ -208,53 +213,13 @@ double dp_stages_error(struct dp *p) {
     double sum = 0.0;
     int n = p->model->n_dof;
     sum_stages(p, &error_sums, 0.0, p->zero, p->zero, p->error_u, p->error_v);
-    scale_errors(n, p->scale_u, p->scale_v, p->error_u, p->error_v);
+    scale_errors(n, p->scales.over_u, p->scales.over_v, p->error_u, p->error_v);
     for (int i = 0; i < n; i++) {
         double error = p->error_u[i];
         largest = error > largest ? error : largest;
         sum += error;
     }
     return isfinite(sum) ? largest / p->model->control.tolerance : INFINITY;
-}
-
-// A building that has hardly moved yet is measured by a hundredth of what others have: without
-// that, the first touch of a building at rest would take endless steps.
-static const double SHARE = 1e-2;
-
-static double largest_of(const double *x, const struct building *g) {
-    double largest = 0.0;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        largest = x[i] > largest ? x[i] : largest;
-    }
-    return largest;
-}
-
-// Where nothing moves, nothing is expected to and nothing is wrong.
-static double over(double size) {
-    return size > 0.0 ? 1.0 / size : 0.0;
-}
-
-void dp_stages_rescale(struct dp *p) {
-    const struct model *m = p->model;
-    const double *u = p->results->peak[PEAK_DISPLACEMENT];
-    const double *v = p->results->peak[PEAK_VELOCITY];
-    if (!p->grown) {
-        return;
-    }
-    p->grown = false;
-    for (int i = 0; i < m->n_dof; i++) {
-        p->most_u = fmax(p->most_u, u[i]);
-        p->most_v = fmax(p->most_v, v[i]);
-    }
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        double of_u = over(fmax(largest_of(u, g), SHARE * p->most_u));
-        double of_v = over(fmax(largest_of(v, g), SHARE * p->most_v));
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            p->scale_u[i] = of_u;
-            p->scale_v[i] = of_v;
-        }
-    }
 }
 
 const double dp_stages_whole[DP_STAGES] = {

@@ -143,7 +143,7 @@ struct contact_response dp_system_response(const struct dp_system *s, const stru
     if (phase == PHASE_ANY) {
         return l->law->force(l->constant, history, d, v);
     }
-    double inside = fmax(d, 0.0);
+    double inside = d > 0.0 ? d : 0.0;
     double seen = phase * v > 0.0 ? v : phase * DBL_MIN;
     struct contact_response r = l->law->force(l->constant, history, inside, seen);
     if (seen != v) {
@@ -159,57 +159,39 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
     return s->calls[i] ? storey_at(s, now, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
+static double sum_of(const lanes *x) {
+    static_assert(LANES_WIDTH == 4, "all of them are summed");
+    return ((*x)[0] + (*x)[1]) + ((*x)[2] + (*x)[3]);
+}
+
 // Accelerations of all floors without links, loads and what is special, under the ground
-// acceleration `ground`.
-LANES static void floor_rates(int n, double *const row[DP_ROWS], double ground,
-                              const double *restrict u, const double *restrict v,
-                              double *restrict a) {
-    const double *restrict k_below = row[DP_K_BELOW], *restrict k_own = row[DP_K_OWN];
-    const double *restrict k_above = row[DP_K_ABOVE], *restrict c_below = row[DP_C_BELOW];
-    const double *restrict c_own = row[DP_C_OWN], *restrict c_above = row[DP_C_ABOVE];
-    const double *restrict constant = row[DP_CONSTANT], *restrict share = row[DP_GROUND];
-    for (int i = 0, end = lanes_whole(n); i < end; i++) {
-        double spring = k_below[i] * u[i - 1] + k_own[i] * u[i] + k_above[i] * u[i + 1];
-        double damping = c_below[i] * v[i - 1] + c_own[i] * v[i] + c_above[i] * v[i + 1];
-        a[i] = constant[i] - ground * share[i] - (spring + damping);
+// acceleration `ground`, and what the ground and the dampers do.
+LANES static void floor_rates(const struct dp_system *s, double ground, struct dp_rates *r) {
+    const lanes *k_below = (const lanes *)s->row[DP_K_BELOW];
+    const lanes *k_own = (const lanes *)s->row[DP_K_OWN];
+    const lanes *k_above = (const lanes *)s->row[DP_K_ABOVE];
+    const lanes *c_below = (const lanes *)s->row[DP_C_BELOW];
+    const lanes *c_own = (const lanes *)s->row[DP_C_OWN];
+    const lanes *c_above = (const lanes *)s->row[DP_C_ABOVE];
+    const lanes *constant = (const lanes *)s->row[DP_CONSTANT];
+    const lanes *share = (const lanes *)s->row[DP_GROUND];
+    const lanes *mass = (const lanes *)s->model->chain.mass;
+    const lanes *u = (const lanes *)r->u, *v = (const lanes *)r->v;
+    const lanes *u_below = (const lanes *)(r->u - 1), *u_above = (const lanes *)(r->u + 1);
+    const lanes *v_below = (const lanes *)(r->v - 1), *v_above = (const lanes *)(r->v + 1);
+    lanes *a = (lanes *)r->a;
+    lanes carried = {0.0};
+    lanes damped = {0.0};
+    for (int j = 0, end = lanes_whole(s->model->n_dof) / LANES_WIDTH; j < end; j++) {
+        lanes spring = k_below[j] * u_below[j] + k_own[j] * u[j] + k_above[j] * u_above[j];
+        lanes damping = c_below[j] * v_below[j] + c_own[j] * v[j] + c_above[j] * v_above[j];
+        lanes momentum = mass[j] * v[j];
+        carried += share[j] * momentum;
+        damped += damping * momentum;
+        a[j] = constant[j] - ground * share[j] - (spring + damping);
     }
-}
-
-// input[i] and damping[i]: sums over the velocities v (DP_WORKS) with the weights of `t`.
-LANES static void works(const struct chain *c, const struct dp_works *t,
-                        const double *const v[DP_WORKS], double *restrict input,
-                        double *restrict damping) {
-    const double *restrict mass = c->mass, *restrict own = c->damping;
-    const double *restrict below = c->damping_below, *restrict above = c->damping_above;
-    const double *restrict v0 = v[0], *restrict v1 = v[1], *restrict v2 = v[2];
-    const double *restrict v3 = v[3], *restrict v4 = v[4], *restrict v5 = v[5];
-    const double *w = t->weight;
-    double w0 = w[0], w1 = w[1], w2 = w[2], w3 = w[3], w4 = w[4], w5 = w[5];
-    const double *to = t->ground;
-    double g0 = to[0], g1 = to[1], g2 = to[2], g3 = to[3], g4 = to[4], g5 = to[5];
-    static_assert(DP_WORKS == 6, "all velocities are there");
-    for (int i = 0, end = lanes_whole(c->n); i < end; i++) {
-        double b = below[i], o = own[i], a = above[i];
-        double sum = w0 * v0[i] * (b * v0[i - 1] + o * v0[i] + a * v0[i + 1]);
-        sum += w1 * v1[i] * (b * v1[i - 1] + o * v1[i] + a * v1[i + 1]);
-        sum += w2 * v2[i] * (b * v2[i - 1] + o * v2[i] + a * v2[i + 1]);
-        sum += w3 * v3[i] * (b * v3[i - 1] + o * v3[i] + a * v3[i + 1]);
-        sum += w4 * v4[i] * (b * v4[i - 1] + o * v4[i] + a * v4[i + 1]);
-        damping[i] = sum + w5 * v5[i] * (b * v5[i - 1] + o * v5[i] + a * v5[i + 1]);
-        input[i] = -mass[i] *
-                   (g0 * v0[i] + g1 * v1[i] + g2 * v2[i] + g3 * v3[i] + g4 * v4[i] + g5 * v5[i]);
-    }
-}
-
-void dp_system_works(const struct dp_system *s, const struct dp_works *t, double *input,
-                     double *damping) {
-    const double *v[DP_WORKS];
-    struct dp_works w = *t;
-    for (int i = 0; i < DP_WORKS; i++) {
-        v[i] = t->rates[i]->v;
-        w.ground[i] = s->model->n_ground == 1 ? t->weight[i] * t->rates[i]->ground.a[0] : 0.0;
-    }
-    works(&s->model->chain, &w, v, input, damping);
+    r->input = -ground * sum_of(&carried);
+    r->damping = sum_of(&damped);
 }
 
 // Ground accelerations where there are several.
@@ -266,13 +248,20 @@ static void load_rates(const struct dp_system *s, double t, struct dp_rates *r) 
     }
 }
 
+// state_gap from arrays with a zero in front, at which a wall stands.
+static double gap(const struct link *l, const struct model *m, const double *x,
+                  const double *ground) {
+    static_assert(WALL == -1, "a wall is the zero in front of an array");
+    return x[l->dof[0]] - x[l->dof[1]] + state_ground_gap(l, m, ground);
+}
+
 static void link_rates(const struct dp_system *s, const struct state *now, struct dp_rates *r) {
     const struct model *m = s->model;
     for (int i = 0; i < now->n_live; i++) {
         int k = now->live[i];
         const struct link *l = &m->link[k];
-        double rate = state_gap(l, m, r->v, r->ground.v);
-        double d = state_gap(l, m, r->u, r->ground.u) - l->gap;
+        double rate = gap(l, m, r->v, r->ground.v);
+        double d = gap(l, m, r->u, r->ground.u) - l->gap;
         double force = dp_system_response(s, now, k, d, rate).force;
         r->force[i] = force;
         r->power[i] = force * rate;
@@ -292,8 +281,7 @@ void dp_system_rates(const struct dp_system *s, const struct state *now, double 
                      struct dp_rates *r) {
     const struct model *m = s->model;
     forcing_ground(&s->forcing, t, &r->ground);
-    r->input = r->damping = 0.0;
-    floor_rates(m->n_dof, s->row, m->n_ground == 1 ? r->ground.a[0] : 0.0, r->u, r->v, r->a);
+    floor_rates(s, m->n_ground == 1 ? r->ground.a[0] : 0.0, r);
     if (m->n_ground > 1) {
         ground_rates(s, r);
     }

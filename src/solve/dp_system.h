@@ -51,7 +51,7 @@ struct dp_rates {
     struct forcing_values ground;  // (n_ground)
     double *force;                 // [F] (n_live)
     double *power;                 // [F L/T] (n_live) of those forces
-    double input, damping;         // [F L/T] besides what dp_system_works has
+    double input, damping;         // [F L/T] of all loads, and of all dampers
     double storey;                 // [F L/T] done on storeys that are not elastic
 };
 
@@ -77,19 +77,6 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
 // Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`.
 void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
                      struct dp_rates *r);
-
-// The rates of which works are sums, with their weights.
-enum { DP_WORKS = 6 };
-struct dp_works {
-    const struct dp_rates *rates[DP_WORKS];
-    double weight[DP_WORKS];  // [T]
-    double ground[DP_WORKS];  // [L/T] scratch
-};
-
-// The works on each floor of one ground and of the dampers of its building into input and damping
-// (n_dof) [F L].
-void dp_system_works(const struct dp_system *s, const struct dp_works *t, double *input,
-                     double *damping);
 
 // The total acceleration of floor i alone, from the motion of its building and of the floors that
 // its links join it to.

@@ -297,7 +297,7 @@ static int run_alike(struct ensemble_member **member, int n, const struct observ
         return error_no_memory(e);
     }
     f->observer = observer;
-    f->every = m->output.every;
+    f->every = observer ? m->output.every : INT_MAX;
     for (int k = 0; k < n; k++) {
         start(f, member[k]);
     }

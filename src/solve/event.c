@@ -12,9 +12,12 @@ static double snap(double time, double h) {
     return time <= AT_END * h ? 0.0 : time >= (1.0 - AT_END) * h ? h : time;
 }
 
-static bool jumped(const struct link *l, const struct state *now, const struct state *next, int k) {
-    return (l->law->traits & CONTACT_JUMPS) && now->closed[k] != next->closed[k] &&
-           (now->force[k] != 0.0 || next->force[k] != 0.0);
+// Has contact k closed or opened in the step, in a way that steps are split at?
+static bool splits(const struct work *w, const struct state *now, const struct state *next, int k) {
+    const struct contact_law *law = w->model->link[k].law;
+    bool jumps = (law->traits & CONTACT_JUMPS) && (now->force[k] != 0.0 || next->force[k] != 0.0);
+    return now->closed[k] != next->closed[k] && !law->rebound &&
+           (jumps || w->splitting == SPLIT_ALWAYS);
 }
 
 static struct path path_of(const struct model *m, const struct state *now, const struct state *next,
@@ -70,7 +73,7 @@ struct event event_first(const struct work *w, const struct state *now, const st
     struct event first = {.link = -1, .time = INFINITY};
     for (int i = 0; i < next->n_live; i++) {
         int k = next->live[i];
-        if (k != except && jumped(&m->link[k], now, next, k) && count[k] < EVENTS_JUMP_MAX) {
+        if (k != except && splits(w, now, next, k) && count[k] < EVENTS_JUMP_MAX) {
             take_earlier(&first, k, jump_time(m, now, next, h, k), h);
         }
     }

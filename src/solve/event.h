@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Instants within a step at which forces or velocities jump: closures and openings of contact laws
 // whose force jumps there, and closures of rigid ones. Passing over a jump is an error of the first
-// order in the step, so such steps are split at the jump.
+// order in the step, so such steps are split at the jump. Adaptive steps are split wherever a
+// contact closes or opens, as forces may begin there with an infinite slope.
 #ifndef JOSTLE_EVENT_H
 #define JOSTLE_EVENT_H
 

@@ -22,8 +22,9 @@ bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a) {
     f->model = m;
     f->ground = arena_alloc(a, n, sizeof *f->ground);
     f->load = arena_alloc(a, (size_t)m->n_load, sizeof *f->load);
+    f->lines = arena_alloc(a, (size_t)m->n_ground, sizeof *f->lines);
     f->corner = -INFINITY;
-    return f->ground && f->load;
+    return f->ground && f->load && f->lines;
 }
 
 static double slack(const struct signal *s, double t) {
@@ -81,15 +82,28 @@ static bool turn(const struct forcing *f, struct piece *p, const struct signal *
     return fabs(piece_value(p, t) - before) > JUMP * fabs(before);
 }
 
+// Adds the piece to the lines of its ground, if it is one.
+static void add_line(struct forcing *f, struct sloping *lines, const struct piece *p) {
+    if (p->shape == PIECE_LINE) {
+        lines->value += piece_value(p, lines->start);
+        lines->slope += p->slope;
+    } else {
+        f->sines = true;
+    }
+}
+
 bool forcing_turn(struct forcing *f, double t) {
     const struct model *m = f->model;
     bool jumps = false;
     double corner = INFINITY;
     struct piece *p = f->ground;
+    f->sines = false;
     for (int k = 0; k < m->n_ground; k++) {
+        f->lines[k] = (struct sloping){.start = t};
         for (int i = 0; i < m->ground[k].n_signal; i++, p++) {
             jumps |= turn(f, p, &m->ground[k].signal[i], t);
             corner = fmin(corner, p->end);
+            add_line(f, &f->lines[k], p);
         }
     }
     for (int k = 0; k < m->n_load; k++) {
@@ -100,17 +114,17 @@ bool forcing_turn(struct forcing *f, double t) {
     return jumps;
 }
 
-void forcing_ground(const struct forcing *f, double t, struct forcing_values *out) {
-    const struct model *m = f->model;
+static void add_sines(const struct forcing *f, double t, double *a) {
     const struct piece *p = f->ground;
-    for (int k = 0; k < m->n_ground; k++) {
-        double sum = 0.0;
-        for (const struct piece *end = p + m->ground[k].n_signal; p < end; p++) {
-            sum += piece_value(p, t);
+    for (int k = 0; k < f->model->n_ground; k++) {
+        for (const struct piece *end = p + f->model->ground[k].n_signal; p < end; p++) {
+            a[k] += p->shape == PIECE_SINE ? sine_value(p->signal, t) : 0.0;
         }
-        out->a[k] = sum;
     }
-    for (int k = 0; m->n_ground > 1 && k < m->n_ground; k++) {
+}
+
+static void integrals(const struct model *m, double t, struct forcing_values *out) {
+    for (int k = 0; k < m->n_ground; k++) {
         out->v[k] = out->u[k] = 0.0;
         for (int i = 0; i < m->ground[k].n_signal; i++) {
             double v;
@@ -119,6 +133,15 @@ void forcing_ground(const struct forcing *f, double t, struct forcing_values *ou
             out->v[k] += v;
             out->u[k] += u;
         }
+    }
+}
+
+void forcing_beside_lines(const struct forcing *f, double t, struct forcing_values *out) {
+    if (f->sines) {
+        add_sines(f, t, out->a);
+    }
+    if (f->model->n_ground > 1) {
+        integrals(f->model, t, out);
     }
 }
 

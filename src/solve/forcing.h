@@ -5,6 +5,8 @@
 #ifndef JOSTLE_FORCING_H
 #define JOSTLE_FORCING_H
 
+#include <stdbool.h>
+
 #include "jostle/model.h"
 
 enum piece_shape { PIECE_LINE, PIECE_SINE };
@@ -18,10 +20,17 @@ struct piece {
     double value, slope;  // [.] [./T]
 };
 
+// The lines of a ground's signals together: value + slope (t - start).
+struct sloping {
+    double start, value, slope;
+};
+
 struct forcing {
     const struct model *model;  // borrowed
     struct piece *ground;       // those of ground 0, then 1, ...
     struct piece *load;         // (model.n_load)
+    struct sloping *lines;      // (model.n_ground)
+    bool sines;                 // does any ground move in one?
     double corner;              // [T] the next corner of all; may be infinite
 };
 
@@ -38,8 +47,19 @@ bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a);
 // jumps.
 bool forcing_turn(struct forcing *f, double t);
 
+// Adds to the ground's motion at time t what is no line, and fills the integrals where they matter.
+void forcing_beside_lines(const struct forcing *f, double t, struct forcing_values *out);
+
 // The ground's motion at time t, not after the next corner.
-void forcing_ground(const struct forcing *f, double t, struct forcing_values *out);
+static inline void forcing_ground(const struct forcing *f, double t, struct forcing_values *out) {
+    int n = f->model->n_ground;
+    for (int k = 0; k < n; k++) {
+        out->a[k] = f->lines[k].value + f->lines[k].slope * (t - f->lines[k].start);
+    }
+    if (f->sines || n > 1) {
+        forcing_beside_lines(f, t, out);
+    }
+}
 
 // Load number k at time t, not after the next corner [F].
 double forcing_load(const struct forcing *f, int k, double t);

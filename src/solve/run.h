@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One analysis under way, for those who take its steps: analysis.c one after the other, ensemble.c
-// those that it does not take in lanes.
+// An analysis under way, and its steps, in analysis.c: for those who take them one after the other,
+// in lanes but for some, or of other lengths.
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
 #include "solve/account.h"
+#include "solve/dormand_prince.h"
+#include "solve/step_length.h"
 #include "solve/work.h"
 
 struct run {
@@ -14,8 +16,9 @@ struct run {
     struct state store[2];
     // Takes `now` to the time `end`, h later.
     int (*advance)(struct run *r, double end, double h);
-    struct work work;     // of Newmark's method
-    struct dp *adaptive;  // Dormand & Prince's method; NULL: Newmark's
+    struct work work;           // of Newmark's method
+    struct step_length length;  // of its adaptive steps
+    struct dp *adaptive;        // Dormand & Prince's method; NULL: Newmark's
     struct energy_account energy;
     struct impact_log impacts;
     int *events;              // (n_contact) at which the current step of the deck was split
@@ -39,5 +42,12 @@ int analysis_balanced(struct run *r);
 
 // Ends an analysis whose steps gave `status`, which it returns: *out has the results if it is 0.
 int analysis_end(struct run *r, int status, struct results **out);
+
+// Steps to `end`, h later, or to the first event on the way; *rest is what is left of h. A step of
+// so many `cuts` is taken as it is where it cannot be cut. STATUS_RETRY: a shorter one is wanted.
+int run_step(struct run *r, double end, double h, int cuts, double *rest);
+
+// Starts to count the events of each contact anew, if there were any.
+void run_forget_events(struct run *r);
 
 #endif

@@ -15,6 +15,12 @@ enum strictness {
     STEP_ACCEPT,  // take the last iterate and count it: the step is as short as it gets
 };
 
+// Closures and openings at which steps are split.
+enum splitting {
+    SPLIT_JUMPS,   // those at which the force jumps
+    SPLIT_ALWAYS,  // all
+};
+
 // The two ends of a link among the arrays of struct chain; a wall is the zero behind them.
 struct ends {
     int left, right;
@@ -30,6 +36,7 @@ struct work {
     double h;                     // [T] step of the factors; 0: none yet
     double b, g;                  // beta h^2 and gamma h
     enum strictness strictness;
+    enum splitting splitting;
     int unresolved;  // link that last asked for a shorter step; -1: none did
     int held;        // link that stays open or closed in this step; -1: none
 

@@ -17,7 +17,7 @@ struct journal {
     char *path;  // owned
     int file;
     off_t end;              // of the last sound entry
-    long n_run;             // of the study
+    long n_run;             // of the study, or of the part of it
     size_t n_value;         // of a run
     int64_t *offset;        // (n_run) of the entry of each run; 0: not there
     unsigned char *buffer;  // (capacity) for one entry

@@ -3,11 +3,17 @@
 
 #include <string.h>
 
-int plan_init(struct plan *p, const struct model *first, const char *const *define, int n_define,
-              const char *path, const char *version, struct error *e) {
-    *p = (struct plan){
-        .first = first, .define = define, .n_define = n_define, .n_run = first->deck->n_run};
-    int status = report_create(first, NULL, path, version, &p->report, e);
+#include "jostle/study_merge.h"
+
+int plan_init(struct plan *p, const struct study_request *q, struct error *e) {
+    const long n_run = q->first->deck->n_run;
+    *p = (struct plan){.first = q->first,
+                       .define = q->define,
+                       .n_define = q->n_define,
+                       .n_run = n_run,
+                       .shard = q->shard,
+                       .n_mine = study_shard_size(&q->shard, n_run)};
+    int status = report_create(q->first, NULL, q->result.path, q->result.version, &p->report, e);
     if (status == STATUS_OK) {
         status = study_table_create(p->report, &p->table, e);
     }

@@ -5,20 +5,22 @@
 #define JOSTLE_PLAN_H
 
 #include "core/arena.h"
+#include "jostle/study.h"
 #include "jostle/study_file.h"
 
 struct plan {
     const struct model *first;  // borrowed: the model of run 0
     const char *const *define;  // (n_define) borrowed
     int n_define;
-    long n_run;
+    long n_run;                 // of the study
+    struct study_shard shard;   // what is run of it
+    long n_mine;                // runs of that
     struct report *report;      // owned: of the first model, before its run
     struct study_table *table;  // owned
 };
 
 // Errors: STATUS_SYSTEM (no memory).
-int plan_init(struct plan *p, const struct model *first, const char *const *define, int n_define,
-              const char *path, const char *version, struct error *e);
+int plan_init(struct plan *p, const struct study_request *q, struct error *e);
 void plan_close(struct plan *p);
 
 // The value that each sweep takes in a run, fixed ones included; room for STUDY_SWEEPS_MAX.

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "jostle/ensemble.h"
+#include "jostle/study_merge.h"
 #include "motion/shelf.h"
 #include "study/trial.h"
 #include "study/workers.h"
@@ -69,25 +70,26 @@ static long portion(const struct pool *p) {
     return share < p->most ? share : p->most;
 }
 
-// The next runs to be done; -1: there are none.
+// The next runs of the part to be done; -1: there are none.
 static long take(void *context, void *scratch) {
     struct pool *p = context;
     struct batch *b = scratch;
     const long most = portion(p);
-    for (b->n = 0; b->n < most && p->next < p->plan->n_run; p->next++) {
+    for (b->n = 0; b->n < most && p->next < p->plan->n_mine; p->next++) {
         if (p->journal->offset[p->next] == 0) {
             struct trial *t = &b->trial[b->n];
-            t->run = p->next;
+            t->run = study_shard_run(&p->plan->shard, p->next);
+            t->entry = p->next;
             t->value = b->value + (size_t)b->n * p->plan->table->n_value;
             b->n++;
             p->left--;
         }
     }
-    return b->n > 0 ? b->trial[0].run : -1;
+    return b->n > 0 ? b->trial[0].entry : -1;
 }
 
-static int work(void *context, struct workers *w, long run, void *scratch, struct error *e) {
-    (void)run, (void)e;
+static int work(void *context, struct workers *w, long first, void *scratch, struct error *e) {
+    (void)first, (void)e;
     struct pool *p = context;
     struct view view = {.pool = p, .workers = w};
     struct batch *b = scratch;
@@ -115,7 +117,7 @@ static int enter_run(struct pool *p, const struct trial *t, struct error *e) {
         *e = t->error;
         return t->status;
     }
-    const int status = journal_add_run(p->journal, t->run, &t->outcome, t->value, e);
+    const int status = journal_add_run(p->journal, t->entry, &t->outcome, t->value, e);
     if (status == STATUS_OK) {
         count(p, t->run, &t->outcome);
     }
@@ -123,8 +125,8 @@ static int enter_run(struct pool *p, const struct trial *t, struct error *e) {
 }
 
 // The first error of a run, after the others have been entered.
-static int enter(void *context, long run, const void *scratch, struct error *e) {
-    (void)run;
+static int enter(void *context, long first, const void *scratch, struct error *e) {
+    (void)first;
     const struct batch *b = scratch;
     int status = STATUS_OK;
     for (int i = 0; i < b->n; i++) {
@@ -161,7 +163,7 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
     if (!p.records) {
         return error_no_memory(e);
     }
-    const long missing = plan->n_run - journal->n_done;
+    const long missing = plan->n_mine - journal->n_done;
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
     p.left = missing;

@@ -2,77 +2,31 @@
 // A study from its deck to its file: plan, journal, pool, result.
 #include "jostle/study.h"
 
-#include <inttypes.h>
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include "core/checksum.h"
+#include "jostle/study_merge.h"
+#include "study/identity.h"
 #include "study/journal.h"
 #include "study/ledger.h"
 #include "study/plan.h"
 #include "study/pool.h"
+#include "study/portion.h"
 
 struct study {
     const struct study_request *request;
     struct plan plan;
     struct ledger ledger;
     struct journal journal;
-    double start;  // wall time [s]
+    const char *identity;    // of the study
+    struct study_part part;  // if that is what is run
+    double start;            // wall time [s]
 };
 
 static double now(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static uint64_t sum_text(uint64_t sum, const char *text) {
-    return checksum_add(sum, text, strlen(text) + 1);
-}
-
-static uint64_t sum_sweep(const struct sweep *s) {
-    uint64_t sum = sum_text(checksum_start, s->name);
-    for (int i = 0; i < s->n; i++) {
-        sum = s->number ? checksum_add(sum, &s->number[i], sizeof s->number[i])
-                        : sum_text(sum, s->text[i]);
-    }
-    return sum;
-}
-
-// Which study this is: a line for each thing that must not change, opened by what a message calls
-// it.
-static const char *describe(const struct study *s) {
-    const struct study_request *q = s->request;
-    const struct deck *deck = q->first->deck;
-    struct arena *a = s->ledger.arena;
-    uint64_t define = checksum_start;
-    for (int i = 0; i < q->n_define; i++) {
-        define = sum_text(define, q->define[i]);
-    }
-    const char *text = arena_format(a,
-                                    "the program\t%s %016" PRIx64 "\nthe deck\t%016" PRIx64
-                                    "\n-D\t%016" PRIx64 "\nthe folder of the deck\t%s\n",
-                                    q->result.version, q->program,
-                                    sum_text(checksum_start, deck->text), define, deck->path);
-    for (const struct sweep *w = deck->sweeps; w && text; w = w->next) {
-        text = arena_format(a, "%sthe list of values of '%s'\t%d %016" PRIx64 "\n", text, w->name,
-                            w->n, sum_sweep(w));
-    }
-    return text ? arena_format(a, "%sthe number of results\t%zu\n", text, s->plan.table->n_value)
-                : NULL;
-}
-
-// What has changed between two descriptions, to end at *end.
-static const char *difference(const char *old, const char *new, int *length) {
-    size_t line = 0;
-    for (size_t i = 0; old[i] == new[i] && old[i]; i++) {
-        line = old[i] == '\n' ? i + 1 : line;
-    }
-    const char *from = new[line] ? new + line : old + line;
-    *length = (int)strcspn(from, "\t\n");
-    return from;
 }
 
 static int expect_file(void *context, const char *path, uint64_t sum, struct error *e) {
@@ -89,7 +43,7 @@ static int refuse(const struct study *s, const char *cause, int length, struct e
 
 // Takes up the journal, or begins it.
 static int open_journal(struct study *s, struct error *e) {
-    const char *head = describe(s);
+    const char *head = identity_journal(s->ledger.arena, s->request, s->identity);
     if (!head) {
         return error_no_memory(e);
     }
@@ -98,7 +52,7 @@ static int open_journal(struct study *s, struct error *e) {
     }
     if (strcmp(s->journal.head, head) != 0) {
         int length;
-        const char *cause = difference(s->journal.head, head, &length);
+        const char *cause = identity_difference(s->journal.head, head, &length);
         return refuse(s, cause, length, e);
     }
     struct error cause;
@@ -148,7 +102,12 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
     content->n_kept = p->n_kept;
     content->n_thread = p->n_thread;
     content->seconds = now() - s->start;
-    return study_file_write(content, &s->request->result, e);
+    if (s->request->shard.n > 0) {
+        status = portion_describe(&s->plan, &s->ledger, s->identity, &s->part, e);
+        s->part.n_failed = p->n_failed;
+        content->part = &s->part;
+    }
+    return status == STATUS_OK ? study_file_write(content, &s->request->result, e) : status;
 }
 
 static int run_study(struct study *s, struct study_progress *p, struct error *e) {
@@ -156,7 +115,7 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
     struct study_content content = {.first = s->plan.report,
                                     .table = s->plan.table,
                                     .sweeps = s->plan.first->deck->sweeps,
-                                    .n_run = s->plan.n_run,
+                                    .n_run = s->plan.n_mine,
                                     .read = read_runs,
                                     .context = s};
     int status = study_file_check(&content, result, e);
@@ -165,7 +124,7 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
         status = error_no_memory(e);
     }
     if (status == STATUS_OK) {
-        status = journal_open(&s->journal, path, s->plan.n_run, s->plan.table->n_value, e);
+        status = journal_open(&s->journal, path, s->plan.n_mine, s->plan.table->n_value, e);
     }
     if (status != STATUS_OK) {
         return status;
@@ -184,17 +143,30 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
     return status;
 }
 
+// Runs it, unless it is a part that is done.
+static int find_or_run(struct study *s, struct study_progress *p, struct error *e) {
+    bool found = false;
+    s->identity = identity_study(s->ledger.arena, s->request, s->plan.table->n_value);
+    int status = s->identity
+                     ? portion_find(s->request, &s->ledger, s->identity, &found, &p->n_failed, e)
+                     : error_no_memory(e);
+    if (status == STATUS_OK && found) {
+        p->n_kept = p->n_done = p->n_run;
+        return STATUS_OK;
+    }
+    return status == STATUS_OK ? run_study(s, p, e) : status;
+}
+
 int study_run(const struct study_request *q, struct study_progress *p, struct error *e) {
     struct study s = {.request = q, .start = now()};
-    *p = (struct study_progress){.n_run = q->first->deck->n_run};
-    int status =
-        plan_init(&s.plan, q->first, q->define, q->n_define, q->result.path, q->result.version, e);
+    *p = (struct study_progress){.n_run = study_shard_size(&q->shard, q->first->deck->n_run)};
+    int status = plan_init(&s.plan, q, e);
     if (status != STATUS_OK) {
         return status;
     }
     status = ledger_init(&s.ledger, e);
     if (status == STATUS_OK) {
-        status = run_study(&s, p, e);
+        status = find_or_run(&s, p, e);
     }
     ledger_close(&s.ledger);
     plan_close(&s.plan);

@@ -16,7 +16,8 @@ struct trial_watch {
 };
 
 struct trial {
-    long run;       // from 0
+    long run;       // of the study, from 0
+    long entry;     // its place in the journal; not used here
     double *value;  // (n_value) borrowed: its values, NaN if it failed
     struct study_outcome outcome;
     int status;  // 0, or an error that ends the study

@@ -5,6 +5,7 @@
 
 #include "jostle/model.h"
 
+#define BENCH_TOLERANCE "3e-6"  // within 1e-6 m on the pair: docs/performance.md
 #define BENCH_RECORD "records/ELCENTRO_1940_NS.AT2"  // from input/
 
 struct bench_case;

@@ -40,7 +40,7 @@ static void write_deck(FILE *f, const struct bench_case *c) {
     if (c->dt > 0.0) {
         fprintf(f, "integrator newmark\nstep fixed %gs\n", c->dt);
     } else {
-        fputs("integrator dormand-prince\nstep adaptive\n", f);
+        fputs("integrator dormand-prince\nstep adaptive -tolerance " BENCH_TOLERANCE "\n", f);
     }
 }
 

@@ -49,6 +49,10 @@ complete_line plot b.h5 --script ""
 expect "--script takes a folder" '[ "$proposed" = " decks " ]'
 complete_line plot b.h5 en
 expect "plot takes a kind behind the file" '[ "$proposed" = " energy " ]'
+complete_line fragility b.h5 --edp drif
+expect "--edp takes a demand" '[ "$proposed" = " drift drift-ratio " ]'
+complete_line plot b.h5 ida --edp imp
+expect "of plot too" '[ "$proposed" = " impacts impulse " ]'
 complete_line law hert
 expect "law takes a contact law" '[ "$proposed" = " hertz hertz-damp " ]'
 complete_line law elas
@@ -59,3 +63,7 @@ complete_line deck "sto"
 expect "deck takes a statement" '[ "$proposed" = " storey " ]'
 complete_line nothing ""
 expect "an unknown command has nothing" '[ -z "${proposed// /}" ]'
+complete_line merge b.h5 ""
+expect "merge takes one result after another" '[ "$proposed" = " decks b.h5 " ]'
+complete_line tasks ""
+expect "tasks takes decks" '[ "$proposed" = " decks a.deck " ]'

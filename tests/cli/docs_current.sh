@@ -30,6 +30,7 @@ same docs/deck-statements.md
 same docs/spectrum.md
 same docs/accuracy.md
 same docs/studies.md
+same docs/ida.md
 same docs/restitution.md
 same docs/law-command.md
 same README.md

@@ -10,14 +10,7 @@ if ! command -v h5diff >/dev/null; then
     exit 0
 fi
 
-mkdir records
-for i in 1 2 3; do
-    awk -v i=$i 'BEGIN { for (k = 0; k < 2000; k++) print i * sin((0.05 + 0.05 * i) * k) }' >records/$i.txt
-done
-two_buildings study.deck
-sed -i 's/^param gap .*/sweep gap range 2mm 20mm 60/; /^ground/d; /^damping B/d' study.deck
-sed -i '3i sweep record files "records/*.txt"' study.deck
-echo 'ground record $record -unit m/s2 -dt 0.01' >>study.deck
+study_of_records study.deck 60 2000
 run "$jostle" run study.deck -q -o whole.h5
 expect "a study of 180 runs ends" '[ $status -eq 0 ] && [ ! -s "$err" ]'
 

@@ -55,8 +55,6 @@ run "$jostle" show one.h5
 expect "show prints where each quantity is largest" '[ $status -eq 0 ] && grep -qE "^A +drift +[0-9] .* m +[0-9]+ \(gap " "$out"'
 run "$jostle" show --json one.h5
 expect "--json is refused for a study" '[ $status -eq 2 ] && said "is a study"'
-run "$jostle" plot one.h5
-expect "plot says that it is a study" '[ $status -eq 2 ] && said "the result of a study"'
 run "$jostle" check grid.deck -D k=2e6
 expect "check prints the sweeps and the first model" '[ $status -eq 0 ] && grep -q "^study of 4 runs" "$out" && grep -q "k  *fixed by -D: 2e+06" "$out" && grep -q "building A: 2 floors" "$out"'
 run "$jostle" run grid.deck -o one.h5
@@ -84,15 +82,7 @@ else
     skip "xarray selects by the values of the sweeps" "no xarray"
 fi
 
-cat >fails.deck <<'END'
-sweep m values 1 1e-300 2
-sweep e values 0.5 1.5 0.7
-building A -floors 1 -mass $m -stiffness 1
-contact A wall -gap 1 -law stereomechanical -e $e
-load A:1 constant ${min(1e300, 1 + 1e300 * (1 - min(1, $m)))}
-step fixed 0.01
-duration 1
-END
+failing_study fails.deck
 run "$jostle" run fails.deck
 expect "runs that fail do not stop the others; exit status 1" '[ $status -eq 1 ] && grep -q "^study of 9 runs, 5 failed" "$out" && said "5 of 9 runs failed" && said "run 2 (m = 1, e = 1.5): fails.deck:4:48: e is 1.5"'
 run "$jostle" show --tsv fails.h5

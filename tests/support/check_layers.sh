@@ -18,8 +18,8 @@ level() {
     model) echo 2 ;;
     solve) echo 3 ;;
     result) echo 4 ;;
-    plot) echo 5 ;;
-    study) echo 6 ;;
+    study) echo 5 ;;
+    plot) echo 6 ;;
     command) echo 7 ;;
     main) echo 8 ;;
     *) echo "check_layers: no layer is known for '$1'" >&2 && exit 1 ;;
@@ -34,6 +34,7 @@ home() {
     record | signal | spectrum | intensity) echo motion ;;
     analysis | ensemble) echo solve ;;
     study_file) echo result ;;
+    study_merge) echo study ;;
     *) echo "$1" ;;
     esac
 }

@@ -81,3 +81,31 @@ step fixed 1ms
 END
     [ $# -eq 0 ] || printf '%s\n' "$@" >>"$file"
 }
+
+# study_of_records FILE GAPS VALUES: a study of that many gaps and three records of so many values,
+# records/1.txt and on.
+study_of_records() {
+    local i
+    mkdir records
+    for i in 1 2 3; do
+        awk -v i=$i -v n="$3" 'BEGIN { for (k = 0; k < n; k++) print i * sin((0.05 + 0.05 * i) * k) }' \
+            >records/$i.txt
+    done
+    two_buildings "$1"
+    sed -i "s/^param gap .*/sweep gap range 2mm 20mm $2/; /^ground/d; /^damping B/d" "$1"
+    sed -i '3i sweep record files "records/*.txt"' "$1"
+    echo 'ground record $record -unit m/s2 -dt 0.01' >>"$1"
+}
+
+# failing_study FILE: a study of 9 runs, of which 5 fail.
+failing_study() {
+    cat >"$1" <<'END'
+sweep m values 1 1e-300 2
+sweep e values 0.5 1.5 0.7
+building A -floors 1 -mass $m -stiffness 1
+contact A wall -gap 1 -law stereomechanical -e $e
+load A:1 constant ${min(1e300, 1 + 1e300 * (1 - min(1, $m)))}
+step fixed 0.01
+duration 1
+END
+}

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "support/random.h"
 #include "support/support.h"
@@ -231,4 +232,18 @@ void random_deck(uint64_t seed, char *text, size_t size) {
     }
     double dt = random_logarithmic(&m.random, 1e-5, 0.05);
     add(&m, "step fixed %.6g\nduration %.6g\n", dt, dt * 250.0 < 3.0 ? dt * 250.0 : 3.0);
+}
+
+void random_deck_stepped(uint64_t seed, const char *steps, char *text, size_t size) {
+    char deck[4096];
+    size_t n = (size_t)snprintf(text, size, "%s\n", steps);
+    random_deck(seed, deck, sizeof deck);
+    for (const char *line = deck; *line;) {
+        int length = (int)strcspn(line, "\n");
+        if (strncmp(line, "step ", 5) != 0 && strncmp(line, "integrator ", 11) != 0) {
+            n += (size_t)snprintf(text + n, size - n, "%.*s\n", length, line);
+        }
+        assert_true(n < size);
+        line += length + (line[length] == '\n');
+    }
 }

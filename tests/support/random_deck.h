@@ -14,4 +14,7 @@ void random_deck(uint64_t seed, char *text, size_t size);
 // contacts, each with a law of its own; of even numbers none may pull.
 void random_deck_cluster(uint64_t seed, char *text, size_t size);
 
+// The same deck with the lines `steps` in place of its integrator and step.
+void random_deck_stepped(uint64_t seed, const char *steps, char *text, size_t size);
+
 #endif

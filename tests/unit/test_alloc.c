@@ -166,9 +166,11 @@ static void an_error_message_that_finds_no_memory_is_still_an_error(void **state
 int main(void) {
     static char fixed[] = "step fixed 0.002";
     static char adaptive[] = "step adaptive";
+    static char newmark[] = "integrator newmark\nstep adaptive";
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(every_allocation_that_fails_ends_in_an_error, fixed),
         cmocka_unit_test_prestate(every_allocation_that_fails_ends_in_an_error, adaptive),
+        cmocka_unit_test_prestate(every_allocation_that_fails_ends_in_an_error, newmark),
         cmocka_unit_test(an_error_message_that_finds_no_memory_is_still_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

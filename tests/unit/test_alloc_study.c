@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "jostle/study.h"
+#include "jostle/study_merge.h"
 #include "study/force_map.h"
 #include "support/fail_alloc.h"
 #include "support/support.h"
@@ -17,7 +18,9 @@ static const char text[] = "sweep gap values 1mm 2mm\n"
                            "ground record $record -unit m/s2 -dt 0.05\n"
                            "step fixed 0.01\n";
 
-static int run_all(const char *path, const char *result, struct error *e) {
+// Runs a part of the study; n = 0: the whole.
+static int run_part(const char *path, const char *result, struct study_shard shard,
+                    struct error *e) {
     struct deck *d = NULL;
     struct model *m = NULL;
     unlink(result);
@@ -28,6 +31,7 @@ static int run_all(const char *path, const char *result, struct error *e) {
     if (status == STATUS_OK) {
         const struct study_request q = {.first = m,
                                         .n_thread = 1,
+                                        .shard = shard,
                                         .journal = STUDY_RESTART,
                                         .result = {.path = result, .version = "1"}};
         struct study_progress p;
@@ -37,21 +41,26 @@ static int run_all(const char *path, const char *result, struct error *e) {
     return status;
 }
 
-static void every_allocation_that_fails_ends_in_an_error(void **state) {
-    (void)state;
+static int merge_input(const void *input, const char *result, struct error *e) {
+    const struct study_merge_request q = {
+        .path = input, .n_path = 2, .result = {.path = result, .version = "1"}};
+    struct study_merged merged;
+    unlink(result);
+    return study_merge(&q, &merged, e);
+}
+
+// Fails each allocation of work_on in its turn.
+static void fail_each(int work_on(const void *input, const char *result, struct error *e),
+                      const void *input, const char *result) {
     struct error e;
-    support_write("memory1.txt", "0\n1\n-2\n1\n");
-    support_write("memory2.txt", "0\n2\n-1\n1\n");
-    const char *path = support_write("memory.deck", text);
-    const char *result = support_path("memory.h5");
     fail_alloc_at(0);
-    assert_int_equal(run_all(path, result, &e), STATUS_OK);
+    assert_int_equal(work_on(input, result, &e), STATUS_OK);
     const long n = fail_alloc_stop();
     assert_in_range(n, 100, 20000);
     for (long k = 1; k <= n; k++) {
         e.message[0] = '\0';
         fail_alloc_at(k);
-        int status = run_all(path, result, &e);
+        int status = work_on(input, result, &e);
         fail_alloc_stop();
         if (status == STATUS_OK) {
             fail_msg("allocation %ld of %ld failed unnoticed", k, n);
@@ -59,8 +68,49 @@ static void every_allocation_that_fails_ends_in_an_error(void **state) {
         assert_true(e.message[0] != '\0');
         assert_int_not_equal(access(result, F_OK), 0);
     }
-    assert_int_equal(run_all(path, result, &e), STATUS_OK);
+    assert_int_equal(work_on(input, result, &e), STATUS_OK);
     assert_int_equal(access(result, F_OK), 0);
+}
+
+static void write_deck(char *path) {
+    support_write("memory1.txt", "0\n1\n-2\n1\n");
+    support_write("memory2.txt", "0\n2\n-1\n1\n");
+    snprintf(path, 256, "%s", support_write("memory.deck", text));
+}
+
+static int run_input(const void *input, const char *result, struct error *e) {
+    return run_part(input, result, (struct study_shard){0, 0}, e);
+}
+
+static void every_allocation_that_fails_ends_in_an_error(void **state) {
+    (void)state;
+    char path[256];
+    write_deck(path);
+    fail_each(run_input, path, support_path("memory.h5"));
+}
+
+static int run_second(const void *input, const char *result, struct error *e) {
+    return run_part(input, result, (struct study_shard){2, 3}, e);
+}
+
+static void so_it_is_with_a_part(void **state) {
+    (void)state;
+    char path[256];
+    write_deck(path);
+    fail_each(run_second, path, support_path("part.h5"));
+}
+
+static void and_with_parts_being_joined(void **state) {
+    (void)state;
+    char path[256], name[2][256];
+    const char *const part[2] = {name[0], name[1]};
+    struct error e;
+    write_deck(path);
+    for (int k = 0; k < 2; k++) {
+        snprintf(name[k], sizeof name[k], "%s", support_path(k ? "second.h5" : "first.h5"));
+        assert_int_equal(run_part(path, name[k], (struct study_shard){k + 1, 2}, &e), STATUS_OK);
+    }
+    fail_each(merge_input, part, support_path("merged.h5"));
 }
 
 static const char pair[] = "param T1 1s\n"
@@ -100,9 +150,12 @@ static void every_allocation_of_a_force_map_that_fails_ends_in_an_error(void **s
 }
 
 int main(void) {
+    result_init();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_allocation_of_a_force_map_that_fails_ends_in_an_error),
         cmocka_unit_test(every_allocation_that_fails_ends_in_an_error),
+        cmocka_unit_test(so_it_is_with_a_part),
+        cmocka_unit_test(and_with_parts_being_joined),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

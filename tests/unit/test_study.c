@@ -35,7 +35,8 @@ static void the_last_sweep_varies_fastest(void **state) {
     struct plan p;
     struct error e;
     struct plan_text t;
-    assert_int_equal(plan_init(&p, m, NULL, 0, "a.h5", "1", &e), STATUS_OK);
+    const struct study_request q = {.first = m, .result = {.path = "a.h5", .version = "1"}};
+    assert_int_equal(plan_init(&p, &q, &e), STATUS_OK);
     assert_int_equal(p.n_run, 12);
     for (long run = 0; run < 12; run++) {
         int choice[STUDY_SWEEPS_MAX];

@@ -115,6 +115,22 @@ static void rigid_bodies_bounce_by_newton_s_law(void **state) {
     analysis_free(&a);
 }
 
+// The oscillator, let go at -0.1 m, reaches the wall with a twentieth of its largest velocity and
+// would leave it with less than the tolerance; its storey pulls it back at once.
+static void rigid_bodies_that_part_where_they_come_to_rest_are_apart(void **state) {
+    (void)state;
+    struct analysis a =
+        analysis_of("building A -floors 1 -mass 2 -stiffness 200\ninitial A:1 -displacement -0.1\n"
+                    "contact A wall -gap 0.0999 -law stereomechanical -e 1e-3\n"
+                    "step adaptive -tolerance 1e-4\nduration 0.8\n");
+    double met = (M_PI - acos(0.999)) / 10.0;
+    assert_int_equal(a.results->n_impact, 1);
+    assert_true(a.results->impact[0].complete);
+    // Each of the ten steps errs by up to 1e-4 of 0.1 m.
+    assert_near(analysis_displacement(&a, 0, 0.8), 0.0999 * cos(10.0 * (0.8 - met)), 1e-4);
+    analysis_free(&a);
+}
+
 // The oscillator swings to 0.1 m; the touch lasts 2 sqrt(2 depth / 0.1) / omega, far less than a
 // step.
 static void a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not(void **state) {
@@ -213,8 +229,8 @@ static void what_takes_too_many_steps_ends_with_advice(void **state) {
                "building B -floors 1 -mass 1 -stiffness 100\ninitial B:1 -velocity 1\n"
                "link A B -dashpot 1000 -exponent 0.1 -name brake\n"
                "step adaptive -tolerance 1e-9\nduration 20\n",
-               "because of brake, which makes more than 2e+06 of them; use a larger -tolerance or "
-               "step fixed DT");
+               "because of brake, which makes more than 2e+06 of them; use a larger -tolerance, "
+               "integrator newmark or step fixed DT");
     // Between its branches at v = 0 this law holds any force: the bodies stick.
     fails_with("building A -floors 1 -mass 1 -stiffness 100\nload A:1 constant 100\n"
                "contact A wall -name stop -gap 0 -law khatami -k 1e5 -zeta 9\n"
@@ -223,22 +239,8 @@ static void what_takes_too_many_steps_ends_with_advice(void **state) {
     fails_with("building A -floors 1 -mass 2 -stiffness 0\nload A:1 constant 20\n"
                "contact A wall -name stop -gap 0.05 -law stereomechanical -e 0.65\n"
                "step adaptive\nduration 1\n",
-               "contact stop comes to rest, which adaptive steps do not follow; use step fixed DT");
-}
-
-// The deck with adaptive steps.
-static void make_adaptive(const char *text, char *out, size_t size) {
-    size_t n = 0;
-    while (*text) {
-        int length = (int)strcspn(text, "\n");
-        if (strncmp(text, "step ", 5) == 0) {
-            n += (size_t)snprintf(out + n, size - n, "step adaptive\n");
-        } else if (strncmp(text, "integrator ", 11) != 0) {
-            n += (size_t)snprintf(out + n, size - n, "%.*s\n", length, text);
-        }
-        assert_true(n < size);
-        text += length + (text[length] == '\n');
-    }
+               "contact stop comes to rest, which dormand-prince does not follow; use integrator "
+               "newmark or step fixed DT");
 }
 
 static void every_random_deck_ends_with_a_closed_account_or_advice(void **state) {
@@ -246,11 +248,9 @@ static void every_random_deck_ends_with_a_closed_account_or_advice(void **state)
     int given_up = 0;
     for (uint64_t seed = 1; seed <= 60; seed++) {
         char text[4096];
-        char adaptive[4096];
         struct error e = {0};
-        random_deck(seed, text, sizeof text);
-        make_adaptive(text, adaptive, sizeof adaptive);
-        struct analysis a = analysis_try(adaptive, &e);
+        random_deck_stepped(seed, "step adaptive", text, sizeof text);
+        struct analysis a = analysis_try(text, &e);
         if (e.status == STATUS_OK) {
             double flow = a.results->initial_energy;
             for (long i = 0; i < a.rows.n * ENERGY_COUNT; i++) {
@@ -298,6 +298,7 @@ int main(void) {
         cmocka_unit_test(error_and_energy_residual_go_with_the_tolerance),
         cmocka_unit_test(impacts_against_a_wall_have_their_closed_forms),
         cmocka_unit_test(rigid_bodies_bounce_by_newton_s_law),
+        cmocka_unit_test(rigid_bodies_that_part_where_they_come_to_rest_are_apart),
         cmocka_unit_test(a_touch_within_a_step_is_found_and_one_that_fails_to_reach_is_not),
         cmocka_unit_test(yielding_and_unloading_are_located),
         cmocka_unit_test(whatever_a_deck_has_agrees_with_fixed_steps),

@@ -13,7 +13,7 @@
 #include "support/support.h"
 
 // Relative, of the first closure [s], and the share of the largest energy by which small ones are
-// judged. Adaptive steps run to a tolerance of 1e-9: each of them is right to that share of the
+// judged. Adaptive steps run to a tolerance of 1e-8: each of them is right to that share of the
 // largest velocity, and so the sum of their works to some hundred times that share of the energy.
 struct accuracy {
     double relative, time, small_energy;
@@ -73,7 +73,7 @@ static struct analysis run_fixed(const char *name) {
 }
 
 // The deck with its last line, the step, replaced.
-static struct analysis run_adaptive(const char *name) {
+static struct analysis run_adaptive(const char *name, const char *steps) {
     char path[256];
     char text[4096];
     size_t size;
@@ -81,8 +81,7 @@ static struct analysis run_adaptive(const char *name) {
     const char *deck_text = support_read(path, &size);
     const char *step = strstr(deck_text, "\nstep fixed");
     assert_non_null(step);
-    snprintf(text, sizeof text, "%.*s\nstep adaptive -tolerance 1e-9\n", (int)(step - deck_text),
-             deck_text);
+    snprintf(text, sizeof text, "%.*s\n%s\n", (int)(step - deck_text), deck_text, steps);
     struct analysis a = {0};
     struct deck *deck;
     struct error e = {0};
@@ -196,14 +195,25 @@ static void fixed_steps_agree(void **state) {
 }
 
 static void adaptive_steps_agree(void **state) {
-    struct analysis a = run_adaptive(*state);
+    bool amplifies = strcmp(*state, "F_towers_wang") == 0;  // errors of 1e-8 140 times
+    struct analysis a = run_adaptive(*state, amplifies ? "step adaptive -tolerance 1e-9"
+                                                       : "step adaptive -tolerance 1e-8");
     compare(*state, &a, &adaptive);
 }
 
+static void adaptive_steps_of_newmark_agree(void **state) {
+    struct analysis a = run_adaptive(*state, "integrator newmark\nstep adaptive -tolerance 1e-8");
+    compare(*state, &a, &fixed);
+}
+
 #define CASE(text)                                                                                 \
-    {.name = text, .test_func = fixed_steps_agree, .initial_state = (char[]){text}}, {             \
-        .name = text " with adaptive steps", .test_func = adaptive_steps_agree,                    \
-        .initial_state = (char[]) {                                                                \
+    {.name = text, .test_func = fixed_steps_agree, .initial_state = (char[]){text}},               \
+        {.name = text " with adaptive steps",                                                      \
+         .test_func = adaptive_steps_agree,                                                        \
+         .initial_state = (char[]){text}},                                                         \
+    {                                                                                              \
+        .name = text " with adaptive steps of newmark",                                            \
+        .test_func = adaptive_steps_of_newmark_agree, .initial_state = (char[]) {                  \
             text                                                                                   \
         }                                                                                          \
     }

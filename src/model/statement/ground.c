@@ -6,7 +6,20 @@
 #include "model/statement.h"
 #include "motion/shelf.h"
 
-enum { R_FORMAT, R_UNIT, R_DT, R_SCALE, R_PGA, R_DELAY, R_BUILDINGS, N_RECORD_ROW };
+enum {
+    R_FORMAT,
+    R_UNIT,
+    R_DT,
+    R_SCALE,
+    R_PGA,
+    R_SA,
+    R_PERIOD,
+    R_BUILDING,
+    R_DAMPING,
+    R_DELAY,
+    R_BUILDINGS,
+    N_RECORD_ROW
+};
 enum { S_DELAY = SINE_ROWS, S_BUILDINGS, N_SINE_ROW };
 
 static const struct row record_rows[N_RECORD_ROW] = {
@@ -21,6 +34,29 @@ static const struct row record_rows[N_RECORD_ROW] = {
                &range_positive,
                NAN,
                "peak ground acceleration to scale to"},
+    [R_SA] = {"sa",
+              ROW_NUMBER,
+              0,
+              {0, 1, -2},
+              &range_positive,
+              NAN,
+              "pseudo-spectral acceleration to scale to"},
+    [R_PERIOD] = {"period",
+                  ROW_NUMBER,
+                  0,
+                  {0, 0, 1},
+                  &signals_period_range,
+                  NAN,
+                  "period for -sa; that of a building if not given"},
+    [R_BUILDING] = {"building",
+                    ROW_TEXT,
+                    0,
+                    {0},
+                    NULL,
+                    NAN,
+                    "building whose first period is that for -sa; the first one it acts under"},
+    [R_DAMPING] =
+        {"damping", ROW_NUMBER, 0, {0}, &signals_damping_range, 0.05, "damping ratio for -sa"},
     [R_DELAY] =
         {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0, "time of the first sample"},
     [R_BUILDINGS] =
@@ -73,10 +109,41 @@ static bool read_buildings(struct builder *b, const struct argument *a, struct g
     return good;
 }
 
+// What is asked for by -sa; false after a report. `buildings` of the draft are read.
+static bool read_scaling(struct builder *b, const struct argument *a, struct ground_draft *g) {
+    static const int for_sa[] = {R_PERIOD, R_BUILDING, R_DAMPING};
+    for (size_t i = 0; !a[R_SA].given && i < sizeof for_sa / sizeof for_sa[0]; i++) {
+        if (a[for_sa[i]].given) {
+            deck_error(b->deck, &a[for_sa[i]].key, "-%s is for -sa, which is not given",
+                       record_rows[for_sa[i]].key);
+            return false;
+        }
+    }
+    if (!a[R_SA].given) {
+        return true;
+    }
+    if (a[R_PERIOD].given && a[R_BUILDING].given) {
+        deck_error(b->deck, &a[R_BUILDING].key, "give -period or -building, not both");
+        return false;
+    }
+    g->scaling = (struct spectral_scaling){
+        .acceleration = a[R_SA].number[0],
+        .period = a[R_PERIOD].given ? a[R_PERIOD].number[0] : 0.0,
+        .damping = a[R_DAMPING].number[0],
+        .building = g->n_building > 0 ? g->building[0] : 0,
+        .word = a[R_SA].key,
+    };
+    if (a[R_BUILDING].given) {
+        g->scaling.building = builder_building(b, &a[R_BUILDING].word[0]);
+    }
+    return g->scaling.building >= 0;
+}
+
+// `record` holds the arguments of a record; NULL: it is none.
 static void append(struct builder *b, const struct statement *s, const struct signal *signal,
-                   const struct argument *buildings) {
+                   const struct argument *buildings, const struct argument *record) {
     struct ground_draft g = {.signal = *signal, .word = s->word[0]};
-    if (read_buildings(b, buildings, &g)) {
+    if (read_buildings(b, buildings, &g) && (!record || read_scaling(b, record, &g))) {
         struct ground_draft *d = builder_append(b, &b->grounds, sizeof *d);
         if (d) {
             *d = g;
@@ -85,24 +152,31 @@ static void append(struct builder *b, const struct statement *s, const struct si
     }
 }
 
-// Factor from the file's values to the deck's accelerations; false after a report.
+// Factor from the file's values to the deck's accelerations, before -sa; false after a report.
 static bool record_scale(struct builder *b, const struct argument *a, const struct word *file,
                          const struct record *r, double *scale) {
     *scale = a[R_SCALE].number[0] * r->unit / unit_size(&b->deck->units, dimension_acceleration);
-    if (!a[R_PGA].given) {
+    const struct argument *to = a[R_SA].given ? &a[R_SA] : &a[R_PGA];
+    if (!to->given) {
         return true;
     }
     double peak = 0.0;
     for (size_t j = 0; j < r->n; j++) {
         peak = fmax(peak, fabs(r->value[j]));
     }
-    if (a[R_SCALE].given) {
-        deck_error(b->deck, &a[R_PGA].key, "give -scale or -pga, not both");
+    const char *key = a[R_SA].given ? "sa" : "pga";
+    if (a[R_SCALE].given || (a[R_SA].given && a[R_PGA].given)) {
+        deck_error(b->deck, &to->key, "give -%s or -%s, not both",
+                   a[R_SCALE].given ? "scale" : "pga", key);
         return false;
     }
     if (peak == 0.0) {
-        deck_error(b->deck, file, "every value of the record is 0; it cannot be scaled to a PGA");
+        deck_error(b->deck, file, "every value of the record is 0; it cannot be scaled to a %s",
+                   a[R_SA].given ? "spectral acceleration" : "PGA");
         return false;
+    }
+    if (a[R_SA].given) {
+        return true;
     }
     *scale = a[R_PGA].number[0] / peak;
     return true;
@@ -153,7 +227,7 @@ static void build_record(struct builder *b, const struct statement *s) {
         return;
     }
     signal.name = name;
-    append(b, s, &signal, &a[R_BUILDINGS]);
+    append(b, s, &signal, &a[R_BUILDINGS], a);
 }
 
 static void build_sine(struct builder *b, const struct statement *s) {
@@ -161,7 +235,7 @@ static void build_sine(struct builder *b, const struct statement *s) {
     bool good = builder_plain(b, s, 1, 1, statement_ground.usage);
     if (deck_options(b->deck, s, &(struct row_set){sine_rows, N_SINE_ROW, a}, 1) && good) {
         struct signal signal = signals_sine(a, a[S_DELAY].number[0]);
-        append(b, s, &signal, &a[S_BUILDINGS]);
+        append(b, s, &signal, &a[S_BUILDINGS], NULL);
     }
 }
 
@@ -180,10 +254,10 @@ static void build(struct builder *b, const struct statement *s) {
 
 const struct statement_kind statement_ground = {
     .name = "ground",
-    .usage =
-        "record FILE [-format F] [-unit U] [-dt DT] [-scale S | -pga A] [-delay T] [-buildings "
-        "NAMES] | sine -amplitude A -frequency F [-phase P] [-cycles N] [-delay T] [-buildings "
-        "NAMES]",
+    .usage = "record FILE [-format F] [-unit U] [-dt DT] [-scale S | -pga A | -sa A [-period T | "
+             "-building NAME] [-damping Z]] [-delay T] [-buildings NAMES] | sine -amplitude A "
+             "-frequency F [-phase P] [-cycles N] [-delay T] [-buildings "
+             "NAMES]",
     .summary = "ground acceleration; several under one building add up",
     .example = "ground record records/ELCENTRO_1940_NS.AT2 -pga 0.35g",
     .variant = variants,

@@ -17,7 +17,7 @@ static const struct row newmark_rows[N_NEWMARK_ROW] = {
 
 enum { N_VARIANT = 2 };
 static const struct statement_variant variants[N_VARIANT] = {
-    {"newmark", "with step fixed", newmark_rows, N_NEWMARK_ROW},
+    {"newmark", "order 2, implicit, with fixed and adaptive steps", newmark_rows, N_NEWMARK_ROW},
     {"dormand-prince", "order 5(4), explicit, with step adaptive", NULL, 0},
 };
 

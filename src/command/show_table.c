@@ -7,27 +7,20 @@
 #include "result/layout.h"
 
 struct table {
-    FILE *to;
+    struct cells *cells;
     const struct report *r;
     const char *name;  // of the table
 };
 
-// Tabs and line ends would break the table.
-static void text(FILE *to, const char *s) {
-    for (; *s; s++) {
-        fputc((unsigned char)*s < ' ' ? ' ' : *s, to);
-    }
-    fputc('\t', to);
-}
-
 static void open_row(const struct table *t, const char *name, const char *quantity, long location) {
-    fprintf(t->to, "%s\t", t->name);
-    text(t->to, name);
-    fprintf(t->to, "%s\t", quantity);
+    cells_text(t->cells, t->name);
+    cells_text(t->cells, name);
+    cells_text(t->cells, quantity);
     if (location > 0) {
-        fprintf(t->to, "%ld", location);
+        cells_whole(t->cells, location);
+    } else {
+        cells_empty(t->cells);
     }
-    fputc('\t', t->to);
 }
 
 static void close_row(const struct table *t, const struct dimension *dimension, double time) {
@@ -35,17 +28,19 @@ static void close_row(const struct table *t, const struct dimension *dimension, 
     if (dimension) {
         unit_text(&t->r->units, *dimension, unit, sizeof unit);
     }
-    fprintf(t->to, "\t%s\t", unit);
-    if (!isnan(time)) {
-        fprintf(t->to, "%.17g", time);
+    cells_text(t->cells, unit);
+    if (isnan(time)) {
+        cells_empty(t->cells);
+    } else {
+        cells_number(t->cells, time);
     }
-    fputc('\n', t->to);
+    cells_end(t->cells);
 }
 
 static void row(const struct table *t, const char *name, const char *quantity, long location,
                 double value, const struct dimension *dimension, double time) {
     open_row(t, name, quantity, location);
-    fprintf(t->to, "%.17g", value);
+    cells_number(t->cells, value);
     close_row(t, dimension, time);
 }
 
@@ -75,7 +70,7 @@ static void members(const struct table *t, const struct column_table *c, const c
             row(t, name, column->name, location, *(const double *)at, column->dimension, time);
         } else if (column->kind != COLUMN_TEXT) {
             open_row(t, name, column->name, location);
-            fprintf(t->to, "%ld", layout_whole(column, at));
+            cells_whole(t->cells, layout_whole(column, at));
             close_row(t, column->dimension, time);
         }
     }
@@ -92,11 +87,13 @@ static void contact_peak(const struct table *t, const struct report_link *c) {
     row(t, c->name, "dissipated", 0, p->dissipated, &dimension_energy, NAN);
 }
 
-void show_tsv(const struct report *r, FILE *to) {
-    fprintf(to, "table\tname\tquantity\tlocation\tvalue\tunit\ttime\n");
-    const struct table buildings = {to, r, "buildings"}, contacts = {to, r, "contacts"};
-    const struct table links = {to, r, "links"}, impacts = {to, r, "impacts"};
-    const struct table energy = {to, r, "energy"}, totals = {to, r, "totals"};
+void show_table(const struct report *r, enum cells_form form, FILE *to) {
+    struct cells c = {.to = to, .form = form};
+    const struct table buildings = {&c, r, "buildings"}, contacts = {&c, r, "contacts"};
+    const struct table links = {&c, r, "links"}, impacts = {&c, r, "impacts"};
+    const struct table energy = {&c, r, "energy"}, totals = {&c, r, "totals"};
+    cells_words(&c, "table name quantity location value unit time");
+    cells_end(&c);
     for (int i = 0; i < r->n_building; i++) {
         building(&buildings, &r->building[i]);
     }

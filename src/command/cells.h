@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables for other programs, cell by cell: separated by tabs, or by commas with quotes after RFC
+// 4180 (lines end with a line feed alone).
+#ifndef JOSTLE_CELLS_H
+#define JOSTLE_CELLS_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum cells_form { CELLS_TSV, CELLS_CSV };
+struct cells {
+    FILE *to;
+    enum cells_form form;
+    bool within;  // a line
+};
+
+// Control characters become blanks in TSV; CSV keeps tabs and line ends within quotes.
+void cells_text(struct cells *c, const char *text);
+void cells_number(struct cells *c, double value);  // in full precision, or nan
+void cells_empty(struct cells *c);
+void cells_whole(struct cells *c, long value);
+void cells_end(struct cells *c);
+
+// A line of texts, parted by blanks: the head of a table.
+void cells_words(struct cells *c, const char *words);
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle merge: the parts of a study to its result file.
+#include <getopt.h>
+
+#include "command/interrupt.h"
+#include "command/output_name.h"
+#include "command/show_study.h"
+#include "command/study_end.h"
+#include "jostle/study_merge.h"
+
+static int merge_command(int argc, char **argv);
+
+const struct command command_merge = {
+    .name = "merge",
+    .usage = "PART.h5... -o FILE.h5 [-q] [--force] [--partial]",
+    .summary = "joins the parts of a study to one result file",
+    .run = merge_command,
+};
+
+static const char details[] =
+    "  -o, --output FILE  the result file of the study\n"
+    "  -q, --quiet        prints nothing but errors\n"
+    "  --force            overwrites an existing result file\n"
+    "  --partial          writes the file even if parts are missing: their runs have status 2\n"
+    "                     and no numbers\n"
+    "  --help             this text\n\n"
+    "The parts are what the commands write that jostle tasks prints. Exit status 1: runs have\n"
+    "failed, or are missing.\n";
+
+struct merge_options {
+    struct study_merge_request request;
+    enum { MERGE_QUIET, MERGE_TELL } words;
+};
+
+static int poll_signal(void *context, struct error *e) {
+    (void)context;
+    const int signal = interrupt_number();
+    return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d; nothing was written",
+                              signal)
+                  : STATUS_OK;
+}
+
+// True if there is something to be merged; else *status says why not.
+static bool parse(int argc, char **argv, struct merge_options *o, int *status) {
+    static const struct option option[] = {
+        {"output", required_argument, NULL, 'o'}, {"quiet", no_argument, NULL, 'q'},
+        {"force", no_argument, NULL, 'f'},        {"partial", no_argument, NULL, 'p'},
+        {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0},
+    };
+    struct study_merge_request *q = &o->request;
+    opterr = 0;
+    optind = 1;
+    for (int c; (c = getopt_long(argc, argv, ":o:qh", option, NULL)) != -1;) {
+        switch (c) {
+            case 'o':
+                if (q->result.path) {
+                    *status = command_usage(&command_merge, "-o is given twice");
+                    return false;
+                }
+                q->result.path = optarg;
+                break;
+            case 'q':
+                o->words = MERGE_QUIET;
+                break;
+            case 'f':
+                q->result.existing = RESULT_REPLACE;
+                break;
+            case 'p':
+                q->gaps = STUDY_PARTIAL;
+                break;
+            case 'h':
+                *status = command_help(&command_merge, details);
+                return false;
+            default:
+                *status = command_bad_option(&command_merge, c, argv);
+                return false;
+        }
+    }
+    q->path = (const char *const *)argv + optind;
+    q->n_path = argc - optind;
+    if (q->n_path < 1 || !q->result.path) {
+        *status =
+            command_usage(&command_merge, q->n_path < 1 ? "the files of the parts are expected"
+                                                        : "-o FILE.h5 is expected");
+        return false;
+    }
+    return true;
+}
+
+static int merge(const struct merge_options *o) {
+    const struct study_merge_request *q = &o->request;
+    struct study_merged merged;
+    struct error e;
+    if (study_merge(q, &merged, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    if (o->words == MERGE_TELL &&
+        show_study(q->result.path, STUDY_SUMMARY, stdout, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    if (merged.n_missing > 0) {
+        error_set(&e, STATUS_FAILED, "%ld of %ld runs are missing in %s: %s", merged.n_missing,
+                  merged.n_run, q->result.path, merged.missing);
+        return command_fail(&e);
+    }
+    return study_end(merged.n_failed, merged.n_run, q->result.path, "");
+}
+
+static int merge_command(int argc, char **argv) {
+    struct merge_options o = {
+        .request = {.gaps = STUDY_WHOLE,
+                    .result = {.existing = RESULT_KEEP, .version = JOSTLE_VERSION},
+                    .poll = poll_signal},
+        .words = MERGE_TELL};
+    int status;
+    if (!parse(argc, argv, &o, &status)) {
+        return status;
+    }
+    for (int i = 0; i < o.request.n_path; i++) {
+        if (output_is_same_file(o.request.path[i], o.request.result.path)) {
+            return command_usage(&command_merge,
+                                 "%s is one of the parts; give the result another name",
+                                 o.request.result.path);
+        }
+    }
+    struct arena *a = arena_create();
+    o.request.result.command_line = a ? command_line(a, argc, argv) : NULL;
+    struct error e;
+    status = o.request.result.command_line ? EXIT_DONE : command_fail((error_no_memory(&e), &e));
+    if (status == EXIT_DONE) {
+        interrupt_catch();
+        status = merge(&o);
+    }
+    arena_free(a);
+    return status;
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/output_name.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "jostle/model.h"
+
+const char *output_name(struct arena *a, const char *deck) {
+    const char *slash = strrchr(deck, '/');
+    const char *base = slash ? slash + 1 : deck;
+    const char *dot = strrchr(base, '.');
+    size_t n = dot && dot > base ? (size_t)(dot - base) : strlen(base);
+    return arena_format(a, "%.*s.h5", (int)n, base);
+}
+
+const char *output_part_name(struct arena *a, const char *path, const struct study_shard *s) {
+    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+    const char *end = dot && dot > path && (!slash || dot > slash + 1) ? dot : path + strlen(path);
+    return arena_format(a, "%.*s.%ld-of-%ld%s", (int)(end - path), path, s->number, s->n, end);
+}
+
+const char *output_choose(const struct model *m, const char *given, const struct study_shard *s) {
+    struct arena *a = m->deck->arena;
+    if (given) {
+        return given;
+    }
+    const char *path = m->output.file ? m->output.file : output_name(a, m->deck->path);
+    return path && s->n > 0 ? output_part_name(a, path, s) : path;
+}
+
+bool output_is_same_file(const char *a, const char *b) {
+    struct stat of_a, of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
+           of_a.st_ino == of_b.st_ino;
+}
+
+// Digits, to *end; what is too large stays so, as LONG_MAX.
+static bool parse_digits(const char *text, const char **end, long *value) {
+    char *behind;
+    if (!isdigit((unsigned char)text[0])) {
+        return false;
+    }
+    *value = strtol(text, &behind, 10);
+    *end = behind;
+    return true;
+}
+
+bool output_parse_shard(const char *text, struct study_shard *s) {
+    const char *end;
+    return parse_digits(text, &end, &s->number) && *end == '/' &&
+           parse_digits(end + 1, &end, &s->n) && *end == '\0' && s->number >= 1 &&
+           s->number <= s->n && s->n <= STUDY_RUNS_MAX;
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle plot, of a study.
+#include "command/plot_study.h"
+
+#include <assert.h>
+
+#include "command/plot_names.h"
+#include "core/text.h"
+#include "plot/study_figure.h"
+
+struct job {
+    const struct plot_study_request *request;
+    const struct study_figure *figure;  // NULL: what shows the suite best
+    struct study_picture picture;
+    char output[PLOT_PATH_SIZE];
+};
+
+void plot_study_help(void) {
+    printf("\nOf a study KIND is one of\n");
+    for (int i = 0; i < n_study_figure; i++) {
+        printf("  %-10s %s\n", study_figures[i]->name, study_figures[i]->doc);
+    }
+    printf("\n"
+           "Without KIND it is ida, where an intensity and records are swept, else response.\n"
+           "\n"
+           "  --edp EDP      what is shown: drift, drift:A, drift:A:3, force ... (default:\n"
+           "                 drift-ratio, or drift where no heights are given); 'jostle fragility\n"
+           "                 --help' lists all\n"
+           "  --im NAME      the sweep that is the intensity (default: im, sa, pga, intensity or\n"
+           "                 scale, or the only sweep of numbers)\n"
+           "  --against NAME\n"
+           "                 the sweep that response is drawn against\n"
+           "  --limit VALUE[,VALUE...]\n"
+           "                 limits of the demand, for fragility and ida\n"
+           "%s",
+           suite_options_help);
+}
+
+static int find_figure(struct job *j, int *status) {
+    const struct plot_study_request *q = j->request;
+    if (!q->kind || (j->figure = study_figure_find(q->kind)) != NULL) {
+        return STATUS_OK;
+    }
+    const char *known[8];
+    int n = 0;
+    for (; n < n_study_figure && n < 8; n++) {
+        assert(study_figures[n]);
+        known[n] = study_figures[n]->name;
+    }
+    const char *near = text_nearest(q->kind, known, n);
+    *status = command_usage(q->command, "unknown figure '%s' of a study%s%s%s", q->kind,
+                            near ? "; did you mean '" : "; see --help", near ? near : "",
+                            near ? "'?" : "");
+    return STATUS_INPUT;
+}
+
+static int write_figure(void *context, const struct figure_files *to, struct error *e) {
+    const struct job *j = context;
+    return study_figure_write(j->figure, &j->picture, to, e);
+}
+
+static int draw(struct job *j, const struct suite *s, struct error *e) {
+    const struct plot_study_request *q = j->request;
+    double *limit = NULL;
+    j->picture.suite = s;
+    j->figure = j->figure ? j->figure : study_figure_default(s);
+    int status = suite_options_limits(q->options, s, &limit, &j->picture.n_limit, e);
+    j->picture.limit = limit;
+    if (status != STATUS_OK) {
+        return status;
+    }
+    suite_options_warn(s);
+    const char *output = q->output;
+    if (!output && !q->script_folder) {
+        output = plot_name_output(q->path, j->figure->name, j->output);
+    }
+    const struct picture_request picture = {.name = j->figure->name,
+                                            .output = output,
+                                            .script_folder = q->script_folder,
+                                            .existing = q->existing,
+                                            .write = write_figure,
+                                            .context = j};
+    status = picture_make(&picture, e);
+    if (status == STATUS_OK && output) {
+        printf("%s\n", output);
+    }
+    return status;
+}
+
+int plot_study(const struct plot_study_request *q) {
+    struct job j = {.request = q};
+    struct study_file *f;
+    struct suite *s;
+    struct error e;
+    int status;
+    if (find_figure(&j, &status) != STATUS_OK) {
+        return status;
+    }
+    if (study_file_open(q->path, &f, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    struct suite_request request = q->options->request;
+    request.guess = j.figure ? j.figure->guess : SUITE_ANY;
+    status = suite_create(f, &request, &s, &e);
+    if (status == STATUS_OK) {
+        status = draw(&j, s, &e);
+        suite_free(s);
+    }
+    study_file_close(f);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef JOSTLE_PLOT_STUDY_H
+#define JOSTLE_PLOT_STUDY_H
+
+#include "command/picture.h"
+#include "command/suite_options.h"
+
+struct plot_study_request {
+    const struct command *command;
+    const char *path;  // the study
+    const char *kind;  // NULL: what shows it best
+    const struct suite_options *options;
+    const char *output, *script_folder;  // NULL: not given
+    enum result_existing existing;
+};
+
+// Draws a figure of a study and prints the name of the picture. Returns the exit status.
+int plot_study(const struct plot_study_request *q);
+
+// Kinds and options, for the help text.
+void plot_study_help(void);
+
+#endif

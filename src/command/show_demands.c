@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The demand parameters of a study in long form: a column for each swept parameter, edp, location,
+// value, unit, status. All that the file has at all their places, or those asked for, a line each.
+// The value of a failed run is empty.
+#include "command/show_study.h"
+
+#include "command/study_runs.h"
+#include "core/arena.h"
+#include "study/edp.h"
+
+enum demand_form { DEMAND_EVERYWHERE, DEMAND_REDUCED };
+struct printer {
+    const struct study_view *view;
+    struct cells cells;
+    enum demand_form form;
+    const struct edp *edp;  // (n_edp)
+    int n_edp;
+};
+
+static void print_line(struct printer *p, const struct study_run *r, const struct edp *edp,
+                       const char *location, double value) {
+    const bool done = r->outcome.status == STUDY_DONE;
+    show_sweep_cells(&p->cells, p->view, r->number);
+    cells_text(&p->cells, p->form == DEMAND_REDUCED ? edp->text : edp->quantity->name);
+    cells_text(&p->cells, location);
+    if (done) {
+        cells_number(&p->cells, value);
+    } else {
+        cells_empty(&p->cells);
+    }
+    cells_text(&p->cells, edp->units);
+    cells_text(&p->cells, study_runs_status(r));
+    cells_end(&p->cells);
+}
+
+static void take(void *context, const struct study_run *r) {
+    struct printer *p = context;
+    for (int k = 0; k < p->n_edp; k++) {
+        const struct edp *edp = &p->edp[k];
+        if (p->form == DEMAND_EVERYWHERE) {
+            for (int i = 0; i < edp->n_term; i++) {
+                print_line(p, r, edp, edp->term[i].location, edp_term_value(edp, i, r->value));
+            }
+            continue;
+        }
+        int at;
+        const double value = edp_value(edp, r->value, &at);
+        const bool placed = r->outcome.status == STUDY_DONE &&
+                            (edp->quantity->reduction == EDP_LARGEST || edp->n_term == 1);
+        print_line(p, r, edp, placed ? edp->term[at].location : "", value);
+    }
+}
+
+static int print(struct study_file *f, struct printer *p, struct error *e) {
+    for (int i = 0; i < p->view->n_sweep; i++) {
+        cells_text(&p->cells, p->view->sweep[i]->name);
+    }
+    cells_words(&p->cells, "edp location value unit status");
+    cells_end(&p->cells);
+    return study_runs_each(f, take, p, e);
+}
+
+// Quantities that the file does not have are left out where all are asked for.
+static int read_demands(const struct study_view *v, const struct show_demands_request *q,
+                        struct arena *a, struct edp *edp, int *n, struct error *e) {
+    const int n_asked = q->n_edp > 0 ? q->n_edp : n_edp_quantity;
+    for (int i = 0; i < n_asked; i++) {
+        const char *text = q->n_edp > 0 ? q->edp[i] : edp_quantities[i].name;
+        const int status = edp_parse(v, text, a, &edp[*n], e);
+        if (status != STATUS_OK && (q->n_edp > 0 || status != STATUS_INPUT)) {
+            return status;
+        }
+        *n += status == STATUS_OK;
+    }
+    return STATUS_OK;
+}
+
+static int show(struct study_file *f, const struct show_demands_request *q, FILE *to,
+                struct error *e) {
+    struct arena *a = arena_create();
+    struct edp *edp =
+        a ? arena_alloc(a, (size_t)q->n_edp + (size_t)n_edp_quantity, sizeof *edp) : NULL;
+    struct printer p = {.view = study_file_view(f),
+                        .cells = {.to = to, .form = q->form},
+                        .form = q->n_edp > 0 ? DEMAND_REDUCED : DEMAND_EVERYWHERE,
+                        .edp = edp};
+    int status = edp ? read_demands(p.view, q, a, edp, &p.n_edp, e) : error_no_memory(e);
+    if (status == STATUS_OK) {
+        status = print(f, &p, e);
+    }
+    arena_free(a);
+    return status;
+}
+
+int show_demands(const char *path, const struct show_demands_request *q, FILE *to,
+                 struct error *e) {
+    struct study_file *f;
+    int status = study_file_open(path, &f, e);
+    if (status == STATUS_OK) {
+        status = show(f, q, to, e);
+        study_file_close(f);
+    }
+    return status;
+}

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle tasks: a study as commands, one a line, for programs that run commands on many machines.
+#include <getopt.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/load.h"
+#include "command/output_name.h"
+#include "command/threads.h"
+#include "jostle/study.h"
+
+static int tasks_command(int argc, char **argv);
+
+const struct command command_tasks = {
+    .name = "tasks",
+    .usage = "DECK [-n PARTS] [-o FILE.h5] [-D NAME=VALUE]... [-j THREADS] [--merge]",
+    .summary = "prints the commands that run a study in parts",
+    .run = tasks_command,
+};
+
+static const char details[] =
+    "  -n PARTS           parts, a line each; default: 16, or the runs if there are fewer\n"
+    "  -o, --output FILE  the result file of the study; parts are FILE.K-of-N.h5 beside it\n"
+    "  -D NAME=VALUE      overrides a param of the deck; may be repeated\n"
+    "  -j THREADS         threads of each command; default: 1\n"
+    "  --merge            prints instead the command that joins the parts in the end\n"
+    "  --help             this text\n\n"
+    "Each line is for sh. Lines may run in any order and anywhere where the deck and its records\n"
+    "are; one that is run again goes on where it was, and does nothing when its part is done.\n";
+
+enum { PARTS = 16 };
+enum tasks_lines { TASKS_RUN, TASKS_MERGE };
+
+struct tasks_options {
+    struct load_request load;
+    const char *output;
+    long n_part;  // 0: not given
+    int n_thread;
+    enum tasks_lines lines;
+};
+
+// A word for sh, with a blank in front.
+static void print_word(const char *text) {
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                "_./:=,+@%^-";
+    if (text[0] && text[strspn(text, plain)] == '\0') {
+        printf(" %s", text);
+        return;
+    }
+    fputs(" '", stdout);
+    for (; *text; text++) {
+        fputs(*text == '\'' ? "'\\''" : (const char[]){*text, '\0'}, stdout);
+    }
+    fputc('\'', stdout);
+}
+
+static void print_run(const struct tasks_options *o, const struct study_shard *s,
+                      const char *part) {
+    fputs("jostle run", stdout);
+    for (int i = 0; i < o->load.n_define; i++) {
+        fputs(" -D", stdout);
+        print_word(o->load.define[i]);
+    }
+    printf(" --shard %ld/%ld -j %d -q -o", s->number, s->n, o->n_thread);
+    print_word(part);
+    fputs(o->load.path[0] == '-' ? " --" : "", stdout);
+    print_word(o->load.path);
+    fputc('\n', stdout);
+}
+
+static int print_lines(const struct tasks_options *o, struct arena *a, const char *path, long n) {
+    fputs(o->lines == TASKS_MERGE ? "jostle merge -o" : "", stdout);
+    if (o->lines == TASKS_MERGE) {
+        print_word(path);
+        fputs(path[0] == '-' ? " --" : "", stdout);
+    }
+    for (long k = 1; k <= n; k++) {
+        const struct study_shard s = {k, n};
+        const char *part = output_part_name(a, path, &s);
+        if (!part) {
+            struct error e;
+            error_no_memory(&e);
+            return command_fail(&e);
+        }
+        if (o->lines == TASKS_MERGE) {
+            print_word(part);
+        } else {
+            print_run(o, &s, part);
+        }
+    }
+    fputs(o->lines == TASKS_MERGE ? "\n" : "", stdout);
+    return EXIT_DONE;
+}
+
+// A command is one line, and none of its words may break it.
+static bool is_one_line(const struct tasks_options *o, const char *path) {
+    bool good = !strchr(path, '\n') && !strchr(o->load.path, '\n');
+    for (int i = 0; i < o->load.n_define; i++) {
+        good = good && !strchr(o->load.define[i], '\n');
+    }
+    return good;
+}
+
+static int print_tasks(const struct model *m, const struct tasks_options *o) {
+    struct error e;
+    if (load_check_study(m, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    const char *path = output_choose(m, o->output, &(struct study_shard){0, 0});
+    if (!path) {
+        error_no_memory(&e);
+        return command_fail(&e);
+    }
+    if (!is_one_line(o, path)) {
+        error_set(&e, STATUS_INPUT,
+                  "a name with a line break cannot stand in a command of one line");
+        return command_fail(&e);
+    }
+    const long n_run = m->deck->n_run;
+    const long n = o->n_part ? o->n_part : n_run < PARTS ? n_run : PARTS;
+    return print_lines(o, m->deck->arena, path, n);
+}
+
+// True if the deck is to be loaded; else *status says why not.
+static bool parse(int argc, char **argv, const char **define, struct tasks_options *o,
+                  int *status) {
+    static const struct option option[] = {
+        {"output", required_argument, NULL, 'o'},
+        {"define", required_argument, NULL, 'D'},
+        {"parts", required_argument, NULL, 'n'},
+        {"threads", required_argument, NULL, 'j'},
+        {"merge", no_argument, NULL, 'm'},
+        {"help", no_argument, NULL, 'h'},
+        {NULL, 0, NULL, 0},
+    };
+    *status = EXIT_DONE;
+    opterr = 0;
+    optind = 1;
+    for (int c;
+         *status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:n:j:h", option, NULL)) != -1;) {
+        switch (c) {
+            case 'o':
+                o->output = optarg;
+                break;
+            case 'D':
+                define[o->load.n_define++] = optarg;
+                break;
+            case 'n':
+                *status = command_count(&command_tasks, "-n takes a number of parts", optarg,
+                                        STUDY_RUNS_MAX, &o->n_part);
+                break;
+            case 'j':
+                *status = threads_parse(&command_tasks, optarg, &o->n_thread);
+                break;
+            case 'm':
+                o->lines = TASKS_MERGE;
+                break;
+            case 'h':
+                *status = command_help(&command_tasks, details);
+                return false;
+            default:
+                *status = command_bad_option(&command_tasks, c, argv);
+        }
+    }
+    if (*status == EXIT_DONE && argc - optind != 1) {
+        *status = command_usage(&command_tasks, "one deck is expected, not %d", argc - optind);
+    }
+    o->load.path = argv[optind];
+    return *status == EXIT_DONE;
+}
+
+static int tasks_command(int argc, char **argv) {
+    const char **define = calloc((size_t)argc, sizeof *define);
+    if (!define) {
+        struct error e;
+        error_no_memory(&e);
+        return command_fail(&e);
+    }
+    struct tasks_options o = {.load = {.define = define}, .n_thread = 1, .lines = TASKS_RUN};
+    struct model *m;
+    int status;
+    if (parse(argc, argv, define, &o, &status)) {
+        status = load_model(&o.load, &m);
+        if (status == EXIT_DONE) {
+            status = print_tasks(m, &o);
+            model_free(m);
+        }
+    }
+    free(define);
+    return status;
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of figures of studies, and what they have in common.
+#include "plot/study_figure.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "plot/script.h"
+
+#define STUDY_FIGURE(name) extern const struct study_figure study_figure_##name;
+#include "plot/study_figure_list.inc"
+#undef STUDY_FIGURE
+
+#define STUDY_FIGURE(name) &study_figure_##name,
+const struct study_figure *const study_figures[] = {
+#include "plot/study_figure_list.inc"
+};
+#undef STUDY_FIGURE
+const int n_study_figure = sizeof study_figures / sizeof study_figures[0];
+
+const struct study_figure *study_figure_find(const char *name) {
+    for (int i = 0; i < n_study_figure; i++) {
+        if (strcmp(study_figures[i]->name, name) == 0) {
+            return study_figures[i];
+        }
+    }
+    return NULL;
+}
+
+const struct study_figure *study_figure_default(const struct suite *s) {
+    const bool incremental = s->is_intensity && s->abscissa->number && s->n_point > 1 &&
+                             s->n_sample > 1 && s->n_group == 1;
+    return study_figure_find(incremental ? "ida" : "response");
+}
+
+int study_figure_write(const struct study_figure *f, const struct study_picture *p,
+                       const struct figure_files *to, struct error *e) {
+    const struct figure_head head = {f->name, f->doc, p->suite->view->version, SHEET_ACROSS};
+    struct canvas c;
+    int status = f->check(p, e);
+    if (status == STATUS_OK) {
+        status = figure_open(&head, to, &c, e);
+    }
+    if (status == STATUS_OK) {
+        status = f->draw(p, &c, e);
+        figure_close(&c);
+    }
+    return status;
+}
+
+void study_demand_init(struct study_demand *d, const struct suite *s) {
+    const bool ratio = s->edp.quantity->divisor != NULL;
+    const bool count = !ratio && dimension_equal(s->edp.dimension, dimension_none);
+    *d = (struct study_demand){.factor = ratio ? 100.0 : 1.0,
+                               .unit = ratio   ? "%"
+                                       : count ? ""
+                                               : NULL};
+    const char *place = strchr(s->edp.text, ':');
+    snprintf(d->name, sizeof d->name, "%s%s%s", s->edp.quantity->name, place ? ", " : "",
+             place ? place + 1 : "");
+    for (char *at = d->name; *at && *at != ','; at++) {
+        *at = *at == '-' ? ' ' : *at;
+    }
+}
+
+struct axis study_demand_axis(const struct study_demand *d, const struct suite *s,
+                              struct span span) {
+    return (struct axis){.name = d->name,
+                         .unit = d->unit,
+                         .dimension = s->edp.dimension,
+                         .span = span_with_room(span, span.low < 0 ? (double)NAN : 0)};
+}
+
+static bool is_geometric(const struct suite *s) {
+    const double *x = s->point;
+    const int n = s->n_point;
+    bool even = n > 2 && x[0] > 0 && x[n - 1] >= 10 * x[0];
+    for (int i = 1; even && i < n; i++) {
+        even = fabs(log(x[i] / x[i - 1]) - log(x[1] / x[0])) < 1e-6;
+    }
+    return even;
+}
+
+struct axis study_abscissa_axis(const struct suite *s) {
+    const bool number = dimension_equal(s->abscissa_dimension, dimension_none);
+    struct axis axis = {.name = s->abscissa->name,
+                        .unit = number ? "" : NULL,
+                        .dimension = s->abscissa_dimension,
+                        .span = span_none};
+    for (int i = 0; i < s->n_point; i++) {
+        span_add(&axis.span, s->point[i]);
+    }
+    if (s->abscissa->number && is_geometric(s)) {
+        const double room = pow(axis.span.high / axis.span.low, 0.03);
+        axis.kind = AXIS_LOGARITHMIC;
+        axis.span = (struct span){axis.span.low / room, axis.span.high * room};
+        return axis;
+    }
+    axis.span = span_with_room(axis.span, s->is_intensity && axis.span.low >= 0 ? 0 : (double)NAN);
+    return axis;
+}
+
+void study_head(struct canvas *c, const struct suite *s, const char *what) {
+    char text[512], failed[128] = "";
+    if (s->n_failed > 0) {
+        snprintf(failed, sizeof failed, "%ld of %ld runs failed, %s; ", s->n_failed, s->n_run,
+                 s->rule == SUITE_FAILED_ABOVE ? "counted above" : "left out");
+    }
+    snprintf(text, sizeof text, "%s%s%s%s", failed, what, s->fixed[0] ? "; " : "", s->fixed);
+    script_raise(text);
+    const char *title = s->view->title[0] ? s->view->title : s->view->path;
+    canvas_head(c, title, text);
+}
+
+void study_group_text(const struct suite *s, int group, char *text, size_t size) {
+    snprintf(text, size, "%s", s->group[group]);
+    script_raise(text);
+}
+
+void study_limit_text(const struct study_demand *d, const struct suite *s, double limit, char *text,
+                      size_t size) {
+    char number[32], unit[64];
+    script_number(d->factor * limit, number, sizeof number);
+    script_unit(&s->view->units, s->edp.dimension, unit, sizeof unit);
+    const char *shown = d->unit ? d->unit : unit;
+    snprintf(text, size, "%s%s%s", number, shown[0] ? " " : "", shown);
+}
+
+static const double LEFT = 6.5, RIGHT = 0.9;  // [em] beside the panel
+
+double study_panel_width(const struct canvas *c) {
+    return c->area.right - c->area.left - LEFT - RIGHT;
+}
+
+void study_panel(const struct canvas *c, const struct suite *s, double bottom, const struct axis *x,
+                 const struct axis *y) {
+    struct area a = canvas_inset(c->area, LEFT, RIGHT, bottom, 0.7);
+    struct axis plain = *y;
+    plain.name = NULL;
+    canvas_panel(c, a, &s->view->units, x, &plain);
+    a.left -= 0.6;
+    canvas_upright(c, a, &s->view->units, y);
+}
+
+void study_number(FILE *to, double value) {
+    if (isfinite(value)) {
+        fprintf(to, " %.7g", value);
+    } else {
+        fputs(" NaN", to);
+    }
+}

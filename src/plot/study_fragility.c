@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fragility: the share of the samples that exceed a limit at each intensity, and the lognormal
+// curve of largest likelihood through the shares, for each limit and group.
+#include <math.h>
+#include <stdlib.h>
+
+#include "plot/script.h"
+#include "plot/study_figure.h"
+#include "study/fragility.h"
+
+enum { STEPS = 200 };
+
+struct view {
+    const struct study_picture *p;
+    struct study_demand demand;
+    struct axis x;
+    struct fragility fit[SCRIPT_COLOURS];
+    int n;  // curves: limits times groups
+};
+
+static int check(const struct study_picture *p, struct error *e) {
+    const struct suite *s = p->suite;
+    if (!s->abscissa->number) {
+        return error_set(e, STATUS_INPUT, "fragility cannot be drawn: '%s' is no sweep of numbers",
+                         s->abscissa->name);
+    }
+    if (p->n_limit == 0) {
+        return error_set(e, STATUS_INPUT, "fragility needs --limit VALUE");
+    }
+    if (p->n_limit * s->n_group > SCRIPT_COLOURS) {
+        return error_set(e, STATUS_INPUT,
+                         "fragility cannot be drawn: %d limits and %d groups (%s ...) make more "
+                         "than %d curves; choose by --at, or make samples by --over",
+                         p->n_limit, s->n_group, s->group[0], SCRIPT_COLOURS);
+    }
+    return STATUS_OK;
+}
+
+static double limit_of(const struct view *v, int i) {
+    return v->p->limit[i / v->p->suite->n_group];
+}
+
+static int write_counts(struct view *v, FILE *to, struct error *e) {
+    const struct suite *s = v->p->suite;
+    struct fragility_level *level = malloc((size_t)s->n_point * sizeof *level);
+    if (!level) {
+        return error_no_memory(e);
+    }
+    int status = STATUS_OK;
+    for (int i = 0; i < v->n && status == STATUS_OK; i++) {
+        fragility_count(s, i % s->n_group, limit_of(v, i), level);
+        fprintf(to, "$counts%d << EOD\n# intensity, share above the limit, runs\n", i);
+        for (int j = 0; j < s->n_point; j++) {
+            const int n = level[j].n;
+            study_number(to, s->point[j]);
+            study_number(to, n > 0 ? (double)level[j].exceeded / n : (double)NAN);
+            fprintf(to, " %d\n", n);
+        }
+        fprintf(to, "EOD\n");
+        status = fragility_fit(level, s->n_point, &v->fit[i], e);
+    }
+    free(level);
+    return status;
+}
+
+static void write_curves(const struct view *v, FILE *to) {
+    const struct span *x = &v->x.span;
+    const bool logarithmic = v->x.kind == AXIS_LOGARITHMIC;
+    for (int i = 0; i < v->n; i++) {
+        if (v->fit[i].outcome != FRAGILITY_FITTED) {
+            continue;
+        }
+        fprintf(to, "$curve%d << EOD\n# intensity, probability\n", i);
+        for (int k = 0; k <= STEPS; k++) {
+            const double t = (double)k / STEPS;
+            const double at =
+                logarithmic ? x->low * pow(x->high / x->low, t) : x->low + t * (x->high - x->low);
+            const double value = at > 0 ? fragility_probability(&v->fit[i], at) : 0;
+            fprintf(to, "%.7g %.7g\n", at, value);
+        }
+        fprintf(to, "EOD\n");
+    }
+}
+
+static void write_legend(const struct view *v, struct canvas *c) {
+    const struct suite *s = v->p->suite;
+    char limit[96], group[128], text[256];
+    for (int i = 0; i < v->n; i++) {
+        const bool fitted = v->fit[i].outcome == FRAGILITY_FITTED;
+        study_group_text(s, i % s->n_group, group, sizeof group);
+        study_limit_text(&v->demand, s, limit_of(v, i), limit, sizeof limit);
+        snprintf(text, sizeof text, "%s%s%s%s%s", group, group[0] && v->p->n_limit > 1 ? ", " : "",
+                 group[0] && v->p->n_limit == 1 ? "" : "> ",
+                 group[0] && v->p->n_limit == 1 ? "" : limit, fitted ? "" : " (no curve)");
+        canvas_legend(c, (struct mark){fitted ? MARK_LINE : MARK_POINT, script_colour[i], 0}, text);
+    }
+}
+
+static void write_panel(const struct view *v, struct canvas *c) {
+    static const int point[SCRIPT_COLOURS] = {7, 5, 9, 13, 11, 6, 4};
+    const struct axis y = {
+        .name = "probability of exceedance", .unit = "", .span = {0, 1.03}, .step = 0.2};
+    study_panel(c, v->p->suite, 3.2, &v->x, &y);
+    fprintf(c->to, "plot");
+    for (int i = 0; i < v->n; i++) {
+        fprintf(c->to, "%s \\\n  $counts%d using 1:2 with points pt %d ps 1.5*point lc rgb '%s'",
+                i > 0 ? "," : "", i, point[i], script_colour[i]);
+        if (v->fit[i].outcome == FRAGILITY_FITTED) {
+            fprintf(c->to, ", \\\n  $curve%d using 1:2 with lines lc rgb '%s' lw 1.5", i,
+                    script_colour[i]);
+        }
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
+    const struct suite *s = p->suite;
+    struct view v = {.p = p, .x = study_abscissa_axis(s), .n = p->n_limit * s->n_group};
+    study_demand_init(&v.demand, s);
+    int status = write_counts(&v, c->data, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    write_curves(&v, c->data);
+    char text[256], limit[96];
+    study_limit_text(&v.demand, s, p->limit[0], limit, sizeof limit);
+    snprintf(text, sizeof text, "%s > %s: shares of %d runs, and lognormal curves", v.demand.name,
+             p->n_limit > 1 ? "limit" : limit, s->n_sample);
+    study_head(c, s, text);
+    write_legend(&v, c);
+    write_panel(&v, c);
+    return STATUS_OK;
+}
+
+const struct study_figure study_figure_fragility = {
+    .name = "fragility",
+    .doc = "shares of runs above --limit, and lognormal curves",
+    .guess = SUITE_INTENSITY,
+    .check = check,
+    .draw = draw,
+};

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Incremental dynamic analysis: one curve for each sample, demand across and intensity upright,
+// with the 16, 50 and 84 % of the demand at each intensity (Vamvatsikos and Cornell 2002,
+// Earthquake Engineering & Structural Dynamics 31, 491-514). A curve ends with a cross below the
+// intensity at which its run failed.
+#include <math.h>
+#include <stdlib.h>
+
+#include "plot/study_figure.h"
+
+enum { CURVES = 3 };
+static const double fraction[CURVES] = {0.84, 0.50, 0.16};
+static const char *const curve_name[CURVES] = {"84 %", "50 %", "16 %"};
+static const char *const curve_colour[CURVES] = {"#d55e00", "#0072b2", "#009e73"};
+static const char *const curve_dash[CURVES] = {"(10,6)", "solid", "(10,6)"};
+static const char record_colour[] = "#a0a0a0";
+
+struct view {
+    const struct suite *s;
+    struct study_demand demand;
+    struct span span;  // of the demand
+    bool crosses;
+};
+
+static int check(const struct study_picture *p, struct error *e) {
+    const struct suite *s = p->suite;
+    if (!s->abscissa->number || s->n_point < 2) {
+        return error_set(e, STATUS_INPUT, "ida cannot be drawn: '%s' is no sweep of numbers",
+                         s->abscissa->name);
+    }
+    if (s->n_group > 1) {
+        return error_set(e, STATUS_INPUT,
+                         "ida cannot be drawn: the study has other sweeps (%s ...); choose one "
+                         "value by --at, or make them samples by --over",
+                         s->group[0]);
+    }
+    return STATUS_OK;
+}
+
+static void write_samples(struct view *v, FILE *to) {
+    const struct suite *s = v->s;
+    fprintf(to, "$samples << EOD\n# demand, intensity; a sample behind the other\n");
+    for (int k = 0; k < s->n_sample; k++) {
+        fprintf(to, "# %s\n", s->sample[k]);
+        for (int j = 0; j < s->n_point; j++) {
+            const double x = v->demand.factor * suite_value(s, 0, k, j);
+            study_number(to, x);
+            study_number(to, s->point[j]);
+            fputc('\n', to);
+            span_add(&v->span, x);
+        }
+        fputc('\n', to);
+    }
+    fprintf(to, "EOD\n$failures << EOD\n# the last point before a failed run\n");
+    for (int k = 0; k < s->n_sample; k++) {
+        for (int j = 1; j < s->n_point; j++) {
+            const double before = suite_value(s, 0, k, j - 1);
+            if (isfinite(before) && !isfinite(suite_value(s, 0, k, j))) {
+                study_number(to, v->demand.factor * before);
+                study_number(to, s->point[j - 1]);
+                fputc('\n', to);
+                v->crosses = true;
+            }
+        }
+    }
+    fprintf(to, "EOD\n");
+}
+
+static int write_percentiles(struct view *v, FILE *to, struct error *e) {
+    const struct suite *s = v->s;
+    double *work = malloc((size_t)s->n_sample * sizeof *work);
+    if (!work) {
+        return error_no_memory(e);
+    }
+    fprintf(to, "$percentiles << EOD\n# intensity, demand at 84, 50 and 16 %%\n");
+    for (int j = 0; j < s->n_point; j++) {
+        study_number(to, s->point[j]);
+        for (int i = 0; i < CURVES; i++) {
+            study_number(to, v->demand.factor * suite_percentile(s, 0, j, fraction[i], work));
+        }
+        fputc('\n', to);
+    }
+    fprintf(to, "EOD\n");
+    free(work);
+    return STATUS_OK;
+}
+
+static void write_legend(const struct view *v, const struct study_picture *p, struct canvas *c) {
+    char text[128];
+    for (int i = 0; v->s->n_sample > 1 && i < CURVES; i++) {
+        const enum mark_kind kind = i == 1 ? MARK_LINE : MARK_DASHED;
+        canvas_legend(c, (struct mark){kind, curve_colour[i], 0}, curve_name[i]);
+    }
+    snprintf(text, sizeof text, "each %s", v->s->over[0] ? v->s->over : "run");
+    canvas_legend(c, (struct mark){MARK_LINE, record_colour, 0}, text);
+    if (p->n_limit > 0) {
+        canvas_legend(c, (struct mark){MARK_DASHED, "#000000", 0},
+                      p->n_limit > 1 ? "limits" : "limit");
+    }
+    if (v->crosses) {
+        canvas_legend(c, (struct mark){MARK_CROSS, "#000000", 0}, "the next run failed");
+    }
+}
+
+static void write_limits(const struct view *v, const struct study_picture *p, struct canvas *c) {
+    for (int i = 0; i < p->n_limit; i++) {
+        fprintf(c->to,
+                "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '#000000' "
+                "lw 1 dt (2,4)\n",
+                v->demand.factor * p->limit[i], v->demand.factor * p->limit[i]);
+    }
+}
+
+static void write_panel(const struct view *v, const struct study_picture *p, struct canvas *c) {
+    const struct axis x = study_demand_axis(&v->demand, v->s, v->span);
+    const struct axis y = study_abscissa_axis(v->s);
+    study_panel(c, v->s, 3.2, &x, &y);
+    write_limits(v, p, c);
+    fprintf(c->to, "plot $samples using 1:2 with lines lc rgb '%s' lw 0.8", record_colour);
+    for (int i = CURVES - 1; v->s->n_sample > 1 && i >= 0; i--) {
+        fprintf(c->to, ", \\\n  $percentiles using %d:1 with lines lc rgb '%s' lw 1.8 dt %s", i + 2,
+                curve_colour[i], curve_dash[i]);
+    }
+    if (v->crosses) {
+        fprintf(c->to, ", \\\n  $failures using 1:2 with points pt 2 ps point lc rgb '#000000'");
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
+    const struct suite *s = p->suite;
+    struct view v = {.s = s, .span = span_none};
+    study_demand_init(&v.demand, s);
+    write_samples(&v, c->data);
+    int status = write_percentiles(&v, c->data, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    for (int i = 0; i < p->n_limit; i++) {
+        span_add(&v.span, v.demand.factor * p->limit[i]);
+    }
+    char text[256];
+    snprintf(text, sizeof text, "%s, %s of each run", s->edp.quantity->doc,
+             s->edp.quantity->reduction == EDP_SUM ? "all" : "the largest");
+    study_head(c, s, text);
+    write_legend(&v, p, c);
+    write_panel(&v, p, c);
+    return STATUS_OK;
+}
+
+const struct study_figure study_figure_ida = {
+    .name = "ida",
+    .doc = "incremental dynamic analysis: a curve for each record, and 16, 50 and 84 %",
+    .guess = SUITE_INTENSITY,
+    .check = check,
+    .draw = draw,
+};

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A demand against any swept parameter: the median over the samples with the band from 16 to 84 %,
+// or a line for each value of the other sweeps.
+#include <math.h>
+#include <stdlib.h>
+
+#include "plot/script.h"
+#include "plot/study_figure.h"
+
+enum { NAME_COLUMNS = 18 };  // of a text at the axis
+static const char band_colour[] = "#cfe3f1";
+
+struct view {
+    const struct suite *s;
+    struct study_demand demand;
+    struct span span;
+    bool band;
+};
+
+static int check(const struct study_picture *p, struct error *e) {
+    const struct suite *s = p->suite;
+    if (s->n_group <= SCRIPT_COLOURS) {
+        return STATUS_OK;
+    }
+    return error_set(e, STATUS_INPUT,
+                     "response cannot be drawn: the values of the other sweeps (%s ...) make %d "
+                     "curves, more than %d; choose by --at, or make samples by --over",
+                     s->group[0], s->n_group, SCRIPT_COLOURS);
+}
+
+static int write_data(struct view *v, FILE *to, struct error *e) {
+    static const double fraction[] = {0.5, 0.16, 0.84};
+    const struct suite *s = v->s;
+    double *work = malloc((size_t)s->n_sample * sizeof *work);
+    if (!work) {
+        return error_no_memory(e);
+    }
+    for (int g = 0; g < s->n_group; g++) {
+        fprintf(to, "$group%d << EOD\n# %s, demand at 50, 16 and 84 %%; %s\n", g, s->abscissa->name,
+                s->group[g]);
+        for (int j = 0; j < s->n_point; j++) {
+            study_number(to, s->point[j]);
+            for (int i = 0; i < 3; i++) {
+                const double x = v->demand.factor * suite_percentile(s, g, j, fraction[i], work);
+                study_number(to, x);
+                if (i == 0 || v->band) {
+                    span_add(&v->span, x);
+                }
+            }
+            fputc('\n', to);
+        }
+        fprintf(to, "EOD\n");
+    }
+    free(work);
+    return STATUS_OK;
+}
+
+static void write_legend(const struct view *v, struct canvas *c) {
+    const struct suite *s = v->s;
+    const bool texts = !s->abscissa->number;
+    const enum mark_kind kind = texts ? MARK_POINT : MARK_LINE;
+    if (v->band) {
+        canvas_legend(c, (struct mark){kind, script_colour[0], 0}, "median");
+        canvas_legend(
+            c,
+            (struct mark){texts ? MARK_LINE : MARK_AREA, texts ? script_colour[0] : band_colour, 0},
+            "16 to 84 %");
+    }
+    char text[128];
+    for (int g = 0; g < s->n_group && s->n_group > 1; g++) {
+        study_group_text(s, g, text, sizeof text);
+        canvas_legend(c, (struct mark){kind, script_colour[g], 0}, text);
+    }
+}
+
+// True if the texts find room beside each other within `width` em.
+static bool texts_fit(const struct suite *s, double width) {
+    int most = 0;
+    for (int i = 0; i < s->n_point; i++) {
+        const int n = script_columns(s->abscissa->label[i]);
+        most = n > most ? n : most;
+    }
+    return 0.6 * most + 1 < width / s->n_point;
+}
+
+// Names below the axis in place of numbers; of many, some.
+static void write_texts(const struct suite *s, double width, struct canvas *c) {
+    const bool fit = texts_fit(s, width);
+    const int every = 1 + (int)(1.4 * s->n_point / width);
+    char cut[128];
+    fprintf(c->to, "set xtics %s (", fit ? "norotate" : "rotate by 35 right");
+    for (int i = 0; i < s->n_point; i += every) {
+        script_shorten(s->abscissa->label[s->order[i]], fit ? 64 : NAME_COLUMNS, cut, sizeof cut);
+        fprintf(c->to, "%s", i > 0 ? ", " : "");
+        script_text(c->to, cut);
+        fprintf(c->to, " %d", i + 1);
+    }
+    fprintf(c->to, ")\n");
+}
+
+static void write_panel(const struct view *v, struct canvas *c) {
+    static const int point[SCRIPT_COLOURS] = {7, 5, 9, 13, 11, 6, 4};
+    const struct suite *s = v->s;
+    const struct axis y = study_demand_axis(&v->demand, s, v->span);
+    struct axis x = study_abscissa_axis(s);
+    const bool texts = !s->abscissa->number;
+    const double width = study_panel_width(c);
+    double bottom = 3.2;
+    if (texts) {
+        x = (struct axis){.span = {0.5, s->n_point + 0.5}, .kind = AXIS_WITHOUT_NUMBERS};
+        bottom = texts_fit(s, width) ? 2 : 0.35 * NAME_COLUMNS + 2;
+    }
+    study_panel(c, s, bottom, &x, &y);
+    if (texts) {
+        write_texts(s, width, c);
+    }
+    fprintf(c->to, "plot");
+    if (v->band && texts) {
+        fprintf(c->to, " $group0 using 1:2:3:4 with yerrorbars pt 7 ps 0 lc rgb '%s' lw 1, \\\n ",
+                script_colour[0]);
+    } else if (v->band) {
+        fprintf(c->to, " $group0 using 1:3:4 with filledcurves lc rgb '%s', \\\n ", band_colour);
+    }
+    for (int g = 0; g < s->n_group; g++) {
+        fprintf(c->to, "%s $group%d using 1:2 with %s pt %d ps point lc rgb '%s'%s",
+                g > 0 ? ", \\\n " : "", g, texts ? "points" : "linespoints", point[g],
+                script_colour[g], texts ? "" : " lw 1.3");
+    }
+    fprintf(c->to, "\n");
+    canvas_panel_end(c);
+}
+
+static int draw(const struct study_picture *p, struct canvas *c, struct error *e) {
+    const struct suite *s = p->suite;
+    struct view v = {.s = s, .span = span_none, .band = s->n_group == 1 && s->n_sample > 1};
+    study_demand_init(&v.demand, s);
+    int status = write_data(&v, c->data, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    char samples[128], text[256];
+    const bool texts = !s->abscissa->number;
+    snprintf(samples, sizeof samples, " over %d samples of %s", s->n_sample, s->over);
+    snprintf(text, sizeof text, "%s of %s%s%s%s", s->n_sample > 1 ? "medians" : "values",
+             v.demand.name, s->n_sample > 1 ? samples : "", texts ? ", against " : "",
+             texts ? s->abscissa->name : "");
+    study_head(c, s, text);
+    write_legend(&v, c);
+    write_panel(&v, c);
+    return STATUS_OK;
+}
+
+const struct study_figure study_figure_response = {
+    .name = "response",
+    .doc = "a demand against a swept parameter: median and band, or a line for each group",
+    .guess = SUITE_ANY,
+    .check = check,
+    .draw = draw,
+};

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An open study file, shared by study_reader.c (values), study_part.c and study_report.c.
+#ifndef JOSTLE_STUDY_READER_H
+#define JOSTLE_STUDY_READER_H
+
+#include "jostle/study_file.h"
+#include "result/h5.h"
+
+struct study_file {
+    struct h5 h;
+    struct study_view view;
+    int n_dim;  // of the runs: the sweeps, or "run" of a part
+    const struct sweep *dim[STUDY_SWEEPS_MAX];
+    struct study_item *item;  // (capacity) malloc'd
+    hid_t *dataset;           // (capacity) malloc'd
+    int capacity;
+    hid_t status, message;
+};
+
+// The sweep in the dataset `name`, open as `scale`, of a group; *units of its numbers.
+struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name,
+                                 const char **units);
+
+// The `n` texts of a dataset, from the view's arena.
+char **study_reader_texts(struct study_file *f, hid_t group, const char *name, size_t n);
+
+// The error for what the file's h5 has noted.
+int study_reader_fail(const struct study_file *f, struct error *e);
+
+// Reads /part into the view.
+void study_part_get(struct study_file *f);
+
+#endif

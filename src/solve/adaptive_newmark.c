@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/adaptive_newmark.h"
+
+// Takes a step on the way to `limit`, or finds that it was too long.
+static int attempt(struct run *r, double limit) {
+    struct totals *totals = &r->results->totals;
+    long events = totals->events;
+    double h;
+    double end;
+    double rest;
+    int status = step_length_next(&r->length, r->now, limit, &h, &end, r->error);
+    if (status == STATUS_OK) {
+        status = run_step(r, end, h, 0, &rest);
+    }
+    if (status == STATUS_RETRY) {
+        totals->cuts++;
+        return step_length_reject(&r->length, r->now, h, r->work.unresolved, r->error);
+    }
+    if (status == STATUS_OK && totals->events > events) {
+        step_length_cut(&r->length, r->now);
+    } else if (status == STATUS_OK) {
+        step_length_take(&r->length, r->next, r->now, h);
+    }
+    return status;
+}
+
+int adaptive_newmark_advance(struct run *r, double end, double h) {
+    (void)h;
+    int status = STATUS_OK;
+    run_forget_events(r);
+    while (status == STATUS_OK && r->now->time < end) {
+        status = attempt(r, end);
+    }
+    return status;
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the errors of adaptive steps are measured by: the largest displacement and velocity of any
+// floor of the building so far.
+#ifndef JOSTLE_SCALE_H
+#define JOSTLE_SCALE_H
+
+#include "jostle/analysis.h"
+
+struct scales {
+    double *over_u, *over_v;  // [1/L] [T/L] (n_dof) 1 over the sizes; 0: nothing moves
+    double most_u, most_v;    // [L] [L/T] of any building so far
+};
+
+// Room for the scales of a model; false: no memory.
+bool scale_alloc(struct scales *s, const struct model *m, struct arena *a);
+
+// Sizes that motions will reach at least: those of the slowest mode under a hundredth of the
+// excitation. Without them a start from rest under forces with a kink at rest would take endless
+// steps.
+void scale_expect(struct scales *s, const struct model *m);
+
+// Makes the scales again from the peaks so far.
+void scale_update(struct scales *s, const struct model *m, const struct results *r);
+
+#endif

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/edp.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+
+const struct edp_quantity edp_quantities[] = {
+    {"drift", EDP_OF_BUILDING, "buildings", "drift", NULL, EDP_LARGEST, "drift of a storey"},
+    {"drift-ratio", EDP_OF_BUILDING, "buildings", "drift", "height", EDP_LARGEST,
+     "drift of a storey over its height"},
+    {"displacement", EDP_OF_BUILDING, "buildings", "displacement", NULL, EDP_LARGEST,
+     "displacement of a floor relative to the ground"},
+    {"velocity", EDP_OF_BUILDING, "buildings", "velocity", NULL, EDP_LARGEST,
+     "velocity of a floor relative to the ground"},
+    {"acceleration", EDP_OF_BUILDING, "buildings", "acceleration", NULL, EDP_LARGEST,
+     "total acceleration of a floor"},
+    {"storey-shear", EDP_OF_BUILDING, "buildings", "storey_shear", NULL, EDP_LARGEST,
+     "restoring force of a storey"},
+    {"force", EDP_OF_CONTACT, "contacts", "force", NULL, EDP_LARGEST, "contact force"},
+    {"penetration", EDP_OF_CONTACT, "contacts", "penetration", NULL, EDP_LARGEST,
+     "penetration of a contact, negative if it stays open"},
+    {"impacts", EDP_OF_CONTACT, "contacts", "impacts", NULL, EDP_SUM, "number of impacts"},
+    {"impulse", EDP_OF_CONTACT, "contacts", "impulse", NULL, EDP_SUM, "impulse of all impacts"},
+    {"dissipated", EDP_OF_CONTACT, "contacts", "dissipated", NULL, EDP_SUM,
+     "energy dissipated in all impacts"},
+    {"link-force", EDP_OF_LINK, "links", "force", NULL, EDP_LARGEST, "force of a bilateral link"},
+    {"link-deformation", EDP_OF_LINK, "links", "deformation", NULL, EDP_LARGEST,
+     "change of length of a bilateral link"},
+    {"link-work", EDP_OF_LINK, "links", "work", NULL, EDP_SUM, "work done on bilateral links"},
+    {"hysteretic", EDP_OF_ALL, "energy", "hysteretic", NULL, EDP_SUM,
+     "energy dissipated by all storeys"},
+};
+const int n_edp_quantity = sizeof edp_quantities / sizeof edp_quantities[0];
+
+static bool same_name(const char *name, const char *text, size_t n) {
+    for (size_t i = 0; i < n; i++) {
+        if (name[i] == '\0' || (name[i] != text[i] && !(name[i] == '-' && text[i] == '_'))) {
+            return false;
+        }
+    }
+    return name[n] == '\0';
+}
+
+static const struct edp_quantity *find_quantity(const char *text, size_t n, struct error *e) {
+    const char *known[32];
+    char name[64];
+    for (int i = 0; i < n_edp_quantity; i++) {
+        if (same_name(edp_quantities[i].name, text, n)) {
+            return &edp_quantities[i];
+        }
+        known[i] = edp_quantities[i].name;
+    }
+    text_clean(name, sizeof name, text, n);
+    const char *near = text_nearest(name, known, n_edp_quantity);
+    error_set(e, STATUS_INPUT, "unknown EDP '%s'%s%s%s", name, near ? "; did you mean '" : "",
+              near ? near : "", near ? "'?" : "; jostle fragility --help lists them");
+    return NULL;
+}
+
+// The dataset that the quantity is in, or a property, of the owner; -1 if there is none.
+static int find_item(const struct study_view *v, const struct edp_quantity *q, const char *owner,
+                     const char *name) {
+    for (int i = 0; i < v->table.n_item; i++) {
+        const struct study_item *item = &v->table.item[i];
+        const bool peak = name == q->item && q->owner != EDP_OF_ALL;
+        if (strcmp(item->parent, q->parent) == 0 && strcmp(item->name, name) == 0 &&
+            (item->leaf != NULL) == peak &&
+            (!owner || (item->owner && strcmp(item->owner, owner) == 0))) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+struct reading {
+    const struct study_view *view;
+    const struct edp_quantity *quantity;
+    const char *text;   // as asked for
+    const char *place;  // behind the name; NULL: everywhere
+    struct arena *arena;
+    struct edp *out;
+    struct edp_term *term;
+};
+
+static int add_term(struct reading *r, const struct edp_term *t, const char *location) {
+    struct edp_term *to = &r->term[r->out->n_term++];
+    *to = *t;
+    to->location = location;
+    return location ? STATUS_OK : STATUS_SYSTEM;
+}
+
+// The floors of one building; `floor` 0: all.
+static int add_floors(struct reading *r, const struct study_item *item, long floor,
+                      struct error *e) {
+    const struct study_view *v = r->view;
+    const struct edp_quantity *q = r->quantity;
+    const int divisor = q->divisor ? find_item(v, q, item->owner, q->divisor) : -1;
+    if (q->divisor && divisor < 0) {
+        return error_set(e, STATUS_INPUT, "%s: the file has no %s of building %s", r->text,
+                         q->divisor, item->owner);
+    }
+    if (floor > (long)item->n) {
+        return error_set(e, STATUS_INPUT, "%s: building %s has %zu floors", r->text, item->owner,
+                         item->n);
+    }
+    for (size_t i = 0; i < item->n; i++) {
+        if (floor > 0 && i + 1 != (size_t)floor) {
+            continue;
+        }
+        const struct edp_term t = {.value = item->first + i,
+                                   .divisor =
+                                       divisor < 0 ? SIZE_MAX : v->table.item[divisor].first + i};
+        if (add_term(r, &t, arena_format(r->arena, "%s:%zu", item->owner, i + 1)) != STATUS_OK) {
+            return error_no_memory(e);
+        }
+    }
+    return STATUS_OK;
+}
+
+// True if `place` is the building, or the building and a floor: *floor, 0: all; < 0: no number.
+static bool is_building(const char *place, const char *building, long *floor) {
+    const size_t n = strlen(building);
+    *floor = 0;
+    if (!place || strcmp(place, building) == 0) {
+        return true;
+    }
+    if (strncmp(place, building, n) != 0 || place[n] != ':') {
+        return false;
+    }
+    char *end;
+    const char *digits = place + n + 1;
+    *floor = *digits >= '1' && *digits <= '9' ? strtol(digits, &end, 10) : -1;
+    *floor = *floor > 0 && *end != '\0' ? -1 : *floor;
+    return true;
+}
+
+static int add_buildings(struct reading *r, struct error *e) {
+    const struct study_view *v = r->view;
+    const struct edp_quantity *q = r->quantity;
+    const char *known = "";
+    for (int i = 0; i < v->table.n_item; i++) {
+        const struct study_item *item = &v->table.item[i];
+        long floor;
+        if (!item->owner || !item->leaf || strcmp(item->name, q->item) != 0) {
+            continue;
+        }
+        known = arena_format(r->arena, "%s%s%s", known, known[0] ? ", " : "", item->owner);
+        if (!known) {
+            return error_no_memory(e);
+        }
+        if (is_building(r->place, item->owner, &floor)) {
+            if (floor < 0) {
+                return error_set(e, STATUS_INPUT, "%s: a floor is a number from 1", r->text);
+            }
+            int status = add_floors(r, item, floor, e);
+            if (status != STATUS_OK) {
+                return status;
+            }
+        }
+    }
+    return r->out->n_term > 0
+               ? STATUS_OK
+               : error_set(e, STATUS_INPUT, "%s: unknown building; there are %s", r->text, known);
+}
+
+static int add_links(struct reading *r, const struct study_item *item, struct error *e) {
+    const bool contact = r->quantity->owner == EDP_OF_CONTACT;
+    const int n = contact ? r->view->n_contact : r->view->n_link;
+    const char *const *name = contact ? r->view->contact : r->view->link;
+    for (int i = 0; i < n && (size_t)i < item->n; i++) {
+        if (!r->place || strcmp(r->place, name[i]) == 0) {
+            add_term(r, &(struct edp_term){item->first + (size_t)i, SIZE_MAX, NULL}, name[i]);
+        }
+    }
+    if (r->out->n_term > 0) {
+        return STATUS_OK;
+    }
+    const char *what = contact ? "contact" : "link";
+    return n == 0 ? error_set(e, STATUS_INPUT, "%s: the study has no %s", r->text, what)
+                  : error_set(e, STATUS_INPUT, "%s: unknown %s; there are %d: %s%s%s", r->text,
+                              what, n, name[0], n > 1 ? " ... " : "", n > 1 ? name[n - 1] : "");
+}
+
+static int add_terms(struct reading *r, struct error *e) {
+    const struct edp_quantity *q = r->quantity;
+    const int i = find_item(r->view, q, NULL, q->item);
+    if (i < 0) {
+        return error_set(e, STATUS_INPUT, "%s: the study has no %s", r->text,
+                         q->owner == EDP_OF_LINK ? "link" : q->name);
+    }
+    const struct study_item *item = &r->view->table.item[i];
+    r->out->units = q->divisor ? "1" : item->units;
+    switch (q->owner) {
+        case EDP_OF_BUILDING:
+            return add_buildings(r, e);
+        case EDP_OF_CONTACT:
+        case EDP_OF_LINK:
+            return add_links(r, item, e);
+        default:
+            if (r->place) {
+                return error_set(e, STATUS_INPUT,
+                                 "%s: %s is one number for the whole; no place "
+                                 "is named",
+                                 r->text, q->name);
+            }
+            return add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL}, "");
+    }
+}
+
+struct dimension edp_units(const char *text, double gravity, double *size) {
+    struct dimension dimension = dimension_none;
+    const char *end;
+    if (!unit_parse(text, gravity, &end, &dimension, size) || *end != '\0') {
+        *size = 1.0;
+        return dimension_none;
+    }
+    return dimension;
+}
+
+int edp_parse(const struct study_view *v, const char *text, struct arena *a, struct edp *out,
+              struct error *e) {
+    const size_t n = strcspn(text, ":");
+    *out = (struct edp){.quantity = find_quantity(text, n, e)};
+    if (!out->quantity) {
+        return STATUS_INPUT;
+    }
+    out->text = arena_text(a, text, strlen(text));
+    struct reading r = {.view = v,
+                        .quantity = out->quantity,
+                        .text = out->text,
+                        .place = text[n] == ':' ? out->text + n + 1 : NULL,
+                        .arena = a,
+                        .out = out,
+                        .term = arena_alloc(a, v->table.n_value, sizeof *r.term)};
+    if (!out->text || !r.term) {
+        return error_no_memory(e);
+    }
+    int status = add_terms(&r, e);
+    double size;
+    out->term = r.term;
+    if (status == STATUS_OK) {
+        out->dimension = edp_units(out->units, v->units.gravity, &size);
+    }
+    return status;
+}
+
+double edp_term_value(const struct edp *p, int term, const double *value) {
+    const struct edp_term *t = &p->term[term];
+    if (t->divisor == SIZE_MAX) {
+        return value[t->value];
+    }
+    return value[t->divisor] > 0.0 ? value[t->value] / value[t->divisor] : NAN;
+}
+
+double edp_value(const struct edp *p, const double *value, int *at) {
+    double largest = NAN, sum = 0.0;
+    *at = 0;
+    for (int i = 0; i < p->n_term; i++) {
+        const double x = edp_term_value(p, i, value);
+        if (isnan(x)) {
+            continue;
+        }
+        sum += x;
+        if (!(x <= largest)) {
+            largest = x;
+            *at = i;
+        }
+    }
+    return p->quantity->reduction == EDP_SUM && !isnan(largest) ? sum : largest;
+}
+
+int edp_limit(const struct edp *p, const struct unit_system *units, const char *text, double *limit,
+              struct error *e) {
+    const char *end, *behind;
+    struct dimension dimension;
+    struct text_short t;
+    double size, own;
+    if (text_number(text, &end, limit) != TEXT_NUMBER_OK) {
+        return error_set(e, STATUS_INPUT, "limit '%s' is no number", text_short(&t, text));
+    }
+    if (*end == '\0') {
+        return STATUS_OK;
+    }
+    if (!unit_parse(end, units->gravity, &behind, &dimension, &size) || *behind != '\0') {
+        return error_set(e, STATUS_INPUT, "limit '%s' ends in no unit", text_short(&t, text));
+    }
+    if (!dimension_equal(dimension, p->dimension)) {
+        const char *noun = dimension_noun(dimension), *want = dimension_noun(p->dimension);
+        return error_set(e, STATUS_INPUT, "limit %s is %s; %s needs %s (%s)", text,
+                         noun ? noun : "of another dimension", p->text, want ? want : "another",
+                         p->units);
+    }
+    edp_units(p->units, units->gravity, &own);
+    *limit = unit_convert(*limit, size, own);
+    return isfinite(*limit) ? STATUS_OK
+                            : error_set(e, STATUS_INPUT, "limit '%s' is too large", text);
+}

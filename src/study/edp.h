@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Engineering demand parameters: what an engineer asks of each run of a study, by a name such as
+// `drift`, `drift:A:3` or `force:A:5-B:5`. It is one number of a run: the largest value, or the
+// sum, of a quantity at the places named.
+#ifndef JOSTLE_EDP_H
+#define JOSTLE_EDP_H
+
+#include "jostle/study_file.h"
+
+enum edp_reduction { EDP_LARGEST, EDP_SUM };
+
+// A quantity that can be asked for. `owner` is what stands behind the first colon.
+enum edp_owner { EDP_OF_BUILDING, EDP_OF_CONTACT, EDP_OF_LINK, EDP_OF_ALL };
+struct edp_quantity {
+    const char *name;
+    enum edp_owner owner;
+    const char *parent, *item;  // where the file has it
+    const char *divisor;        // property of the building that it is divided by; NULL: none
+    enum edp_reduction reduction;
+    const char *doc;  // half a line
+};
+extern const struct edp_quantity edp_quantities[];
+extern const int n_edp_quantity;
+
+// A value of a run that counts.
+struct edp_term {
+    size_t value, divisor;  // indices among a run's values; divisor SIZE_MAX: none
+    const char *location;   // "A:3", "A:5-B:5"; "" for the whole
+};
+
+struct edp {
+    const struct edp_quantity *quantity;
+    const char *text;   // as asked for
+    const char *units;  // "1": a number
+    struct dimension dimension;
+    int n_term;
+    const struct edp_term *term;  // (n_term)
+};
+
+// Reads `text` against the file's table: NAME, NAME:BUILDING, NAME:BUILDING:FLOOR, NAME:CONTACT or
+// NAME:LINK; in names, _ stands for - too. What lasts is from `a`. Errors: STATUS_INPUT (no such
+// quantity or place, and what there is), STATUS_SYSTEM.
+int edp_parse(const struct study_view *v, const char *text, struct arena *a, struct edp *out,
+              struct error *e);
+
+// The number of a run from its values (n_value); *at is the term that is largest, for a sum too.
+// NAN where no term has a value.
+double edp_value(const struct edp *p, const double *value, int *at);
+
+// The value of one term.
+double edp_term_value(const struct edp *p, int term, const double *value);
+
+// "20mm" in the units of `p`; a bare number is in them already. Errors: STATUS_INPUT (no number,
+// another dimension, not finite).
+int edp_limit(const struct edp *p, const struct unit_system *units, const char *text, double *limit,
+              struct error *e);
+
+// The dimension and size [SI] of a text such as "m/s^2"; a pure number where it is none.
+struct dimension edp_units(const char *text, double gravity, double *size);
+
+#endif

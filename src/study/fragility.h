@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lognormal fragility: the probability that a demand exceeds a limit at the intensity x,
+//     P(x) = Phi(ln(x / theta) / beta),
+// with the median theta and the dispersion beta of largest likelihood.
+#ifndef JOSTLE_FRAGILITY_H
+#define JOSTLE_FRAGILITY_H
+
+#include "jostle/error.h"
+#include "study/suite.h"
+
+// Of `n` runs at an intensity, `exceeded` were above the limit.
+struct fragility_level {
+    double intensity;
+    int n, exceeded;
+};
+
+// Counts from which no such curve follows have no parameters.
+enum fragility_outcome {
+    FRAGILITY_FITTED,
+    FRAGILITY_NO_RUNS,
+    FRAGILITY_NONE_EXCEEDS,
+    FRAGILITY_ALL_EXCEED,
+    FRAGILITY_SEPARATED,  // all below some intensity stay under the limit, all above exceed it
+    FRAGILITY_ONE_LEVEL,
+    FRAGILITY_FALLS,        // exceedance does not grow with the intensity
+    FRAGILITY_NOT_POSITIVE  // an intensity is <= 0 and has no logarithm
+};
+
+struct fragility {
+    enum fragility_outcome outcome;
+    double median, dispersion;
+    double log_median_error, dispersion_error;  // standard errors of ln theta and of beta
+    // Separated: the highest intensity with runs below the limit, and the lowest with runs above
+    // it; they are equal where one intensity has both.
+    double between[2];
+};
+
+// Maximum likelihood over counts of exceedance, Baker (2015), Earthquake Spectra 31(1), 579-599,
+// eq. 11. Errors: STATUS_SYSTEM (no memory), STATUS_FAILED (the iteration does not converge).
+int fragility_fit(const struct fragility_level *level, int n, struct fragility *out,
+                  struct error *e);
+
+// P(x) of fitted parameters; theta and beta > 0.
+double fragility_probability(const struct fragility *f, double intensity);
+
+// Half a sentence that says why nothing was fitted; "" where it was.
+const char *fragility_reason(const struct fragility *f);
+
+// Counts of one group of a suite over the limit: n_point levels. Values equal to the limit do not
+// exceed it.
+void fragility_count(const struct suite *s, int group, double limit, struct fragility_level *level);
+
+#endif

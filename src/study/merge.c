@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts to the file of a study. All parts stay open; the runs of a block of the new file are read
+// from those that have them. What parts have in common is compared first, so that nothing is
+// written where something does not fit.
+#include <assert.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "jostle/study_merge.h"
+#include "study/identity.h"
+#include "study/number_list.h"
+
+static const size_t bytes_max = (size_t)1 << 20;
+enum { ROWS_MAX = 256 };
+
+struct input {
+    struct study_file *file;
+    const struct study_view *view;
+    int *item;  // (n_item of the table) the item of the file that each one is
+};
+
+struct merge {
+    const struct study_merge_request *request;
+    struct input *input;  // (n_path)
+    struct report *report;
+    struct study_table *table;
+    struct study_merged *out;
+
+    // Rows of a part on their way.
+    long capacity;
+    struct study_outcome *outcome;  // (capacity)
+    double *value;                  // (capacity, n_value)
+};
+
+static const char *path_of(const struct merge *m, int k) {
+    return m->request->path[k];
+}
+
+static int open_part(struct merge *m, int k, struct error *e) {
+    struct input *in = &m->input[k];
+    const char *path = path_of(m, k);
+    if (access(path, R_OK) != 0) {
+        return error_set(e, errno == ENOENT || errno == ENOTDIR ? STATUS_INPUT : STATUS_SYSTEM,
+                         "cannot open %s: %s", path, strerror(errno));
+    }
+    if (!study_file_is_study(path)) {
+        return error_set(e, STATUS_INPUT, "%s is not the file of a part of a study", path);
+    }
+    int status = study_file_open(path, &in->file, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    in->view = study_file_view(in->file);
+    if (in->view->part.shard.n == 0) {
+        return error_set(e, STATUS_INPUT, "%s is a whole study, not a part of one", path);
+    }
+    const struct study_part *first = &m->input[0].view->part, *part = &in->view->part;
+    if (strcmp(first->study, part->study) != 0) {
+        int length;
+        const char *cause = identity_difference(first->study, part->study, &length);
+        return error_set(e, STATUS_INPUT, "%s and %s are parts of different studies: %.*s differs",
+                         path_of(m, 0), path, length, cause);
+    }
+    if (in->view->n_study != m->input[0].view->n_study) {
+        return error_set(e, STATUS_INPUT, "%s is damaged: it is of a study of %ld runs", path,
+                         in->view->n_study);
+    }
+    return STATUS_OK;
+}
+
+// A file that the runs of a part have read.
+struct reading {
+    const struct study_source *source;
+    int input;
+};
+
+static int compare(const void *a, const void *b) {
+    const struct reading *one = a, *other = b;
+    const int order = strcmp(one->source->path, other->source->path);
+    return order ? order : one->input - other->input;
+}
+
+// All parts have read the same files.
+static int check_sources(const struct merge *m, struct error *e) {
+    size_t n = 0;
+    for (int k = 0; k < m->request->n_path; k++) {
+        n += (size_t)m->input[k].view->part.n_source;
+    }
+    struct reading *all = calloc(n + 1, sizeof *all);
+    if (!all) {
+        return error_no_memory(e);
+    }
+    n = 0;
+    for (int k = 0; k < m->request->n_path; k++) {
+        const struct study_part *part = &m->input[k].view->part;
+        for (int i = 0; i < part->n_source; i++) {
+            all[n++] = (struct reading){&part->source[i], k};
+        }
+    }
+    qsort(all, n, sizeof *all, compare);
+    int status = STATUS_OK;
+    for (size_t i = 1; i < n && status == STATUS_OK; i++) {
+        const struct reading *a = &all[i - 1], *b = &all[i];
+        if (strcmp(a->source->path, b->source->path) == 0 && a->source->sum != b->source->sum) {
+            status = error_set(e, STATUS_INPUT,
+                               "%s and %s are parts of different studies: the file %s differs",
+                               path_of(m, a->input), path_of(m, b->input), a->source->path);
+        }
+    }
+    free(all);
+    return status;
+}
+
+static bool same_text(const char *a, const char *b) {
+    return a && b ? strcmp(a, b) == 0 : a == b;
+}
+
+// A file lists its items in another order than the table.
+static int find_item(const struct study_table *t, const struct study_item *wanted) {
+    for (int i = 0; i < t->n_item; i++) {
+        const struct study_item *item = &t->item[i];
+        if (item->n == wanted->n && strcmp(item->name, wanted->name) == 0 &&
+            strcmp(item->parent, wanted->parent) == 0 && same_text(item->owner, wanted->owner) &&
+            same_text(item->leaf, wanted->leaf)) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static int map_items(struct merge *m, struct error *e) {
+    const size_t n = (size_t)m->table->n_item;
+    for (int k = 0; k < m->request->n_path; k++) {
+        struct input *in = &m->input[k];
+        in->item = malloc((n + 1) * sizeof *in->item);
+        if (!in->item) {
+            return error_no_memory(e);
+        }
+        for (size_t i = 0; i < n; i++) {
+            const struct study_item *item = &m->table->item[i];
+            in->item[i] = item->n > 0 ? find_item(&in->view->table, item) : 0;
+            if (in->item[i] < 0) {
+                return error_set(e, STATUS_INPUT, "%s is damaged: it has no %s/%s", path_of(m, k),
+                                 item->parent, item->name);
+            }
+        }
+    }
+    return STATUS_OK;
+}
+
+static bool have_one_division(const struct merge *m) {
+    for (int k = 1; k < m->request->n_path; k++) {
+        if (m->input[k].view->part.shard.n != m->input[0].view->part.shard.n) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Says which runs are missing: by their parts if all parts are of one division.
+static void name_missing(const struct merge *m, const unsigned char *there) {
+    struct study_merged *o = m->out;
+    const long n = have_one_division(m) ? m->input[0].view->part.shard.n : 0;
+    char text[192] = "";
+    struct number_list list = {.text = text, .size = sizeof text};
+    for (long part = 1; part <= n; part++) {
+        const struct study_shard shard = {part, n};
+        if (study_shard_size(&shard, o->n_run) > 0 && !there[study_shard_run(&shard, 0)]) {
+            number_list_add(&list, part);
+        }
+    }
+    for (long i = 0; n == 0 && i < o->n_run; i++) {
+        if (!there[i]) {
+            number_list_add(&list, i + 1);
+        }
+    }
+    number_list_end(&list);
+    snprintf(o->missing, sizeof o->missing, "%s%s %s of %ld", n > 0 ? "part" : "run",
+             list.n == 1 ? "" : "s", text, n > 0 ? n : o->n_run);
+}
+
+static int check_missing(struct merge *m, struct error *e) {
+    struct study_merged *o = m->out;
+    unsigned char *there = calloc((size_t)o->n_run + 1, 1);
+    if (!there) {
+        return error_no_memory(e);
+    }
+    o->n_missing = o->n_run;
+    for (int k = 0; k < m->request->n_path; k++) {
+        const struct study_view *v = m->input[k].view;
+        for (long i = 0; i < v->n_run; i++) {
+            unsigned char *run = &there[study_view_run(v, i)];
+            o->n_missing -= !*run;
+            *run = 1;
+        }
+    }
+    if (o->n_missing > 0) {
+        name_missing(m, there);
+    }
+    free(there);
+    return o->n_missing > 0 && m->request->gaps == STUDY_WHOLE
+               ? error_set(e, STATUS_FAILED,
+                           "%ld of %ld runs are missing: %s; --partial writes the others",
+                           o->n_missing, o->n_run, o->missing)
+               : STATUS_OK;
+}
+
+// The first run of the file that is `run` of the study or a later one.
+static long find_row(const struct study_view *v, long run) {
+    long low = 0, high = v->n_run;
+    while (low < high) {
+        const long middle = low + (high - low) / 2;
+        if (study_view_run(v, middle) < run) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+// Where the runs [first, first + n) of the new file go.
+struct target {
+    long first, n;
+    struct study_outcome *outcome;  // (n)
+    double *value;                  // (n, n_value)
+};
+
+static bool same_outcome(const struct study_outcome *a, const struct study_outcome *b) {
+    return a->status == b->status && strcmp(a->message, b->message) == 0;
+}
+
+// Brings row `row` of the buffer, from part `k`, to its place; a run that is there already must be
+// the same.
+static int place(const struct merge *m, int k, long row, long run, const struct target *to,
+                 struct error *e) {
+    const struct study_table *t = m->table, *from = &m->input[k].view->table;
+    struct study_outcome *outcome = &to->outcome[run - to->first];
+    double *value = to->value + (size_t)(run - to->first) * t->n_value;
+    const double *buffer = m->value + (size_t)row * from->n_value;
+    const bool known = outcome->status != STUDY_MISSING;
+    bool same = !known || same_outcome(outcome, &m->outcome[row]);
+    for (int i = 0; i < t->n_item; i++) {
+        const struct study_item *item = &t->item[i];
+        const double *source = buffer + from->item[m->input[k].item[i]].first;
+        const size_t size = item->n * sizeof *source;
+        same = same && (!known || memcmp(value + item->first, source, size) == 0);
+        memcpy(value + item->first, source, size);
+    }
+    *outcome = m->outcome[row];
+    return same ? STATUS_OK
+                : error_set(e, STATUS_INPUT,
+                            "run %ld has other results in %s than in a part before it", run + 1,
+                            path_of(m, k));
+}
+
+static int read_part(const struct merge *m, int k, const struct target *to, struct error *e) {
+    const struct study_view *v = m->input[k].view;
+    const long end = find_row(v, to->first + to->n);
+    int status = STATUS_OK;
+    for (long row = find_row(v, to->first); row < end && status == STATUS_OK;) {
+        const long n = end - row < m->capacity ? end - row : m->capacity;
+        status = study_file_read(m->input[k].file, row, n, m->outcome, m->value, e);
+        for (long i = 0; i < n && status == STATUS_OK; i++) {
+            status = place(m, k, i, study_view_run(v, row + i), to, e);
+        }
+        row += n;
+    }
+    return status;
+}
+
+static int read_runs(void *context, long first, long n, struct study_outcome *outcome,
+                     double *value, struct error *e) {
+    struct merge *m = context;
+    const struct target to = {first, n, outcome, value};
+    for (long i = 0; i < n; i++) {
+        outcome[i] = (struct study_outcome){.status = STUDY_MISSING};
+    }
+    for (size_t i = 0; i < (size_t)n * m->table->n_value; i++) {
+        value[i] = NAN;
+    }
+    int status = STATUS_OK;
+    for (int k = 0; k < m->request->n_path && status == STATUS_OK; k++) {
+        status = m->request->poll ? m->request->poll(m->request->context, e) : STATUS_OK;
+        status = status == STATUS_OK ? read_part(m, k, &to, e) : status;
+    }
+    for (long i = 0; i < n; i++) {
+        m->out->n_failed += outcome[i].status == STUDY_FAILED;
+    }
+    return status;
+}
+
+static int reserve_rows(struct merge *m, struct error *e) {
+    const size_t n_value = m->table->n_value + 1, rows = bytes_max / (n_value * sizeof(double));
+    m->capacity = rows < 1 ? 1 : rows > ROWS_MAX ? ROWS_MAX : (long)rows;
+    m->outcome = malloc((size_t)m->capacity * sizeof *m->outcome);
+    m->value = malloc((size_t)m->capacity * n_value * sizeof *m->value);
+    return m->outcome && m->value ? STATUS_OK : error_no_memory(e);
+}
+
+// The sweeps of the first part as a list; times of all parts add up.
+static void describe(const struct merge *m, struct sweep *list, struct study_content *c) {
+    const struct study_view *v = m->input[0].view;
+    for (int i = 0; i < v->n_sweep; i++) {
+        list[i] = *v->sweep[i];
+        list[i].next = i + 1 < v->n_sweep ? &list[i + 1] : NULL;
+    }
+    c->sweeps = list;
+    for (int k = 0; k < m->request->n_path; k++) {
+        v = m->input[k].view;
+        c->n_kept += v->n_kept;
+        c->n_thread = v->n_thread > c->n_thread ? v->n_thread : c->n_thread;
+        c->seconds += v->seconds;
+    }
+}
+
+static int join(struct merge *m, struct error *e) {
+    struct sweep list[STUDY_SWEEPS_MAX];
+    struct study_content content = {.first = m->report,
+                                    .table = m->table,
+                                    .n_run = m->out->n_run,
+                                    .n_part = m->request->n_path,
+                                    .read = read_runs,
+                                    .context = m};
+    describe(m, list, &content);
+    int status = study_file_check(&content, &m->request->result, e);
+    status = status == STATUS_OK ? map_items(m, e) : status;
+    status = status == STATUS_OK ? reserve_rows(m, e) : status;
+    return status == STATUS_OK ? study_file_write(&content, &m->request->result, e) : status;
+}
+
+static int open_and_join(struct merge *m, struct error *e) {
+    int status = STATUS_OK;
+    if (m->request->n_path < 1) {
+        return error_set(e, STATUS_INPUT, "there are no parts to be joined");
+    }
+    for (int k = 0; k < m->request->n_path && status == STATUS_OK; k++) {
+        status = open_part(m, k, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    assert(m->input[0].view);
+    m->out->n_run = m->input[0].view->n_study;
+    status = check_sources(m, e);
+    status = status == STATUS_OK ? check_missing(m, e) : status;
+    status = status == STATUS_OK ? study_file_report(m->input[0].file, &m->report, e) : status;
+    status = status == STATUS_OK ? study_table_create(m->report, &m->table, e) : status;
+    return status == STATUS_OK ? join(m, e) : status;
+}
+
+int study_merge(const struct study_merge_request *q, struct study_merged *out, struct error *e) {
+    struct merge m = {.request = q, .out = out};
+    *out = (struct study_merged){.n_run = 0};
+    m.input = calloc((size_t)q->n_path + 1, sizeof *m.input);
+    int status = m.input ? open_and_join(&m, e) : error_no_memory(e);
+    for (int k = 0; m.input && k < q->n_path; k++) {
+        study_file_close(m.input[k].file);
+        free(m.input[k].item);
+    }
+    free(m.input);
+    free(m.outcome);
+    free(m.value);
+    study_table_free(m.table);
+    report_free(m.report);
+    return status;
+}

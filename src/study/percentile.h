@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef JOSTLE_PERCENTILE_H
+#define JOSTLE_PERCENTILE_H
+
+#include <stddef.h>
+
+// The quantile at `fraction`, 0 to 1, of the `n` >= 1 ascending values, interpolated linearly
+// between the two around it (definition 7 of Hyndman and Fan 1996, The American Statistician 50,
+// 361; that of numpy and of spreadsheets). Values may end with infinities, which stand for
+// whatever is above all others: where one of them would count, the quantile is infinite.
+double percentile_sorted(const double *value, size_t n, double fraction);
+
+#endif

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/roles.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/text.h"
+
+// Values typed by hand may differ from those of a range in their last digits.
+static const double SAME_VALUE = 1e-9;
+
+// The sweep of this name; -1 after an error, which lists those of the study.
+static int find_sweep(const struct study_view *v, const char *name, size_t n, const char *option,
+                      struct error *e) {
+    char list[256] = "";
+    for (int i = 0; i < v->n_sweep; i++) {
+        const char *known = v->sweep[i]->name;
+        if (strlen(known) == n && strncmp(known, name, n) == 0) {
+            return i;
+        }
+        const size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", known);
+    }
+    error_set(e, STATUS_INPUT, "%s: the study has no sweep '%.*s'; there are %s", option, (int)n,
+              name, list);
+    return -1;
+}
+
+static int set_role(const struct study_view *v, struct roles *r, int sweep, enum role role,
+                    struct error *e) {
+    if (r->role[sweep] != ROLE_GROUP) {
+        return error_set(e, STATUS_INPUT, "sweep '%s' is named for two different parts",
+                         v->sweep[sweep]->name);
+    }
+    r->role[sweep] = role;
+    return STATUS_OK;
+}
+
+// The index of a number as typed, with or without a unit, among those of a sweep; -1: it is none.
+static int find_number(const struct study_view *v, int sweep, const char *text) {
+    const struct sweep *s = v->sweep[sweep];
+    const char *end, *behind;
+    struct dimension dimension;
+    double value, size, own;
+    if (text_number(text, &end, &value) != TEXT_NUMBER_OK) {
+        return -1;
+    }
+    const struct dimension wanted = edp_units(v->sweep_units[sweep], v->units.gravity, &own);
+    if (*end != '\0') {
+        if (!unit_parse(end, v->units.gravity, &behind, &dimension, &size) || *behind != '\0' ||
+            !dimension_equal(dimension, wanted)) {
+            return -1;
+        }
+        value = unit_convert(value, size, own);
+    }
+    for (int i = 0; i < s->n; i++) {
+        if (fabs(s->number[i] - value) <= SAME_VALUE * fabs(s->number[i])) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static int find_label(const struct sweep *s, const char *text) {
+    for (int i = 0; i < s->n; i++) {
+        if (strcmp(s->label[i], text) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+static int fix(const struct study_view *v, const char *text, struct roles *r, struct error *e) {
+    const size_t n = strcspn(text, "=");
+    if (text[n] == '\0') {
+        return error_set(e, STATUS_INPUT, "--at takes NAME=VALUE, not '%s'", text);
+    }
+    const int i = find_sweep(v, text, n, "--at", e);
+    if (i < 0) {
+        return STATUS_INPUT;
+    }
+    const struct sweep *s = v->sweep[i];
+    r->fixed[i] = s->number ? find_number(v, i, text + n + 1) : find_label(s, text + n + 1);
+    if (r->fixed[i] >= 0) {
+        return set_role(v, r, i, ROLE_FIXED, e);
+    }
+    if (s->number) {
+        return error_set(e, STATUS_INPUT, "--at %s: '%s' has %d values, from %.9g to %.9g %s", text,
+                         s->name, s->n, s->number[0], s->number[s->n - 1], v->sweep_units[i]);
+    }
+    return error_set(e, STATUS_INPUT, "--at %s: '%s' has %d values: %s%s%s", text, s->name, s->n,
+                     s->label[0], s->n > 1 ? " ... " : "", s->n > 1 ? s->label[s->n - 1] : "");
+}
+
+static int take_samples(const struct study_view *v, const char *over, struct roles *r,
+                        struct error *e) {
+    for (const char *at = over; *at; at += strspn(at, ",")) {
+        const size_t n = strcspn(at, ",");
+        const int i = find_sweep(v, at, n, "--over", e);
+        int status = i < 0 ? STATUS_INPUT : set_role(v, r, i, ROLE_SAMPLE, e);
+        if (status != STATUS_OK) {
+            return status;
+        }
+        at += n;
+    }
+    return STATUS_OK;
+}
+
+// The first sweep still free that has one of these names, else the only one that is free among
+// texts (or numbers); -1.
+enum value_kind { VALUES_TEXT, VALUES_NUMBER };
+static int guess(const struct study_view *v, const struct roles *r, const char *const *name,
+                 enum value_kind kind) {
+    int only = -1, n = 0;
+    for (int i = 0; i < v->n_sweep; i++) {
+        if (r->role[i] == ROLE_GROUP && (v->sweep[i]->number != NULL) == (kind == VALUES_NUMBER)) {
+            only = i;
+            n++;
+        }
+    }
+    for (const char *const *at = name; *at; at++) {
+        for (int i = 0; i < v->n_sweep; i++) {
+            if (r->role[i] == ROLE_GROUP && strcmp(v->sweep[i]->name, *at) == 0) {
+                return i;
+            }
+        }
+    }
+    return n == 1 ? only : -1;
+}
+
+static const char *const intensities[] = {"im", "sa", "pga", "intensity", "scale", NULL};
+static const char *const records[] = {"record", "records", NULL};
+
+// The first sweep of numbers that is free, else the first free one; -1.
+static int any_free(const struct study_view *v, const struct roles *r) {
+    int any = -1;
+    for (int i = v->n_sweep - 1; i >= 0; i--) {
+        const bool free = r->role[i] == ROLE_GROUP;
+        any = free && (v->sweep[i]->number || any < 0 || !v->sweep[any]->number) ? i : any;
+    }
+    return any;
+}
+
+static bool is_one_of(const char *name, const char *const *known) {
+    while (*known && strcmp(name, *known) != 0) {
+        known++;
+    }
+    return *known != NULL;
+}
+
+static int find_abscissa(const struct study_view *v, const struct suite_request *q, struct roles *r,
+                         struct error *e) {
+    int i = q->abscissa ? find_sweep(v, q->abscissa, strlen(q->abscissa), "--im or --against", e)
+                        : guess(v, r, intensities, VALUES_NUMBER);
+    if (i < 0 && q->abscissa) {
+        return STATUS_INPUT;
+    }
+    if (i < 0 && q->guess == SUITE_ANY) {
+        i = any_free(v, r);
+    }
+    if (i < 0) {
+        return error_set(e, STATUS_INPUT,
+                         "%s has no sweep 'im', 'sa' or 'pga'; name the one to go along by --im "
+                         "NAME",
+                         v->path);
+    }
+    r->abscissa = i;
+    r->is_intensity = is_one_of(v->sweep[i]->name, intensities);
+    return set_role(v, r, i, ROLE_ABSCISSA, e);
+}
+
+int roles_find(const struct study_view *v, const struct suite_request *q, struct roles *out,
+               struct error *e) {
+    *out = (struct roles){.abscissa = -1};
+    int status = STATUS_OK;
+    for (int i = 0; i < q->n_at && status == STATUS_OK; i++) {
+        status = fix(v, q->at[i], out, e);
+    }
+    if (status == STATUS_OK && q->over) {
+        status = take_samples(v, q->over, out, e);
+    }
+    if (status == STATUS_OK) {
+        status = find_abscissa(v, q, out, e);
+    }
+    if (status == STATUS_OK && !q->over) {
+        const int i = guess(v, out, records, VALUES_TEXT);
+        status = i < 0 ? STATUS_OK : set_role(v, out, i, ROLE_SAMPLE, e);
+    }
+    return status;
+}
+
+int roles_count(const struct study_view *v, const struct roles *r, enum role role) {
+    int n = 1;
+    for (int i = 0; i < v->n_sweep; i++) {
+        n *= r->role[i] == role ? v->sweep[i]->n : 1;
+    }
+    return n;
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which part each sweep of a study plays in a suite.
+#ifndef JOSTLE_ROLES_H
+#define JOSTLE_ROLES_H
+
+#include "study/suite.h"
+
+enum role { ROLE_GROUP, ROLE_ABSCISSA, ROLE_SAMPLE, ROLE_FIXED };
+struct roles {
+    enum role role[STUDY_SWEEPS_MAX];
+    int fixed[STUDY_SWEEPS_MAX];  // value of a fixed sweep
+    int abscissa;                 // its sweep
+    bool is_intensity;            // it has the name of one
+};
+
+// Errors: STATUS_INPUT.
+int roles_find(const struct study_view *v, const struct suite_request *q, struct roles *out,
+               struct error *e);
+
+// How many runs there are for all values of the sweeps of this role.
+int roles_count(const struct study_view *v, const struct roles *r, enum role role);
+
+#endif

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/suite.h"
+
+#include <gsl/gsl_sort.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "study/percentile.h"
+#include "study/roles.h"
+
+// Runs are read in blocks.
+enum { BLOCK_RUNS = 256 };
+
+// A suite while it is made.
+struct maker {
+    struct suite *s;
+    struct roles roles;
+    double *value;
+    int *place;  // (values of the abscissa) where each stands among the points
+    bool no_memory;
+};
+
+static void *take(struct maker *m, size_t n, size_t size) {
+    void *p = arena_alloc(m->s->arena, n, size);
+    m->no_memory |= !p;
+    return p;
+}
+
+// "NAME = VALUE UNIT" or "NAME VALUE" behind `text`.
+static const char *append_value(struct maker *m, const char *text, int sweep, int k,
+                                const char *equals) {
+    const struct study_view *v = m->s->view;
+    const struct sweep *s = v->sweep[sweep];
+    char number[40];
+    snprintf(number, sizeof number, "%.6g", s->number ? s->number[k] : 0.0);
+    const char *units = v->sweep_units[sweep];
+    const bool plain = !units[0] || strcmp(units, "1") == 0 || strcmp(units, "unknown") == 0;
+    const char *all =
+        arena_format(m->s->arena, "%s%s%s%s%s%s%s", text, text[0] ? ", " : "", s->name, equals,
+                     s->number ? number : s->label[k], plain ? "" : " ", plain ? "" : units);
+    m->no_memory |= !all;
+    return all ? all : "";
+}
+
+// The value of each sweep in run number `run`.
+static void digits(const struct study_view *v, long run, int *k) {
+    for (int i = v->n_sweep - 1; i >= 0; i--) {
+        k[i] = (int)(run % v->sweep[i]->n);
+        run /= v->sweep[i]->n;
+    }
+}
+
+// The number of a run among the values of the sweeps of a role.
+static int index_of(const struct maker *m, enum role role, const int *k) {
+    int index = 0;
+    for (int i = 0; i < m->s->view->n_sweep; i++) {
+        if (m->roles.role[i] == role) {
+            index = index * m->s->view->sweep[i]->n + k[i];
+        }
+    }
+    return index;
+}
+
+// Names of all values of the sweeps of a role.
+static const char *const *name_all(struct maker *m, enum role role, int n, const char *equals) {
+    const struct study_view *v = m->s->view;
+    const char **name = take(m, (size_t)n, sizeof *name);
+    for (int at = 0; name && at < n; at++) {
+        int k[STUDY_SWEEPS_MAX];
+        int rest = at;
+        for (int i = v->n_sweep - 1; i >= 0; i--) {
+            if (m->roles.role[i] == role) {
+                k[i] = rest % v->sweep[i]->n;
+                rest /= v->sweep[i]->n;
+            }
+        }
+        name[at] = "";
+        for (int i = 0; i < v->n_sweep; i++) {
+            if (m->roles.role[i] == role) {
+                name[at] = append_value(m, name[at], i, k[i], equals);
+            }
+        }
+    }
+    return name;
+}
+
+static void name_roles(struct maker *m) {
+    struct suite *s = m->s;
+    const struct study_view *v = s->view;
+    s->over = s->fixed = "";
+    for (int i = 0; i < v->n_sweep; i++) {
+        if (m->roles.role[i] == ROLE_SAMPLE) {
+            s->over = arena_format(s->arena, "%s%s%s", s->over, s->over[0] ? ", " : "",
+                                   v->sweep[i]->name);
+            m->no_memory |= !s->over;
+            s->over = s->over ? s->over : "";
+        } else if (m->roles.role[i] == ROLE_FIXED) {
+            s->fixed = append_value(m, s->fixed, i, m->roles.fixed[i], " = ");
+        }
+    }
+    s->sample = name_all(m, ROLE_SAMPLE, s->n_sample, " ");
+    s->group = name_all(m, ROLE_GROUP, s->n_group, " = ");
+}
+
+// Points in ascending order of their numbers; texts in the order of the deck.
+static void order_points(struct maker *m) {
+    struct suite *s = m->s;
+    const size_t n = (size_t)s->n_point;
+    size_t *sorted = take(m, n, sizeof *sorted);
+    int *order = take(m, n, sizeof *order);
+    double *point = take(m, n, sizeof *point);
+    m->place = take(m, n, sizeof *m->place);
+    if (m->no_memory) {
+        return;
+    }
+    for (size_t i = 0; i < n; i++) {
+        sorted[i] = i;
+    }
+    if (s->abscissa->number) {
+        gsl_sort_index(sorted, s->abscissa->number, 1, n);
+    }
+    for (size_t i = 0; i < n; i++) {
+        order[i] = (int)sorted[i];
+        point[i] = s->abscissa->number ? s->abscissa->number[order[i]] : (double)i + 1.0;
+        m->place[order[i]] = (int)i;
+    }
+    s->order = order;
+    s->point = point;
+}
+
+static void name_failed(struct maker *m, long run, const int *k, const char *why) {
+    struct suite *s = m->s;
+    if (s->n_failed++ >= SUITE_NAMED_MAX) {
+        return;
+    }
+    const char *values = "";
+    for (int i = 0; i < s->view->n_sweep; i++) {
+        values = append_value(m, values, i, k[i], " = ");
+    }
+    const char *all = arena_format(s->arena, "run %ld (%s): %s", run + 1, values, why);
+    m->no_memory |= !all;
+    s->failed[s->n_failed - 1] = all;
+}
+
+static bool is_looked_at(const struct maker *m, const int *k) {
+    for (int i = 0; i < m->s->view->n_sweep; i++) {
+        if (m->roles.role[i] == ROLE_FIXED && k[i] != m->roles.fixed[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static int take_run(struct maker *m, long run, const struct study_outcome *outcome,
+                    const double *value, struct error *e) {
+    struct suite *s = m->s;
+    int k[STUDY_SWEEPS_MAX];
+    digits(s->view, run, k);
+    const bool there = outcome->status == STUDY_DONE || outcome->status == STUDY_FAILED;
+    if (!there || !is_looked_at(m, k)) {
+        return STATUS_OK;
+    }
+    s->n_missing--;
+    const size_t sample = (size_t)index_of(m, ROLE_SAMPLE, k);
+    const size_t group = (size_t)index_of(m, ROLE_GROUP, k);
+    const size_t at = (group * (size_t)s->n_sample + sample) * (size_t)s->n_point +
+                      (size_t)m->place[k[m->roles.abscissa]];
+    int place;
+    m->value[at] = edp_value(&s->edp, value, &place);
+    if (outcome->status == STUDY_DONE && isfinite(m->value[at])) {
+        return STATUS_OK;
+    }
+    if (outcome->status == STUDY_DONE && s->edp.quantity->divisor) {
+        return error_set(e, STATUS_INPUT, "%s: the deck gives no storey heights", s->edp.text);
+    }
+    m->value[at] = s->rule == SUITE_FAILED_ABOVE ? INFINITY : NAN;
+    name_failed(m, run, k,
+                outcome->status == STUDY_DONE ? "its value is not finite" : outcome->message);
+    return STATUS_OK;
+}
+
+static int read_runs(struct maker *m, struct study_file *f, struct study_outcome *outcome,
+                     double *value, struct error *e) {
+    const struct study_view *v = m->s->view;
+    int status = STATUS_OK;
+    for (long first = 0; first < v->n_run && status == STATUS_OK; first += BLOCK_RUNS) {
+        const long n = v->n_run - first < BLOCK_RUNS ? v->n_run - first : BLOCK_RUNS;
+        status = study_file_read(f, first, n, outcome, value, e);
+        for (long i = 0; i < n && status == STATUS_OK; i++) {
+            status = take_run(m, study_view_run(v, first + i), &outcome[i],
+                              value + (size_t)i * v->table.n_value, e);
+        }
+    }
+    return status;
+}
+
+static int read_all(struct maker *m, struct study_file *f, struct error *e) {
+    struct study_outcome *outcome = malloc(BLOCK_RUNS * sizeof *outcome);
+    double *value = calloc(BLOCK_RUNS * (m->s->view->table.n_value + 1), sizeof *value);
+    int status = outcome && value ? read_runs(m, f, outcome, value, e) : error_no_memory(e);
+    free(outcome);
+    free(value);
+    return status;
+}
+
+// Storey heights are 0 where the deck gives none; the first run that was done says so.
+static int default_edp(const struct study_view *v, struct study_file *f, struct arena *a,
+                       struct edp *out, struct error *e) {
+    struct study_outcome *outcome = arena_alloc(a, 1, sizeof *outcome);
+    double *value = arena_alloc(a, v->table.n_value + 1, sizeof *value);
+    if (!outcome || !value) {
+        return error_no_memory(e);
+    }
+    int at, status = STATUS_OK;
+    outcome->status = STUDY_FAILED;
+    for (long i = 0; i < v->n_run && outcome->status != STUDY_DONE && status == STATUS_OK; i++) {
+        status = study_file_read(f, i, 1, outcome, value, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    status = edp_parse(v, "drift-ratio", a, out, e);
+    if (status == STATUS_INPUT || (status == STATUS_OK && !isfinite(edp_value(out, value, &at)))) {
+        status = edp_parse(v, "drift", a, out, e);
+    }
+    return status;
+}
+
+static int make(struct maker *m, struct study_file *f, const struct suite_request *q,
+                struct error *e) {
+    struct suite *s = m->s;
+    const struct study_view *v = s->view;
+    int status = q->edp ? edp_parse(v, q->edp, s->arena, &s->edp, e)
+                        : default_edp(v, f, s->arena, &s->edp, e);
+    if (status == STATUS_OK) {
+        status = roles_find(v, q, &m->roles, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    double size;
+    s->abscissa = v->sweep[m->roles.abscissa];
+    s->is_intensity = m->roles.is_intensity;
+    const char *units = v->sweep_units[m->roles.abscissa];
+    s->abscissa_dimension = edp_units(units, v->units.gravity, &size);
+    s->abscissa_units = dimension_equal(s->abscissa_dimension, dimension_none) ? "" : units;
+    s->n_point = s->abscissa->n;
+    s->n_sample = roles_count(v, &m->roles, ROLE_SAMPLE);
+    s->n_group = roles_count(v, &m->roles, ROLE_GROUP);
+    s->n_run = (long)s->n_point * s->n_sample * s->n_group;
+    m->value = take(m, (size_t)s->n_run, sizeof *m->value);
+    s->value = m->value;
+    order_points(m);
+    s->n_missing = s->n_run;
+    for (long i = 0; m->value && i < s->n_run; i++) {
+        m->value[i] = NAN;
+    }
+    if (!m->no_memory) {
+        name_roles(m);
+    }
+    if (!m->no_memory) {
+        status = read_all(m, f, e);
+    }
+    return m->no_memory ? error_no_memory(e) : status;
+}
+
+int suite_create(struct study_file *f, const struct suite_request *q, struct suite **out,
+                 struct error *e) {
+    struct arena *a = arena_create();
+    struct suite *s = a ? arena_alloc(a, 1, sizeof *s) : NULL;
+    if (!s) {
+        arena_free(a);
+        return error_no_memory(e);
+    }
+    *s = (struct suite){.arena = a, .view = study_file_view(f), .rule = q->failed};
+    struct maker m = {.s = s};
+    int status = make(&m, f, q, e);
+    if (status != STATUS_OK) {
+        arena_free(a);
+        return status;
+    }
+    *out = s;
+    return STATUS_OK;
+}
+
+void suite_free(struct suite *s) {
+    if (s) {
+        arena_free(s->arena);
+    }
+}
+
+double suite_value(const struct suite *s, int group, int sample, int point) {
+    const size_t row = (size_t)group * (size_t)s->n_sample + (size_t)sample;
+    return s->value[row * (size_t)s->n_point + (size_t)point];
+}
+
+int suite_samples(const struct suite *s, int group, int point, double *value) {
+    size_t n = 0;
+    for (int k = 0; k < s->n_sample; k++) {
+        const double x = suite_value(s, group, k, point);
+        if (!isnan(x)) {
+            value[n++] = x;
+        }
+    }
+    gsl_sort(value, 1, n);
+    return (int)n;
+}
+
+double suite_percentile(const struct suite *s, int group, int point, double fraction,
+                        double *work) {
+    const int n = suite_samples(s, group, point, work);
+    return n > 0 ? percentile_sorted(work, (size_t)n, fraction) : NAN;
+}

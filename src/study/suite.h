@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One demand parameter of all runs of a study, arranged as engineers look at suites: over one swept
+// parameter (an intensity), for each sample (a record), for each group (values of all other
+// sweeps).
+#ifndef JOSTLE_SUITE_H
+#define JOSTLE_SUITE_H
+
+#include "study/edp.h"
+
+// What to do with runs that failed: they count as above every value, or are left out.
+enum suite_failed { SUITE_FAILED_ABOVE, SUITE_FAILED_LEFT_OUT };
+
+// Which sweep to go along where none is named: the intensity, or any.
+enum suite_guess { SUITE_INTENSITY, SUITE_ANY };
+
+struct suite_request {
+    const char *edp;        // NULL: drift-ratio, or drift where the deck gives no heights
+    const char *abscissa;   // sweep that the picture or table goes along; NULL: found
+    const char *over;       // sweeps whose values are samples, "record,k"; NULL: found; "": none
+    const char *const *at;  // (n_at) NAME=VALUE, sweeps of which one value only is looked at
+    int n_at;
+    enum suite_guess guess;
+    enum suite_failed failed;
+};
+
+enum { SUITE_NAMED_MAX = 10 };
+struct suite {
+    struct arena *arena;            // owns everything below
+    const struct study_view *view;  // borrowed
+    struct edp edp;
+    const struct sweep *abscissa;
+    bool is_intensity;           // by its name
+    const char *abscissa_units;  // "" for texts and pure numbers
+    struct dimension abscissa_dimension;
+    int n_point, n_sample, n_group;
+    const int *order;           // (n_point) value of the sweep at each point, ascending
+    const double *point;        // (n_point) its numbers; 1, 2, ... for texts
+    const char *const *sample;  // (n_sample) "ELCENTRO_1940_NS"
+    const char *const *group;   // (n_group) "gap = 0.02 m"; "" where there is one
+    const char *over;           // names of the sampled sweeps, "record"; "" if none
+    const char *fixed;          // "gap = 0.02 m" of --at; ""
+    const double *value;        // (n_group, n_sample, n_point); INFINITY: above all; NAN: left out
+    long n_run;                 // n_group n_sample n_point
+    long n_missing;             // of them, runs that the file does not have; they are left out
+    long n_failed;              // of them; the first ones are named
+    const char *failed[SUITE_NAMED_MAX];  // "run 7 (record X, im 0.3): why"
+    enum suite_failed rule;
+};
+
+// Reads the file. *out must be given to suite_free. Errors: STATUS_INPUT (an unknown name, a sweep
+// whose part is not clear), STATUS_SYSTEM.
+int suite_create(struct study_file *f, const struct suite_request *q, struct suite **out,
+                 struct error *e);
+void suite_free(struct suite *s);  // NULL is allowed
+
+double suite_value(const struct suite *s, int group, int sample, int point);
+
+// The finite and infinite values of all samples at a point, ascending, into `value` (n_sample);
+// returns how many: those that were not left out.
+int suite_samples(const struct suite *s, int group, int point, double *value);
+
+// The quantile of the samples at a point; INFINITY: above all values; NAN: no run is left.
+// `work` is (n_sample).
+double suite_percentile(const struct suite *s, int group, int point, double fraction, double *work);
+
+#endif

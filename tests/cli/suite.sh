@@ -1,0 +1,148 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What engineers make of suites: records scaled to a spectral acceleration, tables of demands,
+# fragility, and pictures of studies.
+. tests/support/cli.sh
+
+cp "$root"/input/records/ELCENTRO_1940_NS.AT2 "$root"/input/records/NAPA_2014_68150_HNE.AT2 .
+cat >scaled.deck <<'END'
+building A -floors 1 -mass 1 -stiffness 100
+ground record ELCENTRO_1940_NS.AT2 -sa 0.4g -damping 2%
+step fixed 0.01
+END
+run "$jostle" check scaled.deck
+factor=$(sed -n 's/.*scaled by \([0-9.e+-]*\) to a PSA of 3.92266 m\/s^2 at a period of 0.628319 s, 2 % damping/\1/p' "$out")
+expect "check says how a record is scaled" '[ $status -eq 0 ] && [ -n "$factor" ]'
+run "$jostle" spectrum ELCENTRO_1940_NS.AT2 --scale "$factor" --damping 0.02 --periods 0.628318530717959 --tsv
+# The factor has six digits.
+expect "jostle spectrum finds that acceleration" 'awk -F "\t" "NR == 2 { exit !(\$5 > 0.3999996 && \$5 < 0.4000004) }" "$out"'
+
+# With late = 1, im = 4 makes the narrow gap negative: two runs of twelve fail.
+cat >suite.deck <<'END'
+title "a suite"
+units kN m s
+param late 0
+sweep record files "*.AT2"
+sweep im values 4m/s^2 1m/s^2 2m/s^2
+sweep wide values 1 0
+building A -floors 2 -mass 100t -stiffness 50MN/m -height 3m
+building B -floors 3 -mass 80t -stiffness 20MN/m -height 3m
+contact A B -gap ${5mm + wide * 1m - 1m * max(0, im / 1m * 1s^2 - 3.5) * (1 - wide) * late} -law linear -k 1e5
+ground record $record -sa $im
+step fixed 5ms
+duration 8s
+END
+run "$jostle" run suite.deck -o whole.h5 -q
+expect "the suite runs" '[ $status -eq 0 ]'
+run "$jostle" run suite.deck -o failed.h5 -q -D late=1
+expect "the one with failures, too" '[ $status -eq 1 ]'
+
+run "$jostle" show whole.h5 --csv
+expect "--csv has lines of one length" '[ $status -eq 0 ] && head -n 1 "$out" | grep -qx "run,record,im,wide,status,table,name,quantity,location,value,unit" && [ "$(awk -F , "{ print NF }" "$out" | sort -u)" = 11 ]'
+run "$jostle" show whole.h5 --long
+expect "--long has the columns of engineers" '[ $status -eq 0 ] && head -n 1 "$out" | grep -qxP "record\tim\twide\tedp\tlocation\tvalue\tunit\tstatus" && grep -qP "^ELCENTRO_1940_NS\t4\t0\tdrift-ratio\tB:3\t[0-9.e-]+\t1\tdone$" "$out"'
+expect "all its lines are as long" '[ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 8 ]'
+expect "what no run has is left out" '! grep -q link- "$out" && grep -q "	force	A:2-B:2	" "$out"'
+largest=$(awk -F '\t' '$1 ~ /^EL/ && $2 == 2 && $3 == 0 && $4 == "drift" && $6 > m { m = $6; at = $5 } END { print at, m }' "$out")
+run "$jostle" show whole.h5 --long --edp drift --edp impacts:A:1-B:1 --csv
+expect "--edp gives one line a run, and where it is largest" '[ "$(wc -l <"$out")" -eq 25 ] && grep -q "^ELCENTRO_1940_NS,2,0,drift,${largest/ /,},m,done$" "$out"'
+run "$jostle" show failed.h5 --long
+lines=$(awk -F '\t' '$8 == "failed" && $6 == ""' "$out" | wc -l)
+expect "failed runs have their lines, without values" '[ $status -eq 0 ] && [ "$lines" -gt 20 ] && ! grep -q "	failed$" <(grep -P "\t[0-9.]+\t[^\t]+\tfailed$" "$out")'
+run "$jostle" show whole.h5 --edp drift
+expect "--edp needs --long" '[ $status -eq 2 ]'
+run "$jostle" show whole.h5 --long --edp drfit
+expect "an unknown demand is refused" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "did you mean '"'drift'"'"'
+run "$jostle" show whole.h5 --tsv --csv
+expect "two forms exclude each other" '[ $status -eq 2 ]'
+
+cat >quotes.deck <<'END'
+sweep word values "a,b" plain
+building A -floors 1 -mass 1 -stiffness 100
+initial A:1 -velocity 1
+load A:1 constant 1
+output -file "$word.h5"
+step fixed 0.01
+duration 1
+END
+run "$jostle" run quotes.deck -q -o quotes.h5
+run "$jostle" show quotes.h5 --csv
+expect "cells with commas are quoted" 'grep -q "^1,\"a,b\",done,buildings,A,drift,1," "$out" && grep -q "^2,plain,done,buildings,A,drift,1," "$out"'
+run "$jostle" show quotes.h5 --tsv
+expect "but not in TSV" 'grep -q "^1	a,b	done" "$out"'
+
+run "$jostle" fragility whole.h5 --edp drift-ratio --limit 0.2%,99 --at wide=1
+expect "fragility prints counts, and says where there is no curve" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^drift-ratio > 0.002" "$out" && grep -qE "^ +4 +2 +[0-2] +[01]\.[0-9]+ " "$out" && grep -q "^no curve: no run exceeds the limit" "$out"'
+run "$jostle" fragility whole.h5 --edp drift --limit 1mm --tsv
+expect "--tsv has a line for each group, limit and intensity" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq 7 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 14 ] && grep -q "	wide = 1	" "$out"'
+run "$jostle" fragility failed.h5 --edp drift --limit 9m --at wide=0
+expect "failed runs count as above, and are named" '[ $status -eq 0 ] && said "2 of 6 runs failed; they count as above every value" && said "run 2 (record = ELCENTRO_1940_NS, im = 4 m/s^2, wide = 0): " && grep -qE "^ +4 +2 +2 +1.000" "$out" && grep -q "no curve: one intensity separates" "$out" && grep -q "the median is between 2 and 4 m/s^2" "$out"'
+run "$jostle" fragility failed.h5 --edp drift --limit 9m --at wide=0 --failed left-out
+expect "or are left out" '[ $status -eq 0 ] && said "they are left out" && grep -qE "^ +4 +0 +0 +- +-" "$out"'
+run "$jostle" fragility whole.h5 --edp drift --limit 9m,1e-7m
+expect "all or none above the limit is no curve" '[ $status -eq 0 ] && [ "$(grep -c "^no curve: no run exceeds the limit$" "$out")" -eq 2 ] && [ "$(grep -c "^no curve: all runs exceed the limit$" "$out")" -eq 2 ]'
+for wrong in "--edp drift" "--limit 1m" "--edp drift --limit 1kN" "--edp drift --limit" "--edp drift --limit 1m --im record" "--edp drift --limit 1m --over nothing" "--edp drift --limit 1m --at im=3" "--edp drift --limit 1m --failed perhaps" "--edp drift --limit 1m --tsv --csv" "--edp drift:Z --limit 1m"; do
+    # shellcheck disable=SC2086  # several words
+    run "$jostle" fragility whole.h5 $wrong
+    expect "refused: fragility $wrong" '[ $status -eq 2 ] && [ ! -s "$out" ] && [ -s "$err" ]'
+done
+run "$jostle" run scaled.deck -q
+for file in scaled.h5 suite.deck nothing.h5; do
+    run "$jostle" fragility $file --edp drift --limit 1mm
+    expect "fragility refuses $file" '[ $status -eq 2 ] && said "$file"'
+done
+
+# drawn NAME OPTION...: gnuplot draws it without a word.
+drawn() {
+    local kind=$1
+    shift
+    rm -rf scripts
+    run "$jostle" plot "$@" "$kind" --script scripts
+    [ $status -eq 0 ] && (cd scripts && gnuplot "$kind.gp") >said 2>&1
+    [ ! -s said ] && [ "$(wc -c <"scripts/$kind.png")" -gt 9000 ]
+}
+if command -v gnuplot >/dev/null; then
+    expect "ida is drawn" 'drawn ida whole.h5 --at wide=0 --limit 0.1%'
+    expect "with failures" 'drawn ida failed.h5 --at wide=0 && grep -q "next run failed" scripts/ida.gp && grep -q "2 of 6 runs failed, counted above" scripts/ida.gp'
+    expect "with samples of two sweeps" 'drawn ida whole.h5 --over record,wide --edp force'
+    expect "fragility is drawn" 'drawn fragility whole.h5 --edp acceleration:B --limit 2,0.3g'
+    expect "where there is no curve, too" 'drawn fragility whole.h5 --edp acceleration:B --limit 2e9'
+    expect "response is drawn" 'drawn response whole.h5 --at wide=0 --edp drift:A:1'
+    expect "with groups" 'drawn response whole.h5 --against im --edp impacts'
+    expect "against texts" 'drawn response whole.h5 --against record --over im --at wide=0'
+    expect "against texts in groups" 'drawn response whole.h5 --against record --over "" --at wide=0'
+    run "$jostle" plot whole.h5
+    expect "without a kind it draws the response of each group" '[ $status -eq 0 ] && [ -s whole-response.png ]'
+    run "$jostle" plot whole.h5 --at wide=1
+    expect "or the incremental analysis where there is one" '[ $status -eq 0 ] && [ -s whole-ida.png ]'
+else
+    skip "pictures of studies" "no gnuplot"
+fi
+run "$jostle" plot whole.h5 ida -o groups.png
+expect "ida of several groups is refused" '[ $status -eq 2 ] && said "wide = 1 ...)" && [ ! -e groups.png ]'
+run "$jostle" plot whole.h5 fragility
+expect "fragility needs a limit" '[ $status -eq 2 ] && said "--limit"'
+run "$jostle" plot whole.h5 energy
+expect "a study has its own kinds" '[ $status -eq 2 ] && said "unknown figure '"'energy'"' of a study"'
+run "$jostle" plot whole.h5 --compare failed.h5
+expect "and is not compared" '[ $status -eq 2 ] && said "--compare is for single runs"'
+run "$jostle" plot scaled.h5 --edp drift
+expect "options of studies are refused for one run" '[ $status -eq 2 ] && said "--edp is for studies"'
+run "$jostle" plot missing.h5 --edp drift
+expect "a file that is not there is said to be so" '[ $status -eq 2 ] && said "cannot open missing.h5"'
+
+# Parts of a study hold some of its runs; the numbers are those of the whole.
+for k in 1 2; do
+    run "$jostle" run suite.deck --shard $k/3 -q -o part$k.h5
+done
+run "$jostle" fragility part1.h5 --edp drift --limit 1mm --at wide=1
+expect "runs that a part does not have are left out" '[ $status -eq 0 ] && said "runs are not in part1.h5; they are left out"'
+run "$jostle" merge part1.h5 part2.h5 -o parts.h5 --partial -q
+run "$jostle" show parts.h5 --long --edp drift
+cp "$out" parts.tsv
+run "$jostle" show whole.h5 --long --edp drift
+expect "those that are there are the runs of the whole" '[ "$(grep -c "	missing$" parts.tsv)" -eq 4 ] && [ "$(grep -Fxc -f parts.tsv "$out")" -eq 9 ]'
+run "$jostle" show part2.h5 --long --edp drift
+expect "in a part, too" '[ "$(wc -l <"$out")" -eq 5 ] && [ "$(grep -Fxc -f parts.tsv "$out")" -eq 5 ]'
+run "$jostle" fragility parts.h5 --edp drift --limit 1mm --at wide=1
+expect "missing runs of a merged study are left out" '[ $status -eq 0 ] && said "runs are not in parts.h5"'

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Newmark's method with adaptive steps: its errors go with the tolerance, it agrees with the method
+// of Dormand & Prince, closures are located, limits of the step are kept, the account of energy
+// closes to rounding, and what that method refuses is done.
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <string.h>
+
+#include "support/analysis.h"
+#include "support/random_deck.h"
+#include "support/support.h"
+
+// 2 Hz: omega = 4 pi.
+#define OSCILLATOR "building A -floors 1 -mass 1000 -stiffness 157913.67041742973\n"
+static const double OMEGA = 4.0 * M_PI;
+
+#define POUNDING                                                                                   \
+    "building A -floors 2 -mass 3e5 -stiffness 3.45e8\ndamping A rayleigh 0.05 -modes 1 2\n"       \
+    "building B -floors 1 -mass 2e5 -stiffness 4e8\ndamping B modal 0.03\n"                        \
+    "initial A:2 -velocity 2\ncontact A:1 B:1 -gap 5mm -law %s\n"                                  \
+    "ground sine -amplitude 0.3g -frequency 2.5Hz -cycles 4\nduration 2\n"
+
+static double largest_difference(const struct analysis *a, const struct analysis *b) {
+    double largest = 0.0;
+    assert_int_equal(a->rows.n, b->rows.n);
+    for (long i = 0; i < a->rows.n * a->model->n_dof; i++) {
+        largest = fmax(largest, fabs(a->rows.displacement[i] - b->rows.displacement[i]));
+    }
+    return largest;
+}
+
+// The period is wrong by (omega h)^2 / 12, and the step goes with the cube root of the tolerance.
+static void a_free_vibration_is_right_to_the_tolerance_to_the_two_thirds(void **state) {
+    (void)state;
+    double error[3];
+    for (int i = 0; i < 3; i++) {
+        struct analysis a = analysis_of(OSCILLATOR "initial A:1 -displacement 0.1\n"
+                                                   "integrator newmark\n"
+                                                   "step adaptive -tolerance %g\nduration 3\n",
+                                        pow(10.0, -5.0 - 1.5 * i));
+        error[i] = 0.0;
+        for (long k = 0; k < a.rows.n; k++) {
+            double want = 0.1 * cos(OMEGA * a.rows.time[k]);
+            error[i] = fmax(error[i], fabs(a.rows.displacement[k] - want));
+        }
+        analysis_free(&a);
+    }
+    assert_close(log10(error[0] / error[1]), 1.0, 0.1);  // the steps are parts of rows
+    assert_close(log10(error[1] / error[2]), 1.0, 0.1);
+}
+
+static void it_converges_to_what_dormand_prince_gives(void **state) {
+    (void)state;
+    static const char *const law[] = {
+        "jankowski -k 2.75e9 -e 0.65",
+        "kelvin-voigt -k 3e8 -e 0.6",
+        "hertz -k 2e9",
+        "hunt-crossley -k 3e9 -e 0.7",
+        "komodromos -k 3e8 -e 0.6",
+        "mahmoud-jankowski -k 3e8 -e 0.6",
+        "wang -k 3e8 -e 0.6 -residual 0.1",
+    };
+    for (size_t k = 0; k < sizeof law / sizeof law[0]; k++) {
+        struct analysis exact = analysis_of(POUNDING "step adaptive -tolerance 1e-11\n", law[k]);
+        double error[2];
+        for (int i = 0; i < 2; i++) {
+            double tolerance = i == 0 ? 1e-5 : 1e-8;
+            struct analysis a = analysis_of(
+                POUNDING "integrator newmark\nstep adaptive -tolerance %g\n", law[k], tolerance);
+            const struct results *r = a.results;
+            error[i] = largest_difference(&a, &exact);
+            assert_int_equal(r->n_impact, exact.results->n_impact);
+            assert_int_equal(r->totals.unsolved, 0);
+            assert_true(r->residual_peak < 1e-11 * r->energy[ENERGY_INPUT]);
+            for (long n = 0; n < r->n_impact; n++) {
+                assert_near(r->impact[n].t_start, exact.results->impact[n].t_start,
+                            20.0 * pow(tolerance, 2.0 / 3.0));
+            }
+            analysis_free(&a);
+        }
+        assert_true(error[0] < 3e-4);  // displacements are about 0.1 m
+        assert_true(error[1] < error[0] / 30.0);
+        analysis_free(&exact);
+    }
+}
+
+static void every_storey_law_agrees_with_dormand_prince(void **state) {
+    (void)state;
+    const char *const law[] = {"bilinear", "bouc-wen", "clough", "takeda"};
+    const char *const step[] = {"step adaptive -tolerance 1e-8",
+                                "integrator newmark\nstep adaptive -tolerance 1e-9"};
+    for (size_t k = 0; k < sizeof law / sizeof law[0]; k++) {
+        struct analysis a[2];
+        for (int i = 0; i < 2; i++) {
+            a[i] = analysis_of("building A -floors 3 -mass 100t -stiffness 90MN/m\n"
+                               "damping A rayleigh 5%%\n"
+                               "storey A:all %s -yield 300kN -hardening 0.05\n"
+                               "ground record input/records/ELCENTRO_1940_NS.AT2 -scale 2\n"
+                               "duration 8\n%s\n",
+                               law[k], step[i]);
+        }
+        for (int i = 0; i < 3; i++) {
+            assert_close(a[1].results->peak[PEAK_DRIFT][i], a[0].results->peak[PEAK_DRIFT][i],
+                         1e-4);
+        }
+        analysis_free(&a[0]);
+        analysis_free(&a[1]);
+    }
+}
+
+static void the_longest_step_is_kept_and_the_shortest_ends_the_run(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(OSCILLATOR "initial A:1 -displacement 0.1\nintegrator newmark\n"
+                                               "step adaptive -tolerance 1e-2 -max 1ms\n"
+                                               "duration 1\n");
+    assert_true(a.results->totals.steps >= 1000);
+    analysis_free(&a);
+    struct error e = {0};
+    a = analysis_try(OSCILLATOR "initial A:1 -displacement 0.1\nintegrator newmark\n"
+                                "step adaptive -tolerance 1e-10 -min 1ms\nduration 1\n",
+                     &e);
+    assert_non_null(strstr(e.message, "a step of 0.001 s is still too long for the tolerance; "
+                                      "use a larger -tolerance, a smaller -min or step fixed DT"));
+    analysis_free(&a);
+}
+
+// Central differences are stable up to omega h = 2, and the error control alone would go beyond it
+// once the fast mode has died out.
+static void an_explicit_method_stays_below_its_limit(void **state) {
+    (void)state;
+    struct analysis a = analysis_of("building A -floors 2 -mass 1 1 -stiffness 10 1e4\n"
+                                    "damping A rayleigh 2%%\n"
+                                    "load A:2 sine -amplitude 1 -frequency 0.1Hz\n"
+                                    "integrator newmark -beta 0\n"
+                                    "step adaptive -tolerance 1e-2\nduration 100\n");
+    assert_true(a.results->peak[PEAK_DISPLACEMENT][1] < 1.0);
+    analysis_free(&a);
+}
+
+// The body is pressed against the wall by 20 N: it bounces, and rests there.
+static void rigid_bodies_come_to_rest(void **state) {
+    (void)state;
+    struct analysis a = analysis_of("building A -floors 1 -mass 2 -stiffness 0\n"
+                                    "load A:1 constant 20\n"
+                                    "contact A wall -gap 0.05 -law stereomechanical -e 0.65\n"
+                                    "integrator newmark\nstep adaptive\nduration 1\n");
+    const struct results *r = a.results;
+    assert_near(r->impact[0].t_start, 0.1, 1e-8);
+    assert_close(r->impact[0].v_rebound, 0.65, 1e-8);
+    assert_near(analysis_displacement(&a, 0, 1.0), 0.05, 1e-9);
+    assert_close(r->link[0].dissipated, 20.0 * 0.05, 1e-9);  // all that the load has done
+    assert_false(r->impact[r->n_impact - 1].complete);
+    analysis_free(&a);
+}
+
+// Bodies that stick between the branches of a law that jumps at v = 0 are under a constraint, on
+// which accelerations of the trapezoidal rule go to and fro from step to step: two of the decks.
+static void every_random_deck_ends_with_a_closed_account_or_advice(void **state) {
+    (void)state;
+    int given_up = 0;
+    for (uint64_t seed = 1; seed <= 60; seed++) {
+        char text[4096];
+        struct error e = {0};
+        random_deck_stepped(seed, "integrator newmark\nstep adaptive", text, sizeof text);
+        struct analysis a = analysis_try(text, &e);
+        if (e.status == STATUS_OK) {
+            double flow = a.results->initial_energy;
+            for (long i = 0; i < a.rows.n * ENERGY_COUNT; i++) {
+                assert_true(isfinite(a.rows.energy[i]));
+                flow = fmax(flow, fabs(a.rows.energy[i]));
+            }
+            assert_true(a.results->residual_peak < 1e-9 * flow);
+        } else {
+            assert_non_null(strstr(e.message, "-gamma above 0.5"));
+            assert_non_null(strstr(e.message, "step fixed DT"));
+            given_up++;
+        }
+        analysis_free(&a);
+    }
+    assert_true(given_up <= 2);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_free_vibration_is_right_to_the_tolerance_to_the_two_thirds),
+        cmocka_unit_test(it_converges_to_what_dormand_prince_gives),
+        cmocka_unit_test(every_storey_law_agrees_with_dormand_prince),
+        cmocka_unit_test(the_longest_step_is_kept_and_the_shortest_ends_the_run),
+        cmocka_unit_test(an_explicit_method_stays_below_its_limit),
+        cmocka_unit_test(rigid_bodies_come_to_rest),
+        cmocka_unit_test(every_random_deck_ends_with_a_closed_account_or_advice),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
