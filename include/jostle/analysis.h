@@ -90,9 +90,9 @@ struct totals {
     long events;  // steps split where a law that jumps closed or opened; adaptive: ended where a
                   // law changed its branch
     long iterations;  // Newton iterations: storeys and contacts
-    long fast;        // contact solves settled by a single link or one sweep
-    long scalar;      // by further sweeps of exact scalar answers
-    long block;       // that took Newton steps on the cluster
+    long fast;        // contact solves settled by quick sweeps, that take Newton steps
+    long scalar;      // by further sweeps, of exact scalar answers
+    long block;       // that took Newton steps on clusters of links
     long unsolved;    // accepted at the smallest step without meeting the tolerance
     long coarse;      // impacts under a force that opened within IMPACT_STEPS_MIN computed steps
     double speed;     // [L/T] largest velocity of any floor

@@ -22,6 +22,8 @@ enum contact_trait {
     CONTACT_NEEDS_V0 = 4,    // uses the velocity at closure
     CONTACT_NEEDS_MASS = 8,  // the constants depend on the effective mass
     CONTACT_EXACT = 16,      // delivers e exactly as it is: -calibrate changes nothing
+    CONTACT_SMOOTH = 32,     // no kinks or jumps but at d = 0 and v = 0, whatever the history; like
+                             // powers of d, of at most third degree, and linear in v
 };
 
 // Force of a link in contact, positive in compression, and its tangents.

@@ -34,6 +34,9 @@ int signal_init_samples(struct signal *s, struct arena *a, const double *value, 
 // The value at time t.
 double signal_value(const struct signal *s, double t);
 
+// Adds to sum (n) the values at the times t (n).
+void signal_add_values(const struct signal *s, int n, const double *t, double *sum);
+
 // First and second integral from -infinity to t.
 void signal_integrals(const struct signal *s, double t, double *velocity, double *displacement);
 

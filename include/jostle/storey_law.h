@@ -21,6 +21,14 @@ struct storey_response {
     double tangent;  // d shear / d drift [F/L]
 };
 
+// A straight line of a law: V = back drift + spring (drift - rest), while that spring bears no more
+// than its limit.
+struct storey_branch {
+    double back, spring;  // [F/L]
+    double rest;          // [L]
+    double limit;         // [F]
+};
+
 struct storey_law {
     const char *name;
     const char *summary;
@@ -40,6 +48,10 @@ struct storey_law {
 
     // Brings the history from the last committed step to `drift`. NULL if n_history = 0.
     void (*commit)(const double *constant, double *history, double drift);
+
+    // The line on which `shear` is, to the last bit, and `commit` changes nothing. NULL: there is
+    // no such line.
+    struct storey_branch (*branch)(const double *constant, const double *history);
 
     // Recoverable energy at `drift` with the committed history [F L].
     double (*stored)(const double *constant, const double *history, double drift);

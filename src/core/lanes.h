@@ -6,32 +6,50 @@
 #include <stddef.h>
 #include <stdint.h>  // any header of the library says which library it is
 
-// In front of a function: it is compiled for the baseline and for AVX2, and the loader takes what
-// the processor has. Each element sees the same operations in the same order either way, so the
-// bits are the same. Elsewhere, and under sanitizers, which run before such choices can be made,
-// it is compiled once.
+// In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
+// takes what the processor has. Each element sees the same operations in the same order either way,
+// so the bits are the same. Elsewhere, and under sanitizers, which run before such choices can be
+// made, it is compiled once.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
     !defined(__SANITIZE_ADDRESS__)
+#if __GNUC__ >= 12
+#define LANES __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
+#else
 #define LANES __attribute__((target_clones("default", "avx2")))
-#define WIDE __attribute__((target_clones("default", "avx2", "avx512f")))
+#include <stddef.h>
+#endif
 #else
 #define LANES
-#define WIDE
+#endif
+
+// In front of a loop over arrays: no turn reads what another one writes. For loops in functions
+// that are expanded in others, where the compiler forgets what `restrict` said.
+#if defined(__clang__)
+#define LANES_LOOP _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define LANES_LOOP _Pragma("GCC ivdep")
+#else
+#define LANES_LOOP
 #endif
 
 struct arena;
 
 // Arrays for such loops have a multiple of LANES_WIDTH elements, those beyond the end 0, and as
 // many zeros in front, so that element -1 can be read.
-enum { LANES_WIDTH = 4 };
+enum { LANES_WIDTH = 8 };
 
-// That many neighbours in an array, for loops that the compiler does not see by itself. The one
-// type that needs a name of its own.
+// Neighbours in an array, for what the compiler does not see by itself. The only types that need
+// names of their own. `lanes` are as many as AVX2 has in one register; `lanes_wide` serve where no
+// value is carried from one turn of a loop to the next, as it would be in memory there.
+enum { LANES_VECTOR = 4 };
 typedef double lanes
+    __attribute__((vector_size(LANES_VECTOR * sizeof(double)), aligned(sizeof(double)), may_alias));
+typedef double lanes_wide
     __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
+typedef int64_t lanes_bits __attribute__((vector_size(LANES_VECTOR * sizeof(int64_t))));
 
 // One value of each of eight runs that are computed in lockstep. The compiler splits it where the
-// processor's lanes are narrower; WIDE is LANES for functions that use it.
+// processor's lanes are narrower.
 enum { WIDE_RUNS = 8 };
 typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
 typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));

@@ -64,7 +64,7 @@ static double slack(const struct signal *s) {
     return END_SLACK * (s->value ? s->dt : 1e-3 / (s->omega + 1.0));
 }
 
-double signal_value(const struct signal *s, double t) {
+static double value_at(const struct signal *s, double t) {
     double tolerance = slack(s);
     if (t < s->start - tolerance || t > s->end + tolerance) {
         return 0.0;
@@ -75,6 +75,16 @@ double signal_value(const struct signal *s, double t) {
     double x;
     size_t j = sample_before(s, t, &x);
     return s->value[j] + (s->value[j + 1] - s->value[j]) * (x / s->dt);
+}
+
+double signal_value(const struct signal *s, double t) {
+    return value_at(s, t);
+}
+
+void signal_add_values(const struct signal *s, int n, const double *t, double *sum) {
+    for (int i = 0; i < n; i++) {
+        sum[i] += value_at(s, t[i]);
+    }
 }
 
 static void integrals_of_samples(const struct signal *s, double t, double *v, double *u) {

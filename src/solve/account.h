@@ -3,6 +3,8 @@
 #ifndef JOSTLE_ACCOUNT_H
 #define JOSTLE_ACCOUNT_H
 
+#include <math.h>
+
 #include "solve/chain.h"
 #include "solve/impulse.h"
 
@@ -12,7 +14,8 @@ struct energy_account {
     double *input_2x, *damping_2x;  // (n_dof) twice the work of external and damping forces
     double input, damping;          // beyond that: of links on the grounds, of adaptive steps
     double contact;
-    double storey;        // work on storeys that are not elastic
+    double *storey_2x;    // (n_dof) twice the work on storeys, where some are not elastic
+    double storey;        // work on storeys that are not elastic, beyond that
     double stored_start;  // their recoverable energy at t = 0
 };
 
@@ -39,7 +42,8 @@ void energy_meet(struct energy_account *a, const struct model *m, const struct s
 struct energy_sums {
     double kinetic;               // [F L]
     double elastic, other;        // [F L] stored in elastic storeys, and in others
-    double input_2x, damping_2x;  // [F L] twice the work so far
+    double storey;                // [F L] work so far on those
+    double input_2x, damping_2x;  // [F L] twice the work of external and damping forces so far
 };
 
 // The account with the sums of a state, into energy (ENERGY_COUNT).
@@ -54,6 +58,19 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a);
 
 // Takes state `s` into the envelopes of floors and contacts.
 void peaks_update(struct results *r, const struct model *m, const struct state *s);
+
+// The same in parts: where |x| is greater than the peak, the peak and its time;
+static inline void peak_raise(double x, double time, double *peak, double *peak_time) {
+    double size = fabs(x);
+    *peak_time = size > *peak ? time : *peak_time;
+    *peak = size > *peak ? size : *peak;
+}
+
+// the largest velocity of all floors, from the peaks of n of them from `first` on;
+void peaks_speed(struct results *r, int first, int n);
+
+// the penetrations of n contacts.
+void peaks_penetrations(struct results *r, int n, const struct state *s);
 
 // The impacts that are under way. Arrays (n_contact).
 struct impact_log {

@@ -11,6 +11,7 @@
 #include "solve/adaptive_newmark.h"
 #include "solve/dormand_prince.h"
 #include "solve/event.h"
+#include "solve/flight.h"
 #include "solve/newmark.h"
 #include "solve/run.h"
 
@@ -214,24 +215,48 @@ void run_forget_events(struct run *r) {
     }
 }
 
-static int advance_fixed(struct run *r, double end, double h) {
+// One step of the deck.
+static int advance_step(struct run *r, long n) {
+    const struct model *m = r->model;
+    double end = model_time(m, n);
     run_forget_events(r);
-    return advance(r, end, h, 0);
+    return advance(r, end, n < m->n_step ? m->dt : end - r->now->time, 0);
 }
 
-// The steps need not end at `end`: `now` is the state within the last of them, which nobody asks
-// for between the start and the end of a run that is not observed.
-static int advance_dormand_prince(struct run *r, double end, double h) {
-    (void)h;
-    while (dormand_prince_time(r->adaptive) < end) {
+// As far as the next poll, and no further than `end`.
+static long until_poll(const struct run *r, long n, long end) {
+    long left = POLL_STEPS - r->results->totals.steps % POLL_STEPS;
+    return end - n < left ? end : n + left;
+}
+
+static int advance_fixed(struct run *r, long n, long end) {
+    int status = STATUS_OK;
+    while (status == STATUS_OK && n < end) {
+        long reached = flight_take(&r->flight, &r->now, &r->next, n, until_poll(r, n, end));
+        if (reached > n) {
+            status = poll(r, r->now->time);
+            n = reached;
+        } else {
+            status = advance_step(r, ++n);
+        }
+    }
+    return status;
+}
+
+// The steps need not end where those of the deck do: `now` is the state within the last of them,
+// which nobody asks for between the start and the end of a run that is not observed.
+static int advance_dormand_prince(struct run *r, long n, long end) {
+    double time = model_time(r->model, end);
+    (void)n;
+    while (dormand_prince_time(r->adaptive) < time) {
         int status = dormand_prince_step(r->adaptive, r->error);
         status = status == STATUS_OK ? poll(r, dormand_prince_time(r->adaptive)) : status;
         if (status != STATUS_OK) {
             return status;
         }
     }
-    if (r->observer || end == r->model->duration) {
-        dormand_prince_row(r->adaptive, end, r->now, &r->energy);
+    if (r->observer || end == r->model->n_step) {
+        dormand_prince_row(r->adaptive, time, r->now, &r->energy);
     }
     return STATUS_OK;
 }
@@ -269,11 +294,23 @@ static int observe(struct run *r) {
     return o && o->row ? o->row(o->context, &row, r->error) : STATUS_OK;
 }
 
+// From row to row of the output.
+static int loop(struct run *r) {
+    const struct model *m = r->model;
+    int status = STATUS_OK;
+    for (long n = 0, row; status == STATUS_OK && n < m->n_step; n = row) {
+        row = n + m->output.every < m->n_step ? n + m->output.every : m->n_step;
+        status = r->advance(r, n, row);
+        if (status == STATUS_OK && (r->observer || row == m->n_step)) {
+            status = observe(r);
+        }
+    }
+    return status;
+}
+
 int analysis_step(struct run *r, long n) {
     const struct model *m = r->model;
-    double end = model_time(m, n);
-    double h = n < m->n_step ? m->dt : end - r->now->time;
-    int status = r->advance(r, end, h);
+    int status = advance_step(r, n);
     bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
     return status == STATUS_OK && row ? observe(r) : status;
 }
@@ -294,8 +331,9 @@ static bool run_alloc(struct run *r, struct arena *a) {
     r->advance = m->adaptive ? adaptive_newmark_advance : advance_fixed;
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
+    r->flight = (struct flight){.work = &r->work, .results = r->results, .energy = &r->energy};
     return r->events && r->meeting && state_alloc(r->next, m, a) &&
-           work_alloc(&r->work, m, &r->results->totals, a) &&
+           work_alloc(&r->work, m, &r->results->totals, a) && flight_alloc(&r->flight, m, a) &&
            (!m->adaptive || step_length_alloc(&r->length, m, r->results, a));
 }
 
@@ -354,10 +392,7 @@ int analysis_run(const struct model *m, const struct observer *observer, struct 
                  struct error *e) {
     struct run r;
     int status = analysis_begin(&r, m, observer, e);
-    for (long n = 1; status == STATUS_OK && n <= m->n_step; n++) {
-        status = analysis_step(&r, n);
-    }
-    return analysis_end(&r, status, out);
+    return analysis_end(&r, status == STATUS_OK ? loop(&r) : status, out);
 }
 
 void results_free(struct results *r) {

@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "core/lanes.h"
+#include "solve/chain_floor.h"
 
 // The compiler sees from the mask that there are no elements beyond whole lanes.
 static inline int whole(int n) {
@@ -24,16 +25,12 @@ LANES void chain_trial(const struct chain *c, double h, const double *restrict u
 
 LANES void chain_forces(const struct chain *c, const double *restrict u, const double *restrict v,
                         double *restrict drift, double *restrict shear, double *restrict damping) {
-    const double *restrict joint = c->joint;
     const double *restrict k = c->stiffness;
-    const double *restrict below = c->damping_below;
-    const double *restrict own = c->damping;
-    const double *restrict above = c->damping_above;
     for (int i = 0, n = whole(c->n); i < n; i++) {
-        double d = u[i] - joint[i] * u[i - 1];
+        double d = floor_drift(c, u, i);
         drift[i] = d;
         shear[i] = k[i] * d;
-        damping[i] = below[i] * v[i - 1] + own[i] * v[i] + above[i] * v[i + 1];
+        damping[i] = floor_damping(c, v, i);
     }
 }
 
@@ -58,17 +55,8 @@ LANES void chain_residual(const struct chain *c, const double *restrict external
 LANES void chain_elastic_residual(const struct chain *c, const double *restrict external,
                                   const double *restrict a, const double *restrict u,
                                   const double *restrict v, double *restrict r) {
-    const double *restrict joint = c->joint;
-    const double *restrict mass = c->mass;
-    const double *restrict k = c->stiffness;
-    const double *restrict below = c->damping_below;
-    const double *restrict own = c->damping;
-    const double *restrict above = c->damping_above;
     for (int i = 0, n = whole(c->n); i < n; i++) {
-        double shear = k[i] * (u[i] - joint[i] * u[i - 1]);
-        double shear_above = joint[i + 1] * (k[i + 1] * (u[i + 1] - u[i]));
-        double damping = below[i] * v[i - 1] + own[i] * v[i] + above[i] * v[i + 1];
-        r[i] = external[i] - mass[i] * a[i] - damping - shear + shear_above;
+        r[i] = floor_residual(c, external, a, u, v, i);
     }
 }
 
@@ -99,6 +87,14 @@ LANES void chain_works(const struct chain *c, const double *const from[2],
         double du = u1[i] - u0[i];
         first[i] += (f0[i] + f1[i]) * du;
         second[i] += (g0[i] + g1[i]) * du;
+    }
+}
+
+LANES void chain_storey_works(const struct chain *c, const double *restrict f0,
+                              const double *restrict f1, const double *restrict d0,
+                              const double *restrict d1, double *restrict work) {
+    for (int i = 0, n = whole(c->n); i < n; i++) {
+        work[i] += (f0[i] + f1[i]) * (d1[i] - d0[i]);
     }
 }
 

@@ -36,6 +36,11 @@ bool chain_correct(const struct chain *c, double b, double g, const double *q, c
 void chain_works(const struct chain *c, const double *const from[2], const double *const to[2],
                  const double *u0, const double *u1, double *const work[2]);
 
+// Adds to work (n) twice what the shears do while they go from f0 to f1 and the drifts from d0 to
+// d1.
+void chain_storey_works(const struct chain *c, const double *f0, const double *f1, const double *d0,
+                        const double *d1, double *work);
+
 // Is any |x[q][i]| greater than peak[q][i], for i from `first` on, n of them in whole lanes?
 bool chain_exceeds(int first, int n, const double *const x[PEAK_COUNT],
                    double *const peak[PEAK_COUNT]);

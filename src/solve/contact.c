@@ -4,10 +4,12 @@
 // With A the effective masses and B the links' directions, accelerations are a = a_free - A^-1 B'
 // f, so that link l sees d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l
 // with the flexibility S = B A^-1 B'. S is never formed: a column of A^-1 carries each change of a
-// force into the accelerations. A sweep gives every active link its exact answer (line.c) with the
-// others held, which is coordinate descent on a convex function where laws do not pull, and so
-// converges whatever the step. Where it is slow, because stiff links share a floor, a block Newton
-// step (block.c) is put between sweeps, and kept only if it halves the error.
+// force into the accelerations. Quick sweeps (quick.c) take Newton steps, link by link, and give a
+// link its exact answer (line.c) with the others held where such a step is not safe; they do as
+// long as changes shrink fast. From then on every link gets its exact answer in each sweep, which
+// is coordinate descent on a convex function where laws do not pull, and so converges whatever the
+// step. Where it is slow, because stiff links share a floor, a block Newton step (block.c) is put
+// between sweeps, and kept only if it halves the error.
 //
 // Converged: in one sweep no force changes by more than the tolerance relative to the largest, or
 // the change moves the link by less than the rounding of its displacements. The latter keeps
@@ -16,12 +18,11 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
-#include "core/lanes.h"
 #include "core/number.h"
 #include "solve/block.h"
 #include "solve/crossing.h"
+#include "solve/quick.h"
 #include "solve/resolve.h"
 
 // A rigid contact at rest is held by its velocity, as holding d = 0 would make the force oscillate;
@@ -30,28 +31,16 @@
 // is 1/2 (eigenvalues of the recursion for d, v and a); then nothing is given back.
 static const double RECOVERY = 0.5;
 
-// Block steps are tried after so many sweeps, where the last one brought the change of the forces
-// down by less than this factor.
+// Quick sweeps end, and block steps are tried, after so many sweeps, where the last one brought the
+// change of the forces down by less than the factor SLOW.
 enum { PLAIN_SWEEPS = 4 };
+static const double SLOW = 0.2;
 
 // After so many, laws are no longer let pull.
 enum { PULLING_SWEEPS = 25 };
-static const double SLOW = 0.2;
 
 // Changes of a force less than this share of it may come from the rounding of others.
 static const double SMALL = 1e-8;
-
-// Acceleration of the ends of a link towards each other per unit of its force, negative: S_ll.
-static double own_flexibility(struct work *w, const struct link *l) {
-    double sum = 0.0;
-    for (int i = 0; i < 2; i++) {
-        if (l->dof[i] != WALL) {
-            int floor = l->floor[i] - 1;
-            sum += effective_column(&w->effective[l->building[i]], floor)[floor];
-        }
-    }
-    return sum;
-}
 
 static double ends_difference(const struct ends *e, const double *x) {
     return x[e->left] - x[e->right];
@@ -101,55 +90,66 @@ void contact_apply(struct work *w, struct state *next, int k, double df) {
     }
 }
 
-// A first guess of the force: the line through the last two steps, where there were two.
-static double guess(const struct state *now, const struct state *before, int k) {
+// A first guess of the force: the parabola or the line through the last steps, as many as there
+// were with the link closed.
+static double guess(const struct state *now, int k) {
     double f = now->force[k];
-    bool known = before->time < now->time && before->closed[k];
-    return known && f > 0.0 ? number_max(2.0 * f - before->force[k], 0.0) : f;
+    double f1 = now->past[k][0];
+    double f2 = now->past[k][1];
+    double next = now->n_past[k] == 0   ? f
+                  : now->n_past[k] == 1 ? 2.0 * f - f1
+                                        : 3.0 * (f - f1) + f2;
+    return f > 0.0 ? number_max(next, 0.0) : f;
+}
+
+// Forces of rigid contacts at rest hardly curve; a parabola would enlarge what they miss.
+static int past_after(const struct state *now, const struct link *l, int k) {
+    int most = l->law->rebound ? 1 : 2;
+    return now->n_past[k] < most ? now->n_past[k] + 1 : most;
+}
+
+// A link is enlivened at most once a step.
+static void enliven(struct work *w, struct state *next, int k) {
+    state_enliven(next, k);
+    gaps_touch(&w->gaps, k);
 }
 
 void contact_begin(struct work *w, const struct state *now, struct state *next) {
-    for (int i = 0; i < now->n_live; i++) {
-        w->kept_f[now->live[i]] = guess(now, next, now->live[i]);
-    }
     state_open_links(next);
+    gaps_forget(&w->gaps);
     for (int i = 0; i < now->n_live; i++) {
         int k = now->live[i];
         const struct link *l = &w->model->link[k];
         if (now->closed[k]) {
-            state_enliven(next, k);
-            next->force[k] = w->kept_f[k];
+            enliven(w, next, k);
+            next->force[k] = guess(now, k);
+            next->past[k][0] = now->force[k];
+            next->past[k][1] = now->past[k][0];
+            next->n_past[k] = past_after(now, l, k);
             next->t_close[k] = now->t_close[k];
             next->v_close[k] = now->v_close[k];
-            memcpy(next->link_history + l->history, now->link_history + l->history,
-                   (size_t)l->law->n_history * sizeof *next->link_history);
+            for (int j = l->history; j < l->history + l->law->n_history; j++) {
+                next->link_history[j] = now->link_history[j];
+            }
             w->branch[k] = BRANCH_CLOSED;
             w->clamped[k] = false;
         }
     }
 }
 
-void contact_penetrations(const struct work *w, struct state *next) {
-    const double *restrict u = next->u;
-    double *restrict delta = next->delta;
-    for (int k = 0; k < w->model->n_link; k++) {
-        const struct ends *e = &w->ends[k];
-        delta[k] = u[e->left] - u[e->right] - e->gap;
-    }
-    for (int k = 0; w->model->n_ground > 1 && k < w->model->n_link; k++) {
-        delta[k] += state_ground_gap(&w->model->link[k], w->model, next->ground_u);
-    }
+void contact_penetrations(struct work *w, struct state *next) {
+    gaps_update(&w->gaps, next);
 }
 
 // Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
 // of closure from its path without its own force, and the law's history from that.
 static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
     const struct link *l = &w->model->link[k];
-    state_enliven(next, k);
+    enliven(w, next, k);
     w->branch[k] = BRANCH_OPEN;
     w->clamped[k] = false;
     w->checked[k] = 0.0;
-    w->flexibility[k] = own_flexibility(w, l);
+    w->flexibility[k] = 0.0;  // its force is still 0
     struct line line = contact_line(w, now, next, k);
     struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
                         line.v_free, w->h};
@@ -163,25 +163,20 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
 
 // Does an open link close in this step? One that has just opened may stand a rounding error inside;
 // it closes only if it goes deeper. Rigid contacts close by an event.
-static bool closes(const struct work *w, const struct state *now, const struct state *next, int k) {
-    return next->delta[k] > number_max(now->delta[k], 0.0) && !next->is_live[k] && k != w->held &&
-           !w->model->link[k].law->rebound;
-}
-
-LANES static bool any_positive(const double *restrict x, int n) {
-    long found = 0;
-    for (int i = 0, end = lanes_whole(n); i < end; i++) {
-        found |= x[i] > 0.0;
-    }
-    return found != 0;
+static inline bool closes(const struct work *w, const struct state *now, const struct state *next,
+                          int k) {
+    return next->delta[k] > 0.0 && next->delta[k] > now->delta[k] && !next->is_live[k] &&
+           k != w->held && !w->model->link[k].law->rebound;
 }
 
 int contact_search(struct work *w, const struct state *now, struct state *next) {
     int before = next->n_live;
-    int n = any_positive(next->delta, w->model->n_contact) ? w->model->n_contact : 0;
-    for (int k = 0; k < n; k++) {
-        if (closes(w, now, next, k)) {
-            close_link(w, now, next, k);
+    for (int i = 0; i < w->gaps.n_pressed; i++) {
+        const struct gap_run *r = &w->gaps.run[w->gaps.pressed[i]];
+        for (int k = r->first; k < r->first + r->n; k++) {
+            if (closes(w, now, next, k)) {
+                close_link(w, now, next, k);
+            }
         }
     }
     return next->n_live - before;
@@ -236,32 +231,42 @@ double contact_settle(struct work *w, const struct state *now, struct state *nex
     return df;
 }
 
-// How a sweep answers: exactly, or by Newton steps where they are safe.
-enum answer { ANSWER_EXACT, ANSWER_NEWTON };
-
-// One sweep; *change is the largest of a force that matters, *largest the largest force.
-static void sweep(struct work *w, const struct state *now, struct state *next, enum answer answer,
-                  double *change, double *largest) {
-    *largest = 0.0;
-    *change = 0.0;
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
+// Gives the link its exact answer. Newton steps may follow where the law leaves no choice between
+// its branches.
+static void answer(struct work *w, const struct state *now, struct state *next, struct quick *p,
+                   struct progress *s) {
+    int k = p->index;
+    const struct contact_law *law = p->link->law;
+    double df = contact_settle(w, now, next, k);
+    bool jumps = law->traits & CONTACT_JUMPS;
+    bool pulls = law->traits & CONTACT_MAY_PULL;
+    p->trusted = w->branch[k] == BRANCH_CLOSED && law->force && !w->clamped[k] &&
+                 (now->closed[k] || !(jumps || pulls));
+    p->open = w->branch[k] == BRANCH_OPEN && law->force && !(now->closed[k] && pulls);
+    p->settled = false;
+    s->largest = number_max(s->largest, fabs(next->force[k]));
+    if (fabs(df) > s->change) {
         struct line line = contact_line(w, now, next, k);
-        double force;
-        if (answer == ANSWER_NEWTON && line_step(&line, next->force[k], &force)) {
-            w->branch[k] = BRANCH_CLOSED;
-        } else {
-            w->branch[k] = line_answer(&line, next->force[k], &force);
-        }
-        double df = force - next->force[k];
-        contact_apply(w, next, k, df);
-        next->force[k] = force;
-        *largest = number_max(*largest, fabs(force));
-        if (fabs(df) > *change && !negligible(w, &line, w->branch[k], force, df)) {
-            *change = fabs(df);
+        if (!negligible(w, &line, w->branch[k], next->force[k], df)) {
+            s->change = fabs(df);
         }
     }
-    w->totals->iterations++;
+}
+
+// How a sweep answers: exactly, or by Newton steps where they are safe.
+enum answers { ANSWERS_EXACT, ANSWERS_NEWTON };
+
+static struct progress sweep(struct work *w, const struct state *now, struct state *next,
+                             enum answers answers, double largest) {
+    struct progress s = {.enough = w->model->tolerance * largest};
+    for (int i = 0;; i++) {
+        i = answers == ANSWERS_NEWTON ? quick_sweep(w, next, i, &s) : i;
+        if (i == next->n_live) {
+            w->totals->iterations++;
+            return s;
+        }
+        answer(w, now, next, &w->quick[next->live[i]], &s);
+    }
 }
 
 // Is it worth going on? Asked when the answer is there, and early, so that a hopeless step costs
@@ -290,21 +295,38 @@ static bool block_steps(struct work *w, const struct state *now, struct state *n
     return any;
 }
 
-// Sweeps, with block steps between them once plain sweeps are too slow.
-static int iterate(struct work *w, const struct state *now, struct state *next, bool *blocked) {
+static double largest_guess(const struct state *next) {
+    double largest = 0.0;
+    for (int i = 0; i < next->n_live; i++) {
+        largest = number_max(largest, fabs(next->force[next->live[i]]));
+    }
+    return largest;
+}
+
+// Has the sweep changed next to nothing? If it took Newton steps it measured that by the largest
+// force of the sweep before, which may have been much larger.
+static bool converged(const struct work *w, enum answers answers, const struct progress *s) {
+    double tolerance = w->model->tolerance * s->largest;
+    return s->change <= tolerance && (answers == ANSWERS_EXACT || s->enough <= 4.0 * tolerance);
+}
+
+// Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
+// for what it took.
+static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
     double before = INFINITY;
+    double largest = largest_guess(next);
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->nearest[i] = INFINITY;
     }
+    enum answers answers = ANSWERS_NEWTON;
     for (int i = 0; i < w->model->iterations; i++) {
-        double change, largest;
-        sweep(w, now, next, i < PLAIN_SWEEPS ? ANSWER_NEWTON : ANSWER_EXACT, &change, &largest);
-        bool converged = change <= w->model->tolerance * largest;
-        if ((converged || i == PLAIN_SWEEPS) && !suffices(w, now, next)) {
+        struct progress s = sweep(w, now, next, answers, largest);
+        bool done = converged(w, answers, &s);
+        if ((done || i == PLAIN_SWEEPS) && !suffices(w, now, next)) {
             return STATUS_RETRY;
         }
-        if (converged) {
+        if (done) {
             return STATUS_OK;
         }
         if (i == PLAIN_SWEEPS) {
@@ -313,11 +335,15 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
         }
         if (i == PULLING_SWEEPS) {
             clamp(w, next);
+            answers = ANSWERS_EXACT;
         }
-        if (i + 1 >= PLAIN_SWEEPS && change > SLOW * before && block_steps(w, now, next)) {
-            *blocked = true;
+        if (i + 1 >= PLAIN_SWEEPS && s.change > SLOW * before) {
+            answers = ANSWERS_EXACT;
+            bool blocked = block_steps(w, now, next) || *counter == &w->totals->block;
+            *counter = blocked ? &w->totals->block : &w->totals->scalar;
         }
-        before = change;
+        before = s.change;
+        largest = s.largest;
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
@@ -348,12 +374,9 @@ static bool undecided(const struct work *w, const struct state *now, const struc
 }
 
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
-    bool blocked = false;
-    long before = w->totals->iterations;
-    for (int i = 0; i < next->n_live; i++) {
-        w->flexibility[next->live[i]] = own_flexibility(w, &w->model->link[next->live[i]]);
-    }
-    int status = iterate(w, now, next, &blocked);
+    long *counter = &w->totals->fast;
+    quick_gather(w, next);
+    int status = iterate(w, now, next, &counter);
     if (status != STATUS_OK) {
         return status;
     }
@@ -361,7 +384,6 @@ int contact_solve(struct work *w, const struct state *now, struct state *next) {
     if (undecided(w, now, next)) {
         return STATUS_RETRY;
     }
-    long sweeps = w->totals->iterations - before;
-    *(blocked ? &w->totals->block : sweeps > 2 ? &w->totals->scalar : &w->totals->fast) += 1;
+    *counter += 1;
     return STATUS_OK;
 }

@@ -10,9 +10,10 @@
 void contact_begin(struct work *w, const struct state *now, struct state *next);
 
 // Penetrations of all links at the displacements of `next`.
-void contact_penetrations(const struct work *w, struct state *next);
+void contact_penetrations(struct work *w, struct state *next);
 
-// Makes the links live that close on the way to the penetrations of `next`; returns how many.
+// Makes the links live that close on the way to the penetrations of `next`, as last found;
+// returns how many.
 int contact_search(struct work *w, const struct state *now, struct state *next);
 
 // On entry w->correction solves the buildings' equations under the link forces next->force; on

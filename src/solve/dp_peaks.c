@@ -13,7 +13,7 @@
 static const double BESIDE = 0.02, BEYOND = 1.1;
 
 // Floors, in whole lanes, that are looked at together.
-enum { BLOCK = 16 * LANES_WIDTH };
+enum { BLOCK = 8 * LANES_WIDTH };
 
 enum { ITERATIONS_MAX = 40 };
 static const double PLACED = 1e-4;  // of the step, of an extremum of a force; its error is a square

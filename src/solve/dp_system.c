@@ -160,7 +160,7 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
 }
 
 static double sum_of(const lanes *x) {
-    static_assert(LANES_WIDTH == 4, "all of them are summed");
+    static_assert(LANES_VECTOR == 4, "all of them are summed");
     return ((*x)[0] + (*x)[1]) + ((*x)[2] + (*x)[3]);
 }
 
@@ -182,7 +182,7 @@ LANES static void floor_rates(const struct dp_system *s, double ground, struct d
     lanes *a = (lanes *)r->a;
     lanes carried = {0.0};
     lanes damped = {0.0};
-    for (int j = 0, end = lanes_whole(s->model->n_dof) / LANES_WIDTH; j < end; j++) {
+    for (int j = 0, end = lanes_whole(s->model->n_dof) / LANES_VECTOR; j < end; j++) {
         lanes spring = k_below[j] * u_below[j] + k_own[j] * u[j] + k_above[j] * u_above[j];
         lanes damping = c_below[j] * v_below[j] + c_own[j] * v[j] + c_above[j] * v_above[j];
         lanes momentum = mass[j] * v[j];

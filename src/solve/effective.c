@@ -14,8 +14,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-
-enum { INVERSE_FLOORS_MAX = 16 };
+#include "solve/four.h"
 
 bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
                      struct arena *a) {
@@ -27,9 +26,10 @@ bool effective_alloc(struct effective *e, const struct building *building, enum 
     e->pivot = arena_alloc(a, n, sizeof *e->pivot);
     e->factor = arena_alloc(a, n, sizeof *e->factor);
     e->stride = lanes_whole(building->n_floor);
-    e->inverse = arena_alloc(a, n * (size_t)e->stride, sizeof *e->inverse);
+    e->inverse = lanes_array(a, e->stride * e->stride);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
-    if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->ready) {
+    e->reach = arena_alloc(a, n, sizeof *e->reach);
+    if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->ready || !e->reach) {
         return false;
     }
     memcpy(e->tangent, building->stiffness, n * sizeof *e->tangent);
@@ -86,28 +86,18 @@ static int factor_full(struct effective *e, double b, double g) {
         return STATUS_RETRY;
     }
     memset(e->ready, true, n * sizeof *e->ready);
+    for (size_t i = 0; i < n; i++) {
+        e->reach[i] = (struct reach){0, e->stride};
+    }
     e->n_ready = building->n_floor;
     return STATUS_OK;
-}
-
-bool effective_multiplies(const struct building *building) {
-    return building->damping_full || building->n_floor <= INVERSE_FLOORS_MAX;
-}
-
-// Do solves multiply by the inverse, once it is there?
-static bool prefers_inverse(const struct effective *e) {
-    return e->use == EFFECTIVE_LONG && effective_multiplies(e->building);
-}
-
-static bool has_inverse(const struct effective *e) {
-    return e->n_ready == e->building->n_floor && prefers_inverse(e);
 }
 
 int effective_factor(struct effective *e, double b, double g) {
     int status = e->building->damping_full ? factor_full(e, b, g) : factor_tridiagonal(e, b, g);
     e->b = status == STATUS_OK ? b : NAN;
     e->g = g;
-    bool at_once = status == STATUS_OK && e->building->elastic && prefers_inverse(e);
+    bool at_once = status == STATUS_OK && e->building->elastic && effective_prefers_inverse(e);
     for (int i = 0; at_once && i < e->building->n_floor; i++) {
         effective_column(e, i);
     }
@@ -129,16 +119,16 @@ static void solve_tridiagonal(const struct effective *e, double *r) {
 // Adds to q (n) the sum of r_i times row i of the inverse.
 LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
                            int n, double *restrict q) {
-    for (int j = 0; j < n; j += LANES_WIDTH) {
+    for (int j = 0; j < n; j += LANES_VECTOR) {
         const double *restrict row = inverse + j;
         lanes y = {0.0};
         for (int i = 0; i < n; i++, row += stride) {
             y += r[i] * *(const lanes *)row;
         }
-        if (j + LANES_WIDTH <= n) {
+        if (j + LANES_VECTOR <= n) {
             *(lanes *)(q + j) += y;
         }
-        for (int lane = 0; j + LANES_WIDTH > n && j + lane < n; lane++) {
+        for (int lane = 0; j + LANES_VECTOR > n && j + lane < n; lane++) {
             q[j + lane] += y[lane];
         }
     }
@@ -146,7 +136,7 @@ LANES static void multiply(const double *restrict inverse, int stride, const dou
 
 void effective_solve(struct effective *e, double *r, double *q) {
     int n = e->building->n_floor;
-    if (has_inverse(e)) {
+    if (effective_has_inverse(e)) {
         multiply(e->inverse, e->stride, r, n, q);
         return;
     }
@@ -154,30 +144,8 @@ void effective_solve(struct effective *e, double *r, double *q) {
     for (int i = 0; i < n; i++) {
         q[i] += r[i];
     }
-    if (prefers_inverse(e)) {
+    if (effective_prefers_inverse(e)) {
         effective_column(e, e->n_ready);
-    }
-}
-
-// Four chains of dependences in flight.
-static void solve_four(const struct effective *e, double *const r[4]) {
-    int n = e->building->n_floor;
-    const double *l0 = e[0].factor, *l1 = e[1].factor, *l2 = e[2].factor, *l3 = e[3].factor;
-    const double *p0 = e[0].pivot, *p1 = e[1].pivot, *p2 = e[2].pivot, *p3 = e[3].pivot;
-    double *restrict r0 = r[0], *restrict r1 = r[1], *restrict r2 = r[2], *restrict r3 = r[3];
-    double x0 = r0[0], x1 = r1[0], x2 = r2[0], x3 = r3[0];
-    for (int i = 1; i < n; i++) {
-        r0[i] = x0 = r0[i] - l0[i - 1] * x0;
-        r1[i] = x1 = r1[i] - l1[i - 1] * x1;
-        r2[i] = x2 = r2[i] - l2[i - 1] * x2;
-        r3[i] = x3 = r3[i] - l3[i - 1] * x3;
-    }
-    x0 = x1 = x2 = x3 = 0.0;
-    for (int i = n - 1; i >= 0; i--) {
-        r0[i] = x0 = r0[i] * p0[i] - l0[i] * x0;
-        r1[i] = x1 = r1[i] * p1[i] - l1[i] * x1;
-        r2[i] = x2 = r2[i] * p2[i] - l2[i] * x2;
-        r3[i] = x3 = r3[i] * p3[i] - l3[i] * x3;
     }
 }
 
@@ -185,7 +153,7 @@ void effective_solve_four(struct effective *e, double *const r[4], double *const
     int n = e->building->n_floor;
     bool alike = true;
     for (int k = 0; k < 4; k++) {
-        alike = alike && e[k].building->n_floor == n && !prefers_inverse(&e[k]);
+        alike = alike && e[k].building->n_floor == n && !effective_prefers_inverse(&e[k]);
     }
     if (!alike) {
         for (int k = 0; k < 4; k++) {
@@ -193,12 +161,25 @@ void effective_solve_four(struct effective *e, double *const r[4], double *const
         }
         return;
     }
-    solve_four(e, r);
-    for (int k = 0; k < 4; k++) {
-        for (int i = 0; i < n; i++) {
-            q[k][i] += r[k][i];
-        }
+    four_solve(e, r, q);
+}
+
+// Entries of a row of the inverse that are this small against its diagonal are below rounding.
+static const double NEGLIGIBLE = 1e-20;
+
+// Entries of row i fall off fast on both sides of the diagonal where the step is short.
+static struct reach reach_of(const struct effective *e, int i) {
+    const double *row = e->inverse + (size_t)i * (size_t)e->stride;
+    double least = NEGLIGIBLE * fabs(row[i]);
+    int from = i;
+    int to = i + 1;
+    while (from > 0 && fabs(row[from - 1]) > least) {
+        from--;
     }
+    while (to < e->building->n_floor && fabs(row[to]) > least) {
+        to++;
+    }
+    return (struct reach){from / LANES_WIDTH * LANES_WIDTH, lanes_whole(to)};
 }
 
 const double *effective_column(struct effective *e, int i) {
@@ -208,6 +189,7 @@ const double *effective_column(struct effective *e, int i) {
         column[i] = 1.0;
         solve_tridiagonal(e, column);
         e->ready[i] = true;
+        e->reach[i] = reach_of(e, i);
         while (e->n_ready < e->building->n_floor && e->ready[e->n_ready]) {
             e->n_ready++;
         }

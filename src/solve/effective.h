@@ -14,8 +14,7 @@ enum effective_use {
     EFFECTIVE_LONG,     // solves of low buildings multiply by the inverse
 };
 
-// Whether solves of a building with a factorisation of long use multiply by the inverse.
-bool effective_multiplies(const struct building *building);
+enum { INVERSE_FLOORS_MAX = 16 };
 
 struct effective {
     const struct building *building;  // borrowed
@@ -24,9 +23,12 @@ struct effective {
     double *tangent;         // [F/L] (n_floor) storey tangents it was factorised with
     double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T; tridiagonal
     int stride;              // of the rows of `inverse`: n_floor in whole lanes
-    double *inverse;         // (n_floor, stride) A^-1; rows ready where marked
+    double *inverse;         // (stride, stride) A^-1, rows ready where marked, and zeros
     bool *ready;             // (n_floor) row of `inverse` is valid
     int n_ready;             // rows below this are
+    struct reach {
+        int from, to;  // in whole lanes
+    } * reach;         // (n_floor) of ready rows: entries outside are below rounding
 };
 
 // Room for the factors of `building`, with the initial tangents; false: no memory.
@@ -36,6 +38,16 @@ bool effective_alloc(struct effective *e, const struct building *building, enum 
 // Factorises A for beta h^2 = `b`, gamma h = `g` and the tangents of `e`. STATUS_RETRY: A is not
 // positive definite to working accuracy.
 int effective_factor(struct effective *e, double b, double g);
+
+// Whether solves multiply by the inverse, once it is there.
+static inline bool effective_prefers_inverse(const struct effective *e) {
+    return e->use == EFFECTIVE_LONG &&
+           (e->building->damping_full || e->building->n_floor <= INVERSE_FLOORS_MAX);
+}
+
+static inline bool effective_has_inverse(const struct effective *e) {
+    return e->n_ready == e->building->n_floor && effective_prefers_inverse(e);
+}
 
 // Adds A^-1 r to q; both (n_floor), r is overwritten.
 void effective_solve(struct effective *e, double *r, double *q);

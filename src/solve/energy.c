@@ -45,7 +45,8 @@ static double stored(const struct model *m, const struct state *s, enum storey_k
 bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena) {
     a->input_2x = lanes_array(arena, m->n_dof);
     a->damping_2x = lanes_array(arena, m->n_dof);
-    return a->input_2x && a->damping_2x;
+    a->storey_2x = lanes_array(arena, m->n_dof);
+    return a->input_2x && a->damping_2x && a->storey_2x;
 }
 
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s) {
@@ -123,10 +124,9 @@ void energy_step(struct energy_account *a, const struct model *m, const struct s
     const double *const to[] = {next->external, next->damping_force};
     double *const work[] = {a->input_2x, a->damping_2x};
     chain_works(&m->chain, from, to, now->u, next->u, work);
-    for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
-        if (m->storey[i].law->n_history > 0) {
-            a->storey += (now->shear[i] + next->shear[i]) / 2.0 * (next->drift[i] - now->drift[i]);
-        }
+    if (m->n_storey_history > 0) {
+        chain_storey_works(&m->chain, now->shear, next->shear, now->drift, next->drift,
+                           a->storey_2x);
     }
     links_step(a, m, now, next);
 }
@@ -137,6 +137,15 @@ static double sum_of(const double *x, int n) {
         sum += x[i];
     }
     return sum;
+}
+
+// On storeys that are not elastic.
+static double storey_work(const struct energy_account *a, const struct model *m) {
+    double sum = 0.0;
+    for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
+        sum += m->storey[i].law->n_history > 0 ? a->storey_2x[i] : 0.0;
+    }
+    return a->storey + sum / 2.0;
 }
 
 void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
@@ -159,7 +168,7 @@ void energy_close(const struct energy_account *a, const struct energy_sums *sums
     energy[ENERGY_KINETIC] = sums->kinetic;
     energy[ENERGY_STRAIN] = sums->elastic + sums->other;
     energy[ENERGY_DAMPING] = a->damping + sums->damping_2x / 2.0;
-    energy[ENERGY_HYSTERETIC] = a->storey - (sums->other - a->stored_start);
+    energy[ENERGY_HYSTERETIC] = sums->storey - (sums->other - a->stored_start);
     energy[ENERGY_CONTACT] = a->contact;
     energy[ENERGY_RESIDUAL] = a->initial + energy[ENERGY_INPUT] - energy[ENERGY_KINETIC] -
                               energy[ENERGY_STRAIN] - energy[ENERGY_DAMPING] -
@@ -172,6 +181,7 @@ void energy_balance(const struct energy_account *a, const struct model *m, const
         .kinetic = kinetic(m, s),
         .elastic = stored(m, s, STOREYS_ELASTIC),
         .other = m->n_storey_history > 0 ? stored(m, s, STOREYS_OTHER) : 0.0,
+        .storey = storey_work(a, m),
         .input_2x = sum_of(a->input_2x, m->n_dof),
         .damping_2x = sum_of(a->damping_2x, m->n_dof),
     };

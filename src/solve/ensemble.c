@@ -91,23 +91,31 @@ static bool same_ground(const struct ground *a, const struct ground *b) {
     return same;
 }
 
-static double ground_acceleration(const struct ground *g, double t) {
-    double a = 0.0;
-    for (int i = 0; i < g->n_signal; i++) {
-        a += signal_value(&g->signal[i], t);
+// The ground accelerations of a run from step n on, for its lane.
+static void shake(struct fleet *f, int k, long n) {
+    const struct model *m = f->boat[k].run.model;
+    const struct ground *g = &m->ground[0];
+    double time[ENSEMBLE_STRETCH], value[ENSEMBLE_STRETCH] = {0.0};
+    for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
+        time[i] = (double)(n + i) * m->dt;
     }
-    return a;
+    for (int i = 0; i < g->n_signal; i++) {
+        signal_add_values(&g->signal[i], ENSEMBLE_STRETCH, time, value);
+    }
+    for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
+        f->lanes.base[i][k] = value[i];
+    }
 }
 
 // The ground accelerations of the steps from n on.
 static void look_ahead(struct fleet *f, long n) {
     for (int k = 0; k < f->n; k++) {
-        const struct model *m = f->boat[k].run.model;
         const int same = f->boat[k].ground;
-        for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
-            wide *base = &f->lanes.base[i];
-            (*base)[k] = same < k ? (*base)[same]
-                                  : ground_acceleration(&m->ground[0], (double)(n + i) * m->dt);
+        if (same == k) {
+            shake(f, k, n);
+        }
+        for (int i = 0; i < ENSEMBLE_STRETCH && same < k; i++) {
+            f->lanes.base[i][k] = f->lanes.base[i][same];
         }
     }
     f->known = n + ENSEMBLE_STRETCH - 1;

@@ -20,7 +20,7 @@ static bool alloc_inverses(struct ensemble_lanes *e, const struct model *m, stru
     e->inverse = arena_alloc(a, (size_t)m->n_building, sizeof *e->inverse);
     for (int k = 0; e->inverse && k < m->n_building; k++) {
         int n = m->building[k].n_floor;
-        if (effective_multiplies(&m->building[k])) {
+        if (n <= INVERSE_FLOORS_MAX) {
             e->inverse[k] = lanes_wide_array(a, n * n, sizeof(wide));
             if (!e->inverse[k]) {
                 return false;

@@ -14,7 +14,7 @@ enum { SIGN = 63 };
 #define LESS(a, b) ((wide_bits)((a) - (b)))  // negative where a < b
 #define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
-WIDE unsigned ensemble_leaving(const struct ensemble_lanes *e) {
+LANES unsigned ensemble_leaving(const struct ensemble_lanes *e) {
     const wide most = ENSEMBLE_LARGEST - (wide){0.0};
     wide_bits bad = {0};
     for (int k = 0; k < e->n_contact; k++) {
@@ -56,7 +56,7 @@ INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard
     }
 }
 
-WIDE void ensemble_commit(struct ensemble_lanes *e, double time) {
+LANES void ensemble_commit(struct ensemble_lanes *e, double time) {
     wide_bits aboard;
     memcpy(&aboard, e->aboard, sizeof aboard);
     const wide now = time - (wide){0.0};
@@ -77,7 +77,7 @@ WIDE void ensemble_commit(struct ensemble_lanes *e, double time) {
     ensemble_swap(e);
 }
 
-WIDE void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
+LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
     wide kinetic = {0.0}, elastic = {0.0}, input = {0.0}, damping = {0.0};
     const struct ensemble_state *s = e->now;
     for (int k = 0; k < e->n_building; k++) {

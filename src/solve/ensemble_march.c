@@ -164,7 +164,7 @@ INLINE void step(const struct ensemble_lanes *e, const wide *base, wide_bits *fl
     }
 }
 
-WIDE int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
+LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
     for (int i = 0; i < n; i++) {
         wide_bits flags = {0};
         step(e, base + i, &flags);

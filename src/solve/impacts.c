@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "core/arena.h"
+#include "core/number.h"
 #include "solve/account.h"
 #include "solve/crossing.h"
 
@@ -72,8 +73,8 @@ void impacts_add(struct impact_log *log, struct results *r, const struct model *
         struct impact *i = &r->impact[log->open[k]];
         i->impulse += share->impulse;
         i->dissipated += share->work;
-        i->peak_force = fmax(i->peak_force, share->force);
-        i->max_penetration = fmax(i->max_penetration, share->penetration);
+        i->peak_force = number_max(i->peak_force, share->force);
+        i->max_penetration = number_max(i->max_penetration, share->penetration);
         i->steps += share->steps;
     }
 }

@@ -13,11 +13,6 @@
 
 #include "core/number.h"
 
-// A Newton step is trusted if it changes force and penetration by no more than this share, and if
-// the law is no steeper than this against the flexibility of the link.
-static const double NEAR = 0.1;
-static const double STEEPEST = 0.1;
-
 // A Newton step as small as this, relative to the force, leaves an error of its square.
 static const double SQUARED = 1e-9;
 
@@ -209,21 +204,6 @@ double line_excess(const struct line *l, double force) {
         *(residual_of(l, force, middle) < 0.0 ? &low : &high) = middle;
     }
     return force - 0.5 * (low + high);
-}
-
-bool line_step(const struct line *l, double guess, double *force) {
-    const struct contact_law *law = l->link->law;
-    double d = l->d_free - l->d_force * guess;
-    if (!l->closed || !law->force || l->clamped || (!(d > 0.0) && !l->link->bilateral)) {
-        return false;
-    }
-    double v = l->v_free - l->v_force * guess;
-    struct contact_response r = law->force(l->link->constant, l->history, d, v);
-    double slope = l->d_force * r.dfdd + l->v_force * r.dfdv;
-    double change = (r.force - guess) / (1.0 + slope);
-    *force = guess + change;
-    bool inside = l->link->bilateral || fabs(l->d_force * change) <= NEAR * d;
-    return inside && slope >= 0.0 && slope <= STEEPEST && fabs(change) <= NEAR * fabs(guess);
 }
 
 // A rigid contact at rest: the force that keeps the bodies together, unless it would have to pull.

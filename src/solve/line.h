@@ -32,10 +32,6 @@ enum branch {
 // is not monotone (it pulls) a solution is taken, and found from the guess.
 enum branch line_answer(const struct line *l, double guess, double *force);
 
-// One Newton step from `guess` towards that answer. True where it stays well within the closed
-// branch, so that repeated steps converge to the answer; else use line_answer.
-bool line_step(const struct line *l, double guess, double *force);
-
 // By how much `force` exceeds the force that would have to move the link for its law to give just
 // `force` there.
 double line_excess(const struct line *l, double force);

@@ -20,6 +20,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/lanes.h"
 #include "solve/contact.h"
 #include "solve/excitation.h"
 
@@ -47,9 +48,7 @@ static void residuals(struct work *w, struct state *next, const double *u, const
     state_add_link_forces(next, m, w->residual);
 }
 
-// Adds A^-1 residual to the correction of the buildings from k on that are not settled; returns how
-// many buildings it went over.
-static int solve_some(struct work *w, int k) {
+int newmark_solve_from(struct work *w, int k) {
     const struct building *g = &w->model->building[k];
     double *r = w->residual;
     double *q = w->correction;
@@ -68,16 +67,29 @@ static int solve_some(struct work *w, int k) {
 
 static void solve_buildings(struct work *w) {
     for (int k = 0; k < w->model->n_building;) {
-        k += solve_some(w, k);
+        k += newmark_solve_from(w, k);
     }
 }
 
 // The state that the correction leads to, and the penetrations in it. False: not finite.
-static bool correct(const struct work *w, const struct state *now, struct state *next) {
+static bool correct(struct work *w, const struct state *now, struct state *next) {
     bool finite = chain_correct(&w->model->chain, w->b, w->g, w->correction, w->u_trial, w->v_trial,
                                 now->a, next->base, next->u, next->v, next->a, next->total);
     contact_penetrations(w, next);
     return finite;
+}
+
+// The same where only the corrections of buildings with live links have changed since.
+static void correct_touched(struct work *w, const struct state *now, struct state *next) {
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        const struct chain part = {.n = lanes_whole(g->n_floor)};
+        int j = g->first;
+        chain_correct(&part, w->b, w->g, w->correction + j, w->u_trial + j, w->v_trial + j,
+                      now->a + j, next->base + j, next->u + j, next->v + j, next->a + j,
+                      next->total + j);
+    }
+    gaps_update_touched(&w->gaps, next);
 }
 
 // Do the storeys of building k bear, at the drifts that the solution found, the shears that their
@@ -146,7 +158,7 @@ static int solve_links(struct work *w, const struct state *now, struct state *ne
         if (status != STATUS_OK) {
             return status;
         }
-        correct(w, now, next);
+        correct_touched(w, now, next);
         wanted = false;
     }
     return STATUS_OK;

@@ -8,7 +8,7 @@
 #include "solve/account.h"
 
 // Floors, in whole lanes, that are looked at together for a new peak.
-enum { BLOCK = 16 * LANES_WIDTH };
+enum { BLOCK = 8 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
@@ -30,19 +30,19 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
     return r->link && r->deepest;
 }
 
-// Where |x| is greater than the peak, the peak and its time.
 LANES static void raise(int first, int n, const double *restrict x, double time,
                         double *restrict peak, double *restrict peak_time) {
     for (int i = first, end = first + lanes_whole(n); i < end; i++) {
-        double size = fabs(x[i]);
-        peak_time[i] = size > peak[i] ? time : peak_time[i];
-        peak[i] = size > peak[i] ? size : peak[i];
+        peak_raise(x[i], time, &peak[i], &peak_time[i]);
     }
 }
 
 // The largest of x and `other`.
 LANES static double largest(int first, int n, const double *restrict x, double other) {
-    double most[LANES_WIDTH] = {other, other, other, other};
+    double most[LANES_WIDTH];
+    for (int lane = 0; lane < LANES_WIDTH; lane++) {
+        most[lane] = other;
+    }
     for (int i = first, end = first + lanes_whole(n); i < end; i += LANES_WIDTH) {
         for (int lane = 0; lane < LANES_WIDTH; lane++) {
             most[lane] = number_max(most[lane], x[i + lane]);
@@ -54,12 +54,16 @@ LANES static double largest(int first, int n, const double *restrict x, double o
     return most[0];
 }
 
+void peaks_speed(struct results *r, int first, int n) {
+    r->totals.speed = largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
+}
+
 static void floors_update(struct results *r, int first, int n,
                           const double *const value[PEAK_COUNT], double time) {
     for (int q = 0; q < PEAK_COUNT; q++) {
         raise(first, n, value[q], time, r->peak[q], r->peak_time[q]);
     }
-    r->totals.speed = largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
+    peaks_speed(r, first, n);
 }
 
 LANES static bool any_exceeds(int n, const double *restrict x, const double *restrict limit) {
@@ -70,7 +74,7 @@ LANES static bool any_exceeds(int n, const double *restrict x, const double *res
     return above != 0;
 }
 
-static void penetrations_update(struct results *r, int n, const struct state *s) {
+void peaks_penetrations(struct results *r, int n, const struct state *s) {
     for (int k = 0; k < n; k++) {
         if (s->delta[k] > r->deepest[k]) {
             r->deepest[k] = s->delta[k];
@@ -107,7 +111,7 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
         }
     }
     if (any_exceeds(m->n_contact, s->delta, r->deepest)) {
-        penetrations_update(r, m->n_contact, s);
+        peaks_penetrations(r, m->n_contact, s);
     }
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];

@@ -7,8 +7,9 @@
 
 #include <math.h>
 
-#include "solve/contact.h"
+#include "core/number.h"
 #include "solve/crossing.h"
+#include "solve/quick.h"
 
 static const double COARSEST_SPRING = 0.09869604401089358;  // (pi / 10)^2
 static const double COARSEST_DASHPOT = 0.5;
@@ -25,16 +26,20 @@ bool resolve_negligible(const struct work *w, double velocity) {
     return fabs(velocity) <= NEGLIGIBLE * w->totals->speed;
 }
 
-static bool resolved_at(const struct work *w, const struct line *line, double d, double v) {
-    const struct link *l = line->link;
-    double depth = fmax(d, 0.0);
-    struct contact_response r = l->law->force(l->constant, line->history, depth, v);
+// Is a step short enough for the law of a link that has the tangents `r` at (d, v)?
+static bool fits(const struct work *w, const struct quick *p, struct contact_response r, double d) {
+    const struct link *l = p->link;
     double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
                            ? r.dfdd
-                           : l->law->force(l->constant, line->history, depth, 0.0).dfdd;
-    double flexibility = line->v_force / w->g;
-    return stiffness * flexibility * w->h * w->h <= COARSEST_SPRING &&
-           line->v_force * r.dfdv <= COARSEST_DASHPOT;
+                           : l->law->force(l->constant, p->history, d, 0.0).dfdd;
+    return stiffness * p->flexibility * w->h * w->h <= COARSEST_SPRING &&
+           w->g * p->flexibility * r.dfdv <= COARSEST_DASHPOT;
+}
+
+static bool resolved_at(const struct work *w, const struct quick *p, double d, double v) {
+    const struct link *l = p->link;
+    double depth = number_max(d, 0.0);
+    return fits(w, p, l->law->force(l->constant, p->history, depth, v), depth);
 }
 
 static bool at_rest(const struct work *w, const struct path *p) {
@@ -45,25 +50,32 @@ static bool at_rest(const struct work *w, const struct path *p) {
 
 // The start of the step was the end of the last one, and need not be looked at again where that was
 // resolved with a step as long.
-static bool starts_resolved(const struct work *w, const struct state *now, int k,
-                            const struct line *line, const struct path *path) {
+static bool starts_resolved(const struct work *w, const struct state *now, const struct quick *p) {
+    int k = p->index;
     bool seen = w->checked[k] >= w->h && now->t_close[k] < now->time;
-    return !now->closed[k] || seen || resolved_at(w, line, path->d0, path->v0);
+    return !now->closed[k] || seen ||
+           resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
 }
 
-static bool resolved(struct work *w, const struct state *now, const struct state *next, int k) {
-    struct line line = contact_line(w, now, next, k);
-    double f = next->force[k];
-    struct path path = {now->delta[k], state_rate(now, w->model, k), line.d_free - line.d_force * f,
-                        line.v_free - line.v_force * f, w->h};
-    bool ends_closed = w->branch[k] == BRANCH_CLOSED;
-    if (starts_resolved(w, now, k, &line, &path) &&
-        (!ends_closed || resolved_at(w, &line, path.d1, path.v1))) {
+// A settled link has its tangents already, so near to the end of the step that it does not matter.
+static bool ends_resolved(const struct work *w, const struct quick *p, const struct path *path) {
+    return w->branch[p->index] != BRANCH_CLOSED ||
+           (p->settled ? fits(w, p, p->law, path->d1) : resolved_at(w, p, path->d1, path->v1));
+}
+
+static bool resolved(struct work *w, const struct state *now, const struct state *next,
+                     const struct quick *p) {
+    int k = p->index;
+    double x = w->correction[p->end[0]] - w->correction[p->end[1]];
+    struct path path = {
+        .d0 = now->delta[k], .d1 = p->d_trial + w->b * x, .v1 = p->v_trial + w->g * x, .h = w->h};
+    if (starts_resolved(w, now, p) && ends_resolved(w, p, &path)) {
         w->checked[k] = w->h;
         return true;
     }
     w->checked[k] = 0.0;
-    if (now->closed[k] && ends_closed) {
+    path.v0 = state_rate(now, w->model, k);
+    if (now->closed[k] && w->branch[k] == BRANCH_CLOSED) {
         return at_rest(w, &path);
     }
     return resolve_negligible(w, path.v1) &&
@@ -72,10 +84,9 @@ static bool resolved(struct work *w, const struct state *now, const struct state
 
 bool resolve_suffices(struct work *w, const struct state *now, const struct state *next) {
     for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        const struct link *l = &w->model->link[k];
-        if (!l->bilateral && !l->law->rebound && !resolved(w, now, next, k)) {
-            w->unresolved = k;
+        const struct quick *p = &w->quick[next->live[i]];
+        if (!p->link->bilateral && !p->link->law->rebound && !resolved(w, now, next, p)) {
+            w->unresolved = p->index;
             return false;
         }
     }

@@ -6,6 +6,7 @@
 
 #include "solve/account.h"
 #include "solve/dormand_prince.h"
+#include "solve/flight.h"
 #include "solve/step_length.h"
 #include "solve/work.h"
 
@@ -14,9 +15,10 @@ struct run {
     const struct observer *observer;
     struct state *now, *next;
     struct state store[2];
-    // Takes `now` to the time `end`, h later.
-    int (*advance)(struct run *r, double end, double h);
+    // Takes `now` from step n of the deck to step `end`.
+    int (*advance)(struct run *r, long n, long end);
     struct work work;           // of Newmark's method
+    struct flight flight;       // of its fixed steps
     struct step_length length;  // of its adaptive steps
     struct dp *adaptive;        // Dormand & Prince's method; NULL: Newmark's
     struct energy_account energy;
@@ -34,7 +36,7 @@ struct run {
 int analysis_begin(struct run *r, const struct model *m, const struct observer *observer,
                    struct error *e);
 
-// Step n of the deck (from 1), with its row. The same.
+// Step n of the deck (from 1), with its row, of a run with fixed steps. The same.
 int analysis_step(struct run *r, long n);
 
 // Takes note of the energies of a row that have been put in `results`. STATUS_FAILED: not finite.

@@ -48,9 +48,11 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
         }
     }
     s->live = arena_alloc(a, n_link, sizeof *s->live);
+    s->past = arena_alloc(a, n_link, sizeof *s->past);
+    s->n_past = arena_alloc(a, n_link, sizeof *s->n_past);
     s->is_live = arena_alloc(a, n_link, sizeof *s->is_live);
     s->closed = arena_alloc(a, n_link, sizeof *s->closed);
-    return s->live && s->is_live && s->closed && alloc_floors(s, m, a);
+    return s->live && s->past && s->n_past && s->is_live && s->closed && alloc_floors(s, m, a);
 }
 
 void state_open_links(struct state *s) {
@@ -65,6 +67,7 @@ void state_open_links(struct state *s) {
 void state_enliven(struct state *s, int k) {
     if (!s->is_live[k]) {
         s->is_live[k] = true;
+        s->n_past[k] = 0;
         s->live[s->n_live++] = k;
     }
 }
@@ -144,6 +147,7 @@ void state_close_link(struct state *s, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     state_enliven(s, k);
     s->closed[k] = true;
+    s->n_past[k] = 0;
     s->t_close[k] = s->time;
     s->v_close[k] = fmax(state_rate(s, m, k), 0.0);
     if (l->law->close) {

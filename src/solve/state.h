@@ -22,6 +22,8 @@ struct state {
     bool *is_live;         // (n_link)
     bool *closed;          // (n_link) in contact; bilateral links always are
     double *force;         // [F] (n_link)
+    double (*past)[2];     // [F] (n_link) of a live link one and two steps before
+    int *n_past;           // (n_link) in how many of those it was closed
     double *delta;         // [L] (n_link) penetration
     double *t_close;       // [T] (n_link) instant of closure of a closed link
     double *v_close;       // [L/T] (n_link) closing velocity then

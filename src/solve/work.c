@@ -5,6 +5,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "solve/quick.h"
 
 // Clusters beyond this size are left to sweeps: the block matrix is full.
 enum { BLOCK_MAX = 400 };
@@ -23,6 +24,7 @@ static bool alloc_floors(struct work *w, const struct model *m, struct arena *a)
 static bool alloc_links(struct work *w, const struct model *m, struct arena *a) {
     size_t n_link = (size_t)m->n_link;
     size_t n_block = (size_t)w->block_max;
+    w->quick = arena_alloc(a, n_link, sizeof *w->quick);
     w->ends = arena_alloc(a, n_link, sizeof *w->ends);
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->branch = arena_alloc(a, n_link, sizeof *w->branch);
@@ -34,13 +36,15 @@ static bool alloc_links(struct work *w, const struct model *m, struct arena *a) 
     w->vector = arena_alloc(a, n_block, sizeof *w->vector);
     w->order = arena_alloc(a, n_block, sizeof *w->order);
     w->matrix = arena_alloc(a, n_block * n_block, sizeof *w->matrix);
-    return w->ends && w->rigid && w->branch && w->clamped && w->flexibility && w->checked &&
-           w->kept_f && w->grouped && w->vector && w->order && w->matrix;
+    return w->quick && gaps_alloc(&w->gaps, m, a) && w->ends && w->rigid && w->branch &&
+           w->clamped && w->flexibility && w->checked && w->kept_f && w->grouped && w->vector &&
+           w->order && w->matrix;
 }
 
 static void fill_links(struct work *w, const struct model *m) {
     for (int k = 0; k < m->n_link; k++) {
         const int *dof = m->link[k].dof;
+        quick_init(&w->quick[k], m, k);
         w->ends[k] = (struct ends){dof[0] == WALL ? m->n_dof : dof[0],
                                    dof[1] == WALL ? m->n_dof : dof[1], m->link[k].gap};
         if (m->link[k].law->rebound) {

@@ -6,6 +6,7 @@
 
 #include "solve/chain.h"
 #include "solve/effective.h"
+#include "solve/gaps.h"
 #include "solve/line.h"
 #include "solve/state.h"
 
@@ -27,6 +28,8 @@ struct ends {
     double gap;  // [L]
 };
 
+struct quick;
+
 struct work {
     const struct model *model;    // borrowed
     struct totals *totals;        // borrowed: counters
@@ -45,6 +48,8 @@ struct work {
     double *correction;         // (n_dof) [L/T^2] of the accelerations
     bool *settled;              // (n_building) storeys agree with the tangents used
 
+    struct gaps gaps;
+    struct quick *quick;            // (n_link) of quick sweeps
     struct ends *ends;              // (n_link)
     int n_rigid, *rigid;            // contacts of laws without a force
     double *flexibility;            // [L/T^2/F] (n_link) S_ll of live links

@@ -101,6 +101,29 @@ static void work_is_what_is_stored_and_what_a_loop_dissipates(void **state) {
 }
 
 // A full elastoplastic loop between +-u encloses 4 V_y (u - u_y).
+// Follows a path out and back; wherever the branch of a law holds, it is the law bit for bit.
+static void a_branch_is_the_law_to_the_last_bit(void **state) {
+    (void)state;
+    for (int k = 0; k < n_storey_law; k++) {
+        struct bound_law b = bind(storey_laws[k], 0.05);
+        int followed = 0;
+        for (int i = 0; b.law->branch && i <= 400; i++) {
+            double drift = 0.03 * sin(0.1 * i) * (1.0 + 1e-3 * i);
+            struct storey_branch line = b.law->branch(b.constant, b.history);
+            double spring = line.spring * (drift - line.rest);
+            struct bound_law before = b;
+            commit(&b, drift);
+            if (fabs(spring) <= line.limit) {
+                followed++;
+                assert_true(at(&b, drift).shear == line.back * drift + spring);
+                assert_true(at(&b, drift).tangent == line.back + line.spring);
+                assert_memory_equal(b.history, before.history, sizeof b.history);
+            }
+        }
+        assert_true(!b.law->branch || followed > 100);
+    }
+}
+
 static void an_elastoplastic_loop_has_its_closed_form_area(void **state) {
     (void)state;
     struct bound_law b = bind(storey_law_find("bilinear"), 0.0);
@@ -240,6 +263,7 @@ int main(void) {
         cmocka_unit_test(tangents_agree_with_central_differences),
         cmocka_unit_test(a_law_is_a_pure_function),
         cmocka_unit_test(work_is_what_is_stored_and_what_a_loop_dissipates),
+        cmocka_unit_test(a_branch_is_the_law_to_the_last_bit),
         cmocka_unit_test(an_elastoplastic_loop_has_its_closed_form_area),
         cmocka_unit_test(hardening_moves_the_elastic_range),
         cmocka_unit_test(the_end_of_a_path_does_not_depend_on_its_steps),

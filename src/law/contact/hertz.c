@@ -43,6 +43,7 @@ const struct contact_law contact_hertz = {
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_ROW,
+    .traits = CONTACT_SMOOTH,
     .prepare = hertz_prepare,
     .force = hertz_force,
 };

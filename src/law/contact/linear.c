@@ -33,6 +33,7 @@ const struct contact_law contact_linear = {
     .row = rows,
     .n_row = N_ROW,
     .n_constant = N_ROW,
+    .traits = CONTACT_SMOOTH,
     .prepare = linear_prepare,
     .force = linear_force,
 };

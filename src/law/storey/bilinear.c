@@ -48,6 +48,10 @@ static void bilinear_commit(const double *c, double *h, double drift) {
     }
 }
 
+static struct storey_branch bilinear_branch(const double *c, const double *h) {
+    return (struct storey_branch){c[BACK], c[SPRING], h[PLASTIC], c[STRENGTH]};
+}
+
 static double bilinear_stored(const double *c, const double *h, double drift) {
     double elastic = drift - h[PLASTIC];
     return (c[BACK] * drift * drift + c[SPRING] * elastic * elastic) / 2.0;
@@ -66,5 +70,6 @@ const struct storey_law storey_bilinear = {
     .prepare = bilinear_prepare,
     .shear = bilinear_shear,
     .commit = bilinear_commit,
+    .branch = bilinear_branch,
     .stored = bilinear_stored,
 };

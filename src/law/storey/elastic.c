@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Linear elastic storey: V = k drift.
+#include <math.h>
+
 #include "law/storey_list.h"
 
 enum { STIFFNESS, N_CONSTANT };
@@ -16,6 +18,11 @@ static struct storey_response elastic_shear(const double *c, const double *h, do
     return (struct storey_response){.shear = c[STIFFNESS] * drift, .tangent = c[STIFFNESS]};
 }
 
+static struct storey_branch elastic_branch(const double *c, const double *h) {
+    (void)h;
+    return (struct storey_branch){.spring = c[STIFFNESS], .limit = INFINITY};
+}
+
 static double elastic_stored(const double *c, const double *h, double drift) {
     (void)h;
     return c[STIFFNESS] * drift * drift / 2.0;
@@ -29,5 +36,6 @@ const struct storey_law storey_elastic = {
     .n_constant = N_CONSTANT,
     .prepare = elastic_prepare,
     .shear = elastic_shear,
+    .branch = elastic_branch,
     .stored = elastic_stored,
 };

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one floor of struct chain sees: the terms of the equations of motion, for the loops of
+// chain.c and flight_step.c, which so have the same bits.
+#ifndef JOSTLE_CHAIN_FLOOR_H
+#define JOSTLE_CHAIN_FLOOR_H
+
+#include "jostle/model.h"
+
+static inline double floor_drift(const struct chain *c, const double *u, int i) {
+    return u[i] - c->joint[i] * u[i - 1];
+}
+
+// Row i of C v.
+static inline double floor_damping(const struct chain *c, const double *v, int i) {
+    return c->damping_below[i] * v[i - 1] + c->damping[i] * v[i] + c->damping_above[i] * v[i + 1];
+}
+
+// Row i of external - M a - C v - storey shears.
+static inline double floor_unbalanced(const struct chain *c, const double *external,
+                                      const double *a, const double *v, double shear,
+                                      double shear_above, int i) {
+    return external[i] - c->mass[i] * a[i] - floor_damping(c, v, i) - shear +
+           c->joint[i + 1] * shear_above;
+}
+
+// The same with elastic storeys.
+static inline double floor_residual(const struct chain *c, const double *external, const double *a,
+                                    const double *u, const double *v, int i) {
+    const double *k = c->stiffness;
+    return floor_unbalanced(c, external, a, v, k[i] * floor_drift(c, u, i),
+                            k[i + 1] * (u[i + 1] - u[i]), i);
+}
+
+#endif

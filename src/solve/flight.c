@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/flight.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/lanes.h"
+#include "solve/contact.h"
+#include "solve/excitation.h"
+
+static bool follows(const struct link *before, const struct link *l) {
+    bool side_by_side = true;
+    for (int i = 0; i < 2; i++) {
+        side_by_side = side_by_side && l->building[i] == before->building[i] &&
+                       (l->dof[i] == WALL || l->dof[i] == before->dof[i] + 1);
+    }
+    return side_by_side;
+}
+
+static struct gap_group group_from(const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    struct gap_group g = {.contact = k};
+    for (int i = 0; i < 2; i++) {
+        g.dof[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
+        g.ground[i] = l->moving_ground ? m->building[l->building[i]].ground : 0;
+    }
+    return g;
+}
+
+static void group_contacts(struct flight *f, const struct model *m) {
+    int in_group = LANES_WIDTH;
+    for (int k = 0; k < m->n_contact; k++) {
+        if (in_group == LANES_WIDTH || !follows(&m->link[k - 1], &m->link[k])) {
+            f->group[f->n_group++] = group_from(m, k);
+            in_group = 0;
+        }
+        f->gap[(f->n_group - 1) * LANES_WIDTH + in_group++] = m->link[k].gap;
+    }
+}
+
+// Are all links contacts with a law of force, and all storeys of straight lines?
+static bool is_possible(const struct model *m) {
+    bool possible = m->n_link == m->n_contact && !m->chain.full_damping;
+    for (int k = 0; k < m->n_link; k++) {
+        possible = possible && !m->link[k].law->rebound;
+    }
+    for (int i = 0; i < m->n_dof; i++) {
+        possible = possible && m->storey[i].law->branch;
+    }
+    return possible;
+}
+
+static void find_branches(struct flight *f, const double *history) {
+    for (int i = 0; i < f->model->n_dof; i++) {
+        const struct storey *s = &f->model->storey[i];
+        const double *h = s->law->n_history > 0 ? history + s->history : NULL;
+        struct storey_branch b = s->law->branch(s->constant, h);
+        f->back[i] = b.back;
+        f->spring[i] = b.spring;
+        f->rest[i] = b.rest;
+        f->limit[i] = b.limit;
+    }
+}
+
+// Are the buildings factorised for the branches, and do low ones have their inverse?
+static bool is_factorised(const struct flight *f) {
+    for (int k = 0; k < f->model->n_building; k++) {
+        const struct effective *e = &f->work->effective[k];
+        const struct building *g = e->building;
+        for (int i = 0; !g->elastic && i < g->n_floor; i++) {
+            if (e->tangent[i] != f->back[g->first + i] + f->spring[g->first + i]) {
+                return false;
+            }
+        }
+        if (effective_prefers_inverse(e) && !effective_has_inverse(e)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool branches_alloc(struct flight *f, const struct model *m, struct arena *a) {
+    double **const part[] = {&f->back, &f->spring, &f->rest, &f->limit};
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        *part[i] = lanes_array(a, m->n_dof);
+        if (!*part[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
+    f->model = m;
+    f->possible = is_possible(m);
+    f->yields = m->n_storey_history > 0;
+    f->uniform = m->n_ground == 1 && m->n_load == 0;
+    size_t n = f->possible ? (size_t)m->n_contact : 0;
+    f->group = arena_alloc(a, n, sizeof *f->group);
+    f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
+    f->ahead_from = -FLIGHT_AHEAD;
+    if (!f->group || !f->gap || !branches_alloc(f, m, a)) {
+        return false;
+    }
+    for (size_t i = 0; i < n * LANES_WIDTH; i++) {
+        f->gap[i] = INFINITY;
+    }
+    if (f->possible) {
+        group_contacts(f, m);
+    }
+    if (f->possible && !f->yields) {
+        find_branches(f, NULL);
+    }
+    return true;
+}
+
+unsigned flight_near(const struct flight *f, struct state *next) {
+    int n = f->model->n_contact;
+    contact_penetrations(f->work, next);
+    for (int k = 0; k < n; k++) {
+        if (next->delta[k] > 0.0) {
+            return FLIGHT_ENDS;
+        }
+    }
+    peaks_penetrations(f->results, n, next);
+    return 0;
+}
+
+// What flight_step leaves out.
+static void complete(const struct flight *f, struct state *s) {
+    state_internal_forces(s, f->model, s->u, s->v);
+    contact_penetrations(f->work, s);
+    for (int i = 0; i < f->model->n_dof; i++) {
+        s->total[i] = s->a[i] + s->base[i];
+    }
+}
+
+// Times from step n on, and the ground accelerations then.
+static void look_ahead(struct flight *f, long n) {
+    f->ahead_from = n;
+    for (int i = 0; i < FLIGHT_AHEAD; i++) {
+        f->time[i] = model_time(f->model, n + i);
+        f->ground[i] = 0.0;
+    }
+    const struct ground *g = &f->model->ground[0];
+    for (int i = 0; f->uniform && i < g->n_signal; i++) {
+        signal_add_values(&g->signal[i], FLIGHT_AHEAD, f->time, f->ground);
+    }
+}
+
+static unsigned step_to(struct flight *f, const struct state *now, struct state *next, long n) {
+    if (n < f->ahead_from || n >= f->ahead_from + FLIGHT_AHEAD) {
+        look_ahead(f, n);
+    }
+    next->time = f->time[n - f->ahead_from];
+    double ground = f->ground[n - f->ahead_from];
+    if (f->uniform) {
+        next->ground_a[0] = ground;
+    } else {
+        excitation_at(next, f->model, next->time);
+    }
+    return f->yields ? flight_step_yielding(f, now, next, ground)
+                     : flight_step(f, now, next, ground);
+}
+
+static bool may_start(struct flight *f, const struct state *s) {
+    if (!f->possible || s->n_live > 0 || f->work->h != f->model->dt) {
+        return false;
+    }
+    if (!f->yields) {
+        return true;
+    }
+    find_branches(f, s->storey_history);
+    return is_factorised(f);
+}
+
+static void start(const struct flight *f, const struct state *now, struct state *next) {
+    const struct model *m = f->model;
+    state_open_links(next);
+    memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
+    if (f->yields) {
+        memcpy(next->storey_history, now->storey_history,
+               (size_t)m->n_storey_history * sizeof *next->storey_history);
+    }
+}
+
+// Takes the account of n steps to the state s.
+static void finish(const struct flight *f, struct state *s, long n) {
+    struct totals *t = &f->results->totals;
+    complete(f, s);
+    peaks_speed(f->results, 0, f->model->n_dof);
+    t->steps += n;
+    t->iterations += n;
+}
+
+long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end) {
+    if (!may_start(f, *now)) {
+        return n;
+    }
+    end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
+    start(f, *now, *next);
+    long first = n;
+    while (n < end) {
+        struct state *s = *next;
+        unsigned events = step_to(f, *now, s, n + 1);
+        if (events == FLIGHT_PEAK) {
+            events = flight_peaks(f, s);
+        }
+        if (events == FLIGHT_ENDS) {
+            break;
+        }
+        *next = *now;
+        *now = s;
+        n++;
+    }
+    if (n > first) {
+        finish(f, *now, n - first);
+    }
+    return n;
+}

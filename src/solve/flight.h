@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Free flight: steps of the model's size in which no link acts and no storey changes its branch.
+// They need no iteration and no search, and most steps are such, so they have a way of their own
+// through the solver. It gives the same bits as newmark_step, energy_step and peaks_update.
+#ifndef JOSTLE_FLIGHT_H
+#define JOSTLE_FLIGHT_H
+
+#include "solve/account.h"
+#include "solve/work.h"
+
+// Contacts that follow each other, as do the floors at both their ends: LANES_WIDTH at most.
+struct gap_group {
+    int contact;    // the first
+    int dof[2];     // its ends; a wall is the zero behind the floors
+    int ground[2];  // that move them apart; the same where none does
+};
+
+// Steps whose ground acceleration is computed at a time.
+enum { FLIGHT_AHEAD = 64 };
+
+struct flight {
+    const struct model *model;  // borrowed, as are the next three
+    struct work *work;
+    struct results *results;
+    struct energy_account *energy;
+    bool possible;  // with this model
+    bool yields;    // not all storeys are elastic
+    bool uniform;   // one ground moves all, and there are no loads
+
+    double *back, *spring, *rest, *limit;  // (n_dof) the storeys' branches: struct storey_branch
+
+    int n_group;
+    struct gap_group *group;  // (n_group)
+    double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
+
+    long ahead_from;              // step of the first of what is computed ahead:
+    double time[FLIGHT_AHEAD];    // [T]
+    double ground[FLIGHT_AHEAD];  // [L/T^2] acceleration; uniform
+};
+
+// Room for the flights of a model; false: no memory.
+bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
+
+// Steps from step `n` of the model, whose state is `*now`, as far as step `end`, but stops before a
+// step in which a link would act or a storey change its branch. Returns the step that it has
+// reached; `*now` is its state, and `*next` is of no meaning.
+long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
+
+// What a step may turn out to be.
+enum flight_event {
+    FLIGHT_PEAK = 1,  // a floor may have reached a peak, or is not finite
+    FLIGHT_ENDS = 2,  // a contact closes or a storey leaves its branch: the step is not taken
+};
+
+// The step from `now` to `next`: displacements, velocities, accelerations and damping forces, and
+// the works done, under the ground acceleration `ground`, or where that is not uniform under the
+// base and external forces of `next`.
+unsigned flight_step(const struct flight *f, const struct state *now, struct state *next,
+                     double ground);
+
+// The same where not all storeys are elastic.
+unsigned flight_step_yielding(const struct flight *f, const struct state *now, struct state *next,
+                              double ground);
+
+// Looks closer at contacts that may have come nearer than ever: FLIGHT_ENDS if one is closed.
+unsigned flight_near(const struct flight *f, struct state *next);
+
+// Takes the floors of `s` into the peaks: FLIGHT_ENDS if one is not finite.
+unsigned flight_peaks(const struct flight *f, const struct state *s);
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Penetrations of all links, a run of neighbouring links at a time.
+#ifndef JOSTLE_GAPS_H
+#define JOSTLE_GAPS_H
+
+#include "solve/state.h"
+
+// Links first to first + n - 1 whose ends are floors one above the other on the same two sides.
+struct gap_run {
+    int first, n;
+    int left, right;  // ends of link `first` among the arrays of struct chain
+    int building[2];  // WALL
+};
+
+struct gaps {
+    const struct model *model;  // borrowed
+    double *gap;                // [L] (n_link)
+    double *limit;              // [L] (n_link) a link beyond this may close: 0, but infinite for
+                                // links that act, and for those without a force
+    int n_run;
+    struct gap_run *run;
+    int *start, *of_building;  // (n_building + 1): runs at each building, one list behind another
+    int n_visited, *visited;   // scratch: runs that an update goes over
+    int n_pressed, *pressed;   // runs in which a link was beyond its limit in the last update
+    int n_acting, *acting;     // links that act in this step
+    int n_touched, *touched;   // their buildings
+    bool *is_touched;          // (n_building)
+};
+
+bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a);
+
+// Brings s->delta to the displacements of `s`.
+void gaps_update(struct gaps *g, struct state *s);
+
+// The same where only touched buildings have moved.
+void gaps_update_touched(struct gaps *g, struct state *s);
+
+// No link acts, and no building is touched any more.
+void gaps_forget(struct gaps *g);
+
+// Link k acts, and touches its buildings.
+void gaps_touch(struct gaps *g, int k);
+
+#endif
