@@ -309,9 +309,8 @@ static int loop(struct run *r) {
 }
 
 int analysis_step(struct run *r, long n) {
-    const struct model *m = r->model;
     int status = advance_step(r, n);
-    bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
+    bool row = (r->observer && n % r->model->output.every == 0) || n == r->model->n_step;
     return status == STATUS_OK && row ? observe(r) : status;
 }
 
