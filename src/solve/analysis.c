@@ -301,9 +301,8 @@ static int loop(struct run *r) {
     for (long n = 0, row; status == STATUS_OK && n < m->n_step; n = row) {
         row = n + m->output.every < m->n_step ? n + m->output.every : m->n_step;
         status = r->advance(r, n, row);
-        if (status == STATUS_OK && (r->observer || row == m->n_step)) {
-            status = observe(r);
-        }
+        bool shown = r->observer || row == m->n_step;
+        status = status == STATUS_OK && shown ? observe(r) : status;
     }
     return status;
 }
