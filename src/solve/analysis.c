@@ -36,10 +36,8 @@ enum { CUTS_BUDGET = 2000000, CUTS_BUDGET_PER_STEP = 100 };
 // Asks the observer now and then whether to go on.
 static int poll(struct run *r, double time) {
     const struct observer *o = r->observer;
-    if (!o || !o->poll || r->results->totals.steps % POLL_STEPS != 0) {
-        return STATUS_OK;
-    }
-    return o->poll(o->context, time, r->error);
+    bool due = o && o->poll && r->results->totals.steps % POLL_STEPS == 0;
+    return due ? o->poll(o->context, time, r->error) : STATUS_OK;
 }
 
 // Takes `next` as the new committed state.
@@ -275,10 +273,12 @@ int analysis_balanced(struct run *r) {
 static int observe(struct run *r) {
     const struct state *s = r->now;
     energy_balance(&r->energy, r->model, s, r->results->energy);
-    if (analysis_balanced(r) != STATUS_OK) {
-        return STATUS_FAILED;
+    int status = analysis_balanced(r);
+    const struct observer *o = r->observer;
+    if (status != STATUS_OK || !o || !o->row) {
+        return status;
     }
-    struct row_view row = {
+    const struct row_view row = {
         .time = s->time,
         .displacement = s->u,
         .velocity = s->v,
@@ -290,8 +290,7 @@ static int observe(struct run *r) {
         .ground = s->ground_a,
         .energy = r->results->energy,
     };
-    const struct observer *o = r->observer;
-    return o && o->row ? o->row(o->context, &row, r->error) : STATUS_OK;
+    return o->row(o->context, &row, r->error);
 }
 
 // From row to row of the output.
@@ -308,8 +307,8 @@ static int loop(struct run *r) {
 }
 
 int analysis_step(struct run *r, long n) {
-    int status = advance_step(r, n);
     bool row = (r->observer && n % r->model->output.every == 0) || n == r->model->n_step;
+    int status = advance_step(r, n);
     return status == STATUS_OK && row ? observe(r) : status;
 }
 
@@ -362,12 +361,12 @@ int analysis_begin(struct run *r, const struct model *m, const struct observer *
     struct arena *a = arena_create();
     struct results *results = a ? arena_alloc(a, 1, sizeof *results) : NULL;
     *r = (struct run){.model = m, .observer = observer, .results = results, .error = e};
+    r->start = seconds_now();
     if (!results) {
         arena_free(a);
         error_no_memory(e);
         return STATUS_SYSTEM;
     }
-    r->start = seconds_now();
     results->arena = a;
     int status = run_alloc(r, a) ? run_start(r) : error_no_memory(e);
     return status == STATUS_OK ? observe(r) : status;
