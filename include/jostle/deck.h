@@ -52,6 +52,10 @@ struct sweep {
     const char *const *label;    // (n) text, or the shortest name of a file; NULL: numbers
     bool known;                  // numbers have a unit
     struct dimension dimension;  // of it
+    const char *units;           // of numbers, where they come from a file
+    // Of the numbers 1 ... n of a sample: the first of the random parameters that take one of their
+    // n values for each; of a random parameter the next. NULL: none.
+    const struct sweep *along;
     const struct sweep *next;
 };
 

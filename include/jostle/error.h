@@ -70,8 +70,8 @@ void diagnostics_add(struct diagnostics *d, const struct diagnostic *entry, cons
 void diagnostics_no_memory(struct diagnostics *d);
 
 // What was wrong with what was read, as the one error `e`, which says so far that something was:
-// `file:line:column: message` of the first error, and STATUS_SYSTEM if the system is to blame.
-// Returns its status.
+// `file:line:column: message` of the first error (`-D NAME=VALUE: message` of a -D), and
+// STATUS_SYSTEM if the system is to blame. Returns its status.
 int diagnostics_cause(const struct diagnostics *d, struct error *e);
 
 // Writes `file:line:column: error: message`, the source line and a caret line for each entry, with

@@ -22,15 +22,22 @@ static void quote(const char *text, FILE *to) {
     fputc('"', to);
 }
 
+void cells_put_text(const char *text, FILE *to) {
+    for (; *text; text++) {
+        fputc((unsigned char)*text < ' ' ? ' ' : *text, to);
+    }
+}
+
 void cells_text(struct cells *c, const char *text) {
     begin(c);
     if (c->form == CELLS_CSV && strpbrk(text, ",\"\r\n")) {
         quote(text, c->to);
         return;
     }
-    for (; *text; text++) {
-        const bool control = c->form == CELLS_TSV && (unsigned char)*text < ' ';
-        fputc(control ? ' ' : *text, c->to);
+    if (c->form == CELLS_TSV) {
+        cells_put_text(text, c->to);
+    } else {
+        fputs(text, c->to);
     }
 }
 

@@ -21,6 +21,9 @@ void cells_empty(struct cells *c);
 void cells_whole(struct cells *c, long value);
 void cells_end(struct cells *c);
 
+// A text with blanks in place of control characters, for lines that are printed in another way.
+void cells_put_text(const char *text, FILE *to);
+
 // A line of texts, parted by blanks: the head of a table.
 void cells_words(struct cells *c, const char *words);
 

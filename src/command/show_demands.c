@@ -52,9 +52,7 @@ static void take(void *context, const struct study_run *r) {
 }
 
 static int print(struct study_file *f, struct printer *p, struct error *e) {
-    for (int i = 0; i < p->view->n_sweep; i++) {
-        cells_text(&p->cells, p->view->sweep[i]->name);
-    }
+    show_sweep_names(&p->cells, p->view);
     cells_words(&p->cells, "edp location value unit status");
     cells_end(&p->cells);
     return study_runs_each(f, take, p, e);

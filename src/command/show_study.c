@@ -17,12 +17,21 @@ struct printer {
 
 void show_sweep_cells(struct cells *c, const struct study_view *v, long number) {
     for (int i = 0; i < v->n_sweep; i++) {
-        const struct sweep *s = v->sweep[i];
         const int k = study_runs_choice(v, number, i);
-        if (s->number) {
-            cells_number(c, s->number[k]);
-        } else {
-            cells_text(c, s->label[k]);
+        for (const struct sweep *s = v->sweep[i]; s; s = s->along) {
+            if (s->number) {
+                cells_number(c, s->number[k]);
+            } else {
+                cells_text(c, s->label[k]);
+            }
+        }
+    }
+}
+
+void show_sweep_names(struct cells *c, const struct study_view *v) {
+    for (int i = 0; i < v->n_sweep; i++) {
+        for (const struct sweep *s = v->sweep[i]; s; s = s->along) {
+            cells_text(c, s->name);
         }
     }
 }
@@ -71,9 +80,7 @@ static void take_lines(void *context, const struct study_run *r) {
 
 static int print_all(struct study_file *f, struct printer *p, struct error *e) {
     cells_words(&p->cells, "run");
-    for (int i = 0; i < p->view->n_sweep; i++) {
-        cells_text(&p->cells, p->view->sweep[i]->name);
-    }
+    show_sweep_names(&p->cells, p->view);
     cells_words(&p->cells, "status table name quantity location value unit");
     cells_end(&p->cells);
     return study_runs_each(f, take_lines, p, e);

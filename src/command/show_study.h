@@ -22,5 +22,7 @@ int show_demands(const char *path, const struct show_demands_request *q, FILE *t
 
 // A cell for the value of each sweep in run `number`.
 void show_sweep_cells(struct cells *c, const struct study_view *v, long number);
+// Their names.
+void show_sweep_names(struct cells *c, const struct study_view *v);
 
 #endif

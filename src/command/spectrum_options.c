@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/quantity_word.h"
 #include "command/spectrum.h"
 #include "command/threads.h"
 #include "core/arena.h"
@@ -78,37 +79,26 @@ static const char details[] =
     "arithmetic; percentiles are interpolated between the sorted values. With -o or --script the\n"
     "table of the spectrum is left out.\n";
 
-// Reads a number, with a unit or, where that is allowed, without one; NULL: it is none.
-enum bare { BARE_ALLOWED, BARE_REFUSED };
 static const char *read_quantity(const char *text, const struct dimension *dimension,
-                                 enum bare bare, double *value) {
-    const char *end;
-    if (text_number(text, &end, value) != TEXT_NUMBER_OK) {
-        return NULL;
-    }
+                                 double *value) {
     struct unit_system si;
     unit_system_init(&si);
-    struct dimension found;
-    double size;
-    const char *behind;
-    if (!unit_parse(end, si.gravity, &behind, &found, &size)) {
-        return bare == BARE_ALLOWED ? end : NULL;
-    }
-    *value *= size;
-    return dimension_equal(found, *dimension) ? behind : NULL;
+    return quantity_word(text, &si, dimension, BARE_ALLOWED, value);
 }
 
 // The whole of `text` as one quantity.
 static bool read_whole(const char *text, const struct dimension *dimension, enum bare bare,
                        double *value) {
-    const char *end = read_quantity(text, dimension, bare, value);
+    struct unit_system si;
+    unit_system_init(&si);
+    const char *end = quantity_word(text, &si, dimension, bare, value);
     return end && *end == '\0';
 }
 
 // "A,B,C" into `value`, which has room for `max`; returns how many, 0 if it is no such list.
 static int read_list(const char *text, const struct dimension *dimension, int max, double *value) {
     for (int n = 0; n < max;) {
-        text = read_quantity(text, dimension, BARE_ALLOWED, &value[n++]);
+        text = read_quantity(text, dimension, &value[n++]);
         if (!text || (*text != ',' && *text != '\0')) {
             return 0;
         }
@@ -174,8 +164,8 @@ static int log_grid(double from, double to, int n, struct arena *a, struct spect
 static int parse_range(const struct command *c, const char *text, struct arena *a,
                        struct spectrum_request *q) {
     double from, to, n;
-    const char *at = read_quantity(text, &dimension_time, BARE_ALLOWED, &from);
-    at = at && *at == ':' ? read_quantity(at + 1, &dimension_time, BARE_ALLOWED, &to) : NULL;
+    const char *at = read_quantity(text, &dimension_time, &from);
+    at = at && *at == ':' ? read_quantity(at + 1, &dimension_time, &to) : NULL;
     if (!at || *at != ':' || !read_whole(at + 1, &dimension_none, BARE_ALLOWED, &n)) {
         return command_usage(c, "--periods takes FROM:TO:N or a list, not '%s'", text);
     }

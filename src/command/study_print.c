@@ -84,6 +84,7 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
     fputc('\n', to);
     for (int i = 0; i < v->n_sweep; i++) {
         sweeps_print_line(v->sweep[i], v->sweep_units[i], to);
+        sweeps_print_along(v->sweep[i], NULL, to);
     }
     fprintf(to, "\nlargest values\n%-12s %-14s %5s %12s %-8s run\n", "", "quantity", "floor", "",
             "unit");

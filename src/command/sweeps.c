@@ -46,6 +46,21 @@ void sweeps_print_line(const struct sweep *s, const char *units, FILE *to) {
     fprintf(to, "%s%s\n", plain ? "" : " ", plain ? "" : units);
 }
 
+void sweeps_print_along(const struct sweep *s, const struct unit_system *u, FILE *to) {
+    for (const struct sweep *p = s->along; p; p = p->along) {
+        char name[32], units[64] = "";
+        if (p->units) {
+            snprintf(units, sizeof units, "%s", p->units);
+        } else if (p->known) {
+            unit_text(u, p->dimension, units, sizeof units);
+        }
+        struct sweep shown = *p;
+        snprintf(name, sizeof name, "  %s", p->name);
+        shown.name = name;
+        sweeps_print_line(&shown, units, to);
+    }
+}
+
 void sweeps_print(const struct deck *d) {
     if (!d->sweeps) {
         return;
@@ -57,5 +72,6 @@ void sweeps_print(const struct deck *d) {
             unit_text(&d->units, s->dimension, units, sizeof units);
         }
         sweeps_print_line(s, units, stdout);
+        sweeps_print_along(s, &d->units, stdout);
     }
 }

@@ -11,5 +11,7 @@ void sweeps_print(const struct deck *d);
 
 // A line for one sweep; `units` of its numbers.
 void sweeps_print_line(const struct sweep *s, const char *units, FILE *to);
+// A line for each random parameter along it; `u` is not needed where they come from a file.
+void sweeps_print_along(const struct sweep *s, const struct unit_system *u, FILE *to);
 
 #endif

@@ -140,8 +140,9 @@ int diagnostics_cause(const struct diagnostics *d, struct error *e) {
     for (int i = 0; i < d->n_item; i++) {
         const struct diagnostic *item = &d->item[i];
         if (item->severity == SEVERITY_ERROR) {
-            return error_set(e, status, "%s:%d:%d: %s", item->file, item->line, item->column,
-                             item->message);
+            return item->line > 0 ? error_set(e, status, "%s:%d:%d: %s", item->file, item->line,
+                                              item->column, item->message)
+                                  : error_set(e, status, "%s: %s", item->file, item->message);
         }
     }
     return status;

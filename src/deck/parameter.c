@@ -180,6 +180,15 @@ static bool check_name(struct deck *d, const struct word *w) {
     return true;
 }
 
+const struct define *parameter_definition(const struct deck *d, const char *name) {
+    for (int i = 0; i < d->reader->n_define; i++) {
+        if (strcmp(d->reader->define[i].name, name) == 0) {
+            return &d->reader->define[i];
+        }
+    }
+    return NULL;
+}
+
 bool parameter_is_free(struct deck *d, const struct word *name) {
     if (!check_name(d, name)) {
         return false;
@@ -210,6 +219,7 @@ bool parameter_keep(struct deck *d, const struct word *name, struct parameter *v
         kept->text = value->text;
         kept->sweep = value->sweep && !overridden;
         kept->swept = value->swept && !overridden;
+        kept->used = value->used;
     }
     return overridden;
 }
@@ -290,17 +300,8 @@ bool parameter_open(struct deck *d, const char *const *define, int n_define) {
     return true;
 }
 
-static const struct define *define_of(const struct deck *d, const struct parameter *p) {
-    for (int i = 0; i < d->reader->n_define; i++) {
-        if (strcmp(d->reader->define[i].name, p->name) == 0) {
-            return &d->reader->define[i];
-        }
-    }
-    return NULL;
-}
-
 static void report_unused(struct deck *d, const struct parameter *p) {
-    const struct define *define = define_of(d, p);
+    const struct define *define = parameter_definition(d, p->name);
     if (define) {
         struct word value = define->value;
         deck_error(d, &value, "nothing in the deck uses parameter '%s'", p->name);

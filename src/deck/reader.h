@@ -92,6 +92,7 @@ struct reader {
     const struct sweep *bound;  // sweeps of another reading that give their values; NULL: none
     const int *choice;
     struct sweep *last_sweep;
+    struct sampling *sampling;  // of random sweeps; NULL: none
     int n_sweep;
     bool swept;  // a parameter was read whose value depends on a sweep
     bool ended;
@@ -126,6 +127,14 @@ bool statement_run(struct deck *d, const struct statement *s);
 
 extern const char sweep_usage[];
 void sweep_run(struct deck *d, const struct statement *s);
+// Reads `w` as a value that fits `first` (NULL: any); false after having reported why it does not.
+bool sweep_value(struct deck *d, const struct word *w, const struct parameter *first,
+                 struct parameter *p);
+// Adds a sweep to those of the deck; `w` is where it stands. False after having reported that there
+// are too many of them, or of their runs.
+bool sweep_append(struct deck *d, const struct word *w, struct sweep *s);
+// What -D gives in place of the values.
+void sweep_fix(struct deck *d, const struct parameter *p, struct sweep *s);
 
 // parameter.c
 
@@ -137,6 +146,8 @@ void parameter_define(struct deck *d, const struct word *name, const struct word
 bool parameter_is_free(struct deck *d, const struct word *name);
 void parameter_read(struct deck *d, const struct word *w, struct parameter *p);
 bool parameter_keep(struct deck *d, const struct word *name, struct parameter *value);
+// What -D gives for the parameter; NULL: nothing.
+const struct define *parameter_definition(const struct deck *d, const char *name);
 struct parameter *parameter_find(const struct deck *d, const char *name, size_t n);
 // The parameter called from `from` to `to` in `w`; NULL after having reported an error.
 struct parameter *parameter_get(struct deck *d, const struct word *w, const char *from,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sweep NAME values|range|files ...: a parameter that takes one value after another, run by run.
+// sweep NAME values|range|files|random ...: a parameter that takes one value after another, run by
+// run.
 //
 // range gives FROM + i (TO - FROM) / (N - 1), or with -log FROM (TO / FROM)^(i / (N - 1)), i = 0 ..
 // N - 1; the last is TO itself. The values of a sweep do not depend on other sweeps, so that the
@@ -12,8 +13,11 @@
 #include "core/text.h"
 #include "deck/reader.h"
 #include "deck/sweep_files.h"
+#include "deck/sweep_random.h"
 
-const char sweep_usage[] = "sweep NAME values LIST | range FROM TO N [-log] | files \"GLOB\"";
+const char sweep_usage[] =
+    "sweep NAME values LIST | range FROM TO N [-log] | files \"GLOB\" | random DISTRIBUTION A B "
+    "-n N -seed S [-lhs] [-min X] [-max X] [-as SAMPLE]";
 
 static void *array(struct deck *d, size_t n, size_t size) {
     void *p = arena_alloc(d->arena, n, size);
@@ -23,13 +27,15 @@ static void *array(struct deck *d, size_t n, size_t size) {
     return p;
 }
 
-// Reads `w` as a value that fits the first one; false after having reported why it does not.
-static bool read_value(struct deck *d, const struct word *w, const struct parameter *first,
-                       struct parameter *p) {
+bool sweep_value(struct deck *d, const struct word *w, const struct parameter *first,
+                 struct parameter *p) {
     struct quantity_text got, needed;
     parameter_read(d, w, p);
-    if (p->kind == PARAMETER_WRONG || first->kind == PARAMETER_WRONG) {
+    if (p->kind == PARAMETER_WRONG || (first && first->kind == PARAMETER_WRONG)) {
         return false;
+    }
+    if (!first) {
+        return true;
     }
     if (p->kind != first->kind) {
         deck_error(d, w, "this is a %s, the first value a %s",
@@ -58,7 +64,7 @@ static struct parameter *read_values(struct deck *d, const struct word *word, in
     struct parameter *p = array(d, (size_t)n, sizeof *p);
     bool good = p != NULL;
     for (int i = 0; p && i < n; i++) {
-        good = read_value(d, &word[i], &p[0], &p[i]) && good;
+        good = sweep_value(d, &word[i], i > 0 ? &p[0] : NULL, &p[i]) && good;
     }
     return good ? p : NULL;
 }
@@ -212,7 +218,7 @@ static bool read_values_of(struct deck *d, const struct statement *s, struct swe
         const char *name;
         bool (*read)(struct deck *, const struct statement *, struct sweep *);
     } kind[] = {{"values", read_list}, {"range", read_range}, {"files", read_files}};
-    static const char *const known[] = {"values", "range", "files"};
+    static const char *const known[] = {"values", "range", "files", "random"};
     for (int i = 0; i < 3; i++) {
         if (strcmp(kind[i].name, s->word[2].text) == 0) {
             if (i != 1 && s->n_plain < s->n_word) {
@@ -222,7 +228,7 @@ static bool read_values_of(struct deck *d, const struct statement *s, struct swe
             return kind[i].read(d, s, sweep);
         }
     }
-    deck_unknown(d, &s->word[2], "kind of sweep", known, 3);
+    deck_unknown(d, &s->word[2], "kind of sweep", known, 4);
     return false;
 }
 
@@ -249,14 +255,18 @@ static struct parameter chosen(const struct deck *d, const struct sweep *sweep) 
     return p;
 }
 
-static void append(struct deck *d, const struct word *name, struct sweep *s) {
+bool sweep_append(struct deck *d, const struct word *w, struct sweep *s) {
     struct reader *r = d->reader;
     if (s->fixed) {
         s->n = 1;
     }
+    if (r->n_sweep == STUDY_SWEEPS_MAX) {
+        deck_error(d, w, "more than %d sweeps", STUDY_SWEEPS_MAX);
+        return false;
+    }
     if (d->n_run > STUDY_RUNS_MAX / s->n) {
-        deck_error(d, name, "the sweeps make more than %d runs", STUDY_RUNS_MAX);
-        return;
+        deck_error(d, w, "the sweeps make more than %d runs", STUDY_RUNS_MAX);
+        return false;
     }
     d->n_run *= s->n;
     if (r->last_sweep) {
@@ -266,6 +276,7 @@ static void append(struct deck *d, const struct word *name, struct sweep *s) {
     }
     r->last_sweep = s;
     r->n_sweep++;
+    return true;
 }
 
 // Reads the values; false after having reported what is wrong with them.
@@ -278,15 +289,10 @@ static bool read(struct deck *d, const struct statement *s, struct sweep *sweep)
         deck_error(d, &s->word[2], "the values of a sweep cannot depend on another sweep");
         return false;
     }
-    if (d->reader->n_sweep == STUDY_SWEEPS_MAX) {
-        deck_error(d, s->word, "more than %d sweeps", STUDY_SWEEPS_MAX);
-        return false;
-    }
     return true;
 }
 
-// What -D gives in place of the values.
-static void fix(struct deck *d, const struct parameter *p, struct sweep *s) {
+void sweep_fix(struct deck *d, const struct parameter *p, struct sweep *s) {
     s->fixed = true;
     if (p->kind != PARAMETER_WRONG) {
         take(d, s, p, 1);
@@ -305,15 +311,19 @@ void sweep_run(struct deck *d, const struct statement *s) {
         return;
     }
     sweep->name = s->word[1].text;
+    if (s->n_plain >= 4 && strcmp(s->word[2].text, "random") == 0) {
+        sweep_random(d, s, sweep);
+        return;
+    }
     struct parameter p = {.kind = PARAMETER_WRONG};
     if (s->n_plain >= 4 && read(d, s, sweep)) {
         p = chosen(d, sweep);
     }
     const bool good = p.kind != PARAMETER_WRONG;
     if (parameter_keep(d, &s->word[1], &p) && good) {
-        fix(d, &p, sweep);
+        sweep_fix(d, &p, sweep);
     }
     if (good) {
-        append(d, &s->word[1], sweep);
+        sweep_append(d, &s->word[1], sweep);
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The group /part of the file of one part: which study it is, the sweeps of that, and the files its
 // runs have read. The values of the runs have the dimension "run" in place of those of the sweeps.
+#include <hdf5_hl.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,6 +95,10 @@ static herr_t visit_sweep(hid_t group, const char *name, const H5L_info_t *info,
     struct study_file *f = context;
     struct study_view *v = &f->view;
     hid_t scale = h5_open_object(&f->h, group, name);
+    if (scale >= 0 && H5DSis_scale(scale) == 0) {  // random values along a sample, read with it
+        h5_close(&f->h, scale);
+        return 0;
+    }
     const long position = h5_get_long(&f->h, scale, "position");
     if (!f->h.failed && (position < 0 || position >= STUDY_SWEEPS_MAX || v->sweep[position])) {
         h5_fail(&f->h, "sweep '%s' has the position %ld", name, position);

@@ -9,6 +9,7 @@
 #include "core/arena.h"
 #include "result/study_box.h"
 #include "result/study_reader.h"
+#include "result/study_samples.h"
 
 // What a file may claim before it is taken for damaged.
 enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
@@ -70,7 +71,9 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     if (h5_failed(&f->h, H5Oget_info_by_name(group, name, &object, H5P_DEFAULT)) || !grow(f)) {
         return -1;
     }
-    hid_t dataset = object.type == H5O_TYPE_DATASET ? h5_open_object(&f->h, group, name) : -1;
+    const bool result =
+        object.type == H5O_TYPE_DATASET && !study_samples_has(f->dim, f->n_dim, name);
+    hid_t dataset = result ? h5_open_object(&f->h, group, name) : -1;
     const size_t n = dataset >= 0 ? values_of_run(f, dataset) : 0;
     if (n == 0) {
         h5_close(&f->h, dataset);
@@ -177,6 +180,7 @@ struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale,
     *units = "";
     if (H5Tget_class(type) == H5T_FLOAT) {
         s->number = h5_get_doubles(&f->h, v->arena, group, s->name, (size_t)s->n);
+        study_samples_get(&f->h, v->arena, group, scale, s);
         *units = h5_get_text(&f->h, v->arena, scale, "units");
     } else {
         s->label = (const char *const *)study_reader_texts(f, group, s->name, (size_t)s->n);

@@ -5,31 +5,39 @@
 #include <string.h>
 
 #include "result/part.h"
+#include "result/study_samples.h"
 #include "result/study_writer.h"
 
 enum { GROUP_MAX = 4096 };
 
-int study_tree_check(const struct study_content *c, struct error *e) {
+static int check_name(const struct study_content *c, const struct sweep *s, struct error *e) {
     static const char *const taken[] = {
         "status", "message", "sweep",      "buildings", "contacts",   "links",
         "energy", "totals",  "floor",      "contact",   "envelope",   "link",
         "name",   "left",    "left_floor", "right",     "right_floor"};
-    for (const struct sweep *s = c->sweeps; s; s = s->next) {
-        bool bad = false;
-        for (size_t i = 0; i < sizeof taken / sizeof taken[0]; i++) {
-            bad = bad || strcmp(taken[i], s->name) == 0;
-        }
-        for (int i = 0; i < c->table->n_item; i++) {
-            const struct study_item *item = &c->table->item[i];
-            bad = bad || (!item->property && strcmp(item->name, s->name) == 0);
-        }
-        if (bad && !s->fixed) {
-            return error_set(e, STATUS_INPUT,
-                             "sweep '%s' has the name of a result; give its parameter another one",
-                             s->name);
+    bool bad = false;
+    for (size_t i = 0; i < sizeof taken / sizeof taken[0]; i++) {
+        bad = bad || strcmp(taken[i], s->name) == 0;
+    }
+    for (int i = 0; i < c->table->n_item; i++) {
+        const struct study_item *item = &c->table->item[i];
+        bad = bad || (!item->property && strcmp(item->name, s->name) == 0);
+    }
+    return bad && !s->fixed
+               ? error_set(e, STATUS_INPUT,
+                           "sweep '%s' has the name of a result; give its parameter another one",
+                           s->name)
+               : STATUS_OK;
+}
+
+int study_tree_check(const struct study_content *c, struct error *e) {
+    int status = STATUS_OK;
+    for (const struct sweep *s = c->sweeps; s && status == STATUS_OK; s = s->next) {
+        for (const struct sweep *p = s; p && status == STATUS_OK; p = p->along) {
+            status = check_name(c, p, e);
         }
     }
-    return STATUS_OK;
+    return status;
 }
 
 bool study_tree_is_shared(const struct column *c) {
@@ -57,8 +65,9 @@ static void put_attributes(struct study_writer *w) {
     h5_put_long(&w->h, w->h.file, "parts", w->content->n_part);
 }
 
-// A number without a unit may be of any dimension: only its use says which.
-hid_t study_tree_sweep(struct study_writer *w, hid_t group, const struct sweep *s) {
+// The values of a sweep, open: a scale, or, with the `scale` of their sample, random values along
+// it. A number without a unit may be of any dimension: only its use says which.
+static hid_t put_values(struct study_writer *w, hid_t group, const struct sweep *s, hid_t scale) {
     struct h5_dataset d = {
         .name = s->name,
         .quantity = {"swept parameter", s->number && s->known ? &s->dimension : NULL},
@@ -66,25 +75,39 @@ hid_t study_tree_sweep(struct study_writer *w, hid_t group, const struct sweep *
         .file_type = s->number ? H5T_IEEE_F64LE : w->h.text,
         .n_dim = 1,
         .dim = {(hsize_t)s->n},
+        .scale = {scale},
         .many_users = true,
     };
-    hid_t scale = h5_dataset(&w->h, group, &d);
+    hid_t dataset = h5_dataset(&w->h, group, &d);
     if (s->number && !s->known) {
-        h5_put_text(&w->h, scale, "units", "unknown");
+        h5_put_text(&w->h, dataset, "units", "unknown");
     }
     const struct h5_block all = {.count = {d.dim[0]}, .n = d.dim[0], .stride = 1, .width = 1};
     if (s->number) {
-        h5_put_block(&w->h, scale, &all, s->number);
+        h5_put_block(&w->h, dataset, &all, s->number);
     } else {
-        h5_put_texts(&w->h, scale, &all, s->label);
+        h5_put_texts(&w->h, dataset, &all, s->label);
     }
+    return dataset;
+}
+
+hid_t study_tree_sweep(struct study_writer *w, hid_t group, const struct sweep *s) {
+    hid_t scale = put_values(w, group, s, 0);
+    for (const struct sweep *p = s->along; p; p = p->along) {
+        hid_t values = put_values(w, group, p, scale);
+        study_samples_put_dimension(&w->h, values, p);
+        h5_close(&w->h, values);
+    }
+    study_samples_name(&w->h, scale, &s, 1, STUDY_SAMPLES_NAMES);
     return scale;
 }
 
 static void link_scales(struct study_writer *w, hid_t group) {
     for (int i = 0; i < w->n_sweep; i++) {
         h5_hard_link(&w->h, w->scale[i], group, w->sweep[i]->name);
+        study_samples_link(w, group, w->sweep[i]);
     }
+    study_samples_name(&w->h, group, w->sweep, w->n_sweep, "coordinates");
 }
 
 // A group with the scale of its values, if it has one, and a group "envelope" with the same.
@@ -142,18 +165,9 @@ static struct h5_dataset over_sweeps(const struct study_writer *w, const char *n
     return d;
 }
 
-static bool is_taken(const struct study_writer *w, const char *name) {
-    for (int i = 0; i < w->n_sweep; i++) {
-        if (strcmp(w->sweep[i]->name, name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static hid_t put_item(struct study_writer *w, const struct study_item *item) {
     char path[GROUP_MAX];
-    if (is_taken(w, item->name)) {
+    if (study_samples_has(w->sweep, w->n_sweep, item->name)) {
         return -1;
     }
     snprintf(path, sizeof path, "/%s%s%s", item->parent, item->owner ? "/" : "",

@@ -24,13 +24,12 @@ static int attempt(struct run *r, double limit) {
     return status;
 }
 
-int adaptive_newmark_advance(struct run *r, long n, long end) {
-    double time = model_time(r->model, end);
+int adaptive_newmark_advance(struct run *r, double end, double h) {
+    (void)h;
     int status = STATUS_OK;
-    (void)n;
     run_forget_events(r);
-    while (status == STATUS_OK && r->now->time < time) {
-        status = attempt(r, time);
+    while (status == STATUS_OK && r->now->time < end) {
+        status = attempt(r, end);
     }
     return status;
 }

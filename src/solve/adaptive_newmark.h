@@ -6,7 +6,7 @@
 
 #include "solve/run.h"
 
-// Takes the state of `r` to the end of step `end` of the deck; struct run's `advance`.
-int adaptive_newmark_advance(struct run *r, long n, long end);
+// Takes the state of `r` to the time `end`, by struct run's `advance`.
+int adaptive_newmark_advance(struct run *r, double end, double h);
 
 #endif

@@ -213,48 +213,24 @@ void run_forget_events(struct run *r) {
     }
 }
 
-// One step of the deck.
-static int advance_step(struct run *r, long n) {
-    const struct model *m = r->model;
-    double end = model_time(m, n);
+static int advance_fixed(struct run *r, double end, double h) {
     run_forget_events(r);
-    return advance(r, end, n < m->n_step ? m->dt : end - r->now->time, 0);
+    return advance(r, end, h, 0);
 }
 
-// As far as the next poll, and no further than `end`.
-static long until_poll(const struct run *r, long n, long end) {
-    long left = POLL_STEPS - r->results->totals.steps % POLL_STEPS;
-    return end - n < left ? end : n + left;
-}
-
-static int advance_fixed(struct run *r, long n, long end) {
-    int status = STATUS_OK;
-    while (status == STATUS_OK && n < end) {
-        long reached = flight_take(&r->flight, &r->now, &r->next, n, until_poll(r, n, end));
-        if (reached > n) {
-            status = poll(r, r->now->time);
-            n = reached;
-        } else {
-            status = advance_step(r, ++n);
-        }
-    }
-    return status;
-}
-
-// The steps need not end where those of the deck do: `now` is the state within the last of them,
-// which nobody asks for between the start and the end of a run that is not observed.
-static int advance_dormand_prince(struct run *r, long n, long end) {
-    double time = model_time(r->model, end);
-    (void)n;
-    while (dormand_prince_time(r->adaptive) < time) {
+// The steps need not end at `end`: `now` is the state within the last of them, which nobody asks
+// for between the start and the end of a run that is not observed.
+static int advance_dormand_prince(struct run *r, double end, double h) {
+    (void)h;
+    while (dormand_prince_time(r->adaptive) < end) {
         int status = dormand_prince_step(r->adaptive, r->error);
         status = status == STATUS_OK ? poll(r, dormand_prince_time(r->adaptive)) : status;
         if (status != STATUS_OK) {
             return status;
         }
     }
-    if (r->observer || end == r->model->n_step) {
-        dormand_prince_row(r->adaptive, time, r->now, &r->energy);
+    if (r->observer || end == r->model->duration) {
+        dormand_prince_row(r->adaptive, end, r->now, &r->energy);
     }
     return STATUS_OK;
 }
@@ -293,22 +269,45 @@ static int observe(struct run *r) {
     return o->row(o->context, &row, r->error);
 }
 
-// From row to row of the output.
+// Steps from n of the deck as far as the next row of the output, or the next poll.
+static long stretch_end(const struct run *r, long n) {
+    long every = r->model->output.every;
+    long row = (n / every + 1) * every;
+    long asked = n + POLL_STEPS - r->results->totals.steps % POLL_STEPS;
+    return row < asked ? row : asked;
+}
+
+// Goes from step n of the deck to a later one, which is returned in n: through as many as are in
+// free flight, or through one.
+static int proceed(struct run *r, long *n) {
+    const struct model *m = r->model;
+    long reached = flight_take(&r->flight, &r->now, &r->next, *n, stretch_end(r, *n));
+    if (reached > *n) {
+        *n = reached;
+        return poll(r, r->now->time);
+    }
+    double end = model_time(m, ++*n);
+    return r->advance(r, end, *n < m->n_step ? m->dt : end - r->now->time);
+}
+
 static int loop(struct run *r) {
     const struct model *m = r->model;
     int status = STATUS_OK;
-    for (long n = 0, row; status == STATUS_OK && n < m->n_step; n = row) {
-        row = n + m->output.every < m->n_step ? n + m->output.every : m->n_step;
-        status = r->advance(r, n, row);
-        bool shown = r->observer || row == m->n_step;
-        status = status == STATUS_OK && shown ? observe(r) : status;
+    for (long n = 0; status == STATUS_OK && n < m->n_step;) {
+        status = proceed(r, &n);
+        bool shown = r->observer && n % m->output.every == 0;
+        if (status == STATUS_OK && (shown || n == m->n_step)) {
+            status = observe(r);
+        }
     }
     return status;
 }
 
 int analysis_step(struct run *r, long n) {
-    bool row = (r->observer && n % r->model->output.every == 0) || n == r->model->n_step;
-    int status = advance_step(r, n);
+    const struct model *m = r->model;
+    double end = model_time(m, n);
+    int status = r->advance(r, end, n < m->n_step ? m->dt : end - r->now->time);
+    bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
     return status == STATUS_OK && row ? observe(r) : status;
 }
 
@@ -330,8 +329,9 @@ static bool run_alloc(struct run *r, struct arena *a) {
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
     r->flight = (struct flight){.work = &r->work, .results = r->results, .energy = &r->energy};
     return r->events && r->meeting && state_alloc(r->next, m, a) &&
-           work_alloc(&r->work, m, &r->results->totals, a) && flight_alloc(&r->flight, m, a) &&
-           (!m->adaptive || step_length_alloc(&r->length, m, r->results, a));
+           work_alloc(&r->work, m, &r->results->totals, a) &&
+           (m->adaptive ? step_length_alloc(&r->length, m, r->results, a)
+                        : flight_alloc(&r->flight, m, a));
 }
 
 static int run_start(struct run *r) {

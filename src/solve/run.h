@@ -15,10 +15,10 @@ struct run {
     const struct observer *observer;
     struct state *now, *next;
     struct state store[2];
-    // Takes `now` from step n of the deck to step `end`.
-    int (*advance)(struct run *r, long n, long end);
+    // Takes `now` to the time `end`, h later.
+    int (*advance)(struct run *r, double end, double h);
     struct work work;           // of Newmark's method
-    struct flight flight;       // of its fixed steps
+    struct flight flight;       // of fixed steps
     struct step_length length;  // of its adaptive steps
     struct dp *adaptive;        // Dormand & Prince's method; NULL: Newmark's
     struct energy_account energy;

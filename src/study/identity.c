@@ -11,10 +11,13 @@ static uint64_t sum_text(uint64_t sum, const char *text) {
 }
 
 static uint64_t sum_sweep(const struct sweep *s) {
-    uint64_t sum = sum_text(checksum_start, s->name);
-    for (int i = 0; i < s->n; i++) {
-        sum = s->number ? checksum_add(sum, &s->number[i], sizeof s->number[i])
-                        : sum_text(sum, s->text[i]);
+    uint64_t sum = checksum_start;
+    for (; s; s = s->along) {
+        sum = sum_text(sum, s->name);
+        for (int i = 0; i < s->n; i++) {
+            sum = s->number ? checksum_add(sum, &s->number[i], sizeof s->number[i])
+                            : sum_text(sum, s->text[i]);
+        }
     }
     return sum;
 }

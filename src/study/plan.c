@@ -75,8 +75,16 @@ static bool same_values(const struct sweep *a, const struct sweep *b) {
     return true;
 }
 
-static bool same_sweeps(const struct sweep *a, const struct sweep *b) {
+static bool same_samples(const struct sweep *a, const struct sweep *b) {
     while (a && b && same_values(a, b)) {
+        a = a->along;
+        b = b->along;
+    }
+    return !a && !b;
+}
+
+static bool same_sweeps(const struct sweep *a, const struct sweep *b) {
+    while (a && b && same_samples(a, b)) {
         a = a->next;
         b = b->next;
     }

@@ -20,15 +20,8 @@ static int fail_deck(struct study_outcome *outcome, const struct deck *deck, str
     return STATUS_OK;
 }
 
-static void start(const struct plan *p, struct trial *t) {
-    t->outcome = (struct study_outcome){.status = STUDY_DONE};
-    for (size_t i = 0; i < p->table->n_value; i++) {
-        t->value[i] = NAN;
-    }
-}
-
-static int open_deck(const struct plan *p, long run, struct deck **out, struct error *e) {
-    int choice[STUDY_SWEEPS_MAX];
+static int open_deck(const struct plan *p, long run, int *choice, struct deck **out,
+                     struct error *e) {
     const struct deck *first = p->first->deck;
     int status = deck_open_text(first->path, first->text, p->define, p->n_define, out, e);
     if (status == STATUS_OK) {
@@ -38,9 +31,60 @@ static int open_deck(const struct plan *p, long run, struct deck **out, struct e
     return status;
 }
 
+int trial_analyse(const struct model *m, const struct trial_watch *watch,
+                  struct study_outcome *outcome, struct results **out, struct error *e) {
+    const struct observer observer = {.poll = watch->poll, .context = watch->context};
+    *out = NULL;
+    int status = analysis_run(m, &observer, out, e);
+    if (status == STATUS_FAILED) {
+        fail(outcome, e->message);
+        *out = NULL;
+        return STATUS_OK;
+    }
+    return status;
+}
+
+static int build(const struct plan *p, long run, struct deck *deck, const struct trial_watch *watch,
+                 trial_use *use, void *context, struct study_outcome *outcome, struct error *e) {
+    struct model *m;
+    int status = model_build_shared(deck, watch->records, &m, e);
+    const bool built = status == STATUS_OK;
+    if (status == STATUS_INPUT) {
+        status = fail_deck(outcome, deck, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    status = watch->files ? watch->files(watch->context, deck->files, e) : STATUS_OK;
+    if (status == STATUS_OK && built) {
+        status = plan_check(p, run, m, e);
+    }
+    return status == STATUS_OK && built ? use(context, m, outcome, e) : status;
+}
+
+int trial_build(const struct plan *p, long run, const struct trial_watch *watch, trial_use *use,
+                void *context, struct study_outcome *outcome, struct error *e) {
+    int choice[STUDY_SWEEPS_MAX];
+    struct deck *deck;
+    *outcome = (struct study_outcome){.status = STUDY_DONE};
+    int status = open_deck(p, run, choice, &deck, e);
+    if (status == STATUS_OK) {
+        status = build(p, run, deck, watch, use, context, outcome, e);
+        deck_free(deck);  // and the model with it
+    }
+    return status;
+}
+
+static void start(const struct plan *p, struct trial *t) {
+    t->outcome = (struct study_outcome){.status = STUDY_DONE};
+    for (size_t i = 0; i < p->table->n_value; i++) {
+        t->value[i] = NAN;
+    }
+}
+
 // The model of a run; NULL: its deck is wrong for its values, which is an outcome.
-static int build(const struct plan *p, struct trial *t, const struct trial_watch *watch,
-                 struct deck *deck, struct model **out) {
+static int build_run(const struct plan *p, struct trial *t, const struct trial_watch *watch,
+                     struct deck *deck, struct model **out) {
     int status = model_build_shared(deck, watch->records, out, &t->error);
     const bool built = status == STATUS_OK;
     if (status == STATUS_INPUT) {
@@ -82,14 +126,15 @@ void trial_run(const struct plan *p, struct trial *trial, int n, const struct tr
     struct deck *deck[ENSEMBLE_MAX] = {NULL};
     struct ensemble_member member[ENSEMBLE_MAX];
     struct trial *built[ENSEMBLE_MAX];
+    int choice[STUDY_SWEEPS_MAX];
     int n_built = 0;
     for (int i = 0; i < n; i++) {
         struct trial *t = &trial[i];
         struct model *m = NULL;
         start(p, t);
-        t->status = open_deck(p, t->run, &deck[i], &t->error);
+        t->status = open_deck(p, t->run, choice, &deck[i], &t->error);
         if (t->status == STATUS_OK) {
-            t->status = build(p, t, watch, deck[i], &m);
+            t->status = build_run(p, t, watch, deck[i], &m);
         }
         if (t->status == STATUS_OK && m) {
             member[n_built] = (struct ensemble_member){.model = m};

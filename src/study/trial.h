@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Some runs of a study, in memory. Those whose models are alike go in lockstep.
+// One run of a study, in memory.
 #ifndef JOSTLE_TRIAL_H
 #define JOSTLE_TRIAL_H
 
+#include "jostle/analysis.h"
 #include "study/plan.h"
 
 // What a trial asks of the study it belongs to. Not 0 ends the trial with that status.
 struct trial_watch {
-    // The deck of a run has been read; `files` are those it read.
+    // The deck of the run has been read; `files` are those it read. NULL: that is of no interest.
     int (*files)(void *context, const struct deck_path *files, struct error *e);
-    // Called now and then.
+    // Called now and then. NULL: never.
     int (*poll)(void *context, double time, struct error *e);
     void *context;
     struct shelf *records;  // that all trials share
 };
+
+// What is done with the model of a run. Errors as of trial_run.
+typedef int trial_use(void *context, const struct model *m, struct study_outcome *outcome,
+                      struct error *e);
+
+// Builds the model of run `run` and hands it to `use`, unless the deck is wrong for its values,
+// which is an outcome. Errors as of trial_run.
+int trial_build(const struct plan *p, long run, const struct trial_watch *watch, trial_use *use,
+                void *context, struct study_outcome *outcome, struct error *e);
+
+// Runs a model. An analysis that fails is an outcome, and *out is NULL; otherwise it must be given
+// to results_free. Errors as of trial_run.
+int trial_analyse(const struct model *m, const struct trial_watch *watch,
+                  struct study_outcome *outcome, struct results **out, struct error *e);
 
 struct trial {
     long run;       // of the study, from 0

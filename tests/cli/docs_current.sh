@@ -31,6 +31,7 @@ same docs/spectrum.md
 same docs/accuracy.md
 same docs/studies.md
 same docs/ida.md
+same docs/gap.md
 same docs/restitution.md
 same docs/law-command.md
 same README.md

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # docs.sh JOSTLE FOLDER: writes into FOLDER what of the documentation the program itself prints:
-# laws.md, deck-statements.md and restitution.md; law-command.md, spectrum.md, studies.md, ida.md,
+# laws.md, deck-statements.md and restitution.md; law-command.md, spectrum.md, studies.md, ida.md, gap.md,
 # accuracy.md and README.md with what they show made anew, but for wall times, which no two runs share.
 set -eu
 jostle=$1
@@ -34,3 +34,7 @@ sh tests/support/with_block.sh spectrum "$folder/spectra" <docs/spectrum.md |
 "$jostle" converge "$example" >"$folder/converged" || [ $? -eq 1 ]
 sh tests/support/with_block.sh check "$folder/checked" <docs/accuracy.md |
     sh tests/support/with_block.sh converge "$folder/converged" >"$folder/accuracy.md"
+"$jostle" gap input/separation.deck >"$folder/closing"
+"$jostle" gap input/separation.deck --limit force=2000kN --range 0:120mm:13 >"$folder/limit"
+sh tests/support/with_block.sh closing "$folder/closing" <docs/gap.md |
+    sh tests/support/with_block.sh limit "$folder/limit" >"$folder/gap.md"

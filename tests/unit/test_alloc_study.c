@@ -13,7 +13,8 @@
 
 static const char text[] = "sweep gap values 1mm 2mm\n"
                            "sweep record files \"memory*.txt\"\n"
-                           "building A -floors 2 -mass 1 -stiffness 400\n"
+                           "sweep k random uniform 300 400 -n 2 -seed 1\n"
+                           "building A -floors 2 -mass 1 -stiffness $k\n"
                            "contact A wall -gap $gap -law hertz -k 1e4\n"
                            "ground record $record -unit m/s2 -dt 0.05\n"
                            "step fixed 0.01\n";

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle gap: the gap that buildings need. Without --limit, how near they come when they never
+// touch, next to what rules give; with it, the gap beyond which the limit is kept.
+#include <getopt.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command/gap_print.h"
+#include "command/interrupt.h"
+#include "command/load.h"
+#include "command/progress.h"
+#include "command/quantity_word.h"
+#include "command/threads.h"
+#include "core/text.h"
+
+static int gap_command(int argc, char **argv);
+
+const struct command command_gap = {
+    .name = "gap",
+    .usage =
+        "DECK [-D NAME=VALUE]... [-j THREADS] [--tsv]\n"
+        "       jostle gap DECK --limit EDP=VALUE [--range FROM:TO:N] [--tolerance LENGTH]\n"
+        "                  [--percentile P] [--parameter PARAM] [-D NAME=VALUE]... [-j THREADS]\n"
+        "                  [--tsv]",
+    .summary = "prints the gap that would avoid contact, or keep a limit",
+    .run = gap_command,
+};
+
+static const char details[] =
+    "  -D NAME=VALUE       overrides a param of the deck; may be repeated\n"
+    "  -j THREADS          threads, default: all cores\n"
+    "  --limit EDP=VALUE   the gap beyond which the largest EDP is at most VALUE: force, drift,\n"
+    "                      acceleration, displacement, velocity, storey_shear, impulse or "
+    "impacts;\n"
+    "                      EDP:NAME is of one contact or building; VALUE may have a unit\n"
+    "  --range FROM:TO:N   gaps to scan; default 0 to the largest closing displacement, 33 gaps\n"
+    "  --tolerance LENGTH  of the bisection; default a thousandth of the range\n"
+    "  --percentile P      of the runs that must keep the limit; default 100, all of them\n"
+    "  --parameter PARAM   the parameter of the deck that is the gap; default: all contacts get "
+    "it\n"
+    "  --tsv               a table separated by tabs: every run and contact, or every gap\n"
+    "  --help              this text\n\n"
+    "Runs all runs of the deck's sweeps. Without --limit they are run without contact, links "
+    "acting,\n"
+    "and the largest closing displacement at each contact stands next to what codes combine from "
+    "the\n"
+    "largest displacements of both sides. With --limit gaps are scanned, and the last change is\n"
+    "bisected; the response is no monotone function of the gap, so the scan bounds what is seen.\n"
+    "Nothing is written. Exit status: 1 if runs failed or no gap keeps the limit.\n";
+
+enum { POINTS_DEFAULT = 33 };
+
+struct options {
+    struct load_request load;
+    int n_thread;
+    bool tsv;
+    const char *limit, *range, *tolerance, *percentile, *parameter;
+};
+
+static int show_progress(void *context, long n_done, struct error *e) {
+    progress_show(context, (double)n_done);
+    const int signal = interrupt_number();
+    return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", signal) : STATUS_OK;
+}
+
+// EXIT_DONE, or the status of what ended the runs.
+static int run_apart(const struct plan *p, const struct options *o, struct apart *a) {
+    struct progress progress;
+    struct error e;
+    const struct gap_runs how = {
+        .n_thread = o->n_thread, .poll = show_progress, .context = &progress};
+    progress_start(&progress, (double)p->n_run, "runs");
+    int status = apart_run(p, &how, a, &e);
+    progress_end(&progress);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+}
+
+static int fail_runs(const struct plan *p, const struct apart *a) {
+    long run = 0;
+    while (a->outcome[run].status != STUDY_FAILED) {
+        run++;
+    }
+    struct plan_text t;
+    struct error e;
+    error_set(&e, STATUS_FAILED, "%ld of %ld runs failed, the first: %s: %s", a->n_failed, a->n_run,
+              plan_describe(p, run, &t), a->outcome[run].message);
+    return command_fail(&e);
+}
+
+static int print_apart(const struct plan *p, const struct options *o) {
+    struct apart a = {.n_run = 0};
+    int status = run_apart(p, o, &a);
+    double *scratch = status == EXIT_DONE ? calloc((size_t)a.n_run, sizeof *scratch) : NULL;
+    if (status == EXIT_DONE && !scratch) {
+        struct error e;
+        error_no_memory(&e);
+        status = command_fail(&e);
+    } else if (status == EXIT_DONE && o->tsv) {
+        gap_print_apart_tsv(p, &a);
+    } else if (status == EXIT_DONE) {
+        gap_print_apart(p, &a, scratch);
+    }
+    if (status == EXIT_DONE && a.n_failed > 0) {
+        status = fail_runs(p, &a);
+    }
+    free(scratch);
+    apart_close(&a);
+    return status;
+}
+
+// From 0 to a thousandth beyond where nothing touches any more.
+static int default_range(const struct plan *p, const struct options *o,
+                         struct gap_search_request *q) {
+    struct apart a = {.n_run = 0};
+    int status = run_apart(p, o, &a);
+    q->from = q->to = 0.0;
+    q->n = POINTS_DEFAULT;
+    for (long run = 0; status == EXIT_DONE && run < a.n_run; run++) {
+        for (int i = 0; i < a.n_contact; i++) {
+            q->to = fmax(q->to, apart_values(&a, run, i)[APART_CLOSING]);
+        }
+    }
+    q->to *= 1.001;
+    if (status == EXIT_DONE && a.n_failed > 0) {
+        status = fail_runs(p, &a);
+    }
+    apart_close(&a);
+    return status == EXIT_DONE && !(q->to > 0.0)
+               ? command_usage(&command_gap, "the buildings never move towards each other; --range "
+                                             "says which gaps to look at")
+               : status;
+}
+
+static int parse_range(const struct unit_system *u, const char *text,
+                       struct gap_search_request *q) {
+    double n;
+    const char *at = quantity_word(text, u, &dimension_length, BARE_ALLOWED, &q->from);
+    at =
+        at && *at == ':' ? quantity_word(at + 1, u, &dimension_length, BARE_ALLOWED, &q->to) : NULL;
+    at = at && *at == ':' ? quantity_word(at + 1, u, &dimension_none, BARE_ALLOWED, &n) : NULL;
+    if (!at || *at || !(q->from >= 0.0 && q->from < q->to) ||
+        !(n >= 2.0 && n <= GAP_POINTS_MAX && n == floor(n))) {
+        return command_usage(&command_gap,
+                             "--range takes FROM:TO:N, 0 <= FROM < TO and N from 2 to %d, not '%s'",
+                             GAP_POINTS_MAX, text);
+    }
+    q->n = (int)n;
+    return EXIT_DONE;
+}
+
+// A quantity of its own that is at least `least` and at most `most`.
+static int parse_quantity(const char *option, const struct unit_system *u,
+                          const struct dimension *dimension, const char *text, double least,
+                          double most, double *out) {
+    const char *end = quantity_word(text, u, dimension, BARE_ALLOWED, out);
+    if (end && !*end && *out >= least && *out <= most) {
+        return EXIT_DONE;
+    }
+    char unit[64];
+    unit_text(u, *dimension, unit, sizeof unit);
+    return isinf(most) ? command_usage(&command_gap, "%s takes a value >= %g in %s, not '%s'",
+                                       option, least, unit, text)
+                       : command_usage(&command_gap, "%s takes a number from %g to %g, not '%s'",
+                                       option, least, most, text);
+}
+
+static int unknown_edp(const char *name, size_t n) {
+    char known[256] = "";
+    for (int i = 0; i < n_gap_measure_kind; i++) {
+        const size_t used = strlen(known);
+        snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "",
+                 gap_measure_kinds[i].name);
+    }
+    return command_usage(&command_gap, "--limit knows no '%.*s'; it takes %s", (int)n, name, known);
+}
+
+// EDP[:NAME]=VALUE
+static int parse_limit(const struct model *m, const char *text, struct gap_search_request *q) {
+    const char *equal = strrchr(text, '=');
+    const size_t n = strcspn(text, ":=");
+    if (!equal) {
+        return command_usage(&command_gap, "--limit takes EDP=VALUE, not '%s'", text);
+    }
+    for (int i = 0; i < n_gap_measure_kind; i++) {
+        if (strlen(gap_measure_kinds[i].name) == n &&
+            strncmp(gap_measure_kinds[i].name, text, n) == 0) {
+            q->edp = (struct gap_measure){.kind = &gap_measure_kinds[i], .owner = -1};
+        }
+    }
+    if (!q->edp.kind) {
+        return unknown_edp(text, n);
+    }
+    if (text[n] == ':') {
+        char name[256];
+        snprintf(name, sizeof name, "%.*s", (int)(equal - text - (long)n - 1), text + n + 1);
+        q->edp.owner = gap_measure_find_owner(q->edp.kind, m, name);
+        if (q->edp.owner < 0) {
+            return command_usage(&command_gap, "the deck has no %s '%s'",
+                                 q->edp.kind->of_link ? "contact" : "building", name);
+        }
+    }
+    return parse_quantity("--limit", &m->deck->units, q->edp.kind->dimension, equal + 1, 0.0,
+                          INFINITY, &q->limit);
+}
+
+static int make_request(const struct plan *p, const struct options *o,
+                        struct gap_search_request *q) {
+    const struct unit_system *u = &p->first->deck->units;
+    *q = (struct gap_search_request){.plan = p, .parameter = o->parameter, .percentile = 100.0};
+    int status = parse_limit(p->first, o->limit, q);
+    if (status == EXIT_DONE && o->percentile) {
+        status = parse_quantity("--percentile", u, &dimension_none, o->percentile, 0.0, 100.0,
+                                &q->percentile);
+    }
+    if (status == EXIT_DONE && o->tolerance) {
+        status = parse_quantity("--tolerance", u, &dimension_length, o->tolerance, 0.0, INFINITY,
+                                &q->tolerance);
+    }
+    if (status == EXIT_DONE) {
+        status = o->range ? parse_range(u, o->range, q) : default_range(p, o, q);
+    }
+    q->tolerance = o->tolerance ? q->tolerance : (q->to - q->from) / 1000.0;
+    return status;
+}
+
+static int run_search(const struct plan *p, const struct options *o) {
+    struct gap_search_request q;
+    int status = make_request(p, o, &q);
+    if (status != EXIT_DONE) {
+        return status;
+    }
+    struct gap_search s;
+    struct error e;
+    struct progress progress;
+    const struct gap_runs how = {
+        .n_thread = o->n_thread, .poll = show_progress, .context = &progress};
+    progress_start(&progress, (double)q.n * (double)p->n_run, "runs");
+    status = gap_search_run(&q, &how, &s, &e);
+    progress_end(&progress);
+    if (status != STATUS_OK) {
+        status = command_fail(&e);
+    } else {
+        (o->tsv ? gap_print_search_tsv : gap_print_search)(&q, &s);
+        if (!s.found) {
+            error_set(&e, STATUS_FAILED, "no gap of the range keeps the limit");
+            status = command_fail(&e);
+        }
+    }
+    gap_search_close(&s);
+    return status;
+}
+
+static int run_deck(const struct model *m, const struct options *o) {
+    if (m->n_contact == 0) {
+        struct error e;
+        error_set(&e, STATUS_INPUT, "the deck has no contact");
+        return command_fail(&e);
+    }
+    const struct plan plan = {.first = m,
+                              .define = o->load.define,
+                              .n_define = o->load.n_define,
+                              .n_run = m->deck->n_run};
+    interrupt_catch();
+    return o->limit ? run_search(&plan, o) : print_apart(&plan, o);
+}
+
+static int check_options(const struct options *o, int n_operand) {
+    if (n_operand != 1) {
+        return command_usage(&command_gap, "one deck is expected, not %d", n_operand);
+    }
+    const char *useless = o->range        ? "--range"
+                          : o->tolerance  ? "--tolerance"
+                          : o->percentile ? "--percentile"
+                          : o->parameter  ? "--parameter"
+                                          : NULL;
+    return useless && !o->limit ? command_usage(&command_gap, "%s goes with --limit", useless)
+                                : EXIT_DONE;
+}
+
+// EXIT_DONE with the options filled, else the status to return; *helped if help was asked for.
+static int parse(int argc, char **argv, const char **define, struct options *o, bool *helped) {
+    static const struct option option[] = {
+        {"define", required_argument, NULL, 'D'},
+        {"threads", required_argument, NULL, 'j'},
+        {"limit", required_argument, NULL, 'l'},
+        {"range", required_argument, NULL, 'r'},
+        {"tolerance", required_argument, NULL, 't'},
+        {"percentile", required_argument, NULL, 'p'},
+        {"parameter", required_argument, NULL, 'n'},
+        {"tsv", no_argument, NULL, 's'},
+        {"help", no_argument, NULL, 'h'},
+        {NULL, 0, NULL, 0},
+    };
+    int status = EXIT_DONE;
+    opterr = 0;
+    optind = 1;
+    for (int c;
+         status == EXIT_DONE && (c = getopt_long(argc, argv, ":D:j:h", option, NULL)) != -1;) {
+        const char **text = c == 'l'   ? &o->limit
+                            : c == 'r' ? &o->range
+                            : c == 't' ? &o->tolerance
+                            : c == 'p' ? &o->percentile
+                            : c == 'n' ? &o->parameter
+                                       : NULL;
+        if (text) {
+            *text = optarg;
+        } else if (c == 'D') {
+            define[o->load.n_define++] = optarg;
+        } else if (c == 'j') {
+            status = threads_parse(&command_gap, optarg, &o->n_thread);
+        } else if (c == 's') {
+            o->tsv = true;
+        } else if (c == 'h') {
+            *helped = true;
+            return command_help(&command_gap, details);
+        } else {
+            return command_bad_option(&command_gap, c, argv);
+        }
+    }
+    o->load.path = argv[optind];
+    return status == EXIT_DONE ? check_options(o, argc - optind) : status;
+}
+
+static int gap_command(int argc, char **argv) {
+    struct options o = {.n_thread = threads_all()};
+    const char **define = calloc((size_t)argc, sizeof *define);
+    if (!define) {
+        struct error e;
+        error_no_memory(&e);
+        return command_fail(&e);
+    }
+    o.load.define = define;
+    bool helped = false;
+    int status = parse(argc, argv, define, &o, &helped);
+    if (status == EXIT_DONE && !helped) {
+        struct model *m;
+        status = load_model(&o.load, &m);
+        if (status == EXIT_DONE) {
+            status = run_deck(m, &o);
+            model_free(m);
+        }
+    }
+    free(define);
+    return status;
+}

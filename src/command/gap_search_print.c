@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <math.h>
+#include <stdio.h>
+
+#include "command/cells.h"
+#include "command/gap_print.h"
+
+static const char *unit_of(const struct gap_search_request *q, char *text, size_t size) {
+    unit_text(&q->plan->first->deck->units, *q->edp.kind->dimension, text, size);
+    return text;
+}
+
+static double spacing(const struct gap_search_request *q) {
+    return (q->to - q->from) / (q->n - 1);
+}
+
+// "84 % of the runs keep drift <= 0.02 m"
+static void print_aim(const struct gap_search_request *q) {
+    const struct model *m = q->plan->first;
+    const struct gap_measure *edp = &q->edp;
+    char unit[64];
+    const char *owner = edp->owner < 0       ? ""
+                        : edp->kind->of_link ? m->link[edp->owner].name
+                                             : m->building[edp->owner].name;
+    printf("%s%slargest %s%s%s at most %.6g %s", m->deck->title, m->deck->title[0] ? "\n" : "",
+           edp->kind->name, owner[0] ? " of " : "", owner, q->limit, unit_of(q, unit, sizeof unit));
+    if (q->plan->n_run == 1) {
+        printf("\n");
+    } else if (q->percentile == 100.0) {
+        printf(" in all %ld runs\n", q->plan->n_run);
+    } else {
+        printf(", percentile %g of %ld runs\n", q->percentile, q->plan->n_run);
+    }
+}
+
+static void print_point(const struct gap_point *p) {
+    printf("%12.5g ", p->gap);
+    if (p->n_failed > 0) {
+        printf("%14s %8s %8ld  %ld failed: %s\n", "-", "broken", p->run + 1, p->n_failed,
+               p->message);
+    } else {
+        printf("%14.6g %8s %8ld\n", p->value, p->kept ? "kept" : "broken", p->run + 1);
+    }
+}
+
+static void print_answer(const struct gap_search_request *q, const struct gap_search *s) {
+    const char *length = q->plan->first->deck->units.length_name;
+    if (!s->found) {
+        printf("\nno gap: the limit is broken at the widest one, %.6g %s\n", q->to, length);
+    } else if (isnan(s->below)) {
+        printf("\ngap %.6g %s: every gap scanned keeps the limit\n", s->gap, length);
+    } else {
+        printf("\ngap %.6g %s: from here on every gap scanned keeps the limit; %.6g %s does not\n",
+               s->gap, length, s->below, length);
+    }
+    printf(
+        "The response is no smooth function of the gap: between gaps that are %.3g %s apart the\n"
+        "limit may be broken unseen.\n",
+        spacing(q), length);
+}
+
+void gap_print_search(const struct gap_search_request *q, const struct gap_search *s) {
+    const struct unit_system *u = &q->plan->first->deck->units;
+    char unit[64], gap[80], value[128];
+    print_aim(q);
+    printf("%s%s: %d gaps from %.6g to %.6g %s, then bisection to %.3g %s, %d gaps in all\n\n",
+           q->parameter ? "parameter " : "", q->parameter ? q->parameter : "gaps of all contacts",
+           q->n, q->from, q->to, u->length_name, q->tolerance, u->length_name, s->n_point);
+    snprintf(gap, sizeof gap, "gap [%s]", u->length_name);
+    snprintf(value, sizeof value, "value [%s]", unit_of(q, unit, sizeof unit));
+    printf("%12s %14s %8s %8s\n", gap, value, "limit", "in run");
+    for (int i = 0; i < s->n_point; i++) {
+        if (s->point[i].stage == GAP_SCAN) {
+            print_point(&s->point[i]);
+        }
+    }
+    print_answer(q, s);
+}
+
+void gap_print_search_tsv(const struct gap_search_request *q, const struct gap_search *s) {
+    char unit[64];
+    printf("stage\tgap [%s]\t%s [%s]\tlimit\tfailed\trun\tmessage\n",
+           q->plan->first->deck->units.length_name, q->edp.kind->name,
+           unit_of(q, unit, sizeof unit));
+    for (int i = 0; i < s->n_point; i++) {
+        const struct gap_point *p = &s->point[i];
+        printf("%s\t%.17g\t%.17g\t%s\t%ld\t%ld\t", p->stage == GAP_SCAN ? "scan" : "bisection",
+               p->gap, p->value, p->kept ? "kept" : "broken", p->n_failed, p->run + 1);
+        cells_put_text(p->message, stdout);
+        putchar('\n');
+    }
+    if (s->found) {
+        printf("result\t%.17g\t\tkept\t\t\t\n", s->gap);
+    }
+}

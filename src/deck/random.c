@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random values by the inverse of the distribution, x = F^-1(u), one u for each x, so that u says
+// which share of the distribution lies below x and Latin hypercubes are strata of u.
+//
+//   normal      F^-1(u) = a + b z       a: mean, b: standard deviation
+//   lognormal   F^-1(u) = a exp(b z)    a: median, b: standard deviation of ln x, the dispersion
+//   uniform     F^-1(u) = a + (b - a) u
+//
+// where Phi(z) = u. Truncated to [min, max]: Phi(z) = Phi(z_min) + u (Phi(z_max) - Phi(z_min)),
+// above the mean by the complement Q = 1 - Phi, so that far tails keep their digits.
+//
+// Independent: u_i = (m_i + 1/2) / 2^32, with m_i the numbers of the Mersenne twister MT19937
+// (Matsumoto & Nishimura 1998, ACM Trans. Model. Comput. Simul. 8, 3-30; GSL's), never 0 nor 1.
+// Latin hypercube (McKay, Beckman & Conover 1979, Technometrics 21, 239-245): u_i = (p_i + w_i) /
+// n, with p a random permutation of 0 ... n - 1, drawn first, and w_i as u_i above.
+//
+// The twister starts from the seed and the name of the parameter, FNV-1a of 64 bits over "SEED
+// NAME" folded to 32: so parameters do not share numbers, and none changes when another is added.
+#include "deck/random.h"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/checksum.h"
+
+static const char *fault_of_normal(double a, double b, int *at) {
+    (void)a;
+    *at = 1;
+    return b > 0.0 ? NULL : "the standard deviation must be > 0";
+}
+
+static double score_of_normal(double a, double b, double x) {
+    return (x - a) / b;
+}
+
+static double normal_value(double a, double b, double z) {
+    return a + b * z;
+}
+
+static const char *fault_of_lognormal(double a, double b, int *at) {
+    *at = a > 0.0;
+    return !(a > 0.0) ? "the median must be > 0" : !(b > 0.0) ? "the dispersion must be > 0" : NULL;
+}
+
+static double score_of_lognormal(double a, double b, double x) {
+    return x > 0.0 ? log(x / a) / b : -INFINITY;
+}
+
+static double lognormal_value(double a, double b, double z) {
+    return a * exp(b * z);
+}
+
+static const char *fault_of_uniform(double a, double b, int *at) {
+    *at = 1;
+    return a < b ? NULL : "the lower end must be below the upper one";
+}
+
+static double uniform_value(double a, double b, double u) {
+    return a + (b - a) * u;
+}
+
+static const struct distribution normal = {
+    .name = "normal",
+    .arguments = "MEAN SD",
+    .fault = fault_of_normal,
+    .score = score_of_normal,
+    .value = normal_value,
+};
+
+static const struct distribution lognormal = {
+    .name = "lognormal",
+    .arguments = "MEDIAN DISPERSION",
+    .pure_b = "the dispersion, a standard deviation of logarithms,",
+    .fault = fault_of_lognormal,
+    .score = score_of_lognormal,
+    .value = lognormal_value,
+};
+
+static const struct distribution uniform = {
+    .name = "uniform",
+    .arguments = "LOW HIGH",
+    .fault = fault_of_uniform,
+    .value = uniform_value,
+};
+
+const struct distribution *const random_distributions[] = {&normal, &lognormal, &uniform};
+const int n_random_distribution = sizeof random_distributions / sizeof random_distributions[0];
+
+// The part of the standard normal distribution that is sampled: from `p` upwards of width `width`,
+// both of the lower tail, or of the upper one downwards.
+struct part {
+    enum { LOWER_TAIL, UPPER_TAIL } tail;
+    double p, width;
+};
+
+static struct part part_of(const struct random_values *r) {
+    const double from = r->distribution->score(r->a, r->b, r->min),
+                 to = r->distribution->score(r->a, r->b, r->max);
+    if (from > 0.0) {
+        const double q = gsl_cdf_ugaussian_Q(from);
+        return (struct part){UPPER_TAIL, q, q - gsl_cdf_ugaussian_Q(to)};
+    }
+    const double p = gsl_cdf_ugaussian_P(from);
+    return (struct part){LOWER_TAIL, p, gsl_cdf_ugaussian_P(to) - p};
+}
+
+static double score_at(const struct part *part, double u) {
+    return part->tail == UPPER_TAIL ? gsl_cdf_ugaussian_Qinv(part->p - u * part->width)
+                                    : gsl_cdf_ugaussian_Pinv(part->p + u * part->width);
+}
+
+static unsigned long seed_of(const struct random_values *r) {
+    char text[16];
+    const int length = snprintf(text, sizeof text, "%d ", r->seed);
+    uint64_t sum = checksum_add(checksum_start, text, (size_t)length);
+    sum = checksum_add(sum, r->name, strlen(r->name));
+    return (unsigned long)((sum >> 32 ^ sum) & 0xffffffffu);
+}
+
+static double probability(const gsl_rng *twister) {
+    return ((double)gsl_rng_get(twister) + 0.5) / 4294967296.0;
+}
+
+// The probabilities u_i, in `value`.
+static void draw_probabilities(const struct random_values *r, gsl_rng *twister, int *order,
+                               double *value) {
+    for (int i = 0; i < r->n; i++) {
+        order[i] = i;
+    }
+    if (r->plan == RANDOM_LATIN) {
+        gsl_ran_shuffle(twister, order, (size_t)r->n, sizeof *order);
+    }
+    for (int i = 0; i < r->n; i++) {
+        const double u = probability(twister);
+        value[i] = r->plan == RANDOM_LATIN ? (order[i] + u) / r->n : u;
+    }
+}
+
+int random_draw(const struct random_values *r, int *order, double *value, struct error *e) {
+    const struct distribution *d = r->distribution;
+    struct part part = {LOWER_TAIL, 0.0, 1.0};
+    if (d->score) {
+        part = part_of(r);
+        if (!(part.width > 0.0)) {
+            return error_set(e, STATUS_INPUT,
+                             "the distribution has no values between %.6g and %.6g", r->min,
+                             r->max);
+        }
+    }
+    gsl_rng *twister = gsl_rng_alloc(gsl_rng_mt19937);
+    if (!twister) {
+        return error_no_memory(e);
+    }
+    gsl_rng_set(twister, seed_of(r));
+    draw_probabilities(r, twister, order, value);
+    gsl_rng_free(twister);
+    for (int i = 0; i < r->n; i++) {
+        const double x = d->value(r->a, r->b, d->score ? score_at(&part, value[i]) : value[i]);
+        if (!isfinite(x)) {
+            return error_set(e, STATUS_INPUT, "value %d is not finite", i + 1);
+        }
+        value[i] = fmin(fmax(x, r->min), r->max);  // rounding must not pass a limit
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/apart.h"
+
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics.h>
+#include <math.h>
+#include <stdlib.h>
+
+// The first mode of the building alone.
+static int first_mode(const struct model *m, int building, double *period, double *damping,
+                      struct error *e) {
+    *period = *damping = NAN;
+    if (building == WALL) {
+        return STATUS_OK;
+    }
+    const struct building *g = &m->building[building];
+    *period = 2.0 * M_PI / g->omega[0];
+    return building_damping_ratio(g, 1, damping, e);
+}
+
+static int read_contact(const struct model *m, const struct model *deck, const struct results *r,
+                        int i, double *value, struct error *e) {
+    const struct link *l = &m->link[i];
+    struct separation_ends ends;
+    for (int side = 0; side < 2; side++) {
+        const int dof = l->dof[side];
+        int status = first_mode(m, l->building[side], &ends.period[side], &ends.damping[side], e);
+        if (status != STATUS_OK) {
+            return status;
+        }
+        ends.displacement[side] = dof == WALL ? 0.0 : r->peak[PEAK_DISPLACEMENT][dof];
+        value[APART_LEFT + side] = ends.displacement[side];
+        value[APART_PERIOD_LEFT + side] = ends.period[side];
+        value[APART_DAMPING_LEFT + side] = ends.damping[side];
+    }
+    value[APART_GAP] = deck->link[i].gap;
+    value[APART_CLOSING] = r->link[i].penetration + l->gap;
+    value[APART_RHO] = separation_correlation(ends.period, ends.damping);
+    for (int k = 0; k < SEPARATION_RULES; k++) {
+        value[APART_RULE + k] = separation_by(&separation_rules[k], &ends);
+    }
+    return STATUS_OK;
+}
+
+static int read_run(void *context, const struct model *m, const struct model *deck,
+                    const struct results *r, double *value, struct error *e) {
+    (void)context;
+    int status = STATUS_OK;
+    for (int i = 0; i < m->n_contact && status == STATUS_OK; i++) {
+        status = read_contact(m, deck, r, i, value + (size_t)i * APART_VALUES, e);
+    }
+    return status;
+}
+
+int apart_run(const struct plan *plan, const struct gap_runs *how, struct apart *out,
+              struct error *e) {
+    const struct gap_runs_case which = {.plan = plan, .gap = INFINITY};
+    struct gap_runs s = *how;
+    const size_t n_run = (size_t)plan->n_run;
+    s.which = &which;
+    s.n_case = 1;
+    s.n_value = (size_t)plan->first->n_contact * APART_VALUES;
+    s.read = read_run;
+    *out = (struct apart){.n_run = plan->n_run, .n_contact = plan->first->n_contact};
+    s.outcome = out->outcome = calloc(n_run, sizeof *out->outcome);
+    s.value = out->value = calloc(n_run * s.n_value + 1, sizeof *out->value);
+    if (!s.outcome || !s.value) {
+        return error_no_memory(e);
+    }
+    int status = gap_runs_run(&s, e);
+    for (long i = 0; i < out->n_run && status == STATUS_OK; i++) {
+        out->n_failed += s.outcome[i].status == STUDY_FAILED;
+    }
+    return status;
+}
+
+void apart_close(struct apart *a) {
+    free(a->outcome);
+    free(a->value);
+    *a = (struct apart){.n_run = 0};
+}
+
+const double *apart_values(const struct apart *a, long run, int contact) {
+    return a->value + ((size_t)run * (size_t)a->n_contact + (size_t)contact) * APART_VALUES;
+}
+
+struct apart_summary apart_summarise(const struct apart *a, int contact, int value, int below,
+                                     double *scratch) {
+    struct apart_summary s = {NAN, NAN, NAN, NAN, NAN, NAN, 0};
+    size_t n = 0;
+    for (long run = 0; run < a->n_run; run++) {
+        const double *v = apart_values(a, run, contact);
+        const double x = below == APART_VALUES ? v[value]
+                         : v[below] > 0.0      ? v[value] / v[below]
+                                               : NAN;
+        if (!isnan(x)) {
+            s.run = n == 0 || x > s.largest ? run : s.run;
+            s.largest = n == 0 || x > s.largest ? x : s.largest;
+            scratch[n++] = x;
+        }
+    }
+    if (n > 0) {
+        gsl_sort(scratch, 1, n);
+        s.least = scratch[0];
+        s.mean = gsl_stats_mean(scratch, 1, n);
+        s.low = gsl_stats_quantile_from_sorted_data(scratch, 1, n, 0.16);
+        s.median = gsl_stats_quantile_from_sorted_data(scratch, 1, n, 0.5);
+        s.high = gsl_stats_quantile_from_sorted_data(scratch, 1, n, 0.84);
+    }
+    return s;
+}
+
+long apart_hits(const struct apart *a, int contact) {
+    long n = 0;
+    for (long run = 0; run < a->n_run; run++) {
+        const double *v = apart_values(a, run, contact);
+        n += v[APART_CLOSING] > v[APART_GAP];
+    }
+    return n;
+}

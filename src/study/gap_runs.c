@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A gap that never closes is 1024 m wide: far beyond what buildings move, and yet a displacement of
+// 1 m keeps 12 digits in its difference from it. A power of two costs the gap itself no digit.
+#include "study/gap_runs.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "motion/shelf.h"
+#include "study/trial.h"
+#include "study/workers.h"
+
+static const double FAR = 1024.0;                    // [m]
+static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
+
+// All jobs.
+struct work {
+    const struct gap_runs *suite;
+    struct shelf *records;
+    long n, next, n_done;  // the last two are guarded by the lock
+};
+
+// One run of one case.
+struct job {
+    const struct gap_runs *suite;
+    const struct gap_runs_case *which;
+    struct workers *workers;
+    double *value;
+};
+
+static void fail(struct study_outcome *outcome, const char *text) {
+    outcome->status = STUDY_FAILED;
+    snprintf(outcome->message, sizeof outcome->message, "%s", text);
+}
+
+// The contacts of `m` with the gap; NULL: no memory.
+static struct link *links_at(const struct model *m, double gap) {
+    struct link *link = malloc(((size_t)m->n_link + 1) * sizeof *link);
+    if (!link) {
+        return NULL;
+    }
+    memcpy(link, m->link, (size_t)m->n_link * sizeof *link);
+    for (int i = 0; i < m->n_contact && !isnan(gap); i++) {
+        link[i].gap = isinf(gap) ? FAR / m->deck->units.length : gap;
+    }
+    return link;
+}
+
+// A contact that the gap closes at t = 0 although the deck's does not; NULL: there is none.
+static const struct link *closed_at_start(const struct model *m, const struct link *link) {
+    for (int i = 0; i < m->n_contact; i++) {
+        const struct link *l = &link[i];
+        double x = l->dof[0] == WALL ? 0.0 : m->displacement[l->dof[0]];
+        x -= l->dof[1] == WALL ? 0.0 : m->displacement[l->dof[1]];
+        if (x > l->gap && x <= m->link[i].gap) {
+            return l;
+        }
+    }
+    return NULL;
+}
+
+static bool any_closed(const struct model *m, const struct results *r) {
+    bool any = false;
+    for (int i = 0; i < m->n_contact; i++) {
+        any = any || r->link[i].penetration >= 0.0;
+    }
+    return any;
+}
+
+static int poll_job(void *context, double time, struct error *e) {
+    const struct job *job = context;
+    (void)time;
+    return workers_stopped(job->workers) ? error_set(e, STATUS_SYSTEM, "the runs have ended")
+                                         : STATUS_OK;
+}
+
+static int analyse(struct job *job, const struct model *m, const struct model *deck,
+                   struct study_outcome *outcome, struct error *e) {
+    const struct trial_watch watch = {.poll = poll_job, .context = job};
+    struct results *results;
+    int status = trial_analyse(m, &watch, outcome, &results, e);
+    if (status != STATUS_OK || !results) {
+        return status;
+    }
+    if (isinf(job->which->gap) && any_closed(m, results)) {
+        fail(outcome, "a contact would close a gap of 1024 m");
+    } else {
+        status = job->suite->read(job->suite->context, m, deck, results, job->value, e);
+    }
+    results_free(results);
+    return status;
+}
+
+static int use_model(void *context, const struct model *m, struct study_outcome *outcome,
+                     struct error *e) {
+    struct job *job = context;
+    struct link *link = links_at(m, job->which->gap);
+    if (!link) {
+        return error_no_memory(e);
+    }
+    struct model changed = *m;
+    changed.link = link;
+    const struct link *closed = closed_at_start(m, link);
+    int status = STATUS_OK;
+    if (closed) {
+        char text[STUDY_MESSAGE_MAX];
+        snprintf(text, sizeof text, "contact %s is closed at t = 0 with a gap of %.6g",
+                 closed->name, closed->gap);
+        fail(outcome, text);
+    } else {
+        status = analyse(job, &changed, m, outcome, e);
+    }
+    free(link);
+    return status;
+}
+
+static long take(void *context, void *scratch) {
+    (void)scratch;
+    struct work *w = context;
+    return w->next < w->n ? w->next++ : -1;
+}
+
+static int do_job(void *context, struct workers *workers, long number, void *scratch,
+                  struct error *e) {
+    const struct work *w = context;
+    const struct gap_runs *s = w->suite;
+    const long n_run = s->which[0].plan->n_run;
+    struct job job = {.suite = s,
+                      .which = &s->which[number / n_run],
+                      .workers = workers,
+                      .value = s->value + (size_t)number * s->n_value};
+    const struct trial_watch watch = {.records = w->records};
+    (void)scratch;
+    for (size_t i = 0; i < s->n_value; i++) {
+        job.value[i] = NAN;
+    }
+    return trial_build(job.which->plan, number % n_run, &watch, use_model, &job,
+                       &s->outcome[number], e);
+}
+
+static int count(void *context, long number, const void *scratch, struct error *e) {
+    struct work *w = context;
+    (void)number, (void)scratch, (void)e;
+    w->n_done++;
+    return STATUS_OK;
+}
+
+static int poll_runs(void *context, struct workers *workers, struct error *e) {
+    struct work *w = context;
+    workers_lock(workers);
+    const long n_done = w->n_done;
+    workers_unlock(workers);
+    return w->suite->poll ? w->suite->poll(w->suite->context, n_done, e) : STATUS_OK;
+}
+
+int gap_runs_run(const struct gap_runs *s, struct error *e) {
+    struct work w = {
+        .suite = s, .records = shelf_create(RECORDS_MAX), .n = s->n_case * s->which[0].plan->n_run};
+    const struct workers_request request = {
+        .n_thread = w.n < s->n_thread ? (int)w.n : s->n_thread,
+        .scratch = 1,  // none is needed: each job has its place in the results
+        .take = take,
+        .work = do_job,
+        .enter = count,
+        .poll = poll_runs,
+        .context = &w};
+    int status = w.records ? workers_run(&request, e) : error_no_memory(e);
+    shelf_free(w.records);
+    return status;
+}

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The response is no monotone function of the gap, nor a continuous one: so the scan looks for the
+// last gap at which the limit is broken, and bisection only finds where between it and the next gap
+// scanned it is broken last, or rather one place there where it changes.
+#include "study/gap_search.h"
+
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/arena.h"
+#include "study/trial.h"
+
+enum { BISECTIONS_MAX = 200 };  // more than a double has digits
+
+struct search {
+    const struct gap_search_request *request;
+    struct gap_runs suite;
+    struct gap_search *out;
+    struct gap_runs_case *which;  // (n)
+    struct plan *plan;            // (n) of decks with the parameter set
+    long n_run;                   // of each plan
+    double *scratch;              // (n_run)
+};
+
+static int read_run(void *context, const struct model *m, const struct model *deck,
+                    const struct results *r, double *value, struct error *e) {
+    (void)deck, (void)e;
+    const struct search *s = context;
+    *value = gap_measure_value(&s->request->edp, m, r);
+    return STATUS_OK;
+}
+
+static int poll_search(void *context, long n_done, struct error *e) {
+    const struct search *s = context;
+    return s->suite.poll ? s->suite.poll(s->suite.context, n_done, e) : STATUS_OK;
+}
+
+// Opens the deck with the parameter at `gap` as the plan of a case, to be given to close_plan.
+static int open_plan(const struct search *s, double gap, struct plan *out, struct error *e) {
+    const struct plan *p = s->request->plan;
+    const struct deck *from = p->first->deck;
+    struct deck *deck = NULL;
+    struct model *m = NULL;
+    char *text = arena_format(from->arena, "%s=%.17g", s->request->parameter, gap);
+    const char **define = arena_alloc(from->arena, (size_t)p->n_define + 1, sizeof *define);
+    if (!text || !define) {
+        return error_no_memory(e);
+    }
+    for (int i = 0; i < p->n_define; i++) {
+        define[i] = p->define[i];
+    }
+    define[p->n_define] = text;
+    int status = deck_open_text(from->path, from->text, define, p->n_define + 1, &deck, e);
+    if (status == STATUS_OK && (status = model_build(deck, &m, e)) != STATUS_OK) {
+        struct error cause = *e;
+        status = diagnostics_cause(&deck->diagnostics, &cause);
+        deck_free(deck);
+        return error_set(e, status, "at %s = %.6g: %s", s->request->parameter, gap, cause.message);
+    }
+    if (status == STATUS_OK) {
+        *out = (struct plan){
+            .first = m, .define = define, .n_define = p->n_define + 1, .n_run = m->deck->n_run};
+    }
+    return status;
+}
+
+static void close_plan(struct plan *p) {
+    model_free((struct model *)p->first);
+    *p = (struct plan){.first = NULL};
+}
+
+// The case of a gap.
+static int open_case(struct search *s, int i, double gap, struct error *e) {
+    s->which[i] = (struct gap_runs_case){.plan = s->request->plan, .gap = gap};
+    if (!s->request->parameter) {
+        return STATUS_OK;
+    }
+    int status = open_plan(s, gap, &s->plan[i], e);
+    s->which[i] = (struct gap_runs_case){.plan = &s->plan[i], .gap = NAN};
+    if (status == STATUS_OK && i == 0) {
+        s->n_run = s->plan[0].n_run;
+    }
+    if (status == STATUS_OK &&
+        (s->plan[i].n_run != s->n_run || s->n_run > s->request->plan->n_run)) {
+        status = error_set(e, STATUS_INPUT, "'%s' changes the number of runs of the deck",
+                           s->request->parameter);
+    }
+    return status;
+}
+
+// What the runs of a case say of its gap.
+static void judge(struct search *s, int i, struct gap_point *p) {
+    const long n_run = s->n_run;
+    const double *value = s->suite.value + (size_t)i * (size_t)n_run;
+    const struct study_outcome *outcome = s->suite.outcome + (size_t)i * (size_t)n_run;
+    for (long run = 0; run < n_run; run++) {
+        if (outcome[run].status == STUDY_FAILED && p->n_failed++ == 0) {
+            p->run = run;
+            snprintf(p->message, sizeof p->message, "%s", outcome[run].message);
+        }
+        p->run = p->n_failed == 0 && value[run] > value[p->run] ? run : p->run;
+        s->scratch[run] = value[run];
+    }
+    p->value = NAN;
+    if (p->n_failed == 0) {
+        gsl_sort(s->scratch, 1, (size_t)n_run);
+        p->value = gsl_stats_quantile_from_sorted_data(s->scratch, 1, (size_t)n_run,
+                                                       s->request->percentile / 100.0);
+    }
+    p->kept = p->n_failed == 0 && p->value <= s->request->limit;
+}
+
+static int run_cases(struct search *s, int n, struct error *e) {
+    const size_t n_job = (size_t)n * (size_t)s->n_run;
+    struct gap_runs suite = s->suite;
+    suite.which = s->which;
+    suite.n_case = n;
+    suite.n_value = 1;
+    suite.read = read_run;
+    suite.poll = poll_search;
+    suite.context = s;
+    suite.outcome = calloc(n_job, sizeof *suite.outcome);
+    suite.value = calloc(n_job, sizeof *suite.value);
+    free(s->suite.outcome);
+    free(s->suite.value);
+    s->suite.outcome = suite.outcome;
+    s->suite.value = suite.value;
+    return suite.outcome && suite.value ? gap_runs_run(&suite, e) : error_no_memory(e);
+}
+
+// Runs n gaps and adds their points, in the order given.
+static int look(struct search *s, enum gap_stage stage, const double *gap, int n, struct error *e) {
+    int status = STATUS_OK;
+    for (int i = 0; i < n && status == STATUS_OK; i++) {
+        status = open_case(s, i, gap[i], e);
+    }
+    status = status == STATUS_OK ? run_cases(s, n, e) : status;
+    for (int i = 0; i < n && status == STATUS_OK; i++) {
+        struct gap_point *p = &s->out->point[s->out->n_point++];
+        *p = (struct gap_point){.stage = stage, .gap = gap[i]};
+        judge(s, i, p);
+    }
+    for (int i = 0; i < n && s->request->parameter; i++) {
+        close_plan(&s->plan[i]);
+    }
+    return status;
+}
+
+static int scan(struct search *s, struct error *e) {
+    const struct gap_search_request *q = s->request;
+    double *gap = malloc((size_t)q->n * sizeof *gap);
+    if (!gap) {
+        return error_no_memory(e);
+    }
+    for (int i = 0; i < q->n; i++) {
+        gap[i] = (q->from * (q->n - 1 - i) + q->to * i) / (q->n - 1);
+    }
+    int status = look(s, GAP_SCAN, gap, q->n, e);
+    free(gap);
+    return status;
+}
+
+static int bisect(struct search *s, struct error *e) {
+    struct gap_search *out = s->out;
+    int status = STATUS_OK;
+    for (int i = 0; i < BISECTIONS_MAX && status == STATUS_OK; i++) {
+        const double middle = out->below + (out->gap - out->below) / 2.0;
+        if (!(out->gap - out->below > s->request->tolerance) || middle <= out->below ||
+            middle >= out->gap) {
+            break;
+        }
+        status = look(s, GAP_BISECTION, &middle, 1, e);
+        if (status == STATUS_OK) {
+            *(out->point[out->n_point - 1].kept ? &out->gap : &out->below) = middle;
+        }
+    }
+    return status;
+}
+
+static int search(struct search *s, struct error *e) {
+    struct gap_search *out = s->out;
+    const int n = s->request->n;
+    int status = scan(s, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    int first = n;  // of the gaps that keep the limit up to the last
+    while (first > 0 && out->point[first - 1].kept) {
+        first--;
+    }
+    out->found = first < n;
+    out->gap = out->found ? out->point[first].gap : NAN;
+    out->below = first > 0 ? out->point[first - 1].gap : NAN;
+    return out->found && first > 0 ? bisect(s, e) : STATUS_OK;
+}
+
+int gap_search_run(const struct gap_search_request *q, const struct gap_runs *how,
+                   struct gap_search *out, struct error *e) {
+    const size_t n = (size_t)q->n, capacity = n + BISECTIONS_MAX;
+    struct search s = {.request = q, .suite = *how, .out = out, .n_run = q->plan->n_run};
+    *out = (struct gap_search){.gap = NAN, .below = NAN};
+    s.suite.outcome = NULL;
+    s.suite.value = NULL;
+    out->point = calloc(capacity, sizeof *out->point);
+    s.which = calloc(n, sizeof *s.which);
+    s.plan = calloc(n, sizeof *s.plan);
+    s.scratch = calloc((size_t)q->plan->n_run, sizeof *s.scratch);
+    int status = out->point && s.which && s.plan && s.scratch ? search(&s, e) : error_no_memory(e);
+    free(s.suite.outcome);
+    free(s.suite.value);
+    free(s.which);
+    free(s.plan);
+    free(s.scratch);
+    return status;
+}
+
+void gap_search_close(struct gap_search *s) {
+    free(s->point);
+    *s = (struct gap_search){.n_point = 0};
+}

@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# jostle gap: its tables, its search, its exit status and its options.
+. tests/support/cli.sh
+
+cat >swing.deck <<'END'
+title "swings against a wall"
+units kN m s
+param gap 100mm
+sweep a values 0.1m 0.2m 0.4m
+building A -floors 1 -mass 100t -stiffness ${100t * (2 * pi / 1s)^2}
+initial A -displacement ${-a}
+contact A wall -gap $gap -law linear -k 1e5
+integrator dormand-prince
+step adaptive -tolerance 1e-9
+duration 2
+END
+run "$jostle" gap swing.deck
+expect "closing displacements of all runs are printed" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^3 runs without contact, 0 failed; lengths in m" "$out"'
+# mean 0.7/3, 16 % 0.132, 50 % 0.2, 84 % 0.336, largest 0.4 in run 3, two runs beyond the gap
+expect "with mean, percentiles and the runs that would hit" 'grep -qE "^A:1-wall +0\.2333 +0\.132 +0\.2 +0\.336 +0\.4 +3 +0\.1 +2$" "$out"'
+expect "each rule has its formula and its source" '[ "$(grep -cE "^(abs. sum|SRSS|0.7 SRSS|double diff.) += " "$out")" -eq 4 ] && grep -q "Der Kiureghian (1980)" "$out" && grep -q "EN 1998-1" "$out"'
+expect "no line is wider than 100 characters" '! grep -qE "^.{101,}" "$out"'
+expect "nothing is written" 'only swing.deck'
+cp "$out" one.txt
+for threads in 1 3; do
+    run "$jostle" gap swing.deck -j $threads
+    expect "-j $threads gives the same table" 'cmp one.txt "$out"'
+done
+
+run "$jostle" gap swing.deck --tsv
+expect "--tsv has a line for each run and contact" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq 4 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u | wc -l)" -eq 1 ] && head -n 1 "$out" | grep -q "^run	a	status	contact	gap \[m\]	closing \[m\]"'
+
+result() { awk -F '\t' '$1 == "result" { print $2 }' "$out"; }
+within() { awk -v x="$(result)" -v a="$1" -v b="$2" 'BEGIN { exit !(x >= a && x <= b) }'; }
+run "$jostle" gap swing.deck --limit impacts=0 --tsv
+expect "a swing of 0.4 m hits below a gap of 0.4 m only" '[ $status -eq 0 ] && within 0.399999 0.4005'
+run "$jostle" gap swing.deck --limit impacts=0 --percentile 50 --tolerance 0.001mm --tsv
+expect "the median one below 0.2 m" '[ $status -eq 0 ] && within 0.199999 0.200002'
+run "$jostle" gap swing.deck --limit impacts=0 --parameter gap --range 50mm:500mm:10 --tsv -j 2
+expect "a parameter of the deck can be searched" '[ $status -eq 0 ] && within 0.399999 0.4005'
+run "$jostle" gap swing.deck --limit displacement:A=0.3
+expect "a limit that no gap keeps ends with 1" '[ $status -eq 1 ] && grep -q "^no gap: the limit is broken at the widest one" "$out" && said "no gap of the range keeps the limit"'
+run "$jostle" gap swing.deck --limit force=1000kN
+expect "a limit is searched by default over all gaps that matter" '[ $status -eq 0 ] && grep -q "^gap 0\.[0-9]* m: from here on every gap scanned keeps the limit" "$out" && grep -q "may be broken unseen" "$out"'
+expect "the scan is shown" '[ "$(grep -cE "^ .* (kept|broken) " "$out")" -eq 33 ]'
+
+cat >away.deck <<'END'
+building A -floors 1 -mass 1 -stiffness 40
+building B -floors 1 -mass 1 -stiffness 0
+initial B -velocity 1
+contact A B -gap 0.1 -law linear -k 1e5
+step fixed 1ms
+duration 0.2
+END
+run "$jostle" gap away.deck
+expect "what does not exist is a dash: ratios to 0, rho of a free body" '[ $status -eq 0 ] && ! grep -q nan "$out" && grep -qE "^A:1-B:1( +-){8}$" "$out" && grep -qE "^A:1-B:1 +0 +0.2 +- " "$out"'
+run "$jostle" gap away.deck --limit force=1
+expect "buildings that move apart have no range of gaps" '[ $status -eq 2 ] && said "never move towards each other"'
+rm away.deck
+sed 's/^sweep a .*/sweep a values 0.1m 2000m/' swing.deck >far.deck
+run "$jostle" gap far.deck
+expect "a run that fails is told, with exit status 1" '[ $status -eq 1 ] && said "1 of 2 runs failed, the first: run 2 (a = 2000): a contact would close a gap of 1024 m" && grep -q "1 failed" "$out"'
+rm far.deck one.txt
+
+refuses() {
+    local text=$1
+    shift
+    run "$jostle" gap "$@"
+    expect "refused: $text" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "$text"'
+}
+refuses "one deck is expected, not 0"
+refuses "--range goes with --limit" swing.deck --range 0:1:3
+refuses "--limit knows no 'forc'" swing.deck --limit forc=1
+refuses "--limit takes EDP=VALUE" swing.deck --limit force
+refuses "--limit takes a value >= 0 in kN" swing.deck --limit force=1mm
+refuses "--limit takes a value >= 0 in kN" swing.deck --limit force=-1
+refuses "the deck has no contact 'X'" swing.deck --limit force:X=1
+refuses "the deck has no building 'X'" swing.deck --limit drift:X=1
+refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 1:0:3
+refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 0:1:1
+refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 0kN:1:3
+refuses "--tolerance takes a value" swing.deck --limit force=1 --tolerance 1s
+refuses "--percentile takes a number from 0 to 100" swing.deck --limit force=1 --percentile 101
+refuses "-j takes a number of threads" swing.deck -j 0
+refuses "unknown parameter 'gapp'" swing.deck --limit force=1 --parameter gapp --range 0:1:3
+refuses "no_such_file: No such file or directory" no_such_file
+sed '/^contact/d; s/\$gap/1/; /^param/d' swing.deck >none.deck
+refuses "the deck has no contact" none.deck

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaps: closing displacements of motions in closed form, their percentiles, and searches for a gap
+// whose threshold is known.
+#include <math.h>
+#include <string.h>
+
+#include "study/apart.h"
+#include "study/gap_search.h"
+#include "support/analysis.h"
+#include "support/support.h"
+
+// Undamped oscillators let go: u = a cos(2 pi t / T). By adaptive steps, whose peaks are located
+// between steps; with a tolerance of 1e-10 a step, the motion errs by some 1e-8.
+static const double RTOL = 1e-6;
+
+// A of 1 s from 0.1 and B of 0.5 s from 0.05.
+#define TWO                                                                                        \
+    "building A -floors 1 -mass 1 -stiffness ${4 * pi^2}\n"                                        \
+    "building B -floors 1 -mass 1 -stiffness ${16 * pi^2}\n"                                       \
+    "initial A -displacement 0.1\n"                                                                \
+    "initial B -displacement 0.05\n"
+#define STEPS "integrator dormand-prince\nstep adaptive -tolerance 1e-10\nduration 3\n"
+
+static struct plan plan_of(const struct model *m) {
+    return (struct plan){.first = m, .n_run = m->deck->n_run};
+}
+
+static void run_apart(const struct model *m, int n_thread, struct apart *a) {
+    struct error e;
+    const struct plan p = plan_of(m);
+    const struct gap_runs how = {.n_thread = n_thread};
+    assert_int_equal(apart_run(&p, &how, a, &e), STATUS_OK);
+}
+
+static void closing_displacements_are_those_of_the_closed_form(void **state) {
+    (void)state;
+    struct model *m = analysis_model(TWO "contact A B -gap 0.06 -law linear -k 1e4\n"
+                                         "contact A wall -gap 0.2 -law linear -k 1e4\n" STEPS);
+    struct apart a;
+    run_apart(m, 1, &a);
+    assert_int_equal(a.n_failed, 0);
+    const double *pair = apart_values(&a, 0, 0), *wall = apart_values(&a, 0, 1);
+    // f = a cos x - b cos 2x is largest where cos x = a / (4 b): a^2 / (8 b) + b
+    assert_close(pair[APART_CLOSING], 0.01 / 0.4 + 0.05, RTOL);
+    assert_close(pair[APART_GAP], 0.06, 1e-15);
+    assert_close(pair[APART_LEFT], 0.1, RTOL);
+    assert_close(pair[APART_RIGHT], 0.05, RTOL);
+    assert_close(pair[APART_PERIOD_LEFT], 1.0, 1e-13);
+    assert_close(pair[APART_PERIOD_RIGHT], 0.5, 1e-13);
+    assert_true(pair[APART_RHO] == 0.0);  // undamped
+    assert_close(pair[APART_RULE], 0.15, RTOL);
+    assert_close(pair[APART_RULE + 1], hypot(0.1, 0.05), RTOL);
+    assert_int_equal(apart_hits(&a, 0), 1);
+    assert_close(wall[APART_CLOSING], 0.1, RTOL);
+    assert_close(wall[APART_RULE + 3], 0.1, RTOL);
+    assert_true(isnan(wall[APART_PERIOD_RIGHT]));
+    assert_int_equal(apart_hits(&a, 1), 0);
+    apart_close(&a);
+    model_free(m);
+}
+
+// Both buildings joined by a spring so stiff that they move as one do not close.
+static void links_act_although_contacts_do_not(void **state) {
+    (void)state;
+    struct model *m = analysis_model("building A -floors 1 -mass 1 -stiffness 40\n"
+                                     "building B -floors 1 -mass 1 -stiffness 160\n"
+                                     "initial A -velocity 1\n"
+                                     "initial B -velocity 1\n"
+                                     "link A B -stiffness 1e8\n"
+                                     "contact A B -gap 0.01 -law linear -k 1e4\n" STEPS);
+    struct apart a;
+    run_apart(m, 1, &a);
+    assert_true(apart_values(&a, 0, 0)[APART_CLOSING] < 1e-5);
+    assert_true(apart_values(&a, 0, 0)[APART_LEFT] > 0.05);
+    apart_close(&a);
+    model_free(m);
+}
+
+// Runs of a sweep whose closing displacements are 0.1 ... 0.5.
+static const char five[] = "sweep a values 0.3 0.1 0.5 0.2 0.4\n"
+                           "building A -floors 1 -mass 1 -stiffness ${4 * pi^2}\n"
+                           "initial A -displacement ${-a}\n"
+                           "contact A wall -gap 0.25 -law linear -k 1e4\n" STEPS;
+
+static void percentiles_are_over_the_runs(void **state) {
+    (void)state;
+    struct model *m = analysis_model("%s", five);
+    struct apart a, other;
+    double scratch[5];
+    run_apart(m, 1, &a);
+    const struct apart_summary s = apart_summarise(&a, 0, APART_CLOSING, APART_VALUES, scratch);
+    assert_close(s.mean, 0.3, RTOL);
+    // Between sorted values, at 4 p of their numbers from 0.
+    assert_close(s.low, 0.1 + 0.64 * 0.1, RTOL);
+    assert_close(s.median, 0.3, RTOL);
+    assert_close(s.high, 0.4 + 0.36 * 0.1, RTOL);
+    assert_close(s.largest, 0.5, RTOL);
+    assert_int_equal(s.run, 2);
+    assert_int_equal(apart_hits(&a, 0), 3);
+    const struct apart_summary ratio = apart_summarise(&a, 0, APART_RULE, APART_CLOSING, scratch);
+    assert_close(ratio.mean, 1.0, RTOL);
+    run_apart(m, 3, &other);
+    assert_memory_equal(a.value, other.value, (size_t)5 * APART_VALUES * sizeof *a.value);
+    apart_close(&other);
+    apart_close(&a);
+    model_free(m);
+}
+
+static struct gap_search search(const struct model *m, struct gap_search_request q) {
+    struct gap_search s;
+    struct error e;
+    const struct plan p = plan_of(m);
+    const struct gap_runs how = {.n_thread = 2};
+    q.plan = &p;
+    assert_int_equal(gap_search_run(&q, &how, &s, &e), STATUS_OK);
+    return s;
+}
+
+static const struct gap_measure_kind *kind(const char *name) {
+    int i = 0;
+    while (strcmp(gap_measure_kinds[i].name, name) != 0) {
+        i++;
+    }
+    return &gap_measure_kinds[i];
+}
+
+static struct gap_search_request no_impacts(double percentile, const char *parameter) {
+    return (struct gap_search_request){.parameter = parameter,
+                                       .edp = {.kind = kind("impacts"), .owner = -1},
+                                       .limit = 0.0,
+                                       .percentile = percentile,
+                                       .from = 0.0,
+                                       .to = 0.6,
+                                       .n = 8,
+                                       .tolerance = 1e-4};
+}
+
+// A swing to 0.5 hits if and only if the gap is below 0.5; the median one if below 0.3.
+static void bisection_finds_a_threshold_that_is_known(void **state) {
+    (void)state;
+    struct model *m = analysis_model("%s", five);
+    struct gap_search s = search(m, no_impacts(100.0, NULL));
+    assert_true(s.found);
+    assert_true(s.gap >= 0.5 - 1e-6 && s.below <= 0.5 + 1e-6 && s.gap - s.below <= 1e-4);
+    assert_int_equal(s.point[0].stage, GAP_SCAN);
+    assert_true(s.point[7].gap == 0.6 && s.point[7].kept && !s.point[0].kept);
+    gap_search_close(&s);
+    s = search(m, no_impacts(50.0, NULL));
+    assert_true(s.gap >= 0.3 - 1e-6 && s.below <= 0.3 + 1e-6 && s.gap - s.below <= 1e-4);
+    gap_search_close(&s);
+    model_free(m);
+}
+
+static void a_parameter_of_the_deck_can_be_the_gap(void **state) {
+    (void)state;
+    struct model *m = analysis_model("param half 0.1\n"
+                                     "building A -floors 1 -mass 1 -stiffness ${4 * pi^2}\n"
+                                     "initial A -displacement -0.5\n"
+                                     "contact A wall -gap ${2 * half} -law linear -k 1e4\n" STEPS);
+    struct gap_search s = search(m, no_impacts(100.0, "half"));
+    assert_true(s.gap >= 0.25 - 1e-6 && s.below <= 0.25 + 1e-6);
+    gap_search_close(&s);
+    const struct plan p = plan_of(m);
+    struct gap_search_request q = no_impacts(100.0, "gap");
+    struct error e;
+    q.plan = &p;
+    assert_int_equal(gap_search_run(&q, &(struct gap_runs){.n_thread = 1}, &s, &e), STATUS_INPUT);
+    assert_non_null(strstr(e.message, "gap"));
+    gap_search_close(&s);
+    model_free(m);
+}
+
+static void a_limit_that_no_gap_keeps_is_not_found(void **state) {
+    (void)state;
+    struct model *m = analysis_model("%s", five);
+    struct gap_search_request q = no_impacts(100.0, NULL);
+    q.edp.kind = kind("displacement");
+    q.limit = 0.45;
+    struct gap_search s = search(m, q);
+    assert_false(s.found);
+    assert_int_equal(s.n_point, q.n);
+    gap_search_close(&s);
+    q.limit = 10.0;
+    s = search(m, q);
+    assert_true(s.found && s.gap == 0.0 && isnan(s.below));
+    gap_search_close(&s);
+    model_free(m);
+}
+
+// B stands 0.05 nearer to A than the gap of 0 allows: such runs fail, and keep no limit.
+static void gaps_that_are_closed_at_the_start_fail(void **state) {
+    (void)state;
+    struct model *m = analysis_model(TWO "contact A B -gap 0.06 -law linear -k 1e4\n" STEPS);
+    struct gap_search s = search(m, no_impacts(100.0, NULL));
+    assert_int_equal(s.point[0].n_failed, 1);
+    assert_false(s.point[0].kept);
+    assert_non_null(strstr(s.point[0].message, "closed at t = 0"));
+    assert_true(s.gap >= 0.075 - 1e-6 && s.below <= 0.075 + 1e-6);
+    gap_search_close(&s);
+    model_free(m);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(closing_displacements_are_those_of_the_closed_form),
+        cmocka_unit_test(links_act_although_contacts_do_not),
+        cmocka_unit_test(percentiles_are_over_the_runs),
+        cmocka_unit_test(bisection_finds_a_threshold_that_is_known),
+        cmocka_unit_test(a_parameter_of_the_deck_can_be_the_gap),
+        cmocka_unit_test(a_limit_that_no_gap_keeps_is_not_found),
+        cmocka_unit_test(gaps_that_are_closed_at_the_start_fail),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The correlation coefficient against its definition, limits and values by hand; the rules.
+#include <complex.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+#include "study/separation.h"
+#include "support/support.h"
+
+static double rho(double ta, double tb, double za, double zb) {
+    return separation_correlation((const double[]){ta, tb}, (const double[]){za, zb});
+}
+
+static void buildings_that_are_alike_move_alike(void **state) {
+    (void)state;
+    assert_close(rho(0.7, 0.7, 0.05, 0.05), 1.0, 1e-15);
+    // The printed formula at T and almost T: 1 - rho is of the order of (1 - r)^2 / (4 z^2).
+    assert_near(rho(0.7, 0.7 * (1.0 + 1e-9), 0.05, 0.05), 1.0, 1e-12);
+    assert_close(rho(1.0, 1.0, 0.0, 0.0), 1.0, 1e-15);
+    assert_true(rho(1.0, 2.0, 0.0, 0.0) == 0.0);
+    assert_true(isnan(rho(INFINITY, 1.0, 0.05, 0.05)));
+}
+
+static void values_by_hand(void **state) {
+    (void)state;
+    // r = 1/2, z = 5 %: 8 0.05 (0.05 1.5) 0.353553391 / (0.5625 + 0.00625 + 0.005)
+    assert_close(rho(0.5, 1.0, 0.05, 0.05), 0.010606601717798213 / 0.57375, 1e-13);
+    // r = 0.9 and equal z: 8 z^2 (1 + r) r^1.5 / ((1 - r^2)^2 + 4 z^2 r (1 + r)^2)
+    assert_close(rho(0.9, 1.0, 0.05, 0.05),
+                 0.02 * 1.9 * 0.85381496824546242 / (0.19 * 0.19 + 0.01 * 0.9 * 1.9 * 1.9), 1e-13);
+    // Equal periods, 2 % and 5 %: 8 sqrt(0.001) 0.07 / (8 0.001 + 4 0.0029)
+    assert_close(rho(1.0, 1.0, 0.02, 0.05), 8.0 * sqrt(0.001) * 0.07 / 0.0196, 1e-13);
+}
+
+static void the_order_of_the_buildings_does_not_matter(void **state) {
+    (void)state;
+    assert_close(rho(0.6, 1.1, 0.02, 0.07), rho(1.1, 0.6, 0.07, 0.02), 1e-14);
+}
+
+struct pair {
+    double w[2], z[2];
+    int i, k;
+};
+
+// Re(H_i H_k*), H the displacement per ground acceleration.
+static double cross_spectrum(double w, void *context) {
+    const struct pair *p = context;
+    const double complex a = p->w[p->i] * p->w[p->i] - w * w +
+                             2.0 * I * p->z[p->i] * p->w[p->i] * w,
+                         b = p->w[p->k] * p->w[p->k] - w * w +
+                             2.0 * I * p->z[p->k] * p->w[p->k] * w;
+    return creal(1.0 / (a * conj(b)));
+}
+
+static double covariance(struct pair p, int i, int k, gsl_integration_workspace *work) {
+    double value, bound;
+    p.i = i;
+    p.k = k;
+    gsl_function f = {cross_spectrum, &p};
+    assert_int_equal(gsl_integration_qagiu(&f, 0.0, 0.0, 1e-10, 10000, work, &value, &bound), 0);
+    return value;
+}
+
+// It is defined by white noise: covariance over the root of variances, here integrated numerically.
+static void it_is_that_of_responses_to_white_noise(void **state) {
+    (void)state;
+    static const double cases[][4] = {
+        {1, 0.5, 0.05, 0.05}, {1, 0.9, 0.02, 0.08}, {0.3, 2, 0.1, 0.03}, {1, 1, 0.02, 0.2}};
+    gsl_integration_workspace *work = gsl_integration_workspace_alloc(10000);
+    assert_non_null(work);
+    for (size_t n = 0; n < sizeof cases / sizeof cases[0]; n++) {
+        const double *c = cases[n];
+        const struct pair p = {.w = {2.0 * M_PI / c[0], 2.0 * M_PI / c[1]}, .z = {c[2], c[3]}};
+        const double want =
+            covariance(p, 0, 1, work) / sqrt(covariance(p, 0, 0, work) * covariance(p, 1, 1, work));
+        assert_close(rho(c[0], c[1], c[2], c[3]), want, 1e-7);  // of integrals to 1e-10
+    }
+    gsl_integration_workspace_free(work);
+}
+
+static void the_rules_combine_displacements(void **state) {
+    (void)state;
+    struct separation_ends ends = {
+        .displacement = {0.3, 0.4}, .period = {1.0, 0.5}, .damping = {0.05, 0.05}};
+    assert_close(separation_by(&separation_rules[0], &ends), 0.7, 1e-15);
+    assert_close(separation_by(&separation_rules[1], &ends), 0.5, 1e-15);
+    assert_close(separation_by(&separation_rules[2], &ends), 0.35, 1e-15);
+    assert_close(separation_by(&separation_rules[3], &ends),
+                 sqrt(0.25 - 0.24 * rho(1.0, 0.5, 0.05, 0.05)), 1e-14);
+    ends.period[1] = 1.0;  // alike: the difference of the displacements
+    assert_close(separation_by(&separation_rules[3], &ends), 0.1, 1e-14);
+    ends.displacement[1] = 0.0;  // a wall, which has no period
+    ends.period[1] = ends.damping[1] = NAN;
+    for (int k = 0; k < SEPARATION_RULES; k++) {
+        assert_close(separation_by(&separation_rules[k], &ends), k == 2 ? 0.21 : 0.3, 1e-15);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(buildings_that_are_alike_move_alike),
+        cmocka_unit_test(values_by_hand),
+        cmocka_unit_test(the_order_of_the_buildings_does_not_matter),
+        cmocka_unit_test(it_is_that_of_responses_to_white_noise),
+        cmocka_unit_test(the_rules_combine_displacements),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
