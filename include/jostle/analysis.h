@@ -37,6 +37,7 @@ extern const char *const energy_names[];  // (ENERGY_COUNT)
 // Called for row 0 (t = 0), every output.every-th step (adaptive: every model.dt) and the end. Not
 // 0: the run ends with that status and the observer's error.
 struct observer {
+    // NULL: rows are not wanted.
     int (*row)(void *context, const struct row_view *row, struct error *e);
     // Called every few thousand steps, rows or not; NULL: nothing to ask. Not 0 ends the run.
     int (*poll)(void *context, double time, struct error *e);

@@ -3,7 +3,8 @@
 #ifndef JOSTLE_LANES_H
 #define JOSTLE_LANES_H
 
-#include <stdint.h>
+#include <stddef.h>
+#include <stdint.h>  // any header of the library says which library it is
 
 // In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
 // takes what the processor has. Each element sees the same operations in the same order either way,
@@ -15,6 +16,7 @@
 #define LANES __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
 #else
 #define LANES __attribute__((target_clones("default", "avx2")))
+#include <stddef.h>
 #endif
 #else
 #define LANES
@@ -45,6 +47,16 @@ typedef double lanes
 typedef double lanes_wide
     __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
 typedef int64_t lanes_bits __attribute__((vector_size(LANES_VECTOR * sizeof(int64_t))));
+
+// One value of each of eight runs that are computed in lockstep. The compiler splits it where the
+// processor's lanes are narrower.
+enum { WIDE_RUNS = 8 };
+typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
+typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
+
+// A zeroed array for n things of such values, `size` bytes each, with one in front and one behind;
+// NULL: no memory.
+void *lanes_wide_array(struct arena *a, int n, size_t size);
 
 // A zeroed array for n values, with at least one 0 behind them and behind the lanes in which that
 // one lies, so that element i + 1 can be read there too; NULL: no memory.

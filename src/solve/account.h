@@ -38,6 +38,17 @@ void energy_step(struct energy_account *a, const struct model *m, const struct s
 void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
                  const struct meeting *meeting);
 
+// What the account needs of a state: sums over all floors.
+struct energy_sums {
+    double kinetic;               // [F L]
+    double elastic, other;        // [F L] stored in elastic storeys, and in others
+    double storey;                // [F L] work so far on those
+    double input_2x, damping_2x;  // [F L] twice the work of external and damping forces so far
+};
+
+// The account with the sums of a state, into energy (ENERGY_COUNT).
+void energy_close(const struct energy_account *a, const struct energy_sums *sums, double *energy);
+
 // The account at state `s` into energy (ENERGY_COUNT).
 void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
                     double *energy);

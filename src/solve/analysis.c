@@ -36,10 +36,8 @@ enum { CUTS_BUDGET = 2000000, CUTS_BUDGET_PER_STEP = 100 };
 // Asks the observer now and then whether to go on.
 static int poll(struct run *r, double time) {
     const struct observer *o = r->observer;
-    if (!o || !o->poll || r->results->totals.steps % POLL_STEPS != 0) {
-        return STATUS_OK;
-    }
-    return o->poll(o->context, time, r->error);
+    bool due = o && o->poll && r->results->totals.steps % POLL_STEPS == 0;
+    return due ? o->poll(o->context, time, r->error) : STATUS_OK;
 }
 
 // Takes `next` as the new committed state.
@@ -237,9 +235,8 @@ static int advance_dormand_prince(struct run *r, double end, double h) {
     return STATUS_OK;
 }
 
-static int balance(struct run *r) {
+int analysis_balanced(struct run *r) {
     struct results *out = r->results;
-    energy_balance(&r->energy, r->model, r->now, out->energy);
     double residual = fabs(out->energy[ENERGY_RESIDUAL]);
     if (!isfinite(residual)) {
         return error_set(r->error, STATUS_FAILED, "the energy is not finite at t = %.9g",
@@ -251,10 +248,13 @@ static int balance(struct run *r) {
 
 static int observe(struct run *r) {
     const struct state *s = r->now;
-    if (balance(r) != STATUS_OK) {
-        return STATUS_FAILED;
+    energy_balance(&r->energy, r->model, s, r->results->energy);
+    int status = analysis_balanced(r);
+    const struct observer *o = r->observer;
+    if (status != STATUS_OK || !o || !o->row) {
+        return status;
     }
-    struct row_view row = {
+    const struct row_view row = {
         .time = s->time,
         .displacement = s->u,
         .velocity = s->v,
@@ -266,7 +266,7 @@ static int observe(struct run *r) {
         .ground = s->ground_a,
         .energy = r->results->energy,
     };
-    return r->observer ? r->observer->row(r->observer->context, &row, r->error) : STATUS_OK;
+    return o->row(o->context, &row, r->error);
 }
 
 // Steps from n of the deck as far as the next row of the output, or the next poll.
@@ -292,7 +292,7 @@ static int proceed(struct run *r, long *n) {
 
 static int loop(struct run *r) {
     const struct model *m = r->model;
-    int status = observe(r);
+    int status = STATUS_OK;
     for (long n = 0; status == STATUS_OK && n < m->n_step;) {
         status = proceed(r, &n);
         bool shown = r->observer && n % m->output.every == 0;
@@ -301,6 +301,14 @@ static int loop(struct run *r) {
         }
     }
     return status;
+}
+
+int analysis_step(struct run *r, long n) {
+    const struct model *m = r->model;
+    double end = model_time(m, n);
+    int status = r->advance(r, end, n < m->n_step ? m->dt : end - r->now->time);
+    bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
+    return status == STATUS_OK && row ? observe(r) : status;
 }
 
 static bool run_alloc(struct run *r, struct arena *a) {
@@ -348,30 +356,40 @@ static double seconds_now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
-                 struct error *e) {
+int analysis_begin(struct run *r, const struct model *m, const struct observer *observer,
+                   struct error *e) {
     struct arena *a = arena_create();
     struct results *results = a ? arena_alloc(a, 1, sizeof *results) : NULL;
+    *r = (struct run){.model = m, .observer = observer, .results = results, .error = e};
+    r->start = seconds_now();
     if (!results) {
         arena_free(a);
-        return error_no_memory(e);
+        error_no_memory(e);
+        return STATUS_SYSTEM;
     }
     results->arena = a;
-    struct run r = {.model = m, .observer = observer, .results = results, .error = e};
-    double start = seconds_now();
-    int status = run_alloc(&r, a) ? run_start(&r) : error_no_memory(e);
-    if (status == STATUS_OK) {
-        status = loop(&r);
-    }
+    int status = run_alloc(r, a) ? run_start(r) : error_no_memory(e);
+    return status == STATUS_OK ? observe(r) : status;
+}
+
+int analysis_end(struct run *r, int status, struct results **out) {
+    struct results *results = r->results;
     if (status != STATUS_OK) {
         results_free(results);
         return status;
     }
-    impacts_finish(&r.impacts, results, m, r.now);
-    results->initial_energy = r.energy.initial;
-    results->totals.seconds = seconds_now() - start;
+    impacts_finish(&r->impacts, results, r->model, r->now);
+    results->initial_energy = r->energy.initial;
+    results->totals.seconds = seconds_now() - r->start;
     *out = results;
     return STATUS_OK;
+}
+
+int analysis_run(const struct model *m, const struct observer *observer, struct results **out,
+                 struct error *e) {
+    struct run r;
+    int status = analysis_begin(&r, m, observer, e);
+    return analysis_end(&r, status == STATUS_OK ? loop(&r) : status, out);
 }
 
 void results_free(struct results *r) {

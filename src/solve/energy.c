@@ -131,12 +131,12 @@ void energy_step(struct energy_account *a, const struct model *m, const struct s
     links_step(a, m, now, next);
 }
 
-static double half_sum(const double *x, int n) {
+static double sum_of(const double *x, int n) {
     double sum = 0.0;
     for (int i = 0; i < n; i++) {
         sum += x[i];
     }
-    return sum / 2.0;
+    return sum;
 }
 
 // On storeys that are not elastic.
@@ -163,16 +163,27 @@ void energy_meet(struct energy_account *a, const struct model *m, const struct s
 const char *const energy_names[] = {"input",      "kinetic", "strain",  "damping",
                                     "hysteretic", "contact", "residual"};
 
-void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
-                    double *energy) {
-    double other = m->n_storey_history > 0 ? stored(m, s, STOREYS_OTHER) : 0.0;
-    energy[ENERGY_INPUT] = a->input + half_sum(a->input_2x, m->n_dof);
-    energy[ENERGY_KINETIC] = kinetic(m, s);
-    energy[ENERGY_STRAIN] = stored(m, s, STOREYS_ELASTIC) + other;
-    energy[ENERGY_DAMPING] = a->damping + half_sum(a->damping_2x, m->n_dof);
-    energy[ENERGY_HYSTERETIC] = storey_work(a, m) - (other - a->stored_start);
+void energy_close(const struct energy_account *a, const struct energy_sums *sums, double *energy) {
+    energy[ENERGY_INPUT] = a->input + sums->input_2x / 2.0;
+    energy[ENERGY_KINETIC] = sums->kinetic;
+    energy[ENERGY_STRAIN] = sums->elastic + sums->other;
+    energy[ENERGY_DAMPING] = a->damping + sums->damping_2x / 2.0;
+    energy[ENERGY_HYSTERETIC] = sums->storey - (sums->other - a->stored_start);
     energy[ENERGY_CONTACT] = a->contact;
     energy[ENERGY_RESIDUAL] = a->initial + energy[ENERGY_INPUT] - energy[ENERGY_KINETIC] -
                               energy[ENERGY_STRAIN] - energy[ENERGY_DAMPING] -
                               energy[ENERGY_HYSTERETIC] - energy[ENERGY_CONTACT];
+}
+
+void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
+                    double *energy) {
+    const struct energy_sums sums = {
+        .kinetic = kinetic(m, s),
+        .elastic = stored(m, s, STOREYS_ELASTIC),
+        .other = m->n_storey_history > 0 ? stored(m, s, STOREYS_OTHER) : 0.0,
+        .storey = storey_work(a, m),
+        .input_2x = sum_of(a->input_2x, m->n_dof),
+        .damping_2x = sum_of(a->damping_2x, m->n_dof),
+    };
+    energy_close(a, &sums, energy);
 }

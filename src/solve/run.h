@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An analysis under way, and the step that all of Newmark's steps are made of; in analysis.c.
+// An analysis under way, and its steps, in analysis.c: for those who take them one after the other,
+// in lanes but for some, or of other lengths.
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
@@ -27,7 +28,22 @@ struct run {
     struct meeting *meeting;  // (n_contact) scratch of rigid impacts
     struct results *results;
     struct error *error;
+    double start;  // [s] of the wall clock
 };
+
+// Everything up to the state at t = 0 and its row. Not 0: as of analysis_run; analysis_end must be
+// called all the same.
+int analysis_begin(struct run *r, const struct model *m, const struct observer *observer,
+                   struct error *e);
+
+// Step n of the deck (from 1), with its row, of a run with fixed steps. The same.
+int analysis_step(struct run *r, long n);
+
+// Takes note of the energies of a row that have been put in `results`. STATUS_FAILED: not finite.
+int analysis_balanced(struct run *r);
+
+// Ends an analysis whose steps gave `status`, which it returns: *out has the results if it is 0.
+int analysis_end(struct run *r, int status, struct results **out);
 
 // Steps to `end`, h later, or to the first event on the way; *rest is what is left of h. A step of
 // so many `cuts` is taken as it is where it cannot be cut. STATUS_RETRY: a shorter one is wanted.

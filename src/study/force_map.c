@@ -36,7 +36,8 @@ void force_map_pair(struct force_map_pair *pair, double t1, double t2) {
 
 // No pair is begun behind one that failed, but those before it end: which one fails first does not
 // depend on the threads.
-static long take(void *context) {
+static long take(void *context, void *scratch) {
+    (void)scratch;
     struct map *map = context;
     const long n = map->request->n_period;
     return map->next < n * n && map->failed == LONG_MAX ? map->next++ : -1;

@@ -116,7 +116,8 @@ static int use_model(void *context, const struct model *m, struct study_outcome 
     return status;
 }
 
-static long take(void *context) {
+static long take(void *context, void *scratch) {
+    (void)scratch;
     struct work *w = context;
     return w->next < w->n ? w->next++ : -1;
 }

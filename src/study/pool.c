@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "jostle/ensemble.h"
 #include "jostle/study_merge.h"
 #include "motion/shelf.h"
 #include "study/trial.h"
@@ -21,13 +22,16 @@ struct pool {
     struct shelf *records;
     struct study_progress progress;
     long next;  // the run to look at next
+    long left;  // runs that no thread has taken yet
+    int most;   // that one takes at once
     int tick;
 };
 
-// What a thread has of the run it works on.
-struct entry {
-    struct study_outcome outcome;
-    double value[];  // (n_value)
+// The runs that a thread works on.
+struct batch {
+    int n;
+    struct trial trial[ENSEMBLE_MAX];
+    double value[];  // (pool.most, n_value)
 };
 
 // The pool as one of its threads sees it.
@@ -59,23 +63,40 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
     return status;
 }
 
-// The next run of the part to be done; -1: there is none.
-static long take(void *context) {
-    struct pool *p = context;
-    while (p->next < p->plan->n_mine && p->journal->offset[p->next] != 0) {
-        p->next++;
-    }
-    return p->next < p->plan->n_mine ? p->next++ : -1;
+// How many runs a thread takes at once: those that can go in lockstep, but so that all threads get
+// their share.
+static long portion(const struct pool *p) {
+    const long share = (p->left + p->progress.n_thread - 1) / p->progress.n_thread;
+    return share < p->most ? share : p->most;
 }
 
-static int work(void *context, struct workers *w, long run, void *scratch, struct error *e) {
+// The next runs of the part to be done; -1: there are none.
+static long take(void *context, void *scratch) {
+    struct pool *p = context;
+    struct batch *b = scratch;
+    const long most = portion(p);
+    for (b->n = 0; b->n < most && p->next < p->plan->n_mine; p->next++) {
+        if (p->journal->offset[p->next] == 0) {
+            struct trial *t = &b->trial[b->n];
+            t->run = study_shard_run(&p->plan->shard, p->next);
+            t->entry = p->next;
+            t->value = b->value + (size_t)b->n * p->plan->table->n_value;
+            b->n++;
+            p->left--;
+        }
+    }
+    return b->n > 0 ? b->trial[0].entry : -1;
+}
+
+static int work(void *context, struct workers *w, long first, void *scratch, struct error *e) {
+    (void)first, (void)e;
     struct pool *p = context;
     struct view view = {.pool = p, .workers = w};
-    struct entry *entry = scratch;
+    struct batch *b = scratch;
     const struct trial_watch watch = {
         .files = enter_files, .poll = poll_trial, .context = &view, .records = p->records};
-    run = study_shard_run(&p->plan->shard, run);
-    return trial_run(p->plan, run, &watch, &entry->outcome, entry->value, e);
+    trial_run(p->plan, b->trial, b->n, &watch);
+    return STATUS_OK;
 }
 
 static void count(struct pool *p, long run, const struct study_outcome *outcome) {
@@ -85,19 +106,36 @@ static void count(struct pool *p, long run, const struct study_outcome *outcome)
         to->n_failed++;
         if (!to->failure[0]) {
             struct plan_text t;
-            snprintf(to->failure, sizeof to->failure, "%s: %s",
-                     plan_describe(p->plan, study_shard_run(&p->plan->shard, run), &t),
+            snprintf(to->failure, sizeof to->failure, "%s: %s", plan_describe(p->plan, run, &t),
                      outcome->message);
         }
     }
 }
 
-static int enter(void *context, long run, const void *scratch, struct error *e) {
-    struct pool *p = context;
-    const struct entry *entry = scratch;
-    const int status = journal_add_run(p->journal, run, &entry->outcome, entry->value, e);
+static int enter_run(struct pool *p, const struct trial *t, struct error *e) {
+    if (t->status != STATUS_OK) {
+        *e = t->error;
+        return t->status;
+    }
+    const int status = journal_add_run(p->journal, t->entry, &t->outcome, t->value, e);
     if (status == STATUS_OK) {
-        count(p, run, &entry->outcome);
+        count(p, t->run, &t->outcome);
+    }
+    return status;
+}
+
+// The first error of a run, after the others have been entered.
+static int enter(void *context, long first, const void *scratch, struct error *e) {
+    (void)first;
+    const struct batch *b = scratch;
+    int status = STATUS_OK;
+    for (int i = 0; i < b->n; i++) {
+        struct error other;
+        const int entered = enter_run(context, &b->trial[i], &other);
+        if (status == STATUS_OK && entered != STATUS_OK) {
+            status = entered;
+            *e = other;
+        }
     }
     return status;
 }
@@ -128,9 +166,12 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
     const long missing = plan->n_mine - journal->n_done;
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
+    p.left = missing;
+    p.most = trial_most(plan);
+    const size_t values = (size_t)p.most * plan->table->n_value;
     const struct workers_request request = {.n_thread = n_thread,
-                                            .scratch = sizeof(struct entry) +
-                                                       plan->table->n_value * sizeof(double),
+                                            .scratch =
+                                                sizeof(struct batch) + values * sizeof(double),
                                             .take = take,
                                             .work = work,
                                             .enter = enter,

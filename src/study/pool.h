@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The threads of a study. Each takes the next run that is not in the journal, runs it alone, and
-// enters it; nothing but the journal, the ledger and the counts is shared.
+// The threads of a study. Each takes the next runs that are not in the journal, as many as can go
+// in lockstep, runs them, and enters them; nothing but the journal, the ledger and the counts is
+// shared.
 #ifndef JOSTLE_POOL_H
 #define JOSTLE_POOL_H
 

@@ -4,10 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-static int ignore_row(void *context, const struct row_view *row, struct error *e) {
-    (void)context, (void)row, (void)e;
-    return STATUS_OK;
-}
+#include "jostle/ensemble.h"
 
 static void fail(struct study_outcome *outcome, const char *message) {
     outcome->status = STUDY_FAILED;
@@ -36,8 +33,7 @@ static int open_deck(const struct plan *p, long run, int *choice, struct deck **
 
 int trial_analyse(const struct model *m, const struct trial_watch *watch,
                   struct study_outcome *outcome, struct results **out, struct error *e) {
-    const struct observer observer = {
-        .row = ignore_row, .poll = watch->poll, .context = watch->context};
+    const struct observer observer = {.poll = watch->poll, .context = watch->context};
     *out = NULL;
     int status = analysis_run(m, &observer, out, e);
     if (status == STATUS_FAILED) {
@@ -45,31 +41,6 @@ int trial_analyse(const struct model *m, const struct trial_watch *watch,
         *out = NULL;
         return STATUS_OK;
     }
-    return status;
-}
-
-// What the runs of a study give.
-struct table_use {
-    const struct plan *plan;
-    const struct trial_watch *watch;
-    double *value;
-};
-
-static int fill_table(void *context, const struct model *m, struct study_outcome *outcome,
-                      struct error *e) {
-    const struct table_use *u = context;
-    struct results *results;
-    int status = trial_analyse(m, u->watch, outcome, &results, e);
-    if (status != STATUS_OK || !results) {
-        return status;
-    }
-    struct report *report;
-    status = report_create(m, results, NULL, u->plan->report->version, &report, e);
-    if (status == STATUS_OK) {
-        study_table_read(report, u->value);
-        report_free(report);
-    }
-    results_free(results);
     return status;
 }
 
@@ -104,11 +75,77 @@ int trial_build(const struct plan *p, long run, const struct trial_watch *watch,
     return status;
 }
 
-int trial_run(const struct plan *p, long run, const struct trial_watch *watch,
-              struct study_outcome *outcome, double *value, struct error *e) {
-    struct table_use use = {.plan = p, .watch = watch, .value = value};
+static void start(const struct plan *p, struct trial *t) {
+    t->outcome = (struct study_outcome){.status = STUDY_DONE};
     for (size_t i = 0; i < p->table->n_value; i++) {
-        value[i] = NAN;
+        t->value[i] = NAN;
     }
-    return trial_build(p, run, watch, fill_table, &use, outcome, e);
+}
+
+// The model of a run; NULL: its deck is wrong for its values, which is an outcome.
+static int build_run(const struct plan *p, struct trial *t, const struct trial_watch *watch,
+                     struct deck *deck, struct model **out) {
+    int status = model_build_shared(deck, watch->records, out, &t->error);
+    const bool built = status == STATUS_OK;
+    if (status == STATUS_INPUT) {
+        status = fail_deck(&t->outcome, deck, &t->error);
+    }
+    if (status == STATUS_OK) {
+        status = watch->files(watch->context, deck->files, &t->error);
+    }
+    return status == STATUS_OK && built ? plan_check(p, t->run, *out, &t->error) : status;
+}
+
+// What the run of a model came to.
+static int conclude(const struct plan *p, struct trial *t, struct ensemble_member *member) {
+    if (member->status == STATUS_FAILED) {
+        fail(&t->outcome, member->error.message);
+        return STATUS_OK;
+    }
+    if (member->status != STATUS_OK) {
+        t->error = member->error;
+        return member->status;
+    }
+    struct report *report;
+    int status =
+        report_create(member->model, member->results, NULL, p->report->version, &report, &t->error);
+    if (status == STATUS_OK) {
+        study_table_read(report, t->value);
+        report_free(report);
+    }
+    results_free(member->results);
+    return status;
+}
+
+int trial_most(const struct plan *p) {
+    return ensemble_suits(p->first) ? ENSEMBLE_MAX : 1;
+}
+
+void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch) {
+    const struct observer observer = {.poll = watch->poll, .context = watch->context};
+    struct deck *deck[ENSEMBLE_MAX] = {NULL};
+    struct ensemble_member member[ENSEMBLE_MAX];
+    struct trial *built[ENSEMBLE_MAX];
+    int choice[STUDY_SWEEPS_MAX];
+    int n_built = 0;
+    for (int i = 0; i < n; i++) {
+        struct trial *t = &trial[i];
+        struct model *m = NULL;
+        start(p, t);
+        t->status = open_deck(p, t->run, choice, &deck[i], &t->error);
+        if (t->status == STATUS_OK) {
+            t->status = build_run(p, t, watch, deck[i], &m);
+        }
+        if (t->status == STATUS_OK && m) {
+            member[n_built] = (struct ensemble_member){.model = m};
+            built[n_built++] = t;
+        }
+    }
+    ensemble_run(member, n_built, &observer);
+    for (int i = 0; i < n_built; i++) {
+        built[i]->status = conclude(p, built[i], &member[i]);
+    }
+    for (int i = 0; i < n; i++) {
+        deck_free(deck[i]);  // and its model
+    }
 }

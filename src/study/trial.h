@@ -30,11 +30,23 @@ int trial_build(const struct plan *p, long run, const struct trial_watch *watch,
 int trial_analyse(const struct model *m, const struct trial_watch *watch,
                   struct study_outcome *outcome, struct results **out, struct error *e);
 
-// Builds the model of run `run` and runs it: its outcome and its values (n_value), NaN if it
-// failed. A deck that is wrong for these values and an analysis that fails are outcomes; errors are
-// those that end the study: STATUS_INPUT (the run has another shape), STATUS_SYSTEM, or what the
-// watch returned.
-int trial_run(const struct plan *p, long run, const struct trial_watch *watch,
-              struct study_outcome *outcome, double *value, struct error *e);
+struct trial {
+    long run;       // of the study, from 0
+    long entry;     // its place in the journal; not used here
+    double *value;  // (n_value) borrowed: its values, NaN if it failed
+    struct study_outcome outcome;
+    int status;  // 0, or an error that ends the study
+    struct error error;
+};
+
+// How many runs of a plan are worth running at once: 1 where they cannot go in lockstep, and never
+// more than ENSEMBLE_MAX.
+int trial_most(const struct plan *p);
+
+// Builds the models of `n` <= ENSEMBLE_MAX runs and runs them: the outcome and the values of each,
+// which do not depend on what else is run. A deck that is wrong for its values and an analysis that
+// fails are outcomes; errors are those that end the study: STATUS_INPUT (the run has another
+// shape), STATUS_SYSTEM, or what the watch returned.
+void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch);
 
 #endif

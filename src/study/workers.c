@@ -44,7 +44,7 @@ static void give_up(struct workers *w, int status, const struct error *e) {
 static void work(struct workers *w, void *scratch) {
     const struct workers_request *q = w->request;
     workers_lock(w);
-    for (long job; !workers_stopped(w) && (job = q->take(q->context)) >= 0;) {
+    for (long job; !workers_stopped(w) && (job = q->take(q->context, scratch)) >= 0;) {
         struct error e;
         workers_unlock(w);
         int status = q->work(q->context, w, job, scratch, &e);

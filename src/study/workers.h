@@ -14,8 +14,9 @@ struct workers;  // while they work
 struct workers_request {
     int n_thread;    // at least 1
     size_t scratch;  // bytes that each thread has for itself
-    // The next job; -1: there is none. Called under the lock.
-    long (*take)(void *context);
+    // The next job; -1: there is none. Called under the lock; what it leaves in `scratch` is there
+    // for the other two.
+    long (*take)(void *context, void *scratch);
     // Does the job. Called without the lock.
     int (*work)(void *context, struct workers *w, long job, void *scratch, struct error *e);
     // Enters what work left in `scratch`. Called under the lock.

@@ -48,7 +48,10 @@ int bench_model(const struct bench_case *c, struct model **out, struct error *e)
 // CPU time of the thread in analysis_run, without an observer.
 bench_measure bench_analysis;
 
-// The same with the result file written.
+// CPU time of ENSEMBLE_MAX runs of the case with gaps 1 mm apart, in lockstep, for each of them.
+bench_measure bench_ensemble;
+
+// The same as bench_analysis with the result file written.
 bench_measure bench_histories;
 
 // Wall time of `jostle run`, from fork to its end.

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "bench/bench.h"
+#include "jostle/ensemble.h"
 #include "jostle/result.h"
 
 enum { PATH_SIZE = 4096 };
@@ -30,6 +31,43 @@ int bench_analysis(const struct bench_case *c, const struct model *m,
     *seconds = clock_read(CLOCK_THREAD_CPUTIME_ID) - start;
     if (status == STATUS_OK) {
         results_free(results);
+    }
+    return status;
+}
+
+// The links of `m` with gaps `more` wider; NULL: no memory.
+static struct link *widen(const struct model *m, double more) {
+    struct link *link = calloc((size_t)m->n_link + 1, sizeof *link);
+    for (int k = 0; link && k < m->n_link; k++) {
+        link[k] = m->link[k];
+        link[k].gap += more;
+    }
+    return link;
+}
+
+int bench_ensemble(const struct bench_case *c, const struct model *m,
+                   const struct bench_place *place, double *seconds, struct error *e) {
+    (void)c, (void)place;
+    struct ensemble_member member[ENSEMBLE_MAX] = {{0}};
+    struct model model[ENSEMBLE_MAX];
+    struct link *link[ENSEMBLE_MAX];
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        link[k] = widen(m, 1e-3 * (k - (ENSEMBLE_MAX - 1) / 2.0));
+        model[k] = *m;
+        model[k].link = link[k] ? link[k] : m->link;
+        member[k].model = &model[k];
+    }
+    double start = clock_read(CLOCK_THREAD_CPUTIME_ID);
+    ensemble_run(member, ENSEMBLE_MAX, NULL);
+    *seconds = (clock_read(CLOCK_THREAD_CPUTIME_ID) - start) / ENSEMBLE_MAX;
+    int status = STATUS_OK;
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        if (member[k].status != STATUS_OK) {
+            *e = member[k].error;
+            status = member[k].status;
+        }
+        results_free(member[k].results);
+        free(link[k]);
     }
     return status;
 }

@@ -19,10 +19,11 @@ kills=5
 starts=0
 killed=0
 kept=0
-while [ $killed -lt $kills ] && [ $starts -lt 500 ]; do
+# A thread enters its runs some at a time: on a busy machine it takes a while until there are any.
+while { [ $killed -lt $kills ] || [ $kept -eq 0 ]; } && [ $starts -lt 500 ]; do
     "$jostle" run study.deck -q -o killed.h5 >"$out" 2>"$err" </dev/null &
     child=$!
-    sleep 0.$((RANDOM % 2))$((RANDOM % 10))$((RANDOM % 10))
+    sleep 0.$((RANDOM % 2 + starts % 5))$((RANDOM % 10))$((RANDOM % 10))
     kill -s KILL $child 2>/dev/null
     wait $child 2>/dev/null
     status=$?
@@ -35,7 +36,7 @@ while [ $killed -lt $kills ] && [ $starts -lt 500 ]; do
     size=$(stat -c %s killed.h5.runs 2>/dev/null || echo 0)
     [ "$size" -le 1500 ] || kept=$((kept + 1))
 done
-expect "it is killed $kills times, some of them amid its runs" '[ $killed -eq $kills ] && [ $kept -gt 0 ]'
+expect "it is killed $kills times, some of them amid its runs" '[ $killed -ge $kills ] && [ $kept -gt 0 ]'
 run "$jostle" run study.deck -o killed.h5
 expect "the same command ends it" '[ $status -eq 0 ] && [ ! -e killed.h5.runs ]'
 expect "and its file is that of an uninterrupted one" 'same whole.h5 killed.h5'

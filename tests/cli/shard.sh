@@ -150,10 +150,10 @@ rm -rf merged.h5 elsewhere
 "$jostle" run study.deck -j 1 --shard 1/2 -o half.h5 >"$out" 2>"$err" </dev/null &
 child=$!
 for _ in $(seq 200); do
-    [ "$(stat -c %s half.h5.runs 2>/dev/null || echo 0)" -le 8000 ] || break
+    [ "$(stat -c %s half.h5.runs 2>/dev/null || echo 0)" -le 1500 ] || break
     sleep 0.002
 done
-kill -s KILL $child
+kill -s KILL $child 2>/dev/null
 wait $child 2>/dev/null
 if [ -s half.h5.runs ]; then
     run "$jostle" run study.deck --shard 2/2 -o half.h5

@@ -32,7 +32,7 @@ home() {
     error | units | row | curve) echo core ;;
     contact_law | storey_law) echo law ;;
     record | signal | spectrum | intensity) echo motion ;;
-    analysis) echo solve ;;
+    analysis | ensemble) echo solve ;;
     study_file) echo result ;;
     study_merge) echo study ;;
     *) echo "$1" ;;

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The time loop of several runs. A run is aboard the lanes as long as none of its links acts; a
+// step in which one does it takes ashore, as a run alone takes it, and it comes back when its links
+// are open again. All runs are at the same step, so that they share the lanes' ground motion.
+#include "jostle/ensemble.h"
+
+#include <assert.h>
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "solve/ensemble_lanes.h"
+
+static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
+
+// Lanes of more floors do not fit into the second cache.
+enum { FLOORS_MOST = 256 };
+
+// Fewer runs than this are faster alone: a step of the lanes takes as long as some single steps.
+enum { RUNS_LEAST = 4 };
+
+enum { POLL_STEPS = 64 * ENSEMBLE_STRETCH };
+
+enum berth {
+    BERTH_ABOARD,  // in the lanes
+    BERTH_ASHORE,  // in a struct run, until its links are open
+    BERTH_STAYS,   // in a struct run for good
+    BERTH_ENDED,   // with an error
+};
+
+// A run of the fleet.
+struct boat {
+    struct run run;
+    struct ensemble_member *member;  // borrowed
+    enum berth berth;
+    int ground;    // the first run whose ground moves as that of this one
+    long boarded;  // the step after which it came aboard
+};
+
+struct fleet {
+    struct ensemble_lanes lanes;
+    const struct observer *observer;  // borrowed
+    int n;
+    struct boat boat[ENSEMBLE_MAX];  // (n) boat k in lane k
+    int n_aboard, n_ashore;
+    long due;    // the step after which a run has but its last one, which may be shorter
+    long known;  // ground accelerations are there up to this step
+    int every;   // steps between two rows
+};
+
+bool ensemble_suits(const struct model *m) {
+    bool suits = !m->adaptive && m->n_storey_history == 0 && !m->chain.full_damping &&
+                 m->n_ground == 1 && m->n_load == 0 && m->n_link == m->n_contact &&
+                 m->n_dof <= FLOORS_MOST;
+    for (int k = 0; suits && k < m->n_link; k++) {
+        suits = !m->link[k].law->rebound;
+    }
+    return suits;
+}
+
+bool ensemble_alike(const struct model *a, const struct model *b) {
+    bool alike = ensemble_suits(b) && a->n_building == b->n_building && a->n_dof == b->n_dof &&
+                 a->n_link == b->n_link && a->beta == b->beta && a->gamma == b->gamma &&
+                 a->dt == b->dt && a->output.every == b->output.every;
+    for (int k = 0; alike && k < a->n_building; k++) {
+        alike = a->building[k].n_floor == b->building[k].n_floor;
+    }
+    for (int k = 0; alike && k < a->n_link; k++) {
+        alike = memcmp(a->link[k].dof, b->link[k].dof, sizeof a->link[k].dof) == 0;
+    }
+    return alike;
+}
+
+static bool same_signal(const struct signal *a, const struct signal *b) {
+    if (a->start != b->start || a->end != b->end || !a->value != !b->value) {
+        return false;
+    }
+    if (!a->value) {
+        return a->amplitude == b->amplitude && a->omega == b->omega && a->phase == b->phase;
+    }
+    return a->n == b->n && a->dt == b->dt &&
+           memcmp(a->value, b->value, a->n * sizeof *a->value) == 0;
+}
+
+static bool same_ground(const struct ground *a, const struct ground *b) {
+    bool same = a->n_signal == b->n_signal;
+    for (int i = 0; same && i < a->n_signal; i++) {
+        same = same_signal(&a->signal[i], &b->signal[i]);
+    }
+    return same;
+}
+
+// The ground accelerations of a run from step n on, for its lane.
+static void shake(struct fleet *f, int k, long n) {
+    const struct model *m = f->boat[k].run.model;
+    const struct ground *g = &m->ground[0];
+    double time[ENSEMBLE_STRETCH], value[ENSEMBLE_STRETCH] = {0.0};
+    for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
+        time[i] = (double)(n + i) * m->dt;
+    }
+    for (int i = 0; i < g->n_signal; i++) {
+        signal_add_values(&g->signal[i], ENSEMBLE_STRETCH, time, value);
+    }
+    for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
+        f->lanes.base[i][k] = value[i];
+    }
+}
+
+// The ground accelerations of the steps from n on.
+static void look_ahead(struct fleet *f, long n) {
+    for (int k = 0; k < f->n; k++) {
+        const int same = f->boat[k].ground;
+        if (same == k) {
+            shake(f, k, n);
+        }
+        for (int i = 0; i < ENSEMBLE_STRETCH && same < k; i++) {
+            f->lanes.base[i][k] = f->lanes.base[i][same];
+        }
+    }
+    f->known = n + ENSEMBLE_STRETCH - 1;
+}
+
+// Takes a run aboard whose links are open after step n, if it may.
+static void board(struct fleet *f, int k, long n) {
+    struct boat *b = &f->boat[k];
+    if (b->berth == BERTH_ASHORE && b->run.now->n_live == 0 &&
+        ensemble_board(&f->lanes, k, &b->run)) {
+        b->berth = BERTH_ABOARD;
+        b->boarded = n;
+        f->n_aboard++;
+        f->n_ashore--;
+    }
+}
+
+static void leave(struct fleet *f, int k, long n) {
+    struct boat *b = &f->boat[k];
+    ensemble_leave(&f->lanes, k, &b->run, model_time(b->run.model, n), n - b->boarded);
+    b->berth = BERTH_ASHORE;
+    f->n_aboard--;
+    f->n_ashore++;
+}
+
+// Ends a run for good.
+static void end(struct fleet *f, int k, int status) {
+    struct boat *b = &f->boat[k];
+    *(b->berth == BERTH_ABOARD ? &f->n_aboard : &f->n_ashore) -= 1;
+    b->berth = BERTH_ENDED;
+    b->member->status = analysis_end(&b->run, status, &b->member->results);
+}
+
+static long least(long a, long b) {
+    return a < b ? a : b;
+}
+
+// Takes those aboard from step n on to a step at which there is something to do for one of the
+// runs, and returns it; those whose links act there are left before it.
+static long cruise(struct fleet *f, long n) {
+    struct ensemble_lanes *e = &f->lanes;
+    const long row = (n + f->every - 1) / f->every * f->every;
+    const long last = f->n_ashore > 0 ? n : least(least(f->known, f->due), row);
+    if (f->n_aboard == 0) {
+        return last;
+    }
+    const wide *base = e->base + (n + ENSEMBLE_STRETCH - 1 - f->known);
+    const long taken = n - 1 + ensemble_march(e, base, (int)(last - n + 1));
+    if (taken == last) {
+        return last;
+    }
+    const unsigned leaving = ensemble_leaving(e);
+    for (int k = 0; k < f->n; k++) {
+        if (leaving >> k & 1U) {
+            leave(f, k, taken);
+        }
+    }
+    ensemble_commit(e, (double)(taken + 1) * e->h);
+    return taken + 1;
+}
+
+// The energies of a row of those aboard.
+static void balance(struct fleet *f) {
+    struct energy_sums sums[WIDE_RUNS];
+    ensemble_sums(&f->lanes, sums);
+    for (int k = 0; k < f->n; k++) {
+        struct run *r = &f->boat[k].run;
+        if (f->boat[k].berth == BERTH_ABOARD) {
+            energy_close(&r->energy, &sums[k], r->results->energy);
+            int status = analysis_balanced(r);
+            if (status != STATUS_OK) {
+                end(f, k, status);
+            }
+        }
+    }
+}
+
+static void poll(struct fleet *f, double time) {
+    const struct observer *o = f->observer;
+    for (int k = 0; o && o->poll && k < f->n; k++) {
+        struct boat *b = &f->boat[k];
+        int status = b->berth == BERTH_ABOARD ? o->poll(o->context, time, &b->member->error) : 0;
+        if (status != STATUS_OK) {
+            end(f, k, status);
+        }
+    }
+}
+
+// Step n of those ashore, some of which come aboard then.
+static void step_ashore(struct fleet *f, long n) {
+    for (int k = 0; f->n_ashore > 0 && k < f->n; k++) {
+        struct boat *b = &f->boat[k];
+        if (b->berth != BERTH_ASHORE && b->berth != BERTH_STAYS) {
+            continue;
+        }
+        int status = analysis_step(&b->run, n);
+        if (status == STATUS_OK) {
+            board(f, k, n);
+        } else {
+            end(f, k, status);
+        }
+    }
+}
+
+// The last step of a run, which it takes ashore.
+static void land(struct fleet *f, int k) {
+    struct boat *b = &f->boat[k];
+    const long last = b->run.model->n_step;
+    if (b->berth == BERTH_ABOARD) {
+        leave(f, k, last - 1);
+    }
+    ensemble_lanes_merge(&f->lanes, k, b->run.results);
+    end(f, k, analysis_step(&b->run, last));
+}
+
+// Lands the runs that have but one step left after step n, and looks for the next that will.
+static void land_due(struct fleet *f, long n) {
+    if (n < f->due) {
+        return;
+    }
+    f->due = LONG_MAX;
+    for (int k = 0; k < f->n; k++) {
+        const struct boat *b = &f->boat[k];
+        const long due = b->run.model->n_step - 1;
+        if (b->berth != BERTH_ENDED && due == n) {
+            land(f, k);
+        } else if (b->berth != BERTH_ENDED) {
+            f->due = least(f->due, due);
+        }
+    }
+}
+
+static void lockstep(struct fleet *f) {
+    const double dt = f->boat[0].run.model->dt;
+    land_due(f, 0);
+    for (long n = 1; f->n_aboard + f->n_ashore > 0; n++) {
+        if (n > f->known) {
+            look_ahead(f, n);
+            if (n % POLL_STEPS == 1) {
+                poll(f, (double)(n - 1) * dt);
+            }
+        }
+        n = cruise(f, n);
+        if (n % f->every == 0 && f->n_aboard > 0) {
+            balance(f);
+        }
+        step_ashore(f, n);
+        land_due(f, n);
+    }
+}
+
+static int first_with_ground(const struct fleet *f, const struct model *m) {
+    int k = 0;
+    while (k < f->n && !same_ground(f->boat[k].run.model->ground, m->ground)) {
+        k++;
+    }
+    return k;
+}
+
+// Starts a run, and takes it aboard if it can go in lanes.
+static void start(struct fleet *f, struct ensemble_member *member) {
+    const struct model *m = member->model;
+    const int k = f->n;
+    struct boat *b = &f->boat[k];
+    b->member = member;
+    member->results = NULL;
+    b->ground = first_with_ground(f, m);
+    b->berth = BERTH_STAYS;
+    f->n++;
+    f->n_ashore++;
+    int status = analysis_begin(&b->run, m, f->observer, &member->error);
+    if (status != STATUS_OK) {
+        end(f, k, status);
+    } else if (work_factor(&b->run.work, m->dt) == STATUS_OK &&
+               ensemble_lanes_fill(&f->lanes, k, &b->run)) {
+        b->berth = BERTH_ASHORE;
+        board(f, k, 0);
+    }
+}
+
+// Runs the `n` members of models alike in lockstep. STATUS_SYSTEM: no memory.
+static int run_alike(struct ensemble_member **member, int n, const struct observer *observer,
+                     struct arena *a, struct error *e) {
+    const struct model *m = member[0]->model;
+    struct fleet *f = a ? arena_alloc(a, 1, sizeof *f) : NULL;
+    if (!f || !ensemble_lanes_alloc(&f->lanes, m, a)) {
+        return error_no_memory(e);
+    }
+    f->observer = observer;
+    f->every = observer ? m->output.every : INT_MAX;
+    for (int k = 0; k < n; k++) {
+        start(f, member[k]);
+    }
+    lockstep(f);
+    return STATUS_OK;
+}
+
+static void run_together(struct ensemble_member **member, int n, const struct observer *observer) {
+    struct error e;
+    struct arena *a = arena_create();
+    int status = run_alike(member, n, observer, a, &e);
+    for (int k = 0; status != STATUS_OK && k < n; k++) {
+        member[k]->status = status;
+        member[k]->error = e;
+    }
+    arena_free(a);
+}
+
+// Takes member k and those behind it that are alike out of `left`; returns how many.
+static int take_alike(struct ensemble_member *member, int n, int k, bool *left,
+                      struct ensemble_member **alike) {
+    int n_alike = 0;
+    for (int i = k; i < n; i++) {
+        if (left[i] && (i == k || ensemble_alike(member[k].model, member[i].model))) {
+            alike[n_alike++] = &member[i];
+            left[i] = false;
+        }
+    }
+    return n_alike;
+}
+
+void ensemble_run(struct ensemble_member *member, int n, const struct observer *observer) {
+    bool left[ENSEMBLE_MAX];
+    memset(left, true, sizeof left);
+    for (int k = 0; k < n; k++) {
+        struct ensemble_member *alike[ENSEMBLE_MAX];
+        const bool alone = (observer && observer->row) || !ensemble_suits(member[k].model);
+        const int n_alike = left[k] ? take_alike(member, alone ? k + 1 : n, k, left, alike) : 0;
+        if (n_alike >= RUNS_LEAST) {
+            run_together(alike, n_alike, observer);
+            continue;
+        }
+        for (int i = 0; i < n_alike; i++) {
+            struct ensemble_member *m = alike[i];
+            m->results = NULL;
+            m->status = analysis_run(m->model, observer, &m->results, &m->error);
+        }
+    }
+}
