@@ -90,6 +90,8 @@ static const char *const *name_all(struct maker *m, enum role role, int n, const
 static void name_roles(struct maker *m) {
     struct suite *s = m->s;
     const struct study_view *v = s->view;
+    int *group_sweep = take(m, (size_t)v->n_sweep, sizeof *group_sweep);
+    s->group_sweep = group_sweep;
     s->over = s->fixed = "";
     for (int i = 0; i < v->n_sweep; i++) {
         if (m->roles.role[i] == ROLE_SAMPLE) {
@@ -99,6 +101,8 @@ static void name_roles(struct maker *m) {
             s->over = s->over ? s->over : "";
         } else if (m->roles.role[i] == ROLE_FIXED) {
             s->fixed = append_value(m, s->fixed, i, m->roles.fixed[i], " = ");
+        } else if (m->roles.role[i] == ROLE_GROUP && group_sweep) {
+            group_sweep[s->n_group_sweep++] = i;
         }
     }
     s->sample = name_all(m, ROLE_SAMPLE, s->n_sample, " ");
@@ -290,6 +294,13 @@ void suite_free(struct suite *s) {
     if (s) {
         arena_free(s->arena);
     }
+}
+
+int suite_group_choice(const struct suite *s, int group, int i) {
+    for (int k = s->n_group_sweep - 1; k > i; k--) {
+        group /= s->view->sweep[s->group_sweep[k]]->n;
+    }
+    return group % s->view->sweep[s->group_sweep[i]]->n;
 }
 
 double suite_value(const struct suite *s, int group, int sample, int point) {

@@ -37,12 +37,14 @@ struct suite {
     const double *point;        // (n_point) its numbers; 1, 2, ... for texts
     const char *const *sample;  // (n_sample) "ELCENTRO_1940_NS"
     const char *const *group;   // (n_group) "gap = 0.02 m"; "" where there is one
-    const char *over;           // names of the sampled sweeps, "record"; "" if none
-    const char *fixed;          // "gap = 0.02 m" of --at; ""
-    const double *value;        // (n_group, n_sample, n_point); INFINITY: above all; NAN: left out
-    long n_run;                 // n_group n_sample n_point
-    long n_missing;             // of them, runs that the file does not have; they are left out
-    long n_failed;              // of them; the first ones are named
+    const int *group_sweep;     // (n_group_sweep) sweeps of which groups are the values
+    int n_group_sweep;
+    const char *over;     // names of the sampled sweeps, "record"; "" if none
+    const char *fixed;    // "gap = 0.02 m" of --at; ""
+    const double *value;  // (n_group, n_sample, n_point); INFINITY: above all; NAN: left out
+    long n_run;           // n_group n_sample n_point
+    long n_missing;       // of them, runs that the file does not have; they are left out
+    long n_failed;        // of them; the first ones are named
     const char *failed[SUITE_NAMED_MAX];  // "run 7 (record X, im 0.3): why"
     enum suite_failed rule;
 };
@@ -52,6 +54,9 @@ struct suite {
 int suite_create(struct study_file *f, const struct suite_request *q, struct suite **out,
                  struct error *e);
 void suite_free(struct suite *s);  // NULL is allowed
+
+// Which value of sweep group_sweep[i] a group has.
+int suite_group_choice(const struct suite *s, int group, int i);
 
 double suite_value(const struct suite *s, int group, int sample, int point);
 
