@@ -263,6 +263,16 @@ static int fit_all(const struct request *q, const struct suite *s, struct error 
         status =
             error_set(e, STATUS_INPUT, "--im %s: its values are no numbers", s->abscissa->name);
     }
+    if (status == STATUS_OK && q->method == METHOD_IDA && s->is_random) {
+        status = error_set(e, STATUS_INPUT,
+                           "--method ida: '%s' is a random parameter, along which other things "
+                           "change, too",
+                           s->abscissa->name);
+    }
+    if (status == STATUS_OK && q->method == METHOD_IDA && s->n_sample < 2) {
+        status =
+            error_set(e, STATUS_INPUT, "--method ida needs samples; name their sweep by --over");
+    }
     if (status == STATUS_OK) {
         suite_options_warn(s);
         status = print_all(q, s, limit, n, e);

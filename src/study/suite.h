@@ -15,7 +15,7 @@ enum suite_guess { SUITE_INTENSITY, SUITE_ANY };
 
 struct suite_request {
     const char *edp;        // NULL: drift-ratio, or drift where the deck gives no heights
-    const char *abscissa;   // sweep that the picture or table goes along; NULL: found
+    const char *abscissa;   // sweep, or random parameter, that it goes along; NULL: found
     const char *over;       // sweeps whose values are samples, "record,k"; NULL: found; "": none
     const char *const *at;  // (n_at) NAME=VALUE, sweeps of which one value only is looked at
     int n_at;
@@ -28,9 +28,10 @@ struct suite {
     struct arena *arena;            // owns everything below
     const struct study_view *view;  // borrowed
     struct edp edp;
-    const struct sweep *abscissa;
-    bool is_intensity;           // by its name
-    const char *abscissa_units;  // "" for texts and pure numbers
+    const struct sweep *abscissa;  // or a random parameter along it
+    bool is_random;                // one is
+    bool is_intensity;             // by its name
+    const char *abscissa_units;    // "" for texts and pure numbers
     struct dimension abscissa_dimension;
     int n_point, n_sample, n_group;
     const int *order;           // (n_point) value of the sweep at each point, ascending
