@@ -29,6 +29,27 @@ END
 run "$jostle" run grid.deck -j 1 -o one.h5
 expect "a study runs and says how it went" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^study of 12 runs, 0 failed" "$out"'
 expect "it leaves only its file" 'only grid.deck one.h5 records/one.txt records/two.txt'
+(sed 's/^step/output -histories -interval 10ms\nstep/' grid.deck) >whole.deck
+run "$jostle" run whole.deck -q -o whole.h5
+expect "histories are written on request" '[ $status -eq 0 ]'
+run "$jostle" run whole.deck -q -o single.h5 -D gap=8mm -D k=1e6 -D record=records/one.txt
+expect "with all sweeps fixed they are those of one analysis" '[ $status -eq 0 ]'
+if command -v h5diff >/dev/null; then
+    for path in buildings/A/displacement buildings/B/storey_shear contacts/force impacts/t_start energy/input time; do
+        run h5diff whole.h5 single.h5 /runs/000009/$path /$path
+        expect "$path of a run is that of the run alone" '[ $status -eq 0 ]'
+    done
+    expect "all runs have theirs" '[ "$(h5ls whole.h5/runs | wc -l)" -eq 12 ]'
+    for i in 1 2; do
+        run "$jostle" run whole.deck -q --shard $i/2 -o half$i.h5
+        expect "part $i has those of its runs" '[ $status -eq 0 ] && [ "$(h5ls half$i.h5/runs | wc -l)" -eq 6 ]'
+    done
+    run "$jostle" merge -q half1.h5 half2.h5 -o joined.h5
+    expect "a merged file has none, which is said" '[ $status -eq 0 ] && said "the histories of the runs stay in the parts"'
+else
+    skip "histories are those of the runs alone" "no h5diff"
+fi
+rm -f whole.* single.* half* joined.*
 run "$jostle" run grid.deck -q -o two.h5 -j 2
 expect "-q prints nothing" '[ $status -eq 0 ] && [ ! -s "$out" ] && [ ! -s "$err" ]'
 if command -v h5diff >/dev/null; then
