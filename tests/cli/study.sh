@@ -29,6 +29,8 @@ END
 run "$jostle" run grid.deck -j 1 -o one.h5
 expect "a study runs and says how it went" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^study of 12 runs, 0 failed" "$out"'
 expect "it leaves only its file" 'only grid.deck one.h5 records/one.txt records/two.txt'
+run "$jostle" run grid.deck -q -o two.h5 -j 2
+expect "-q prints nothing" '[ $status -eq 0 ] && [ ! -s "$out" ] && [ ! -s "$err" ]'
 (sed 's/^step/output -histories -interval 10ms\nstep/' grid.deck) >whole.deck
 run "$jostle" run whole.deck -q -o whole.h5
 expect "histories are written on request" '[ $status -eq 0 ]'
@@ -39,6 +41,17 @@ if command -v h5diff >/dev/null; then
         run h5diff whole.h5 single.h5 /runs/000009/$path /$path
         expect "$path of a run is that of the run alone" '[ $status -eq 0 ]'
     done
+    run "$jostle" show --tsv single.h5
+    grep -v 'wall_seconds\|newton\|command_line' "$out" >table
+    run "$jostle" show --tsv 'whole.h5#9'
+    expect "a run is shown like a file" '[ $status -eq 0 ] && grep -v "wall_seconds\|newton\|command_line" "$out" | cmp - table'
+    run "$jostle" plot 'whole.h5#9' histories --script figure
+    expect "and drawn" '[ $status -eq 0 ] && [ -s figure/histories.gp ]'
+    run "$jostle" show 'whole.h5#13'
+    expect "a run that is not there is named" '[ $status -eq 2 ] && said "whole.h5 has no histories of run 13"'
+    run "$jostle" show 'two.h5#1'
+    expect "and so is a study without histories" '[ $status -eq 2 ] && said "output -histories"'
+    rm -r figure table
     expect "all runs have theirs" '[ "$(h5ls whole.h5/runs | wc -l)" -eq 12 ]'
     for i in 1 2; do
         run "$jostle" run whole.deck -q --shard $i/2 -o half$i.h5
@@ -50,8 +63,6 @@ else
     skip "histories are those of the runs alone" "no h5diff"
 fi
 rm -f whole.* single.* half* joined.*
-run "$jostle" run grid.deck -q -o two.h5 -j 2
-expect "-q prints nothing" '[ $status -eq 0 ] && [ ! -s "$out" ] && [ ! -s "$err" ]'
 if command -v h5diff >/dev/null; then
     expect "any number of threads gives the same file" 'same one.h5 two.h5'
     run "$jostle" run grid.deck -q -o eight.h5 -j 8
