@@ -59,6 +59,10 @@ run "$jostle" check grid.deck -D k=2e6
 expect "check prints the sweeps and the first model" '[ $status -eq 0 ] && grep -q "^study of 4 runs" "$out" && grep -q "k  *fixed by -D: 2e+06" "$out" && grep -q "building A: 2 floors" "$out"'
 run "$jostle" run grid.deck -o one.h5
 expect "an existing file is refused" '[ $status -eq 2 ] && said "one.h5 exists; --force overwrites it"'
+mkdir folder.h5
+run "$jostle" run grid.deck -o folder.h5 --force
+expect "so is a folder, before a run is made" '[ $status -eq 2 ] && said "folder.h5 is a folder" && [ ! -s "$out" ] && [ ! -e folder.h5.runs ]'
+rmdir folder.h5
 rm -f ./*.h5 ./*.tsv
 
 if python3 -c 'import xarray, netCDF4' 2>/dev/null; then
