@@ -21,9 +21,10 @@ struct pool {
     struct ledger *ledger;
     struct shelf *records;
     struct study_progress progress;
-    long next;  // the run to look at next
-    long left;  // runs that no thread has taken yet
-    int most;   // that one takes at once
+    long failed;  // the lowest run that failed, if any has; threads end them in any order
+    long next;    // the run to look at next
+    long left;    // runs that no thread has taken yet
+    int most;     // that one takes at once
     int tick;
 };
 
@@ -104,7 +105,8 @@ static void count(struct pool *p, long run, const struct study_outcome *outcome)
     to->n_done++;
     if (outcome->status == STUDY_FAILED) {
         to->n_failed++;
-        if (!to->failure[0]) {
+        if (!to->failure[0] || run < p->failed) {
+            p->failed = run;
             struct plan_text t;
             snprintf(to->failure, sizeof to->failure, "%s: %s", plan_describe(p->plan, run, &t),
                      outcome->message);
