@@ -70,6 +70,9 @@ refuses() {
     expect "refused: $text" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "$text"'
 }
 refuses "one deck is expected, not 0"
+for option in --limit --range --tolerance --percentile --parameter; do
+    refuses "$option is given twice" swing.deck $option 1 $option 2
+done
 refuses "--range goes with --limit" swing.deck --range 0:1:3
 refuses "--limit knows no 'forc'" swing.deck --limit forc=1
 refuses "--limit takes EDP=VALUE" swing.deck --limit force
