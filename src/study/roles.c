@@ -27,6 +27,20 @@ static int find_sweep(const struct study_view *v, const char *name, size_t n, co
     return -1;
 }
 
+// The same, or that of the random parameter of this name; *values are what it goes along.
+static int find_values(const struct study_view *v, const char *name, const struct sweep **values,
+                       struct error *e) {
+    for (int i = 0; i < v->n_sweep; i++) {
+        for (const struct sweep *s = v->sweep[i]; s; s = s->along) {
+            if (strcmp(s->name, name) == 0) {
+                *values = s;
+                return i;
+            }
+        }
+    }
+    return find_sweep(v, name, strlen(name), "--im or --against", e);
+}
+
 static int set_role(const struct study_view *v, struct roles *r, int sweep, enum role role,
                     struct error *e) {
     if (r->role[sweep] != ROLE_GROUP) {
@@ -107,6 +121,11 @@ static int take_samples(const struct study_view *v, const char *over, struct rol
     return STATUS_OK;
 }
 
+// Random parameters stand along it: its numbers only count the samples.
+static bool is_sampled(const struct study_view *v, int sweep) {
+    return v->sweep[sweep]->along != NULL;
+}
+
 // The first sweep still free that has one of these names, else the only one that is free among
 // texts (or numbers); -1.
 enum value_kind { VALUES_TEXT, VALUES_NUMBER };
@@ -114,14 +133,16 @@ static int guess(const struct study_view *v, const struct roles *r, const char *
                  enum value_kind kind) {
     int only = -1, n = 0;
     for (int i = 0; i < v->n_sweep; i++) {
-        if (r->role[i] == ROLE_GROUP && (v->sweep[i]->number != NULL) == (kind == VALUES_NUMBER)) {
+        const bool number = v->sweep[i]->number != NULL;
+        if (r->role[i] == ROLE_GROUP && number == (kind == VALUES_NUMBER) && !is_sampled(v, i)) {
             only = i;
             n++;
         }
     }
     for (const char *const *at = name; *at; at++) {
         for (int i = 0; i < v->n_sweep; i++) {
-            if (r->role[i] == ROLE_GROUP && strcmp(v->sweep[i]->name, *at) == 0) {
+            if (r->role[i] == ROLE_GROUP && strcmp(v->sweep[i]->name, *at) == 0 &&
+                !is_sampled(v, i)) {
                 return i;
             }
         }
@@ -132,12 +153,18 @@ static int guess(const struct study_view *v, const struct roles *r, const char *
 static const char *const intensities[] = {"im", "sa", "pga", "intensity", "scale", NULL};
 static const char *const records[] = {"record", "records", NULL};
 
-// The first sweep of numbers that is free, else the first free one; -1.
+// How much is to be seen along a sweep: numbers, texts, numbered samples.
+static int rank(const struct study_view *v, int sweep) {
+    return is_sampled(v, sweep) ? 0 : v->sweep[sweep]->number ? 2 : 1;
+}
+
+// The first sweep that is free among those of the highest rank; -1.
 static int any_free(const struct study_view *v, const struct roles *r) {
     int any = -1;
     for (int i = v->n_sweep - 1; i >= 0; i--) {
-        const bool free = r->role[i] == ROLE_GROUP;
-        any = free && (v->sweep[i]->number || any < 0 || !v->sweep[any]->number) ? i : any;
+        if (r->role[i] == ROLE_GROUP && (any < 0 || rank(v, i) >= rank(v, any))) {
+            any = i;
+        }
     }
     return any;
 }
@@ -151,7 +178,7 @@ static bool is_one_of(const char *name, const char *const *known) {
 
 static int find_abscissa(const struct study_view *v, const struct suite_request *q, struct roles *r,
                          struct error *e) {
-    int i = q->abscissa ? find_sweep(v, q->abscissa, strlen(q->abscissa), "--im or --against", e)
+    int i = q->abscissa ? find_values(v, q->abscissa, &r->values, e)
                         : guess(v, r, intensities, VALUES_NUMBER);
     if (i < 0 && q->abscissa) {
         return STATUS_INPUT;
@@ -161,13 +188,26 @@ static int find_abscissa(const struct study_view *v, const struct suite_request 
     }
     if (i < 0) {
         return error_set(e, STATUS_INPUT,
-                         "%s has no sweep 'im', 'sa' or 'pga'; name the one to go along by --im "
-                         "NAME",
+                         "%s: no sweep left is 'im', 'sa', 'pga', 'intensity' or 'scale', nor is "
+                         "one the only one of numbers; name the one to go along by --im NAME",
                          v->path);
     }
     r->abscissa = i;
-    r->is_intensity = is_one_of(v->sweep[i]->name, intensities);
+    r->values = q->abscissa ? r->values : v->sweep[i];
+    r->is_intensity = is_one_of(r->values->name, intensities) && !is_sampled(v, i);
     return set_role(v, r, i, ROLE_ABSCISSA, e);
+}
+
+// Records, and samples of random parameters.
+static int default_samples(const struct study_view *v, struct roles *r, struct error *e) {
+    const int record = guess(v, r, records, VALUES_TEXT);
+    int status = STATUS_OK;
+    for (int i = 0; i < v->n_sweep && status == STATUS_OK; i++) {
+        if (i == record || (is_sampled(v, i) && r->role[i] == ROLE_GROUP)) {
+            status = set_role(v, r, i, ROLE_SAMPLE, e);
+        }
+    }
+    return status;
 }
 
 int roles_find(const struct study_view *v, const struct suite_request *q, struct roles *out,
@@ -184,8 +224,7 @@ int roles_find(const struct study_view *v, const struct suite_request *q, struct
         status = find_abscissa(v, q, out, e);
     }
     if (status == STATUS_OK && !q->over) {
-        const int i = guess(v, out, records, VALUES_TEXT);
-        status = i < 0 ? STATUS_OK : set_role(v, out, i, ROLE_SAMPLE, e);
+        status = default_samples(v, out, e);
     }
     return status;
 }

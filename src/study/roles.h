@@ -10,6 +10,7 @@ struct roles {
     enum role role[STUDY_SWEEPS_MAX];
     int fixed[STUDY_SWEEPS_MAX];  // value of a fixed sweep
     int abscissa;                 // its sweep
+    const struct sweep *values;   // along it: its own, or those of a random parameter
     bool is_intensity;            // it has the name of one
 };
 

@@ -242,9 +242,11 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
         return status;
     }
     double size;
-    s->abscissa = v->sweep[m->roles.abscissa];
+    s->abscissa = m->roles.values;
+    s->is_sampled = v->sweep[m->roles.abscissa]->along != NULL;
     s->is_intensity = m->roles.is_intensity;
-    const char *units = v->sweep_units[m->roles.abscissa];
+    const bool own = s->abscissa == v->sweep[m->roles.abscissa];
+    const char *units = own ? v->sweep_units[m->roles.abscissa] : s->abscissa->units;
     s->abscissa_dimension = edp_units(units, v->units.gravity, &size);
     s->abscissa_units = dimension_equal(s->abscissa_dimension, dimension_none) ? "" : units;
     s->n_point = s->abscissa->n;

@@ -15,7 +15,7 @@ enum suite_guess { SUITE_INTENSITY, SUITE_ANY };
 
 struct suite_request {
     const char *edp;        // NULL: drift-ratio, or drift where the deck gives no heights
-    const char *abscissa;   // sweep that the picture or table goes along; NULL: found
+    const char *abscissa;   // sweep or random parameter to go along; NULL: found
     const char *over;       // sweeps whose values are samples, "record,k"; NULL: found; "": none
     const char *const *at;  // (n_at) NAME=VALUE, sweeps of which one value only is looked at
     int n_at;
@@ -29,6 +29,7 @@ struct suite {
     const struct study_view *view;  // borrowed
     struct edp edp;
     const struct sweep *abscissa;
+    bool is_sampled;             // it is a random parameter, or counts samples
     bool is_intensity;           // by its name
     const char *abscissa_units;  // "" for texts and pure numbers
     struct dimension abscissa_dimension;

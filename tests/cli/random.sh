@@ -45,6 +45,19 @@ expect "-D sample=17 is that run, to the last digit" '[ $(wc -l <single.txt) -ge
 run "$jostle" check study.deck -D sample=31
 expect "a sample is numbered to its end" '[ $status -eq 2 ] && said "is numbered from 1 to 30"'
 
+run "$jostle" fragility one.h5 --edp force --limit 1kN
+expect "samples are what fragility counts" '[ $status -eq 0 ] && grep -q "^fragility over pga, 30 samples of sample" "$out"'
+"$jostle" run study.deck -q -o weak.h5 -D pga=0.2g
+run "$jostle" fragility weak.h5 --edp force --limit 1kN
+expect "and no intensity" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "by --im NAME"'
+run "$jostle" fragility weak.h5 --edp force --limit 1kN --im gap --tsv
+cut -f 5 "$out" | tail -n +2 >over.txt
+expect "a random parameter can be one, in ascending order" '[ $status -eq 0 ] && [ "$(sort -gu over.txt | grep -c .)" -eq 30 ] && sort -gc over.txt'
+run "$jostle" plot weak.h5 response --against gap --edp force --script scripts
+expect "response is a cloud of points over a random parameter" '[ $status -eq 0 ] && grep -q "with points" scripts/response.gp && [ "$(grep -cE "^ [0-9.e-]+ " scripts/response.dat)" -eq 30 ]'
+run "$jostle" plot weak.h5 response --against gpa
+expect "an unknown one is refused" '[ $status -eq 2 ] && said "no sweep '"'gpa'"'"'
+
 if python3 -c 'import xarray, netCDF4' 2>/dev/null; then
     run python3 - <<'END'
 import xarray
