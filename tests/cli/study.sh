@@ -118,6 +118,18 @@ else
     skip "xarray selects by the values of the sweeps" "no xarray"
 fi
 
+cat >late.deck <<'END'
+sweep gap values 1m -1m -2m -3m -4m -5m -6m -7m -8m -9m -10m -11m
+building A -floors 1 -mass 1 -stiffness 100
+contact A wall -gap $gap -law linear -k 1
+initial A:1 -velocity 1
+step fixed 0.01
+duration 1
+END
+run "$jostle" run late.deck -q -j 3
+expect "the first of those that fail is told, whichever ends first" '[ $status -eq 1 ] && said "11 of 12 runs failed" && said "the first: run 2 "'
+rm late.*
+
 failing_study fails.deck
 run "$jostle" run fails.deck
 expect "runs that fail do not stop the others; exit status 1" '[ $status -eq 1 ] && grep -q "^study of 9 runs, 5 failed" "$out" && said "5 of 9 runs failed" && said "run 2 (m = 1, e = 1.5): fails.deck:4:48: e is 1.5"'
