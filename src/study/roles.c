@@ -188,8 +188,8 @@ static int find_abscissa(const struct study_view *v, const struct suite_request 
     }
     if (i < 0) {
         return error_set(e, STATUS_INPUT,
-                         "%s: no sweep left is 'im', 'sa', 'pga', 'intensity' or 'scale', nor is "
-                         "one the only one of numbers; name the one to go along by --im NAME",
+                         "%s: no sweep 'im', 'sa', 'pga', 'intensity' or 'scale' is left, nor an "
+                         "only one of numbers; name the one to go along by --im NAME",
                          v->path);
     }
     r->abscissa = i;
