@@ -104,6 +104,10 @@ int result_finish(struct result_writer *w, const struct results *r, struct error
 // Removes PATH.part and frees the writer. NULL is allowed.
 void result_abort(struct result_writer *w);
 
+// Whether a file may be made at `path`, asked before the work is done. Errors: STATUS_INPUT (exists
+// and is to be kept, or is a folder).
+int result_check_path(const char *path, enum result_existing existing, struct error *e);
+
 // Gives the complete file `part` the name `path`, on disk before it appears there; an existing
 // file survives RESULT_KEEP even when it comes into being at the same moment. `part` is gone
 // afterwards. Errors: STATUS_INPUT (exists), STATUS_SYSTEM.

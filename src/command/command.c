@@ -70,6 +70,14 @@ int command_count(const struct command *c, const char *what, const char *text, l
     return EXIT_DONE;
 }
 
+int command_once(const struct command *c, const char *option, const char **text) {
+    if (*text) {
+        return command_usage(c, "%s is given twice", option);
+    }
+    *text = optarg;
+    return EXIT_DONE;
+}
+
 const char *command_line(struct arena *a, int argc, char **argv) {
     const char *line = "jostle";
     for (int i = 0; i < argc && line; i++) {

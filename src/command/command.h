@@ -36,6 +36,9 @@ int command_help(const struct command *c, const char *details);
 int command_count(const struct command *c, const char *what, const char *text, long max,
                   long *value);
 
+// Takes optarg as the value of an option that is given once. Returns EXIT_DONE or EXIT_INPUT.
+int command_once(const struct command *c, const char *option, const char **text);
+
 // The words of the command as one text; NULL: no memory.
 struct arena;
 const char *command_line(struct arena *a, int argc, char **argv);

@@ -330,7 +330,8 @@ static int parse(int argc, char **argv, struct request *q) {
         if (c == 'h') {
             done = help();
         } else if (suite_options_has(c)) {
-            done = suite_options_take(&command_fragility, c, &q->suite);
+            const int status = suite_options_take(&command_fragility, c, &q->suite);
+            done = status == EXIT_DONE ? -1 : status;
         } else if (c == 'm') {
             done = take_method(q);
         } else if (c != 't' && c != 'c') {

@@ -297,14 +297,16 @@ static int parse(int argc, char **argv, const char **define, struct options *o, 
     optind = 1;
     for (int c;
          status == EXIT_DONE && (c = getopt_long(argc, argv, ":D:j:h", option, NULL)) != -1;) {
-        const char **text = c == 'l'   ? &o->limit
-                            : c == 'r' ? &o->range
-                            : c == 't' ? &o->tolerance
-                            : c == 'p' ? &o->percentile
-                            : c == 'n' ? &o->parameter
-                                       : NULL;
-        if (text) {
-            *text = optarg;
+        if (c == 'l') {
+            status = command_once(&command_gap, "--limit", &o->limit);
+        } else if (c == 'r') {
+            status = command_once(&command_gap, "--range", &o->range);
+        } else if (c == 't') {
+            status = command_once(&command_gap, "--tolerance", &o->tolerance);
+        } else if (c == 'p') {
+            status = command_once(&command_gap, "--percentile", &o->percentile);
+        } else if (c == 'n') {
+            status = command_once(&command_gap, "--parameter", &o->parameter);
         } else if (c == 'D') {
             define[o->load.n_define++] = optarg;
         } else if (c == 'j') {

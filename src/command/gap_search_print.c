@@ -15,21 +15,23 @@ static double spacing(const struct gap_search_request *q) {
 }
 
 // "84 % of the runs keep drift <= 0.02 m"
-static void print_aim(const struct gap_search_request *q) {
+static void print_aim(const struct gap_search_request *q, const struct gap_search *s) {
     const struct model *m = q->plan->first;
     const struct gap_measure *edp = &q->edp;
     char unit[64];
     const char *owner = edp->owner < 0       ? ""
                         : edp->kind->of_link ? m->link[edp->owner].name
                                              : m->building[edp->owner].name;
-    printf("%s%slargest %s%s%s at most %.6g %s", m->deck->title, m->deck->title[0] ? "\n" : "",
-           edp->kind->name, owner[0] ? " of " : "", owner, q->limit, unit_of(q, unit, sizeof unit));
-    if (q->plan->n_run == 1) {
+    const bool counts = dimension_equal(*edp->kind->dimension, dimension_none);
+    printf("%s%slargest %s%s%s at most %.6g%s%s", m->deck->title, m->deck->title[0] ? "\n" : "",
+           edp->kind->name, owner[0] ? " of " : "", owner, q->limit, counts ? "" : " ",
+           counts ? "" : unit_of(q, unit, sizeof unit));
+    if (s->n_run == 1) {
         printf("\n");
     } else if (q->percentile == 100.0) {
-        printf(" in all %ld runs\n", q->plan->n_run);
+        printf(" in all %ld runs\n", s->n_run);
     } else {
-        printf(", percentile %g of %ld runs\n", q->percentile, q->plan->n_run);
+        printf(", percentile %g of %ld runs\n", q->percentile, s->n_run);
     }
 }
 
@@ -62,7 +64,7 @@ static void print_answer(const struct gap_search_request *q, const struct gap_se
 void gap_print_search(const struct gap_search_request *q, const struct gap_search *s) {
     const struct unit_system *u = &q->plan->first->deck->units;
     char unit[64], gap[80], value[128];
-    print_aim(q);
+    print_aim(q, s);
     printf("%s%s: %d gaps from %.6g to %.6g %s, then bisection to %.3g %s, %d gaps in all\n\n",
            q->parameter ? "parameter " : "", q->parameter ? q->parameter : "gaps of all contacts",
            q->n, q->from, q->to, u->length_name, q->tolerance, u->length_name, s->n_point);

@@ -143,8 +143,9 @@ static int check(const struct options *o) {
 static int check_existing(const struct options *o, struct error *e) {
     const char *const path[] = {o->history, o->plot};
     for (int i = 0; i < 2; i++) {
-        if (o->existing == RESULT_KEEP && path[i] && access(path[i], F_OK) == 0) {
-            return error_set(e, STATUS_INPUT, "%s exists; --force overwrites it", path[i]);
+        int status = path[i] ? result_check_path(path[i], o->existing, e) : STATUS_OK;
+        if (status != STATUS_OK) {
+            return status;
         }
     }
     return STATUS_OK;

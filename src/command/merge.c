@@ -53,11 +53,10 @@ static bool parse(int argc, char **argv, struct merge_options *o, int *status) {
     for (int c; (c = getopt_long(argc, argv, ":o:qh", option, NULL)) != -1;) {
         switch (c) {
             case 'o':
-                if (q->result.path) {
-                    *status = command_usage(&command_merge, "-o is given twice");
+                *status = command_once(&command_merge, "-o", &q->result.path);
+                if (*status != EXIT_DONE) {
                     return false;
                 }
-                q->result.path = optarg;
                 break;
             case 'q':
                 o->words = MERGE_QUIET;

@@ -245,8 +245,9 @@ static int draw_in(const struct picture_request *q, const char *folder, const ch
 }
 
 static int draw(const struct picture_request *q, struct error *e) {
-    if (q->existing == RESULT_KEEP && access(q->output, F_OK) == 0) {
-        return error_set(e, STATUS_INPUT, "%s exists; --force overwrites it", q->output);
+    int status = result_check_path(q->output, q->existing, e);
+    if (status != STATUS_OK) {
+        return status;
     }
     const char *root = getenv("TMPDIR");
     char folder[1024], picture[32];
@@ -257,7 +258,7 @@ static int draw(const struct picture_request *q, struct error *e) {
                          root && root[0] ? root : "/tmp", strerror(errno));
     }
     snprintf(picture, sizeof picture, "figure.%s", figure_ending(q->output));
-    int status = draw_in(q, folder, picture, e);
+    status = draw_in(q, folder, picture, e);
     remove_folder(folder, picture);
     return status;
 }

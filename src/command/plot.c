@@ -70,29 +70,28 @@ static int parse_options(int argc, char **argv, struct request *q) {
     opterr = 0;
     optind = 1;
     for (int c; (c = getopt_long(argc, argv, ":ho:", option, NULL)) != -1;) {
+        int status = EXIT_DONE;
         switch (c) {
             case 'o':
-                q->output = optarg;
+                status = command_once(&command_plot, "-o", &q->output);
                 break;
             case 'c':
-                q->other = optarg;
+                status = command_once(&command_plot, "--compare", &q->other);
                 break;
             case 's':
-                q->script_folder = optarg;
+                status = command_once(&command_plot, "--script", &q->script_folder);
                 break;
             case 'f':
                 q->existing = RESULT_REPLACE;
                 break;
             case 'h':
                 return help();
-            default: {
-                const int done = suite_options_has(c)
-                                     ? suite_options_take(&command_plot, c, &q->study)
-                                     : command_bad_option(&command_plot, c, argv);
-                if (done >= 0) {
-                    return done;
-                }
-            }
+            default:
+                status = suite_options_has(c) ? suite_options_take(&command_plot, c, &q->study)
+                                              : command_bad_option(&command_plot, c, argv);
+        }
+        if (status != EXIT_DONE) {
+            return status;
         }
     }
     return -1;

@@ -57,6 +57,9 @@ static int watch_poll(void *context, double time, struct error *e) {
 }
 
 static int parse_shard(const char *text, struct run_options *o) {
+    if (o->shard.n > 0) {
+        return command_usage(&command_run, "--shard is given twice");
+    }
     return output_parse_shard(text, &o->shard)
                ? EXIT_DONE
                : command_usage(&command_run,
@@ -84,10 +87,7 @@ static int parse(int argc, char **argv, const char **define, struct run_options 
          status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:j:qh", option, NULL)) != -1;) {
         switch (c) {
             case 'o':
-                if (o->output) {
-                    return command_usage(&command_run, "-o is given twice");
-                }
-                o->output = optarg;
+                status = command_once(&command_run, "-o", &o->output);
                 break;
             case 'D':
                 define[o->load.n_define++] = optarg;

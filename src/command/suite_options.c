@@ -8,7 +8,7 @@
 
 const char suite_options_help[] =
     "  --over NAME    sweeps whose values are samples, as NAME or NAME,NAME (default: record, or\n"
-    "                 the only sweep of texts)\n"
+    "                 the only sweep of texts, or else the samples of random sweeps)\n"
     "  --at NAME=VALUE\n"
     "                 looks at the runs with this value of a sweep only; may be repeated\n"
     "  --failed above|left-out\n"
@@ -38,32 +38,33 @@ bool suite_options_has(int letter) {
     return letter >= SUITE_EDP && letter <= SUITE_FAILED;
 }
 
+static int take_failed(const struct command *c, struct suite_options *o) {
+    const int status = command_once(c, "--failed", &o->failed);
+    if (status == EXIT_DONE && strcmp(optarg, "above") != 0 && strcmp(optarg, "left-out") != 0) {
+        return command_usage(c, "--failed is above or left-out, not '%s'", optarg);
+    }
+    o->request.failed = strcmp(optarg, "above") == 0 ? SUITE_FAILED_ABOVE : SUITE_FAILED_LEFT_OUT;
+    return status;
+}
+
 int suite_options_take(const struct command *c, int letter, struct suite_options *o) {
     static const char *const name[] = {"--edp", "--im", "--over", "--at", "--limit", "--failed"};
-    struct suite_request *q = &o->request;
     o->first = o->first ? o->first : name[letter - SUITE_EDP];
+    struct suite_request *q = &o->request;
     switch (letter) {
         case SUITE_EDP:
-            q->edp = optarg;
-            return -1;
+            return command_once(c, "--edp", &q->edp);
         case SUITE_IM:
-            q->abscissa = optarg;
-            return -1;
+            return command_once(c, "--im or --against", &q->abscissa);
         case SUITE_OVER:
-            q->over = optarg;
-            return -1;
+            return command_once(c, "--over (NAME,NAME for two sweeps)", &q->over);
         case SUITE_AT:
             o->at[q->n_at++] = optarg;
-            return -1;
+            return EXIT_DONE;
         case SUITE_LIMIT:
-            o->limits = optarg;
-            return -1;
+            return command_once(c, "--limit (VALUE,VALUE for two limits)", &o->limits);
         default:
-            if (strcmp(optarg, "above") != 0 && strcmp(optarg, "left-out") != 0) {
-                return command_usage(c, "--failed is above or left-out, not '%s'", optarg);
-            }
-            q->failed = strcmp(optarg, "above") == 0 ? SUITE_FAILED_ABOVE : SUITE_FAILED_LEFT_OUT;
-            return -1;
+            return take_failed(c, o);
     }
 }
 

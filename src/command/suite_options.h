@@ -21,6 +21,7 @@ struct suite_options {
     struct suite_request request;
     const char **at;     // (argc) owned
     const char *limits;  // "VALUE,VALUE"; NULL: none
+    const char *failed;  // as given; NULL: not
     const char *first;   // the first of these options that was given; NULL: none
 };
 
@@ -28,8 +29,7 @@ struct suite_options {
 int suite_options_init(struct suite_options *o, int argc, struct error *e);
 void suite_options_close(struct suite_options *o);
 
-// Takes option `letter` of getopt_long with optarg. Returns -1 when it is one of these and good,
-// else the exit status.
+// Takes option `letter` of getopt_long with optarg. Returns EXIT_DONE or EXIT_INPUT.
 int suite_options_take(const struct command *c, int letter, struct suite_options *o);
 
 // True if `letter` is one of these.

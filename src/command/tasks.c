@@ -140,7 +140,7 @@ static bool parse(int argc, char **argv, const char **define, struct tasks_optio
          *status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:n:j:h", option, NULL)) != -1;) {
         switch (c) {
             case 'o':
-                o->output = optarg;
+                *status = command_once(&command_tasks, "-o", &o->output);
                 break;
             case 'D':
                 define[o->load.n_define++] = optarg;

@@ -24,6 +24,9 @@ static bool has_points(const struct suite *s) {
 
 static int check(const struct study_picture *p, struct error *e) {
     const struct suite *s = p->suite;
+    if (p->n_limit > 0) {
+        return error_set(e, STATUS_INPUT, "response shows no limit; --limit is for fragility, ida");
+    }
     if (s->n_group <= SCRIPT_COLOURS) {
         return STATUS_OK;
     }

@@ -41,10 +41,8 @@ static int check_names(const struct report *r, struct error *e) {
 }
 
 int part_check(const struct report *r, const struct result_options *o, struct error *e) {
-    if (o->existing == RESULT_KEEP && access(o->path, F_OK) == 0) {
-        return error_set(e, STATUS_INPUT, "%s exists; --force overwrites it", o->path);
-    }
-    return check_names(r, e);
+    int status = result_check_path(o->path, o->existing, e);
+    return status == STATUS_OK ? check_names(r, e) : status;
 }
 
 void part_attributes(struct h5 *h, hid_t root, const struct report *r) {

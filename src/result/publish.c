@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "jostle/result.h"
@@ -16,6 +17,17 @@ static int cannot_write(struct error *e, const char *path, int cause) {
 
 static int exists(struct error *e, const char *path) {
     return error_set(e, STATUS_INPUT, "%s exists; --force overwrites it", path);
+}
+
+int result_check_path(const char *path, enum result_existing existing, struct error *e) {
+    struct stat found;
+    if (stat(path, &found) != 0) {
+        return STATUS_OK;
+    }
+    if (S_ISDIR(found.st_mode)) {
+        return error_set(e, STATUS_INPUT, "%s is a folder; a file is to be written", path);
+    }
+    return existing == RESULT_KEEP ? exists(e, path) : STATUS_OK;
 }
 
 static int synchronise(const char *part, const char *path, struct error *e) {

@@ -43,7 +43,9 @@ static int open_plan(const struct search *s, double gap, struct plan *out, struc
     const struct deck *from = p->first->deck;
     struct deck *deck = NULL;
     struct model *m = NULL;
-    char *text = arena_format(from->arena, "%s=%.17g", s->request->parameter, gap);
+    // With its unit: a parameter that is no length is refused, not misread.
+    char *text = arena_format(from->arena, "%s=%.17g%s", s->request->parameter, gap,
+                              from->units.length_name);
     const char **define = arena_alloc(from->arena, (size_t)p->n_define + 1, sizeof *define);
     if (!text || !define) {
         return error_no_memory(e);
@@ -208,6 +210,7 @@ int gap_search_run(const struct gap_search_request *q, const struct gap_runs *ho
     s.plan = calloc(n, sizeof *s.plan);
     s.scratch = calloc((size_t)q->plan->n_run, sizeof *s.scratch);
     int status = out->point && s.which && s.plan && s.scratch ? search(&s, e) : error_no_memory(e);
+    out->n_run = s.n_run;
     free(s.suite.outcome);
     free(s.suite.value);
     free(s.which);

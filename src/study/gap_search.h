@@ -32,6 +32,7 @@ struct gap_point {
 };
 
 struct gap_search {
+    long n_run;  // of each gap; a sweep of the parameter makes fewer than the deck has
     int n_point;
     struct gap_point *point;  // (n_point) the scan first, by gap
     bool found;

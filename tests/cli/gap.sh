@@ -39,6 +39,13 @@ run "$jostle" gap swing.deck --limit impacts=0 --percentile 50 --tolerance 0.001
 expect "the median one below 0.2 m" '[ $status -eq 0 ] && within 0.199999 0.200002'
 run "$jostle" gap swing.deck --limit impacts=0 --parameter gap --range 50mm:500mm:10 --tsv -j 2
 expect "a parameter of the deck can be searched" '[ $status -eq 0 ] && within 0.399999 0.4005'
+sed 's/^param gap .*/sweep gap values 0.1m 0.2m 0.3m/' swing.deck >swept.deck
+run "$jostle" gap swept.deck --limit impacts=0 --parameter gap --range 50mm:500mm:4
+expect "a sweep of it takes no part" '[ $status -eq 0 ] && grep -qx "largest impacts at most 0 in all 3 runs" "$out"'
+sed 's/^param gap .*/param gap 100mm\nparam k 1e5kN\/m/; s/-k 1e5/-k $k/' swing.deck >stiff.deck
+run "$jostle" gap stiff.deck --limit impacts=0 --parameter k --range 50mm:500mm:4
+expect "a parameter that is no length is refused" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "this is a length (m)"'
+rm swept.deck stiff.deck
 run "$jostle" gap swing.deck --limit displacement:A=0.3
 expect "a limit that no gap keeps ends with 1" '[ $status -eq 1 ] && grep -q "^no gap: the limit is broken at the widest one" "$out" && said "no gap of the range keeps the limit"'
 run "$jostle" gap swing.deck --limit force=1000kN
@@ -70,6 +77,9 @@ refuses() {
     expect "refused: $text" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "$text"'
 }
 refuses "one deck is expected, not 0"
+for option in --limit --range --tolerance --percentile --parameter; do
+    refuses "$option is given twice" swing.deck $option 1 $option 2
+done
 refuses "--range goes with --limit" swing.deck --range 0:1:3
 refuses "--limit knows no 'forc'" swing.deck --limit forc=1
 refuses "--limit takes EDP=VALUE" swing.deck --limit force

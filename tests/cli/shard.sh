@@ -26,6 +26,8 @@ done
 two_buildings one.deck
 run "$jostle" run one.deck --shard 1/2
 expect "an analysis has no parts" '[ $status -eq 2 ] && said "one.deck is not a study" && [ ! -e one.1-of-2.h5 ]'
+run "$jostle" run study.deck --shard 1/4 --shard 2/4
+expect "one part is named" '[ $status -eq 2 ] && said "--shard is given twice" && [ ! -s "$out" ]'
 run "$jostle" run study.deck --shard 2/4
 expect "a part is run and says which it is" '[ $status -eq 0 ] && grep -q "^part 2 of 4: 6 of the 27 runs of a study, 0 failed" "$out"'
 expect "it has a name of its own" '[ -s study.2-of-4.h5 ] && [ ! -e study.2-of-4.h5.runs ]'

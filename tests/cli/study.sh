@@ -91,6 +91,10 @@ run "$jostle" check grid.deck -D k=2e6
 expect "check prints the sweeps and the first model" '[ $status -eq 0 ] && grep -q "^study of 4 runs" "$out" && grep -q "k  *fixed by -D: 2e+06" "$out" && grep -q "building A: 2 floors" "$out"'
 run "$jostle" run grid.deck -o one.h5
 expect "an existing file is refused" '[ $status -eq 2 ] && said "one.h5 exists; --force overwrites it"'
+mkdir folder.h5
+run "$jostle" run grid.deck -o folder.h5 --force
+expect "so is a folder, before a run is made" '[ $status -eq 2 ] && said "folder.h5 is a folder" && [ ! -s "$out" ] && [ ! -e folder.h5.runs ]'
+rmdir folder.h5
 rm -f ./*.h5 ./*.tsv
 
 if python3 -c 'import xarray, netCDF4' 2>/dev/null; then
@@ -113,6 +117,18 @@ END
 else
     skip "xarray selects by the values of the sweeps" "no xarray"
 fi
+
+cat >late.deck <<'END'
+sweep gap values 1m -1m -2m -3m -4m -5m -6m -7m -8m -9m -10m -11m
+building A -floors 1 -mass 1 -stiffness 100
+contact A wall -gap $gap -law linear -k 1
+initial A:1 -velocity 1
+step fixed 0.01
+duration 1
+END
+run "$jostle" run late.deck -q -j 3
+expect "the first of those that fail is told, whichever ends first" '[ $status -eq 1 ] && said "11 of 12 runs failed" && said "the first: run 2 "'
+rm late.*
 
 failing_study fails.deck
 run "$jostle" run fails.deck

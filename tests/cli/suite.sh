@@ -103,7 +103,7 @@ run "$jostle" fragility first.h5 --edp drift --limit 0.05001m --over k --method 
 expect "where all exceed, the moments of the logarithms count" 'awk -F "\t" "NR == 2 { exit !(\$9 > 1.1700 && \$9 < 1.1710 && \$10 > 0.6795 && \$10 < 0.6797 && \$13 == \"ida\" && \$14 == 0 && \$15 == 0) }" "$out"'
 run "$jostle" fragility first.h5 --edp drift --limit 1 --over k --method ida
 expect "where none does, there is no curve" '[ $status -eq 0 ] && grep -q "^no curve: no run exceeds" "$out" && grep -q "^4 of 4 samples never exceed" "$out"'
-for wrong in "--edp drift --limit 1m --method" "--edp drift --limit 1m --method other" "--edp drift" "--limit 1m" "--edp drift --limit 1kN" "--edp drift --limit" "--edp drift --limit 1m --im record" "--edp drift --limit 1m --over nothing" "--edp drift --limit 1m --at im=3" "--edp drift --limit 1m --failed perhaps" "--edp drift --limit 1m --tsv --csv" "--edp drift:Z --limit 1m"; do
+for wrong in "--edp drift --limit 1m --edp force" "--edp drift --limit 1m --limit 2m" "--edp drift --limit 1m --over record --over wide" "--edp drift --limit 1m --method" "--edp drift --limit 1m --method other" "--edp drift" "--limit 1m" "--edp drift --limit 1kN" "--edp drift --limit" "--edp drift --limit 1m --im record" "--edp drift --limit 1m --over nothing" "--edp drift --limit 1m --at im=3" "--edp drift --limit 1m --failed perhaps" "--edp drift --limit 1m --tsv --csv" "--edp drift:Z --limit 1m"; do
     # shellcheck disable=SC2086  # several words
     run "$jostle" fragility whole.h5 $wrong
     expect "refused: fragility $wrong" '[ $status -eq 2 ] && [ ! -s "$out" ] && [ -s "$err" ]'
@@ -144,6 +144,10 @@ run "$jostle" plot whole.h5 ida -o groups.png
 expect "ida of several groups is refused" '[ $status -eq 2 ] && said "wide = 1 ...)" && [ ! -e groups.png ]'
 run "$jostle" plot whole.h5 fragility
 expect "fragility needs a limit" '[ $status -eq 2 ] && said "--limit"'
+run "$jostle" plot whole.h5 response --limit 1% -o limits.png
+expect "response has no use for one" '[ $status -eq 2 ] && said "--limit" && [ ! -e limits.png ]'
+run "$jostle" plot whole.h5 response --against im --im wide -o twice.png
+expect "one sweep is gone along" '[ $status -eq 2 ] && said "given twice" && [ ! -e twice.png ]'
 run "$jostle" plot whole.h5 energy
 expect "a study has its own kinds" '[ $status -eq 2 ] && said "unknown figure '"'energy'"' of a study"'
 run "$jostle" plot whole.h5 --compare failed.h5

@@ -21,15 +21,15 @@ static const char text[] = "units kN m s\n"
 static int draw(struct study_file *f, const struct study_figure *figure, struct error *e) {
     static const double limit = 0.001;
     const char *at = "record=linear";
-    const struct suite_request q = {
-        .guess = figure->guess, .at = &at, .n_at = strcmp(figure->name, "response") == 0};
+    const bool response = strcmp(figure->name, "response") == 0;  // shows no limit
+    const struct suite_request q = {.guess = figure->guess, .at = &at, .n_at = response};
     FILE *to = fopen("/dev/null", "w");
     const struct figure_files files = {.script = to, .data = to, .picture = "picture.png"};
     struct suite *s = NULL;
     assert_non_null(to);
     int status = suite_create(f, &q, &s, e);
     if (status == STATUS_OK) {
-        const struct study_picture p = {s, &limit, 1};
+        const struct study_picture p = {s, &limit, response ? 0 : 1};
         status = study_figure_write(figure, &p, &files, e);
         suite_free(s);
     }
