@@ -16,7 +16,6 @@
 #define LANES __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
 #else
 #define LANES __attribute__((target_clones("default", "avx2")))
-#include <stddef.h>
 #endif
 #else
 #define LANES
