@@ -11,12 +11,11 @@
 // so the bits are the same. Elsewhere, and under sanitizers, which run before such choices can be
 // made, it is compiled once.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
-    !defined(__SANITIZE_ADDRESS__)
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #if __GNUC__ >= 12
 #define LANES __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
 #else
 #define LANES __attribute__((target_clones("default", "avx2")))
-#include <stddef.h>
 #endif
 #else
 #define LANES

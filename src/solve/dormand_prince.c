@@ -17,10 +17,6 @@
 static const double SAFETY = 0.9, EXPONENT = 0.2;
 static const double SHRINK_MOST = 0.2, GROW_MOST = 5.0;
 
-// The equal parts may be this much longer than the error control asks for: less than what makes
-// SAFETY of the way to a corner one part again.
-static const double STRETCH = 0.1;
-
 // Step after an event over the one before it. Forces begin with an infinite slope where a contact
 // closes (d^(1/4)), and with a kink where its velocity turns.
 static const double AFTER_CLOSURE = 1e-3, AFTER_TURN = 1.0;
@@ -223,7 +219,7 @@ static int finish(struct dp *p, struct error *e) {
 static void take(struct dp *p) {
     double end = limit(p);
     double rest = end - p->now.time;
-    double parts = ceil(rest / fmin(p->trial, p->model->control.longest) - STRETCH);
+    double parts = pace_parts(rest, p->trial, p->model->control.longest);
     if (parts > 1.0) {
         dp_stages_take(p, rest / parts, p->now.time + rest / parts);
     } else {

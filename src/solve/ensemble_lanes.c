@@ -12,6 +12,7 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
         const int *dof = m->link[k].dof;
         e->contact[k].left = dof[0] == WALL ? m->n_dof : dof[0];
         e->contact[k].right = dof[1] == WALL ? m->n_dof : dof[1];
+        e->contact[k].deepest = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
     return e->contact != NULL;
 }
@@ -105,7 +106,6 @@ bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
     bool small = is_small(e->h);
     for (int k = 0; k < e->n_contact; k++) {
         small &= put(&e->contact[k].gap, lane, m->link[k].gap);
-        e->contact[k].deepest[lane] = -INFINITY;
     }
     for (int i = 0; i < g->n_signal; i++) {
         small &= is_small(g->n_signal * signal_peak(&g->signal[i]));

@@ -1,8 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/pace.h"
 
+#include <math.h>
+
 // Looked at once in so many steps.
 enum { PACE_STEPS = 20000 };
+
+// The equal parts may be this much longer than the error control asks for: less than 1 / SAFETY of
+// step_length.c, so that a step rejected is never tried again, and less than what makes SAFETY of
+// dormand_prince.c of the way to a corner one part again.
+static const double STRETCH = 0.1;
+
+// Rounding of rest / longest.
+static const double ROUNDING = 1e-9;
 
 bool pace_is_slow(struct pace *p, const struct model *m, double time, double *step) {
     if (++p->tried % PACE_STEPS != 0) {
@@ -12,4 +22,8 @@ bool pace_is_slow(struct pace *p, const struct model *m, double time, double *st
     p->time = time;
     *step = way / PACE_STEPS;
     return way * ADAPTIVE_STEPS_MAX < PACE_STEPS * m->duration;
+}
+
+double pace_parts(double rest, double trial, double longest) {
+    return fmax(ceil(rest / trial - STRETCH), ceil(rest / longest - ROUNDING));
 }

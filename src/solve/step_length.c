@@ -23,10 +23,6 @@
 static const double SAFETY = 0.9, EXPONENT = 1.0 / 3.0;
 static const double SHRINK_MOST = 0.1, GROW_MOST = 4.0, GROW_LEAST = 1.2;
 
-// The equal parts may be this much longer than the error control asks for: less than 1 / SAFETY, so
-// that a step rejected is never tried again.
-static const double STRETCH = 0.1;
-
 // The first step over the interval of output, and one after an event over the one before it.
 static const double FIRST = 1e-4, AFTER_EVENT = 1e-2;
 
@@ -73,7 +69,7 @@ int step_length_next(struct step_length *s, const struct state *now, double limi
     }
     double corner = fmin(limit, s->forcing.corner);
     double rest = corner - now->time;
-    double parts = ceil(rest / fmin(s->trial, s->model->control.longest) - STRETCH);
+    double parts = pace_parts(rest, s->trial, s->model->control.longest);
     *h = parts > 1.0 ? rest / parts : rest;
     *end = parts > 1.0 ? now->time + *h : corner;
     if (fabs(*h - s->last) <= SAME * *h) {

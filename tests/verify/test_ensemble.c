@@ -200,6 +200,25 @@ static void a_run_that_fails_leaves_the_others_alone(void **state) {
     }
 }
 
+// Damping so negative that the step's matrix is not positive definite, but that of half a step is.
+static void runs_that_never_come_aboard_have_the_same_bits(void **state) {
+    (void)state;
+    struct ensemble_member member[5];
+    for (int k = 0; k < 5; k++) {
+        member[k].model = analysis_model("building A -floors 2 -mass 300t -stiffness 1MN/m\n"
+                                         "building B -floors 1 -mass 300t -stiffness 1MN/m\n"
+                                         "damping A rayleigh -alpha -1500 -beta 0\n"
+                                         "contact A B -gap %dmm -law linear -k 1MN/m\n"
+                                         "ground sine -amplitude 1 -frequency 1.5Hz\n"
+                                         "step fixed 2ms\nduration 6ms\n",
+                                         1 + k);
+    }
+    compare(member, 5);
+    for (int k = 0; k < 5; k++) {
+        deck_free(member[k].model->deck);
+    }
+}
+
 // Others than the first by their step, storeys or integrator; durations may differ.
 static void runs_of_another_kind_go_alone(void **state) {
     (void)state;
@@ -275,6 +294,7 @@ int main(void) {
         cmocka_unit_test(decks_made_at_random_have_the_same_bits),
         cmocka_unit_test(tall_buildings_and_other_integrators_have_the_same_bits),
         cmocka_unit_test(a_run_that_fails_leaves_the_others_alone),
+        cmocka_unit_test(runs_that_never_come_aboard_have_the_same_bits),
         cmocka_unit_test(runs_of_another_kind_go_alone),
         cmocka_unit_test(runs_of_two_kinds_and_many_durations_have_the_same_bits),
         cmocka_unit_test(a_poll_ends_all_runs),
