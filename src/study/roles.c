@@ -172,13 +172,14 @@ static int any_free(const struct study_view *v, const struct roles *r) {
     return any;
 }
 
-// Records, or else realisations of random parameters; -1.
-static int guess_samples(const struct study_view *v, const struct roles *r) {
-    int found = guess(v, r, records, VALUES_TEXT);
-    for (int i = 0; i < v->n_sweep && found < 0; i++) {
-        found = r->role[i] == ROLE_GROUP && v->sweep[i]->along ? i : -1;
+// Records, and realisations of random parameters.
+static void default_samples(const struct study_view *v, struct roles *r) {
+    const int found = guess(v, r, records, VALUES_TEXT);
+    for (int i = 0; i < v->n_sweep; i++) {
+        if (r->role[i] == ROLE_GROUP && (i == found || v->sweep[i]->along)) {
+            r->role[i] = ROLE_SAMPLE;
+        }
     }
-    return found;
 }
 
 static bool is_one_of(const char *name, const char *const *known) {
@@ -236,8 +237,7 @@ int roles_find(const struct study_view *v, const struct suite_request *q, struct
         status = find_abscissa(v, q, out, e);
     }
     if (status == STATUS_OK && !q->over) {
-        const int i = guess_samples(v, out);
-        status = i < 0 ? STATUS_OK : set_role(v, out, i, ROLE_SAMPLE, e);
+        default_samples(v, out);
     }
     return status;
 }

@@ -103,6 +103,20 @@ run "$jostle" fragility first.h5 --edp drift --limit 0.05001m --over k --method 
 expect "where all exceed, the moments of the logarithms count" 'awk -F "\t" "NR == 2 { exit !(\$9 > 1.1700 && \$9 < 1.1710 && \$10 > 0.6795 && \$10 < 0.6797 && \$13 == \"ida\" && \$14 == 0 && \$15 == 0) }" "$out"'
 run "$jostle" fragility first.h5 --edp drift --limit 1 --over k --method ida
 expect "where none does, there is no curve" '[ $status -eq 0 ] && grep -q "^no curve: no run exceeds" "$out" && grep -q "^4 of 4 samples never exceed" "$out"'
+cat >scatter.deck <<'END'
+sweep im values 1m/s 2m/s
+sweep law values linear hertz
+sweep k random uniform 300 400 -n 5 -seed 1
+building A -floors 1 -mass 1 -stiffness $k
+contact A wall -gap 1mm -law $law -k 1e3
+initial A:1 -velocity $im
+step fixed 1ms
+duration 0.4
+END
+run "$jostle" run scatter.deck -q
+run "$jostle" fragility scatter.h5 --edp drift --limit 0.06m --tsv
+cut -f 6 "$out" | tr '\n' ' ' >n.txt
+expect "records and realisations of random parameters are samples together" '[ $status -eq 0 ] && [ "$(cat n.txt)" = "n 10 10 " ]'
 for wrong in "--edp drift --limit 1m --edp force" "--edp drift --limit 1m --limit 2m" "--edp drift --limit 1m --over record --over wide" "--edp drift --limit 1m --method" "--edp drift --limit 1m --method other" "--edp drift" "--limit 1m" "--edp drift --limit 1kN" "--edp drift --limit" "--edp drift --limit 1m --im record" "--edp drift --limit 1m --over nothing" "--edp drift --limit 1m --at im=3" "--edp drift --limit 1m --failed perhaps" "--edp drift --limit 1m --tsv --csv" "--edp drift:Z --limit 1m"; do
     # shellcheck disable=SC2086  # several words
     run "$jostle" fragility whole.h5 $wrong
