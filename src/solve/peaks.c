@@ -9,6 +9,8 @@
 
 // Floors, in whole lanes, that are looked at together for a new peak.
 enum { BLOCK = 8 * LANES_WIDTH };
+// Contacts likewise, of which few come nearer than ever.
+enum { FEW = 4 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
@@ -75,11 +77,15 @@ LANES static bool any_exceeds(int n, const double *restrict x, const double *res
 }
 
 void peaks_penetrations(struct results *r, int n, const struct state *s) {
-    for (int k = 0; k < n; k++) {
-        if (s->delta[k] > r->deepest[k]) {
-            r->deepest[k] = s->delta[k];
-            r->link[k].penetration = s->delta[k];
-            r->link[k].penetration_time = s->time;
+    for (int first = 0; first < n; first += FEW) {
+        int end = n - first < FEW ? n : first + FEW;
+        bool any = any_exceeds(end - first, s->delta + first, r->deepest + first);
+        for (int k = first; any && k < end; k++) {
+            if (s->delta[k] > r->deepest[k]) {
+                r->deepest[k] = s->delta[k];
+                r->link[k].penetration = s->delta[k];
+                r->link[k].penetration_time = s->time;
+            }
         }
     }
 }
@@ -110,9 +116,7 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
             floors_update(r, first, n, value, s->time);
         }
     }
-    if (any_exceeds(m->n_contact, s->delta, r->deepest)) {
-        peaks_penetrations(r, m->n_contact, s);
-    }
+    peaks_penetrations(r, m->n_contact, s);
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
         if (m->link[k].bilateral) {

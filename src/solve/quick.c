@@ -74,9 +74,12 @@ void quick_gather(struct work *w, const struct state *next) {
 
 // q += f column; beyond the floors of the building the column is 0.
 static inline void push(double *restrict q, const double *restrict column, int n, double f) {
-    enum { VECTOR = sizeof(lanes) / sizeof(double) };
-    for (int i = 0; i < n; i += VECTOR) {
-        *(lanes *)(q + i) += f * *(const lanes *)(column + i);
+    for (int i = 0; i < n; i += LANES_WIDTH) {
+        lanes low = *(const lanes *)(q + i) + f * *(const lanes *)(column + i);
+        lanes high = *(const lanes *)(q + i + LANES_VECTOR) +
+                     f * *(const lanes *)(column + i + LANES_VECTOR);
+        *(lanes *)(q + i) = low;
+        *(lanes *)(q + i + LANES_VECTOR) = high;
     }
 }
 
