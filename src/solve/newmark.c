@@ -129,6 +129,7 @@ static bool settle(struct work *w, const struct state *next) {
 // again.
 static int relinearise(struct work *w, const struct state *next) {
     const struct model *m = w->model;
+    w->factors++;
     for (int k = 0; k < m->n_building; k++) {
         if (w->settled[k]) {
             continue;

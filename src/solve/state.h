@@ -39,8 +39,14 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a);
 // Empties `live`: all links open, with force 0.
 void state_open_links(struct state *s);
 
-// Takes link k into `live`, if it is not there.
-void state_enliven(struct state *s, int k);
+// Takes link k into `live`, if it is not there. In line, as each step does it anew.
+static inline void state_enliven(struct state *s, int k) {
+    if (!s->is_live[k]) {
+        s->is_live[k] = true;
+        s->n_past[k] = 0;
+        s->live[s->n_live++] = k;
+    }
+}
 
 // Opens link k and takes it out of `live`.
 void state_open_link(struct state *s, int k);
