@@ -21,6 +21,7 @@
 #include <string.h>
 
 #include "core/lanes.h"
+#include "solve/account.h"
 #include "solve/contact.h"
 #include "solve/excitation.h"
 
@@ -221,7 +222,9 @@ static void finish_links(struct work *w, struct state *next) {
 // Everything else that belongs to the end of the step: forces, and the histories of the laws.
 static void finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
-    state_internal_forces(next, w->model, next->u, next->v);
+    if (!account_does_forces(m)) {
+        state_internal_forces(next, m, next->u, next->v);
+    }
     for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
         const struct storey *s = &m->storey[i];
         if (s->law->commit) {

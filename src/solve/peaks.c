@@ -7,9 +7,7 @@
 #include "core/number.h"
 #include "solve/account.h"
 
-// Floors, in whole lanes, that are looked at together for a new peak.
-enum { BLOCK = 8 * LANES_WIDTH };
-// Contacts likewise, of which few come nearer than ever.
+// Contacts, in whole lanes, that are looked at together: few come nearer than ever.
 enum { FEW = 4 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
@@ -60,10 +58,13 @@ void peaks_speed(struct results *r, int first, int n) {
     r->totals.speed = largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
 }
 
-static void floors_update(struct results *r, int first, int n,
-                          const double *const value[PEAK_COUNT], double time) {
+void peaks_floors(struct results *r, int first, int n, const struct state *s) {
+    const double *const value[PEAK_COUNT] = {
+        [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
+        [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
+    };
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(first, n, value[q], time, r->peak[q], r->peak_time[q]);
+        raise(first, n, value[q], s->time, r->peak[q], r->peak_time[q]);
     }
     peaks_speed(r, first, n);
 }
@@ -105,17 +106,7 @@ static void bilateral_update(struct link_peak *p, const struct state *s, int k) 
     }
 }
 
-void peaks_update(struct results *r, const struct model *m, const struct state *s) {
-    const double *const value[PEAK_COUNT] = {
-        [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
-        [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
-    };
-    for (int first = 0; first < m->n_dof; first += BLOCK) {
-        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
-        if (chain_exceeds(first, lanes_whole(n), value, r->peak)) {
-            floors_update(r, first, n, value, s->time);
-        }
-    }
+void peaks_links(struct results *r, const struct model *m, const struct state *s) {
     peaks_penetrations(r, m->n_contact, s);
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
@@ -125,4 +116,9 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
             force_update(&r->link[k], s->force[k], s->time);
         }
     }
+}
+
+void peaks_update(struct results *r, const struct model *m, const struct state *s) {
+    peaks_floors(r, 0, m->n_dof, s);
+    peaks_links(r, m, s);
 }
