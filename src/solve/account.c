@@ -8,12 +8,9 @@
 #include "core/number.h"
 #include "solve/chain_floor.h"
 
-// Floors, in whole lanes, that are looked at together for a new peak.
+// Floors, in whole lanes, that are looked at together for a new peak. They stay in the cache
+// meanwhile.
 enum { BLOCK = 16 * LANES_WIDTH };
-
-bool account_does_forces(const struct model *m) {
-    return m->n_storey_history == 0 && !m->chain.full_damping;
-}
 
 // Forces of the floors from `first` on, n of them in whole lanes, and their works.
 static inline void find_forces(const struct chain *c, int first, int n,
@@ -62,7 +59,7 @@ LANES static int64_t take_floors(const struct chain *c, int first, int n,
 
 void account_step(struct energy_account *a, struct results *r, const struct model *m,
                   const struct state *now, struct state *next) {
-    if (!account_does_forces(m)) {
+    if (!state_is_linear(m)) {
         energy_step(a, m, now, next);
         peaks_update(r, m, next);
         return;

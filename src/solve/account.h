@@ -122,11 +122,8 @@ int impacts_meet(struct impact_log *log, struct results *r, const struct model *
 void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
                     const struct state *s);
 
-// Whether account_step finds the internal forces at the end of a step, which newmark_step then
-// leaves to it.
-bool account_does_forces(const struct model *m);
-
-// Takes the step from `now` to `next` into energies and peaks.
+// Takes the step from `now` to `next` into energies and peaks. Internal forces of linear models are
+// found here.
 void account_step(struct energy_account *a, struct results *r, const struct model *m,
                   const struct state *now, struct state *next);
 

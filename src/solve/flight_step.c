@@ -145,8 +145,8 @@ static inline int64_t correct(const struct flight *f, const struct state *now, c
         u[i] = u[i] + b * q[i];
         v[i] = v[i] + g * q[i];
         a[i] = a0[i] + q[i];
-        sign |=
-            number_beyond(u[i], peak_u[i]) | number_beyond(v[i], peak_v[i]) | number_beyond(a[i] + base[i], peak_a[i]);
+        sign |= number_beyond(u[i], peak_u[i]) | number_beyond(v[i], peak_v[i]) |
+                number_beyond(a[i] + base[i], peak_a[i]);
     }
     return sign;
 }

@@ -71,6 +71,11 @@ double state_link_force(const struct state *s, const struct model *m, int k);
 // Whether link k is a rigid contact at rest.
 bool state_rests(const struct state *s, const struct model *m, int k);
 
+// Are all storeys elastic, and all bands of C in struct chain?
+static inline bool state_is_linear(const struct model *m) {
+    return m->n_storey_history == 0 && !m->chain.full_damping;
+}
+
 // Drifts, storey shears and C v at the displacements u and velocities v (n_dof), with the storey
 // history of `s`.
 void state_internal_forces(struct state *s, const struct model *m, const double *u,
