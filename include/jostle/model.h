@@ -102,6 +102,7 @@ struct output {
     bool single;       // histories as 32-bit floats
     int compress;      // level of deflate for histories, 1 to 9; 0: none
     const char *file;  // result file named by the deck; NULL: none
+    bool of_runs;      // studies write the histories of each run
 };
 
 // An adaptive analysis that needs more steps than this is refused, or given up.

@@ -112,7 +112,8 @@ int result_publish(const char *part, const char *path, enum result_existing exis
 
 struct result_file;
 
-// Opens a complete result file and reads its report. Errors: STATUS_SYSTEM (cannot open, no
+// Opens a complete result file and reads its report; FILE#7 is run 7 of a study that was written
+// with its histories. Errors: STATUS_SYSTEM (cannot open, no
 // memory), STATUS_INPUT (does not exist, not HDF5, not of jostle, newer, incomplete, damaged; names
 // the path).
 int result_open(const char *path, struct result_file **out, struct error *e);

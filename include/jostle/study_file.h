@@ -82,6 +82,10 @@ struct study_content {
     // failed or is missing.
     int (*read)(void *context, long first, long n, struct study_outcome *outcome, double *value,
                 struct error *e);
+
+    // Writes run `run` of the file as the result of one analysis into a place. NULL: histories are
+    // not wanted.
+    int (*write_run)(void *context, long run, const struct result_place *place, struct error *e);
     void *context;
 };
 
@@ -109,6 +113,7 @@ struct study_view {
     long n_study;                               // of the study
     struct study_part part;                     // shard.n = 0: the file has all runs
     int n_part;  // the parts that were joined; 0: it was run as a whole
+    bool has_histories;
     long n_kept;
     int n_thread;
     double seconds;

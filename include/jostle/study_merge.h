@@ -30,7 +30,8 @@ struct study_merge_request {
 
 struct study_merged {
     long n_run, n_failed, n_missing;
-    char missing[256];  // which: "parts 3, 7-9 of 16", or "runs 3, 5-8 of 40"
+    bool left_histories;  // parts have histories, which the file does not
+    char missing[256];    // which: "parts 3, 7-9 of 16", or "runs 3, 5-8 of 40"
 };
 
 // Joins parts to the file of the whole study, whose datasets are those of a study run as a whole,

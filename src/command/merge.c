@@ -98,6 +98,9 @@ static int merge(const struct merge_options *o) {
         show_study(q->result.path, STUDY_SUMMARY, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
     }
+    if (merged.left_histories) {
+        fprintf(stderr, "jostle: warning: the histories of the runs stay in the parts\n");
+    }
     if (merged.n_missing > 0) {
         error_set(&e, STATUS_FAILED, "%ld of %ld runs are missing in %s: %s", merged.n_missing,
                   merged.n_run, q->result.path, merged.missing);

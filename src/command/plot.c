@@ -40,7 +40,9 @@ static int help(void) {
     }
     printf(
         "\n"
-        "Without KIND it is the first one that FILE.h5 holds the histories for.\n"
+        "Without KIND it is the first one that FILE.h5 holds the histories for. FILE.h5#7 is run "
+        "7\n"
+        "of a study whose deck has 'output -histories'.\n"
         "\n"
         "  -o FILE        the picture; the ending says its kind (default: FILE-KIND.png in the\n"
         "                 current directory)\n"
@@ -114,7 +116,9 @@ const char *plot_name_output(const char *result, const char *kind, char *name) {
     const char *base = slash ? slash + 1 : result;
     const char *dot = strrchr(base, '.');
     const int n = dot && dot != base ? (int)(dot - base) : (int)strlen(base);
-    snprintf(name, PLOT_PATH_SIZE, "%.*s-%s.png", n, base, kind);
+    const char *run = strchr(base + n, '#');
+    snprintf(name, PLOT_PATH_SIZE, "%.*s%s%s-%s.png", n, base, run ? "-" : "", run ? run + 1 : "",
+             kind);
     return name;
 }
 

@@ -4,7 +4,8 @@
 
 enum { PLOT_PATH_SIZE = 4096 };
 
-// FILE.h5 -> FILE-KIND.png without its folder, into `name` (PLOT_PATH_SIZE); returns it.
+// FILE.h5 -> FILE-KIND.png, FILE.h5#7 -> FILE-7-KIND.png, without its folder, into `name`
+// (PLOT_PATH_SIZE); returns it.
 const char *plot_name_output(const char *result, const char *kind, char *name);
 
 #endif

@@ -19,6 +19,7 @@ const struct command command_show = {
 };
 
 static const char details[] =
+    "FILE.h5#7 is run 7 of a study whose deck has 'output -histories'.\n\n"
     "  --tsv     one long table: table, name, quantity, location, value, unit, time;\n"
     "            separated by tabs. Of a study: run, parameters, status, table, name, quantity,\n"
     "            location, value, unit\n"

@@ -85,6 +85,7 @@ struct builder {
     int iterations;
     struct output out;
     double out_interval;             // 0: not given
+    struct word of_runs;             // output -histories; text NULL: not given
     double longest;                  // end of the longest record or load history; 0: none
     bool any_building, any_history;  // such a statement stands in the deck, right or wrong
 };

@@ -7,6 +7,9 @@
 
 struct shelf;
 
+// What a study keeps of them.
+enum { SHELF_BYTES = 64 << 20 };
+
 // A shelf for records of `bytes_max` in all, that any number of threads may use; NULL: no memory.
 struct shelf *shelf_create(size_t bytes_max);
 void shelf_free(struct shelf *s);  // NULL is allowed

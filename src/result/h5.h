@@ -61,7 +61,8 @@ void h5_put_double(struct h5 *h, hid_t object, const char *name, double value);
 hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d);
 // Makes scale[i] the scale of dimension i of the open dataset (n_dim); 0: none.
 void h5_attach(struct h5 *h, hid_t dataset, const hid_t *scale, int n_dim);
-// Lists in each scale the datasets that use it; once, when all are there.
+// Lists in each scale the datasets that have come to use it since the last call. A scale can be
+// listed once: when all its users are there.
 void h5_list_uses(struct h5 *h);
 // Creates, writes and closes.
 void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data);

@@ -130,6 +130,7 @@ void h5_list_uses(struct h5 *h) {
         list_uses_of(h, type, h->use + first, n);
         first += n;
     }
+    h->n_use = 0;
     if (type >= 0) {
         H5Tclose(type);
     }

@@ -31,19 +31,19 @@ static bool read_selected(hid_t dataset, hid_t space, long n_row, int column, do
 
 static int read_column(const struct result_file *f, const char *path, int column, double *out,
                        struct error *e) {
-    hid_t dataset = H5Dopen2(f->h.file, path, H5P_DEFAULT);
+    hid_t dataset = H5Dopen2(f->root, path, H5P_DEFAULT);
     if (dataset < 0) {
-        return error_set(e, STATUS_INPUT, "%s has no dataset %s; see output -fields", f->path,
+        return error_set(e, STATUS_INPUT, "%s has no dataset /%s; see output -fields", f->path,
                          path);
     }
     hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     int status = STATUS_OK;
     if (space < 0 || H5Tget_class(type) != H5T_FLOAT ||
         !shape_fits(space, f->report->n_row, column)) {
-        status = error_set(e, STATUS_INPUT, "%s is damaged: dataset %s has the wrong shape",
+        status = error_set(e, STATUS_INPUT, "%s is damaged: dataset /%s has the wrong shape",
                            f->path, path);
     } else if (!read_selected(dataset, space, f->report->n_row, column, out)) {
-        status = error_set(e, STATUS_SYSTEM, "cannot read dataset %s of %s", path, f->path);
+        status = error_set(e, STATUS_SYSTEM, "cannot read dataset /%s of %s", path, f->path);
     }
     H5Tclose(type);
     H5Sclose(space);
@@ -52,7 +52,7 @@ static int read_column(const struct result_file *f, const char *path, int column
 }
 
 int result_time(const struct result_file *f, double *out, struct error *e) {
-    return read_column(f, "/time", -1, out, e);
+    return read_column(f, "time", -1, out, e);
 }
 
 static int bit_index(enum field field) {
@@ -66,7 +66,7 @@ static int bit_index(enum field field) {
 int result_floor_history(const struct result_file *f, enum field field, int building, int floor,
                          double *out, struct error *e) {
     char path[512];
-    snprintf(path, sizeof path, "/buildings/%s/%s", f->report->building[building].name,
+    snprintf(path, sizeof path, "buildings/%s/%s", f->report->building[building].name,
              field_names[bit_index(field)]);
     return read_column(f, path, floor, out, e);
 }
@@ -74,24 +74,23 @@ int result_floor_history(const struct result_file *f, enum field field, int buil
 int result_contact_history(const struct result_file *f, enum field field, int contact, double *out,
                            struct error *e) {
     char path[512];
-    snprintf(path, sizeof path, "/contacts/%s", field_names[bit_index(field)]);
+    snprintf(path, sizeof path, "contacts/%s", field_names[bit_index(field)]);
     return read_column(f, path, contact, out, e);
 }
 
 int result_link_history(const struct result_file *f, enum field field, int link, double *out,
                         struct error *e) {
-    return read_column(f, field == FIELD_FORCE ? "/links/force" : "/links/deformation", link, out,
-                       e);
+    return read_column(f, field == FIELD_FORCE ? "links/force" : "links/deformation", link, out, e);
 }
 
 int result_ground(const struct result_file *f, int building, double *out, struct error *e) {
     char path[512];
-    snprintf(path, sizeof path, "/ground/%s", f->report->building[building].name);
+    snprintf(path, sizeof path, "ground/%s", f->report->building[building].name);
     return read_column(f, path, -1, out, e);
 }
 
 int result_energy(const struct result_file *f, enum energy energy, double *out, struct error *e) {
     char path[64];
-    snprintf(path, sizeof path, "/energy/%s", energy_names[energy]);
+    snprintf(path, sizeof path, "energy/%s", energy_names[energy]);
     return read_column(f, path, -1, out, e);
 }

@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -22,11 +23,11 @@ static int damaged(const struct result_file *f, struct error *e) {
 
 static int check_format(struct result_file *f, struct error *e) {
     struct arena *a = f->report->arena;
-    const char *format = h5_get_text(&f->h, a, f->h.file, "format");
+    const char *format = h5_get_text(&f->h, a, f->root, "format");
     if (!format || strcmp(format, "jostle") != 0) {
         return error_set(e, STATUS_INPUT, "%s is not a result file of jostle", f->path);
     }
-    const long version = h5_get_long(&f->h, f->h.file, "format_version");
+    const long version = h5_get_long(&f->h, f->root, "format_version");
     if (f->h.failed) {
         return damaged(f, e);
     }
@@ -35,13 +36,13 @@ static int check_format(struct result_file *f, struct error *e) {
                          "%s has format version %ld; this program reads versions up to %d", f->path,
                          version, RESULT_FORMAT_VERSION);
     }
-    if (h5_has(&f->h, f->h.file, "sweep")) {
+    if (h5_has(&f->h, f->root, "sweep")) {
         return error_set(e, STATUS_INPUT,
                          "%s is the result of a study, not of one analysis; "
                          "jostle show prints it",
                          f->path);
     }
-    const char *status = h5_get_text(&f->h, a, f->h.file, "status");
+    const char *status = h5_get_text(&f->h, a, f->root, "status");
     if (f->h.failed) {
         return damaged(f, e);
     }
@@ -56,12 +57,12 @@ static void get_attributes(struct result_file *f) {
     struct report *r = f->report;
     h5_get_units(&f->h, r->arena, &r->units);
     for (int c = 0; c < layout_root.n_column; c++) {
-        h5_get_member(&f->h, r->arena, f->h.file, &layout_root, c, r);
+        h5_get_member(&f->h, r->arena, f->root, &layout_root, c, r);
     }
     for (int c = 0; c < layout_totals.n_column; c++) {
-        h5_get_member(&f->h, r->arena, f->h.file, &layout_totals, c, &r->totals);
+        h5_get_member(&f->h, r->arena, f->root, &layout_totals, c, &r->totals);
     }
-    r->n_row = (long)h5_get_length(&f->h, f->h.file, "time", (size_t)1 << 30);
+    r->n_row = (long)h5_get_length(&f->h, f->root, "time", (size_t)1 << 30);
     if (r->n_row < 1) {
         h5_fail(&f->h, "dataset 'time' has no values");
     }
@@ -123,7 +124,7 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
 
 static void get_buildings(struct result_file *f) {
     struct report *r = f->report;
-    hid_t group = h5_get_group(&f->h, f->h.file, "buildings");
+    hid_t group = h5_get_group(&f->h, f->root, "buildings");
     H5G_info_t info = {.nlinks = 0};
     if (f->h.failed || h5_failed(&f->h, H5Gget_info(group, &info))) {
         h5_close(&f->h, group);
@@ -174,7 +175,7 @@ static void get_link_envelope(struct result_file *f, hid_t group, const struct c
 
 static void get_contacts(struct result_file *f) {
     struct report *r = f->report;
-    hid_t group = h5_get_group(&f->h, f->h.file, "contacts");
+    hid_t group = h5_get_group(&f->h, f->root, "contacts");
     r->contact = get_links(f, group, "contact", &r->n_contact);
     for (int i = 0; i < 2; i++) {
         const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
@@ -182,8 +183,8 @@ static void get_contacts(struct result_file *f) {
     }
     get_link_envelope(f, group, &layout_contact, r->contact, (size_t)r->n_contact);
     h5_close(&f->h, group);
-    if (h5_has(&f->h, f->h.file, "links")) {
-        hid_t links = h5_get_group(&f->h, f->h.file, "links");
+    if (h5_has(&f->h, f->root, "links")) {
+        hid_t links = h5_get_group(&f->h, f->root, "links");
         r->link = get_links(f, links, "link", &r->n_link);
         get_link_envelope(f, links, &layout_link_peak, r->link, (size_t)r->n_link);
         h5_close(&f->h, links);
@@ -192,7 +193,7 @@ static void get_contacts(struct result_file *f) {
 
 static void get_impacts(struct result_file *f) {
     struct report *r = f->report;
-    hid_t group = h5_get_group(&f->h, f->h.file, "impacts");
+    hid_t group = h5_get_group(&f->h, f->root, "impacts");
     const size_t n = h5_get_length(&f->h, group, "impact", LIST_LIMIT);
     r->impact = arena_alloc(r->arena, n, sizeof *r->impact);
     if (!r->impact) {
@@ -214,7 +215,7 @@ static void get_impacts(struct result_file *f) {
 }
 
 static void get_energy(struct result_file *f) {
-    hid_t group = h5_get_group(&f->h, f->h.file, "energy");
+    hid_t group = h5_get_group(&f->h, f->root, "energy");
     f->report->initial_energy = h5_get_double(&f->h, group, "initial");
     f->report->residual_peak = h5_get_double(&f->h, group, "residual_peak");
     for (int i = 0; i < ENERGY_COUNT && !f->h.failed; i++) {
@@ -230,22 +231,61 @@ static void get_energy(struct result_file *f) {
     h5_close(&f->h, group);
 }
 
+// The number behind the last # of the path of a run in a study, and that of the study in *file; 0
+// where the path is that of a file.
+static long split(struct result_file *f, const char **file) {
+    const char *mark = strrchr(f->path, '#');
+    char *end;
+    *file = f->path;
+    if (!mark || access(f->path, F_OK) == 0) {
+        return 0;
+    }
+    const long run = strtol(mark + 1, &end, 10);
+    if (mark[1] < '0' || mark[1] > '9' || *end != '\0' || run < 1) {
+        return 0;
+    }
+    *file = arena_text(f->report->arena, f->path, (size_t)(mark - f->path));
+    return run;
+}
+
+// The group of a run in a study.
+static int open_run(struct result_file *f, const char *file, long run, struct error *e) {
+    char name[32];
+    snprintf(name, sizeof name, "runs/%06ld", run);
+    if (!h5_has(&f->h, f->h.file, "runs")) {
+        return error_set(e, STATUS_INPUT,
+                         "%s has no histories of single runs; 'output -histories' in the deck of a "
+                         "study writes them",
+                         file);
+    }
+    if (!h5_has(&f->h, f->h.file, name)) {
+        return error_set(e, STATUS_INPUT, "%s has no histories of run %ld", file, run);
+    }
+    f->root = h5_get_group(&f->h, f->h.file, name);
+    return f->h.failed ? damaged(f, e) : STATUS_OK;
+}
+
 static int open_file(struct result_file *f, struct error *e) {
-    if (access(f->path, R_OK) != 0) {
+    const char *file;
+    const long run = split(f, &file);
+    if (!file) {
+        return error_no_memory(e);
+    }
+    if (access(file, R_OK) != 0) {
         const bool missing = errno == ENOENT || errno == ENOTDIR;
-        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", f->path,
+        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", file,
                          strerror(errno));
     }
-    const htri_t is_hdf5 = H5Fis_hdf5(f->path);
-    if (is_hdf5 <= 0) {
-        return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", f->path);
+    if (H5Fis_hdf5(file) <= 0) {
+        return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", file);
     }
-    f->h.file = H5Fopen(f->path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    f->h.file = H5Fopen(file, H5F_ACC_RDONLY, H5P_DEFAULT);
     if (h5_failed(&f->h, f->h.file)) {
-        return error_set(e, STATUS_INPUT, "cannot read %s: %s", f->path, f->h.cause);
+        return error_set(e, STATUS_INPUT, "cannot read %s: %s", file, f->h.cause);
     }
     h5_open_types(&f->h);
-    return STATUS_OK;
+    f->root = f->h.file;
+    return run > 0 ? open_run(f, file, run, e) : STATUS_OK;
 }
 
 static int read_file(struct result_file *f, struct error *e) {
@@ -275,7 +315,7 @@ int result_open(const char *path, struct result_file **out, struct error *e) {
     }
     r->arena = a;
     f->report = r;
-    f->h.file = -1;
+    f->h.file = f->root = -1;
     f->path = arena_text(a, path, strlen(path));
     r->file = f->path;
     int status = f->path ? read_file(f, e) : error_no_memory(e);
@@ -292,6 +332,9 @@ void result_close(struct result_file *f) {
         return;
     }
     h5_close_types(&f->h);
+    if (f->root >= 0 && f->root != f->h.file) {
+        h5_close(&f->h, f->root);
+    }
     if (f->h.file >= 0) {
         H5Fclose(f->h.file);
     }

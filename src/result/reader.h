@@ -7,6 +7,7 @@
 
 struct result_file {
     struct h5 h;
+    hid_t root;             // the file, or the group of a run of a study
     struct report *report;  // owned
     const char *path;       // in the report's arena
 };

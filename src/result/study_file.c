@@ -11,6 +11,7 @@
 #include "result/part.h"
 #include "result/study_box.h"
 #include "result/study_writer.h"
+#include "result/writer.h"
 
 static const size_t bytes_max = (size_t)16 << 20;
 enum { RUNS_MAX = 4096 };  // of a block
@@ -85,6 +86,34 @@ static int put_runs(struct study_writer *w, struct block *b, struct error *e) {
     return STATUS_OK;
 }
 
+// The tree of run `run` of the file, which has been done.
+static int put_history(struct study_writer *w, hid_t runs, long run, const char *path,
+                       struct error *e) {
+    const struct study_content *c = w->content;
+    char name[24];
+    snprintf(name, sizeof name, "%06.0f", c->part ? c->part->run[run] : (double)run + 1.0);
+    const struct result_place place = {&w->h, h5_group(&w->h, runs, name), path};
+    int status = w->h.failed ? STATUS_OK : c->write_run(c->context, run, &place, e);
+    h5_close(&w->h, place.group);
+    return status;
+}
+
+// Histories of the runs that were done, in /runs.
+static int put_histories(struct study_writer *w, struct block *b, const char *path,
+                         struct error *e) {
+    const struct study_content *c = w->content;
+    hid_t runs = h5_group(&w->h, w->h.file, "runs");
+    int status = STATUS_OK;
+    for (long i = 0; i < c->n_run && status == STATUS_OK && !w->h.failed; i++) {
+        status = c->read(c->context, i, 1, b->outcome, b->value, e);
+        if (status == STATUS_OK && b->outcome->status == STUDY_DONE) {
+            status = put_history(w, runs, i, path, e);
+        }
+    }
+    h5_close(&w->h, runs);
+    return status;
+}
+
 static void close_all(struct study_writer *w) {
     for (int i = 0; i < w->content->table->n_item; i++) {
         h5_close(&w->h, w->dataset[i]);
@@ -108,6 +137,9 @@ static int write_part(struct study_writer *w, const char *path, const char *part
         study_tree(w);
         status = put_runs(w, &b, e);
         h5_list_uses(&w->h);
+        if (status == STATUS_OK && w->content->write_run) {
+            status = put_histories(w, &b, path, e);
+        }
         h5_put_text(&w->h, w->h.file, "status", "complete");
         close_all(w);
     }

@@ -257,6 +257,7 @@ static void get_all(struct study_file *f) {
     if (!f->h.failed && H5Aexists(f->h.file, "parts") > 0) {
         v->n_part = (int)h5_get_long(&f->h, f->h.file, "parts");
     }
+    v->has_histories = h5_has(&f->h, f->h.file, "runs");
     get_sweeps(f);
     hid_t buildings = h5_get_group(&f->h, f->h.file, "buildings");
     if (!f->h.failed) {

@@ -12,9 +12,9 @@ enum { GROUP_MAX = 4096 };
 
 static int check_name(const struct study_content *c, const struct sweep *s, struct error *e) {
     static const char *const taken[] = {
-        "status", "message", "sweep",      "buildings", "contacts",   "links",
-        "energy", "totals",  "floor",      "contact",   "envelope",   "link",
-        "name",   "left",    "left_floor", "right",     "right_floor"};
+        "status", "message", "sweep",      "buildings", "contacts",    "links",
+        "energy", "totals",  "floor",      "contact",   "envelope",    "link",
+        "name",   "left",    "left_floor", "right",     "right_floor", "runs"};
     bool bad = false;
     for (size_t i = 0; i < sizeof taken / sizeof taken[0]; i++) {
         bad = bad || strcmp(taken[i], s->name) == 0;

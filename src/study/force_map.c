@@ -9,8 +9,6 @@
 #include "motion/shelf.h"
 #include "study/workers.h"
 
-static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
-
 // Guarded by the lock of the workers.
 struct map {
     const struct force_map_request *request;
@@ -135,7 +133,7 @@ static int poll_owner(void *context, struct workers *w, struct error *e) {
 }
 
 int force_map_run(const struct force_map_request *q, double *force, struct error *e) {
-    struct map map = {.request = q, .records = shelf_create(RECORDS_MAX), .failed = LONG_MAX};
+    struct map map = {.request = q, .records = shelf_create(SHELF_BYTES), .failed = LONG_MAX};
     map.force = force;
     if (!map.records) {
         return error_no_memory(e);

@@ -12,8 +12,7 @@
 #include "study/trial.h"
 #include "study/workers.h"
 
-static const double FAR = 1024.0;                    // [m]
-static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
+static const double FAR = 1024.0;  // [m]
 
 // All jobs.
 struct work {
@@ -157,7 +156,7 @@ static int poll_runs(void *context, struct workers *workers, struct error *e) {
 
 int gap_runs_run(const struct gap_runs *s, struct error *e) {
     struct work w = {
-        .suite = s, .records = shelf_create(RECORDS_MAX), .n = s->n_case * s->which[0].plan->n_run};
+        .suite = s, .records = shelf_create(SHELF_BYTES), .n = s->n_case * s->which[0].plan->n_run};
     const struct workers_request request = {
         .n_thread = w.n < s->n_thread ? (int)w.n : s->n_thread,
         .scratch = 1,  // none is needed: each job has its place in the results

@@ -311,6 +311,7 @@ static void describe(const struct merge *m, struct sweep *list, struct study_con
     c->sweeps = list;
     for (int k = 0; k < m->request->n_path; k++) {
         v = m->input[k].view;
+        m->out->left_histories |= v->has_histories;
         c->n_kept += v->n_kept;
         c->n_thread = v->n_thread > c->n_thread ? v->n_thread : c->n_thread;
         c->seconds += v->seconds;

@@ -11,8 +11,6 @@
 
 enum { SYNC_TICKS = 10 };  // polls between synchronisations of the journal
 
-static const size_t RECORDS_MAX = (size_t)64 << 20;  // bytes
-
 // Guarded by the lock of the workers.
 struct pool {
     const struct study_request *request;
@@ -158,7 +156,7 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
                      .plan = plan,
                      .journal = journal,
                      .ledger = ledger,
-                     .records = shelf_create(RECORDS_MAX),
+                     .records = shelf_create(SHELF_BYTES),
                      .progress = *progress};
     if (!p.records) {
         return error_no_memory(e);

@@ -6,21 +6,25 @@
 #include <time.h>
 
 #include "jostle/study_merge.h"
+#include "motion/shelf.h"
 #include "study/identity.h"
 #include "study/journal.h"
 #include "study/ledger.h"
 #include "study/plan.h"
 #include "study/pool.h"
 #include "study/portion.h"
+#include "study/trial.h"
 
 struct study {
     const struct study_request *request;
     struct plan plan;
     struct ledger ledger;
     struct journal journal;
-    const char *identity;    // of the study
-    struct study_part part;  // if that is what is run
-    double start;            // wall time [s]
+    const char *identity;            // of the study
+    struct study_part part;          // if that is what is run
+    struct study_progress progress;  // when all runs are done
+    struct shelf *records;           // for those that are run again
+    double start;                    // wall time [s]
 };
 
 static double now(void) {
@@ -75,6 +79,49 @@ static int read_runs(void *context, long first, long n, struct study_outcome *ou
     return status;
 }
 
+// A run on its way into the result file.
+struct recording {
+    const struct study *study;
+    const struct result_place *place;
+};
+
+// The analysis was done before without an error, and gives the same again.
+static int record(void *context, const struct model *m, struct study_outcome *outcome,
+                  struct error *e) {
+    const struct recording *r = context;
+    struct result_writer *writer;
+    struct results *results;
+    int status = result_create_in(r->place, m, r->study->request->result.version, &writer, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    (void)outcome;
+    const struct observer observer = result_observer(writer);
+    status = analysis_run(m, &observer, &results, e);
+    if (status != STATUS_OK) {
+        result_abort(writer);
+        return status;
+    }
+    status = result_finish(writer, results, e);
+    results_free(results);
+    return status;
+}
+
+// The histories of a run are not kept in the journal: it is run again.
+static int write_run(void *context, long run, const struct result_place *place, struct error *e) {
+    struct study *s = context;
+    const struct trial_watch watch = {.records = s->records};
+    struct recording recording = {s, place};
+    struct study_outcome outcome;
+    const struct study_request *q = s->request;
+    int status = q->poll ? q->poll(q->context, &s->progress, e) : STATUS_OK;
+    if (status != STATUS_OK) {
+        return status;
+    }
+    return trial_build(&s->plan, study_shard_run(&s->plan.shard, run), &watch, record, &recording,
+                       &outcome, e);
+}
+
 // A journal without runs is not left behind.
 static void close_journal(struct study *s) {
     if (s->journal.n_done == 0) {
@@ -107,6 +154,7 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
         s->part.n_failed = p->n_failed;
         content->part = &s->part;
     }
+    s->progress = *p;
     return status == STATUS_OK ? study_file_write(content, &s->request->result, e) : status;
 }
 
@@ -118,6 +166,13 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
                                     .n_run = s->plan.n_mine,
                                     .read = read_runs,
                                     .context = s};
+    if (s->plan.first->output.of_runs) {
+        content.write_run = write_run;
+        s->records = shelf_create(SHELF_BYTES);
+        if (!s->records) {
+            return error_no_memory(e);
+        }
+    }
     int status = study_file_check(&content, result, e);
     const char *path = arena_format(s->ledger.arena, "%s.runs", result->path);
     if (status == STATUS_OK && !path) {
@@ -169,6 +224,7 @@ int study_run(const struct study_request *q, struct study_progress *p, struct er
         status = find_or_run(&s, p, e);
     }
     ledger_close(&s.ledger);
+    shelf_free(s.records);
     plan_close(&s.plan);
     return status;
 }

@@ -44,34 +44,41 @@ int trial_analyse(const struct model *m, const struct trial_watch *watch,
     return status;
 }
 
-static int build(const struct plan *p, long run, struct deck *deck, const struct trial_watch *watch,
-                 trial_use *use, void *context, struct study_outcome *outcome, struct error *e) {
-    struct model *m;
+// The model of a run; NULL: its deck is wrong for its values, which is an outcome.
+static int build(const struct plan *p, long run, const struct trial_watch *watch, struct deck *deck,
+                 struct model **out, struct study_outcome *outcome, struct error *e) {
+    struct model *m = NULL;
     int status = model_build_shared(deck, watch->records, &m, e);
     const bool built = status == STATUS_OK;
+    *out = NULL;
     if (status == STATUS_INPUT) {
         status = fail_deck(outcome, deck, e);
     }
-    if (status != STATUS_OK) {
-        return status;
+    if (status == STATUS_OK && watch->files) {
+        status = watch->files(watch->context, deck->files, e);
     }
-    status = watch->files ? watch->files(watch->context, deck->files, e) : STATUS_OK;
     if (status == STATUS_OK && built) {
+        *out = m;
         status = plan_check(p, run, m, e);
     }
-    return status == STATUS_OK && built ? use(context, m, outcome, e) : status;
+    return status;
 }
 
 int trial_build(const struct plan *p, long run, const struct trial_watch *watch, trial_use *use,
                 void *context, struct study_outcome *outcome, struct error *e) {
     int choice[STUDY_SWEEPS_MAX];
     struct deck *deck;
+    struct model *m;
     *outcome = (struct study_outcome){.status = STUDY_DONE};
     int status = open_deck(p, run, choice, &deck, e);
-    if (status == STATUS_OK) {
-        status = build(p, run, deck, watch, use, context, outcome, e);
-        deck_free(deck);  // and the model with it
+    if (status != STATUS_OK) {
+        return status;
     }
+    status = build(p, run, watch, deck, &m, outcome, e);
+    if (status == STATUS_OK && m) {
+        status = use(context, m, outcome, e);
+    }
+    deck_free(deck);  // and the model with it
     return status;
 }
 
@@ -80,20 +87,6 @@ static void start(const struct plan *p, struct trial *t) {
     for (size_t i = 0; i < p->table->n_value; i++) {
         t->value[i] = NAN;
     }
-}
-
-// The model of a run; NULL: its deck is wrong for its values, which is an outcome.
-static int build_run(const struct plan *p, struct trial *t, const struct trial_watch *watch,
-                     struct deck *deck, struct model **out) {
-    int status = model_build_shared(deck, watch->records, out, &t->error);
-    const bool built = status == STATUS_OK;
-    if (status == STATUS_INPUT) {
-        status = fail_deck(&t->outcome, deck, &t->error);
-    }
-    if (status == STATUS_OK) {
-        status = watch->files(watch->context, deck->files, &t->error);
-    }
-    return status == STATUS_OK && built ? plan_check(p, t->run, *out, &t->error) : status;
 }
 
 // What the run of a model came to.
@@ -134,7 +127,7 @@ void trial_run(const struct plan *p, struct trial *trial, int n, const struct tr
         start(p, t);
         t->status = open_deck(p, t->run, choice, &deck[i], &t->error);
         if (t->status == STATUS_OK) {
-            t->status = build_run(p, t, watch, deck[i], &m);
+            t->status = build(p, t->run, watch, deck[i], &m, &t->outcome, &t->error);
         }
         if (t->status == STATUS_OK && m) {
             member[n_built] = (struct ensemble_member){.model = m};

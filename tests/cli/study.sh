@@ -31,6 +31,38 @@ expect "a study runs and says how it went" '[ $status -eq 0 ] && [ ! -s "$err" ]
 expect "it leaves only its file" 'only grid.deck one.h5 records/one.txt records/two.txt'
 run "$jostle" run grid.deck -q -o two.h5 -j 2
 expect "-q prints nothing" '[ $status -eq 0 ] && [ ! -s "$out" ] && [ ! -s "$err" ]'
+(sed 's/^step/output -histories -interval 10ms\nstep/' grid.deck) >whole.deck
+run "$jostle" run whole.deck -q -o whole.h5
+expect "histories are written on request" '[ $status -eq 0 ]'
+run "$jostle" run whole.deck -q -o single.h5 -D gap=8mm -D k=1e6 -D record=records/one.txt
+expect "with all sweeps fixed they are those of one analysis" '[ $status -eq 0 ]'
+if command -v h5diff >/dev/null; then
+    for path in buildings/A/displacement buildings/B/storey_shear contacts/force impacts/t_start energy/input time; do
+        run h5diff whole.h5 single.h5 /runs/000009/$path /$path
+        expect "$path of a run is that of the run alone" '[ $status -eq 0 ]'
+    done
+    run "$jostle" show --tsv single.h5
+    grep -v 'wall_seconds\|newton\|command_line' "$out" >table
+    run "$jostle" show --tsv 'whole.h5#9'
+    expect "a run is shown like a file" '[ $status -eq 0 ] && grep -v "wall_seconds\|newton\|command_line" "$out" | cmp - table'
+    run "$jostle" plot 'whole.h5#9' histories --script figure
+    expect "and drawn" '[ $status -eq 0 ] && [ -s figure/histories.gp ]'
+    run "$jostle" show 'whole.h5#13'
+    expect "a run that is not there is named" '[ $status -eq 2 ] && said "whole.h5 has no histories of run 13"'
+    run "$jostle" show 'two.h5#1'
+    expect "and so is a study without histories" '[ $status -eq 2 ] && said "output -histories"'
+    rm -r figure table
+    expect "all runs have theirs" '[ "$(h5ls whole.h5/runs | wc -l)" -eq 12 ]'
+    for i in 1 2; do
+        run "$jostle" run whole.deck -q --shard $i/2 -o half$i.h5
+        expect "part $i has those of its runs" '[ $status -eq 0 ] && [ "$(h5ls half$i.h5/runs | wc -l)" -eq 6 ]'
+    done
+    run "$jostle" merge -q half1.h5 half2.h5 -o joined.h5
+    expect "a merged file has none, which is said" '[ $status -eq 0 ] && said "the histories of the runs stay in the parts"'
+else
+    skip "histories are those of the runs alone" "no h5diff"
+fi
+rm -f whole.* single.* half* joined.*
 if command -v h5diff >/dev/null; then
     expect "any number of threads gives the same file" 'same one.h5 two.h5'
     run "$jostle" run grid.deck -q -o eight.h5 -j 8

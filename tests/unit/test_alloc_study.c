@@ -114,6 +114,19 @@ static void and_with_parts_being_joined(void **state) {
     fail_each(merge_input, part, support_path("merged.h5"));
 }
 
+static const char recorded[] = "sweep gap values 1mm 2mm\n"
+                               "building A -floors 2 -mass 1 -stiffness 300\n"
+                               "contact A wall -gap $gap -law hertz -k 1e4\n"
+                               "ground record memory1.txt -unit m/s2 -dt 0.05\n"
+                               "step fixed 0.01\n"
+                               "output -histories\n";
+
+static void and_with_the_histories_of_the_runs(void **state) {
+    (void)state;
+    support_write("memory1.txt", "0\n1\n-2\n1\n");
+    fail_each(run_input, support_write("recorded.deck", recorded), support_path("recorded.h5"));
+}
+
 static const char pair[] = "param T1 1s\n"
                            "param T2 1s\n"
                            "building A -floors 1 -mass 1 -stiffness ${4 * pi^2 * 1kg / T1^2}\n"
@@ -157,6 +170,7 @@ int main(void) {
         cmocka_unit_test(every_allocation_that_fails_ends_in_an_error),
         cmocka_unit_test(so_it_is_with_a_part),
         cmocka_unit_test(and_with_parts_being_joined),
+        cmocka_unit_test(and_with_the_histories_of_the_runs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -81,7 +81,7 @@ static void what_was_not_used_for_longest_makes_room(void **state) {
     (void)state;
     struct arena *a = arena_create();
     // Two records: 8 bytes a sample, and some more.
-    struct shelf *s = shelf_create(2 * 12 * N_SAMPLE);
+    struct shelf *s = shelf_create((size_t)2 * 12 * N_SAMPLE);
     const char *const path[] = {"a.txt", "b.txt", "c.txt"};
     for (int i = 0; i < 2; i++) {
         write_record(path[i], 0.1 * (i + 1));

@@ -3,7 +3,7 @@
 
 #include "model/statement.h"
 
-enum { EVERY, INTERVAL, FIELDS, PRECISION, COMPRESS, FILE_NAME, N_ROW };
+enum { EVERY, INTERVAL, FIELDS, PRECISION, COMPRESS, FILE_NAME, HISTORIES, N_ROW };
 
 static const struct range every_range = {.min = 1.0, .max = 1e9, .text = ">= 1 and <= 1e9"};
 static const struct range level_range = {.min = 1.0, .max = 9.0, .text = ">= 1 and <= 9"};
@@ -26,6 +26,8 @@ static const struct row rows[N_ROW] = {
                   &level_range,
                   NAN,
                   "histories by shuffle and deflate of this level"},
+    [HISTORIES] =
+        {"histories", ROW_FLAG, 0, {0}, NULL, NAN, "for studies: the histories of each run too"},
     [FILE_NAME] = {"file", ROW_TEXT, 0, {0}, NULL, NAN, "result file, from the current directory"},
 };
 
@@ -57,22 +59,10 @@ static void read_precision(struct builder *b, const struct argument *a) {
     }
 }
 
-// False after having reported what is for studies only.
-static bool check_study(struct builder *b, const struct statement *s) {
-    int n;
-    const struct word *behind = deck_option(s, "histories", &n);
-    if (behind) {
-        deck_error(b->deck, behind - 1,
-                   "-histories is for studies by sweep, which do not write histories in this "
-                   "version; one analysis always writes its histories");
-    }
-    return !behind;
-}
-
 static void build(struct builder *b, const struct statement *s) {
     struct argument a[N_ROW] = {0};
     if (!builder_plain(b, s, 0, 0, statement_output.usage) || !builder_once(b, &b->output, s) ||
-        !check_study(b, s) || !deck_options(b->deck, s, &(struct row_set){rows, N_ROW, a}, 1)) {
+        !deck_options(b->deck, s, &(struct row_set){rows, N_ROW, a}, 1)) {
         return;
     }
     if (a[EVERY].given && a[INTERVAL].given) {
@@ -94,6 +84,10 @@ static void build(struct builder *b, const struct statement *s) {
     if (a[COMPRESS].given) {
         b->out.compress = (int)a[COMPRESS].number[0];
     }
+    if (a[HISTORIES].given) {
+        b->out.of_runs = true;
+        b->of_runs = a[HISTORIES].key;
+    }
     if (a[FILE_NAME].given) {
         b->out.file = a[FILE_NAME].text[0];
     }
@@ -102,7 +96,7 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_output = {
     .name = "output",
     .usage = "[-every N | -interval DT] [-fields LIST] [-precision single] [-compress LEVEL] "
-             "[-file FILE]",
+             "[-histories] [-file FILE]",
     .summary = "which histories are written, and where",
     .example = "output -interval 0.02s -fields displacement force",
     .row = rows,
