@@ -7,7 +7,9 @@
 #include "core/number.h"
 #include "solve/account.h"
 
-// Contacts, in whole lanes, that are looked at together: few come nearer than ever.
+// Floors, in whole lanes, that are looked at together for a new peak.
+enum { BLOCK = 8 * LANES_WIDTH };
+// Contacts likewise, of which few come nearer than ever.
 enum { FEW = 4 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
@@ -58,13 +60,24 @@ void peaks_speed(struct results *r, int first, int n) {
     r->totals.speed = largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
 }
 
+struct floor_values {
+    const double *of[PEAK_COUNT];
+};
+
+static struct floor_values values_of(const struct state *s) {
+    return (struct floor_values){{
+        [PEAK_DISPLACEMENT] = s->u,
+        [PEAK_VELOCITY] = s->v,
+        [PEAK_ACCELERATION] = s->total,
+        [PEAK_DRIFT] = s->drift,
+        [PEAK_SHEAR] = s->shear,
+    }};
+}
+
 void peaks_floors(struct results *r, int first, int n, const struct state *s) {
-    const double *const value[PEAK_COUNT] = {
-        [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
-        [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
-    };
+    const struct floor_values value = values_of(s);
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(first, n, value[q], s->time, r->peak[q], r->peak_time[q]);
+        raise(first, n, value.of[q], s->time, r->peak[q], r->peak_time[q]);
     }
     peaks_speed(r, first, n);
 }
@@ -119,6 +132,12 @@ void peaks_links(struct results *r, const struct model *m, const struct state *s
 }
 
 void peaks_update(struct results *r, const struct model *m, const struct state *s) {
-    peaks_floors(r, 0, m->n_dof, s);
+    const struct floor_values value = values_of(s);
+    for (int first = 0; first < m->n_dof; first += BLOCK) {
+        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
+        if (chain_exceeds(first, lanes_whole(n), value.of, r->peak)) {
+            peaks_floors(r, first, n, s);
+        }
+    }
     peaks_links(r, m, s);
 }
