@@ -15,7 +15,7 @@ static void print_help(FILE *to) {
     fprintf(to, "usage: jostle COMMAND ...\n\n"
                 "Simulates the earthquake pounding of multistorey buildings.\n\n");
     for (int i = 0; i < n_command; i++) {
-        fprintf(to, "  %-9s %s\n", commands[i]->name, commands[i]->summary);
+        fprintf(to, "  %-10s %s\n", commands[i]->name, commands[i]->summary);
     }
     fprintf(to, "\n  --version prints the version; COMMAND --help explains a command\n\n"
                 "Exit status: 0 done, 1 the analysis failed, 2 wrong usage, deck or record,\n"

@@ -17,7 +17,7 @@ struct study_progress {
     long n_done;    // runs done so far, kept and failed ones included
     long n_failed;  // of them, those that failed
     int n_thread;
-    char failure[768];  // the first failed run of this start, and why; "": none
+    char failure[768];  // of this start, the failed run of the lowest number, and why; "": none
 };
 
 // What to do with the journal of an earlier start.

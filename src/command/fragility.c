@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/cells.h"
+#include "command/show_study.h"
 #include "command/suite_options.h"
 #include "core/arena.h"
 #include "jostle/result.h"
@@ -14,14 +14,17 @@ static int fragility_command(int argc, char **argv);
 const struct command command_fragility = {
     .name = "fragility",
     .usage = "FILE.h5 [--tsv|--csv] --edp EDP --limit VALUE[,VALUE...] [--im NAME] "
-             "[--over NAME] [--at NAME=VALUE]",
+             "[--over NAME] [--at NAME=VALUE] [--method counts|ida]",
     .summary = "fits lognormal fragility curves to a study",
     .run = fragility_command,
 };
 
 enum form { FORM_TEXT, FORM_TSV, FORM_CSV };
+enum method { METHOD_COUNTS, METHOD_IDA };
+static const char *const method_name[] = {"counts", "ida"};
 struct request {
     struct suite_options suite;
+    enum method method;
     enum form form;
 };
 
@@ -30,27 +33,35 @@ struct result {
     const struct suite *suite;
     int group;
     double limit;
-    const struct fragility_level *level;  // (n_point)
+    enum method method;
+    struct fragility_level *level;    // (n_point)
+    struct fragility_record *record;  // (n_sample), by METHOD_IDA
     struct fragility fit;
 };
 
 static int help(void) {
     printf("usage: jostle %s %s\n\n%s\n\n", command_fragility.name, command_fragility.usage,
            command_fragility.summary);
-    printf("  --edp EDP      the demand, such as drift:A\n"
-           "  --limit VALUE[,VALUE...]\n"
-           "                 what it is not to exceed: 20mm, 0.5%%, 2MN; without a unit, in those\n"
-           "                 of the deck\n"
-           "  --im NAME      the sweep that is the intensity (default: im, sa, pga, intensity or\n"
-           "                 scale, or the only sweep of numbers)\n"
-           "%s"
-           "  --tsv, --csv   a line for each limit and intensity\n"
-           "  --help         this text\n",
-           suite_options_help);
+    printf(
+        "  --edp EDP      the demand, such as drift:A\n"
+        "  --limit VALUE[,VALUE...]\n"
+        "                 what it is not to exceed: 20mm, 0.5%%, 2MN; without a unit, in those\n"
+        "                 of the deck\n"
+        "  --im NAME      the sweep that is the intensity (default: im, sa, pga, intensity or\n"
+        "                 scale, or the only sweep of numbers)\n"
+        "%s"
+        "  --method counts|ida\n"
+        "                 from the counts at each intensity (the default), or from the intensity\n"
+        "                 at which each sample first exceeds the limit\n"
+        "  --tsv, --csv   a line for each limit and intensity\n"
+        "  --help         this text\n",
+        suite_options_help);
     suite_options_print_edps();
     printf("\nThe median and the dispersion are those of largest likelihood for the counts (Baker\n"
-           "2015, Earthquake Spectra 31, 579-599). A value equal to the limit does not exceed it.\n"
-           "Standard errors are those of independent runs.\n");
+           "2015, Earthquake Spectra 31, 579-599), or for the first exceedances and the samples "
+           "that have\n"
+           "none. A value equal to the limit does not exceed it. Standard errors are those of\n"
+           "independent runs, or samples.\n");
     return EXIT_DONE;
 }
 
@@ -88,6 +99,42 @@ static void print_share(double share) {
     }
 }
 
+static int count_crossings(const struct result *r, enum fragility_crossing crossing) {
+    int n = 0;
+    for (int k = 0; k < r->suite->n_sample; k++) {
+        n += r->record[k].crossing == crossing;
+    }
+    return n;
+}
+
+// How many samples have such a crossing, and which ones if it is none.
+static void print_crossings(const struct result *r, enum fragility_crossing crossing,
+                            const char *what) {
+    const struct suite *s = r->suite;
+    const int n = count_crossings(r, crossing);
+    if (n == 0) {
+        return;
+    }
+    printf("%d of %d samples %s", n, s->n_sample, what);
+    const char *comma = ": ";
+    for (int k = 0; k < s->n_sample && crossing != CROSSING_AT; k++) {
+        if (r->record[k].crossing == crossing) {
+            printf("%s%s", comma, s->sample[k]);
+            comma = ", ";
+        }
+    }
+    printf("\n");
+}
+
+static void print_records(const struct result *r) {
+    print_crossings(r, CROSSING_AT, "first exceed the limit between two intensities");
+    print_crossings(r, CROSSING_ABOVE,
+                    "never exceed it and count as above their highest intensity");
+    print_crossings(r, CROSSING_BELOW,
+                    "always exceed it and count as below their lowest intensity");
+    print_crossings(r, CROSSING_NO_RUNS, "have no runs and are left out");
+}
+
 static void print_text(const struct result *r) {
     const struct suite *s = r->suite;
     const char *unit = unit_of(s);
@@ -104,12 +151,24 @@ static void print_text(const struct result *r) {
         print_share(fragility_probability(&r->fit, l->intensity));
         printf("\n");
     }
+    if (r->method == METHOD_IDA) {
+        print_records(r);
+    }
     print_parameters(r);
 }
 
 static void cell_of_fit(struct cells *c, const struct result *r, double value) {
     if (r->fit.outcome == FRAGILITY_FITTED) {
         cells_number(c, value);
+    } else {
+        cells_empty(c);
+    }
+}
+
+static void cell_of_crossings(struct cells *c, const struct result *r,
+                              enum fragility_crossing crossing) {
+    if (r->method == METHOD_IDA) {
+        cells_whole(c, count_crossings(r, crossing));
     } else {
         cells_empty(c);
     }
@@ -123,7 +182,10 @@ static void print_cells(const struct result *r, struct cells *c) {
         cells_text(c, s->edp.text);
         cells_number(c, r->limit);
         cells_text(c, s->edp.units);
-        cells_text(c, s->group[r->group]);
+        for (int i = 0; i < s->n_group_sweep; i++) {
+            show_sweep_value(c, s->view->sweep[s->group_sweep[i]],
+                             suite_group_choice(s, r->group, i));
+        }
         cells_number(c, l->intensity);
         cells_text(c, s->abscissa_units[0] ? s->abscissa_units : "1");
         cells_whole(c, l->n);
@@ -133,6 +195,9 @@ static void print_cells(const struct result *r, struct cells *c) {
         cell_of_fit(c, r, f->dispersion);
         cell_of_fit(c, r, f->log_median_error);
         cell_of_fit(c, r, f->dispersion_error);
+        cells_text(c, method_name[r->method]);
+        cell_of_crossings(c, r, CROSSING_ABOVE);
+        cell_of_crossings(c, r, CROSSING_BELOW);
         cells_text(c, f->outcome == FRAGILITY_FITTED ? "fitted" : fragility_reason(f));
         cells_end(c);
     }
@@ -140,8 +205,12 @@ static void print_cells(const struct result *r, struct cells *c) {
 
 static void print_head(const struct request *q, const struct suite *s, struct cells *c) {
     if (q->form != FORM_TEXT) {
-        cells_words(c, "edp limit limit_unit group im im_unit n exceeded probability median "
-                       "dispersion ln_median_error dispersion_error outcome");
+        cells_words(c, "edp limit limit_unit");
+        for (int i = 0; i < s->n_group_sweep; i++) {
+            show_sweep_name(c, s->view->sweep[s->group_sweep[i]]);
+        }
+        cells_words(c, "im im_unit n exceeded probability median dispersion ln_median_error "
+                       "dispersion_error method never always outcome");
         cells_end(c);
         return;
     }
@@ -153,29 +222,38 @@ static void print_head(const struct request *q, const struct suite *s, struct ce
     printf("%s%s\n", s->fixed[0] ? "; " : "", s->fixed);
 }
 
+static int fit(struct result *r, struct error *e) {
+    const struct suite *s = r->suite;
+    fragility_count(s, r->group, r->limit, r->level);
+    if (r->method == METHOD_COUNTS) {
+        return fragility_fit(r->level, s->n_point, &r->fit, e);
+    }
+    fragility_first(s, r->group, r->limit, r->record);
+    return fragility_fit_records(r->record, s->n_sample, &r->fit, e);
+}
+
 static int print_all(const struct request *q, const struct suite *s, const double *limit, int n,
                      struct error *e) {
-    struct fragility_level *level = arena_alloc(s->arena, (size_t)s->n_point, sizeof *level);
+    struct result r = {.suite = s, .method = q->method};
     struct cells c = {.to = stdout, .form = q->form == FORM_CSV ? CELLS_CSV : CELLS_TSV};
-    if (!level) {
+    r.level = arena_alloc(s->arena, (size_t)s->n_point, sizeof *r.level);
+    r.record = arena_alloc(s->arena, (size_t)s->n_sample, sizeof *r.record);
+    if (!r.level || !r.record) {
         return error_no_memory(e);
     }
     print_head(q, s, &c);
-    for (int i = 0; i < n * s->n_group; i++) {
-        struct result r = {
-            .suite = s, .group = i % s->n_group, .limit = limit[i / s->n_group], .level = level};
-        fragility_count(s, r.group, r.limit, level);
-        int status = fragility_fit(level, s->n_point, &r.fit, e);
-        if (status != STATUS_OK) {
-            return status;
-        }
-        if (q->form == FORM_TEXT) {
+    int status = STATUS_OK;
+    for (int i = 0; i < n * s->n_group && status == STATUS_OK; i++) {
+        r.group = i % s->n_group;
+        r.limit = limit[i / s->n_group];
+        status = fit(&r, e);
+        if (status == STATUS_OK && q->form == FORM_TEXT) {
             print_text(&r);
-        } else {
+        } else if (status == STATUS_OK) {
             print_cells(&r, &c);
         }
     }
-    return STATUS_OK;
+    return status;
 }
 
 static int fit_all(const struct request *q, const struct suite *s, struct error *e) {
@@ -184,6 +262,16 @@ static int fit_all(const struct request *q, const struct suite *s, struct error 
     if (status == STATUS_OK && !s->abscissa->number) {
         status =
             error_set(e, STATUS_INPUT, "--im %s: its values are no numbers", s->abscissa->name);
+    }
+    if (status == STATUS_OK && q->method == METHOD_IDA && s->is_random) {
+        status = error_set(e, STATUS_INPUT,
+                           "--method ida: '%s' is a random parameter, along which other things "
+                           "change, too",
+                           s->abscissa->name);
+    }
+    if (status == STATUS_OK && q->method == METHOD_IDA && s->n_sample < 2) {
+        status =
+            error_set(e, STATUS_INPUT, "--method ida needs samples; name their sweep by --over");
     }
     if (status == STATUS_OK) {
         suite_options_warn(s);
@@ -216,11 +304,23 @@ static int open_and_fit(const struct request *q, const char *path) {
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
+// Returns -1, or the exit status.
+static int take_method(struct request *q) {
+    for (enum method m = METHOD_COUNTS; m <= METHOD_IDA; m++) {
+        if (strcmp(optarg, method_name[m]) == 0) {
+            q->method = m;
+            return -1;
+        }
+    }
+    return command_usage(&command_fragility, "--method is counts or ida, not '%s'", optarg);
+}
+
 // Returns -1 when there is something to do, else the exit status.
 static int parse(int argc, char **argv, struct request *q) {
     static const struct option option[] = {SUITE_OPTIONS,
                                            {"tsv", no_argument, NULL, 't'},
                                            {"csv", no_argument, NULL, 'c'},
+                                           {"method", required_argument, NULL, 'm'},
                                            {"help", no_argument, NULL, 'h'},
                                            {NULL, 0, NULL, 0}};
     opterr = 0;
@@ -231,6 +331,8 @@ static int parse(int argc, char **argv, struct request *q) {
             done = help();
         } else if (suite_options_has(c)) {
             done = suite_options_take(&command_fragility, c, &q->suite);
+        } else if (c == 'm') {
+            done = take_method(q);
         } else if (c != 't' && c != 'c') {
             done = command_bad_option(&command_fragility, c, argv);
         } else if (q->form != FORM_TEXT && q->form != (c == 't' ? FORM_TSV : FORM_CSV)) {

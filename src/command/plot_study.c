@@ -29,7 +29,7 @@ void plot_study_help(void) {
            "  --im NAME      the sweep that is the intensity (default: im, sa, pga, intensity or\n"
            "                 scale, or the only sweep of numbers)\n"
            "  --against NAME\n"
-           "                 the sweep that response is drawn against\n"
+           "                 the sweep or random parameter that response is drawn against\n"
            "  --limit VALUE[,VALUE...]\n"
            "                 limits of the demand, for fragility and ida\n"
            "%s",

@@ -15,24 +15,31 @@ struct printer {
     struct study_peaks peaks;
 };
 
+void show_sweep_value(struct cells *c, const struct sweep *sweep, int k) {
+    for (const struct sweep *s = sweep; s; s = s->along) {
+        if (s->number) {
+            cells_number(c, s->number[k]);
+        } else {
+            cells_text(c, s->label[k]);
+        }
+    }
+}
+
+void show_sweep_name(struct cells *c, const struct sweep *sweep) {
+    for (const struct sweep *s = sweep; s; s = s->along) {
+        cells_text(c, s->name);
+    }
+}
+
 void show_sweep_cells(struct cells *c, const struct study_view *v, long number) {
     for (int i = 0; i < v->n_sweep; i++) {
-        const int k = study_runs_choice(v, number, i);
-        for (const struct sweep *s = v->sweep[i]; s; s = s->along) {
-            if (s->number) {
-                cells_number(c, s->number[k]);
-            } else {
-                cells_text(c, s->label[k]);
-            }
-        }
+        show_sweep_value(c, v->sweep[i], study_runs_choice(v, number, i));
     }
 }
 
 void show_sweep_names(struct cells *c, const struct study_view *v) {
     for (int i = 0; i < v->n_sweep; i++) {
-        for (const struct sweep *s = v->sweep[i]; s; s = s->along) {
-            cells_text(c, s->name);
-        }
+        show_sweep_name(c, v->sweep[i]);
     }
 }
 

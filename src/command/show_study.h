@@ -25,4 +25,8 @@ void show_sweep_cells(struct cells *c, const struct study_view *v, long number);
 // Their names.
 void show_sweep_names(struct cells *c, const struct study_view *v);
 
+// The cells and names of one sweep: its own, and those of the random parameters along it.
+void show_sweep_value(struct cells *c, const struct sweep *sweep, int k);
+void show_sweep_name(struct cells *c, const struct sweep *sweep);
+
 #endif

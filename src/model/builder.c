@@ -74,19 +74,22 @@ struct building_draft *builder_draft(struct builder *b, int i) {
     return (struct building_draft *)b->buildings.item + i;
 }
 
-static int find_building(struct builder *b, const char *name, size_t length) {
-    for (int i = 0; i < b->buildings.n; i++) {
-        const char *known = builder_draft(b, i)->name;
-        if (strlen(known) == length && memcmp(known, name, length) == 0) {
-            return i;
-        }
+int builder_find_building(const struct builder *b, const char *name, size_t length) {
+    return name_index_find(&b->building_index, name, length);
+}
+
+struct building_draft *builder_add_building(struct builder *b, const char *name) {
+    struct building_draft *d = builder_append(b, &b->buildings, sizeof *d);
+    if (!d || !name_index_add(&b->building_index, b->arena, name, b->buildings.n - 1)) {
+        b->no_memory = true;
+        return NULL;
     }
-    return -1;
+    return d;
 }
 
 static int find_or_report(struct builder *b, const struct word *w, const char *name,
                           size_t length) {
-    int i = find_building(b, name, length);
+    int i = builder_find_building(b, name, length);
     if (i < 0) {
         size_t n = (size_t)b->buildings.n;
         const char **known = builder_array(b, n, sizeof *known);

@@ -5,6 +5,7 @@
 #define JOSTLE_BUILDER_H
 
 #include "jostle/model.h"
+#include "model/name_index.h"
 
 // A growing array in an arena.
 struct list {
@@ -75,6 +76,7 @@ struct builder {
     struct arena *arena;  // of the deck
     struct shelf *records;
     struct list buildings, grounds, links, loads;
+    struct name_index building_index;
     bool no_memory;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given
@@ -106,9 +108,15 @@ double *builder_spread(struct builder *b, const struct argument *a, int n, const
 bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
                    const char *usage);
 
+// The building of this name, which need not end with 0; -1: there is none.
+int builder_find_building(const struct builder *b, const char *name, size_t length);
+
 // The building named by the whole word; -1 after having reported that there is none.
 int builder_building(struct builder *b, const struct word *w);
 struct building_draft *builder_draft(struct builder *b, int i);
+
+// Room for a building of this new name; NULL (and no_memory) if there is no memory.
+struct building_draft *builder_add_building(struct builder *b, const char *name);
 
 // A selection of floors, `BUILDING[:FLOORS]` or `wall`.
 struct selection {

@@ -265,17 +265,12 @@ int curve_read_text(struct arena *a, const struct curve_request *request,
 
 int curve_read(struct arena *a, const struct curve_request *request, struct curve *out,
                struct error *e) {
-    struct arena *scratch = arena_create();
-    if (!scratch) {
-        return error_no_memory(e);
-    }
-    char *text;
-    struct record_text t = {.path = request->path};
-    int status = text_file(scratch, request->path, FILE_SIZE_MAX, &text, &t.size, e);
-    if (!status) {
-        t.text = text;
+    struct record_text t;
+    struct arena *scratch;
+    int status = record_text_open(request->path, FILE_SIZE_MAX, &t, &scratch, e);
+    if (status == STATUS_OK) {
         status = curve_read_text(a, request, &t, out, e);
+        arena_free(scratch);
     }
-    arena_free(scratch);
     return status;
 }

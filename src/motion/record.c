@@ -141,17 +141,12 @@ int record_read_text(struct arena *a, const struct record_request *request,
 int record_read(struct arena *a, const struct record_request *request, struct record *out,
                 struct error *e) {
     *out = (struct record){.wrong = RECORD_PATH};
-    struct arena *scratch = arena_create();
-    if (!scratch) {
-        return error_no_memory(e);
-    }
-    char *text;
-    struct record_text t = {.path = request->path};
-    int status = text_file(scratch, request->path, FILE_SIZE_MAX, &text, &t.size, e);
-    if (!status) {
-        t.text = text;
+    struct record_text t;
+    struct arena *scratch;
+    int status = record_text_open(request->path, FILE_SIZE_MAX, &t, &scratch, e);
+    if (status == STATUS_OK) {
         status = record_read_text(a, request, &t, out, e);
+        arena_free(scratch);
     }
-    arena_free(scratch);
     return status;
 }

@@ -13,6 +13,11 @@ struct record_text {
     size_t size;
 };
 
+// Reads the file whole. The text is to be freed by arena_free of *scratch; after an error there is
+// none. Errors: those of text_file.
+int record_text_open(const char *path, size_t limit, struct record_text *out,
+                     struct arena **scratch, struct error *e);
+
 // What a file says about itself. Lines are counted from 1.
 struct record_content {
     size_t n;

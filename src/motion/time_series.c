@@ -2,7 +2,6 @@
 #include "motion/time_series.h"
 
 #include "core/arena.h"
-#include "core/text.h"
 #include "motion/lines.h"
 #include "motion/record_unit.h"
 #include "motion/table.h"
@@ -113,17 +112,13 @@ static int read_text(struct arena *a, struct file *f, struct dimension dimension
 
 int time_series_read(struct arena *a, const char *path, struct dimension dimension,
                      struct time_series *out, struct error *e) {
-    struct arena *scratch = arena_create();
-    if (!scratch) {
-        return error_no_memory(e);
+    struct file f = {0};
+    struct arena *scratch;
+    int status = record_text_open(path, FILE_SIZE_MAX, &f.text, &scratch, e);
+    if (status != STATUS_OK) {
+        return status;
     }
-    struct file f = {.text = {.path = path}};
-    char *text;
-    int status = text_file(scratch, path, FILE_SIZE_MAX, &text, &f.text.size, e);
-    if (status == STATUS_OK) {
-        f.text.text = text;
-        status = read_text(a, &f, dimension, e);
-    }
+    status = read_text(a, &f, dimension, e);
     if (status == STATUS_OK) {
         *out = (struct time_series){f.table.n_row, f.column[0], f.column[1]};
     }

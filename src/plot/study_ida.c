@@ -28,6 +28,12 @@ static int check(const struct study_picture *p, struct error *e) {
         return error_set(e, STATUS_INPUT, "ida cannot be drawn: '%s' is no sweep of numbers",
                          s->abscissa->name);
     }
+    if (s->is_random) {
+        return error_set(e, STATUS_INPUT,
+                         "ida cannot be drawn: '%s' is a random parameter, along which other "
+                         "things change, too; see response",
+                         s->abscissa->name);
+    }
     if (s->n_group > 1) {
         return error_set(e, STATUS_INPUT,
                          "ida cannot be drawn: the study has other sweeps (%s ...); choose one "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A demand against any swept parameter: the median over the samples with the band from 16 to 84 %,
-// or a line for each value of the other sweeps.
+// or a line for each value of the other sweeps. Against texts and random parameters, points:
+// nothing lies between them.
 #include <math.h>
 #include <stdlib.h>
 
@@ -16,6 +17,10 @@ struct view {
     struct span span;
     bool band;
 };
+
+static bool has_points(const struct suite *s) {
+    return !s->abscissa->number || s->is_random;
+}
 
 static int check(const struct study_picture *p, struct error *e) {
     const struct suite *s = p->suite;
@@ -57,14 +62,14 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
 
 static void write_legend(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
-    const bool texts = !s->abscissa->number;
-    const enum mark_kind kind = texts ? MARK_POINT : MARK_LINE;
+    const bool points = has_points(s);
+    const enum mark_kind kind = points ? MARK_POINT : MARK_LINE;
     if (v->band) {
         canvas_legend(c, (struct mark){kind, script_colour[0], 0}, "median");
-        canvas_legend(
-            c,
-            (struct mark){texts ? MARK_LINE : MARK_AREA, texts ? script_colour[0] : band_colour, 0},
-            "16 to 84 %");
+        canvas_legend(c,
+                      (struct mark){points ? MARK_LINE : MARK_AREA,
+                                    points ? script_colour[0] : band_colour, 0},
+                      "16 to 84 %");
     }
     char text[128];
     for (int g = 0; g < s->n_group && s->n_group > 1; g++) {
@@ -103,7 +108,7 @@ static void write_panel(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const struct axis y = study_demand_axis(&v->demand, s, v->span);
     struct axis x = study_abscissa_axis(s);
-    const bool texts = !s->abscissa->number;
+    const bool texts = !s->abscissa->number, points = has_points(s);
     const double width = study_panel_width(c);
     double bottom = 3.2;
     if (texts) {
@@ -115,7 +120,7 @@ static void write_panel(const struct view *v, struct canvas *c) {
         write_texts(s, width, c);
     }
     fprintf(c->to, "plot");
-    if (v->band && texts) {
+    if (v->band && points) {
         fprintf(c->to, " $group0 using 1:2:3:4 with yerrorbars pt 7 ps 0 lc rgb '%s' lw 1, \\\n ",
                 script_colour[0]);
     } else if (v->band) {
@@ -123,8 +128,8 @@ static void write_panel(const struct view *v, struct canvas *c) {
     }
     for (int g = 0; g < s->n_group; g++) {
         fprintf(c->to, "%s $group%d using 1:2 with %s pt %d ps point lc rgb '%s'%s",
-                g > 0 ? ", \\\n " : "", g, texts ? "points" : "linespoints", point[g],
-                script_colour[g], texts ? "" : " lw 1.3");
+                g > 0 ? ", \\\n " : "", g, points ? "points" : "linespoints", point[g],
+                script_colour[g], points ? "" : " lw 1.3");
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);

@@ -10,11 +10,10 @@
 #include "study/fragility.h"
 
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_multiroots.h>
 #include <gsl/gsl_sf_erf.h>
 #include <math.h>
 
-enum { ITERATIONS_MAX = 200 };
+#include "study/likelihood.h"
 
 // The gradient at the solution, of which each run adds a number of the order of one.
 static const double RESIDUAL_OF_A_RUN = 1e-13;
@@ -49,18 +48,14 @@ static int gradient(const gsl_vector *x, void *context, gsl_vector *out) {
     return isfinite(g[0]) && isfinite(g[1]) ? GSL_SUCCESS : GSL_EBADFUNC;
 }
 
-static double hazard_slope(double x) {
-    const double h = gsl_sf_hazard(x);
-    return h * (h - x);
-}
-
 static int hessian(const gsl_vector *x, void *context, gsl_matrix *out) {
     const struct problem *p = context;
     gsl_matrix_set_zero(out);
     for (int j = 0; j < p->n; j++) {
         const double z = place(p, j), eta = gsl_vector_get(x, 0) + gsl_vector_get(x, 1) * z;
         const int k = p->level[j].exceeded;
-        const double bend = -k * hazard_slope(-eta) - (p->level[j].n - k) * hazard_slope(eta);
+        const double bend =
+            -k * likelihood_hazard_slope(-eta) - (p->level[j].n - k) * likelihood_hazard_slope(eta);
         *gsl_matrix_ptr(out, 0, 0) += bend;
         *gsl_matrix_ptr(out, 0, 1) += bend * z;
         *gsl_matrix_ptr(out, 1, 1) += bend * z * z;
@@ -72,22 +67,6 @@ static int hessian(const gsl_vector *x, void *context, gsl_matrix *out) {
 static int both(const gsl_vector *x, void *context, gsl_vector *g, gsl_matrix *h) {
     const int status = gradient(x, context, g);
     return status == GSL_SUCCESS ? hessian(x, context, h) : status;
-}
-
-static int iterate(gsl_multiroot_fdfsolver *solver, struct problem *p, double start, double *x) {
-    gsl_multiroot_function_fdf f = {gradient, hessian, both, 2, p};
-    double first[2] = {start, 1.0};
-    const gsl_vector_view view = gsl_vector_view_array(first, 2);
-    int status = gsl_multiroot_fdfsolver_set(solver, &f, &view.vector);
-    const double residual = RESIDUAL_OF_A_RUN * p->n_run;
-    int test = GSL_CONTINUE;
-    for (int i = 0; i < ITERATIONS_MAX && status == GSL_SUCCESS && test == GSL_CONTINUE; i++) {
-        status = gsl_multiroot_fdfsolver_iterate(solver);
-        test = gsl_multiroot_test_residual(solver->f, residual);
-    }
-    x[0] = gsl_vector_get(solver->x, 0);
-    x[1] = gsl_vector_get(solver->x, 1);
-    return test;
 }
 
 // Standard errors from Fisher's information, sum_j n_j h(eta_j) h(-eta_j) grad eta_j grad eta_j^T,
@@ -108,17 +87,11 @@ static void set_errors(const struct problem *p, struct fragility *f) {
 }
 
 static int solve(struct problem *p, double fraction, struct fragility *out, struct error *e) {
-    gsl_multiroot_fdfsolver *solver =
-        gsl_multiroot_fdfsolver_alloc(gsl_multiroot_fdfsolver_gnewton, 2);
-    if (!solver) {
-        return error_no_memory(e);
-    }
-    double x[2];
-    const int status = iterate(solver, p, gsl_cdf_ugaussian_Pinv(fraction), x);
-    gsl_multiroot_fdfsolver_free(solver);
-    if (status != GSL_SUCCESS) {
-        return error_set(e, STATUS_FAILED, "the fragility curve does not converge: %s",
-                         gsl_strerror(status));
+    gsl_multiroot_function_fdf f = {gradient, hessian, both, 2, p};
+    double x[2] = {gsl_cdf_ugaussian_Pinv(fraction), 1.0};
+    const int status = likelihood_solve(&f, RESIDUAL_OF_A_RUN * p->n_run, x, e);
+    if (status != STATUS_OK) {
+        return status;
     }
     if (!(x[1] > SLOPE_MIN)) {
         out->outcome = FRAGILITY_FALLS;
@@ -222,6 +195,8 @@ const char *fragility_reason(const struct fragility *f) {
         [FRAGILITY_ONE_LEVEL] = "all runs have the same intensity",
         [FRAGILITY_FALLS] = "exceedance does not grow with the intensity",
         [FRAGILITY_NOT_POSITIVE] = "an intensity is not > 0, it has no logarithm",
+        [FRAGILITY_FEW] = "fewer than two records first exceed the limit between two intensities",
+        [FRAGILITY_NO_SPREAD] = "the records that exceed the limit first do so at one intensity",
     };
     return reason[f->outcome];
 }

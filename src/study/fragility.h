@@ -22,8 +22,10 @@ enum fragility_outcome {
     FRAGILITY_ALL_EXCEED,
     FRAGILITY_SEPARATED,  // all below some intensity stay under the limit, all above exceed it
     FRAGILITY_ONE_LEVEL,
-    FRAGILITY_FALLS,        // exceedance does not grow with the intensity
-    FRAGILITY_NOT_POSITIVE  // an intensity is <= 0 and has no logarithm
+    FRAGILITY_FALLS,         // exceedance does not grow with the intensity
+    FRAGILITY_NOT_POSITIVE,  // an intensity is <= 0 and has no logarithm
+    FRAGILITY_FEW,           // fewer than two records have a first exceedance
+    FRAGILITY_NO_SPREAD,     // these are at one intensity
 };
 
 struct fragility {
@@ -39,6 +41,24 @@ struct fragility {
 // eq. 11. Errors: STATUS_SYSTEM (no memory), STATUS_FAILED (the iteration does not converge).
 int fragility_fit(const struct fragility_level *level, int n, struct fragility *out,
                   struct error *e);
+
+// Where a record first exceeds the limit: at an intensity, or above or below all that it was run
+// at.
+enum fragility_crossing { CROSSING_AT, CROSSING_ABOVE, CROSSING_BELOW, CROSSING_NO_RUNS };
+struct fragility_record {
+    enum fragility_crossing crossing;
+    double intensity;  // the crossing, or the highest or lowest intensity of the record
+};
+
+// From the first exceedances of `n` records; src/study/fragility_records.c. Errors: as
+// fragility_fit.
+int fragility_fit_records(const struct fragility_record *record, int n, struct fragility *out,
+                          struct error *e);
+
+// The first exceedances of one group of a suite: n_sample records. The demand is taken as linear
+// between two intensities; where it is above all values at the upper one, that is the crossing.
+void fragility_first(const struct suite *s, int group, double limit,
+                     struct fragility_record *record);
 
 // P(x) of fitted parameters; theta and beta > 0.
 double fragility_probability(const struct fragility *f, double intensity);

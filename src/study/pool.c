@@ -19,9 +19,10 @@ struct pool {
     struct ledger *ledger;
     struct shelf *records;
     struct study_progress progress;
-    long next;  // the run to look at next
-    long left;  // runs that no thread has taken yet
-    int most;   // that one takes at once
+    long failed;  // run of progress.failure
+    long next;    // the run to look at next
+    long left;    // runs that no thread has taken yet
+    int most;     // that one takes at once
     int tick;
 };
 
@@ -97,13 +98,15 @@ static int work(void *context, struct workers *w, long first, void *scratch, str
     return STATUS_OK;
 }
 
+// Of the runs that fail, the one of the lowest number is named, whichever ends first.
 static void count(struct pool *p, long run, const struct study_outcome *outcome) {
     struct study_progress *to = &p->progress;
     to->n_done++;
     if (outcome->status == STUDY_FAILED) {
         to->n_failed++;
-        if (!to->failure[0]) {
+        if (!to->failure[0] || run < p->failed) {
             struct plan_text t;
+            p->failed = run;
             snprintf(to->failure, sizeof to->failure, "%s: %s", plan_describe(p->plan, run, &t),
                      outcome->message);
         }

@@ -10,17 +10,40 @@
 // Values typed by hand may differ from those of a range in their last digits.
 static const double SAME_VALUE = 1e-9;
 
+static bool is_name(const struct sweep *s, const char *name, size_t n) {
+    return strlen(s->name) == n && strncmp(s->name, name, n) == 0;
+}
+
+// The random parameter of this name; NULL: there is none. *sweep is the sample it is along.
+static const struct sweep *find_random(const struct study_view *v, const char *name, size_t n,
+                                       int *sweep) {
+    for (*sweep = 0; *sweep < v->n_sweep; ++*sweep) {
+        for (const struct sweep *p = v->sweep[*sweep]->along; p; p = p->along) {
+            if (is_name(p, name, n)) {
+                return p;
+            }
+        }
+    }
+    return NULL;
+}
+
 // The sweep of this name; -1 after an error, which lists those of the study.
 static int find_sweep(const struct study_view *v, const char *name, size_t n, const char *option,
                       struct error *e) {
     char list[256] = "";
     for (int i = 0; i < v->n_sweep; i++) {
         const char *known = v->sweep[i]->name;
-        if (strlen(known) == n && strncmp(known, name, n) == 0) {
+        if (is_name(v->sweep[i], name, n)) {
             return i;
         }
         const size_t used = strlen(list);
         snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", known);
+    }
+    int sample;
+    if (find_random(v, name, n, &sample)) {
+        error_set(e, STATUS_INPUT, "%s: '%.*s' is a random parameter; name its sweep '%s'", option,
+                  (int)n, name, v->sweep[sample]->name);
+        return -1;
     }
     error_set(e, STATUS_INPUT, "%s: the study has no sweep '%.*s'; there are %s", option, (int)n,
               name, list);
@@ -108,13 +131,14 @@ static int take_samples(const struct study_view *v, const char *over, struct rol
 }
 
 // The first sweep still free that has one of these names, else the only one that is free among
-// texts (or numbers); -1.
+// texts (or numbers, but for those that count the realisations of random parameters); -1.
 enum value_kind { VALUES_TEXT, VALUES_NUMBER };
 static int guess(const struct study_view *v, const struct roles *r, const char *const *name,
                  enum value_kind kind) {
     int only = -1, n = 0;
     for (int i = 0; i < v->n_sweep; i++) {
-        if (r->role[i] == ROLE_GROUP && (v->sweep[i]->number != NULL) == (kind == VALUES_NUMBER)) {
+        if (r->role[i] == ROLE_GROUP && !v->sweep[i]->along &&
+            (v->sweep[i]->number != NULL) == (kind == VALUES_NUMBER)) {
             only = i;
             n++;
         }
@@ -132,14 +156,29 @@ static int guess(const struct study_view *v, const struct roles *r, const char *
 static const char *const intensities[] = {"im", "sa", "pga", "intensity", "scale", NULL};
 static const char *const records[] = {"record", "records", NULL};
 
-// The first sweep of numbers that is free, else the first free one; -1.
+// How well a sweep does as the one to go along: numbers, texts, the count of realisations.
+static int rank(const struct sweep *s) {
+    return s->along ? 1 : s->number ? 3 : 2;
+}
+
+// The first free sweep of the highest rank; -1.
 static int any_free(const struct study_view *v, const struct roles *r) {
     int any = -1;
     for (int i = v->n_sweep - 1; i >= 0; i--) {
-        const bool free = r->role[i] == ROLE_GROUP;
-        any = free && (v->sweep[i]->number || any < 0 || !v->sweep[any]->number) ? i : any;
+        if (r->role[i] == ROLE_GROUP && (any < 0 || rank(v->sweep[i]) >= rank(v->sweep[any]))) {
+            any = i;
+        }
     }
     return any;
+}
+
+// Records, or else realisations of random parameters; -1.
+static int guess_samples(const struct study_view *v, const struct roles *r) {
+    int found = guess(v, r, records, VALUES_TEXT);
+    for (int i = 0; i < v->n_sweep && found < 0; i++) {
+        found = r->role[i] == ROLE_GROUP && v->sweep[i]->along ? i : -1;
+    }
+    return found;
 }
 
 static bool is_one_of(const char *name, const char *const *known) {
@@ -149,24 +188,37 @@ static bool is_one_of(const char *name, const char *const *known) {
     return *known != NULL;
 }
 
-static int find_abscissa(const struct study_view *v, const struct suite_request *q, struct roles *r,
-                         struct error *e) {
-    int i = q->abscissa ? find_sweep(v, q->abscissa, strlen(q->abscissa), "--im or --against", e)
-                        : guess(v, r, intensities, VALUES_NUMBER);
-    if (i < 0 && q->abscissa) {
-        return STATUS_INPUT;
-    }
+// The sweep along which `name` goes, a sweep or a random parameter; -1 after an error.
+static int find_named(const struct study_view *v, const char *name, struct roles *r,
+                      struct error *e) {
+    int sweep;
+    r->along = find_random(v, name, strlen(name), &sweep);
+    return r->along ? sweep : find_sweep(v, name, strlen(name), "--im or --against", e);
+}
+
+static int guess_abscissa(const struct study_view *v, const struct suite_request *q,
+                          const struct roles *r, struct error *e) {
+    int i = guess(v, r, intensities, VALUES_NUMBER);
     if (i < 0 && q->guess == SUITE_ANY) {
         i = any_free(v, r);
     }
     if (i < 0) {
-        return error_set(e, STATUS_INPUT,
-                         "%s has no sweep 'im', 'sa' or 'pga'; name the one to go along by --im "
-                         "NAME",
-                         v->path);
+        error_set(e, STATUS_INPUT,
+                  "%s has no sweep 'im', 'sa' or 'pga'; name the one to go along by --im NAME",
+                  v->path);
+    }
+    return i;
+}
+
+static int find_abscissa(const struct study_view *v, const struct suite_request *q, struct roles *r,
+                         struct error *e) {
+    const int i = q->abscissa ? find_named(v, q->abscissa, r, e) : guess_abscissa(v, q, r, e);
+    if (i < 0) {
+        return STATUS_INPUT;
     }
     r->abscissa = i;
-    r->is_intensity = is_one_of(v->sweep[i]->name, intensities);
+    r->along = r->along ? r->along : v->sweep[i];
+    r->is_intensity = is_one_of(r->along->name, intensities);
     return set_role(v, r, i, ROLE_ABSCISSA, e);
 }
 
@@ -184,7 +236,7 @@ int roles_find(const struct study_view *v, const struct suite_request *q, struct
         status = find_abscissa(v, q, out, e);
     }
     if (status == STATUS_OK && !q->over) {
-        const int i = guess(v, out, records, VALUES_TEXT);
+        const int i = guess_samples(v, out);
         status = i < 0 ? STATUS_OK : set_role(v, out, i, ROLE_SAMPLE, e);
     }
     return status;

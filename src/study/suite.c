@@ -90,6 +90,8 @@ static const char *const *name_all(struct maker *m, enum role role, int n, const
 static void name_roles(struct maker *m) {
     struct suite *s = m->s;
     const struct study_view *v = s->view;
+    int *group_sweep = take(m, (size_t)v->n_sweep, sizeof *group_sweep);
+    s->group_sweep = group_sweep;
     s->over = s->fixed = "";
     for (int i = 0; i < v->n_sweep; i++) {
         if (m->roles.role[i] == ROLE_SAMPLE) {
@@ -99,6 +101,8 @@ static void name_roles(struct maker *m) {
             s->over = s->over ? s->over : "";
         } else if (m->roles.role[i] == ROLE_FIXED) {
             s->fixed = append_value(m, s->fixed, i, m->roles.fixed[i], " = ");
+        } else if (m->roles.role[i] == ROLE_GROUP && group_sweep) {
+            group_sweep[s->n_group_sweep++] = i;
         }
     }
     s->sample = name_all(m, ROLE_SAMPLE, s->n_sample, " ");
@@ -242,9 +246,10 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
         return status;
     }
     double size;
-    s->abscissa = v->sweep[m->roles.abscissa];
+    s->abscissa = m->roles.along;
+    s->is_random = s->abscissa != v->sweep[m->roles.abscissa];
     s->is_intensity = m->roles.is_intensity;
-    const char *units = v->sweep_units[m->roles.abscissa];
+    const char *units = s->is_random ? s->abscissa->units : v->sweep_units[m->roles.abscissa];
     s->abscissa_dimension = edp_units(units, v->units.gravity, &size);
     s->abscissa_units = dimension_equal(s->abscissa_dimension, dimension_none) ? "" : units;
     s->n_point = s->abscissa->n;
@@ -290,6 +295,13 @@ void suite_free(struct suite *s) {
     if (s) {
         arena_free(s->arena);
     }
+}
+
+int suite_group_choice(const struct suite *s, int group, int i) {
+    for (int k = s->n_group_sweep - 1; k > i; k--) {
+        group /= s->view->sweep[s->group_sweep[k]]->n;
+    }
+    return group % s->view->sweep[s->group_sweep[i]]->n;
 }
 
 double suite_value(const struct suite *s, int group, int sample, int point) {

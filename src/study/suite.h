@@ -15,7 +15,7 @@ enum suite_guess { SUITE_INTENSITY, SUITE_ANY };
 
 struct suite_request {
     const char *edp;        // NULL: drift-ratio, or drift where the deck gives no heights
-    const char *abscissa;   // sweep that the picture or table goes along; NULL: found
+    const char *abscissa;   // sweep, or random parameter, that it goes along; NULL: found
     const char *over;       // sweeps whose values are samples, "record,k"; NULL: found; "": none
     const char *const *at;  // (n_at) NAME=VALUE, sweeps of which one value only is looked at
     int n_at;
@@ -28,21 +28,24 @@ struct suite {
     struct arena *arena;            // owns everything below
     const struct study_view *view;  // borrowed
     struct edp edp;
-    const struct sweep *abscissa;
-    bool is_intensity;           // by its name
-    const char *abscissa_units;  // "" for texts and pure numbers
+    const struct sweep *abscissa;  // or a random parameter along it
+    bool is_random;                // one is
+    bool is_intensity;             // by its name
+    const char *abscissa_units;    // "" for texts and pure numbers
     struct dimension abscissa_dimension;
     int n_point, n_sample, n_group;
     const int *order;           // (n_point) value of the sweep at each point, ascending
     const double *point;        // (n_point) its numbers; 1, 2, ... for texts
     const char *const *sample;  // (n_sample) "ELCENTRO_1940_NS"
     const char *const *group;   // (n_group) "gap = 0.02 m"; "" where there is one
-    const char *over;           // names of the sampled sweeps, "record"; "" if none
-    const char *fixed;          // "gap = 0.02 m" of --at; ""
-    const double *value;        // (n_group, n_sample, n_point); INFINITY: above all; NAN: left out
-    long n_run;                 // n_group n_sample n_point
-    long n_missing;             // of them, runs that the file does not have; they are left out
-    long n_failed;              // of them; the first ones are named
+    const int *group_sweep;     // (n_group_sweep) sweeps of which groups are the values
+    int n_group_sweep;
+    const char *over;     // names of the sampled sweeps, "record"; "" if none
+    const char *fixed;    // "gap = 0.02 m" of --at; ""
+    const double *value;  // (n_group, n_sample, n_point); INFINITY: above all; NAN: left out
+    long n_run;           // n_group n_sample n_point
+    long n_missing;       // of them, runs that the file does not have; they are left out
+    long n_failed;        // of them; the first ones are named
     const char *failed[SUITE_NAMED_MAX];  // "run 7 (record X, im 0.3): why"
     enum suite_failed rule;
 };
@@ -52,6 +55,9 @@ struct suite {
 int suite_create(struct study_file *f, const struct suite_request *q, struct suite **out,
                  struct error *e);
 void suite_free(struct suite *s);  // NULL is allowed
+
+// Which value of sweep group_sweep[i] a group has.
+int suite_group_choice(const struct suite *s, int group, int i);
 
 double suite_value(const struct suite *s, int group, int sample, int point);
 

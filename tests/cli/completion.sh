@@ -23,6 +23,7 @@ proposes() {
 commands=$("$jostle" --help | sed -n 's/^  \([a-z]*\)  .*/\1/p')
 complete_line ""
 expect "every command is proposed" '[ "$(wc -w <<<"$commands")" -ge 9 ] && proposes $commands --help --version'
+expect "none is missing in the man page" '[ "$(grep -c "^\.SS jostle " "$root/docs/jostle.1")" -eq "$(grep -c "^COMMAND(" "$root/src/command/command_list.inc")" ]'
 complete_line sp
 expect "those that begin so, where something stands" '[ "$proposed" = " spectrum " ]'
 for command in $commands; do

@@ -8,27 +8,38 @@ if ! command -v script >/dev/null; then
     exit 0
 fi
 
-# on_terminal COMMAND...: runs it on a terminal for two seconds, long enough for the first line.
-on_terminal() {
-    timeout 60 script -qec "timeout -s INT ${seconds:-2} $*" /dev/null </dev/null 2>&1 |
-        tr '\r' '\n' >"$out"
+# says SENTENCE AMOUNT COMMAND...: COMMAND on a terminal says how much of AMOUNT is done. It would take
+# minutes, and is ended as soon as it has said so, or after a minute.
+says() {
+    local sentence=$1 pattern="^[0-9.e+]+ of $2, +[0-9]+ %, [0-9]+ s left" tries=600 terminal
+    shift 2
+    rm -f typed pid
+    script -qfec "echo \$\$ >pid; exec $*" typed </dev/null >"$out" 2>&1 &
+    terminal=$!
+    until [ -s typed ] && tr '\r' '\n' <typed | grep -qE "$pattern"; do
+        if [ $((tries -= 1)) -eq 0 ] || ! kill -0 "$terminal" 2>/dev/null; then
+            break
+        fi
+        sleep 0.1
+    done
+    kill -TERM "$(cat pid)" 2>/dev/null
+    wait "$terminal"
+    tr '\r' '\n' <typed >"$out"
+    expect "$sentence" 'grep -qE "$pattern" "$out"'
 }
-time_left='[0-9]+ %, [0-9]+ s left'
 
 two_buildings long.deck 'duration 1000000s'
-on_terminal "'$jostle' run long.deck -o a.h5"
-expect "a run shows time, percent and time left" 'grep -qE "^[0-9.e+]+ of 1e\+06 s, +$time_left" "$out"'
-on_terminal "'$jostle' converge long.deck"
-expect "so does converge" 'grep -qE "^[0-9.e+]+ of 1e\+06 s, +$time_left" "$out"'
+says "a run shows time, percent and time left" '1e\+06 s' "'$jostle' run long.deck -o a.h5"
+says "so does converge" '1e\+06 s' "'$jostle' converge long.deck"
 
 sed 's/^duration.*/duration 100s/; s/^building A/param T1 1s\nparam T2 $T1\nparam unused ${T1 + $T2}\n&/' \
     long.deck >pair.deck
-on_terminal "'$jostle' spectrum --pounding pair.deck --periods 0.1:2:1000"
-expect "a pounding force spectrum counts its runs" 'grep -qE "^[0-9]+ of 1e\+06 runs, +$time_left" "$out"'
+says "a pounding force spectrum counts its runs" '1e\+06 runs' \
+    "'$jostle' spectrum --pounding pair.deck --periods 0.1:2:1000"
 
 awk 'BEGIN { for (i = 0; i < 200000; i++) print sin(i * 0.7) }' >long.txt
-on_terminal "'$jostle' spectrum long.txt --dt 0.01s --unit m/s2 --periods 0.01:10:10000"
-expect "a response spectrum counts its points" 'grep -qE "^[0-9]+ of 1e\+04 points, +$time_left" "$out"'
+says "a response spectrum counts its points" '1e\+04 points' \
+    "'$jostle' spectrum long.txt --dt 0.01s --unit m/s2 --periods 0.01:10:10000"
 
 "$jostle" spectrum long.txt --dt 0.01s --unit m/s2 --periods 0.01:10:60 --tsv >/dev/null 2>"$err"
 expect "piped it says nothing" '[ ! -s "$err" ]'

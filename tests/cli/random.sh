@@ -71,3 +71,29 @@ if command -v h5diff >/dev/null; then
 else
     expect "parts of a study are joined" '[ $status -eq 0 ]'
 fi
+
+# Against a random parameter: what show says of each run, sorted by the parameter.
+"$jostle" show --long --edp force merged.h5 | awk -F '\t' '$4 == 0.2 * 9.80665 { print $2, $7 }' |
+    LC_ALL=C sort -g | awk '{ printf "%.7g %.7g\n", $1, $2 }' >wanted.txt
+run "$jostle" plot merged.h5 response --against gap --edp force --script scripts
+sed -n '/^\$group0/,/^EOD/p' scripts/response.dat | awk '/^[ 0-9]/ { print $1, $2 }' >drawn.txt
+expect "response against a random parameter is drawn over its values" '[ $status -eq 0 ] && [ "$(wc -l <wanted.txt)" -eq 30 ] && cmp wanted.txt drawn.txt'
+expect "as points, which no line joins" 'grep -q "with points" scripts/response.gp && ! grep -q "linespoints" scripts/response.gp'
+if command -v gnuplot >/dev/null; then
+    (cd scripts && gnuplot response.gp) >said 2>&1
+    expect "gnuplot draws it without a word" '[ ! -s said ] && [ -s scripts/response.png ]'
+fi
+run "$jostle" fragility merged.h5 --edp force --limit 1MN --over gap
+expect "--over takes the sample, not its parameters" '[ $status -eq 2 ] && said "--over: '"'gap'"' is a random parameter; name its sweep '"'sample'"'"'
+run "$jostle" fragility merged.h5 --edp force --limit 1MN --at e=0.6
+expect "so does --at" '[ $status -eq 2 ] && said "--at: '"'e'"' is a random parameter"'
+run "$jostle" fragility merged.h5 --edp force --limit 1MN --im gap --at pga=0.2g --tsv
+expect "fragility against a random parameter has one run at each of its values" '[ $status -eq 0 ] && [ "$(awk -F "\t" "NR > 1 && \$6 == 1" "$out" | grep -c .)" -eq 30 ]'
+run "$jostle" fragility merged.h5 --edp force --limit 1MN --im gap --over sample
+expect "which is then no sample" '[ $status -eq 2 ] && said "is named for two different parts"'
+run "$jostle" fragility merged.h5 --edp force --limit 1MN --im gap --at pga=0.2g --method ida
+expect "first exceedances along a random parameter are refused" '[ $status -eq 2 ] && said "'"'gap'"' is a random parameter"'
+run "$jostle" plot merged.h5 ida --im gap --over pga -o ida.png
+expect "and so is ida" '[ $status -eq 2 ] && said "'"'gap'"' is a random parameter" && [ ! -e ida.png ]'
+run "$jostle" fragility merged.h5 --edp force --limit 1MN
+expect "realisations are samples where there are no records" '[ $status -eq 0 ] && grep -qx "fragility over pga, 30 samples of sample" "$out"'

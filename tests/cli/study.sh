@@ -122,6 +122,20 @@ expect "their messages are in the file" '[ "$(grep -c "	failed	message	" "$out")
 expect "and nothing else is left" 'only fails.deck fails.h5 grid.deck records/one.txt records/two.txt'
 rm fails.*
 
+# Run 1 is long and fails at its end, run 2 fails before its first step.
+printf '0\n0\n1e300\n' >late.txt
+cat >late.deck <<'END'
+sweep e values 0.5 1.5
+building A -floors 1 -mass 1e-300 -stiffness 0
+contact A wall -gap 1 -law stereomechanical -e $e
+load A:1 history late.txt -dt 100s
+step fixed 1ms
+duration 200
+END
+run "$jostle" run late.deck -j 2
+expect "the failed run that is named is that of the lowest number, not the first to end" '[ $status -eq 1 ] && said "2 of 2 runs failed" && said "the first: run 1 (e = 0.5): "'
+rm late.*
+
 cat >shapes.deck <<'END'
 sweep n values 2 3
 building A -floors $n -mass 1 -stiffness 400

@@ -74,14 +74,36 @@ expect "but not in TSV" 'grep -q "^1	a,b	done" "$out"'
 run "$jostle" fragility whole.h5 --edp drift-ratio --limit 0.2%,99 --at wide=1
 expect "fragility prints counts, and says where there is no curve" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^drift-ratio > 0.002" "$out" && grep -qE "^ +4 +2 +[0-2] +[01]\.[0-9]+ " "$out" && grep -q "^no curve: no run exceeds the limit" "$out"'
 run "$jostle" fragility whole.h5 --edp drift --limit 1mm --tsv
-expect "--tsv has a line for each group, limit and intensity" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq 7 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 14 ] && grep -q "	wide = 1	" "$out"'
+expect "--tsv has a line for each group, limit and intensity" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq 7 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 17 ] && head -n 1 "$out" | grep -qP "^edp\tlimit\tlimit_unit\twide\tim\t" && [ "$(cut -f 4 "$out" | sort -u | tr "\n" " ")" = "0 1 wide " ]'
 run "$jostle" fragility failed.h5 --edp drift --limit 9m --at wide=0
 expect "failed runs count as above, and are named" '[ $status -eq 0 ] && said "2 of 6 runs failed; they count as above every value" && said "run 2 (record = ELCENTRO_1940_NS, im = 4 m/s^2, wide = 0): " && grep -qE "^ +4 +2 +2 +1.000" "$out" && grep -q "no curve: one intensity separates" "$out" && grep -q "the median is between 2 and 4 m/s^2" "$out"'
 run "$jostle" fragility failed.h5 --edp drift --limit 9m --at wide=0 --failed left-out
 expect "or are left out" '[ $status -eq 0 ] && said "they are left out" && grep -qE "^ +4 +0 +0 +- +-" "$out"'
 run "$jostle" fragility whole.h5 --edp drift --limit 9m,1e-7m
 expect "all or none above the limit is no curve" '[ $status -eq 0 ] && [ "$(grep -c "^no curve: no run exceeds the limit$" "$out")" -eq 2 ] && [ "$(grep -c "^no curve: all runs exceed the limit$" "$out")" -eq 2 ]'
-for wrong in "--edp drift" "--limit 1m" "--edp drift --limit 1kN" "--edp drift --limit" "--edp drift --limit 1m --im record" "--edp drift --limit 1m --over nothing" "--edp drift --limit 1m --at im=3" "--edp drift --limit 1m --failed perhaps" "--edp drift --limit 1m --tsv --csv" "--edp drift:Z --limit 1m"; do
+
+# The demand is im / sqrt(k), so that the limit 0.1 is crossed at 0.1 sqrt(k) = 1, 2, 3, and 5, which is
+# beyond the last intensity.
+cat >first.deck <<'END'
+sweep im range 0.5m/s 3.5m/s 7
+sweep k values 100 400 900 2500
+building A -floors 1 -mass 1 -stiffness $k
+initial A:1 -velocity $im
+step fixed 0.1ms
+duration 0.4
+END
+run "$jostle" run first.deck -q
+run "$jostle" fragility first.h5 --edp drift --limit 0.1001m --over k --method ida --at k=100
+expect "a sweep is a sample or fixed, not both" '[ $status -eq 2 ]'
+run "$jostle" fragility first.h5 --edp drift --limit 0.1001m --over k --method ida
+expect "--method ida counts samples, and names those that never exceed" '[ $status -eq 0 ] && grep -qx "3 of 4 samples first exceed the limit between two intensities" "$out" && grep -qx "1 of 4 samples never exceed it and count as above their highest intensity: k 2500" "$out" && grep -q "^median 2\." "$out"'
+run "$jostle" fragility first.h5 --edp drift --limit 0.05001m --over k --method ida --tsv
+# All four cross at 0.5, 1, 1.5 and 2.5: the mean and the standard deviation of their logarithms; the
+# limit is 2e-4 more, and drifts at the steps are within 1e-5.
+expect "where all exceed, the moments of the logarithms count" 'awk -F "\t" "NR == 2 { exit !(\$9 > 1.1700 && \$9 < 1.1710 && \$10 > 0.6795 && \$10 < 0.6797 && \$13 == \"ida\" && \$14 == 0 && \$15 == 0) }" "$out"'
+run "$jostle" fragility first.h5 --edp drift --limit 1 --over k --method ida
+expect "where none does, there is no curve" '[ $status -eq 0 ] && grep -q "^no curve: no run exceeds" "$out" && grep -q "^4 of 4 samples never exceed" "$out"'
+for wrong in "--edp drift --limit 1m --method" "--edp drift --limit 1m --method other" "--edp drift" "--limit 1m" "--edp drift --limit 1kN" "--edp drift --limit" "--edp drift --limit 1m --im record" "--edp drift --limit 1m --over nothing" "--edp drift --limit 1m --at im=3" "--edp drift --limit 1m --failed perhaps" "--edp drift --limit 1m --tsv --csv" "--edp drift:Z --limit 1m"; do
     # shellcheck disable=SC2086  # several words
     run "$jostle" fragility whole.h5 $wrong
     expect "refused: fragility $wrong" '[ $status -eq 2 ] && [ ! -s "$out" ] && [ -s "$err" ]'

@@ -51,12 +51,11 @@ static bool check_name(struct builder *b, const struct word *w, const char *name
                    "'%.70s' cannot name a building; use up to 64 letters, digits, _ and -", name);
         return false;
     }
-    for (int i = 0; i < b->buildings.n; i++) {
-        if (strcmp(builder_draft(b, i)->name, name) == 0) {
-            deck_error(b->deck, w, "a second building '%s'; the first is in %s", name,
-                       source_mention(b->deck, &builder_draft(b, i)->word.place, &w->place));
-            return false;
-        }
+    const int i = builder_find_building(b, name, strlen(name));
+    if (i >= 0) {
+        deck_error(b->deck, w, "a second building '%s'; the first is in %s", name,
+                   source_mention(b->deck, &builder_draft(b, i)->word.place, &w->place));
+        return false;
     }
     return true;
 }
@@ -100,7 +99,7 @@ static void build(struct builder *b, const struct statement *s) {
     if (!named) {
         return;
     }
-    struct building_draft *d = builder_append(b, &b->buildings, sizeof *d);
+    struct building_draft *d = builder_add_building(b, name);
     if (!d) {
         return;
     }
