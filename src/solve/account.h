@@ -34,6 +34,10 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next);
 
+// Adds what links did in the step.
+void energy_links(struct energy_account *a, const struct model *m, const struct state *now,
+                  const struct state *next);
+
 // Adds what rigid contacts that met at the instant of `s` have lost. `meeting` is (n_contact).
 void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
                  const struct meeting *meeting);
@@ -59,7 +63,13 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a);
 // Takes state `s` into the envelopes of floors and contacts.
 void peaks_update(struct results *r, const struct model *m, const struct state *s);
 
-// The same in parts: where |x| is greater than the peak, the peak and its time;
+// The same in parts: the peaks of n floors from `first` on,
+void peaks_floors(struct results *r, int first, int n, const struct state *s);
+
+// contacts and other links;
+void peaks_links(struct results *r, const struct model *m, const struct state *s);
+
+// where |x| is greater than the peak, the peak and its time;
 static inline void peak_raise(double x, double time, double *peak, double *peak_time) {
     double size = fabs(x);
     *peak_time = size > *peak ? time : *peak_time;
@@ -111,5 +121,10 @@ int impacts_meet(struct impact_log *log, struct results *r, const struct model *
 // order of time.
 void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
                     const struct state *s);
+
+// Takes the step from `now` to `next` into energies and peaks. Internal forces of linear models are
+// found here.
+void account_step(struct energy_account *a, struct results *r, const struct model *m,
+                  const struct state *now, struct state *next);
 
 #endif

@@ -43,8 +43,7 @@ static int poll(struct run *r, double time) {
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
     struct results *out = r->results;
-    energy_step(&r->energy, r->model, r->now, r->next);
-    peaks_update(out, r->model, r->next);
+    account_step(&r->energy, out, r->model, r->now, r->next);
     int status = impacts_step(&r->impacts, out, r->model, r->now, r->next, r->error);
     struct state *old = r->now;
     r->now = r->next;

@@ -18,6 +18,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/number.h"
 #include "solve/block.h"
@@ -109,30 +110,35 @@ static int past_after(const struct state *now, const struct link *l, int k) {
 }
 
 // A link is enlivened at most once a step.
-static void enliven(struct work *w, struct state *next, int k) {
+static inline void enliven(struct work *w, struct state *next, int k) {
     state_enliven(next, k);
     gaps_touch(&w->gaps, k);
+}
+
+// Link k, closed so far, begins the step as it ended the last.
+static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
+    const struct link *l = &w->model->link[k];
+    enliven(w, next, k);
+    next->force[k] = guess(now, k);
+    next->past[k][0] = now->force[k];
+    next->past[k][1] = now->past[k][0];
+    next->n_past[k] = past_after(now, l, k);
+    next->t_close[k] = now->t_close[k];
+    next->v_close[k] = now->v_close[k];
+    if (l->law->n_history > 0) {
+        memcpy(next->link_history + l->history, now->link_history + l->history,
+               (size_t)l->law->n_history * sizeof *next->link_history);
+    }
+    w->branch[k] = BRANCH_CLOSED;
+    w->clamped[k] = false;
 }
 
 void contact_begin(struct work *w, const struct state *now, struct state *next) {
     state_open_links(next);
     gaps_forget(&w->gaps);
     for (int i = 0; i < now->n_live; i++) {
-        int k = now->live[i];
-        const struct link *l = &w->model->link[k];
-        if (now->closed[k]) {
-            enliven(w, next, k);
-            next->force[k] = guess(now, k);
-            next->past[k][0] = now->force[k];
-            next->past[k][1] = now->past[k][0];
-            next->n_past[k] = past_after(now, l, k);
-            next->t_close[k] = now->t_close[k];
-            next->v_close[k] = now->v_close[k];
-            for (int j = l->history; j < l->history + l->law->n_history; j++) {
-                next->link_history[j] = now->link_history[j];
-            }
-            w->branch[k] = BRANCH_CLOSED;
-            w->clamped[k] = false;
+        if (now->closed[now->live[i]]) {
+            carry_on(w, now, next, now->live[i]);
         }
     }
 }

@@ -97,8 +97,8 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
     return STATUS_OK;
 }
 
-static void links_step(struct energy_account *a, const struct model *m, const struct state *now,
-                       const struct state *next) {
+void energy_links(struct energy_account *a, const struct model *m, const struct state *now,
+                  const struct state *next) {
     for (int i = 0; i < next->n_live; i++) {
         int k = next->live[i];
         double sum = now->force[k] + next->force[k];
@@ -128,7 +128,7 @@ void energy_step(struct energy_account *a, const struct model *m, const struct s
         chain_storey_works(&m->chain, now->shear, next->shear, now->drift, next->drift,
                            a->storey_2x);
     }
-    links_step(a, m, now, next);
+    energy_links(a, m, now, next);
 }
 
 static double sum_of(const double *x, int n) {

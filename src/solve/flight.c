@@ -115,13 +115,19 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     return true;
 }
 
+LANES static bool any_positive(int n, const double *x) {
+    long any = 0;
+    for (int i = 0; i < n; i++) {
+        any |= x[i] > 0.0;
+    }
+    return any != 0;
+}
+
 unsigned flight_near(const struct flight *f, struct state *next) {
     int n = f->model->n_contact;
     contact_penetrations(f->work, next);
-    for (int k = 0; k < n; k++) {
-        if (next->delta[k] > 0.0) {
-            return FLIGHT_ENDS;
-        }
+    if (any_positive(n, next->delta)) {
+        return FLIGHT_ENDS;
     }
     peaks_penetrations(f->results, n, next);
     return 0;

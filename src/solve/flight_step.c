@@ -6,9 +6,6 @@
 //     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
 // as newmark.c does it, operation by operation. The works of external and damping forces and the
 // tests for peaks and contacts run along.
-//
-// |x| > p is tested by the sign of bits(p) - bits(|x|): numbers that are not negative stand in the
-// order of their bits, and what is not a number stands above all.
 #include <assert.h>
 #include <float.h>
 #include <stddef.h>
@@ -16,23 +13,13 @@
 #include <string.h>
 
 #include "core/lanes.h"
+#include "core/number.h"
 #include "solve/chain_floor.h"
 #include "solve/flight.h"
 #include "solve/newmark.h"
 
 static inline int whole(int n) {
     return n & ~(LANES_WIDTH - 1);
-}
-
-static inline int64_t bits(double x) {
-    int64_t b;
-    memcpy(&b, &x, sizeof b);
-    return b;
-}
-
-// Negative if |x| > limit.
-static inline int64_t beyond(double x, double limit) {
-    return bits(limit) - (bits(x) & INT64_MAX);
 }
 
 static inline void shake(const struct chain *c, double ground, double *base, double *external) {
@@ -72,7 +59,7 @@ static inline int64_t follow(const struct flight *f, const double *u, double *dr
     for (int i = 0, n = whole(c->n); i < n; i++) {
         double d = floor_drift(c, u, i);
         double force = spring[i] * (d - rest[i]);
-        sign |= beyond(force, limit[i]);
+        sign |= number_beyond(force, limit[i]);
         drift[i] = d;
         shear[i] = back[i] * d + force;
     }
@@ -158,8 +145,8 @@ static inline int64_t correct(const struct flight *f, const struct state *now, c
         u[i] = u[i] + b * q[i];
         v[i] = v[i] + g * q[i];
         a[i] = a0[i] + q[i];
-        sign |=
-            beyond(u[i], peak_u[i]) | beyond(v[i], peak_v[i]) | beyond(a[i] + base[i], peak_a[i]);
+        sign |= number_beyond(u[i], peak_u[i]) | number_beyond(v[i], peak_v[i]) |
+                number_beyond(a[i] + base[i], peak_a[i]);
     }
     return sign;
 }
@@ -194,7 +181,7 @@ static inline int64_t account(const struct flight *f, const struct state *now,
     int64_t sign = 0;
     LANES_LOOP
     for (int i = 0, n = whole(c->n); i < n; i++) {
-        sign |= beyond(floor_drift(c, u, i), peak[i]);
+        sign |= number_beyond(floor_drift(c, u, i), peak[i]);
         double force = floor_damping(c, v, i);
         double du = u[i] - u0[i];
         input_2x[i] += (external0[i] + external[i]) * du;
@@ -213,7 +200,7 @@ static inline int64_t account_storeys(const struct flight *f, const struct state
     int64_t sign = 0;
     LANES_LOOP
     for (int i = 0, n = whole(f->model->chain.n); i < n; i++) {
-        sign |= beyond(shear[i], peak[i]);
+        sign |= number_beyond(shear[i], peak[i]);
         work_2x[i] += (shear0[i] + shear[i]) * (drift[i] - drift0[i]);
     }
     return sign;
@@ -282,7 +269,7 @@ LANES unsigned flight_peaks(const struct flight *f, const struct state *s) {
     LANES_LOOP
     for (int i = 0, n = whole(c->n); i < n; i++) {
         double drift = floor_drift(c, u, i);
-        sign |= beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
+        sign |= number_beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
         peak_raise(u[i], time, &peak_u[i], &when_u[i]);
         peak_raise(v[i], time, &peak_v[i], &when_v[i]);
         peak_raise(a[i] + base[i], time, &peak_a[i], &when_a[i]);

@@ -168,15 +168,3 @@ void gaps_forget(struct gaps *g) {
     }
     g->n_acting = g->n_touched = 0;
 }
-
-void gaps_touch(struct gaps *g, int k) {
-    g->acting[g->n_acting++] = k;
-    g->limit[k] = INFINITY;
-    for (int i = 0; i < 2; i++) {
-        int b = g->model->link[k].building[i];
-        if (b != WALL && !g->is_touched[b]) {
-            g->is_touched[b] = true;
-            g->touched[g->n_touched++] = b;
-        }
-    }
-}

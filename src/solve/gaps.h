@@ -3,6 +3,8 @@
 #ifndef JOSTLE_GAPS_H
 #define JOSTLE_GAPS_H
 
+#include <math.h>
+
 #include "solve/state.h"
 
 // Links first to first + n - 1 whose ends are floors one above the other on the same two sides.
@@ -39,6 +41,17 @@ void gaps_update_touched(struct gaps *g, struct state *s);
 void gaps_forget(struct gaps *g);
 
 // Link k acts, and touches its buildings.
-void gaps_touch(struct gaps *g, int k);
+static inline void gaps_touch(struct gaps *g, int k) {
+    const struct link *l = &g->model->link[k];
+    g->acting[g->n_acting++] = k;
+    g->limit[k] = INFINITY;
+    for (int i = 0; i < 2; i++) {
+        int b = l->building[i];
+        if (b != WALL && !g->is_touched[b]) {
+            g->is_touched[b] = true;
+            g->touched[g->n_touched++] = b;
+        }
+    }
+}
 
 #endif

@@ -39,11 +39,38 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
 static void residuals(struct work *w, struct state *next, const double *u, const double *v,
                       const double *a) {
     const struct model *m = w->model;
-    if (m->n_storey_history == 0 && !m->chain.full_damping) {
+    if (state_is_linear(m)) {
         chain_elastic_residual(&m->chain, next->external, a, u, v, w->residual);
     } else {
         state_internal_forces(next, m, u, v);
         chain_residual(&m->chain, next->external, a, next->damping_force, next->shear, w->residual);
+    }
+    state_add_link_forces(next, m, w->residual);
+}
+
+static void trial(struct work *w, const struct state *now, int first, int n) {
+    const struct chain part = {.n = n};
+    chain_trial(&part, w->h, now->u + first, now->v + first, now->a + first, w->u_trial + first,
+                w->v_trial + first);
+}
+
+// The trial and its residuals. These need the floor above, so they stay behind by a lane's width.
+static void trial_residuals(struct work *w, const struct state *now, struct state *next) {
+    const struct model *m = w->model;
+    int n = lanes_whole(m->n_dof);
+    if (!state_is_linear(m)) {
+        trial(w, now, 0, n);
+        residuals(w, next, w->u_trial, w->v_trial, now->a);
+        return;
+    }
+    for (int first = 0, done = 0; first < n; first += CHAIN_BLOCK) {
+        int end = first + CHAIN_BLOCK < n ? first + CHAIN_BLOCK : n;
+        trial(w, now, first, end - first);
+        end = end == n ? n : end - LANES_WIDTH;
+        const struct chain part = chain_part(&m->chain, done, end - done);
+        chain_elastic_residual(&part, next->external + done, now->a + done, w->u_trial + done,
+                               w->v_trial + done, w->residual + done);
+        done = end;
     }
     state_add_link_forces(next, m, w->residual);
 }
@@ -65,16 +92,30 @@ int newmark_solve_from(struct work *w, int k) {
     return 1;
 }
 
-static void solve_buildings(struct work *w) {
-    for (int k = 0; k < w->model->n_building;) {
-        k += newmark_solve_from(w, k);
-    }
+// The state that the correction leads to, n floors from `first` on. False: not finite.
+static bool correct(const struct work *w, const struct state *now, struct state *next, int first,
+                    int n) {
+    const struct chain part = {.n = n};
+    int j = first;
+    return chain_correct(&part, w->b, w->g, w->correction + j, w->u_trial + j, w->v_trial + j,
+                         now->a + j, next->base + j, next->u + j, next->v + j, next->a + j,
+                         next->total + j);
 }
 
-// The state that the correction leads to, and the penetrations in it. False: not finite.
-static bool correct(struct work *w, const struct state *now, struct state *next) {
-    bool finite = chain_correct(&w->model->chain, w->b, w->g, w->correction, w->u_trial, w->v_trial,
-                                now->a, next->base, next->u, next->v, next->a, next->total);
+// The state that the residuals lead to, and the penetrations in it. False: not finite.
+static bool solve_buildings(struct work *w, const struct state *now, struct state *next) {
+    const struct model *m = w->model;
+    bool finite = true;
+    int corrected = 0;
+    for (int k = 0; k < m->n_building;) {
+        k += newmark_solve_from(w, k);
+        bool all = k == m->n_building;
+        int solved = all ? lanes_whole(m->n_dof) : m->building[k].first / LANES_WIDTH * LANES_WIDTH;
+        if (all || solved - corrected >= CHAIN_BLOCK) {
+            finite &= correct(w, now, next, corrected, solved - corrected);
+            corrected = solved;
+        }
+    }
     contact_penetrations(w, next);
     return finite;
 }
@@ -83,11 +124,7 @@ static bool correct(struct work *w, const struct state *now, struct state *next)
 static void correct_touched(struct work *w, const struct state *now, struct state *next) {
     for (int i = 0; i < w->gaps.n_touched; i++) {
         const struct building *g = &w->model->building[w->gaps.touched[i]];
-        const struct chain part = {.n = lanes_whole(g->n_floor)};
-        int j = g->first;
-        chain_correct(&part, w->b, w->g, w->correction + j, w->u_trial + j, w->v_trial + j,
-                      now->a + j, next->base + j, next->u + j, next->v + j, next->a + j,
-                      next->total + j);
+        correct(w, now, next, g->first, lanes_whole(g->n_floor));
     }
     gaps_update_touched(&w->gaps, next);
 }
@@ -129,6 +166,7 @@ static bool settle(struct work *w, const struct state *next) {
 // again.
 static int relinearise(struct work *w, const struct state *next) {
     const struct model *m = w->model;
+    w->factors++;
     for (int k = 0; k < m->n_building; k++) {
         if (w->settled[k]) {
             continue;
@@ -181,11 +219,10 @@ static int not_finite(const struct model *m, const struct state *s, struct error
 
 // Newton's iteration on storeys and links.
 static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
-    residuals(w, next, w->u_trial, w->v_trial, now->a);
+    trial_residuals(w, now, next);
     for (int i = 0; i < w->model->iterations; i++) {
-        solve_buildings(w);
         w->totals->iterations++;
-        if (!correct(w, now, next)) {
+        if (!solve_buildings(w, now, next)) {
             return not_finite(w->model, next, e);
         }
         int status = solve_links(w, now, next);
@@ -220,7 +257,9 @@ static void finish_links(struct work *w, struct state *next) {
 // Everything else that belongs to the end of the step: forces, and the histories of the laws.
 static void finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
-    state_internal_forces(next, w->model, next->u, next->v);
+    if (!state_is_linear(m)) {
+        state_internal_forces(next, m, next->u, next->v);
+    }
     for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
         const struct storey *s = &m->storey[i];
         if (s->law->commit) {
@@ -235,7 +274,6 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
     if (work_factor(w, h) != STATUS_OK) {
         return STATUS_RETRY;
     }
-    chain_trial(&w->model->chain, h, now->u, now->v, now->a, w->u_trial, w->v_trial);
     begin(w, now, next, end);
     int status = solve(w, now, next, e);
     if (status == STATUS_OK) {

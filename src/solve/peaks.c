@@ -9,6 +9,8 @@
 
 // Floors, in whole lanes, that are looked at together for a new peak.
 enum { BLOCK = 8 * LANES_WIDTH };
+// Contacts likewise, of which few come nearer than ever.
+enum { FEW = 4 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
@@ -58,10 +60,24 @@ void peaks_speed(struct results *r, int first, int n) {
     r->totals.speed = largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
 }
 
-static void floors_update(struct results *r, int first, int n,
-                          const double *const value[PEAK_COUNT], double time) {
+struct floor_values {
+    const double *of[PEAK_COUNT];
+};
+
+static struct floor_values values_of(const struct state *s) {
+    return (struct floor_values){{
+        [PEAK_DISPLACEMENT] = s->u,
+        [PEAK_VELOCITY] = s->v,
+        [PEAK_ACCELERATION] = s->total,
+        [PEAK_DRIFT] = s->drift,
+        [PEAK_SHEAR] = s->shear,
+    }};
+}
+
+void peaks_floors(struct results *r, int first, int n, const struct state *s) {
+    const struct floor_values value = values_of(s);
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(first, n, value[q], time, r->peak[q], r->peak_time[q]);
+        raise(first, n, value.of[q], s->time, r->peak[q], r->peak_time[q]);
     }
     peaks_speed(r, first, n);
 }
@@ -75,11 +91,15 @@ LANES static bool any_exceeds(int n, const double *restrict x, const double *res
 }
 
 void peaks_penetrations(struct results *r, int n, const struct state *s) {
-    for (int k = 0; k < n; k++) {
-        if (s->delta[k] > r->deepest[k]) {
-            r->deepest[k] = s->delta[k];
-            r->link[k].penetration = s->delta[k];
-            r->link[k].penetration_time = s->time;
+    for (int first = 0; first < n; first += FEW) {
+        int end = n - first < FEW ? n : first + FEW;
+        bool any = any_exceeds(end - first, s->delta + first, r->deepest + first);
+        for (int k = first; any && k < end; k++) {
+            if (s->delta[k] > r->deepest[k]) {
+                r->deepest[k] = s->delta[k];
+                r->link[k].penetration = s->delta[k];
+                r->link[k].penetration_time = s->time;
+            }
         }
     }
 }
@@ -99,20 +119,8 @@ static void bilateral_update(struct link_peak *p, const struct state *s, int k) 
     }
 }
 
-void peaks_update(struct results *r, const struct model *m, const struct state *s) {
-    const double *const value[PEAK_COUNT] = {
-        [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
-        [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
-    };
-    for (int first = 0; first < m->n_dof; first += BLOCK) {
-        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
-        if (chain_exceeds(first, lanes_whole(n), value, r->peak)) {
-            floors_update(r, first, n, value, s->time);
-        }
-    }
-    if (any_exceeds(m->n_contact, s->delta, r->deepest)) {
-        peaks_penetrations(r, m->n_contact, s);
-    }
+void peaks_links(struct results *r, const struct model *m, const struct state *s) {
+    peaks_penetrations(r, m->n_contact, s);
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
         if (m->link[k].bilateral) {
@@ -121,4 +129,15 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
             force_update(&r->link[k], s->force[k], s->time);
         }
     }
+}
+
+void peaks_update(struct results *r, const struct model *m, const struct state *s) {
+    const struct floor_values value = values_of(s);
+    for (int first = 0; first < m->n_dof; first += BLOCK) {
+        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
+        if (chain_exceeds(first, lanes_whole(n), value.of, r->peak)) {
+            peaks_floors(r, first, n, s);
+        }
+    }
+    peaks_links(r, m, s);
 }

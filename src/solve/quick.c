@@ -36,20 +36,10 @@ void quick_init(struct quick *p, const struct model *m, int k) {
     }
 }
 
-// Where d and v are without corrections, and how the ends yield.
-static void gather(const struct work *w, const struct state *next, struct quick *p) {
+// How the ends yield.
+static void find_columns(const struct work *w, struct quick *p) {
     const struct link *l = p->link;
-    int left = p->end[0];
-    int right = p->end[1];
-    p->history = next->link_history + l->history;
-    p->trusted = w->branch[p->index] == BRANCH_CLOSED && l->law->force && !w->clamped[p->index];
-    p->settled = p->open = false;
-    p->d_trial = w->u_trial[left] - w->u_trial[right] - l->gap;
-    p->v_trial = w->v_trial[left] - w->v_trial[right];
-    if (l->moving_ground) {
-        p->d_trial += state_ground_gap(l, w->model, next->ground_u);
-        p->v_trial += state_ground_gap(l, w->model, next->ground_v);
-    }
+    p->factors = w->factors;
     p->flexibility = 0.0;
     for (int i = 0; i < 2; i++) {
         if (l->dof[i] != WALL) {
@@ -63,6 +53,25 @@ static void gather(const struct work *w, const struct state *next, struct quick 
             p->lanes[i] = reach->to - reach->from;
         }
     }
+}
+
+// Where d and v are without corrections, and how the ends yield, unless that has stayed.
+static inline void gather(struct work *w, const struct state *next, struct quick *p) {
+    const struct link *l = p->link;
+    int left = p->end[0];
+    int right = p->end[1];
+    p->history = next->link_history + l->history;
+    p->trusted = w->branch[p->index] == BRANCH_CLOSED && l->law->force && !w->clamped[p->index];
+    p->settled = p->open = false;
+    p->d_trial = w->u_trial[left] - w->u_trial[right] - l->gap;
+    p->v_trial = w->v_trial[left] - w->v_trial[right];
+    if (l->moving_ground) {
+        p->d_trial += state_ground_gap(l, w->model, next->ground_u);
+        p->v_trial += state_ground_gap(l, w->model, next->ground_v);
+    }
+    if (p->factors != w->factors) {
+        find_columns(w, p);
+    }
     w->flexibility[p->index] = p->flexibility;
 }
 
@@ -74,9 +83,12 @@ void quick_gather(struct work *w, const struct state *next) {
 
 // q += f column; beyond the floors of the building the column is 0.
 static inline void push(double *restrict q, const double *restrict column, int n, double f) {
-    enum { VECTOR = sizeof(lanes) / sizeof(double) };
-    for (int i = 0; i < n; i += VECTOR) {
-        *(lanes *)(q + i) += f * *(const lanes *)(column + i);
+    for (int i = 0; i < n; i += LANES_WIDTH) {
+        lanes low = *(const lanes *)(q + i) + f * *(const lanes *)(column + i);
+        lanes high = *(const lanes *)(q + i + LANES_VECTOR) +
+                     f * *(const lanes *)(column + i + LANES_VECTOR);
+        *(lanes *)(q + i) = low;
+        *(lanes *)(q + i + LANES_VECTOR) = high;
     }
 }
 

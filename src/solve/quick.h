@@ -18,6 +18,7 @@ struct quick {
     int first[2];             // of the floors there that feel its force, at either end
     int lanes[2];             // how many they are, in whole lanes; 0 for a wall
     const double *column[2];  // what they feel: of A^-1, from `first` on
+    long factors;             // work.factors that these and the flexibility are of
     const double *history;    // of the law
     double d_trial, v_trial;  // [L] [L/T] without corrections
     double flexibility;       // S_ll

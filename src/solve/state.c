@@ -64,14 +64,6 @@ void state_open_links(struct state *s) {
     s->n_live = 0;
 }
 
-void state_enliven(struct state *s, int k) {
-    if (!s->is_live[k]) {
-        s->is_live[k] = true;
-        s->n_past[k] = 0;
-        s->live[s->n_live++] = k;
-    }
-}
-
 void state_open_link(struct state *s, int k) {
     int i = 0;
     while (s->live[i] != k) {

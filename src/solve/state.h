@@ -39,8 +39,14 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a);
 // Empties `live`: all links open, with force 0.
 void state_open_links(struct state *s);
 
-// Takes link k into `live`, if it is not there.
-void state_enliven(struct state *s, int k);
+// Takes link k into `live`, if it is not there. In line, as each step does it anew.
+static inline void state_enliven(struct state *s, int k) {
+    if (!s->is_live[k]) {
+        s->is_live[k] = true;
+        s->n_past[k] = 0;
+        s->live[s->n_live++] = k;
+    }
+}
 
 // Opens link k and takes it out of `live`.
 void state_open_link(struct state *s, int k);
@@ -64,6 +70,11 @@ double state_link_force(const struct state *s, const struct model *m, int k);
 
 // Whether link k is a rigid contact at rest.
 bool state_rests(const struct state *s, const struct model *m, int k);
+
+// Are all storeys elastic, and all bands of C in struct chain?
+static inline bool state_is_linear(const struct model *m) {
+    return m->n_storey_history == 0 && !m->chain.full_damping;
+}
 
 // Drifts, storey shears and C v at the displacements u and velocities v (n_dof), with the storey
 // history of `s`.

@@ -105,6 +105,7 @@ int work_factor(struct work *w, double h) {
     }
     struct effective *e = h == w->model->dt ? w->home : w->other;
     w->h = 0.0;
+    w->factors++;
     w->b = w->model->beta * h * h;
     w->g = w->model->gamma * h;
     for (int k = 0; k < w->model->n_building; k++) {

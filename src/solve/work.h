@@ -37,6 +37,7 @@ struct work {
     struct effective *home;       // (n_building) for steps of the model's size
     struct effective *other;      // (n_building) for those that were cut
     double h;                     // [T] step of the factors; 0: none yet
+    long factors;                 // counts the factorisations of the step in hand
     double b, g;                  // beta h^2 and gamma h
     enum strictness strictness;
     enum splitting splitting;
