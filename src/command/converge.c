@@ -49,7 +49,8 @@ static int show_progress(void *context, double time, struct error *e) {
     return STATUS_OK;
 }
 
-static int converge(const struct model *m, const struct options *o) {
+static int converge(const struct model *m, void *context) {
+    const struct options *o = context;
     struct progress progress;
     struct refinement *r;
     struct error e;
@@ -135,22 +136,16 @@ static int parse(int argc, char **argv, const char **define, struct options *o, 
 
 static int converge_command(int argc, char **argv) {
     struct options o = {.n_level = LEVELS_DEFAULT, .rtol = RTOL_DEFAULT};
-    const char **define = calloc((size_t)argc, sizeof *define);
-    if (!define) {
-        struct error e;
-        error_no_memory(&e);
-        return command_fail(&e);
+    const char **define;
+    int status = load_defines(argc, &define);
+    if (status != EXIT_DONE) {
+        return status;
     }
     o.load.define = define;
     bool helped = false;
-    int status = parse(argc, argv, define, &o, &helped);
+    status = parse(argc, argv, define, &o, &helped);
     if (status == EXIT_DONE && !helped) {
-        struct model *m;
-        status = load_model(&o.load, &m);
-        if (status == EXIT_DONE) {
-            status = converge(m, &o);
-            model_free(m);
-        }
+        status = load_and_use(&o.load, converge, &o);
     }
     free(define);
     return status;

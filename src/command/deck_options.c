@@ -38,11 +38,9 @@ static bool parse(const struct command *c, int argc, char **argv, const char **d
 
 bool deck_options_load(const struct command *c, int argc, char **argv, struct guidance *guidance,
                        struct model **model, int *status) {
-    const char **define = calloc((size_t)argc, sizeof *define);
-    if (!define) {
-        struct error e;
-        error_no_memory(&e);
-        *status = command_fail(&e);
+    const char **define;
+    *status = load_defines(argc, &define);
+    if (*status != EXIT_DONE) {
         return false;
     }
     struct load_request request = {.define = define, .guidance = guidance};

@@ -251,7 +251,8 @@ static int run_search(const struct plan *p, const struct options *o) {
     return status;
 }
 
-static int run_deck(const struct model *m, const struct options *o) {
+static int run_deck(const struct model *m, void *context) {
+    const struct options *o = context;
     if (m->n_contact == 0) {
         struct error e;
         error_set(&e, STATUS_INPUT, "the deck has no contact");
@@ -326,22 +327,16 @@ static int parse(int argc, char **argv, const char **define, struct options *o, 
 
 static int gap_command(int argc, char **argv) {
     struct options o = {.n_thread = threads_all()};
-    const char **define = calloc((size_t)argc, sizeof *define);
-    if (!define) {
-        struct error e;
-        error_no_memory(&e);
-        return command_fail(&e);
+    const char **define;
+    int status = load_defines(argc, &define);
+    if (status != EXIT_DONE) {
+        return status;
     }
     o.load.define = define;
     bool helped = false;
-    int status = parse(argc, argv, define, &o, &helped);
+    status = parse(argc, argv, define, &o, &helped);
     if (status == EXIT_DONE && !helped) {
-        struct model *m;
-        status = load_model(&o.load, &m);
-        if (status == EXIT_DONE) {
-            status = run_deck(m, &o);
-            model_free(m);
-        }
+        status = load_and_use(&o.load, run_deck, &o);
     }
     free(define);
     return status;

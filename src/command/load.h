@@ -19,6 +19,14 @@ struct load_request {
 // *out to be given to model_free, or another exit status.
 int load_model(const struct load_request *request, struct model **out);
 
+// Loads a model, hands it to `use`, which returns an exit status, and frees it.
+int load_and_use(const struct load_request *request,
+                 int (*use)(const struct model *m, void *context), void *context);
+
+// Room for what -D may give in a command line of `argc` words, to be freed; EXIT_DONE, or the exit
+// status after having told that there is no memory.
+int load_defines(int argc, const char ***out);
+
 // STATUS_INPUT if the deck of the model is not a study.
 int load_check_study(const struct model *m, struct error *e);
 

@@ -258,15 +258,14 @@ static int run_model(const struct model *m, const struct run_options *o, int arg
 
 static int run_command(int argc, char **argv) {
     struct run_options o = {.existing = RESULT_KEEP, .journal = STUDY_RESUME};
-    const char **define = calloc((size_t)argc, sizeof *define);
-    if (!define) {
-        struct error e;
-        error_no_memory(&e);
-        return command_fail(&e);
+    const char **define;
+    int status = load_defines(argc, &define);
+    if (status != EXIT_DONE) {
+        return status;
     }
     o.load.define = define;
     bool helped = false;
-    int status = parse(argc, argv, define, &o, &helped);
+    status = parse(argc, argv, define, &o, &helped);
     if (status == EXIT_DONE && !helped) {
         struct model *m;
         struct guidance guidance;

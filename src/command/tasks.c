@@ -101,7 +101,8 @@ static bool is_one_line(const struct tasks_options *o, const char *path) {
     return good;
 }
 
-static int print_tasks(const struct model *m, const struct tasks_options *o) {
+static int print_tasks(const struct model *m, void *context) {
+    const struct tasks_options *o = context;
     struct error e;
     if (load_check_study(m, &e) != STATUS_OK) {
         return command_fail(&e);
@@ -170,21 +171,14 @@ static bool parse(int argc, char **argv, const char **define, struct tasks_optio
 }
 
 static int tasks_command(int argc, char **argv) {
-    const char **define = calloc((size_t)argc, sizeof *define);
-    if (!define) {
-        struct error e;
-        error_no_memory(&e);
-        return command_fail(&e);
+    const char **define;
+    int status = load_defines(argc, &define);
+    if (status != EXIT_DONE) {
+        return status;
     }
     struct tasks_options o = {.load = {.define = define}, .n_thread = 1, .lines = TASKS_RUN};
-    struct model *m;
-    int status;
     if (parse(argc, argv, define, &o, &status)) {
-        status = load_model(&o.load, &m);
-        if (status == EXIT_DONE) {
-            status = print_tasks(m, &o);
-            model_free(m);
-        }
+        status = load_and_use(&o.load, print_tasks, &o);
     }
     free(define);
     return status;
