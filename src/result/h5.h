@@ -17,7 +17,7 @@ struct h5 {
     hid_t file;
     hid_t text;                       // type of texts: UTF-8, any length
     hid_t references;                 // type of lists of references to objects
-    hid_t plain;                      // creation list of contiguous datasets
+    hid_t plain, group;               // creation lists of contiguous datasets and of groups
     hid_t transfer;                   // for writing
     const struct unit_system *units;  // borrowed
     struct h5_use *use;               // (n_use) of scales; heap
@@ -42,7 +42,7 @@ struct h5_dataset {
 
 // Creates the file over `path`; h->file is negative after a failure.
 void h5_create(struct h5 *h, const char *path);
-void h5_open_types(struct h5 *h);
+void h5_open_types(struct h5 *h);  // of texts: all that reading needs
 void h5_close_types(struct h5 *h);
 
 // Records the first failure when `result` is negative; true if anything has failed so far.
