@@ -136,3 +136,14 @@ long analysis_row(const struct analysis *a, double t) {
 double analysis_displacement(const struct analysis *a, int dof, double t) {
     return a->rows.displacement[analysis_row(a, t) * a->rows.n_dof + dof];
 }
+
+double analysis_flow(const struct analysis *a) {
+    double largest = a->results->initial_energy;
+    for (long i = 0; i < a->rows.n * ENERGY_COUNT; i++) {
+        assert_true(isfinite(a->rows.energy[i]));
+        if (i % ENERGY_COUNT != ENERGY_RESIDUAL) {
+            largest = fmax(largest, fabs(a->rows.energy[i]));
+        }
+    }
+    return largest;
+}

@@ -38,4 +38,7 @@ long analysis_row(const struct analysis *a, double t);
 // Displacement of degree of freedom `dof` at time t.
 double analysis_displacement(const struct analysis *a, int dof, double t);
 
+// The largest of the energies of all rows but the residual, which scales with it; all are finite.
+double analysis_flow(const struct analysis *a);
+
 #endif

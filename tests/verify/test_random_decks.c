@@ -56,20 +56,9 @@ static void check_rigid(const struct results *r, const struct model *m) {
     }
 }
 
-// Largest of the energies that flow: rounding of the account scales with it.
-static double flow(const struct analysis *a) {
-    double largest = a->results->initial_energy;
-    for (long i = 0; i < a->rows.n * ENERGY_COUNT; i++) {
-        if (i % ENERGY_COUNT != ENERGY_RESIDUAL) {
-            largest = fmax(largest, fabs(a->rows.energy[i]));
-        }
-    }
-    return largest;
-}
-
 // What the contacts have given back beyond what was put in, relative to the flow of energy.
 static double created(const struct analysis *a) {
-    return -a->results->energy[ENERGY_CONTACT] / flow(a);
+    return -a->results->energy[ENERGY_CONTACT] / analysis_flow(a);
 }
 
 static bool average_acceleration(const struct model *m) {
@@ -82,12 +71,12 @@ static void check_deck(uint64_t seed, const char *text, const struct analysis *a
     check_rigid(a->results, a->model);
     bool good = a->results->totals.unsolved == 0;
     if (average_acceleration(a->model)) {
-        good = good && a->results->residual_peak <= 1e-9 * flow(a) && created(a) < 0.02;
+        good = good && a->results->residual_peak <= 1e-9 * analysis_flow(a) && created(a) < 0.02;
     }
     if (!good) {
         print_error("deck %llu: %ld unsolved, residual %g of %g, created %g\n%s",
                     (unsigned long long)seed, a->results->totals.unsolved,
-                    a->results->residual_peak, flow(a), created(a), text);
+                    a->results->residual_peak, analysis_flow(a), created(a), text);
     }
     assert_true(good);
 }
