@@ -44,7 +44,9 @@ static int poll(struct run *r, double time) {
 static int commit(struct run *r) {
     struct results *out = r->results;
     account_step(&r->energy, out, r->model, r->now, r->next);
-    int status = impacts_step(&r->impacts, out, r->model, r->now, r->next, r->error);
+    gaps_peaks(&r->work.gaps, out, r->next);
+    int status =
+        impacts_step(&r->impacts, &r->energy, out, r->model, r->now, r->next, r->error);
     struct state *old = r->now;
     r->now = r->next;
     r->next = old;
