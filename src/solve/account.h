@@ -149,8 +149,8 @@ int impacts_meet(struct impact_log *log, struct results *r, const struct model *
 void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
                     const struct state *s);
 
-// Takes the step from `now` to `next` into energies and peaks of the floors. Internal forces of linear models are
-// found here.
+// Takes the step from `now` to `next` into energies and peaks of the floors. Internal forces of
+// linear models are found here.
 void account_step(struct energy_account *a, struct results *r, const struct model *m,
                   const struct state *now, struct state *next);
 

@@ -118,10 +118,10 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
 unsigned flight_near(const struct flight *f, struct state *next) {
     struct gaps *g = &f->work->gaps;
     gaps_update(g, next);
-    if (gaps_any_inside(g, next)) {
+    if (g->n_pressed > 0) {
         return FLIGHT_ENDS;
     }
-    gaps_peaks(g, f->results, next);
+    gaps_peaks(g, next);
     return 0;
 }
 
@@ -176,7 +176,7 @@ static bool may_start(struct flight *f, const struct state *s) {
 static void start(const struct flight *f, const struct state *now, struct state *next) {
     const struct model *m = f->model;
     state_open_links(next);
-    gaps_forget(&f->work->gaps);
+    gaps_forget(&f->work->gaps, now);
     memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
     if (f->yields) {
         memcpy(next->storey_history, now->storey_history,

@@ -28,7 +28,7 @@ static void find_runs(struct gaps *g) {
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         g->gap[k] = l->gap;
-        g->limit[k] = -INFINITY;
+        g->limit[k] = g->nearest[k] = -INFINITY;
         if (g->n_run > 0 && continues(m, &g->run[g->n_run - 1], k)) {
             g->run[g->n_run - 1].n++;
             g->run_of[k] = g->n_run - 1;
@@ -71,6 +71,8 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
         .model = m,
         .gap = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->gap),
         .limit = arena_alloc(a, n_link, sizeof *g->limit),
+        .nearest = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->nearest),
+        .time = arena_alloc(a, n_link, sizeof *g->time),
         .run_of = arena_alloc(a, n_link, sizeof *g->run_of),
         .beyond = arena_alloc(a, n_link, sizeof *g->beyond),
         .all = arena_alloc(a, n_link, sizeof *g->all),
@@ -83,8 +85,9 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
         .touched = arena_alloc(a, n_building, sizeof *g->touched),
         .is_touched = arena_alloc(a, n_building, sizeof *g->is_touched),
     };
-    if (!g->gap || !g->limit || !g->run_of || !g->beyond || !g->all || !g->acting || !g->run || !g->start || !g->of_building ||
-        !g->visited || !g->pressed || !g->touched || !g->is_touched) {
+    if (!g->gap || !g->limit || !g->nearest || !g->time || !g->run_of || !g->beyond || !g->all ||
+        !g->acting || !g->run || !g->start || !g->of_building || !g->visited || !g->pressed ||
+        !g->touched || !g->is_touched) {
         return false;
     }
     find_runs(g);
@@ -103,8 +106,8 @@ static inline bool update_run(const struct gaps *g, const struct gap_run *r,
     lanes_bits sign = {0};
     int j = 0;
     for (; j + LANES_VECTOR <= r->n; j += LANES_VECTOR) {
-        lanes x = *(const lanes *)(left + j) - *(const lanes *)(right + j) -
-                  *(const lanes *)(gap + j);
+        lanes x =
+            *(const lanes *)(left + j) - *(const lanes *)(right + j) - *(const lanes *)(gap + j);
         *(lanes *)(d + j) = x;
         sign |= (lanes_bits)(*(const lanes *)(limit + j) - x);
     }
@@ -116,15 +119,28 @@ static inline bool update_run(const struct gaps *g, const struct gap_run *r,
     return beyond;
 }
 
+// Does a link of the run that does not act stand inside?
+static inline bool is_pressed(const struct gaps *g, const struct gap_run *r, const double *delta) {
+    const double *restrict d = delta + r->first;
+    const double *restrict limit = g->limit + r->first;
+    long inside = 0;
+    for (int j = 0, n = r->n; j < n; j++) {
+        inside |= d[j] > number_max(limit[j], 0.0);
+    }
+    return inside != 0;
+}
+
 // The penetrations of n runs, on grounds that move together. Returns how many are pressed.
 LANES static int update(const struct gaps *g, const double *u, double *delta, int n,
                         const int *visited, int *pressed) {
     int n_pressed = 0;
     for (int i = 0; i < n; i++) {
         int k = visited[i];
-        g->beyond[k] = update_run(g, &g->run[k], u, delta);
-        pressed[n_pressed] = k;
-        n_pressed += g->beyond[k];
+        const struct gap_run *r = &g->run[k];
+        g->beyond[k] = update_run(g, r, u, delta);
+        if (g->beyond[k] && is_pressed(g, r, delta)) {
+            pressed[n_pressed++] = k;
+        }
     }
     return n_pressed;
 }
@@ -173,41 +189,38 @@ void gaps_update_touched(struct gaps *g, struct state *s) {
     visit(g, s, n, g->visited);
 }
 
-bool gaps_any_inside(const struct gaps *g, const struct state *s) {
-    for (int i = 0; i < g->n_pressed; i++) {
-        const struct gap_run *r = &g->run[g->pressed[i]];
-        for (int k = r->first; k < r->first + r->n; k++) {
-            if (s->delta[k] > number_max(g->limit[k], 0.0)) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-// The peaks of the contacts of a run.
-static void look(struct gaps *g, const struct gap_run *run, struct results *r,
-                 const struct state *s) {
-    int end = run->first + run->n < g->model->n_contact ? run->first + run->n : g->model->n_contact;
-    for (int k = run->first; k < end; k++) {
-        if (s->delta[k] > g->limit[k]) {
-            peaks_penetration(r, k, s->delta[k], s->time);
-            g->limit[k] = fmin(r->deepest[k], 0.0);
-        }
+LANES static void look(const struct gaps *g, const struct gap_run *r, const double *delta,
+                       double now) {
+    const double *restrict d = delta + r->first;
+    double *restrict nearest = g->nearest + r->first;
+    double *restrict time = g->time + r->first;
+    double *restrict limit = g->limit + r->first;
+    for (int j = 0, n = r->n; j < n; j++) {
+        bool nearer = d[j] > nearest[j];
+        time[j] = nearer ? now : time[j];
+        nearest[j] = nearer ? d[j] : nearest[j];
+        limit[j] = limit[j] > 0.0 ? limit[j] : number_min(nearest[j], 0.0);
     }
 }
 
-void gaps_peaks(struct gaps *g, struct results *r, const struct state *s) {
+void gaps_peaks(struct gaps *g, const struct state *s) {
     for (int i = 0; i < g->n_run; i++) {
         if (g->beyond[i]) {
-            look(g, &g->run[i], r, s);
+            look(g, &g->run[i], s->delta, s->time);
         }
     }
 }
 
-void gaps_forget(struct gaps *g) {
+void gaps_finish(const struct gaps *g, struct results *r) {
+    for (int k = 0; k < g->model->n_contact; k++) {
+        peaks_penetration(r, k, g->nearest[k], g->time[k]);
+    }
+}
+
+void gaps_forget(struct gaps *g, const struct state *s) {
     for (int i = 0; i < g->n_acting; i++) {
-        g->limit[g->acting[i]] = -INFINITY;  // to be looked at
+        int k = g->acting[i];
+        g->limit[k] = s->closed[k] ? INFINITY : number_min(g->nearest[k], 0.0);
     }
     for (int i = 0; i < g->n_touched; i++) {
         g->is_touched[g->touched[i]] = false;

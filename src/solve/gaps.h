@@ -19,17 +19,18 @@ struct gap_run {
 struct gaps {
     const struct model *model;  // borrowed
     double *gap;                // [L] (n_link)
-    double *limit;              // [L] (n_link) a link beyond this may close or have come nearer than
-                                // ever: infinite for links that act; 0 or its largest penetration
-                                // so far, or less
+    double *limit;    // [L] (n_link) a link beyond this may close or has come nearer than ever:
+                      // infinite for links that act, else 0 or its largest penetration, or less
+    double *nearest;  // [L] (n_link) largest penetration that gaps_peaks has seen,
+    double *time;     // [T] (n_link) and when
     int n_run;
     struct gap_run *run;
-    int *run_of;                // (n_link)
-    bool *beyond;               // (n_run) at last sight, one of its links was beyond its limit
+    int *run_of;               // (n_link)
+    bool *beyond;              // (n_run) at last sight, one of its links was beyond its limit
     int *start, *of_building;  // (n_building + 1): runs at each building, one list behind another
     int *visited;              // (n_run) scratch: runs that an update goes over
     int *all;                  // (n_run) all runs
-    int n_pressed, *pressed;   // runs in which a link was beyond its limit in the last update
+    int n_pressed, *pressed;   // runs in which a link that does not act was inside then
     int n_acting, *acting;     // links that act in this step
     int n_touched, *touched;   // their buildings
     bool *is_touched;          // (n_building)
@@ -43,14 +44,14 @@ void gaps_update(struct gaps *g, struct state *s);
 // The same where only touched buildings have moved.
 void gaps_update_touched(struct gaps *g, struct state *s);
 
-// Whether a link that does not act stood inside in the last update.
-bool gaps_any_inside(const struct gaps *g, const struct state *s);
+// Takes note of penetrations that are larger than ever.
+void gaps_peaks(struct gaps *g, const struct state *s);
 
-// Takes the penetrations of contacts that do not act into the peaks, where they are beyond.
-void gaps_peaks(struct gaps *g, struct results *r, const struct state *s);
+// Takes those of contacts into the peaks.
+void gaps_finish(const struct gaps *g, struct results *r);
 
-// No link acts, and no building is touched any more.
-void gaps_forget(struct gaps *g);
+// No building is touched any more, and no link acts but those that are closed in `s`.
+void gaps_forget(struct gaps *g, const struct state *s);
 
 // Link k acts, and touches its buildings, as those of its run before it do.
 static inline void gaps_touch(struct gaps *g, int k) {

@@ -88,28 +88,11 @@ static double ground_work(const struct link *l, const struct model *m, double me
     return mean * (relative - own);
 }
 
-// The share of one step in link k by the trapezoidal rule, for link, impact and energies.
-static void add_share(struct impact_log *log, struct energy_account *a, struct results *r,
-                      const struct model *m, int k, const struct state *now,
-                      const struct state *next) {
-    double mean = (now->force[k] + next->force[k]) / 2.0;
-    struct impact_share share = {
-        .impulse = mean * (next->time - now->time),
-        .work = mean * (next->delta[k] - now->delta[k]),
-        .force = next->force[k],
-        .penetration = next->delta[k],
-        .steps = next->closed[k],
-    };
-    impacts_add(log, r, m, k, &share);
-    a->contact += share.work;
-    if (m->link[k].moving_ground) {
-        a->input += ground_work(&m->link[k], m, mean, now, next);
-    }
-}
-
 int impacts_step(struct impact_log *log, struct energy_account *a, struct results *r,
                  const struct model *m, const struct state *now, const struct state *next,
                  struct error *e) {
+    double h = next->time - now->time;
+    double contact = 0.0;
     for (int j = 0; j < next->n_live; j++) {
         int k = next->live[j];
         peaks_link(r, m, next, k);
@@ -119,11 +102,24 @@ int impacts_step(struct impact_log *log, struct energy_account *a, struct result
         if (!now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
             return e->status;
         }
-        add_share(log, a, r, m, k, now, next);
+        double mean = (now->force[k] + next->force[k]) / 2.0;  // by the trapezoidal rule
+        struct impact_share share = {
+            .impulse = mean * h,
+            .work = mean * (next->delta[k] - now->delta[k]),
+            .force = next->force[k],
+            .penetration = next->delta[k],
+            .steps = next->closed[k],
+        };
+        impacts_add(log, r, m, k, &share);
+        contact += share.work;
+        if (m->n_ground > 1 && m->link[k].moving_ground) {
+            a->input += ground_work(&m->link[k], m, mean, now, next);
+        }
         if (!next->closed[k]) {
             close_impact(log, m, &r->impact[log->open[k]], now, next);
         }
     }
+    a->contact += contact;
     return STATUS_OK;
 }
 
