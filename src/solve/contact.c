@@ -95,9 +95,16 @@ static inline int past_after(int n_past, const struct contact_law *law) {
 }
 
 // Link k, closed so far, begins the step as it ended the last.
+// What the law of a link remembers.
+static void keep_history(const struct state *now, struct state *next, struct quick *p) {
+    const struct link *l = p->link;
+    double *history = next->link_history + l->history;
+    memcpy(history, now->link_history + l->history, (size_t)l->law->n_history * sizeof *history);
+    p->history = history;
+}
+
 static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
     struct quick *p = &w->quick[k];
-    const struct link *l = p->link;
     double f = now->force[k];
     const double *past = now->past[k];
     double *past_next = next->past[k];
@@ -107,12 +114,11 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
     past_next[0] = f;
     past_next[1] = past[0];
     past_next[2] = past[1];
-    next->n_past[k] = past_after(now->n_past[k], l->law);
+    next->n_past[k] = past_after(now->n_past[k], p->kind);
     next->t_close[k] = now->t_close[k];
     next->v_close[k] = now->v_close[k];
-    if (l->law->n_history > 0) {
-        memcpy(next->link_history + l->history, now->link_history + l->history,
-               (size_t)l->law->n_history * sizeof *next->link_history);
+    if (p->kind->n_history > 0) {
+        keep_history(now, next, p);
     }
     p->branch = BRANCH_CLOSED;
     p->clamped = false;
@@ -155,6 +161,7 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
     p->branch = BRANCH_OPEN;
     p->clamped = false;
     p->checked = p->fits_to = p->force = 0.0;
+    p->history = next->link_history + l->history;
     struct line line = contact_line(w, now, next, k);
     struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
                         line.v_free, w->h};
@@ -403,12 +410,13 @@ void contact_finish(struct work *w, const struct state *now, struct state *next)
     w->n_toggled = 0;
     for (int i = 0; i < next->n_live; i++) {
         int k = next->live[i];
-        const struct link *l = &m->link[k];
-        next->closed[k] = w->quick[k].branch != BRANCH_OPEN;
+        const struct quick *p = &w->quick[k];
+        next->closed[k] = p->branch != BRANCH_OPEN;
         if (next->closed[k] != now->closed[k]) {
             w->toggled[w->n_toggled++] = k;
         }
-        if (next->closed[k] && l->law->commit) {
+        if (next->closed[k] && p->kind->commit) {
+            const struct link *l = p->link;
             l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
                            state_rate(next, m, k));
         }

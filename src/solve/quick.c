@@ -41,7 +41,16 @@ static const double LOOSER = 4.0;
 
 void quick_init(struct quick *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
-    *p = (struct quick){.link = l, .index = k, .smooth = l->law->traits & CONTACT_SMOOTH};
+    *p = (struct quick){
+        .link = l,
+        .index = k,
+        .kind = l->law,
+        .constant = l->constant,
+        .gap = l->gap,
+        .bilateral = l->bilateral,
+        .moving_ground = l->moving_ground,
+        .smooth = l->law->traits & CONTACT_SMOOTH,
+    };
     for (int i = 0; i < 2; i++) {
         p->end[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
     }
@@ -81,13 +90,12 @@ static void find_columns(const struct work *w, struct quick *p) {
 // Asks the law of a link that sees x, and draws its line from there. False: a Newton step is not
 // safe.
 static inline bool ask(const struct work *w, struct quick *p, double x, struct progress *s) {
-    const struct link *l = p->link;
     double d = p->d_trial + w->b * x;
     double v = p->v_trial + w->g * x;
-    if (!p->trusted || !(d > 0.0 || l->bilateral)) {
+    if (!p->trusted || !(d > 0.0 || p->bilateral)) {
         return false;
     }
-    p->law = l->law->force(l->constant, p->history, d, v);
+    p->law = p->kind->force(p->constant, p->history, d, v);
     double slope = w->b * p->law.dfdd + w->g * p->law.dfdv;
     double share = p->flexibility * slope;
     if (!(share >= 0.0 && share <= STEEPEST)) {
@@ -98,7 +106,7 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
     p->damped = 1.0 / (1.0 + share);
     p->rate = slope * p->damped;
     p->base = (p->law.force - p->force) * p->damped - p->rate * x;
-    p->near = l->bilateral ? INFINITY : NEAR * d * w->per_b;
+    p->near = p->bilateral ? INFINITY : NEAR * d * w->per_b;
     double straight = sqrt(STRAIGHT * s->enough * fabs(p->law.force)) / slope;
     double turn = fabs(v) * w->per_g;
     p->reach = p->smooth ? number_min(number_min(p->near, turn), straight) : -1.0;
@@ -110,18 +118,16 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
 // unless that has stayed, and the law.
 static inline void gather(struct work *w, const struct state *next, struct quick *p,
                           struct progress *s) {
-    const struct link *l = p->link;
     int left = p->end[0];
     int right = p->end[1];
-    p->history = next->link_history + l->history;
-    p->trusted = p->branch == BRANCH_CLOSED && l->law->force && !p->clamped;
+    p->trusted = p->branch == BRANCH_CLOSED && p->kind->force && !p->clamped;
     p->open = false;
     p->ask = true;
-    p->d_trial = w->u_trial[left] - w->u_trial[right] - l->gap;
+    p->d_trial = w->u_trial[left] - w->u_trial[right] - p->gap;
     p->v_trial = w->v_trial[left] - w->v_trial[right];
-    if (l->moving_ground) {
-        p->d_trial += state_ground_gap(l, w->model, next->ground_u);
-        p->v_trial += state_ground_gap(l, w->model, next->ground_v);
+    if (p->moving_ground) {
+        p->d_trial += state_ground_gap(p->link, w->model, next->ground_u);
+        p->v_trial += state_ground_gap(p->link, w->model, next->ground_v);
     }
     if (p->factors != w->factors) {
         find_columns(w, p);
@@ -174,7 +180,7 @@ void quick_push(const struct work *w, const struct quick *p, double df) {
 
 // Is a change of the force no more than the rounding of d and v makes of it?
 static inline bool negligible(const struct work *w, const struct quick *p, double df) {
-    double d = fabs(w->u_trial[p->end[0]]) + fabs(w->u_trial[p->end[1]]) + p->link->gap;
+    double d = fabs(w->u_trial[p->end[0]]) + fabs(w->u_trial[p->end[1]]) + p->gap;
     double v = fabs(w->v_trial[p->end[0]]) + fabs(w->v_trial[p->end[1]]);
     double change = 4.0 * DBL_EPSILON * (fabs(p->law.dfdd) * d + fabs(p->law.dfdv) * v);
     return fabs(df) <= change * p->damped;
