@@ -44,10 +44,12 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
         .floor = lanes_wide_array(a, n, sizeof *e->floor),
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
+        .works = lanes_wide_array(a, 1, sizeof *e->works),
+        .next_works = lanes_wide_array(a, 1, sizeof *e->next_works),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
-    return e->floor && e->now && e->next && e->base && alloc_contacts(e, m, a) &&
-           alloc_inverses(e, m, a);
+    return e->floor && e->now && e->next && e->works && e->next_works && e->base &&
+           alloc_contacts(e, m, a) && alloc_inverses(e, m, a);
 }
 
 static bool is_small(double x) {
@@ -122,10 +124,11 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         small &= put(&f->u, lane, s->u[i]);
         small &= put(&f->v, lane, s->v[i]);
         small &= put(&f->a, lane, s->a[i]);
-        f->external[lane] = s->external[i];
-        f->damping[lane] = s->damping_force[i];
-        f->input_2x[lane] = r->energy.input_2x[i];
-        f->damping_2x[lane] = r->energy.damping_2x[i];
+    }
+    e->works->ground[lane] = s->ground_a[0];
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        e->works->input_2x[i][lane] = r->energy.input_2x[i];
+        e->works->damping_2x[i][lane] = r->energy.damping_2x[i];
     }
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
@@ -147,11 +150,12 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
         s->u[i] = f->u[lane];
         s->v[i] = f->v[lane];
         s->a[i] = f->a[lane];
-        s->external[i] = f->external[lane];
-        s->damping_force[i] = f->damping[lane];
-        r->energy.input_2x[i] = f->input_2x[lane];
-        r->energy.damping_2x[i] = f->damping_2x[lane];
         t->speed = number_max(t->speed, e->floor[i].peak[PEAK_VELOCITY][lane]);
+    }
+    s->ground_a[0] = e->works->ground[lane];
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        r->energy.input_2x[i] = e->works->input_2x[i][lane];
+        r->energy.damping_2x[i] = e->works->damping_2x[i][lane];
     }
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_contact *c = &e->contact[k];

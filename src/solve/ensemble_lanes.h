@@ -16,9 +16,14 @@ static const double ENSEMBLE_LARGEST = 1e40;
 
 // What a step changes of a floor.
 struct ensemble_state {
-    wide u, v, a;               // [L] [L/T] [L/T^2] relative to the ground
-    wide external, damping;     // [F] -m a_ground and C v
-    wide input_2x, damping_2x;  // [F L] twice the work of these so far
+    wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
+};
+
+// What it changes besides.
+struct ensemble_works {
+    wide ground;  // [L/T^2] its acceleration
+    // [F L] as in struct energy_account
+    wide input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
 };
 
 // The rest of a floor, with the storey below it.
@@ -49,7 +54,8 @@ struct ensemble_lanes {
     long long aboard[WIDE_RUNS];        // all bits of the lanes whose runs are aboard
     struct ensemble_floor *floor;       // (n_floor) of all buildings
     struct ensemble_state *now, *next;  // (n_floor)
-    struct ensemble_contact *contact;   // (n_contact)
+    struct ensemble_works *works, *next_works;
+    struct ensemble_contact *contact;  // (n_contact)
     wide **inverse;  // (n_building) A^-1 of each (n_floor, n_floor), or NULL: factors
     wide *base;      // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
@@ -73,8 +79,11 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
 // Commits the step that has been computed, without a look at its peaks.
 static inline void ensemble_swap(struct ensemble_lanes *e) {
     struct ensemble_state *old = e->now;
+    struct ensemble_works *old_works = e->works;
     e->now = e->next;
     e->next = old;
+    e->works = e->next_works;
+    e->next_works = old_works;
 }
 
 // Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them asks

@@ -86,10 +86,12 @@ LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sum
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             kinetic -= e->floor[i].inertia * s[i].v * s[i].v;
             elastic += e->floor[i].stiffness * drift * drift / 2.0;
-            input += s[i].input_2x;
-            damping += s[i].damping_2x;
             drift = s[i + 1].u - s[i].u;
         }
+    }
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        input += e->works->input_2x[i];
+        damping += e->works->damping_2x[i];
     }
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
         sums[lane] = (struct energy_sums){.kinetic = kinetic[lane] / 2.0,

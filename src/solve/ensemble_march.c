@@ -27,7 +27,7 @@ INLINE void trial(const struct ensemble_lanes *e) {
 // r = -m (a_ground + a) - C v_t - K u_t of a building of n floors; the joints below its first floor
 // and above its last one are 0.
 INLINE void residuals(struct ensemble_floor *restrict f, const struct ensemble_state *restrict s,
-                      struct ensemble_state *restrict t, const wide *base, int n) {
+                      const wide *base, int n) {
     wide ground = *base;
     wide shear = f[0].stiffness * (f[0].u_trial - 0.0 * f[-1].u_trial);
     for (int i = 0; i < n; i++) {
@@ -37,9 +37,7 @@ INLINE void residuals(struct ensemble_floor *restrict f, const struct ensemble_s
         }
         wide damping =
             f[i].below * f[i - 1].v_trial + f[i].own * f[i].v_trial + f[i].above * f[i + 1].v_trial;
-        wide p = f[i].inertia * ground;
-        t[i].external = p;
-        f[i].residual = p + f[i].inertia * s[i].a - damping - shear + above;
+        f[i].residual = f[i].inertia * ground + f[i].inertia * s[i].a - damping - shear + above;
         shear = above;
     }
 }
@@ -112,23 +110,37 @@ INLINE void correct(const struct ensemble_lanes *e, const wide *base, wide_bits 
     *flags |= more;
 }
 
-// C v at the end of the step of a building of n floors, and the works.
-INLINE void account(const struct ensemble_floor *restrict f,
-                    const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
-                    int n, wide_bits *flags) {
+// The works of a building, and a look for peaks of its drifts.
+INLINE void account_building(const struct ensemble_lanes *e, const struct building *g,
+                             const wide *ground_2x, wide_bits *flags) {
+    const struct ensemble_floor *restrict f = e->floor;
+    const struct ensemble_state *restrict s = e->now, *restrict t = e->next;
+    wide *restrict input = e->next_works->input_2x, *restrict damping = e->next_works->damping_2x;
     wide_bits more = {0};
-    wide under = 0.0 * t[-1].u;
-    for (int i = 0; i < n; i++) {
+    wide under = 0.0 * t[g->first - 1].u;
+    wide below = s[g->first - 1].v + t[g->first - 1].v;
+    wide own = s[g->first].v + t[g->first].v;
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
         wide u = t[i].u;
         wide du = u - s[i].u;
-        wide damping = f[i].below * t[i - 1].v + f[i].own * t[i].v + f[i].above * t[i + 1].v;
-        t[i].damping = damping;
-        t[i].input_2x = s[i].input_2x + (s[i].external + t[i].external) * du;
-        t[i].damping_2x = s[i].damping_2x + (s[i].damping + damping) * du;
+        wide above = s[i + 1].v + t[i + 1].v;
+        input[i % LANES_WIDTH] += *ground_2x * (f[i].inertia * du);
+        damping[i % LANES_WIDTH] += du * (f[i].below * below + f[i].own * own + f[i].above * above);
         more |= UNDER(f[i].peak[PEAK_DRIFT], u - under);
         under = u;
+        below = own;
+        own = above;
     }
     *flags |= more;
+}
+
+INLINE void account(const struct ensemble_lanes *e, const wide *base, wide_bits *flags) {
+    *e->next_works = *e->works;
+    e->next_works->ground = *base;
+    wide ground_2x = e->works->ground + *base;
+    for (int k = 0; k < e->n_building; k++) {
+        account_building(e, &e->building[k], &ground_2x, flags);
+    }
 }
 
 INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
@@ -149,7 +161,7 @@ INLINE void step(const struct ensemble_lanes *e, const wide *base, wide_bits *fl
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
         struct ensemble_floor *f = e->floor + g->first;
-        residuals(f, e->now + g->first, e->next + g->first, base, g->n_floor);
+        residuals(f, e->now + g->first, base, g->n_floor);
         if (e->inverse[k]) {
             multiply(e->inverse[k], g->n_floor, f);
         } else {
@@ -158,10 +170,7 @@ INLINE void step(const struct ensemble_lanes *e, const wide *base, wide_bits *fl
     }
     correct(e, base, flags);
     penetrate(e, flags);
-    for (int k = 0; k < e->n_building; k++) {
-        int first = e->building[k].first;
-        account(e->floor + first, e->now + first, e->next + first, e->building[k].n_floor, flags);
-    }
+    account(e, base, flags);
 }
 
 LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
