@@ -54,6 +54,9 @@ typedef double lanes_wide
     __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
 typedef int64_t lanes_bits __attribute__((vector_size(LANES_VECTOR * sizeof(int64_t))));
 
+// Elements i to i + LANES_WIDTH - 1 of an array.
+#define LANES_AT(x, i) (*(const lanes_wide *)((x) + (i)))
+
 // One value of each of eight runs that are computed in lockstep. The compiler splits it where the
 // processor's lanes are narrower.
 enum { WIDE_RUNS = 8 };

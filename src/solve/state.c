@@ -69,7 +69,8 @@ void state_open_link(struct state *s, int k) {
     while (s->live[i] != k) {
         i++;
     }
-    s->live[i] = s->live[--s->n_live];
+    s->n_live--;
+    memmove(s->live + i, s->live + i + 1, (size_t)(s->n_live - i) * sizeof *s->live);
     s->is_live[k] = s->closed[k] = false;
     s->force[k] = 0.0;
 }
@@ -102,6 +103,14 @@ void state_internal_forces(struct state *s, const struct model *m, const double 
     }
     if (m->chain.full_damping) {
         full_damping(s, m, v);
+    }
+}
+
+void state_complete(struct state *s, const struct model *m) {
+    excitation_at(s, m, s->time);
+    state_internal_forces(s, m, s->u, s->v);
+    for (int i = 0; i < m->n_dof; i++) {
+        s->total[i] = s->a[i] + s->base[i];
     }
 }
 

@@ -6,6 +6,9 @@
 
 #include "jostle/analysis.h"
 
+// Steps before the last one whose forces a guess is drawn from.
+enum { PAST_STEPS = 3 };
+
 struct state {
     double time;  // [T]
 
@@ -18,16 +21,16 @@ struct state {
     double *storey_history;  // (model.n_storey_history)
 
     // Links. Those not in `live` are open, with force 0.
-    int n_live, *live;     // links that were closed in the step to this state, or are
-    bool *is_live;         // (n_link)
-    bool *closed;          // (n_link) in contact; bilateral links always are
-    double *force;         // [F] (n_link)
-    double (*past)[2];     // [F] (n_link) of a live link one and two steps before
-    int *n_past;           // (n_link) in how many of those it was closed
-    double *delta;         // [L] (n_link) penetration
-    double *t_close;       // [T] (n_link) instant of closure of a closed link
-    double *v_close;       // [L/T] (n_link) closing velocity then
-    double *link_history;  // (model.n_link_history)
+    int n_live, *live;  // links that were closed in the step to this state, or are; ascending
+    bool *is_live;      // (n_link)
+    bool *closed;       // (n_link) in contact; bilateral links always are
+    double *force;      // [F] (n_link)
+    double (*past)[PAST_STEPS];  // [F] (n_link) of a live link one step before, two and three
+    int *n_past;                 // (n_link) in how many of those it was closed
+    double *delta;               // [L] (n_link) penetration
+    double *t_close;             // [T] (n_link) instant of closure of a closed link
+    double *v_close;             // [L/T] (n_link) closing velocity then
+    double *link_history;        // (model.n_link_history)
 
     // Ground motions, all (n_ground)
     double *ground_a, *ground_v, *ground_u;  // [L/T^2] [L/T] [L]
@@ -44,7 +47,11 @@ static inline void state_enliven(struct state *s, int k) {
     if (!s->is_live[k]) {
         s->is_live[k] = true;
         s->n_past[k] = 0;
-        s->live[s->n_live++] = k;
+        int i = s->n_live++;
+        for (; i > 0 && s->live[i - 1] > k; i--) {
+            s->live[i] = s->live[i - 1];
+        }
+        s->live[i] = k;
     }
 }
 
@@ -76,10 +83,19 @@ static inline bool state_is_linear(const struct model *m) {
     return m->n_storey_history == 0 && !m->chain.full_damping;
 }
 
+// Does one ground move all floors, and nothing else from outside?
+static inline bool state_is_uniform(const struct model *m) {
+    return m->n_ground == 1 && m->n_load == 0;
+}
+
 // Drifts, storey shears and C v at the displacements u and velocities v (n_dof), with the storey
 // history of `s`.
 void state_internal_forces(struct state *s, const struct model *m, const double *u,
                            const double *v);
+
+// Everything that follows from the time and from u, v and a, with the storey history of `s`; steps
+// leave out what they have no need of.
+void state_complete(struct state *s, const struct model *m);
 
 // Penetration of link l from displacements (or its velocity from velocities), with the ground's
 // share.
