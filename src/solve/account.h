@@ -86,8 +86,12 @@ static inline void peak_raise(double x, double time, double *peak, double *peak_
 // the largest velocity of all floors, from the peaks of n of them from `first` on;
 void peaks_speed(struct results *r, int first, int n);
 
-// the penetrations of n contacts.
+// the penetrations of n contacts, or of contact k;
 void peaks_penetrations(struct results *r, int n, const struct state *s);
+void peaks_penetration(struct results *r, int k, const struct state *s);
+
+// and what live links bear.
+void peaks_forces(struct results *r, const struct model *m, const struct state *s);
 
 // The impacts that are under way. Arrays (n_contact).
 struct impact_log {

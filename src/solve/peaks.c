@@ -90,16 +90,20 @@ LANES static bool any_exceeds(int n, const double *restrict x, const double *res
     return above != 0;
 }
 
+void peaks_penetration(struct results *r, int k, const struct state *s) {
+    if (s->delta[k] > r->deepest[k]) {
+        r->deepest[k] = s->delta[k];
+        r->link[k].penetration = s->delta[k];
+        r->link[k].penetration_time = s->time;
+    }
+}
+
 void peaks_penetrations(struct results *r, int n, const struct state *s) {
     for (int first = 0; first < n; first += FEW) {
         int end = n - first < FEW ? n : first + FEW;
         bool any = any_exceeds(end - first, s->delta + first, r->deepest + first);
         for (int k = first; any && k < end; k++) {
-            if (s->delta[k] > r->deepest[k]) {
-                r->deepest[k] = s->delta[k];
-                r->link[k].penetration = s->delta[k];
-                r->link[k].penetration_time = s->time;
-            }
+            peaks_penetration(r, k, s);
         }
     }
 }
@@ -119,8 +123,7 @@ static void bilateral_update(struct link_peak *p, const struct state *s, int k) 
     }
 }
 
-void peaks_links(struct results *r, const struct model *m, const struct state *s) {
-    peaks_penetrations(r, m->n_contact, s);
+void peaks_forces(struct results *r, const struct model *m, const struct state *s) {
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
         if (m->link[k].bilateral) {
@@ -129,6 +132,11 @@ void peaks_links(struct results *r, const struct model *m, const struct state *s
             force_update(&r->link[k], s->force[k], s->time);
         }
     }
+}
+
+void peaks_links(struct results *r, const struct model *m, const struct state *s) {
+    peaks_penetrations(r, m->n_contact, s);
+    peaks_forces(r, m, s);
 }
 
 void peaks_update(struct results *r, const struct model *m, const struct state *s) {
