@@ -20,6 +20,7 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
 static bool alloc_factors(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->factor = lanes_wide_array(a, m->n_dof, sizeof *e->factor);
     e->inverse = arena_alloc(a, (size_t)m->n_building, sizeof *e->inverse);
+    e->exceeds = arena_alloc(a, (size_t)m->n_building, sizeof *e->exceeds);
     for (int k = 0; e->factor && e->inverse && k < m->n_building; k++) {
         int n = m->building[k].n_floor;
         if (n <= INVERSE_FLOORS_MAX) {
@@ -29,7 +30,7 @@ static bool alloc_factors(struct ensemble_lanes *e, const struct model *m, struc
             }
         }
     }
-    return e->factor && e->inverse;
+    return e->factor && e->inverse && e->exceeds;
 }
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a) {

@@ -69,6 +69,8 @@ struct ensemble_lanes {
     struct ensemble_contact *contact;   // (n_contact)
     struct ensemble_pressed *pressed;   // (n_contact) those beyond their limits
     int n_pressed;
+    bool *exceeds;                          // (n_building) a floor exceeds a peak,
+    bool nearer;                            // a contact its own: of the step under way
     struct ensemble_works *works;           // so far
     struct ensemble_factor *factor;         // (n_floor)
     wide **inverse;                         // (n_building) A^-1 of each (n_floor, n_floor), or
@@ -104,8 +106,8 @@ void ensemble_unbalance(struct ensemble_lanes *e, const wide *base);
 // what they lead to,
 void ensemble_move(struct ensemble_lanes *e, const wide *base);
 
-// and whether one of those aboard exceeds a peak.
-bool ensemble_exceeds(const struct ensemble_lanes *e, const wide *base);
+// and whether one of those aboard exceeds a peak, and where.
+bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base);
 
 // The lanes aboard whose numbers have grown too large in the step that has been computed, one bit
 // each. `base` is its ground acceleration here and below.
@@ -114,7 +116,8 @@ unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base);
 // Finds the contacts that it has pressed beyond their limits in lanes aboard.
 void ensemble_press(struct ensemble_lanes *e);
 
-// Takes the step that has been computed, to `time`, into the peaks of those aboard.
+// Takes the step that has been computed, to `time`, into the peaks of those aboard that
+// ensemble_exceeds has found to be exceeded.
 void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
 
 // Takes its works into account and commits it.

@@ -95,12 +95,12 @@ LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double tim
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
         wide drift = s[g->first].u;
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
+        for (int i = g->first; e->exceeds[k] && i < g->first + g->n_floor; i++) {
             raise_floor(e, i, &aboard, base, &now, &drift);
             drift = s[i + 1].u - s[i].u;
         }
     }
-    for (int k = 0; k < e->n_contact; k++) {
+    for (int k = 0; e->nearer && k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
         wide delta = s[c->left].u - s[c->right].u - c->gap;
         wide_bits open = aboard & ~(LESS(0.0, delta) >> SIGN);

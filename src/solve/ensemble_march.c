@@ -212,18 +212,23 @@ LANES void ensemble_move(struct ensemble_lanes *e, const wide *base) {
     }
 }
 
-LANES bool ensemble_exceeds(const struct ensemble_lanes *e, const wide *base) {
-    wide_bits flags = {0};
+LANES bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base) {
+    wide_bits nearer = {0};
+    penetrate(e, &nearer);
+    e->nearer = any_aboard(e, &nearer);
+    bool any = e->nearer;
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
+        wide_bits flags = {0};
         wide u_below = {0.0};
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             look(&e->floor[i], &e->next[i], base, &u_below, &flags);
             u_below = e->next[i].u;
         }
+        e->exceeds[k] = any_aboard(e, &flags);
+        any |= e->exceeds[k];
     }
-    penetrate(e, &flags);
-    return any_aboard(e, &flags);
+    return any;
 }
 
 LANES void ensemble_commit(struct ensemble_lanes *e, const wide *base) {
