@@ -137,10 +137,10 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
     e->works->speed[lane] = r->results->totals.speed;
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
-        const struct link_peak *p = &r->results->link[k];
-        if (c->deepest[lane] < fmin(p->penetration, 0.0)) {
-            c->deepest[lane] = fmin(p->penetration, 0.0);
-            c->deepest_time[lane] = p->penetration_time;
+        const double nearest = fmin(r->work.gaps.nearest[k], 0.0);
+        if (c->deepest[lane] < nearest) {
+            c->deepest[lane] = nearest;
+            c->deepest_time[lane] = r->work.gaps.time[k];
         }
     }
     e->aboard[lane] = small ? -1 : 0;

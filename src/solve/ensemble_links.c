@@ -116,26 +116,18 @@ int ensemble_links_finish(struct run *r) {
     return event_first(w, r->now, r->next, w->h, r->events, -1).link < 0 ? STATUS_OK : STATUS_RETRY;
 }
 
-// Floors, and contacts that are open, are in the envelopes of the lanes.
-static void raise_links(const struct ensemble_lanes *e, int lane, struct run *r) {
-    for (int i = 0; i < r->next->n_live; i++) {
-        peaks_penetration(r->results, r->next->live[i], r->next);
-    }
+int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r) {
+    struct state *next = r->next;
     for (int i = 0; i < e->n_pressed; i++) {
+        const int k = e->pressed[i].contact;
         if (e->pressed[i].lanes >> lane & 1U) {
-            peaks_penetration(r->results, e->pressed[i].contact, r->next);
+            peaks_penetration(r->results, k, next->delta[k], next->time);
         }
     }
-    peaks_forces(r->results, r->model, r->next);
-}
-
-int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r) {
-    energy_links(&r->energy, r->model, r->now, r->next);
-    raise_links(e, lane, r);
-    int status = impacts_step(&r->impacts, r->results, r->model, r->now, r->next, r->error);
-    struct state *old = r->now;
-    r->now = r->next;
-    r->next = old;
+    int status =
+        impacts_step(&r->impacts, &r->energy, r->results, r->model, r->now, next, r->error);
+    r->next = r->now;
+    r->now = next;
     ensemble_links_release(e, lane, r);
     return status;
 }
