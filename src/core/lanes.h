@@ -21,6 +21,13 @@
 #define LANES
 #endif
 
+// In front of what such functions are made of: what is not expanded in them has baseline code only.
+#if defined(__GNUC__)
+#define LANES_INLINE static inline __attribute__((always_inline))
+#else
+#define LANES_INLINE static inline
+#endif
+
 // In front of a loop over arrays: no turn reads what another one writes. For loops in functions
 // that are expanded in others, where the compiler forgets what `restrict` said.
 #if defined(__clang__)
@@ -46,6 +53,9 @@ typedef double lanes
 typedef double lanes_wide
     __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
 typedef int64_t lanes_bits __attribute__((vector_size(LANES_VECTOR * sizeof(int64_t))));
+
+// Elements i to i + LANES_WIDTH - 1 of an array.
+#define LANES_AT(x, i) (*(const lanes_wide *)((x) + (i)))
 
 // One value of each of eight runs that are computed in lockstep. The compiler splits it where the
 // processor's lanes are narrower.

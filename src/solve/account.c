@@ -12,26 +12,29 @@
 // meanwhile.
 enum { BLOCK = 16 * LANES_WIDTH };
 
-// Forces of the floors from `first` on, n of them in whole lanes, and their works.
-static inline void find_forces(const struct chain *c, int first, int n,
-                               const struct energy_account *a, const struct state *now,
-                               struct state *next) {
-    const double *u0 = now->u, *u = next->u, *v = next->v;
-    const double *damping0 = now->damping_force, *external0 = now->external;
-    const double *external = next->external, *stiffness = c->stiffness;
-    double *drift = next->drift, *shear = next->shear, *damping = next->damping_force;
-    double *input_2x = a->input_2x, *damping_2x = a->damping_2x;
+// Forces of the floors from `first` on, n of them in whole lanes.
+static inline void find_forces(const struct chain *c, int first, int n, struct state *next) {
+    const double *u = next->u, *stiffness = c->stiffness;
+    double *drift = next->drift, *shear = next->shear;
     LANES_LOOP
     for (int i = first, end = first + (n & ~(LANES_WIDTH - 1)); i < end; i++) {
         double d = floor_drift(c, u, i);
-        double force = floor_damping(c, v, i);
-        double du = u[i] - u0[i];
         drift[i] = d;
         shear[i] = stiffness[i] * d;
-        damping[i] = force;
-        input_2x[i] += (external0[i] + external[i]) * du;
-        damping_2x[i] += (damping0[i] + force) * du;
     }
+}
+
+// Their works.
+static inline void add_works(const struct model *m, int first, int n, struct energy_account *a,
+                             const struct state *now, const struct state *next) {
+    const double ground_2x = state_is_uniform(m) ? now->ground_a[0] + next->ground_a[0] : 0.0;
+    lanes_wide input = LANES_AT(a->input_2x, 0), damping = LANES_AT(a->damping_2x, 0);
+    for (int i = first; i < first + n; i += LANES_WIDTH) {
+        floors_input(&m->chain, i, ground_2x, now->u, next->u, &input);
+        floors_damped(&m->chain, i, now->u, next->u, now->v, next->v, &damping);
+    }
+    *(lanes_wide *)a->input_2x = input;
+    *(lanes_wide *)a->damping_2x = damping;
 }
 
 // Negative if one of them may have a new peak, or is not a number. The shear has one only with the
@@ -50,10 +53,11 @@ static inline int64_t look(int first, int n, double *const peak[PEAK_COUNT],
     return sign;
 }
 
-LANES static int64_t take_floors(const struct chain *c, int first, int n,
-                                 const struct energy_account *a, double *const peak[PEAK_COUNT],
-                                 const struct state *now, struct state *next) {
-    find_forces(c, first, n, a, now, next);
+LANES static int64_t take_floors(const struct model *m, int first, int n, struct energy_account *a,
+                                 double *const peak[PEAK_COUNT], const struct state *now,
+                                 struct state *next) {
+    find_forces(&m->chain, first, n, next);
+    add_works(m, first, n, a, now, next);
     return look(first, n, peak, next);
 }
 
@@ -66,8 +70,11 @@ void account_step(struct energy_account *a, struct results *r, const struct mode
     }
     for (int first = 0; first < m->n_dof; first += BLOCK) {
         int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
-        if (take_floors(&m->chain, first, lanes_whole(n), a, r->peak, now, next) < 0) {
+        if (take_floors(m, first, lanes_whole(n), a, r->peak, now, next) < 0) {
             peaks_floors(r, first, n, next);
         }
+    }
+    if (!state_is_uniform(m)) {
+        energy_input(a, m, now, next);
     }
 }

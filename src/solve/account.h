@@ -5,14 +5,17 @@
 
 #include <math.h>
 
+#include "core/lanes.h"
 #include "solve/chain.h"
 #include "solve/impulse.h"
 
 // Works since t = 0 [F L], each the sum over steps of a mean force times a displacement.
 struct energy_account {
-    double initial;                 // kinetic, strain and contact energy at t = 0
-    double *input_2x, *damping_2x;  // (n_dof) twice the work of external and damping forces
-    double input, damping;          // beyond that: of links on the grounds, of adaptive steps
+    double initial;  // kinetic, strain and contact energy at t = 0
+    // Twice the work of external and damping forces: floor i of the chain adds to element i %
+    // LANES_WIDTH, and in a step the lower floor first.
+    double input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
+    double input, damping;  // beyond that: of links on the grounds, of adaptive steps
     double contact;
     double *storey_2x;    // (n_dof) twice the work on storeys, where some are not elastic
     double storey;        // work on storeys that are not elastic, beyond that
@@ -33,6 +36,10 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
 // Adds what floors and storeys did in the step from `now` to `next`.
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next);
+
+// Adds what the ground and the loads did to the floors in the step.
+void energy_input(struct energy_account *a, const struct model *m, const struct state *now,
+                  const struct state *next);
 
 // Adds what rigid contacts that met at the instant of `s` have lost. `meeting` is (n_contact).
 void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,

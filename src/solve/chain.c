@@ -77,17 +77,33 @@ LANES bool chain_correct(const struct chain *c, double b, double g, const double
     return bad == 0;
 }
 
-LANES void chain_works(const struct chain *c, const double *const from[2],
-                       const double *const to[2], const double *restrict u0,
-                       const double *restrict u1, double *const work[2]) {
-    const double *restrict f0 = from[0], *restrict f1 = to[0];
-    const double *restrict g0 = from[1], *restrict g1 = to[1];
-    double *restrict first = work[0], *restrict second = work[1];
-    for (int i = 0, n = whole(c->n); i < n; i++) {
-        double du = u1[i] - u0[i];
-        first[i] += (f0[i] + f1[i]) * du;
-        second[i] += (g0[i] + g1[i]) * du;
+LANES void chain_work(const struct chain *c, const double *restrict f0, const double *restrict f1,
+                      const double *restrict u0, const double *restrict u1,
+                      double work[LANES_WIDTH]) {
+    lanes_wide sum = LANES_AT(work, 0);
+    for (int i = 0; i < c->n; i += LANES_WIDTH) {
+        sum += (LANES_AT(f0, i) + LANES_AT(f1, i)) * (LANES_AT(u1, i) - LANES_AT(u0, i));
     }
+    *(lanes_wide *)work = sum;
+}
+
+LANES void chain_work_of_ground(const struct chain *c, double ground_2x, const double *restrict u0,
+                                const double *restrict u1, double work[LANES_WIDTH]) {
+    lanes_wide sum = LANES_AT(work, 0);
+    for (int i = 0; i < c->n; i += LANES_WIDTH) {
+        floors_input(c, i, ground_2x, u0, u1, &sum);
+    }
+    *(lanes_wide *)work = sum;
+}
+
+LANES void chain_work_of_damping(const struct chain *c, const double *restrict u0,
+                                 const double *restrict u1, const double *restrict v0,
+                                 const double *restrict v1, double work[LANES_WIDTH]) {
+    lanes_wide sum = LANES_AT(work, 0);
+    for (int i = 0; i < c->n; i += LANES_WIDTH) {
+        floors_damped(c, i, u0, u1, v0, v1, &sum);
+    }
+    *(lanes_wide *)work = sum;
 }
 
 LANES void chain_storey_works(const struct chain *c, const double *restrict f0,

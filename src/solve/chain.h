@@ -4,6 +4,7 @@
 #ifndef JOSTLE_CHAIN_H
 #define JOSTLE_CHAIN_H
 
+#include "core/lanes.h"
 #include "jostle/analysis.h"
 
 // Floors, in whole lanes, that one thing after the other is done for while they are at hand.
@@ -48,10 +49,18 @@ bool chain_correct(const struct chain *c, double b, double g, const double *q, c
                    const double *v_t, const double *a_0, const double *base, double *u, double *v,
                    double *a, double *total);
 
-// Adds to work[q] (n) twice what the force that goes from from[q] to to[q] does while u0 becomes
-// u1.
-void chain_works(const struct chain *c, const double *const from[2], const double *const to[2],
-                 const double *u0, const double *u1, double *const work[2]);
+// The following add twice what forces do while u0 becomes u1 to `work`, floor i to element i %
+// LANES_WIDTH: forces that go from f0 to f1,
+void chain_work(const struct chain *c, const double *f0, const double *f1, const double *u0,
+                const double *u1, double work[LANES_WIDTH]);
+
+// those of a ground acceleration, the sum at both ends of which is given,
+void chain_work_of_ground(const struct chain *c, double ground_2x, const double *u0,
+                          const double *u1, double work[LANES_WIDTH]);
+
+// and those of damping while the velocities go from v0 to v1; not where C is full.
+void chain_work_of_damping(const struct chain *c, const double *u0, const double *u1,
+                           const double *v0, const double *v1, double work[LANES_WIDTH]);
 
 // Adds to work (n) twice what the shears do while they go from f0 to f1 and the drifts from d0 to
 // d1.

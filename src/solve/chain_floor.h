@@ -4,6 +4,7 @@
 #ifndef JOSTLE_CHAIN_FLOOR_H
 #define JOSTLE_CHAIN_FLOOR_H
 
+#include "core/lanes.h"
 #include "jostle/model.h"
 
 static inline double floor_drift(const struct chain *c, const double *u, int i) {
@@ -29,6 +30,24 @@ static inline double floor_residual(const struct chain *c, const double *externa
     const double *k = c->stiffness;
     return floor_unbalanced(c, external, a, v, k[i] * floor_drift(c, u, i),
                             k[i + 1] * (u[i + 1] - u[i]), i);
+}
+
+// Twice the work of the ground on LANES_WIDTH floors from i on, while u0 becomes u1 under ground
+// accelerations whose sum is ground_2x.
+static inline void floors_input(const struct chain *c, int i, double ground_2x, const double *u0,
+                                const double *u1, lanes_wide *work) {
+    *work -= ground_2x * (LANES_AT(c->mass, i) * (LANES_AT(u1, i) - LANES_AT(u0, i)));
+}
+
+// The same of damping; v0 + v1 are twice the mean velocities.
+static inline void floors_damped(const struct chain *c, int i, const double *u0, const double *u1,
+                                 const double *v0, const double *v1, lanes_wide *work) {
+    lanes_wide below = LANES_AT(v0, i - 1) + LANES_AT(v1, i - 1);
+    lanes_wide own = LANES_AT(v0, i) + LANES_AT(v1, i);
+    lanes_wide above = LANES_AT(v0, i + 1) + LANES_AT(v1, i + 1);
+    *work += (LANES_AT(u1, i) - LANES_AT(u0, i)) *
+             (LANES_AT(c->damping_below, i) * below + LANES_AT(c->damping, i) * own +
+              LANES_AT(c->damping_above, i) * above);
 }
 
 #endif

@@ -181,14 +181,20 @@ static inline bool closes(const struct work *w, const struct state *now, const s
            k != w->held && !w->model->link[k].law->rebound;
 }
 
+bool contact_close(struct work *w, const struct state *now, struct state *next, int k) {
+    bool closed = closes(w, now, next, k);
+    if (closed) {
+        close_link(w, now, next, k);
+    }
+    return closed;
+}
+
 int contact_search(struct work *w, const struct state *now, struct state *next) {
     int before = next->n_live;
     for (int i = 0; i < w->gaps.n_pressed; i++) {
         const struct gap_run *r = &w->gaps.run[w->gaps.pressed[i]];
         for (int k = r->first; k < r->first + r->n; k++) {
-            if (closes(w, now, next, k)) {
-                close_link(w, now, next, k);
-            }
+            contact_close(w, now, next, k);
         }
     }
     return next->n_live - before;
@@ -197,8 +203,11 @@ int contact_search(struct work *w, const struct state *now, struct state *next) 
 // Rounding that the forces of other links bring into x (n_dof).
 static double rounding_of_others(const struct work *w, const double *x) {
     double largest = 0.0;
-    for (int i = 0; i < w->model->n_dof; i++) {
-        largest = number_max(largest, fabs(x[i]));
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        for (int j = g->first; j < g->first + g->n_floor; j++) {
+            largest = number_max(largest, fabs(x[j]));
+        }
     }
     return 16.0 * DBL_EPSILON * largest;
 }

@@ -43,10 +43,8 @@ static double stored(const struct model *m, const struct state *s, enum storey_k
 }
 
 bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena) {
-    a->input_2x = lanes_array(arena, m->n_dof);
-    a->damping_2x = lanes_array(arena, m->n_dof);
     a->storey_2x = lanes_array(arena, m->n_dof);
-    return a->input_2x && a->damping_2x && a->storey_2x;
+    return a->storey_2x != NULL;
 }
 
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s) {
@@ -97,21 +95,34 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
     return STATUS_OK;
 }
 
+void energy_input(struct energy_account *a, const struct model *m, const struct state *now,
+                  const struct state *next) {
+    if (state_is_uniform(m)) {
+        double ground_2x = now->ground_a[0] + next->ground_a[0];
+        chain_work_of_ground(&m->chain, ground_2x, now->u, next->u, a->input_2x);
+    } else {
+        chain_work(&m->chain, now->external, next->external, now->u, next->u, a->input_2x);
+    }
+}
+
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next) {
-    const double *const from[] = {now->external, now->damping_force};
-    const double *const to[] = {next->external, next->damping_force};
-    double *const work[] = {a->input_2x, a->damping_2x};
-    chain_works(&m->chain, from, to, now->u, next->u, work);
+    energy_input(a, m, now, next);
+    if (m->chain.full_damping) {
+        chain_work(&m->chain, now->damping_force, next->damping_force, now->u, next->u,
+                   a->damping_2x);
+    } else {
+        chain_work_of_damping(&m->chain, now->u, next->u, now->v, next->v, a->damping_2x);
+    }
     if (m->n_storey_history > 0) {
         chain_storey_works(&m->chain, now->shear, next->shear, now->drift, next->drift,
                            a->storey_2x);
     }
 }
 
-static double sum_of(const double *x, int n) {
+static double sum_of(const double x[LANES_WIDTH]) {
     double sum = 0.0;
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < LANES_WIDTH; i++) {
         sum += x[i];
     }
     return sum;
@@ -160,8 +171,8 @@ void energy_balance(const struct energy_account *a, const struct model *m, const
         .elastic = stored(m, s, STOREYS_ELASTIC),
         .other = m->n_storey_history > 0 ? stored(m, s, STOREYS_OTHER) : 0.0,
         .storey = storey_work(a, m),
-        .input_2x = sum_of(a->input_2x, m->n_dof),
-        .damping_2x = sum_of(a->damping_2x, m->n_dof),
+        .input_2x = sum_of(a->input_2x),
+        .damping_2x = sum_of(a->damping_2x),
     };
     energy_close(a, &sums, energy);
 }

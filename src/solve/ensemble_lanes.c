@@ -4,22 +4,24 @@
 #include <math.h>
 
 #include "core/arena.h"
-#include "core/number.h"
 
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
+    e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     for (int k = 0; e->contact && k < m->n_contact; k++) {
         const int *dof = m->link[k].dof;
         e->contact[k].left = dof[0] == WALL ? m->n_dof : dof[0];
         e->contact[k].right = dof[1] == WALL ? m->n_dof : dof[1];
         e->contact[k].deepest = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact != NULL;
+    return e->contact && e->pressed;
 }
 
-static bool alloc_inverses(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
+static bool alloc_factors(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
+    e->factor = lanes_wide_array(a, m->n_dof, sizeof *e->factor);
     e->inverse = arena_alloc(a, (size_t)m->n_building, sizeof *e->inverse);
-    for (int k = 0; e->inverse && k < m->n_building; k++) {
+    e->exceeds = arena_alloc(a, (size_t)m->n_building, sizeof *e->exceeds);
+    for (int k = 0; e->factor && e->inverse && k < m->n_building; k++) {
         int n = m->building[k].n_floor;
         if (n <= INVERSE_FLOORS_MAX) {
             e->inverse[k] = lanes_wide_array(a, n * n, sizeof(wide));
@@ -28,7 +30,7 @@ static bool alloc_inverses(struct ensemble_lanes *e, const struct model *m, stru
             }
         }
     }
-    return e->inverse != NULL;
+    return e->factor && e->inverse && e->exceeds;
 }
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
@@ -44,10 +46,14 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
         .floor = lanes_wide_array(a, n, sizeof *e->floor),
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
+        .works = lanes_wide_array(a, 1, sizeof *e->works),
+        .residual = lanes_wide_array(a, n, sizeof *e->residual),
+        .correction = lanes_wide_array(a, n, sizeof *e->correction),
+        .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
-    return e->floor && e->now && e->next && e->base && alloc_contacts(e, m, a) &&
-           alloc_inverses(e, m, a);
+    return e->floor && e->now && e->next && e->works && e->residual && e->correction &&
+           e->peak_time && e->base && alloc_contacts(e, m, a) && alloc_factors(e, m, a);
 }
 
 static bool is_small(double x) {
@@ -75,7 +81,7 @@ static bool fill_inverse(wide *inverse, int lane, struct effective *home) {
 static bool fill_factors(struct ensemble_lanes *e, int lane, struct effective *home) {
     bool small = true;
     for (int k = 0; k < e->n_building; k++) {
-        struct ensemble_floor *f = e->floor + e->building[k].first;
+        struct ensemble_factor *f = e->factor + e->building[k].first;
         for (int i = 0; i < e->building[k].n_floor; i++) {
             small &= put(&f[i].pivot, lane, home[k].pivot[i]);
             small &= put(&f[i].factor, lane, home[k].factor[i]);
@@ -122,17 +128,19 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         small &= put(&f->u, lane, s->u[i]);
         small &= put(&f->v, lane, s->v[i]);
         small &= put(&f->a, lane, s->a[i]);
-        f->external[lane] = s->external[i];
-        f->damping[lane] = s->damping_force[i];
-        f->input_2x[lane] = r->energy.input_2x[i];
-        f->damping_2x[lane] = r->energy.damping_2x[i];
     }
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        e->works->input_2x[i][lane] = r->energy.input_2x[i];
+        e->works->damping_2x[i][lane] = r->energy.damping_2x[i];
+    }
+    e->works->ground[lane] = s->ground_a[0];
+    e->works->speed[lane] = r->results->totals.speed;
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
-        const struct link_peak *p = &r->results->link[k];
-        if (c->deepest[lane] < fmin(p->penetration, 0.0)) {
-            c->deepest[lane] = fmin(p->penetration, 0.0);
-            c->deepest_time[lane] = p->penetration_time;
+        const double nearest = fmin(r->work.gaps.nearest[k], 0.0);
+        if (c->deepest[lane] < nearest) {
+            c->deepest[lane] = nearest;
+            c->deepest_time[lane] = r->work.gaps.time[k];
         }
     }
     e->aboard[lane] = small ? -1 : 0;
@@ -147,12 +155,13 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
         s->u[i] = f->u[lane];
         s->v[i] = f->v[lane];
         s->a[i] = f->a[lane];
-        s->external[i] = f->external[lane];
-        s->damping_force[i] = f->damping[lane];
-        r->energy.input_2x[i] = f->input_2x[lane];
-        r->energy.damping_2x[i] = f->damping_2x[lane];
-        t->speed = number_max(t->speed, e->floor[i].peak[PEAK_VELOCITY][lane]);
     }
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        r->energy.input_2x[i] = e->works->input_2x[i][lane];
+        r->energy.damping_2x[i] = e->works->damping_2x[i][lane];
+    }
+    s->ground_a[0] = e->works->ground[lane];
+    t->speed = e->works->speed[lane];
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_contact *c = &e->contact[k];
         s->delta[k] = s->u[c->left] - s->u[c->right] - c->gap[lane];
@@ -175,7 +184,8 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
     for (int q = 0; q < PEAK_COUNT; q++) {
         for (int i = 0; i < e->n_floor; i++) {
             const struct ensemble_floor *f = &e->floor[i];
-            merge(&r->peak[q][i], &r->peak_time[q][i], f->peak[q][lane], f->peak_time[q][lane]);
+            merge(&r->peak[q][i], &r->peak_time[q][i], f->peak[q][lane],
+                  e->peak_time[i].of[q][lane]);
         }
     }
     for (int k = 0; k < e->n_contact; k++) {

@@ -16,28 +16,45 @@ static const double ENSEMBLE_LARGEST = 1e40;
 
 // What a step changes of a floor.
 struct ensemble_state {
-    wide u, v, a;               // [L] [L/T] [L/T^2] relative to the ground
-    wide external, damping;     // [F] -m a_ground and C v
-    wide input_2x, damping_2x;  // [F L] twice the work of these so far
+    wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
 };
 
-// The rest of a floor, with the storey below it.
+// What a step needs of a floor besides, with the storey below it.
 struct ensemble_floor {
-    wide inertia;               // [M] minus the mass
-    wide stiffness;             // [F/L]
-    wide below, own, above;     // [F T/L] bands of C
-    wide pivot, factor;         // of A = L D L^T
-    wide u_trial, v_trial;      // of the step under way
-    wide residual, correction;  // [F] [L/T^2]
-    wide total;                 // [L/T^2] of the state after it
-    wide peak[PEAK_COUNT];      // since the run came aboard, or before: never above that of the run
-    wide peak_time[PEAK_COUNT];
+    wide inertia;            // [M] minus the mass
+    wide stiffness;          // [F/L]
+    wide below, own, above;  // [F T/L] bands of C
+    wide peak[PEAK_COUNT];   // since the run came aboard, or before: never above that of the run
+};
+
+// Of A = L D L^T.
+struct ensemble_factor {
+    wide pivot, factor;
+};
+
+struct ensemble_peak_times {
+    wide of[PEAK_COUNT];  // [T]
 };
 
 struct ensemble_contact {
-    int left, right;             // floors; a wall is the zero behind them
-    wide gap;                    // [L]
-    wide deepest, deepest_time;  // [L] [T] as the peaks
+    wide gap;           // [L]
+    wide limit;         // [L] 0, and infinite in lanes whose runs have taken it up in this step
+    wide deepest;       // [L] as the peaks, but while it is open
+    wide deepest_time;  // [T]
+    int left, right;    // floors; a wall is the zero behind them
+};
+
+// A contact that is closed in some lanes.
+struct ensemble_pressed {
+    int contact;
+    unsigned lanes;  // a bit each
+};
+
+// As of struct energy_account, and of the runs besides.
+struct ensemble_works {
+    wide input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
+    wide ground;  // [L/T^2] acceleration of `now`
+    wide speed;   // [L/T] largest velocity of any floor so far
 };
 
 struct ensemble_lanes {
@@ -50,8 +67,17 @@ struct ensemble_lanes {
     struct ensemble_floor *floor;       // (n_floor) of all buildings
     struct ensemble_state *now, *next;  // (n_floor)
     struct ensemble_contact *contact;   // (n_contact)
-    wide **inverse;  // (n_building) A^-1 of each (n_floor, n_floor), or NULL: factors
-    wide *base;      // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
+    struct ensemble_pressed *pressed;   // (n_contact) those beyond their limits
+    int n_pressed;
+    bool *exceeds;                          // (n_building) a floor exceeds a peak,
+    bool nearer;                            // a contact its own: of the step under way
+    struct ensemble_works *works;           // so far
+    struct ensemble_factor *factor;         // (n_floor)
+    wide **inverse;                         // (n_building) A^-1 of each (n_floor, n_floor), or
+                                            // NULL: factors
+    wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
+    struct ensemble_peak_times *peak_time;  // (n_floor)
+    wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
 
 // Room for the runs of models like `m`; false: no memory.
@@ -61,7 +87,7 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
 // steps in lanes might overflow.
 bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r);
 
-// Takes the committed state of a run without live links aboard. False: a number is too large.
+// Takes the floors of the committed state of a run aboard. False: a number is too large.
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r);
 
 // Gives a run the state of its lane, at time `time`, after `n_step` steps aboard.
@@ -70,23 +96,32 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
 
-// Commits the step that has been computed, without a look at its peaks.
-static inline void ensemble_swap(struct ensemble_lanes *e) {
-    struct ensemble_state *old = e->now;
-    e->now = e->next;
-    e->next = old;
-}
-
 // Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them asks
-// for ensemble_look: that one is computed, but not committed. Returns the number committed.
+// for a closer look: that one is computed, but not committed. Returns the number committed.
 int ensemble_march(struct ensemble_lanes *e, const wide *base, int n);
 
-// The lanes aboard that cannot take the step to `time` that has been computed: links would act, or
-// numbers have grown too large. One bit each.
-unsigned ensemble_leaving(const struct ensemble_lanes *e);
+// The same in parts, for a step in which links act: the residuals without their forces,
+void ensemble_unbalance(struct ensemble_lanes *e, const wide *base);
 
-// Commits the step to `time` for those aboard, with their peaks.
-void ensemble_commit(struct ensemble_lanes *e, double time);
+// what they lead to,
+void ensemble_move(struct ensemble_lanes *e, const wide *base);
+
+// and whether one of those aboard exceeds a peak, and where.
+bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base);
+
+// The lanes aboard whose numbers have grown too large in the step that has been computed, one bit
+// each. `base` is its ground acceleration here and below.
+unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base);
+
+// Finds the contacts that it has pressed beyond their limits in lanes aboard.
+void ensemble_press(struct ensemble_lanes *e);
+
+// Takes the step that has been computed, to `time`, into the peaks of those aboard that
+// ensemble_exceeds has found to be exceeded.
+void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
+
+// Takes its works into account and commits it.
+void ensemble_commit(struct ensemble_lanes *e, const wide *base);
 
 // The energies of all lanes (WIDE_RUNS).
 void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums);

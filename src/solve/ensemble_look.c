@@ -9,29 +9,57 @@
 static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 enum { SIGN = 63 };
 
+// Contacts looked at together, of which few are pressed.
+enum { TOGETHER = 8 };
+
 #define INLINE static inline __attribute__((always_inline))
 #define ABSOLUTE(x) ((wide)((wide_bits)(x)&SIZE))
 #define LESS(a, b) ((wide_bits)((a) - (b)))  // negative where a < b
 #define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
-LANES unsigned ensemble_leaving(const struct ensemble_lanes *e) {
+INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
+    unsigned lanes_set = 0;
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        lanes_set |= (unsigned)((e->aboard[lane] & (*flags)[lane]) < 0) << lane;
+    }
+    return lanes_set;
+}
+
+LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base) {
     const wide most = ENSEMBLE_LARGEST - (wide){0.0};
     wide_bits bad = {0};
-    for (int k = 0; k < e->n_contact; k++) {
-        const struct ensemble_contact *c = &e->contact[k];
-        wide delta = e->next[c->left].u - e->next[c->right].u - c->gap;
-        bad |= LESS(0.0, delta);
-    }
     for (int i = 0; i < e->n_floor; i++) {
         const struct ensemble_state *s = &e->next[i];
-        bad |= LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) |
-               LESS(most, ABSOLUTE(e->floor[i].total));
+        const wide total = s->a + *base;
+        bad |=
+            LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
     }
-    unsigned leaving = 0;
-    for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        leaving |= (unsigned)((e->aboard[lane] & bad[lane]) < 0) << lane;
+    return lanes_aboard(e, &bad);
+}
+
+// Negative in lanes where a contact is beyond its limit.
+INLINE void press(const struct ensemble_lanes *e, int k, wide_bits *flags) {
+    const struct ensemble_contact *c = &e->contact[k];
+    wide delta = e->next[c->left].u - e->next[c->right].u - c->gap;
+    *flags |= LESS(c->limit, delta);
+}
+
+LANES void ensemble_press(struct ensemble_lanes *e) {
+    e->n_pressed = 0;
+    for (int first = 0; first < e->n_contact; first += TOGETHER) {
+        const int end = first + TOGETHER < e->n_contact ? first + TOGETHER : e->n_contact;
+        wide_bits any = {0};
+        for (int k = first; k < end; k++) {
+            press(e, k, &any);
+        }
+        for (int k = first; lanes_aboard(e, &any) && k < end; k++) {
+            wide_bits flags = {0};
+            press(e, k, &flags);
+            const unsigned lanes_set = lanes_aboard(e, &flags);
+            e->pressed[e->n_pressed] = (struct ensemble_pressed){k, lanes_set};
+            e->n_pressed += lanes_set != 0;
+        }
     }
-    return leaving;
 }
 
 // Where `size` is greater than the peak of a run aboard, the peak and its time.
@@ -42,39 +70,42 @@ INLINE void raise(const wide_bits *aboard, const wide *size, const wide *time, w
     *peak_time = CHOOSE(above, *time, *peak_time);
 }
 
-INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard, const wide *time,
-                        const wide *drift) {
+INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard, const wide *base,
+                        const wide *time, const wide *drift) {
+    const wide total = e->next[i].a + *base;
     const wide value[PEAK_COUNT] = {
         [PEAK_DISPLACEMENT] = ABSOLUTE(e->next[i].u),
         [PEAK_VELOCITY] = ABSOLUTE(e->next[i].v),
-        [PEAK_ACCELERATION] = ABSOLUTE(e->floor[i].total),
+        [PEAK_ACCELERATION] = ABSOLUTE(total),
         [PEAK_DRIFT] = ABSOLUTE(*drift),
         [PEAK_SHEAR] = ABSOLUTE(e->floor[i].stiffness * *drift),
     };
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(aboard, &value[q], time, &e->floor[i].peak[q], &e->floor[i].peak_time[q]);
+        raise(aboard, &value[q], time, &e->floor[i].peak[q], &e->peak_time[i].of[q]);
     }
+    const wide_bits faster = (LESS(e->works->speed, value[PEAK_VELOCITY]) >> SIGN) & *aboard;
+    e->works->speed = CHOOSE(faster, value[PEAK_VELOCITY], e->works->speed);
 }
 
-LANES void ensemble_commit(struct ensemble_lanes *e, double time) {
+LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time) {
     wide_bits aboard;
     memcpy(&aboard, e->aboard, sizeof aboard);
     const wide now = time - (wide){0.0};
     const struct ensemble_state *s = e->next;
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
-        wide drift = s[g->first].u - 0.0 * s[g->first - 1].u;
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            raise_floor(e, i, &aboard, &now, &drift);
+        wide drift = s[g->first].u;
+        for (int i = g->first; e->exceeds[k] && i < g->first + g->n_floor; i++) {
+            raise_floor(e, i, &aboard, base, &now, &drift);
             drift = s[i + 1].u - s[i].u;
         }
     }
-    for (int k = 0; k < e->n_contact; k++) {
+    for (int k = 0; e->nearer && k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
         wide delta = s[c->left].u - s[c->right].u - c->gap;
-        raise(&aboard, &delta, &now, &c->deepest, &c->deepest_time);
+        wide_bits open = aboard & ~(LESS(0.0, delta) >> SIGN);
+        raise(&open, &delta, &now, &c->deepest, &c->deepest_time);
     }
-    ensemble_swap(e);
 }
 
 LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
@@ -82,14 +113,16 @@ LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sum
     const struct ensemble_state *s = e->now;
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
-        wide drift = s[g->first].u - 0.0 * s[g->first - 1].u;
+        wide drift = s[g->first].u;
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             kinetic -= e->floor[i].inertia * s[i].v * s[i].v;
             elastic += e->floor[i].stiffness * drift * drift / 2.0;
-            input += s[i].input_2x;
-            damping += s[i].damping_2x;
             drift = s[i + 1].u - s[i].u;
         }
+    }
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        input += e->works->input_2x[i];
+        damping += e->works->damping_2x[i];
     }
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
         sums[lane] = (struct energy_sums){.kinetic = kinetic[lane] / 2.0,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps in which no link acts, of all runs aboard at once: chain.c, effective.c, energy.c and
-// peaks.c for elastic storeys, in one pass over the floors. Each lane sees their operations in
-// their order, so that its bits are those of a run alone.
+// Steps in which no link acts, of all runs aboard at once: what chain_floor.h, flight_step.c and
+// account.c say for elastic storeys under one ground. Each lane sees their operations in their
+// order, so that its bits are those of a run alone. A building is taken through the whole step
+// before the next one, while its numbers are at hand; what one floor needs of its neighbours is
+// carried along in registers.
 //
 // A drift that does not exceed its peak brings no shear beyond its own, as rounding keeps order; so
 // shears are looked at only where a drift says so.
@@ -14,123 +16,123 @@ static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 // Negative where |x| > peak.
 #define UNDER(peak, x) ((wide_bits)((peak) - (wide)((wide_bits)(x)&SIZE)))
 
-INLINE void trial(const struct ensemble_lanes *e) {
-    const struct ensemble_state *restrict s = e->now;
-    struct ensemble_floor *restrict f = e->floor;
+// The end of the step if the acceleration stays.
+INLINE void predict(const struct ensemble_lanes *e, const struct ensemble_state *restrict s,
+                    struct ensemble_state *restrict t) {
     double h = e->h, half = h * h / 2.0;
-    for (int i = 0; i < e->n_floor; i++) {
-        f[i].u_trial = s[i].u + (h * s[i].v + half * s[i].a);
-        f[i].v_trial = s[i].v + h * s[i].a;
-    }
+    t->u = s->u + (h * s->v + half * s->a);
+    t->v = s->v + h * s->a;
 }
 
-// r = -m (a_ground + a) - C v_t - K u_t of a building of n floors; the joints below its first floor
-// and above its last one are 0.
-INLINE void residuals(struct ensemble_floor *restrict f, const struct ensemble_state *restrict s,
-                      struct ensemble_state *restrict t, const wide *base, int n) {
-    wide ground = *base;
-    wide shear = f[0].stiffness * (f[0].u_trial - 0.0 * f[-1].u_trial);
+// r = -m (a_ground + a) - C v_t - K u_t of a building of n floors, with the trial in t.
+INLINE void residuals(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
+                      const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
+                      const wide *ground, int n, wide *restrict r) {
+    const wide none = {0.0};
+    wide v_below = none;
+    predict(e, &s[0], &t[0]);
+    wide shear = f[0].stiffness * t[0].u;
     for (int i = 0; i < n; i++) {
-        wide above = f[i + 1].stiffness * (f[i + 1].u_trial - f[i].u_trial);
-        if (i + 1 == n) {
-            above *= 0.0;
+        wide v_above = none, shear_above = none;
+        if (i + 1 < n) {
+            predict(e, &s[i + 1], &t[i + 1]);
+            v_above = t[i + 1].v;
+            shear_above = f[i + 1].stiffness * (t[i + 1].u - t[i].u);
         }
-        wide damping =
-            f[i].below * f[i - 1].v_trial + f[i].own * f[i].v_trial + f[i].above * f[i + 1].v_trial;
-        wide p = f[i].inertia * ground;
-        t[i].external = p;
-        f[i].residual = p + f[i].inertia * s[i].a - damping - shear + above;
-        shear = above;
+        wide damping = f[i].below * v_below + f[i].own * t[i].v + f[i].above * v_above;
+        r[i] = f[i].inertia * *ground + f[i].inertia * s[i].a - damping - shear + shear_above;
+        v_below = t[i].v;
+        shear = shear_above;
     }
 }
 
 // Four rows of the inverse times the residual.
-INLINE void multiply_four(const wide *restrict row, int n, struct ensemble_floor *restrict f,
-                          int j) {
+INLINE void multiply_four(const wide *restrict row, int n, const wide *restrict r,
+                          wide *restrict q) {
     wide q0 = {0.0}, q1 = {0.0}, q2 = {0.0}, q3 = {0.0};
     for (int i = 0; i < n; i++) {
-        wide r = f[i].residual;
-        q0 += r * row[i];
-        q1 += r * row[n + i];
-        q2 += r * row[2 * n + i];
-        q3 += r * row[3 * n + i];
+        q0 += r[i] * row[i];
+        q1 += r[i] * row[n + i];
+        q2 += r[i] * row[2 * n + i];
+        q3 += r[i] * row[3 * n + i];
     }
-    f[j].correction = q0;
-    f[j + 1].correction = q1;
-    f[j + 2].correction = q2;
-    f[j + 3].correction = q3;
+    q[0] = q0;
+    q[1] = q1;
+    q[2] = q2;
+    q[3] = q3;
 }
 
-INLINE void multiply(const wide *restrict inverse, int n, struct ensemble_floor *restrict f) {
+INLINE void multiply(const wide *restrict inverse, int n, const wide *restrict r,
+                     wide *restrict q) {
     int j = 0;
     for (; j + 4 <= n; j += 4) {
-        multiply_four(inverse + (size_t)j * (size_t)n, n, f, j);
+        multiply_four(inverse + (size_t)j * (size_t)n, n, r, q + j);
     }
     for (; j < n; j++) {
-        wide q = {0.0};
+        wide sum = {0.0};
         for (int i = 0; i < n; i++) {
-            q += f[i].residual * inverse[j * n + i];
+            sum += r[i] * inverse[j * n + i];
         }
-        f[j].correction = q;
+        q[j] = sum;
     }
 }
 
 // L D L^T, from the ground up and back.
-INLINE void substitute(struct ensemble_floor *restrict f, int n) {
+INLINE void substitute(const struct ensemble_factor *restrict f, int n, wide *restrict r,
+                       wide *restrict q) {
     for (int i = 1; i < n; i++) {
-        f[i].residual -= f[i - 1].factor * f[i - 1].residual;
+        r[i] -= f[i - 1].factor * r[i - 1];
     }
-    wide x = f[n - 1].residual * f[n - 1].pivot;
-    f[n - 1].correction = 0.0 + x;
+    wide x = r[n - 1] * f[n - 1].pivot;
+    q[n - 1] = 0.0 + x;
     for (int i = n - 2; i >= 0; i--) {
-        x = f[i].residual * f[i].pivot - f[i].factor * x;
-        f[i].correction = 0.0 + x;
+        x = r[i] * f[i].pivot - f[i].factor * x;
+        q[i] = 0.0 + x;
     }
 }
 
-// The state that the correction leads to. *flags: see step.
-INLINE void correct(const struct ensemble_lanes *e, const wide *base, wide_bits *flags) {
-    const struct ensemble_state *restrict s = e->now;
-    struct ensemble_state *restrict t = e->next;
-    struct ensemble_floor *restrict f = e->floor;
-    wide_bits more = {0};
-    wide ground = *base;
-    double b = e->b, g = e->g;
-    for (int i = 0; i < e->n_floor; i++) {
-        wide q = f[i].correction;
-        wide u = f[i].u_trial + b * q;
-        wide v = f[i].v_trial + g * q;
-        wide a = s[i].a + q;
-        wide total = a + ground;
-        t[i].u = u;
-        t[i].v = v;
-        t[i].a = a;
-        f[i].total = total;
-        more |= UNDER(f[i].peak[PEAK_DISPLACEMENT], u) | UNDER(f[i].peak[PEAK_VELOCITY], v) |
-                UNDER(f[i].peak[PEAK_ACCELERATION], total);
-    }
-    *flags |= more;
+// Negative in lanes where a floor exceeds a peak.
+INLINE void look(const struct ensemble_floor *restrict f, const struct ensemble_state *restrict t,
+                 const wide *ground, const wide *u_below, wide_bits *flags) {
+    *flags |= UNDER(f->peak[PEAK_DISPLACEMENT], t->u) | UNDER(f->peak[PEAK_VELOCITY], t->v) |
+              UNDER(f->peak[PEAK_ACCELERATION], t->a + *ground) |
+              UNDER(f->peak[PEAK_DRIFT], t->u - *u_below);
 }
 
-// C v at the end of the step of a building of n floors, and the works.
-INLINE void account(const struct ensemble_floor *restrict f,
+// The state that the corrections q lead to from the trial, with a look at it.
+INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
                     const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
-                    int n, wide_bits *flags) {
+                    const wide *ground, int n, const wide *restrict q, wide_bits *flags) {
     wide_bits more = {0};
-    wide under = 0.0 * t[-1].u;
+    wide u_below = {0.0};
+    double b = e->b, g = e->g;
     for (int i = 0; i < n; i++) {
-        wide u = t[i].u;
-        wide du = u - s[i].u;
-        wide damping = f[i].below * t[i - 1].v + f[i].own * t[i].v + f[i].above * t[i + 1].v;
-        t[i].damping = damping;
-        t[i].input_2x = s[i].input_2x + (s[i].external + t[i].external) * du;
-        t[i].damping_2x = s[i].damping_2x + (s[i].damping + damping) * du;
-        more |= UNDER(f[i].peak[PEAK_DRIFT], u - under);
-        under = u;
+        const struct ensemble_state x = {t[i].u + b * q[i], t[i].v + g * q[i], s[i].a + q[i]};
+        t[i] = x;
+        look(&f[i], &x, ground, &u_below, &more);
+        u_below = x.u;
     }
     *flags |= more;
 }
 
+INLINE void unbalance(const struct ensemble_lanes *e, const struct building *g,
+                      const wide *ground) {
+    residuals(e, e->floor + g->first, e->now + g->first, e->next + g->first, ground, g->n_floor,
+              e->residual + g->first);
+}
+
+INLINE void move(const struct ensemble_lanes *e, int k, const wide *ground, wide_bits *flags) {
+    const int first = e->building[k].first, n = e->building[k].n_floor;
+    wide *r = e->residual + first, *q = e->correction + first;
+    if (e->inverse[k]) {
+        multiply(e->inverse[k], n, r, q);
+    } else {
+        substitute(e->factor + first, n, r, q);
+    }
+    correct(e, e->floor + first, e->now + first, e->next + first, ground, n, q, flags);
+}
+
+// Negative in lanes where a contact is closed, or nearer than ever.
 INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
     const struct ensemble_state *restrict t = e->next;
     wide_bits deeper = {0};
@@ -142,40 +144,93 @@ INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
     *flags |= deeper;
 }
 
-// Computes `next`. *flags gets negative in lanes where a peak is exceeded, and so where a link
-// would act.
-INLINE void step(const struct ensemble_lanes *e, const wide *base, wide_bits *flags) {
-    trial(e);
-    for (int k = 0; k < e->n_building; k++) {
-        const struct building *g = &e->building[k];
-        struct ensemble_floor *f = e->floor + g->first;
-        residuals(f, e->now + g->first, e->next + g->first, base, g->n_floor);
-        if (e->inverse[k]) {
-            multiply(e->inverse[k], g->n_floor, f);
-        } else {
-            substitute(f, g->n_floor);
-        }
+// The works of the ground and of damping on a building.
+INLINE void account(const struct ensemble_lanes *e, const struct building *g,
+                    const wide *ground_2x) {
+    const struct ensemble_floor *restrict f = e->floor;
+    const struct ensemble_state *restrict s = e->now, *restrict t = e->next;
+    struct ensemble_works *restrict w = e->works;
+    const wide none = {0.0};
+    wide below = none, own = s[g->first].v + t[g->first].v;
+    for (int i = g->first, end = i + g->n_floor; i < end; i++) {
+        wide above = i + 1 < end ? s[i + 1].v + t[i + 1].v : none;
+        wide du = t[i].u - s[i].u;
+        w->input_2x[i % LANES_WIDTH] += *ground_2x * (f[i].inertia * du);
+        w->damping_2x[i % LANES_WIDTH] +=
+            du * (f[i].below * below + f[i].own * own + f[i].above * above);
+        below = own;
+        own = above;
     }
-    correct(e, base, flags);
-    penetrate(e, flags);
+}
+
+INLINE void commit(struct ensemble_lanes *e, const wide *ground) {
+    const wide ground_2x = e->works->ground + *ground;
     for (int k = 0; k < e->n_building; k++) {
-        int first = e->building[k].first;
-        account(e->floor + first, e->now + first, e->next + first, e->building[k].n_floor, flags);
+        account(e, &e->building[k], &ground_2x);
     }
+    e->works->ground = *ground;
+    struct ensemble_state *old = e->now;
+    e->now = e->next;
+    e->next = old;
+}
+
+// Any of the flags of those aboard?
+INLINE bool any_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
+    long long any = 0;
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        any |= (*flags)[lane] & e->aboard[lane];
+    }
+    return any < 0;
 }
 
 LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
     for (int i = 0; i < n; i++) {
         wide_bits flags = {0};
-        step(e, base + i, &flags);
-        long long any = 0;
-        for (int lane = 0; lane < WIDE_RUNS; lane++) {
-            any |= flags[lane] & e->aboard[lane];
+        for (int k = 0; k < e->n_building; k++) {
+            unbalance(e, &e->building[k], base + i);
+            move(e, k, base + i, &flags);
         }
-        if (any < 0) {
+        penetrate(e, &flags);
+        if (any_aboard(e, &flags)) {
             return i;
         }
-        ensemble_swap(e);
+        commit(e, base + i);
     }
     return n;
+}
+
+LANES void ensemble_unbalance(struct ensemble_lanes *e, const wide *base) {
+    for (int k = 0; k < e->n_building; k++) {
+        unbalance(e, &e->building[k], base);
+    }
+}
+
+LANES void ensemble_move(struct ensemble_lanes *e, const wide *base) {
+    wide_bits flags = {0};
+    for (int k = 0; k < e->n_building; k++) {
+        move(e, k, base, &flags);
+    }
+}
+
+LANES bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base) {
+    wide_bits nearer = {0};
+    penetrate(e, &nearer);
+    e->nearer = any_aboard(e, &nearer);
+    bool any = e->nearer;
+    for (int k = 0; k < e->n_building; k++) {
+        const struct building *g = &e->building[k];
+        wide_bits flags = {0};
+        wide u_below = {0.0};
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            look(&e->floor[i], &e->next[i], base, &u_below, &flags);
+            u_below = e->next[i].u;
+        }
+        e->exceeds[k] = any_aboard(e, &flags);
+        any |= e->exceeds[k];
+    }
+    return any;
+}
+
+LANES void ensemble_commit(struct ensemble_lanes *e, const wide *base) {
+    commit(e, base);
 }

@@ -93,5 +93,6 @@ void event_apply(struct state *s, const struct model *m, int link) {
     } else {
         state_close_link(s, m, link);
     }
+    state_complete(s, m);
     state_equilibrium(s, m);
 }

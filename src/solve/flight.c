@@ -95,7 +95,7 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     f->model = m;
     f->possible = is_possible(m);
     f->yields = m->n_storey_history > 0;
-    f->uniform = m->n_ground == 1 && m->n_load == 0;
+    f->uniform = state_is_uniform(m);
     size_t n = f->possible ? (size_t)m->n_contact : 0;
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);

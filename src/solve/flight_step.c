@@ -171,22 +171,22 @@ static inline bool is_near(const struct flight *f, const double *u, const double
 // Negative if a drift is greater than ever. The shear of an elastic storey is so only with its
 // drift: k |drift| is rounded to no less for a greater drift.
 static inline int64_t account(const struct flight *f, const struct state *now,
-                              const struct state *next, double *damping, double *input_2x,
-                              double *damping_2x) {
+                              const struct state *next) {
     const struct chain *c = &f->model->chain;
-    const double *u0 = now->u, *u = next->u, *v = next->v;
-    const double *damping0 = now->damping_force;
-    const double *external0 = now->external, *external = next->external;
-    const double *peak = f->results->peak[PEAK_DRIFT];
+    struct energy_account *a = f->energy;
+    const double *u = next->u, *peak = f->results->peak[PEAK_DRIFT];
+    const double ground_2x = f->uniform ? now->ground_a[0] + next->ground_a[0] : 0.0;
+    lanes_wide input = LANES_AT(a->input_2x, 0), damping = LANES_AT(a->damping_2x, 0);
+    for (int i = 0; i < c->n; i += LANES_WIDTH) {
+        floors_input(c, i, ground_2x, now->u, u, &input);
+        floors_damped(c, i, now->u, u, now->v, next->v, &damping);
+    }
+    *(lanes_wide *)a->input_2x = input;
+    *(lanes_wide *)a->damping_2x = damping;
     int64_t sign = 0;
     LANES_LOOP
     for (int i = 0, n = whole(c->n); i < n; i++) {
         sign |= number_beyond(floor_drift(c, u, i), peak[i]);
-        double force = floor_damping(c, v, i);
-        double du = u[i] - u0[i];
-        input_2x[i] += (external0[i] + external[i]) * du;
-        damping_2x[i] += (damping0[i] + force) * du;
-        damping[i] = force;
     }
     return sign;
 }
@@ -221,7 +221,10 @@ static inline unsigned end(const struct flight *f, const struct state *now, stru
     if (is_near(f, next->u, next->ground_u) && flight_near(f, next) == FLIGHT_ENDS) {
         return FLIGHT_ENDS;
     }
-    sign |= account(f, now, next, next->damping_force, f->energy->input_2x, f->energy->damping_2x);
+    sign |= account(f, now, next);
+    if (!f->uniform) {
+        energy_input(f->energy, f->model, now, next);
+    }
     return sign < 0 ? FLIGHT_PEAK : 0;
 }
 

@@ -106,6 +106,14 @@ void state_internal_forces(struct state *s, const struct model *m, const double 
     }
 }
 
+void state_complete(struct state *s, const struct model *m) {
+    excitation_at(s, m, s->time);
+    state_internal_forces(s, m, s->u, s->v);
+    for (int i = 0; i < m->n_dof; i++) {
+        s->total[i] = s->a[i] + s->base[i];
+    }
+}
+
 double state_gap(const struct link *l, const struct model *m, const double *u,
                  const double *ground) {
     double delta = 0.0;

@@ -83,10 +83,19 @@ static inline bool state_is_linear(const struct model *m) {
     return m->n_storey_history == 0 && !m->chain.full_damping;
 }
 
+// Does one ground move all floors, and nothing else from outside?
+static inline bool state_is_uniform(const struct model *m) {
+    return m->n_ground == 1 && m->n_load == 0;
+}
+
 // Drifts, storey shears and C v at the displacements u and velocities v (n_dof), with the storey
 // history of `s`.
 void state_internal_forces(struct state *s, const struct model *m, const double *u,
                            const double *v);
+
+// Everything that follows from the time and from u, v and a, with the storey history of `s`; steps
+// leave out what they have no need of.
+void state_complete(struct state *s, const struct model *m);
 
 // Penetration of link l from displacements (or its velocity from velocities), with the ground's
 // share.
