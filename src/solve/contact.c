@@ -11,8 +11,8 @@
 // step. Where it is slow, because stiff links share a floor, a block Newton step (block.c) is put
 // between sweeps, and kept only if it halves the error.
 //
-// Converged: in one sweep no force changes by more than the tolerance relative to the largest, or
-// the change moves the link by less than the rounding of its displacements. The latter keeps
+// Converged: another sweep would change no force by more than the tolerance relative to the largest,
+// or the change moves the link by less than the rounding of its displacements. The latter keeps
 // grazing contacts, whose force is all rounding, from iterating for ever.
 #include "solve/contact.h"
 
