@@ -11,9 +11,9 @@
 // step. Where it is slow, because stiff links share a floor, a block Newton step (block.c) is put
 // between sweeps, and kept only if it halves the error.
 //
-// Converged: another sweep would change no force by more than the tolerance relative to the largest,
-// or the change moves the link by less than the rounding of its displacements. The latter keeps
-// grazing contacts, whose force is all rounding, from iterating for ever.
+// Converged: another sweep would change no force by more than the tolerance relative to the
+// largest, or the change moves the link by less than the rounding of its displacements. The latter
+// keeps grazing contacts, whose force is all rounding, from iterating for ever.
 #include "solve/contact.h"
 
 #include <float.h>
@@ -162,7 +162,9 @@ static struct progress sweep(struct work *w, const struct state *now, struct sta
                          .loosest = last->loosest,
                          .echo = last->echo,
                          .clear = INFINITY};
-    quick_tighten(w, &s);
+    if (answers == ANSWERS_NEWTON) {
+        quick_ask(w, &s);
+    }
     for (int i = 0;; i++) {
         i = answers == ANSWERS_NEWTON ? quick_sweep(w, i, &s) : i;
         if (i == w->n_acting) {

@@ -6,12 +6,12 @@
 // and q changes by df times the columns of A^-1 of both ends. A^-1 is almost diagonal, for
 // beta h^2 K << M: links disturb each other where they share a floor, and little else.
 //
-// All laws are asked before the first sweep, where they need not wait for each other, and a law is
-// taken for the line df = base + rate x from there, which costs little. A law must be asked again
-// where that is not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f
-// more than the line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4
-// are taken. A link of a smooth law within that reach is settled, and passed over where the line
-// asks for no change that matters.
+// Laws are asked between sweeps, where they need not wait for each other, and a law is taken for
+// the line df = base + rate x from there, which costs little. It must be asked again where that is
+// not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f more than the
+// line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4 are taken. A
+// link of a smooth law within that reach is settled, and passed over where the line asks for no
+// change that matters.
 //
 // What is left to a settled link are the changes of others after its own. They change its force by
 //     |df_l| <= t / (1 + s) sum over m of |S_lm df_m| <= s sum of |S_lm| / S_ll max |df_m|,
@@ -114,10 +114,8 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
     return true;
 }
 
-// What is known before the first sweep: where d and v are without corrections, how the ends yield,
-// unless that has stayed, and the law.
-static inline void gather(struct work *w, const struct state *next, struct quick *p,
-                          struct progress *s) {
+// Where d and v are without corrections, and how the ends yield, unless that has stayed.
+static inline void gather(struct work *w, const struct state *next, struct quick *p) {
     int left = p->end[0];
     int right = p->end[1];
     p->trusted = p->branch == BRANCH_CLOSED && p->kind->force && !p->clamped;
@@ -132,7 +130,6 @@ static inline void gather(struct work *w, const struct state *next, struct quick
     if (p->factors != w->factors) {
         find_columns(w, p);
     }
-    ask(w, p, w->correction[left] - w->correction[right], s);
 }
 
 void quick_gather(struct work *w, const struct state *next, struct progress *s) {
@@ -143,17 +140,18 @@ void quick_gather(struct work *w, const struct state *next, struct progress *s) 
         w->acting[i] = p;
         p->force = next->force[p->index];
         s->largest = number_max(s->largest, fabs(p->force));
-    }
-    s->enough = s->loosest = w->model->tolerance * s->largest;
-    for (int i = 0; i < w->n_acting; i++) {
-        gather(w, next, w->acting[i], s);
+        gather(w, next, p);
     }
 }
 
-void quick_tighten(struct work *w, struct progress *s) {
+void quick_ask(struct work *w, struct progress *s) {
     bool looser = s->loosest > LOOSER * s->enough;
-    for (int i = 0; looser && i < w->n_acting; i++) {
-        w->acting[i]->ask = true;
+    for (int i = 0; i < w->n_acting; i++) {
+        struct quick *p = w->acting[i];
+        if (p->ask || looser) {
+            p->ask = true;
+            ask(w, p, w->correction[p->end[0]] - w->correction[p->end[1]], s);
+        }
     }
     s->loosest = looser ? s->enough : number_max(s->loosest, s->enough);
 }
@@ -229,8 +227,7 @@ LANES int quick_sweep(struct work *w, int first, struct progress *s) {
     for (int i = first, n = w->n_acting; i < n; i++) {
         struct quick *p = w->acting[i];
         double x = w->correction[p->end[0]] - w->correction[p->end[1]];
-        bool known = !p->ask || ask(w, p, x, s);
-        if (known ? !step(w, p, x, s) : !stays_open(w, p, x, s)) {
+        if (p->ask ? !stays_open(w, p, x, s) : !step(w, p, x, s)) {
             return i;
         }
         s->largest = number_max(s->largest, fabs(p->force));

@@ -70,8 +70,8 @@ void quick_init(struct quick *p, const struct model *m, int k);
 // sweep.
 void quick_gather(struct work *w, const struct state *next, struct progress *progress);
 
-// Makes links ask their laws again where those have been settled while much more was enough.
-void quick_tighten(struct work *w, struct progress *progress);
+// Asks the laws that must be asked before a sweep.
+void quick_ask(struct work *w, struct progress *progress);
 
 // Moves the ends of the link by what a change df of its force does to them.
 void quick_push(const struct work *w, const struct quick *p, double df);
