@@ -65,7 +65,7 @@ void account_step(struct energy_account *a, struct results *r, const struct mode
                   const struct state *now, struct state *next) {
     if (!state_is_linear(m)) {
         energy_step(a, m, now, next);
-        peaks_update(r, m, next);
+        peaks_all_floors(r, m, next);
         return;
     }
     for (int first = 0; first < m->n_dof; first += BLOCK) {
@@ -77,6 +77,4 @@ void account_step(struct energy_account *a, struct results *r, const struct mode
     if (!state_is_uniform(m)) {
         energy_input(a, m, now, next);
     }
-    energy_links(a, m, now, next);
-    peaks_links(r, m, next);
 }

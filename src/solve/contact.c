@@ -80,39 +80,34 @@ void contact_apply(struct work *w, struct quick *p, double df) {
 
 // A first guess of the force: the polynomial through the last steps, as many as there were with the
 // link closed, up to four.
-static double guess(const struct state *now, int k) {
-    double f = now->force[k];
-    const double *past = now->past[k];
-    int n = now->n_past[k];
-    double next = n == 0   ? f
-                  : n == 1 ? 2.0 * f - past[0]
-                  : n == 2 ? 3.0 * (f - past[0]) + past[1]
-                           : 4.0 * (f + past[1]) - 6.0 * past[0] - past[2];
+static inline double guess(double f, int n_past, const double past[PAST_STEPS]) {
+    double next = n_past == PAST_STEPS ? 4.0 * (f + past[1]) - 6.0 * past[0] - past[2]
+                  : n_past == 2        ? 3.0 * (f - past[0]) + past[1]
+                  : n_past == 1        ? 2.0 * f - past[0]
+                                       : f;
     return f > 0.0 ? number_max(next, 0.0) : f;
 }
 
 // Forces of rigid contacts at rest hardly curve; a parabola would enlarge what they miss.
-static int past_after(const struct state *now, const struct link *l, int k) {
-    int most = l->law->rebound ? 1 : PAST_STEPS;
-    return now->n_past[k] < most ? now->n_past[k] + 1 : most;
-}
-
-// A link is enlivened at most once a step.
-static inline void enliven(struct work *w, struct state *next, int k) {
-    state_enliven(next, k);
-    gaps_touch(&w->gaps, k);
+static inline int past_after(int n_past, const struct contact_law *law) {
+    int most = law->rebound ? 1 : PAST_STEPS;
+    return n_past < most ? n_past + 1 : most;
 }
 
 // Link k, closed so far, begins the step as it ended the last.
 static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
     struct quick *p = &w->quick[k];
     const struct link *l = p->link;
-    enliven(w, next, k);
-    next->force[k] = guess(now, k);
-    next->past[k][0] = now->force[k];
-    next->past[k][1] = now->past[k][0];
-    next->past[k][2] = now->past[k][1];
-    next->n_past[k] = past_after(now, l, k);
+    double f = now->force[k];
+    const double *past = now->past[k];
+    double *past_next = next->past[k];
+    next->live[next->n_live++] = k;
+    next->is_live[k] = true;
+    next->force[k] = guess(f, now->n_past[k], past);
+    past_next[0] = f;
+    past_next[1] = past[0];
+    past_next[2] = past[1];
+    next->n_past[k] = past_after(now->n_past[k], l->law);
     next->t_close[k] = now->t_close[k];
     next->v_close[k] = now->v_close[k];
     if (l->law->n_history > 0) {
@@ -121,11 +116,24 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
     }
     p->branch = BRANCH_CLOSED;
     p->clamped = false;
+    gaps_touch(&w->gaps, k);
+}
+
+// Opens the links that were live in `next`, when it was another state, and are not closed in `now`.
+static void open_others(const struct state *now, struct state *next) {
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
+        if (!now->closed[k]) {
+            next->is_live[k] = next->closed[k] = false;
+            next->force[k] = 0.0;
+        }
+    }
+    next->n_live = 0;
 }
 
 void contact_begin(struct work *w, const struct state *now, struct state *next) {
-    state_open_links(next);
-    gaps_forget(&w->gaps);
+    open_others(now, next);
+    gaps_forget(&w->gaps, now);
     for (int i = 0; i < now->n_live; i++) {
         if (now->closed[now->live[i]]) {
             carry_on(w, now, next, now->live[i]);
@@ -142,7 +150,8 @@ void contact_penetrations(struct work *w, struct state *next) {
 static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
     struct quick *p = &w->quick[k];
     const struct link *l = p->link;
-    enliven(w, next, k);
+    state_enliven(next, k);
+    gaps_touch(&w->gaps, k);
     p->branch = BRANCH_OPEN;
     p->clamped = false;
     p->checked = p->fits_to = p->force = 0.0;
@@ -165,14 +174,20 @@ static inline bool closes(const struct work *w, const struct state *now, const s
            k != w->held && !w->model->link[k].law->rebound;
 }
 
+bool contact_close(struct work *w, const struct state *now, struct state *next, int k) {
+    bool closed = closes(w, now, next, k);
+    if (closed) {
+        close_link(w, now, next, k);
+    }
+    return closed;
+}
+
 int contact_search(struct work *w, const struct state *now, struct state *next) {
     int before = next->n_live;
     for (int i = 0; i < w->gaps.n_pressed; i++) {
         const struct gap_run *r = &w->gaps.run[w->gaps.pressed[i]];
         for (int k = r->first; k < r->first + r->n; k++) {
-            if (closes(w, now, next, k)) {
-                close_link(w, now, next, k);
-            }
+            contact_close(w, now, next, k);
         }
     }
     return next->n_live - before;
@@ -181,8 +196,11 @@ int contact_search(struct work *w, const struct state *now, struct state *next) 
 // Rounding that the forces of other links bring into x (n_dof).
 static double rounding_of_others(const struct work *w, const double *x) {
     double largest = 0.0;
-    for (int i = 0; i < w->model->n_dof; i++) {
-        largest = number_max(largest, fabs(x[i]));
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        for (int j = g->first; j < g->first + g->n_floor; j++) {
+            largest = number_max(largest, fabs(x[j]));
+        }
     }
     return 16.0 * DBL_EPSILON * largest;
 }
@@ -240,7 +258,7 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
     p->trusted = p->branch == BRANCH_CLOSED && law->force && !p->clamped &&
                  (now->closed[k] || !(jumps || pulls));
     p->open = p->branch == BRANCH_OPEN && law->force && !(now->closed[k] && pulls);
-    p->room = -1.0;
+    p->ask = true;
     s->answered = true;
     s->largest = number_max(s->largest, fabs(p->force));
     if (fabs(df) > s->change) {
@@ -298,14 +316,6 @@ static bool block_steps(struct work *w, const struct state *now, struct state *n
     return any;
 }
 
-static double largest_guess(const struct work *w) {
-    double largest = 0.0;
-    for (int i = 0; i < w->n_acting; i++) {
-        largest = number_max(largest, fabs(w->acting[i]->force));
-    }
-    return largest;
-}
-
 // Largest change of a force in a sweep.
 static double changed(const struct progress *s) {
     return number_max(s->change, s->moved);
@@ -323,7 +333,8 @@ static bool converged(const struct work *w, enum answers answers, const struct p
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
 // for what it took.
 static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
-    struct progress last = {.largest = largest_guess(w), .change = INFINITY};
+    struct progress last;
+    quick_gather(w, next, &last);
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->nearest[i] = INFINITY;
@@ -385,7 +396,6 @@ static bool decided(struct work *w, const struct state *now, struct state *next)
 
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
     long *counter = &w->totals->fast;
-    quick_gather(w, next);
     int status = iterate(w, now, next, &counter);
     if (status != STATUS_OK) {
         return status;
@@ -399,12 +409,14 @@ int contact_solve(struct work *w, const struct state *now, struct state *next) {
 
 void contact_finish(struct work *w, const struct state *now, struct state *next) {
     const struct model *m = w->model;
-    w->toggled = false;
+    w->n_toggled = 0;
     for (int i = 0; i < next->n_live; i++) {
         int k = next->live[i];
         const struct link *l = &m->link[k];
         next->closed[k] = w->quick[k].branch != BRANCH_OPEN;
-        w->toggled |= next->closed[k] != now->closed[k];
+        if (next->closed[k] != now->closed[k]) {
+            w->toggled[w->n_toggled++] = k;
+        }
         if (next->closed[k] && l->law->commit) {
             l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
                            state_rate(next, m, k));

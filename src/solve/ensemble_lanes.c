@@ -4,22 +4,23 @@
 #include <math.h>
 
 #include "core/arena.h"
-#include "core/number.h"
 
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
+    e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     for (int k = 0; e->contact && k < m->n_contact; k++) {
         const int *dof = m->link[k].dof;
         e->contact[k].left = dof[0] == WALL ? m->n_dof : dof[0];
         e->contact[k].right = dof[1] == WALL ? m->n_dof : dof[1];
         e->contact[k].deepest = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact != NULL;
+    return e->contact && e->pressed;
 }
 
 static bool alloc_factors(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->factor = lanes_wide_array(a, m->n_dof, sizeof *e->factor);
     e->inverse = arena_alloc(a, (size_t)m->n_building, sizeof *e->inverse);
+    e->exceeds = arena_alloc(a, (size_t)m->n_building, sizeof *e->exceeds);
     for (int k = 0; e->factor && e->inverse && k < m->n_building; k++) {
         int n = m->building[k].n_floor;
         if (n <= INVERSE_FLOORS_MAX) {
@@ -29,7 +30,7 @@ static bool alloc_factors(struct ensemble_lanes *e, const struct model *m, struc
             }
         }
     }
-    return e->factor && e->inverse;
+    return e->factor && e->inverse && e->exceeds;
 }
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
@@ -133,12 +134,13 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         e->works->damping_2x[i][lane] = r->energy.damping_2x[i];
     }
     e->works->ground[lane] = s->ground_a[0];
+    e->works->speed[lane] = r->results->totals.speed;
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
-        const struct link_peak *p = &r->results->link[k];
-        if (c->deepest[lane] < fmin(p->penetration, 0.0)) {
-            c->deepest[lane] = fmin(p->penetration, 0.0);
-            c->deepest_time[lane] = p->penetration_time;
+        const double nearest = fmin(r->work.gaps.nearest[k], 0.0);
+        if (c->deepest[lane] < nearest) {
+            c->deepest[lane] = nearest;
+            c->deepest_time[lane] = r->work.gaps.time[k];
         }
     }
     e->aboard[lane] = small ? -1 : 0;
@@ -153,13 +155,13 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
         s->u[i] = f->u[lane];
         s->v[i] = f->v[lane];
         s->a[i] = f->a[lane];
-        t->speed = number_max(t->speed, e->floor[i].peak[PEAK_VELOCITY][lane]);
     }
     for (int i = 0; i < LANES_WIDTH; i++) {
         r->energy.input_2x[i] = e->works->input_2x[i][lane];
         r->energy.damping_2x[i] = e->works->damping_2x[i][lane];
     }
     s->ground_a[0] = e->works->ground[lane];
+    t->speed = e->works->speed[lane];
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_contact *c = &e->contact[k];
         s->delta[k] = s->u[c->left] - s->u[c->right] - c->gap[lane];

@@ -38,15 +38,23 @@ struct ensemble_peak_times {
 
 struct ensemble_contact {
     wide gap;           // [L]
-    wide deepest;       // [L] as the peaks
+    wide limit;         // [L] 0, and infinite in lanes whose runs have taken it up in this step
+    wide deepest;       // [L] as the peaks, but while it is open
     wide deepest_time;  // [T]
     int left, right;    // floors; a wall is the zero behind them
 };
 
-// As of struct energy_account, and the ground acceleration of `now` [L/T^2].
+// A contact that is closed in some lanes.
+struct ensemble_pressed {
+    int contact;
+    unsigned lanes;  // a bit each
+};
+
+// As of struct energy_account, and of the runs besides.
 struct ensemble_works {
     wide input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
-    wide ground;
+    wide ground;  // [L/T^2] acceleration of `now`
+    wide speed;   // [L/T] largest velocity of any floor so far
 };
 
 struct ensemble_lanes {
@@ -55,15 +63,19 @@ struct ensemble_lanes {
     const struct building *building;  // borrowed
     double b, g, h;                   // beta h^2, gamma h and h
 
-    long long aboard[WIDE_RUNS];            // all bits of the lanes whose runs are aboard
-    struct ensemble_floor *floor;           // (n_floor) of all buildings
-    struct ensemble_state *now, *next;      // (n_floor)
-    struct ensemble_contact *contact;       // (n_contact)
+    long long aboard[WIDE_RUNS];        // all bits of the lanes whose runs are aboard
+    struct ensemble_floor *floor;       // (n_floor) of all buildings
+    struct ensemble_state *now, *next;  // (n_floor)
+    struct ensemble_contact *contact;   // (n_contact)
+    struct ensemble_pressed *pressed;   // (n_contact) those beyond their limits
+    int n_pressed;
+    bool *exceeds;                          // (n_building) a floor exceeds a peak,
+    bool nearer;                            // a contact its own: of the step under way
     struct ensemble_works *works;           // so far
     struct ensemble_factor *factor;         // (n_floor)
     wide **inverse;                         // (n_building) A^-1 of each (n_floor, n_floor), or
                                             // NULL: factors
-    wide *residual, *correction;            // [F] [L/T^2] (n_floor) scratch of a building
+    wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
     struct ensemble_peak_times *peak_time;  // (n_floor)
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
@@ -75,7 +87,7 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
 // steps in lanes might overflow.
 bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r);
 
-// Takes the committed state of a run without live links aboard. False: a number is too large.
+// Takes the floors of the committed state of a run aboard. False: a number is too large.
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r);
 
 // Gives a run the state of its lane, at time `time`, after `n_step` steps aboard.
@@ -88,11 +100,24 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
 // for a closer look: that one is computed, but not committed. Returns the number committed.
 int ensemble_march(struct ensemble_lanes *e, const wide *base, int n);
 
-// The lanes aboard that cannot take the step that has been computed: links would act, or numbers
-// have grown too large. One bit each. `base` is its ground acceleration here and below.
-unsigned ensemble_leaving(const struct ensemble_lanes *e, const wide *base);
+// The same in parts, for a step in which links act: the residuals without their forces,
+void ensemble_unbalance(struct ensemble_lanes *e, const wide *base);
 
-// Takes the step that has been computed, to `time`, into the peaks of those aboard.
+// what they lead to,
+void ensemble_move(struct ensemble_lanes *e, const wide *base);
+
+// and whether one of those aboard exceeds a peak, and where.
+bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base);
+
+// The lanes aboard whose numbers have grown too large in the step that has been computed, one bit
+// each. `base` is its ground acceleration here and below.
+unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base);
+
+// Finds the contacts that it has pressed beyond their limits in lanes aboard.
+void ensemble_press(struct ensemble_lanes *e);
+
+// Takes the step that has been computed, to `time`, into the peaks of those aboard that
+// ensemble_exceeds has found to be exceeded.
 void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
 
 // Takes its works into account and commits it.

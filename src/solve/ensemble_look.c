@@ -9,30 +9,57 @@
 static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 enum { SIGN = 63 };
 
+// Contacts looked at together, of which few are pressed.
+enum { TOGETHER = 8 };
+
 #define INLINE static inline __attribute__((always_inline))
 #define ABSOLUTE(x) ((wide)((wide_bits)(x)&SIZE))
 #define LESS(a, b) ((wide_bits)((a) - (b)))  // negative where a < b
 #define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
-LANES unsigned ensemble_leaving(const struct ensemble_lanes *e, const wide *base) {
+INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
+    unsigned lanes_set = 0;
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        lanes_set |= (unsigned)((e->aboard[lane] & (*flags)[lane]) < 0) << lane;
+    }
+    return lanes_set;
+}
+
+LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base) {
     const wide most = ENSEMBLE_LARGEST - (wide){0.0};
     wide_bits bad = {0};
-    for (int k = 0; k < e->n_contact; k++) {
-        const struct ensemble_contact *c = &e->contact[k];
-        wide delta = e->next[c->left].u - e->next[c->right].u - c->gap;
-        bad |= LESS(0.0, delta);
-    }
     for (int i = 0; i < e->n_floor; i++) {
         const struct ensemble_state *s = &e->next[i];
         const wide total = s->a + *base;
         bad |=
             LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
     }
-    unsigned leaving = 0;
-    for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        leaving |= (unsigned)((e->aboard[lane] & bad[lane]) < 0) << lane;
+    return lanes_aboard(e, &bad);
+}
+
+// Negative in lanes where a contact is beyond its limit.
+INLINE void press(const struct ensemble_lanes *e, int k, wide_bits *flags) {
+    const struct ensemble_contact *c = &e->contact[k];
+    wide delta = e->next[c->left].u - e->next[c->right].u - c->gap;
+    *flags |= LESS(c->limit, delta);
+}
+
+LANES void ensemble_press(struct ensemble_lanes *e) {
+    e->n_pressed = 0;
+    for (int first = 0; first < e->n_contact; first += TOGETHER) {
+        const int end = first + TOGETHER < e->n_contact ? first + TOGETHER : e->n_contact;
+        wide_bits any = {0};
+        for (int k = first; k < end; k++) {
+            press(e, k, &any);
+        }
+        for (int k = first; lanes_aboard(e, &any) && k < end; k++) {
+            wide_bits flags = {0};
+            press(e, k, &flags);
+            const unsigned lanes_set = lanes_aboard(e, &flags);
+            e->pressed[e->n_pressed] = (struct ensemble_pressed){k, lanes_set};
+            e->n_pressed += lanes_set != 0;
+        }
     }
-    return leaving;
 }
 
 // Where `size` is greater than the peak of a run aboard, the peak and its time.
@@ -56,6 +83,8 @@ INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard
     for (int q = 0; q < PEAK_COUNT; q++) {
         raise(aboard, &value[q], time, &e->floor[i].peak[q], &e->peak_time[i].of[q]);
     }
+    const wide_bits faster = (LESS(e->works->speed, value[PEAK_VELOCITY]) >> SIGN) & *aboard;
+    e->works->speed = CHOOSE(faster, value[PEAK_VELOCITY], e->works->speed);
 }
 
 LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time) {
@@ -66,15 +95,16 @@ LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double tim
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
         wide drift = s[g->first].u;
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
+        for (int i = g->first; e->exceeds[k] && i < g->first + g->n_floor; i++) {
             raise_floor(e, i, &aboard, base, &now, &drift);
             drift = s[i + 1].u - s[i].u;
         }
     }
-    for (int k = 0; k < e->n_contact; k++) {
+    for (int k = 0; e->nearer && k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
         wide delta = s[c->left].u - s[c->right].u - c->gap;
-        raise(&aboard, &delta, &now, &c->deepest, &c->deepest_time);
+        wide_bits open = aboard & ~(LESS(0.0, delta) >> SIGN);
+        raise(&open, &delta, &now, &c->deepest, &c->deepest_time);
     }
 }
 

@@ -27,9 +27,8 @@ INLINE void predict(const struct ensemble_lanes *e, const struct ensemble_state 
 // r = -m (a_ground + a) - C v_t - K u_t of a building of n floors, with the trial in t.
 INLINE void residuals(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
                       const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
-                      const wide *ground, int n) {
+                      const wide *ground, int n, wide *restrict r) {
     const wide none = {0.0};
-    wide *restrict r = e->residual;
     wide v_below = none;
     predict(e, &s[0], &t[0]);
     wide shear = f[0].stiffness * t[0].u;
@@ -92,29 +91,48 @@ INLINE void substitute(const struct ensemble_factor *restrict f, int n, wide *re
     }
 }
 
-// The state that the corrections lead to from the trial. *flags: see step.
+// Negative in lanes where a floor exceeds a peak.
+INLINE void look(const struct ensemble_floor *restrict f, const struct ensemble_state *restrict t,
+                 const wide *ground, const wide *u_below, wide_bits *flags) {
+    *flags |= UNDER(f->peak[PEAK_DISPLACEMENT], t->u) | UNDER(f->peak[PEAK_VELOCITY], t->v) |
+              UNDER(f->peak[PEAK_ACCELERATION], t->a + *ground) |
+              UNDER(f->peak[PEAK_DRIFT], t->u - *u_below);
+}
+
+// The state that the corrections q lead to from the trial, with a look at it.
 INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
                     const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
-                    const wide *ground, int n, wide_bits *flags) {
-    const wide *restrict q = e->correction;
+                    const wide *ground, int n, const wide *restrict q, wide_bits *flags) {
     wide_bits more = {0};
-    wide under = {0.0};
+    wide u_below = {0.0};
     double b = e->b, g = e->g;
     for (int i = 0; i < n; i++) {
-        wide u = t[i].u + b * q[i];
-        wide v = t[i].v + g * q[i];
-        wide a = s[i].a + q[i];
-        t[i].u = u;
-        t[i].v = v;
-        t[i].a = a;
-        more |= UNDER(f[i].peak[PEAK_DISPLACEMENT], u) | UNDER(f[i].peak[PEAK_VELOCITY], v) |
-                UNDER(f[i].peak[PEAK_ACCELERATION], a + *ground) |
-                UNDER(f[i].peak[PEAK_DRIFT], u - under);
-        under = u;
+        const struct ensemble_state x = {t[i].u + b * q[i], t[i].v + g * q[i], s[i].a + q[i]};
+        t[i] = x;
+        look(&f[i], &x, ground, &u_below, &more);
+        u_below = x.u;
     }
     *flags |= more;
 }
 
+INLINE void unbalance(const struct ensemble_lanes *e, const struct building *g,
+                      const wide *ground) {
+    residuals(e, e->floor + g->first, e->now + g->first, e->next + g->first, ground, g->n_floor,
+              e->residual + g->first);
+}
+
+INLINE void move(const struct ensemble_lanes *e, int k, const wide *ground, wide_bits *flags) {
+    const int first = e->building[k].first, n = e->building[k].n_floor;
+    wide *r = e->residual + first, *q = e->correction + first;
+    if (e->inverse[k]) {
+        multiply(e->inverse[k], n, r, q);
+    } else {
+        substitute(e->factor + first, n, r, q);
+    }
+    correct(e, e->floor + first, e->now + first, e->next + first, ground, n, q, flags);
+}
+
+// Negative in lanes where a contact is closed, or nearer than ever.
 INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
     const struct ensemble_state *restrict t = e->next;
     wide_bits deeper = {0};
@@ -124,23 +142,6 @@ INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
         deeper |= (wide_bits)(c->deepest - delta);
     }
     *flags |= deeper;
-}
-
-// Computes `next`. *flags gets negative in lanes where a peak is exceeded, and so where a link
-// would act.
-INLINE void step(const struct ensemble_lanes *e, const wide *ground, wide_bits *flags) {
-    for (int k = 0; k < e->n_building; k++) {
-        const int first = e->building[k].first, n = e->building[k].n_floor;
-        const struct ensemble_floor *f = e->floor + first;
-        residuals(e, f, e->now + first, e->next + first, ground, n);
-        if (e->inverse[k]) {
-            multiply(e->inverse[k], n, e->residual, e->correction);
-        } else {
-            substitute(e->factor + first, n, e->residual, e->correction);
-        }
-        correct(e, f, e->now + first, e->next + first, ground, n, flags);
-    }
-    penetrate(e, flags);
 }
 
 // The works of the ground and of damping on a building.
@@ -173,22 +174,63 @@ INLINE void commit(struct ensemble_lanes *e, const wide *ground) {
     e->next = old;
 }
 
-LANES void ensemble_commit(struct ensemble_lanes *e, const wide *base) {
-    commit(e, base);
+// Any of the flags of those aboard?
+INLINE bool any_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
+    long long any = 0;
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        any |= (*flags)[lane] & e->aboard[lane];
+    }
+    return any < 0;
 }
 
 LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
     for (int i = 0; i < n; i++) {
         wide_bits flags = {0};
-        step(e, base + i, &flags);
-        long long any = 0;
-        for (int lane = 0; lane < WIDE_RUNS; lane++) {
-            any |= flags[lane] & e->aboard[lane];
+        for (int k = 0; k < e->n_building; k++) {
+            unbalance(e, &e->building[k], base + i);
+            move(e, k, base + i, &flags);
         }
-        if (any < 0) {
+        penetrate(e, &flags);
+        if (any_aboard(e, &flags)) {
             return i;
         }
         commit(e, base + i);
     }
     return n;
+}
+
+LANES void ensemble_unbalance(struct ensemble_lanes *e, const wide *base) {
+    for (int k = 0; k < e->n_building; k++) {
+        unbalance(e, &e->building[k], base);
+    }
+}
+
+LANES void ensemble_move(struct ensemble_lanes *e, const wide *base) {
+    wide_bits flags = {0};
+    for (int k = 0; k < e->n_building; k++) {
+        move(e, k, base, &flags);
+    }
+}
+
+LANES bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base) {
+    wide_bits nearer = {0};
+    penetrate(e, &nearer);
+    e->nearer = any_aboard(e, &nearer);
+    bool any = e->nearer;
+    for (int k = 0; k < e->n_building; k++) {
+        const struct building *g = &e->building[k];
+        wide_bits flags = {0};
+        wide u_below = {0.0};
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            look(&e->floor[i], &e->next[i], base, &u_below, &flags);
+            u_below = e->next[i].u;
+        }
+        e->exceeds[k] = any_aboard(e, &flags);
+        any |= e->exceeds[k];
+    }
+    return any;
+}
+
+LANES void ensemble_commit(struct ensemble_lanes *e, const wide *base) {
+    commit(e, base);
 }

@@ -115,21 +115,13 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     return true;
 }
 
-LANES static bool any_positive(int n, const double *x) {
-    long any = 0;
-    for (int i = 0; i < n; i++) {
-        any |= x[i] > 0.0;
-    }
-    return any != 0;
-}
-
 unsigned flight_near(const struct flight *f, struct state *next) {
-    int n = f->model->n_contact;
-    contact_penetrations(f->work, next);
-    if (any_positive(n, next->delta)) {
+    struct gaps *g = &f->work->gaps;
+    gaps_update(g, next);
+    if (g->n_pressed > 0) {
         return FLIGHT_ENDS;
     }
-    peaks_penetrations(f->results, n, next);
+    gaps_peaks(g, next);
     return 0;
 }
 
@@ -184,6 +176,7 @@ static bool may_start(struct flight *f, const struct state *s) {
 static void start(const struct flight *f, const struct state *now, struct state *next) {
     const struct model *m = f->model;
     state_open_links(next);
+    gaps_forget(&f->work->gaps, now);
     memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
     if (f->yields) {
         memcpy(next->storey_history, now->storey_history,

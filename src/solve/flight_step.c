@@ -157,7 +157,7 @@ static inline bool is_near(const struct flight *f, const double *u, const double
     lanes_bits sign = {0};
     for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++) {
         const double *left = u + g->dof[0], *right = u + g->dof[1];
-        const double *deepest = f->results->deepest + g->contact;
+        const double *deepest = f->work->gaps.nearest + g->contact;
         double apart = ground[g->ground[0]] - ground[g->ground[1]];
         for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR, gap += LANES_VECTOR) {
             lanes delta = *(const lanes *)(left + i) - *(const lanes *)(right + i) -
