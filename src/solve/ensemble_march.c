@@ -16,6 +16,10 @@ static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 // Negative where |x| > peak.
 #define UNDER(peak, x) ((wide_bits)((peak) - (wide)((wide_bits)(x)&SIZE)))
 
+// A number of floor i, in functions that know `x` and how it is `held`.
+#define NUMBER(i, q) ENSEMBLE_AT(x, (i)*NUMBER_COUNT + NUMBER_##q)
+#define FACTOR(i, q) ENSEMBLE_AT(x, (i)*FACTOR_COUNT + FACTOR_##q)
+
 // The end of the step if the acceleration stays.
 INLINE void predict(const struct ensemble_lanes *e, const struct ensemble_state *restrict s,
                     struct ensemble_state *restrict t) {
@@ -25,82 +29,85 @@ INLINE void predict(const struct ensemble_lanes *e, const struct ensemble_state 
 }
 
 // r = -m (a_ground + a) - C v_t - K u_t of a building of n floors, with the trial in t.
-INLINE void residuals(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
-                      const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
-                      const wide *ground, int n, wide *restrict r) {
+INLINE void residuals(const struct ensemble_lanes *e, const double *restrict x,
+                      enum ensemble_held held, const struct ensemble_state *restrict s,
+                      struct ensemble_state *restrict t, const wide *ground, int n,
+                      wide *restrict r) {
     const wide none = {0.0};
     wide v_below = none;
     predict(e, &s[0], &t[0]);
-    wide shear = f[0].stiffness * t[0].u;
+    wide shear = NUMBER(0, STIFFNESS) * t[0].u;
     for (int i = 0; i < n; i++) {
         wide v_above = none, shear_above = none;
         if (i + 1 < n) {
             predict(e, &s[i + 1], &t[i + 1]);
             v_above = t[i + 1].v;
-            shear_above = f[i + 1].stiffness * (t[i + 1].u - t[i].u);
+            shear_above = NUMBER(i + 1, STIFFNESS) * (t[i + 1].u - t[i].u);
         }
-        wide damping = f[i].below * v_below + f[i].own * t[i].v + f[i].above * v_above;
-        r[i] = f[i].inertia * *ground + f[i].inertia * s[i].a - damping - shear + shear_above;
+        wide damping =
+            NUMBER(i, BELOW) * v_below + NUMBER(i, OWN) * t[i].v + NUMBER(i, ABOVE) * v_above;
+        r[i] = NUMBER(i, INERTIA) * *ground + NUMBER(i, INERTIA) * s[i].a - damping - shear +
+               shear_above;
         v_below = t[i].v;
         shear = shear_above;
     }
 }
 
-// Four rows of the inverse times the residual.
-INLINE void multiply_four(const wide *restrict row, int n, const wide *restrict r,
-                          wide *restrict q) {
+// Four rows of the inverse from row j on times the residual.
+INLINE void multiply_four(const double *restrict inverse, enum ensemble_held held, int j, int n,
+                          const wide *restrict r, wide *restrict q) {
     wide q0 = {0.0}, q1 = {0.0}, q2 = {0.0}, q3 = {0.0};
-    for (int i = 0; i < n; i++) {
-        q0 += r[i] * row[i];
-        q1 += r[i] * row[n + i];
-        q2 += r[i] * row[2 * n + i];
-        q3 += r[i] * row[3 * n + i];
+    for (int i = 0, row = j * n; i < n; i++, row++) {
+        q0 += r[i] * ENSEMBLE_AT(inverse, row);
+        q1 += r[i] * ENSEMBLE_AT(inverse, row + n);
+        q2 += r[i] * ENSEMBLE_AT(inverse, row + 2 * n);
+        q3 += r[i] * ENSEMBLE_AT(inverse, row + 3 * n);
     }
-    q[0] = q0;
-    q[1] = q1;
-    q[2] = q2;
-    q[3] = q3;
+    q[j] = q0;
+    q[j + 1] = q1;
+    q[j + 2] = q2;
+    q[j + 3] = q3;
 }
 
-INLINE void multiply(const wide *restrict inverse, int n, const wide *restrict r,
-                     wide *restrict q) {
+INLINE void multiply(const double *restrict inverse, enum ensemble_held held, int n,
+                     const wide *restrict r, wide *restrict q) {
     int j = 0;
     for (; j + 4 <= n; j += 4) {
-        multiply_four(inverse + (size_t)j * (size_t)n, n, r, q + j);
+        multiply_four(inverse, held, j, n, r, q);
     }
     for (; j < n; j++) {
         wide sum = {0.0};
         for (int i = 0; i < n; i++) {
-            sum += r[i] * inverse[j * n + i];
+            sum += r[i] * ENSEMBLE_AT(inverse, j * n + i);
         }
         q[j] = sum;
     }
 }
 
 // L D L^T, from the ground up and back.
-INLINE void substitute(const struct ensemble_factor *restrict f, int n, wide *restrict r,
+INLINE void substitute(const double *restrict x, enum ensemble_held held, int n, wide *restrict r,
                        wide *restrict q) {
     for (int i = 1; i < n; i++) {
-        r[i] -= f[i - 1].factor * r[i - 1];
+        r[i] -= FACTOR(i - 1, OFF) * r[i - 1];
     }
-    wide x = r[n - 1] * f[n - 1].pivot;
-    q[n - 1] = 0.0 + x;
+    wide above = r[n - 1] * FACTOR(n - 1, PIVOT);
+    q[n - 1] = 0.0 + above;
     for (int i = n - 2; i >= 0; i--) {
-        x = r[i] * f[i].pivot - f[i].factor * x;
-        q[i] = 0.0 + x;
+        above = r[i] * FACTOR(i, PIVOT) - FACTOR(i, OFF) * above;
+        q[i] = 0.0 + above;
     }
 }
 
 // Negative in lanes where a floor exceeds a peak.
-INLINE void look(const struct ensemble_floor *restrict f, const struct ensemble_state *restrict t,
+INLINE void look(const struct ensemble_peaks *restrict p, const struct ensemble_state *restrict t,
                  const wide *ground, const wide *u_below, wide_bits *flags) {
-    *flags |= UNDER(f->peak[PEAK_DISPLACEMENT], t->u) | UNDER(f->peak[PEAK_VELOCITY], t->v) |
-              UNDER(f->peak[PEAK_ACCELERATION], t->a + *ground) |
-              UNDER(f->peak[PEAK_DRIFT], t->u - *u_below);
+    *flags |= UNDER(p->of[PEAK_DISPLACEMENT], t->u) | UNDER(p->of[PEAK_VELOCITY], t->v) |
+              UNDER(p->of[PEAK_ACCELERATION], t->a + *ground) |
+              UNDER(p->of[PEAK_DRIFT], t->u - *u_below);
 }
 
 // The state that the corrections q lead to from the trial, with a look at it.
-INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
+INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_peaks *restrict p,
                     const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
                     const wide *ground, int n, const wide *restrict q, wide_bits *flags) {
     wide_bits more = {0};
@@ -109,27 +116,29 @@ INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_floor 
     for (int i = 0; i < n; i++) {
         const struct ensemble_state x = {t[i].u + b * q[i], t[i].v + g * q[i], s[i].a + q[i]};
         t[i] = x;
-        look(&f[i], &x, ground, &u_below, &more);
+        look(&p[i], &x, ground, &u_below, &more);
         u_below = x.u;
     }
     *flags |= more;
 }
 
-INLINE void unbalance(const struct ensemble_lanes *e, const struct building *g,
-                      const wide *ground) {
-    residuals(e, e->floor + g->first, e->now + g->first, e->next + g->first, ground, g->n_floor,
-              e->residual + g->first);
+INLINE void unbalance(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                      enum ensemble_held held, const wide *ground) {
+    const int first = b->shape->first;
+    residuals(e, b->number, held, e->now + first, e->next + first, ground, b->shape->n_floor,
+              e->residual + first);
 }
 
-INLINE void move(const struct ensemble_lanes *e, int k, const wide *ground, wide_bits *flags) {
-    const int first = e->building[k].first, n = e->building[k].n_floor;
+INLINE void move(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                 enum ensemble_held held, const wide *ground, wide_bits *flags) {
+    const int first = b->shape->first, n = b->shape->n_floor;
     wide *r = e->residual + first, *q = e->correction + first;
-    if (e->inverse[k]) {
-        multiply(e->inverse[k], n, r, q);
+    if (b->inverse) {
+        multiply(b->inverse, held, n, r, q);
     } else {
-        substitute(e->factor + first, n, r, q);
+        substitute(b->factor, held, n, r, q);
     }
-    correct(e, e->floor + first, e->now + first, e->next + first, ground, n, q, flags);
+    correct(e, e->peak + first, e->now + first, e->next + first, ground, n, q, flags);
 }
 
 // Negative in lanes where a contact is closed, or nearer than ever.
@@ -145,19 +154,20 @@ INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
 }
 
 // The works of the ground and of damping on a building.
-INLINE void account(const struct ensemble_lanes *e, const struct building *g,
-                    const wide *ground_2x) {
-    const struct ensemble_floor *restrict f = e->floor;
-    const struct ensemble_state *restrict s = e->now, *restrict t = e->next;
+INLINE void account(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                    enum ensemble_held held, const wide *ground_2x) {
+    const int first = b->shape->first, n = b->shape->n_floor;
+    const double *restrict x = b->number;
+    const struct ensemble_state *restrict s = e->now + first, *restrict t = e->next + first;
     struct ensemble_works *restrict w = e->works;
     const wide none = {0.0};
-    wide below = none, own = s[g->first].v + t[g->first].v;
-    for (int i = g->first, end = i + g->n_floor; i < end; i++) {
-        wide above = i + 1 < end ? s[i + 1].v + t[i + 1].v : none;
+    wide below = none, own = s[0].v + t[0].v;
+    for (int i = 0; i < n; i++) {
+        wide above = i + 1 < n ? s[i + 1].v + t[i + 1].v : none;
         wide du = t[i].u - s[i].u;
-        w->input_2x[i % LANES_WIDTH] += *ground_2x * (f[i].inertia * du);
-        w->damping_2x[i % LANES_WIDTH] +=
-            du * (f[i].below * below + f[i].own * own + f[i].above * above);
+        w->input_2x[(first + i) % LANES_WIDTH] += *ground_2x * (NUMBER(i, INERTIA) * du);
+        w->damping_2x[(first + i) % LANES_WIDTH] +=
+            du * (NUMBER(i, BELOW) * below + NUMBER(i, OWN) * own + NUMBER(i, ABOVE) * above);
         below = own;
         own = above;
     }
@@ -165,8 +175,12 @@ INLINE void account(const struct ensemble_lanes *e, const struct building *g,
 
 INLINE void commit(struct ensemble_lanes *e, const wide *ground) {
     const wide ground_2x = e->works->ground + *ground;
-    for (int k = 0; k < e->n_building; k++) {
-        account(e, &e->building[k], &ground_2x);
+    for (const struct ensemble_building *b = e->building; b < e->building + e->n_building; b++) {
+        if (b->held == HELD_ONCE) {
+            account(e, b, HELD_ONCE, &ground_2x);
+        } else {
+            account(e, b, HELD_BY_EACH, &ground_2x);
+        }
     }
     e->works->ground = *ground;
     struct ensemble_state *old = e->now;
@@ -183,12 +197,23 @@ INLINE bool any_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
     return any < 0;
 }
 
+// Computes the step of a building.
+INLINE void step(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                 const wide *ground, wide_bits *flags) {
+    if (b->held == HELD_ONCE) {
+        unbalance(e, b, HELD_ONCE, ground);
+        move(e, b, HELD_ONCE, ground, flags);
+    } else {
+        unbalance(e, b, HELD_BY_EACH, ground);
+        move(e, b, HELD_BY_EACH, ground, flags);
+    }
+}
+
 LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
     for (int i = 0; i < n; i++) {
         wide_bits flags = {0};
         for (int k = 0; k < e->n_building; k++) {
-            unbalance(e, &e->building[k], base + i);
-            move(e, k, base + i, &flags);
+            step(e, &e->building[k], base + i, &flags);
         }
         penetrate(e, &flags);
         if (any_aboard(e, &flags)) {
@@ -200,15 +225,23 @@ LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
 }
 
 LANES void ensemble_unbalance(struct ensemble_lanes *e, const wide *base) {
-    for (int k = 0; k < e->n_building; k++) {
-        unbalance(e, &e->building[k], base);
+    for (const struct ensemble_building *b = e->building; b < e->building + e->n_building; b++) {
+        if (b->held == HELD_ONCE) {
+            unbalance(e, b, HELD_ONCE, base);
+        } else {
+            unbalance(e, b, HELD_BY_EACH, base);
+        }
     }
 }
 
 LANES void ensemble_move(struct ensemble_lanes *e, const wide *base) {
     wide_bits flags = {0};
-    for (int k = 0; k < e->n_building; k++) {
-        move(e, k, base, &flags);
+    for (const struct ensemble_building *b = e->building; b < e->building + e->n_building; b++) {
+        if (b->held == HELD_ONCE) {
+            move(e, b, HELD_ONCE, base, &flags);
+        } else {
+            move(e, b, HELD_BY_EACH, base, &flags);
+        }
     }
 }
 
@@ -218,15 +251,15 @@ LANES bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base) {
     e->nearer = any_aboard(e, &nearer);
     bool any = e->nearer;
     for (int k = 0; k < e->n_building; k++) {
-        const struct building *g = &e->building[k];
+        struct ensemble_building *b = &e->building[k];
         wide_bits flags = {0};
         wide u_below = {0.0};
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            look(&e->floor[i], &e->next[i], base, &u_below, &flags);
+        for (int i = b->shape->first; i < b->shape->first + b->shape->n_floor; i++) {
+            look(&e->peak[i], &e->next[i], base, &u_below, &flags);
             u_below = e->next[i].u;
         }
-        e->exceeds[k] = any_aboard(e, &flags);
-        any |= e->exceeds[k];
+        b->exceeds = any_aboard(e, &flags);
+        any |= b->exceeds;
     }
     return any;
 }
