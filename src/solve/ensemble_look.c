@@ -25,16 +25,23 @@ INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *fl
     return lanes_set;
 }
 
-LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base) {
+// Negative in lanes where floor i has a number that is too large.
+INLINE void overflow(const struct ensemble_lanes *e, int i, const wide *base, wide_bits *flags) {
+    const struct ensemble_state *s = &e->next[i];
     const wide most = ENSEMBLE_LARGEST - (wide){0.0};
-    wide_bits bad = {0};
-    for (int i = 0; i < e->n_floor; i++) {
-        const struct ensemble_state *s = &e->next[i];
-        const wide total = s->a + *base;
-        bad |=
-            LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
+    const wide total = s->a + *base;
+    *flags |= LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
+}
+
+LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base) {
+    wide_bits flags = {0};
+    for (int k = 0; k < e->n_building; k++) {
+        const struct ensemble_building *b = &e->building[k];
+        for (int i = 0; b->exceeds && i < b->shape->n_floor; i++) {
+            overflow(e, b->shape->first + i, base, &flags);
+        }
     }
-    return lanes_aboard(e, &bad);
+    return lanes_aboard(e, &flags);
 }
 
 // Negative in lanes where a contact is beyond its limit.
