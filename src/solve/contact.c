@@ -258,7 +258,7 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
     p->trusted = p->branch == BRANCH_CLOSED && law->force && !p->clamped &&
                  (now->closed[k] || !(jumps || pulls));
     p->open = p->branch == BRANCH_OPEN && law->force && !(now->closed[k] && pulls);
-    p->room = -1.0;
+    p->ask = true;
     s->answered = true;
     s->largest = number_max(s->largest, fabs(p->force));
     if (fabs(df) > s->change) {
@@ -316,14 +316,6 @@ static bool block_steps(struct work *w, const struct state *now, struct state *n
     return any;
 }
 
-static double largest_guess(const struct work *w) {
-    double largest = 0.0;
-    for (int i = 0; i < w->n_acting; i++) {
-        largest = number_max(largest, fabs(w->acting[i]->force));
-    }
-    return largest;
-}
-
 // Largest change of a force in a sweep.
 static double changed(const struct progress *s) {
     return number_max(s->change, s->moved);
@@ -341,7 +333,8 @@ static bool converged(const struct work *w, enum answers answers, const struct p
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
 // for what it took.
 static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
-    struct progress last = {.largest = largest_guess(w), .change = INFINITY};
+    struct progress last;
+    quick_gather(w, next, &last);
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->nearest[i] = INFINITY;
@@ -403,7 +396,6 @@ static bool decided(struct work *w, const struct state *now, struct state *next)
 
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
     long *counter = &w->totals->fast;
-    quick_gather(w, next);
     int status = iterate(w, now, next, &counter);
     if (status != STATUS_OK) {
         return status;

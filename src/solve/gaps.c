@@ -103,20 +103,14 @@ static inline bool update_run(const struct gaps *g, const struct gap_run *r,
     const double *restrict gap = g->gap + r->first;
     const double *restrict limit = g->limit + r->first;
     double *restrict d = delta + r->first;
-    lanes_bits sign = {0};
-    int j = 0;
-    for (; j + LANES_VECTOR <= r->n; j += LANES_VECTOR) {
-        lanes x =
-            *(const lanes *)(left + j) - *(const lanes *)(right + j) - *(const lanes *)(gap + j);
-        *(lanes *)(d + j) = x;
-        sign |= (lanes_bits)(*(const lanes *)(limit + j) - x);
+    int64_t sign = 0;
+    LANES_LOOP
+    for (int j = 0, n = r->n; j < n; j++) {
+        double x = left[j] - right[j] - gap[j];
+        d[j] = x;
+        sign |= number_bits(limit[j] - x);
     }
-    bool beyond = (sign[0] | sign[1] | sign[2] | sign[3]) < 0;
-    for (; j < r->n; j++) {
-        d[j] = left[j] - right[j] - gap[j];
-        beyond |= d[j] > limit[j];
-    }
-    return beyond;
+    return sign < 0;
 }
 
 // Does a link of the run that does not act stand inside?

@@ -34,19 +34,20 @@ struct quick {
     double force;             // [F]
     double kept;              // [F] to step back to
 
-    // and what the last evaluation of its law found.
+    // and what its law said when it was asked, with the correction x = asked.
+    bool ask;  // it must be asked again, if it is trusted
     struct contact_response law;
-    double seen;    // [L/T^2] difference of the corrections of its ends that its force belongs to
-    double slope;   // t, dF per difference of corrections
-    double damped;  // 1 / (1 + S_ll t)
-    double room;    // [L/T^2] by how much that may still change until the law must be asked again;
-                    // negative: it must be
+    double asked;       // [L/T^2] difference of the corrections of its ends
+    double base, rate;  // a Newton step from x changes the force by base + rate x
+    double damped;      // 1 / (1 + S_ll t)
+    double near;        // [L/T^2] how far from there a step may lead
+    double reach;       // [L/T^2] and how far until the law must be asked again
 };
 
 // What a sweep found.
 struct progress {
     double enough;   // [F] changes below this do not matter
-    double loosest;  // [F] `enough` of the sweeps that links were settled in, at most
+    double loosest;  // [F] the most that was enough when a law was asked
     double largest;  // [F] largest force
     double change;   // [F] largest change that matters of a force whose law must be asked again,
     double moved;    // [F] and of one that obeys its law but for what others do to it
@@ -59,8 +60,9 @@ struct progress {
 // What does not change of link k.
 void quick_init(struct quick *p, const struct model *m, int k);
 
-// The rest for the live links of `next`, which act from then on.
-void quick_gather(struct work *w, const struct state *next);
+// The rest for the live links of `next`, which act from then on; *progress is that before the first
+// sweep.
+void quick_gather(struct work *w, const struct state *next, struct progress *progress);
 
 // Makes links ask their laws again where those have been settled while much more was enough.
 void quick_tighten(struct work *w, struct progress *progress);

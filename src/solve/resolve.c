@@ -70,14 +70,14 @@ static bool starts_resolved(const struct work *w, const struct state *now, struc
 // A settled link has its tangents already, so near to the end of the step that it does not matter.
 static bool ends_resolved(const struct work *w, struct quick *p, const struct path *path) {
     return p->branch != BRANCH_CLOSED ||
-           (p->room >= 0.0 ? fits(w, p, p->law, path->d1) : resolved_at(w, p, path->d1, path->v1));
+           (!p->ask ? fits(w, p, p->law, path->d1) : resolved_at(w, p, path->d1, path->v1));
 }
 
 // Is what usually holds enough: the start has been looked at, the end has its tangents, and its
 // spring is no stiffer than has been looked at?
 static inline bool seen_before(const struct work *w, const struct state *now, const struct quick *p,
                                double d) {
-    return p->checked >= w->h && p->room >= 0.0 && d <= p->fits_to &&
+    return p->checked >= w->h && !p->ask && d <= p->fits_to &&
            w->g * p->flexibility * p->law.dfdv <= COARSEST_DASHPOT &&
            now->t_close[p->index] < now->time && now->closed[p->index];
 }
