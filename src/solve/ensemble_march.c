@@ -87,10 +87,12 @@ INLINE void multiply(const double *restrict inverse, enum ensemble_held held, in
 // L D L^T, from the ground up and back.
 INLINE void substitute(const double *restrict x, enum ensemble_held held, int n, wide *restrict r,
                        wide *restrict q) {
+    wide below = r[0];
     for (int i = 1; i < n; i++) {
-        r[i] -= FACTOR(i - 1, OFF) * r[i - 1];
+        below = r[i] - FACTOR(i - 1, OFF) * below;
+        r[i] = below;
     }
-    wide above = r[n - 1] * FACTOR(n - 1, PIVOT);
+    wide above = below * FACTOR(n - 1, PIVOT);
     q[n - 1] = 0.0 + above;
     for (int i = n - 2; i >= 0; i--) {
         above = r[i] * FACTOR(i, PIVOT) - FACTOR(i, OFF) * above;
