@@ -2,6 +2,7 @@
 #include "solve/ensemble_lanes.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #include "core/arena.h"
 #include "core/number.h"
@@ -71,9 +72,14 @@ static bool put(wide *to, int lane, double x) {
     return is_small(x);
 }
 
+// Number i of all lanes.
+static double *lanes_of(double *x, int i) {
+    return x + (ptrdiff_t)i * WIDE_RUNS;
+}
+
 // The same for number i of `to`.
 static bool put_at(double *to, int i, int lane, double x) {
-    to[i * WIDE_RUNS + lane] = x;
+    lanes_of(to, i)[lane] = x;
     return is_small(x);
 }
 
@@ -125,11 +131,12 @@ bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
 }
 
 // Are all n_number numbers of x the same in the first n lanes?
-static bool are_same(const double *x, int n_number, int n) {
+static bool are_same(double *x, int n_number, int n) {
     bool same = true;
-    for (int i = 0; same && i < n_number; i++, x += WIDE_RUNS) {
+    for (int i = 0; same && i < n_number; i++) {
+        const double *of = lanes_of(x, i);
         for (int lane = 1; lane < n; lane++) {
-            same &= number_bits(x[lane]) == number_bits(x[0]);
+            same &= number_bits(of[lane]) == number_bits(of[0]);
         }
     }
     return same;
@@ -137,7 +144,7 @@ static bool are_same(const double *x, int n_number, int n) {
 
 static void hold_once(double *x, int n_number) {
     for (int i = 0; i < n_number; i++) {
-        x[i] = x[i * WIDE_RUNS];
+        x[i] = *lanes_of(x, i);
     }
 }
 
