@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps in which no link acts, of all runs aboard at once: what chain_floor.h, flight_step.c and
 // account.c say for elastic storeys under one ground. Each lane sees their operations in their
-// order, so that its bits are those of a run alone. A building is taken through the whole step
-// before the next one, while its numbers are at hand; what one floor needs of its neighbours is
-// carried along in registers.
+// order, so that its bits are those of a run alone. A few buildings are taken through the whole
+// step before the next ones, while their numbers are at hand; what one floor needs of its
+// neighbours is carried along in registers.
 //
 // A drift that does not exceed its peak brings no shear beyond its own, as rounding keeps order; so
 // shears are looked at only where a drift says so.
@@ -15,6 +15,10 @@ static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 
 // Negative where |x| > peak.
 #define UNDER(peak, x) ((wide_bits)((peak) - (wide)((wide_bits)(x)&SIZE)))
+
+// Buildings that are taken through a step together. While the processor waits in the substitution
+// of one, where each floor needs the one before, it goes on with the next.
+enum { TOGETHER = 2 };
 
 // A number of floor i, in functions that know `x` and how it is `held`.
 #define NUMBER(i, q) ENSEMBLE_AT(x, (i)*NUMBER_COUNT + NUMBER_##q)
@@ -125,22 +129,40 @@ INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_peaks 
 }
 
 INLINE void unbalance(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                      enum ensemble_held held, const wide *ground) {
-    const int first = b->shape->first;
-    residuals(e, b->number, held, e->now + first, e->next + first, ground, b->shape->n_floor,
-              e->residual + first);
+                      const wide *ground) {
+    const int first = b->shape->first, n = b->shape->n_floor;
+    const struct ensemble_state *s = e->now + first;
+    struct ensemble_state *t = e->next + first;
+    if (b->held == HELD_ONCE) {
+        residuals(e, b->number, HELD_ONCE, s, t, ground, n, e->residual + first);
+    } else {
+        residuals(e, b->number, HELD_BY_EACH, s, t, ground, n, e->residual + first);
+    }
+}
+
+INLINE void solve_held(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                       enum ensemble_held held) {
+    const int first = b->shape->first, n = b->shape->n_floor;
+    if (b->inverse) {
+        multiply(b->inverse, held, n, e->residual + first, e->correction + first);
+    } else {
+        substitute(b->factor, held, n, e->residual + first, e->correction + first);
+    }
+}
+
+INLINE void solve(const struct ensemble_lanes *e, const struct ensemble_building *b) {
+    if (b->held == HELD_ONCE) {
+        solve_held(e, b, HELD_ONCE);
+    } else {
+        solve_held(e, b, HELD_BY_EACH);
+    }
 }
 
 INLINE void move(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                 enum ensemble_held held, const wide *ground, wide_bits *flags) {
-    const int first = b->shape->first, n = b->shape->n_floor;
-    wide *r = e->residual + first, *q = e->correction + first;
-    if (b->inverse) {
-        multiply(b->inverse, held, n, r, q);
-    } else {
-        substitute(b->factor, held, n, r, q);
-    }
-    correct(e, e->peak + first, e->now + first, e->next + first, ground, n, q, flags);
+                 const wide *ground, wide_bits *flags) {
+    const int first = b->shape->first;
+    correct(e, e->peak + first, e->now + first, e->next + first, ground, b->shape->n_floor,
+            e->correction + first, flags);
 }
 
 // Negative in lanes where a contact is closed, or nearer than ever.
@@ -156,8 +178,8 @@ INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
 }
 
 // The works of the ground and of damping on a building.
-INLINE void account(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                    enum ensemble_held held, const wide *ground_2x) {
+INLINE void account_held(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                         enum ensemble_held held, const wide *ground_2x) {
     const int first = b->shape->first, n = b->shape->n_floor;
     const double *restrict x = b->number;
     const struct ensemble_state *restrict s = e->now + first, *restrict t = e->next + first;
@@ -175,14 +197,19 @@ INLINE void account(const struct ensemble_lanes *e, const struct ensemble_buildi
     }
 }
 
+INLINE void account(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                    const wide *ground_2x) {
+    if (b->held == HELD_ONCE) {
+        account_held(e, b, HELD_ONCE, ground_2x);
+    } else {
+        account_held(e, b, HELD_BY_EACH, ground_2x);
+    }
+}
+
 INLINE void commit(struct ensemble_lanes *e, const wide *ground) {
     const wide ground_2x = e->works->ground + *ground;
-    for (const struct ensemble_building *b = e->building; b < e->building + e->n_building; b++) {
-        if (b->held == HELD_ONCE) {
-            account(e, b, HELD_ONCE, &ground_2x);
-        } else {
-            account(e, b, HELD_BY_EACH, &ground_2x);
-        }
+    for (int k = 0; k < e->n_building; k++) {
+        account(e, &e->building[k], &ground_2x);
     }
     e->works->ground = *ground;
     struct ensemble_state *old = e->now;
@@ -199,25 +226,28 @@ INLINE bool any_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
     return any < 0;
 }
 
-// Computes the step of a building.
-INLINE void step(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                 const wide *ground, wide_bits *flags) {
-    if (b->held == HELD_ONCE) {
-        unbalance(e, b, HELD_ONCE, ground);
-        move(e, b, HELD_ONCE, ground, flags);
-    } else {
-        unbalance(e, b, HELD_BY_EACH, ground);
-        move(e, b, HELD_BY_EACH, ground, flags);
+// Computes `next`.
+INLINE void step(const struct ensemble_lanes *e, const wide *ground, wide_bits *flags) {
+    const struct ensemble_building *b = e->building;
+    for (int first = 0; first < e->n_building; first += TOGETHER) {
+        const int end = first + TOGETHER < e->n_building ? first + TOGETHER : e->n_building;
+        for (int k = first; k < end; k++) {
+            unbalance(e, &b[k], ground);
+        }
+        for (int k = first; k < end; k++) {
+            solve(e, &b[k]);
+        }
+        for (int k = first; k < end; k++) {
+            move(e, &b[k], ground, flags);
+        }
     }
+    penetrate(e, flags);
 }
 
 LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
     for (int i = 0; i < n; i++) {
         wide_bits flags = {0};
-        for (int k = 0; k < e->n_building; k++) {
-            step(e, &e->building[k], base + i, &flags);
-        }
-        penetrate(e, &flags);
+        step(e, base + i, &flags);
         if (any_aboard(e, &flags)) {
             return i;
         }
@@ -227,23 +257,16 @@ LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
 }
 
 LANES void ensemble_unbalance(struct ensemble_lanes *e, const wide *base) {
-    for (const struct ensemble_building *b = e->building; b < e->building + e->n_building; b++) {
-        if (b->held == HELD_ONCE) {
-            unbalance(e, b, HELD_ONCE, base);
-        } else {
-            unbalance(e, b, HELD_BY_EACH, base);
-        }
+    for (int k = 0; k < e->n_building; k++) {
+        unbalance(e, &e->building[k], base);
     }
 }
 
 LANES void ensemble_move(struct ensemble_lanes *e, const wide *base) {
     wide_bits flags = {0};
-    for (const struct ensemble_building *b = e->building; b < e->building + e->n_building; b++) {
-        if (b->held == HELD_ONCE) {
-            move(e, b, HELD_ONCE, base, &flags);
-        } else {
-            move(e, b, HELD_BY_EACH, base, &flags);
-        }
+    for (int k = 0; k < e->n_building; k++) {
+        solve(e, &e->building[k]);
+        move(e, &e->building[k], base, &flags);
     }
 }
 
