@@ -228,6 +228,7 @@ static int run_alike(struct ensemble_member **member, int n, const struct observ
     for (int k = 0; k < n; k++) {
         start(f, member[k]);
     }
+    ensemble_lanes_share(&f->lanes, n);
     lockstep(f);
     return STATUS_OK;
 }

@@ -20,16 +20,41 @@ struct ensemble_state {
 };
 
 // What a step needs of a floor besides, with the storey below it.
-struct ensemble_floor {
-    wide inertia;            // [M] minus the mass
-    wide stiffness;          // [F/L]
-    wide below, own, above;  // [F T/L] bands of C
-    wide peak[PEAK_COUNT];   // since the run came aboard, or before: never above that of the run
+enum ensemble_number {
+    NUMBER_INERTIA,    // [M] minus the mass
+    NUMBER_STIFFNESS,  // [F/L]
+    NUMBER_BELOW,
+    NUMBER_OWN,
+    NUMBER_ABOVE,  // [F T/L] bands of C
+    NUMBER_COUNT
 };
 
-// Of A = L D L^T.
-struct ensemble_factor {
-    wide pivot, factor;
+// What it needs to solve A = L D L^T.
+enum ensemble_factor { FACTOR_PIVOT, FACTOR_OFF, FACTOR_COUNT };
+
+// How the numbers of a building are held.
+enum ensemble_held {
+    HELD_BY_EACH,  // WIDE_RUNS of each: one for every lane
+    HELD_ONCE,     // one of each, where it is the same in all lanes: it takes less of the cache
+};
+
+// Number i of `x`, in functions that know how it is `held`.
+#define ENSEMBLE_AT(x, i)                                                                          \
+    (held == HELD_ONCE ? (x)[i] - (wide){0.0}                                                      \
+                       : *(const wide *)((x) + (size_t)(i) * (size_t)WIDE_RUNS))
+
+struct ensemble_building {
+    const struct building *shape;  // borrowed: that of the first model
+    enum ensemble_held held;
+    double *number;   // (n_floor, NUMBER_COUNT)
+    double *factor;   // (n_floor, FACTOR_COUNT)
+    double *inverse;  // (n_floor, n_floor) A^-1; NULL: solves go through the factors
+    bool exceeds;     // a floor exceeds a peak in the step under way
+};
+
+// Largest values since the runs came aboard, or before: never above those of the runs.
+struct ensemble_peaks {
+    wide of[PEAK_COUNT];
 };
 
 struct ensemble_peak_times {
@@ -60,23 +85,19 @@ struct ensemble_works {
 struct ensemble_lanes {
     // The shape, and the steps: those of the first model.
     int n_building, n_floor, n_contact;
-    const struct building *building;  // borrowed
-    double b, g, h;                   // beta h^2, gamma h and h
+    double b, g, h;  // beta h^2, gamma h and h
 
-    long long aboard[WIDE_RUNS];        // all bits of the lanes whose runs are aboard
-    struct ensemble_floor *floor;       // (n_floor) of all buildings
-    struct ensemble_state *now, *next;  // (n_floor)
-    struct ensemble_contact *contact;   // (n_contact)
-    struct ensemble_pressed *pressed;   // (n_contact) those beyond their limits
-    int n_pressed;
-    bool *exceeds;                          // (n_building) a floor exceeds a peak,
-    bool nearer;                            // a contact its own: of the step under way
-    struct ensemble_works *works;           // so far
-    struct ensemble_factor *factor;         // (n_floor)
-    wide **inverse;                         // (n_building) A^-1 of each (n_floor, n_floor), or
-                                            // NULL: factors
-    wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
+    long long aboard[WIDE_RUNS];            // all bits of the lanes whose runs are aboard
+    struct ensemble_building *building;     // (n_building)
+    struct ensemble_state *now, *next;      // (n_floor) of all buildings
+    struct ensemble_peaks *peak;            // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
+    struct ensemble_works *works;           // so far
+    wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
+    struct ensemble_contact *contact;       // (n_contact)
+    bool nearer;                            // one exceeds its peak in the step under way
+    struct ensemble_pressed *pressed;       // (n_contact) those beyond their limits
+    int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
 
@@ -86,6 +107,9 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
 // Gives a lane the numbers of a run, whose home factors are there. False: one is so large that
 // steps in lanes might overflow.
 bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r);
+
+// Holds once what is the same in all of the first n lanes, when they have been filled.
+void ensemble_lanes_share(struct ensemble_lanes *e, int n);
 
 // Takes the floors of the committed state of a run aboard. False: a number is too large.
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r);

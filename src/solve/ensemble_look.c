@@ -25,16 +25,23 @@ INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *fl
     return lanes_set;
 }
 
-LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base) {
+// Negative in lanes where floor i has a number that is too large.
+INLINE void overflow(const struct ensemble_lanes *e, int i, const wide *base, wide_bits *flags) {
+    const struct ensemble_state *s = &e->next[i];
     const wide most = ENSEMBLE_LARGEST - (wide){0.0};
-    wide_bits bad = {0};
-    for (int i = 0; i < e->n_floor; i++) {
-        const struct ensemble_state *s = &e->next[i];
-        const wide total = s->a + *base;
-        bad |=
-            LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
+    const wide total = s->a + *base;
+    *flags |= LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
+}
+
+LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base) {
+    wide_bits flags = {0};
+    for (int k = 0; k < e->n_building; k++) {
+        const struct ensemble_building *b = &e->building[k];
+        for (int i = 0; b->exceeds && i < b->shape->n_floor; i++) {
+            overflow(e, b->shape->first + i, base, &flags);
+        }
     }
-    return lanes_aboard(e, &bad);
+    return lanes_aboard(e, &flags);
 }
 
 // Negative in lanes where a contact is beyond its limit.
@@ -71,20 +78,33 @@ INLINE void raise(const wide_bits *aboard, const wide *size, const wide *time, w
 }
 
 INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard, const wide *base,
-                        const wide *time, const wide *drift) {
+                        const wide *time, const wide *drift, const wide *shear) {
     const wide total = e->next[i].a + *base;
     const wide value[PEAK_COUNT] = {
         [PEAK_DISPLACEMENT] = ABSOLUTE(e->next[i].u),
         [PEAK_VELOCITY] = ABSOLUTE(e->next[i].v),
         [PEAK_ACCELERATION] = ABSOLUTE(total),
         [PEAK_DRIFT] = ABSOLUTE(*drift),
-        [PEAK_SHEAR] = ABSOLUTE(e->floor[i].stiffness * *drift),
+        [PEAK_SHEAR] = ABSOLUTE(*shear),
     };
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(aboard, &value[q], time, &e->floor[i].peak[q], &e->peak_time[i].of[q]);
+        raise(aboard, &value[q], time, &e->peak[i].of[q], &e->peak_time[i].of[q]);
     }
     const wide_bits faster = (LESS(e->works->speed, value[PEAK_VELOCITY]) >> SIGN) & *aboard;
     e->works->speed = CHOOSE(faster, value[PEAK_VELOCITY], e->works->speed);
+}
+
+INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble_building *b,
+                           const wide_bits *aboard, const wide *base, const wide *time) {
+    const enum ensemble_held held = b->held;
+    const struct ensemble_state *s = e->next + b->shape->first;
+    wide u_below = {0.0};
+    for (int i = 0; i < b->shape->n_floor; i++) {
+        const wide drift = s[i].u - u_below;
+        const wide shear = ENSEMBLE_AT(b->number, i * NUMBER_COUNT + NUMBER_STIFFNESS) * drift;
+        raise_floor(e, b->shape->first + i, aboard, base, time, &drift, &shear);
+        u_below = s[i].u;
+    }
 }
 
 LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time) {
@@ -93,11 +113,8 @@ LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double tim
     const wide now = time - (wide){0.0};
     const struct ensemble_state *s = e->next;
     for (int k = 0; k < e->n_building; k++) {
-        const struct building *g = &e->building[k];
-        wide drift = s[g->first].u;
-        for (int i = g->first; e->exceeds[k] && i < g->first + g->n_floor; i++) {
-            raise_floor(e, i, &aboard, base, &now, &drift);
-            drift = s[i + 1].u - s[i].u;
+        if (e->building[k].exceeds) {
+            raise_building(e, &e->building[k], &aboard, base, &now);
         }
     }
     for (int k = 0; e->nearer && k < e->n_contact; k++) {
@@ -108,17 +125,24 @@ LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double tim
     }
 }
 
+INLINE void add_building(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                         wide *kinetic, wide *elastic) {
+    const enum ensemble_held held = b->held;
+    const struct ensemble_state *s = e->now + b->shape->first;
+    wide u_below = {0.0};
+    for (int i = 0; i < b->shape->n_floor; i++) {
+        const double *x = b->number;
+        const wide drift = s[i].u - u_below;
+        *kinetic -= ENSEMBLE_AT(x, i * NUMBER_COUNT + NUMBER_INERTIA) * s[i].v * s[i].v;
+        *elastic += ENSEMBLE_AT(x, i * NUMBER_COUNT + NUMBER_STIFFNESS) * drift * drift / 2.0;
+        u_below = s[i].u;
+    }
+}
+
 LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
     wide kinetic = {0.0}, elastic = {0.0}, input = {0.0}, damping = {0.0};
-    const struct ensemble_state *s = e->now;
     for (int k = 0; k < e->n_building; k++) {
-        const struct building *g = &e->building[k];
-        wide drift = s[g->first].u;
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            kinetic -= e->floor[i].inertia * s[i].v * s[i].v;
-            elastic += e->floor[i].stiffness * drift * drift / 2.0;
-            drift = s[i + 1].u - s[i].u;
-        }
+        add_building(e, &e->building[k], &kinetic, &elastic);
     }
     for (int i = 0; i < LANES_WIDTH; i++) {
         input += e->works->input_2x[i];
