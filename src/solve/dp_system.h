@@ -87,6 +87,9 @@ void dp_system_rates(const struct dp_system *s, const struct state *now, double 
 // The ground's motion at time t into r->ground. Returns its acceleration where there is one ground
 // only, else 0.
 static inline double dp_system_ground(const struct dp_system *s, double t, struct dp_rates *r) {
+    if (s->model->n_ground == 1 && !s->forcing.sines) {
+        return r->ground.a[0] = forcing_lines(&s->forcing, 0, t);
+    }
     forcing_ground(&s->forcing, t, &r->ground);
     return s->model->n_ground == 1 ? r->ground.a[0] : 0.0;
 }

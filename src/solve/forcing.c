@@ -136,7 +136,10 @@ static void integrals(const struct model *m, double t, struct forcing_values *ou
     }
 }
 
-void forcing_beside_lines(const struct forcing *f, double t, struct forcing_values *out) {
+void forcing_ground(const struct forcing *f, double t, struct forcing_values *out) {
+    for (int k = 0; k < f->model->n_ground; k++) {
+        out->a[k] = forcing_lines(f, k, t);
+    }
     if (f->sines) {
         add_sines(f, t, out->a);
     }

@@ -47,19 +47,14 @@ bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a);
 // jumps.
 bool forcing_turn(struct forcing *f, double t);
 
-// Adds to the ground's motion at time t what is no line, and fills the integrals where they matter.
-void forcing_beside_lines(const struct forcing *f, double t, struct forcing_values *out);
-
-// The ground's motion at time t, not after the next corner.
-static inline void forcing_ground(const struct forcing *f, double t, struct forcing_values *out) {
-    int n = f->model->n_ground;
-    for (int k = 0; k < n; k++) {
-        out->a[k] = f->lines[k].value + f->lines[k].slope * (t - f->lines[k].start);
-    }
-    if (f->sines || n > 1) {
-        forcing_beside_lines(f, t, out);
-    }
+// The lines of ground k at time t, not after the next corner.
+static inline double forcing_lines(const struct forcing *f, int k, double t) {
+    const struct sloping *line = &f->lines[k];
+    return line->value + line->slope * (t - line->start);
 }
+
+// The ground's motion then: lines and all else.
+void forcing_ground(const struct forcing *f, double t, struct forcing_values *out);
 
 // Load number k at time t, not after the next corner [F].
 double forcing_load(const struct forcing *f, int k, double t);
