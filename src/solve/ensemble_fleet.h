@@ -22,9 +22,7 @@ struct boat {
     enum berth berth;
     int ground;            // the first run whose ground moves as that of this one
     long boarded;          // the step after which it came aboard
-    bool acts;             // links act in the step under way of a run aboard,
-    bool wanted;           // and their forces have not been solved for
-    struct totals before;  // as of the start of that step
+    struct totals before;  // a step in which its links act
 };
 
 struct fleet {
@@ -33,9 +31,13 @@ struct fleet {
     int n;
     struct boat boat[ENSEMBLE_MAX];  // (n) boat k in lane k
     int n_aboard, n_ashore;
-    long due;    // the step after which a run has but its last one, which may be shorter
-    long known;  // ground accelerations are there up to this step
-    int every;   // steps between two rows
+    // Bits of runs aboard:
+    unsigned live;    // their committed states have live links,
+    unsigned acting;  // links act in the step under way,
+    unsigned wanted;  // and their forces are still to be solved for
+    long due;         // the step after which a run has but its last one, which may be shorter
+    long known;       // ground accelerations are there up to this step
+    int every;        // steps between two rows
 };
 
 // Takes a run aboard after step n, if it may.
