@@ -6,8 +6,8 @@
 #include "solve/contact.h"
 #include "solve/event.h"
 
-// The trial of building k, and the corrections that it has so far. The former as ensemble_march.c
-// has it.
+// The committed state of building k, its trial, as ensemble_march.c has it, and the corrections that
+// it has so far.
 static void gather_building(const struct ensemble_lanes *e, int lane, struct run *r, int k) {
     const struct building *g = &r->model->building[k];
     const double h = e->h, half = h * h / 2.0;
@@ -15,7 +15,9 @@ static void gather_building(const struct ensemble_lanes *e, int lane, struct run
     for (int i = g->first; i < g->first + g->n_floor; i++) {
         const struct ensemble_state *s = &e->now[i];
         const double u = s->u[lane], v = s->v[lane], a = s->a[lane];
+        r->now->u[i] = u;
         r->now->v[i] = v;
+        r->now->a[i] = a;
         w->u_trial[i] = u + (h * v + half * a);
         w->v_trial[i] = v + h * a;
         w->correction[i] = e->correction[i][lane];
@@ -30,11 +32,10 @@ static void scatter_building(struct ensemble_lanes *e, int lane, struct run *r, 
         const double q = w->correction[i];
         const double u = w->u_trial[i] + w->b * q;
         const double v = w->v_trial[i] + w->g * q;
-        r->next->u[i] = u;
         r->next->v[i] = v;
         e->next[i].u[lane] = u;
         e->next[i].v[lane] = v;
-        e->next[i].a[lane] = e->now[i].a[lane] + q;
+        e->next[i].a[lane] = r->now->a[i] + q;
     }
 }
 
