@@ -6,8 +6,8 @@
 #include "solve/contact.h"
 #include "solve/event.h"
 
-// The committed state of building k, its trial, as ensemble_march.c has it, and the corrections that
-// it has so far.
+// The committed state of building k, its trial, as ensemble_march.c has it, and the corrections
+// that it has so far.
 static void gather_building(const struct ensemble_lanes *e, int lane, struct run *r, int k) {
     const struct building *g = &r->model->building[k];
     const double h = e->h, half = h * h / 2.0;
@@ -39,9 +39,9 @@ static void scatter_building(struct ensemble_lanes *e, int lane, struct run *r, 
     }
 }
 
-static double penetration(const struct ensemble_contact *c, const struct ensemble_state *s,
+static double penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
                           int lane) {
-    return s[c->left].u[lane] - s[c->right].u[lane] - c->gap[lane];
+    return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
 }
 
 void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, double start,
@@ -53,10 +53,9 @@ void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, dou
     next->time = end;
     for (int i = 0; i < next->n_live; i++) {
         const int k = next->live[i];
-        struct ensemble_contact *c = &e->contact[k];
-        c->limit[lane] = INFINITY;
-        e->residual[c->left][lane] -= next->force[k];
-        e->residual[c->right][lane] += next->force[k];
+        e->contact[k].limit[lane] = INFINITY;
+        e->residual[e->end[k][0]][lane] -= next->force[k];
+        e->residual[e->end[k][1]][lane] += next->force[k];
     }
 }
 
@@ -86,8 +85,8 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
             continue;
         }
         gather_ends(e, lane, r, &r->model->link[k]);
-        r->now->delta[k] = penetration(&e->contact[k], e->now, lane);
-        r->next->delta[k] = penetration(&e->contact[k], e->next, lane);
+        r->now->delta[k] = penetration(e, k, e->now, lane);
+        r->next->delta[k] = penetration(e, k, e->next, lane);
         if (contact_close(&r->work, r->now, r->next, k)) {
             e->contact[k].limit[lane] = INFINITY;
             n++;
@@ -106,7 +105,7 @@ int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r) {
     }
     for (int i = 0; i < r->next->n_live; i++) {
         const int k = r->next->live[i];
-        r->next->delta[k] = penetration(&e->contact[k], e->next, lane);
+        r->next->delta[k] = penetration(e, k, e->next, lane);
     }
     return STATUS_OK;
 }

@@ -171,7 +171,7 @@ INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
     wide_bits deeper = {0};
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_contact *c = &e->contact[k];
-        wide delta = t[c->left].u - t[c->right].u - c->gap;
+        wide delta = t[e->end[k][0]].u - t[e->end[k][1]].u - c->gap;
         deeper |= (wide_bits)(c->deepest - delta);
     }
     *flags |= deeper;
