@@ -11,18 +11,16 @@
 // step. Where it is slow, because stiff links share a floor, a block Newton step (block.c) is put
 // between sweeps, and kept only if it halves the error.
 //
-// Converged: in one sweep no force changes by more than the tolerance relative to the largest, or
-// the change moves the link by less than the rounding of its displacements. The latter keeps
-// grazing contacts, whose force is all rounding, from iterating for ever.
+// Converged: another sweep would change no force by more than the tolerance relative to the
+// largest, or the change moves the link by less than the rounding of its displacements. The latter
+// keeps grazing contacts, whose force is all rounding, from iterating for ever.
 #include "solve/contact.h"
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "core/number.h"
 #include "solve/block.h"
-#include "solve/crossing.h"
 #include "solve/quick.h"
 #include "solve/resolve.h"
 
@@ -76,121 +74,6 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
 void contact_apply(struct work *w, struct quick *p, double df) {
     p->force += df;
     quick_push(w, p, df);
-}
-
-// A first guess of the force: the polynomial through the last steps, as many as there were with the
-// link closed, up to four.
-static inline double guess(double f, int n_past, const double past[PAST_STEPS]) {
-    double next = n_past == PAST_STEPS ? 4.0 * (f + past[1]) - 6.0 * past[0] - past[2]
-                  : n_past == 2        ? 3.0 * (f - past[0]) + past[1]
-                  : n_past == 1        ? 2.0 * f - past[0]
-                                       : f;
-    return f > 0.0 ? number_max(next, 0.0) : f;
-}
-
-// Forces of rigid contacts at rest hardly curve; a parabola would enlarge what they miss.
-static inline int past_after(int n_past, const struct contact_law *law) {
-    int most = law->rebound ? 1 : PAST_STEPS;
-    return n_past < most ? n_past + 1 : most;
-}
-
-// Link k, closed so far, begins the step as it ended the last.
-static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
-    struct quick *p = &w->quick[k];
-    const struct link *l = p->link;
-    double f = now->force[k];
-    const double *past = now->past[k];
-    double *past_next = next->past[k];
-    next->live[next->n_live++] = k;
-    next->is_live[k] = true;
-    next->force[k] = guess(f, now->n_past[k], past);
-    past_next[0] = f;
-    past_next[1] = past[0];
-    past_next[2] = past[1];
-    next->n_past[k] = past_after(now->n_past[k], l->law);
-    next->t_close[k] = now->t_close[k];
-    next->v_close[k] = now->v_close[k];
-    if (l->law->n_history > 0) {
-        memcpy(next->link_history + l->history, now->link_history + l->history,
-               (size_t)l->law->n_history * sizeof *next->link_history);
-    }
-    p->branch = BRANCH_CLOSED;
-    p->clamped = false;
-    gaps_touch(&w->gaps, k);
-}
-
-// Opens the links that were live in `next`, when it was another state, and are not closed in `now`.
-static void open_others(const struct state *now, struct state *next) {
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        if (!now->closed[k]) {
-            next->is_live[k] = next->closed[k] = false;
-            next->force[k] = 0.0;
-        }
-    }
-    next->n_live = 0;
-}
-
-void contact_begin(struct work *w, const struct state *now, struct state *next) {
-    open_others(now, next);
-    gaps_forget(&w->gaps, now);
-    for (int i = 0; i < now->n_live; i++) {
-        if (now->closed[now->live[i]]) {
-            carry_on(w, now, next, now->live[i]);
-        }
-    }
-}
-
-void contact_penetrations(struct work *w, struct state *next) {
-    gaps_update(&w->gaps, next);
-}
-
-// Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
-// of closure from its path without its own force, and the law's history from that.
-static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
-    struct quick *p = &w->quick[k];
-    const struct link *l = p->link;
-    state_enliven(next, k);
-    gaps_touch(&w->gaps, k);
-    p->branch = BRANCH_OPEN;
-    p->clamped = false;
-    p->checked = p->fits_to = p->force = 0.0;
-    struct line line = contact_line(w, now, next, k);
-    struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
-                        line.v_free, w->h};
-    double rate;
-    next->t_close[k] = now->time + crossing_find(&path, &rate);
-    next->v_close[k] = number_max(rate, 0.0);
-    if (l->law->close) {
-        l->law->close(l->constant, next->v_close[k], next->link_history + l->history);
-    }
-}
-
-// Does an open link close in this step? One that has just opened may stand a rounding error inside;
-// it closes only if it goes deeper. Rigid contacts close by an event.
-static inline bool closes(const struct work *w, const struct state *now, const struct state *next,
-                          int k) {
-    return next->delta[k] > 0.0 && next->delta[k] > now->delta[k] && !next->is_live[k] &&
-           k != w->held && !w->model->link[k].law->rebound;
-}
-
-bool contact_close(struct work *w, const struct state *now, struct state *next, int k) {
-    bool closed = closes(w, now, next, k);
-    if (closed) {
-        close_link(w, now, next, k);
-    }
-    return closed;
-}
-
-int contact_search(struct work *w, const struct state *now, struct state *next) {
-    int before = next->n_live;
-    for (int i = 0; i < w->gaps.n_pressed; i++) {
-        const struct gap_run *r = &w->gaps.run[w->gaps.pressed[i]];
-        for (int k = r->first; k < r->first + r->n; k++) {
-            contact_close(w, now, next, k);
-        }
-    }
-    return next->n_live - before;
 }
 
 // Rounding that the forces of other links bring into x (n_dof).
@@ -279,7 +162,9 @@ static struct progress sweep(struct work *w, const struct state *now, struct sta
                          .loosest = last->loosest,
                          .echo = last->echo,
                          .clear = INFINITY};
-    quick_tighten(w, &s);
+    if (answers == ANSWERS_NEWTON) {
+        quick_ask(w, &s);
+    }
     for (int i = 0;; i++) {
         i = answers == ANSWERS_NEWTON ? quick_sweep(w, i, &s) : i;
         if (i == w->n_acting) {
@@ -405,21 +290,4 @@ int contact_solve(struct work *w, const struct state *now, struct state *next) {
     }
     *counter += 1;
     return STATUS_OK;
-}
-
-void contact_finish(struct work *w, const struct state *now, struct state *next) {
-    const struct model *m = w->model;
-    w->n_toggled = 0;
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        const struct link *l = &m->link[k];
-        next->closed[k] = w->quick[k].branch != BRANCH_OPEN;
-        if (next->closed[k] != now->closed[k]) {
-            w->toggled[w->n_toggled++] = k;
-        }
-        if (next->closed[k] && l->law->commit) {
-            l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
-                           state_rate(next, m, k));
-        }
-    }
 }

@@ -6,12 +6,12 @@
 // and q changes by df times the columns of A^-1 of both ends. A^-1 is almost diagonal, for
 // beta h^2 K << M: links disturb each other where they share a floor, and little else.
 //
-// All laws are asked before the first sweep, where they need not wait for each other, and a law is
-// taken for the line df = base + rate x from there, which costs little. A law must be asked again
-// where that is not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f
-// more than the line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4
-// are taken. A link of a smooth law within that reach is settled, and passed over where the line
-// asks for no change that matters.
+// Laws are asked between sweeps, where they need not wait for each other, and a law is taken for
+// the line df = base + rate x from there, which costs little. It must be asked again where that is
+// not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f more than the
+// line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4 are taken. A
+// link of a smooth law within that reach is settled, and passed over where the line asks for no
+// change that matters.
 //
 // What is left to a settled link are the changes of others after its own. They change its force by
 //     |df_l| <= t / (1 + s) sum over m of |S_lm df_m| <= s sum of |S_lm| / S_ll max |df_m|,
@@ -41,7 +41,16 @@ static const double LOOSER = 4.0;
 
 void quick_init(struct quick *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
-    *p = (struct quick){.link = l, .index = k, .smooth = l->law->traits & CONTACT_SMOOTH};
+    *p = (struct quick){
+        .link = l,
+        .index = k,
+        .kind = l->law,
+        .constant = l->constant,
+        .gap = l->gap,
+        .bilateral = l->bilateral,
+        .moving_ground = l->moving_ground,
+        .smooth = l->law->traits & CONTACT_SMOOTH,
+    };
     for (int i = 0; i < 2; i++) {
         p->end[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
     }
@@ -81,13 +90,12 @@ static void find_columns(const struct work *w, struct quick *p) {
 // Asks the law of a link that sees x, and draws its line from there. False: a Newton step is not
 // safe.
 static inline bool ask(const struct work *w, struct quick *p, double x, struct progress *s) {
-    const struct link *l = p->link;
     double d = p->d_trial + w->b * x;
     double v = p->v_trial + w->g * x;
-    if (!p->trusted || !(d > 0.0 || l->bilateral)) {
+    if (!p->trusted || !(d > 0.0 || p->bilateral)) {
         return false;
     }
-    p->law = l->law->force(l->constant, p->history, d, v);
+    p->law = p->kind->force(p->constant, p->history, d, v);
     double slope = w->b * p->law.dfdd + w->g * p->law.dfdv;
     double share = p->flexibility * slope;
     if (!(share >= 0.0 && share <= STEEPEST)) {
@@ -98,7 +106,7 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
     p->damped = 1.0 / (1.0 + share);
     p->rate = slope * p->damped;
     p->base = (p->law.force - p->force) * p->damped - p->rate * x;
-    p->near = l->bilateral ? INFINITY : NEAR * d * w->per_b;
+    p->near = p->bilateral ? INFINITY : NEAR * d * w->per_b;
     double straight = sqrt(STRAIGHT * s->enough * fabs(p->law.force)) / slope;
     double turn = fabs(v) * w->per_g;
     p->reach = p->smooth ? number_min(number_min(p->near, turn), straight) : -1.0;
@@ -106,27 +114,22 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
     return true;
 }
 
-// What is known before the first sweep: where d and v are without corrections, how the ends yield,
-// unless that has stayed, and the law.
-static inline void gather(struct work *w, const struct state *next, struct quick *p,
-                          struct progress *s) {
-    const struct link *l = p->link;
+// Where d and v are without corrections, and how the ends yield, unless that has stayed.
+static inline void gather(struct work *w, const struct state *next, struct quick *p) {
     int left = p->end[0];
     int right = p->end[1];
-    p->history = next->link_history + l->history;
-    p->trusted = p->branch == BRANCH_CLOSED && l->law->force && !p->clamped;
+    p->trusted = p->branch == BRANCH_CLOSED && p->kind->force && !p->clamped;
     p->open = false;
     p->ask = true;
-    p->d_trial = w->u_trial[left] - w->u_trial[right] - l->gap;
+    p->d_trial = w->u_trial[left] - w->u_trial[right] - p->gap;
     p->v_trial = w->v_trial[left] - w->v_trial[right];
-    if (l->moving_ground) {
-        p->d_trial += state_ground_gap(l, w->model, next->ground_u);
-        p->v_trial += state_ground_gap(l, w->model, next->ground_v);
+    if (p->moving_ground) {
+        p->d_trial += state_ground_gap(p->link, w->model, next->ground_u);
+        p->v_trial += state_ground_gap(p->link, w->model, next->ground_v);
     }
     if (p->factors != w->factors) {
         find_columns(w, p);
     }
-    ask(w, p, w->correction[left] - w->correction[right], s);
 }
 
 void quick_gather(struct work *w, const struct state *next, struct progress *s) {
@@ -137,17 +140,18 @@ void quick_gather(struct work *w, const struct state *next, struct progress *s) 
         w->acting[i] = p;
         p->force = next->force[p->index];
         s->largest = number_max(s->largest, fabs(p->force));
-    }
-    s->enough = s->loosest = w->model->tolerance * s->largest;
-    for (int i = 0; i < w->n_acting; i++) {
-        gather(w, next, w->acting[i], s);
+        gather(w, next, p);
     }
 }
 
-void quick_tighten(struct work *w, struct progress *s) {
+void quick_ask(struct work *w, struct progress *s) {
     bool looser = s->loosest > LOOSER * s->enough;
-    for (int i = 0; looser && i < w->n_acting; i++) {
-        w->acting[i]->ask = true;
+    for (int i = 0; i < w->n_acting; i++) {
+        struct quick *p = w->acting[i];
+        if (p->ask || looser) {
+            p->ask = true;
+            ask(w, p, w->correction[p->end[0]] - w->correction[p->end[1]], s);
+        }
     }
     s->loosest = looser ? s->enough : number_max(s->loosest, s->enough);
 }
@@ -174,7 +178,7 @@ void quick_push(const struct work *w, const struct quick *p, double df) {
 
 // Is a change of the force no more than the rounding of d and v makes of it?
 static inline bool negligible(const struct work *w, const struct quick *p, double df) {
-    double d = fabs(w->u_trial[p->end[0]]) + fabs(w->u_trial[p->end[1]]) + p->link->gap;
+    double d = fabs(w->u_trial[p->end[0]]) + fabs(w->u_trial[p->end[1]]) + p->gap;
     double v = fabs(w->v_trial[p->end[0]]) + fabs(w->v_trial[p->end[1]]);
     double change = 4.0 * DBL_EPSILON * (fabs(p->law.dfdd) * d + fabs(p->law.dfdv) * v);
     return fabs(df) <= change * p->damped;
@@ -223,8 +227,7 @@ LANES int quick_sweep(struct work *w, int first, struct progress *s) {
     for (int i = first, n = w->n_acting; i < n; i++) {
         struct quick *p = w->acting[i];
         double x = w->correction[p->end[0]] - w->correction[p->end[1]];
-        bool known = !p->ask || ask(w, p, x, s);
-        if (known ? !step(w, p, x, s) : !stays_open(w, p, x, s)) {
+        if (p->ask ? !stays_open(w, p, x, s) : !step(w, p, x, s)) {
             return i;
         }
         s->largest = number_max(s->largest, fabs(p->force));

@@ -33,10 +33,9 @@ static bool fits_spring(const struct work *w, struct quick *p, struct contact_re
     if (d <= p->fits_to) {
         return true;
     }
-    const struct link *l = p->link;
     double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
                            ? r.dfdd
-                           : l->law->force(l->constant, p->history, d, 0.0).dfdd;
+                           : p->kind->force(p->constant, p->history, d, 0.0).dfdd;
     double coarse = stiffness * p->flexibility * w->h * w->h;
     p->fits_to = p->smooth && 4.0 * coarse <= COARSEST_SPRING ? 2.0 * d : 0.0;
     return coarse <= COARSEST_SPRING;
@@ -47,9 +46,8 @@ static bool fits(const struct work *w, struct quick *p, struct contact_response 
 }
 
 static bool resolved_at(const struct work *w, struct quick *p, double d, double v) {
-    const struct link *l = p->link;
     double depth = number_max(d, 0.0);
-    return fits(w, p, l->law->force(l->constant, p->history, depth, v), depth);
+    return fits(w, p, p->kind->force(p->constant, p->history, depth, v), depth);
 }
 
 static bool at_rest(const struct work *w, const struct path *p) {
@@ -106,8 +104,7 @@ bool resolve_suffices(struct work *w, const struct state *now, const struct stat
         double d = p->d_trial + w->b * x;
         if (seen_before(w, now, p, d)) {
             p->checked = w->h;
-        } else if (!p->link->bilateral && !p->link->law->rebound &&
-                   !resolved(w, now, next, p, x, d)) {
+        } else if (!p->bilateral && !p->kind->rebound && !resolved(w, now, next, p, x, d)) {
             w->unresolved = p->index;
             return false;
         }
