@@ -95,7 +95,7 @@ struct ensemble_lanes {
     wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
     struct ensemble_contact *contact;       // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
-    bool nearer;    // one exceeds its peak in the step under way
+    bool nearer;    // an open one exceeds its peak in the step under way
     struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
