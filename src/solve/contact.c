@@ -147,10 +147,21 @@ void contact_penetrations(struct work *w, struct state *next) {
     gaps_update(&w->gaps, next);
 }
 
+// The trial of the buildings of a link, unless others have touched them before.
+static void try_buildings(struct work *w, const struct state *now, const struct link *l) {
+    for (int i = 0; i < 2; i++) {
+        int b = l->building[i];
+        if (b != WALL && !w->gaps.is_touched[b]) {
+            floors_trial(w, now, b);
+        }
+    }
+}
+
 // Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
 // of closure from its path without its own force, and the law's history from that.
 static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
     const struct link *l = &w->model->link[k];
+    try_buildings(w, now, l);
     enliven(w, next, k);
     w->branch[k] = BRANCH_OPEN;
     w->clamped[k] = false;
@@ -191,8 +202,11 @@ int contact_search(struct work *w, const struct state *now, struct state *next) 
 // Rounding that the forces of other links bring into x (n_dof).
 static double rounding_of_others(const struct work *w, const double *x) {
     double largest = 0.0;
-    for (int i = 0; i < w->model->n_dof; i++) {
-        largest = number_max(largest, fabs(x[i]));
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        for (int j = g->first; j < g->first + g->n_floor; j++) {
+            largest = number_max(largest, fabs(x[j]));
+        }
     }
     return 16.0 * DBL_EPSILON * largest;
 }

@@ -8,8 +8,10 @@
 // been used some times.
 #include "solve/effective.h"
 
+#include <assert.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -116,7 +118,7 @@ static void solve_tridiagonal(const struct effective *e, double *r) {
     }
 }
 
-// Adds to q (n) the sum of r_i times row i of the inverse.
+// q (n) = the sum of r_i times row i of the inverse.
 LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
                            int n, double *restrict q) {
     for (int j = 0; j < n; j += LANES_VECTOR) {
@@ -126,10 +128,10 @@ LANES static void multiply(const double *restrict inverse, int stride, const dou
             y += r[i] * *(const lanes *)row;
         }
         if (j + LANES_VECTOR <= n) {
-            *(lanes *)(q + j) += y;
+            *(lanes *)(q + j) = y;
         }
         for (int lane = 0; j + LANES_VECTOR > n && j + lane < n; lane++) {
-            q[j + lane] += y[lane];
+            q[j + lane] = y[lane];
         }
     }
 }
@@ -142,26 +144,81 @@ void effective_solve(struct effective *e, double *r, double *q) {
     }
     solve_tridiagonal(e, r);
     for (int i = 0; i < n; i++) {
-        q[i] += r[i];
+        q[i] = 0.0 + r[i];
     }
     if (effective_prefers_inverse(e)) {
         effective_column(e, e->n_ready);
     }
 }
 
-void effective_solve_four(struct effective *e, double *const r[4], double *const q[4]) {
+// For at most LANES_WIDTH floors. Rows and columns beyond the inverse are 0.
+LANES_INLINE void multiply_low(const double *inverse, const double *r, double *q) {
+    lanes_wide sum = {0.0};
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        sum += r[i] * LANES_AT(inverse, (ptrdiff_t)i * LANES_WIDTH);
+    }
+    *(lanes_wide *)q = sum;
+}
+
+// For at most twice as many: LANES_WIDTH columns, the first of which is column j.
+LANES_INLINE void multiply_columns(const double *inverse, int j, const double *r, double *q) {
+    enum { STRIDE = 2 * LANES_WIDTH };
+    const double *row = inverse + j;
+    lanes first = {0.0}, second = {0.0};
+    for (int i = 0; i < STRIDE; i++, row += STRIDE) {
+        first += r[i] * *(const lanes *)row;
+        second += r[i] * *(const lanes *)(row + LANES_VECTOR);
+    }
+    *(lanes *)(q + j) = first;
+    *(lanes *)(q + j + LANES_VECTOR) = second;
+}
+
+// The same as multiply for low buildings, in whole lanes: what is written beyond q belongs to the
+// next building.
+LANES_INLINE void multiply_whole(const struct effective *e, const double *r, double *q) {
+    static_assert(INVERSE_FLOORS_MAX <= 2 * LANES_WIDTH, "those are all the strides there are");
+    static_assert(LANES_WIDTH == 2 * LANES_VECTOR, "there are two halves");
+    if (e->stride == LANES_WIDTH) {
+        multiply_low(e->inverse, r, q);
+    } else {
+        multiply_columns(e->inverse, 0, r, q);
+        multiply_columns(e->inverse, LANES_WIDTH, r, q);
+    }
+}
+
+// Are the first n buildings of a row four tridiagonal ones of one height?
+static bool are_alike(const struct effective *e, int n) {
+    bool alike = n >= 4;
+    for (int k = 0; alike && k < 4; k++) {
+        alike = e[k].building->n_floor == e->building->n_floor && !effective_prefers_inverse(&e[k]);
+    }
+    return alike;
+}
+
+static void solve_four(const struct effective *e, double *r, double *q) {
     int n = e->building->n_floor;
-    bool alike = true;
-    for (int k = 0; k < 4; k++) {
-        alike = alike && e[k].building->n_floor == n && !effective_prefers_inverse(&e[k]);
-    }
-    if (!alike) {
-        for (int k = 0; k < 4; k++) {
-            effective_solve(&e[k], r[k], q[k]);
+    double *const rs[] = {r, r + n, r + 2 * n, r + 3 * n};
+    double *const qs[] = {q, q + n, q + 2 * n, q + 3 * n};
+    four_solve(e, rs, qs);
+}
+
+LANES void effective_solve_row(struct effective *e, int n, double *r, double *q) {
+    for (int k = 0; k < n;) {
+        struct effective *first = &e[k];
+        int floors = first->building->n_floor;
+        int solved = 1;
+        if (first->stride <= INVERSE_FLOORS_MAX && effective_has_inverse(first)) {
+            multiply_whole(first, r, q);
+        } else if (are_alike(first, n - k)) {
+            solve_four(first, r, q);
+            solved = 4;
+        } else {
+            effective_solve(first, r, q);
         }
-        return;
+        k += solved;
+        r += solved * floors;
+        q += solved * floors;
     }
-    four_solve(e, r, q);
 }
 
 // Entries of a row of the inverse that are this small against its diagonal are below rounding.

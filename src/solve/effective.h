@@ -49,12 +49,13 @@ static inline bool effective_has_inverse(const struct effective *e) {
     return e->n_ready == e->building->n_floor && effective_prefers_inverse(e);
 }
 
-// Adds A^-1 r to q; both (n_floor), r is overwritten.
+// q = A^-1 r; both (n_floor), r is overwritten.
 void effective_solve(struct effective *e, double *r, double *q);
 
-// The same for four buildings at once, which takes little longer than for one where all are
-// tridiagonal and of the same height.
-void effective_solve_four(struct effective *e, double *const r[4], double *const q[4]);
+// The same for n buildings whose floors stand one behind the other in r and q, arrays of
+// core/lanes.h: what r has behind them must be finite, and q may be written there. Takes much less
+// time than one after the other where they are low, or where four are of the same height.
+void effective_solve_row(struct effective *e, int n, double *r, double *q);
 
 // Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on
 // floor i + 1. Computed when first asked for after a factorisation.

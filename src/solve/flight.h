@@ -32,6 +32,8 @@ struct flight {
     int n_group;
     struct gap_group *group;  // (n_group)
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
+    int *group_end;           // by block of floors: after it the groups before this can be seen to
+    bool *higher;             // a block may have peaks
 
     long ahead_from;              // step of the first of what is computed ahead:
     double time[FLIGHT_AHEAD];    // [T]
@@ -46,26 +48,22 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
-// What a step may turn out to be.
-enum flight_event {
-    FLIGHT_PEAK = 1,  // a floor may have reached a peak, or is not finite
-    FLIGHT_ENDS = 2,  // a contact closes or a storey leaves its branch: the step is not taken
+// How near contacts have come.
+enum nearness {
+    NEARNESS_FAR,
+    NEARNESS_DEEPEST,  // nearer than ever
+    NEARNESS_CLOSED,
 };
 
-// The step from `now` to `next`: displacements, velocities, accelerations and damping forces, and
-// the works done, under the ground acceleration `ground`, or where that is not uniform under the
-// base and external forces of `next`.
-unsigned flight_step(const struct flight *f, const struct state *now, struct state *next,
-                     double ground);
+// A step from `now` to `next`, to the time and under the ground accelerations, or where these are
+// not uniform the base and external forces of `next`, where not all storeys are elastic; with its
+// account. False: a contact would close, or a storey leave its branch, or the state is not finite,
+// and the step is not taken.
+bool flight_yielding(const struct flight *f, const struct state *now, struct state *next);
 
-// The same where not all storeys are elastic.
-unsigned flight_step_yielding(const struct flight *f, const struct state *now, struct state *next,
-                              double ground);
-
-// Looks closer at contacts that may have come nearer than ever: FLIGHT_ENDS if one is closed.
-unsigned flight_near(const struct flight *f, struct state *next);
-
-// Takes the floors of `s` into the peaks: FLIGHT_ENDS if one is not finite.
-unsigned flight_peaks(const struct flight *f, const struct state *s);
+// What is seldom needed at the end of a step: contacts that have come nearer than ever, and the
+// works where the ground is not uniform.
+void flight_finish(const struct flight *f, const struct state *now, struct state *next,
+                   enum nearness near);
 
 #endif

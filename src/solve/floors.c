@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One step of Newmark's method, where all is linear but for the links, whose forces f are given:
+//     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
+//     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
+//     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
+// and the works of the step and the tests for peaks. A block of buildings goes through all of it
+// before the next one does. Lanes do not begin where buildings do: what a block computes of a
+// neighbour's floors is computed by that one anew.
+#include "solve/floors.h"
+
+#include <string.h>
+
+#include "core/arena.h"
+#include "solve/contact.h"
+#include "solve/floor_loops.h"
+
+// Buildings of one height are solved by fours, and so many floors make a block.
+enum { TOGETHER = 4, FLOORS_LEAST = 192 };
+
+// Buildings from k on that make up a block.
+static int block_size(const struct model *m, int k) {
+    int n = 0;
+    int floors = 0;
+    while (k + n < m->n_building && (n % TOGETHER != 0 || floors < FLOORS_LEAST)) {
+        floors += m->building[k + n++].n_floor;
+    }
+    return n;
+}
+
+static struct floor_block block_from(const struct model *m, int k, int first) {
+    struct floor_block b = {.building = k, .n_building = block_size(m, k), .first = first};
+    const struct building *last = &m->building[k + b.n_building - 1];
+    int end = last->first + last->n_floor;
+    b.n = lanes_whole(end) - first;
+    b.end = k + b.n_building < m->n_building ? end / LANES_WIDTH * LANES_WIDTH : lanes_whole(end);
+    return b;
+}
+
+bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
+    int most = 0;
+    *f = (struct floors){
+        .block = arena_alloc(a, (size_t)m->n_building, sizeof *f->block),
+        .first_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->first_end),
+        .following_end = arena_alloc(a, 2 * (size_t)m->n_link, sizeof *f->following_end),
+    };
+    if (!f->block || !f->first_end || !f->following_end) {
+        return false;
+    }
+    for (int k = 0, first = 0; k < m->n_building; f->n_block++) {
+        struct floor_block b = block_from(m, k, first);
+        f->block[f->n_block] = b;
+        most = b.n > most ? b.n : most;
+        first = b.end;
+        k += b.n_building;
+    }
+    for (int k = 0; k < m->n_building; k++) {
+        f->first_end[k] = -1;
+    }
+    f->u = lanes_array(a, most);
+    f->v = lanes_array(a, most);
+    f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
+    return f->u && f->v && f->residual;
+}
+
+// Lists the ends of live links by building, in the order of the links.
+static void list_ends(struct floors *f, const struct model *m, const struct state *s) {
+    for (int i = 2 * s->n_live - 1; i >= 0; i--) {
+        int end = 2 * s->live[i / 2] + i % 2;
+        int k = m->link[end / 2].building[end % 2];
+        if (k != WALL) {
+            f->following_end[end] = f->first_end[k];
+            f->first_end[k] = end;
+        }
+    }
+}
+
+// Takes the forces of live links into the residual of a block, and the trial of their buildings for
+// the contact iteration. The lists are used up.
+static void push(struct work *w, const struct state *now, const struct state *next, const struct floor_block *b) {
+    const struct model *m = w->model;
+    struct floors *f = &w->floors;
+    for (int k = b->building; k < b->building + b->n_building; k++) {
+        if (f->first_end[k] >= 0) {
+            floors_trial(w, now, k);
+        }
+        for (int end = f->first_end[k]; end >= 0; end = f->following_end[end]) {
+            double force = next->force[end / 2];
+            f->residual[m->link[end / 2].dof[end % 2] - b->first] += end % 2 == 0 ? -force : force;
+        }
+        f->first_end[k] = -1;
+    }
+}
+
+// Negative if a block is not finite.
+LANES_INLINE int64_t move(struct work *w, const struct state *now, struct state *next,
+                           const struct floor_block *b) {
+    struct floors *f = &w->floors;
+    const int i = b->first;
+    const struct chain part = chain_part(&w->model->chain, i, b->n);
+    const struct building *g = &w->model->building[b->building];
+    const double *a = now->a + i;
+    double *r = f->residual, *q = w->correction;
+    floors_predict(b->n, w->h, now->u + i, now->v + i, a, f->u, f->v);
+    if (state_is_uniform(w->model)) {
+        floors_unbalance(&part, next->ground_a[0], a, f->u, f->v, r);
+    } else {
+        floors_unbalance_under(&part, next->external + i, a, f->u, f->v, r);
+    }
+    if (next->n_live > 0) {
+        push(w, now, next, b);
+    }
+    effective_solve_row(&w->effective[b->building], b->n_building, r + (g->first - i),
+                        q + g->first);
+    return floors_correct(b->n, w->b, w->g, q + i, f->u, f->v, a, next->u + i, next->v + i, next->a + i);
+}
+
+LANES bool floors_move(struct work *w, const struct state *now, struct state *next) {
+    int64_t sign = 0;
+    list_ends(&w->floors, w->model, next);
+    for (int i = 0; i < w->floors.n_block; i++) {
+        sign |= move(w, now, next, &w->floors.block[i]);
+    }
+    return sign >= 0;
+}
+
+void floors_trial(struct work *w, const struct state *now, int k) {
+    const struct building *g = &w->model->building[k];
+    const struct chain part = {.n = lanes_whole(g->n_floor)};
+    const int i = g->first;
+    chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
+}
+
+LANES static bool account_block(struct energy_account *a, struct results *r, const struct model *m,
+                                int first, int end, const struct state *now,
+                                const struct state *next) {
+    bool higher = floors_add_works(m, first, end, a, r->peak, now, next) < 0;
+    if (higher) {
+        floors_raise(m, first, end, r, next, NULL);
+    }
+    return higher;
+}
+
+void floors_account(struct energy_account *a, struct results *r, const struct model *m,
+                    const struct state *now, const struct state *next) {
+    for (int first = 0; first < m->chain.n; first += CHAIN_BLOCK) {
+        int end = first + CHAIN_BLOCK < m->chain.n ? first + CHAIN_BLOCK : m->chain.n;
+        if (account_block(a, r, m, first, end, now, next)) {
+            peaks_speed(r, first, end - first);
+        }
+    }
+    if (!state_is_uniform(m)) {
+        energy_input(a, m, now, next);
+    }
+}
+
+// A step as far as it is known to be one in free flight.
+LANES_INLINE enum nearness fly(const struct flight *f, const struct state *now,
+                                struct state *next) {
+    struct work *w = f->work;
+    enum nearness all = NEARNESS_FAR;
+    for (int i = 0, group = 0; i < w->floors.n_block; i++) {
+        const struct floor_block *b = &w->floors.block[i];
+        if (move(w, now, next, b) < 0) {
+            return NEARNESS_CLOSED;
+        }
+        enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
+        group = f->group_end[i];
+        all = own > all ? own : all;
+        if (all == NEARNESS_CLOSED) {
+            return NEARNESS_CLOSED;
+        }
+        f->higher[i] =
+            floors_add_works(f->model, b->first, b->end, f->energy, f->results->peak, now, next) < 0;
+    }
+    return all;
+}
+
+LANES bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
+    const struct energy_account before = *f->energy;
+    enum nearness near = fly(f, now, next);
+    if (near == NEARNESS_CLOSED) {
+        *f->energy = before;
+        return false;
+    }
+    for (int i = 0; i < f->work->floors.n_block; i++) {
+        const struct floor_block *b = &f->work->floors.block[i];
+        if (f->higher[i]) {
+            floors_raise(f->model, b->first, b->end, f->results, next, NULL);
+        }
+    }
+    flight_finish(f, now, next, near);
+    return true;
+}
