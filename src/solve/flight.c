@@ -136,8 +136,13 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     return true;
 }
 
-void flight_finish(const struct flight *f, const struct state *now, struct state *next,
-                   enum nearness near) {
+// Takes a step as it has been found, or takes back what has been added for it.
+static bool take(const struct flight *f, const struct state *now, struct state *next,
+                 enum nearness near, const struct energy_account *before) {
+    if (near == NEARNESS_CLOSED) {
+        *f->energy = *before;
+        return false;
+    }
     if (near == NEARNESS_DEEPEST) {
         contact_penetrations(f->work, next);
         peaks_penetrations(f->results, f->model->n_contact, next);
@@ -145,6 +150,7 @@ void flight_finish(const struct flight *f, const struct state *now, struct state
     if (!f->uniform) {
         energy_input(f->energy, f->model, now, next);
     }
+    return true;
 }
 
 // What steps in flight leave out.
@@ -171,6 +177,7 @@ static void look_ahead(struct flight *f, long n) {
     }
 }
 
+// False: step n is not one in free flight.
 static bool step_to(struct flight *f, const struct state *now, struct state *next, long n) {
     if (n < f->ahead_from || n >= f->ahead_from + FLIGHT_AHEAD) {
         look_ahead(f, n);
@@ -181,7 +188,9 @@ static bool step_to(struct flight *f, const struct state *now, struct state *nex
     } else {
         excitation_at(next, f->model, next->time);
     }
-    return f->yields ? flight_yielding(f, now, next) : floors_fly(f, now, next);
+    const struct energy_account before = *f->energy;
+    enum nearness near = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
+    return take(f, now, next, near, &before);
 }
 
 static bool may_start(struct flight *f, const struct state *s) {

@@ -48,22 +48,4 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
-// How near contacts have come.
-enum nearness {
-    NEARNESS_FAR,
-    NEARNESS_DEEPEST,  // nearer than ever
-    NEARNESS_CLOSED,
-};
-
-// A step from `now` to `next`, to the time and under the ground accelerations, or where these are
-// not uniform the base and external forces of `next`, where not all storeys are elastic; with its
-// account. False: a contact would close, or a storey leave its branch, or the state is not finite,
-// and the step is not taken.
-bool flight_yielding(const struct flight *f, const struct state *now, struct state *next);
-
-// What is seldom needed at the end of a step: contacts that have come nearer than ever, and the
-// works where the ground is not uniform.
-void flight_finish(const struct flight *f, const struct state *now, struct state *next,
-                   enum nearness near);
-
 #endif

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The loops over floors of which steps are made, for functions compiled by LANES. Arrays are those
-// of core/lanes.h, and n and `end` whole lanes.
+// of core/lanes.h; first, n and `end` are whole lanes.
+//
+// Neighbours' values are taken from registers, not from memory: a load that spans two stores made
+// just before waits until both are in the cache. And what is cheap is computed twice rather than
+// written and read.
 #ifndef JOSTLE_FLOOR_LOOPS_H
 #define JOSTLE_FLOOR_LOOPS_H
 
@@ -12,89 +16,245 @@
 #include "solve/chain_floor.h"
 #include "solve/flight.h"
 
-LANES_INLINE int floors_whole(int n) {
-    return n & ~(LANES_WIDTH - 1);
+// Four elements of an array from i on.
+#define FOUR(x, i) (*(const lanes *)((x) + (i)))
+
+// Of four floors, those below each and above each; `under` and `over` are the four next to them.
+#if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
+#define BELOW(under, own) __builtin_shufflevector(under, own, 3, 4, 5, 6)
+#define ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4)
+#else
+#define BELOW(under, own) ((lanes){(under)[3], (own)[0], (own)[1], (own)[2]})
+#define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
+#endif
+
+#define ABSOLUTE(x) ((lanes)((lanes_bits)(x)&INT64_MAX))
+// Negative where |x| > limit >= 0, as number_beyond.
+#define BEYOND(x, limit) ((lanes_bits)(limit) - ((lanes_bits)(x)&INT64_MAX))
+
+LANES_INLINE int64_t floors_any(const lanes_bits *sign) {
+    return (*sign)[0] | (*sign)[1] | (*sign)[2] | (*sign)[3];
 }
 
-LANES_INLINE void floors_predict(int n, double h, const double *u0, const double *v0, const double *a0,
-                           double *u, double *v) {
+// Copies of pointers: what is stored may be anything, so that those behind a pointer would be read
+// again after each store.
+struct floors_of {
+    double *u, *v, *a;
+};
+
+LANES_INLINE struct floors_of floors_of(const struct state *s) {
+    return (struct floors_of){s->u, s->v, s->a};
+}
+
+// The lines that storeys follow, and the drifts and shears at the end of the step.
+struct floors_lines {
+    const double *back, *spring, *rest, *limit, *peak;
+    double *drift, *shear;
+};
+
+// Shears of the storeys below four floors: elastic ones, or where `lines` is not NULL, of the lines
+// they are on. *beyond gets negative if one is beyond its line.
+LANES_INLINE void floors_shear(const struct chain *c, const struct floors_lines *lines, int i,
+                               const lanes *drift, lanes *shear, lanes_bits *beyond) {
+    if (!lines) {
+        *shear = FOUR(c->stiffness, i) * *drift;
+        return;
+    }
+    lanes force = FOUR(lines->spring, i) * (*drift - FOUR(lines->rest, i));
+    *beyond |= BEYOND(force, FOUR(lines->limit, i));
+    *shear = FOUR(lines->back, i) * *drift + force;
+}
+
+// Four floors at the end of the step if the accelerations stay.
+struct floors_trial {
+    lanes u, v, shear;
+};
+
+LANES_INLINE void floors_predict(const struct floors_of *now, double h, int i, lanes *u, lanes *v) {
     double half = h * h / 2.0;
-    LANES_LOOP
-    for (int i = 0; i < floors_whole(n); i++) {
-        u[i] = u0[i] + (h * v0[i] + half * a0[i]);
-        v[i] = v0[i] + h * a0[i];
-    }
+    *u = FOUR(now->u, i) + (h * FOUR(now->v, i) + half * FOUR(now->a, i));
+    *v = FOUR(now->v, i) + h * FOUR(now->a, i);
 }
 
-LANES_INLINE void floors_unbalance(const struct chain *c, double ground, const double *a, const double *u,
-                             const double *v, double *r) {
-    LANES_LOOP
-    for (int i = 0, n = floors_whole(c->n); i < n; i++) {
-        r[i] = floor_residual(c, -c->mass[i] * ground, a, u, v, i);
-    }
+LANES_INLINE void floors_try(const struct chain *c, const struct floors_lines *lines,
+                             const struct floors_of *now, double h, int i, const lanes *under,
+                             struct floors_trial *t, lanes_bits *beyond) {
+    floors_predict(now, h, i, &t->u, &t->v);
+    lanes drift = t->u - FOUR(c->joint, i) * BELOW(*under, t->u);
+    floors_shear(c, lines, i, &drift, &t->shear, beyond);
 }
 
-LANES_INLINE void floors_unbalance_under(const struct chain *c, const double *external, const double *a,
-                                   const double *u, const double *v, double *r) {
-    LANES_LOOP
-    for (int i = 0, n = floors_whole(c->n); i < n; i++) {
-        r[i] = floor_residual(c, external[i], a, u, v, i);
+// residual (n) = p - M a - C v - storey shears of n floors, at the trial. Negative if a storey is
+// beyond its line. `external` NULL: p is that of the acceleration of the ground.
+LANES_INLINE int64_t floors_unbalance(const struct chain *c, const struct floors_lines *lines,
+                                      double h, int first, int n, const struct floors_of *now,
+                                      double ground, const double *external, double *residual) {
+    lanes_bits beyond = {0};
+    struct floors_trial under, own, over;
+    floors_predict(now, h, first - LANES_VECTOR, &under.u, &under.v);
+    floors_try(c, lines, now, h, first, &under.u, &own, &beyond);
+    for (int i = first; i < first + n; i += LANES_VECTOR) {
+        floors_try(c, lines, now, h, i + LANES_VECTOR, &own.u, &over, &beyond);
+        lanes mass = FOUR(c->mass, i);
+        lanes p = -mass * ground;
+        if (external) {
+            p = FOUR(external, i);
+        }
+        lanes damping = FOUR(c->damping_below, i) * BELOW(under.v, own.v) +
+                        FOUR(c->damping, i) * own.v +
+                        FOUR(c->damping_above, i) * ABOVE(own.v, over.v);
+        *(lanes *)(residual + (i - first)) = p - mass * FOUR(now->a, i) - damping - own.shear +
+                                             FOUR(c->joint, i + 1) * ABOVE(own.shear, over.shear);
+        under = own;
+        own = over;
     }
+    return floors_any(&beyond);
 }
 
-LANES_INLINE int64_t floors_correct(int n, double b, double g, const double *q, const double *u_t,
-                              const double *v_t, const double *a0, double *u, double *v,
-                              double *a) {
-    int64_t sign = 0;
-    LANES_LOOP
-    for (int i = 0; i < floors_whole(n); i++) {
-        u[i] = u_t[i] + b * q[i];
-        v[i] = v_t[i] + g * q[i];
-        a[i] = a0[i] + q[i];
-        sign |= number_beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
+// How corrections lead to a state: q (n_dof), beta h^2, gamma h and h.
+struct floors_correction {
+    const double *q;
+    double b, g, h;
+};
+
+// Displacements, velocities and accelerations of four floors of `next`.
+struct floors_end {
+    lanes u, v, a;
+};
+
+// From the correction, or where there is none, as they are.
+LANES_INLINE void floors_reach(const struct floors_correction *k, const struct floors_of *now,
+                               const struct floors_of *next, int i, struct floors_end *e) {
+    if (!k) {
+        *e = (struct floors_end){FOUR(next->u, i), FOUR(next->v, i), FOUR(next->a, i)};
+        return;
     }
-    return sign;
+    lanes q = FOUR(k->q, i);
+    floors_predict(now, k->h, i, &e->u, &e->v);
+    e->u += k->b * q;
+    e->v += k->g * q;
+    e->a = FOUR(now->a, i) + q;
 }
 
-#define FLOORS_BITS(x) ((lanes_wide_bits)(x))
-// Negative where |x| > peak >= 0, as number_beyond.
-#define FLOORS_BEYOND(x, peak) (FLOORS_BITS(peak) - (FLOORS_BITS(x) & INT64_MAX))
+LANES_INLINE void floors_put(const struct floors_end *e, const struct floors_of *next, int i) {
+    *(lanes *)(next->u + i) = e->u;
+    *(lanes *)(next->v + i) = e->v;
+    *(lanes *)(next->a + i) = e->a;
+}
 
-// Adds the works of the floors from `first` to `end` in whole lanes. Negative if a displacement,
-// velocity, total acceleration or drift is greater than ever. The shear of an elastic storey is so
-// only with its drift: k |drift| is rounded to no less for a greater drift.
-LANES_INLINE int64_t floors_add_works(const struct model *m, int first, int end, struct energy_account *e,
-                              double *const peak[PEAK_COUNT], const struct state *now,
-                              const struct state *next) {
-    const struct chain *c = &m->chain;
+// Stores what corrections lead to. Negative if that is not finite.
+LANES_INLINE int64_t floors_correct(const struct floors_correction *k, int first, int end,
+                                    const struct floors_of *now, const struct floors_of *next) {
+    const lanes most = DBL_MAX - (lanes){0.0};
+    lanes_bits sign = {0};
+    for (int i = first; i < end; i += LANES_VECTOR) {
+        struct floors_end e;
+        floors_reach(k, now, next, i, &e);
+        floors_put(&e, next, i);
+        sign |= BEYOND(ABSOLUTE(e.u) + ABSOLUTE(e.v) + ABSOLUTE(e.a), most);
+    }
+    return floors_any(&sign);
+}
+
+// Drifts and shears of storeys that follow lines, and whether these are beyond their lines or
+// peaks.
+LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines *lines, int i,
+                                const lanes *drift, lanes_bits *beyond, lanes_bits *higher) {
+    lanes shear;
+    floors_shear(c, lines, i, drift, &shear, beyond);
+    *higher |= BEYOND(shear, FOUR(lines->peak, i));
+    *(lanes *)(lines->drift + i) = *drift;
+    *(lanes *)(lines->shear + i) = shear;
+}
+
+// What is added up, and what it is compared with.
+struct floors_account {
+    double ground, ground_2x;  // acceleration of the ground, and the sum of that at both ends
+    const double *base;        // (n_dof) NULL: that is everywhere the ground's
+    const double *u, *v, *a, *drift;  // (n_dof) peaks
+    struct energy_account *energy;
+};
+
+LANES_INLINE struct floors_account
+floors_account_of(const struct model *m, struct energy_account *e, double *const peak[PEAK_COUNT],
+                  const struct state *now, const struct state *next) {
     const bool uniform = state_is_uniform(m);
-    const double ground_2x = uniform ? now->ground_a[0] + next->ground_a[0] : 0.0;
-    const lanes_wide ground = next->ground_a[0] - (lanes_wide){0.0};
-    const double *u = next->u, *v = next->v, *a = next->a, *base = next->base;
-    lanes_wide input = LANES_AT(e->input_2x, 0), damping = LANES_AT(e->damping_2x, 0);
-    lanes_wide_bits sign = {0};
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        floors_input(c, i, ground_2x, now->u, u, &input);
-        floors_damped(c, i, now->u, u, now->v, v, &damping);
-        lanes_wide total = LANES_AT(a, i) + (uniform ? ground : LANES_AT(base, i));
-        lanes_wide drift = LANES_AT(u, i) - LANES_AT(c->joint, i) * LANES_AT(u, i - 1);
-        sign |= FLOORS_BEYOND(LANES_AT(u, i), LANES_AT(peak[PEAK_DISPLACEMENT], i)) |
-                FLOORS_BEYOND(LANES_AT(v, i), LANES_AT(peak[PEAK_VELOCITY], i)) |
-                FLOORS_BEYOND(total, LANES_AT(peak[PEAK_ACCELERATION], i)) |
-                FLOORS_BEYOND(drift, LANES_AT(peak[PEAK_DRIFT], i));
-    }
-    *(lanes_wide *)e->input_2x = input;
-    *(lanes_wide *)e->damping_2x = damping;
-    int64_t any = 0;
-    for (int lane = 0; lane < LANES_WIDTH; lane++) {
-        any |= sign[lane];
-    }
-    return any;
+    return (struct floors_account){
+        .ground = next->ground_a[0],
+        .ground_2x = uniform ? now->ground_a[0] + next->ground_a[0] : 0.0,
+        .base = uniform ? NULL : next->base,
+        .u = peak[PEAK_DISPLACEMENT],
+        .v = peak[PEAK_VELOCITY],
+        .a = peak[PEAK_ACCELERATION],
+        .drift = peak[PEAK_DRIFT],
+        .energy = e,
+    };
 }
 
-// Takes the floors from `first` to `end` into the peaks. `shear` (n_dof), NULL: all are elastic.
-LANES_INLINE void floors_raise(const struct model *m, int first, int end, struct results *r,
-                         const struct state *s, const double *shear) {
+LANES_INLINE void floors_exchange(lanes *x, lanes *y) {
+    lanes old = *x;
+    *x = *y;
+    *y = old;
+}
+
+// Adds the works of the floors from `first` to `end`, and stores what corrections lead to if there
+// are any. *beyond gets negative if a storey is beyond its line. Negative if a displacement,
+// velocity, total acceleration, drift or shear is greater than ever, or is not finite. The shear of
+// an elastic storey is so only with its drift: k |drift| is rounded to no less for a greater drift.
+LANES_INLINE int64_t floors_add_works(const struct chain *c, const struct floors_lines *lines,
+                                      const struct floors_correction *k,
+                                      const struct floors_account *account, int first, int end,
+                                      const struct floors_of *now, const struct floors_of *next,
+                                      lanes_bits *beyond) {
+    double *input_2x = account->energy->input_2x, *damping_2x = account->energy->damping_2x;
+    lanes input = FOUR(input_2x, 0), other_input = FOUR(input_2x, LANES_VECTOR);
+    lanes damping = FOUR(damping_2x, 0), other_damping = FOUR(damping_2x, LANES_VECTOR);
+    lanes_bits sign = {0};
+    struct floors_end own, over;
+    int before = first - LANES_VECTOR;
+    lanes under = FOUR(next->u, before);
+    lanes speed_under = FOUR(now->v, before) + FOUR(next->v, before);
+    floors_reach(k, now, next, first, &own);
+    lanes speed = FOUR(now->v, first) + own.v;
+    for (int i = first; i < end; i += LANES_VECTOR) {
+        floors_reach(k, now, next, i + LANES_VECTOR, &over);
+        lanes speed_over = FOUR(now->v, i + LANES_VECTOR) + over.v;
+        lanes du = own.u - FOUR(now->u, i);
+        lanes drift = own.u - FOUR(c->joint, i) * BELOW(under, own.u);
+        lanes base = account->ground - (lanes){0.0};
+        if (account->base) {
+            base = FOUR(account->base, i);
+        }
+        input -= account->ground_2x * (FOUR(c->mass, i) * du);
+        damping += du * (FOUR(c->damping_below, i) * BELOW(speed_under, speed) +
+                         FOUR(c->damping, i) * speed +
+                         FOUR(c->damping_above, i) * ABOVE(speed, speed_over));
+        sign |= BEYOND(own.u, FOUR(account->u, i)) | BEYOND(own.v, FOUR(account->v, i)) |
+                BEYOND(own.a + base, FOUR(account->a, i)) | BEYOND(drift, FOUR(account->drift, i));
+        if (lines) {
+            floors_follow(c, lines, i, &drift, beyond, &sign);
+        }
+        if (k) {
+            floors_put(&own, next, i);
+        }
+        under = own.u;
+        speed_under = speed;
+        own = over;
+        speed = speed_over;
+        floors_exchange(&input, &other_input);
+        floors_exchange(&damping, &other_damping);
+    }
+    *(lanes *)input_2x = input;
+    *(lanes *)(input_2x + LANES_VECTOR) = other_input;
+    *(lanes *)damping_2x = damping;
+    *(lanes *)(damping_2x + LANES_VECTOR) = other_damping;
+    return floors_any(&sign);
+}
+
+// Takes the floors from `first` to `end` into the peaks. Negative if one is not finite. `shear`
+// NULL: all are elastic.
+LANES_INLINE int64_t floors_raise(const struct model *m, const double *shear, int first, int end,
+                                  struct results *r, const struct state *s) {
     const struct chain *c = &m->chain;
     double *const *peak = r->peak, *const *when = r->peak_time;
     double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
@@ -106,36 +266,38 @@ LANES_INLINE void floors_raise(const struct model *m, int first, int end, struct
     const double *u = s->u, *v = s->v, *a = s->a, *base = s->base, *k = c->stiffness;
     const bool uniform = state_is_uniform(m);
     const double ground = s->ground_a[0], time = s->time;
+    int64_t sign = 0;
     LANES_LOOP
-    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
+    for (int i = first, n = first + ((end - first) & ~(LANES_WIDTH - 1)); i < n; i++) {
         double drift = floor_drift(c, u, i);
+        sign |= number_beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
         peak_raise(u[i], time, &peak_u[i], &when_u[i]);
         peak_raise(v[i], time, &peak_v[i], &when_v[i]);
         peak_raise(a[i] + (uniform ? ground : base[i]), time, &peak_a[i], &when_a[i]);
         peak_raise(drift, time, &peak_d[i], &when_d[i]);
         peak_raise(shear ? shear[i] : k[i] * drift, time, &peak_s[i], &when_s[i]);
     }
+    return sign;
 }
-
 
 // How near have the contacts of some groups come: closed, or nearer than ever?
 LANES_INLINE enum nearness floors_look(const struct flight *f, int from, int to, const double *u,
-                                 const double *ground) {
+                                       const double *ground) {
     const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH;
-    lanes_wide_bits closed = {0}, nearer = {0};
-    for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
+    lanes_bits closed = {0}, nearer = {0};
+    for (const struct gap_group *g = f->group + from; g < f->group + to; g++) {
+        const double *left = u + g->dof[0], *right = u + g->dof[1];
+        const double *deepest = f->results->deepest + g->contact;
         double apart = ground[g->ground[0]] - ground[g->ground[1]];
-        lanes_wide delta =
-            LANES_AT(u, g->dof[0]) - LANES_AT(u, g->dof[1]) - LANES_AT(gap, 0) + apart;
-        closed |= FLOORS_BITS(0.0 - delta);
-        nearer |= FLOORS_BITS(LANES_AT(f->results->deepest, g->contact) - delta);
+        for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR, gap += LANES_VECTOR) {
+            lanes delta = FOUR(left, i) - FOUR(right, i) - FOUR(gap, 0) + apart;
+            closed |= (lanes_bits)(0.0 - delta);
+            nearer |= (lanes_bits)(FOUR(deepest, i) - delta);
+        }
     }
-    int64_t any_closed = 0, any_nearer = 0;
-    for (int lane = 0; lane < LANES_WIDTH; lane++) {
-        any_closed |= closed[lane];
-        any_nearer |= nearer[lane];
-    }
-    return any_closed < 0 ? NEARNESS_CLOSED : any_nearer < 0 ? NEARNESS_DEEPEST : NEARNESS_FAR;
+    return floors_any(&closed) < 0   ? NEARNESS_CLOSED
+           : floors_any(&nearer) < 0 ? NEARNESS_DEEPEST
+                                     : NEARNESS_FAR;
 }
 
 #endif

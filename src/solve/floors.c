@@ -56,10 +56,8 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
     for (int k = 0; k < m->n_building; k++) {
         f->first_end[k] = -1;
     }
-    f->u = lanes_array(a, most);
-    f->v = lanes_array(a, most);
     f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
-    return f->u && f->v && f->residual;
+    return f->residual != NULL;
 }
 
 // Lists the ends of live links by building, in the order of the links.
@@ -76,7 +74,8 @@ static void list_ends(struct floors *f, const struct model *m, const struct stat
 
 // Takes the forces of live links into the residual of a block, and the trial of their buildings for
 // the contact iteration. The lists are used up.
-static void push(struct work *w, const struct state *now, const struct state *next, const struct floor_block *b) {
+static void push(struct work *w, const struct state *now, const struct state *next,
+                 const struct floor_block *b) {
     const struct model *m = w->model;
     struct floors *f = &w->floors;
     for (int k = b->building; k < b->building + b->n_building; k++) {
@@ -91,34 +90,34 @@ static void push(struct work *w, const struct state *now, const struct state *ne
     }
 }
 
-// Negative if a block is not finite.
-LANES_INLINE int64_t move(struct work *w, const struct state *now, struct state *next,
+// The corrections that the floors of a block want. Negative if a storey is beyond its line.
+LANES_INLINE int64_t solve(struct work *w, const struct floors_lines *lines,
+                           const struct state *now, const struct state *next,
                            const struct floor_block *b) {
-    struct floors *f = &w->floors;
-    const int i = b->first;
-    const struct chain part = chain_part(&w->model->chain, i, b->n);
-    const struct building *g = &w->model->building[b->building];
-    const double *a = now->a + i;
-    double *r = f->residual, *q = w->correction;
-    floors_predict(b->n, w->h, now->u + i, now->v + i, a, f->u, f->v);
-    if (state_is_uniform(w->model)) {
-        floors_unbalance(&part, next->ground_a[0], a, f->u, f->v, r);
-    } else {
-        floors_unbalance_under(&part, next->external + i, a, f->u, f->v, r);
-    }
+    const struct chain c = w->model->chain;
+    const struct floors_of from = floors_of(now);
+    const double *external = state_is_uniform(w->model) ? NULL : next->external;
+    double *r = w->floors.residual, *q = w->correction;
+    int first = w->model->building[b->building].first;
+    int64_t sign =
+        floors_unbalance(&c, lines, w->h, b->first, b->n, &from, next->ground_a[0], external, r);
     if (next->n_live > 0) {
         push(w, now, next, b);
     }
-    effective_solve_row(&w->effective[b->building], b->n_building, r + (g->first - i),
-                        q + g->first);
-    return floors_correct(b->n, w->b, w->g, q + i, f->u, f->v, a, next->u + i, next->v + i, next->a + i);
+    effective_solve_row(&w->effective[b->building], b->n_building, r + (first - b->first),
+                        q + first);
+    return sign;
 }
 
 LANES bool floors_move(struct work *w, const struct state *now, struct state *next) {
+    const struct floors_correction k = {w->correction, w->b, w->g, w->h};
+    const struct floors_of from = floors_of(now), to = floors_of(next);
     int64_t sign = 0;
     list_ends(&w->floors, w->model, next);
     for (int i = 0; i < w->floors.n_block; i++) {
-        sign |= move(w, now, next, &w->floors.block[i]);
+        const struct floor_block *b = &w->floors.block[i];
+        (void)solve(w, NULL, now, next, b);
+        sign |= floors_correct(&k, b->first, b->end, &from, &to);
     }
     return sign >= 0;
 }
@@ -130,12 +129,16 @@ void floors_trial(struct work *w, const struct state *now, int k) {
     chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
 }
 
-LANES static bool account_block(struct energy_account *a, struct results *r, const struct model *m,
+LANES static bool account_block(struct energy_account *e, struct results *r, const struct model *m,
                                 int first, int end, const struct state *now,
                                 const struct state *next) {
-    bool higher = floors_add_works(m, first, end, a, r->peak, now, next) < 0;
+    const struct chain c = m->chain;
+    const struct floors_of from = floors_of(now), to = floors_of(next);
+    const struct floors_account account = floors_account_of(m, e, r->peak, now, next);
+    lanes_bits none = {0};
+    bool higher = floors_add_works(&c, NULL, NULL, &account, first, end, &from, &to, &none) < 0;
     if (higher) {
-        floors_raise(m, first, end, r, next, NULL);
+        (void)floors_raise(m, NULL, first, end, r, next);
     }
     return higher;
 }
@@ -153,41 +156,59 @@ void floors_account(struct energy_account *a, struct results *r, const struct mo
     }
 }
 
-// A step as far as it is known to be one in free flight.
-LANES_INLINE enum nearness fly(const struct flight *f, const struct state *now,
-                                struct state *next) {
+// A step as far as it is known to be one in free flight. `lines` NULL: all storeys are elastic.
+LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines *lines,
+                               const struct state *now, struct state *next) {
     struct work *w = f->work;
+    const struct chain c = f->model->chain;
+    const struct floors_correction k = {w->correction, w->b, w->g, w->h};
+    const struct floors_of from = floors_of(now), to = floors_of(next);
+    const struct floors_account account =
+        floors_account_of(f->model, f->energy, f->results->peak, now, next);
     enum nearness all = NEARNESS_FAR;
-    for (int i = 0, group = 0; i < w->floors.n_block; i++) {
+    lanes_bits beyond = {0};
+    for (int i = 0, group = 0; i < w->floors.n_block && all != NEARNESS_CLOSED; i++) {
         const struct floor_block *b = &w->floors.block[i];
-        if (move(w, now, next, b) < 0) {
-            return NEARNESS_CLOSED;
-        }
-        enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
-        group = f->group_end[i];
-        all = own > all ? own : all;
-        if (all == NEARNESS_CLOSED) {
+        if (solve(w, lines, now, next, b) < 0) {
             return NEARNESS_CLOSED;
         }
         f->higher[i] =
-            floors_add_works(f->model, b->first, b->end, f->energy, f->results->peak, now, next) < 0;
+            floors_add_works(&c, lines, &k, &account, b->first, b->end, &from, &to, &beyond) < 0;
+        enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
+        group = f->group_end[i];
+        all = own > all ? own : all;
     }
-    return all;
+    return floors_any(&beyond) < 0 ? NEARNESS_CLOSED : all;
 }
 
-LANES bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
-    const struct energy_account before = *f->energy;
-    enum nearness near = fly(f, now, next);
-    if (near == NEARNESS_CLOSED) {
-        *f->energy = before;
-        return false;
-    }
+// Takes a step into the peaks. False: not finite.
+LANES_INLINE bool raise(const struct flight *f, const double *shear, const struct state *next) {
+    int64_t sign = 0;
     for (int i = 0; i < f->work->floors.n_block; i++) {
         const struct floor_block *b = &f->work->floors.block[i];
         if (f->higher[i]) {
-            floors_raise(f->model, b->first, b->end, f->results, next, NULL);
+            sign |= floors_raise(f->model, shear, b->first, b->end, f->results, next);
         }
     }
-    flight_finish(f, now, next, near);
-    return true;
+    return sign >= 0;
+}
+
+LANES enum nearness floors_fly(const struct flight *f, const struct state *now,
+                               struct state *next) {
+    enum nearness near = fly(f, NULL, now, next);
+    return near != NEARNESS_CLOSED && raise(f, NULL, next) ? near : NEARNESS_CLOSED;
+}
+
+LANES enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
+                                        struct state *next) {
+    const struct floors_lines lines = {
+        f->back,     f->spring,  f->rest, f->limit, f->results->peak[PEAK_SHEAR],
+        next->drift, next->shear};
+    enum nearness near = fly(f, &lines, now, next);
+    if (near == NEARNESS_CLOSED || !raise(f, next->shear, next)) {
+        return NEARNESS_CLOSED;
+    }
+    chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
+                       f->energy->storey_2x);
+    return near;
 }

@@ -12,13 +12,12 @@
 struct floor_block {
     int building, n_building;
     int first, n;
-    int end;   // where the next block begins: below this all is done
+    int end;  // where the next block begins: below this all is done
 };
 
 struct floors {
     int n_block;
     struct floor_block *block;       // (n_block)
-    double *u, *v;                   // [L] [L/T] of a block: trial
     double *residual;                // [F] of a block
     int *first_end, *following_end;  // (n_building), (2 n_link) live links by building: end i % 2
                                      // of link i / 2; -1: none
@@ -40,8 +39,20 @@ void floors_trial(struct work *w, const struct state *now, int k);
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,
                     const struct state *now, const struct state *next);
 
-// A step in free flight, with its account; false: a contact would close, or the state is not
-// finite, and the step is not taken.
-bool floors_fly(const struct flight *f, const struct state *now, struct state *next);
+// How near contacts have come.
+enum nearness {
+    NEARNESS_FAR,
+    NEARNESS_DEEPEST,  // nearer than ever
+    NEARNESS_CLOSED,
+};
+
+// A step in free flight to the time and under the ground accelerations, or where these are not
+// uniform the base and external forces of `next`, with its works and peaks. NEARNESS_CLOSED: it is
+// none; a contact would close, or the state is not finite. Then works may have been added.
+enum nearness floors_fly(const struct flight *f, const struct state *now, struct state *next);
+
+// The same where storeys follow straight lines; nor may one leave its line.
+enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
+                                  struct state *next);
 
 #endif

@@ -48,7 +48,7 @@ LANES_INLINE void store(double *const q[FOUR], int i, lanes row[FOUR]) {
 }
 
 LANES_INLINE void upwards(const double *const r[FOUR], const double *const l[FOUR], int n,
-                           lanes *restrict x) {
+                          lanes *restrict x) {
     int i = 1;
     lanes last;
     load_floor(r, 0, &last);
@@ -70,7 +70,7 @@ LANES_INLINE void upwards(const double *const r[FOUR], const double *const l[FOU
 }
 
 LANES_INLINE void downwards(const double *const p[FOUR], const double *const l[FOUR], int n,
-                             const lanes *restrict x, double *const q[FOUR]) {
+                            const lanes *restrict x, double *const q[FOUR]) {
     int i = n;
     lanes last = {0.0};
     for (; i >= FOUR; i -= FOUR) {

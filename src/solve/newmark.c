@@ -254,8 +254,7 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
         return STATUS_RETRY;
     }
     begin(w, now, next, end);
-    int status =
-        state_is_linear(w->model) ? solve_linear(w, now, next, e) : solve(w, now, next, e);
+    int status = state_is_linear(w->model) ? solve_linear(w, now, next, e) : solve(w, now, next, e);
     if (status == STATUS_OK) {
         finish(w, next);
     }
