@@ -13,6 +13,7 @@ RECORDS = #           folder of the records of make bench-studies; default: thos
 ROUNDS = 3#           how often it runs
 FUZZ_SECONDS = 30#    for each reader
 TEST_SECONDS = 600#   limit for one test program
+STATIC  = 1#          0: the program takes GSL and HDF5 as shared libraries even if it need not
 CORES  := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
 prefix      = /usr/local
@@ -29,6 +30,11 @@ FOUND     := $(shell sh tests/support/libraries.sh 2>/dev/null)
 CMOCKA    := $(shell pkg-config --cflags --libs cmocka 2>/dev/null || echo -lcmocka)
 SYSTEM     = $(patsubst -I%,-isystem %,$(filter -I%,$(FOUND)))
 LIBS       = $(filter-out -I%,$(FOUND)) -lm
+# The shared HDF5 of Debian loads forty others, by curl, which is half the time of a short run; its
+# archives need none of them. Only where they are there and want nothing but what is named here.
+ARCHIVES   = $(patsubst -l%,-l:lib%.a,$(filter -L% -lhdf5% -lgsl%,$(LIBS))) -Wl,--as-needed \
+             -lsz -lz -ldl -lm
+TRY        = $(filter 1,$(STATIC)$(strip $(SANITIZE)))
 WARNINGS   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes \
              -Wmissing-prototypes $(if $(filter 1,$(WERROR)),-Werror)
 SANITIZER  = $(if $(strip $(SANITIZE)),-fsanitize=$(strip $(SANITIZE)) -fno-sanitize-recover=all \
@@ -75,7 +81,7 @@ all: $(PROGRAM) $(LIBRARY)  ## build build/jostle and build/libjostle.a (the def
 
 $(PROGRAM): $(B)/object/src/main.o $(LIBRARY)
 	$(SAY) LINK $@
-	$(Q)$(LINK) -o $@ $^ $(LIBS)
+	$(Q)$(if $(TRY),$(LINK) -o $@ $^ $(ARCHIVES) 2>/dev/null ||) $(LINK) -o $@ $^ $(LIBS)
 
 $(LIBRARY): $(filter-out %/src/main.o,$(OBJECTS)) $(B)/members
 	$(SAY) AR $@
@@ -104,7 +110,7 @@ $(B)/flags: FORCE
 $(B)/version: FORCE
 	$(call remember,$(VERSION))
 $(B)/members: FORCE
-	$(call remember,$(OBJECTS))
+	$(call remember,$(OBJECTS) $(TRY))
 
 # --- tests ---------------------------------------------------------------------------------------
 .PHONY: demo test check test-long asan coverage fuzz

@@ -3,7 +3,7 @@
 #include <gsl/gsl_math.h>
 #include <string.h>
 
-#include "command/deck_options.h"
+#include "command/deck_command.h"
 #include "command/guidance_print.h"
 #include "command/law_words.h"
 #include "command/sweeps.h"
@@ -212,13 +212,13 @@ static void print_time(const struct model *m, const struct unit_texts *t) {
            m->output.every == 1 ? "" : "s", rows);
 }
 
-static int check_command(int argc, char **argv) {
-    struct model *m;
+struct check_options {
+    struct load_request load;
     struct guidance guidance;
-    int status;
-    if (!deck_options_load(&command_check, argc, argv, &guidance, &m, &status)) {
-        return status;
-    }
+};
+
+static int check(void *options, const struct model *m) {
+    const struct check_options *o = options;
     struct unit_texts t = units_of(m);
     const struct unit_system *s = &m->deck->units;
     printf("%s%sunits %s %s %s, mass in %s\n", m->deck->title, m->deck->title[0] ? "\n" : "",
@@ -232,8 +232,15 @@ static int check_command(int argc, char **argv) {
     print_loads(m, &t);
     print_time(m, &t);
     if (!m->adaptive) {
-        guidance_print(m, &guidance);
+        guidance_print(m, &o->guidance);
     }
-    model_free(m);
     return EXIT_DONE;
+}
+
+static int check_command(int argc, char **argv) {
+    static const struct option option[] = {DECK_COMMAND_OPTIONS};
+    static const struct deck_command c = {
+        &command_check, deck_command_details, ":D:h", option, NULL, NULL, check};
+    struct check_options o = {.load = {.guidance = &o.guidance}};
+    return deck_command_run(&c, argc, argv, &o.load, &o);
 }

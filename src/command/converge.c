@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle converge: a deck at ever shorter steps, and what that says of the error of its results.
 #include <errno.h>
-#include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "command/converge_print.h"
-#include "command/load.h"
+#include "command/deck_command.h"
 #include "command/progress.h"
 
 static int converge_command(int argc, char **argv);
@@ -49,8 +48,8 @@ static int show_progress(void *context, double time, struct error *e) {
     return STATUS_OK;
 }
 
-static int converge(const struct model *m, void *context) {
-    const struct options *o = context;
+static int converge(void *options, const struct model *m) {
+    const struct options *o = options;
     struct progress progress;
     struct refinement *r;
     struct error e;
@@ -95,58 +94,26 @@ static int parse_levels(const char *text, int *n_level) {
     return status;
 }
 
-// EXIT_DONE with the options filled, else the status to return; *helped if help was asked for.
-static int parse(int argc, char **argv, const char **define, struct options *o, bool *helped) {
-    static const struct option option[] = {
-        {"define", required_argument, NULL, 'D'}, {"levels", required_argument, NULL, 'n'},
-        {"rtol", required_argument, NULL, 'r'},   {"tsv", no_argument, NULL, 't'},
-        {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0},
-    };
-    int status = EXIT_DONE;
-    opterr = 0;
-    optind = 1;
-    for (int c;
-         status == EXIT_DONE && (c = getopt_long(argc, argv, ":D:n:h", option, NULL)) != -1;) {
-        switch (c) {
-            case 'D':
-                define[o->load.n_define++] = optarg;
-                break;
-            case 'n':
-                status = parse_levels(optarg, &o->n_level);
-                break;
-            case 'r':
-                status = parse_number("--rtol", optarg, 1e-12, 1.0, &o->rtol);
-                break;
-            case 't':
-                o->tsv = true;
-                break;
-            case 'h':
-                *helped = true;
-                return command_help(&command_converge, details);
-            default:
-                return command_bad_option(&command_converge, c, argv);
-        }
+static int take(void *options, int letter) {
+    struct options *o = options;
+    switch (letter) {
+        case 'n':
+            return parse_levels(optarg, &o->n_level);
+        case 'r':
+            return parse_number("--rtol", optarg, 1e-12, 1.0, &o->rtol);
+        default:
+            o->tsv = true;
+            return EXIT_DONE;
     }
-    if (status == EXIT_DONE && argc - optind != 1) {
-        return command_usage(&command_converge, "one deck is expected, not %d", argc - optind);
-    }
-    o->load.path = argv[optind];
-    return status;
 }
 
 static int converge_command(int argc, char **argv) {
+    static const struct option option[] = {{"levels", required_argument, NULL, 'n'},
+                                           {"rtol", required_argument, NULL, 'r'},
+                                           {"tsv", no_argument, NULL, 't'},
+                                           DECK_COMMAND_OPTIONS};
+    static const struct deck_command c = {&command_converge, details, ":D:n:h", option, take, NULL,
+                                          converge};
     struct options o = {.n_level = LEVELS_DEFAULT, .rtol = RTOL_DEFAULT};
-    const char **define;
-    int status = load_defines(argc, &define);
-    if (status != EXIT_DONE) {
-        return status;
-    }
-    o.load.define = define;
-    bool helped = false;
-    status = parse(argc, argv, define, &o, &helped);
-    if (status == EXIT_DONE && !helped) {
-        status = load_and_use(&o.load, converge, &o);
-    }
-    free(define);
-    return status;
+    return deck_command_run(&c, argc, argv, &o.load, &o);
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle gap: the gap that buildings need. Without --limit, how near they come when they never
 // touch, next to what rules give; with it, the gap beyond which the limit is kept.
-#include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "command/deck_command.h"
 #include "command/gap_print.h"
 #include "command/interrupt.h"
-#include "command/load.h"
 #include "command/progress.h"
 #include "command/quantity_word.h"
 #include "command/threads.h"
@@ -251,8 +250,8 @@ static int run_search(const struct plan *p, const struct options *o) {
     return status;
 }
 
-static int run_deck(const struct model *m, void *context) {
-    const struct options *o = context;
+static int run_deck(void *options, const struct model *m) {
+    const struct options *o = options;
     if (m->n_contact == 0) {
         struct error e;
         error_set(&e, STATUS_INPUT, "the deck has no contact");
@@ -266,10 +265,29 @@ static int run_deck(const struct model *m, void *context) {
     return o->limit ? run_search(&plan, o) : print_apart(&plan, o);
 }
 
-static int check_options(const struct options *o, int n_operand) {
-    if (n_operand != 1) {
-        return command_usage(&command_gap, "one deck is expected, not %d", n_operand);
+static int take(void *options, int letter) {
+    struct options *o = options;
+    switch (letter) {
+        case 'l':
+            return command_once(&command_gap, "--limit", &o->limit);
+        case 'r':
+            return command_once(&command_gap, "--range", &o->range);
+        case 't':
+            return command_once(&command_gap, "--tolerance", &o->tolerance);
+        case 'p':
+            return command_once(&command_gap, "--percentile", &o->percentile);
+        case 'n':
+            return command_once(&command_gap, "--parameter", &o->parameter);
+        case 'j':
+            return threads_parse(&command_gap, optarg, &o->n_thread);
+        default:
+            o->tsv = true;
+            return EXIT_DONE;
     }
+}
+
+static int settle(void *options) {
+    const struct options *o = options;
     const char *useless = o->range        ? "--range"
                           : o->tolerance  ? "--tolerance"
                           : o->percentile ? "--percentile"
@@ -279,65 +297,17 @@ static int check_options(const struct options *o, int n_operand) {
                                 : EXIT_DONE;
 }
 
-// EXIT_DONE with the options filled, else the status to return; *helped if help was asked for.
-static int parse(int argc, char **argv, const char **define, struct options *o, bool *helped) {
-    static const struct option option[] = {
-        {"define", required_argument, NULL, 'D'},
-        {"threads", required_argument, NULL, 'j'},
-        {"limit", required_argument, NULL, 'l'},
-        {"range", required_argument, NULL, 'r'},
-        {"tolerance", required_argument, NULL, 't'},
-        {"percentile", required_argument, NULL, 'p'},
-        {"parameter", required_argument, NULL, 'n'},
-        {"tsv", no_argument, NULL, 's'},
-        {"help", no_argument, NULL, 'h'},
-        {NULL, 0, NULL, 0},
-    };
-    int status = EXIT_DONE;
-    opterr = 0;
-    optind = 1;
-    for (int c;
-         status == EXIT_DONE && (c = getopt_long(argc, argv, ":D:j:h", option, NULL)) != -1;) {
-        if (c == 'l') {
-            status = command_once(&command_gap, "--limit", &o->limit);
-        } else if (c == 'r') {
-            status = command_once(&command_gap, "--range", &o->range);
-        } else if (c == 't') {
-            status = command_once(&command_gap, "--tolerance", &o->tolerance);
-        } else if (c == 'p') {
-            status = command_once(&command_gap, "--percentile", &o->percentile);
-        } else if (c == 'n') {
-            status = command_once(&command_gap, "--parameter", &o->parameter);
-        } else if (c == 'D') {
-            define[o->load.n_define++] = optarg;
-        } else if (c == 'j') {
-            status = threads_parse(&command_gap, optarg, &o->n_thread);
-        } else if (c == 's') {
-            o->tsv = true;
-        } else if (c == 'h') {
-            *helped = true;
-            return command_help(&command_gap, details);
-        } else {
-            return command_bad_option(&command_gap, c, argv);
-        }
-    }
-    o->load.path = argv[optind];
-    return status == EXIT_DONE ? check_options(o, argc - optind) : status;
-}
-
 static int gap_command(int argc, char **argv) {
+    static const struct option option[] = {{"threads", required_argument, NULL, 'j'},
+                                           {"limit", required_argument, NULL, 'l'},
+                                           {"range", required_argument, NULL, 'r'},
+                                           {"tolerance", required_argument, NULL, 't'},
+                                           {"percentile", required_argument, NULL, 'p'},
+                                           {"parameter", required_argument, NULL, 'n'},
+                                           {"tsv", no_argument, NULL, 's'},
+                                           DECK_COMMAND_OPTIONS};
+    static const struct deck_command c = {&command_gap, details, ":D:j:h", option,
+                                          take,         settle,  run_deck};
     struct options o = {.n_thread = threads_all()};
-    const char **define;
-    int status = load_defines(argc, &define);
-    if (status != EXIT_DONE) {
-        return status;
-    }
-    o.load.define = define;
-    bool helped = false;
-    status = parse(argc, argv, define, &o, &helped);
-    if (status == EXIT_DONE && !helped) {
-        status = load_and_use(&o.load, run_deck, &o);
-    }
-    free(define);
-    return status;
+    return deck_command_run(&c, argc, argv, &o.load, &o);
 }

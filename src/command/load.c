@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/load.h"
 
-#include <stdlib.h>
-
 static void print_diagnostics(const struct deck *deck, bool quiet) {
     const struct diagnostics *d = &deck->diagnostics;
     if (d->n_error > 0 || (d->n_warning > 0 && !quiet)) {
@@ -33,27 +31,6 @@ int load_model(const struct load_request *request, struct model **out) {
         return EXIT_DONE;
     }
     deck_free(deck);
-    return command_fail(&e);
-}
-
-int load_and_use(const struct load_request *request,
-                 int (*use)(const struct model *m, void *context), void *context) {
-    struct model *m = NULL;
-    int status = load_model(request, &m);
-    if (status == EXIT_DONE) {
-        status = use(m, context);
-        model_free(m);
-    }
-    return status;
-}
-
-int load_defines(int argc, const char ***out) {
-    *out = calloc((size_t)argc, sizeof **out);
-    if (*out) {
-        return EXIT_DONE;
-    }
-    struct error e;
-    error_no_memory(&e);
     return command_fail(&e);
 }
 

@@ -2,7 +2,7 @@
 // jostle modes: periods and mode shapes of each building alone, on its initial stiffness.
 #include <gsl/gsl_math.h>
 
-#include "command/deck_options.h"
+#include "command/deck_command.h"
 
 static int modes_command(int argc, char **argv);
 
@@ -67,12 +67,8 @@ static void print_shapes(const struct building *g, int first, int last) {
     }
 }
 
-static int modes_command(int argc, char **argv) {
-    struct model *m;
-    int status;
-    if (!deck_options_load(&command_modes, argc, argv, NULL, &m, &status)) {
-        return status;
-    }
+static int print_modes(void *options, const struct model *m) {
+    (void)options;
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         printf("%sbuilding %s, %d floor%s\n\n", k ? "\n" : "", g->name, g->n_floor,
@@ -83,6 +79,13 @@ static int modes_command(int argc, char **argv) {
             print_shapes(g, first, last < g->n_floor ? last : g->n_floor);
         }
     }
-    model_free(m);
     return EXIT_DONE;
+}
+
+static int modes_command(int argc, char **argv) {
+    static const struct option option[] = {DECK_COMMAND_OPTIONS};
+    static const struct deck_command c = {
+        &command_modes, deck_command_details, ":D:h", option, NULL, NULL, print_modes};
+    struct load_request load = {0};
+    return deck_command_run(&c, argc, argv, &load, NULL);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle run: a deck through time, into a result file, and a summary. run_study.c runs studies.
 #include <assert.h>
-#include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "command/deck_command.h"
 #include "command/interrupt.h"
 #include "command/output_name.h"
 #include "command/progress.h"
@@ -67,58 +67,31 @@ static int parse_shard(const char *text, struct run_options *o) {
                                STUDY_RUNS_MAX, text);
 }
 
-// EXIT_DONE with the options filled, else the status to return; *helped if help was asked for.
-static int parse(int argc, char **argv, const char **define, struct run_options *o, bool *helped) {
-    static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'},
-        {"define", required_argument, NULL, 'D'},
-        {"threads", required_argument, NULL, 'j'},
-        {"quiet", no_argument, NULL, 'q'},
-        {"force", no_argument, NULL, 'f'},
-        {"restart", no_argument, NULL, 'r'},
-        {"shard", required_argument, NULL, 's'},
-        {"help", no_argument, NULL, 'h'},
-        {NULL, 0, NULL, 0},
-    };
-    int status = EXIT_DONE;
-    opterr = 0;
-    optind = 1;
-    for (int c;
-         status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:j:qh", option, NULL)) != -1;) {
-        switch (c) {
-            case 'o':
-                status = command_once(&command_run, "-o", &o->output);
-                break;
-            case 'D':
-                define[o->load.n_define++] = optarg;
-                break;
-            case 'j':
-                status = threads_parse(&command_run, optarg, &o->n_thread);
-                break;
-            case 's':
-                status = parse_shard(optarg, o);
-                break;
-            case 'q':
-                o->load.quiet = true;
-                break;
-            case 'f':
-                o->existing = RESULT_REPLACE;
-                break;
-            case 'r':
-                o->journal = STUDY_RESTART;
-                break;
-            case 'h':
-                *helped = true;
-                return command_help(&command_run, details);
-            default:
-                return command_bad_option(&command_run, c, argv);
-        }
+static int take(void *options, int letter) {
+    struct run_options *o = options;
+    switch (letter) {
+        case 'o':
+            return command_once(&command_run, "-o", &o->output);
+        case 'j':
+            return threads_parse(&command_run, optarg, &o->n_thread);
+        case 's':
+            return parse_shard(optarg, o);
+        case 'q':
+            o->load.quiet = true;
+            return EXIT_DONE;
+        case 'f':
+            o->existing = RESULT_REPLACE;
+            return EXIT_DONE;
+        default:
+            o->journal = STUDY_RESTART;
+            return EXIT_DONE;
     }
-    if (status == EXIT_DONE && argc - optind != 1) {
-        return command_usage(&command_run, "one deck is expected, not %d", argc - optind);
-    }
-    o->load.path = argv[optind];
-    return status;
+}
+
+static int settle(void *options) {
+    struct run_options *o = options;
+    o->load.guidance = o->load.quiet ? NULL : &o->guidance;
+    return EXIT_DONE;
 }
 
 static int analyse(const struct model *m, const struct run_options *o,
@@ -219,12 +192,13 @@ static void warn_coarse(const struct model *m, const struct results *r) {
         lasted, unit, guidance_round(lasted / IMPACT_STEPS_MIN));
 }
 
-static int run_model(const struct model *m, const struct run_options *o, int argc, char **argv) {
+static int run_model(void *options, const struct model *m) {
+    const struct run_options *o = options;
     assert(o->load.path);
     struct result_options result = {
         .path = output_choose(m, o->output, &o->shard),
         .existing = o->existing,
-        .command_line = command_line(m->deck->arena, argc, argv),
+        .command_line = command_line(m->deck->arena, o->n_word, o->word),
         .version = JOSTLE_VERSION,
     };
     struct error e;
@@ -257,25 +231,16 @@ static int run_model(const struct model *m, const struct run_options *o, int arg
 }
 
 static int run_command(int argc, char **argv) {
-    struct run_options o = {.existing = RESULT_KEEP, .journal = STUDY_RESUME};
-    const char **define;
-    int status = load_defines(argc, &define);
-    if (status != EXIT_DONE) {
-        return status;
-    }
-    o.load.define = define;
-    bool helped = false;
-    status = parse(argc, argv, define, &o, &helped);
-    if (status == EXIT_DONE && !helped) {
-        struct model *m;
-        struct guidance guidance;
-        o.load.guidance = o.load.quiet ? NULL : &guidance;
-        status = load_model(&o.load, &m);
-        if (status == EXIT_DONE) {
-            status = run_model(m, &o, argc, argv);
-            model_free(m);
-        }
-    }
-    free(define);
-    return status;
+    static const struct option option[] = {{"output", required_argument, NULL, 'o'},
+                                           {"threads", required_argument, NULL, 'j'},
+                                           {"quiet", no_argument, NULL, 'q'},
+                                           {"force", no_argument, NULL, 'f'},
+                                           {"restart", no_argument, NULL, 'r'},
+                                           {"shard", required_argument, NULL, 's'},
+                                           DECK_COMMAND_OPTIONS};
+    static const struct deck_command c = {&command_run, details, ":o:D:j:qh", option,
+                                          take,         settle,  run_model};
+    struct run_options o = {
+        .existing = RESULT_KEEP, .journal = STUDY_RESUME, .n_word = argc, .word = argv};
+    return deck_command_run(&c, argc, argv, &o.load, &o);
 }

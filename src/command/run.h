@@ -8,6 +8,9 @@
 
 struct run_options {
     struct load_request load;
+    struct guidance guidance;
+    int n_word;
+    char **word;  // (n_word) of the command
     const char *output;
     enum result_existing existing;
     enum study_journal journal;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle tasks: a study as commands, one a line, for programs that run commands on many machines.
-#include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "command/load.h"
+#include "command/deck_command.h"
 #include "command/output_name.h"
 #include "command/threads.h"
 #include "jostle/study.h"
@@ -101,8 +100,8 @@ static bool is_one_line(const struct tasks_options *o, const char *path) {
     return good;
 }
 
-static int print_tasks(const struct model *m, void *context) {
-    const struct tasks_options *o = context;
+static int print_tasks(void *options, const struct model *m) {
+    const struct tasks_options *o = options;
     struct error e;
     if (load_check_study(m, &e) != STATUS_OK) {
         return command_fail(&e);
@@ -122,64 +121,30 @@ static int print_tasks(const struct model *m, void *context) {
     return print_lines(o, m->deck->arena, path, n);
 }
 
-// True if the deck is to be loaded; else *status says why not.
-static bool parse(int argc, char **argv, const char **define, struct tasks_options *o,
-                  int *status) {
-    static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'},
-        {"define", required_argument, NULL, 'D'},
-        {"parts", required_argument, NULL, 'n'},
-        {"threads", required_argument, NULL, 'j'},
-        {"merge", no_argument, NULL, 'm'},
-        {"help", no_argument, NULL, 'h'},
-        {NULL, 0, NULL, 0},
-    };
-    *status = EXIT_DONE;
-    opterr = 0;
-    optind = 1;
-    for (int c;
-         *status == EXIT_DONE && (c = getopt_long(argc, argv, ":o:D:n:j:h", option, NULL)) != -1;) {
-        switch (c) {
-            case 'o':
-                *status = command_once(&command_tasks, "-o", &o->output);
-                break;
-            case 'D':
-                define[o->load.n_define++] = optarg;
-                break;
-            case 'n':
-                *status = command_count(&command_tasks, "-n takes a number of parts", optarg,
-                                        STUDY_RUNS_MAX, &o->n_part);
-                break;
-            case 'j':
-                *status = threads_parse(&command_tasks, optarg, &o->n_thread);
-                break;
-            case 'm':
-                o->lines = TASKS_MERGE;
-                break;
-            case 'h':
-                *status = command_help(&command_tasks, details);
-                return false;
-            default:
-                *status = command_bad_option(&command_tasks, c, argv);
-        }
+static int take(void *options, int letter) {
+    struct tasks_options *o = options;
+    switch (letter) {
+        case 'o':
+            return command_once(&command_tasks, "-o", &o->output);
+        case 'n':
+            return command_count(&command_tasks, "-n takes a number of parts", optarg,
+                                 STUDY_RUNS_MAX, &o->n_part);
+        case 'j':
+            return threads_parse(&command_tasks, optarg, &o->n_thread);
+        default:
+            o->lines = TASKS_MERGE;
+            return EXIT_DONE;
     }
-    if (*status == EXIT_DONE && argc - optind != 1) {
-        *status = command_usage(&command_tasks, "one deck is expected, not %d", argc - optind);
-    }
-    o->load.path = argv[optind];
-    return *status == EXIT_DONE;
 }
 
 static int tasks_command(int argc, char **argv) {
-    const char **define;
-    int status = load_defines(argc, &define);
-    if (status != EXIT_DONE) {
-        return status;
-    }
-    struct tasks_options o = {.load = {.define = define}, .n_thread = 1, .lines = TASKS_RUN};
-    if (parse(argc, argv, define, &o, &status)) {
-        status = load_and_use(&o.load, print_tasks, &o);
-    }
-    free(define);
-    return status;
+    static const struct option option[] = {{"output", required_argument, NULL, 'o'},
+                                           {"parts", required_argument, NULL, 'n'},
+                                           {"threads", required_argument, NULL, 'j'},
+                                           {"merge", no_argument, NULL, 'm'},
+                                           DECK_COMMAND_OPTIONS};
+    static const struct deck_command c = {&command_tasks, details, ":o:D:n:j:h", option,
+                                          take,           NULL,    print_tasks};
+    struct tasks_options o = {.n_thread = 1, .lines = TASKS_RUN};
+    return deck_command_run(&c, argc, argv, &o.load, &o);
 }

@@ -21,6 +21,13 @@
 #define LANES
 #endif
 
+// In front of what such functions are made of: what is not expanded in them has baseline code only.
+#if defined(__GNUC__)
+#define LANES_INLINE static inline __attribute__((always_inline))
+#else
+#define LANES_INLINE static inline
+#endif
+
 // In front of a loop over arrays: no turn reads what another one writes. For loops in functions
 // that are expanded in others, where the compiler forgets what `restrict` said.
 #if defined(__clang__)

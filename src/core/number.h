@@ -11,6 +11,10 @@ static inline double number_max(double a, double b) {
     return a > b ? a : b;
 }
 
+static inline double number_min(double a, double b) {
+    return a < b ? a : b;
+}
+
 static inline int64_t number_bits(double x) {
     int64_t b;
     memcpy(&b, &x, sizeof b);

@@ -13,6 +13,9 @@
 // known and half a damped period apart. Between two of them y' is monotone: it has one zero at
 // most, which is bracketed and found by Newton's method. So no peak is missed, however long the
 // step is against the period. Behind the record the largest of all lies within one damped period.
+//
+// In a step of length T a function lies within T^2 / 8 max |y''| of the line through its ends, and
+// y'' within the amplitude of its sine: most steps are seen to hold no peak by that.
 #include "jostle/spectrum.h"
 
 #include <gsl/gsl_math.h>
@@ -39,7 +42,12 @@ struct quantity {
     double p, q, peak;
 };
 
-// y and its derivatives at one instant of a step.
+// The motion at one instant of a step.
+struct course {
+    double tau, u, v, acceleration, jerk, snap;
+};
+
+// y and its derivatives there.
 struct value {
     double tau, y, dy, ddy, dddy;
 };
@@ -87,18 +95,23 @@ static void advance(const struct oscillator *o, const struct step *s, const stru
     *v = -square * k->h * s->u + k->dh * s->v - s->a * k->h - s->slope * k->h1;
 }
 
-static struct value value_of(const struct oscillator *o, const struct step *s,
-                             const struct quantity *q, double tau, double u, double v) {
+// u and its derivatives at tau of a step.
+static struct course course_of(const struct oscillator *o, const struct step *s, double tau,
+                               double u, double v) {
     const double square = o->omega * o->omega, damping = 2.0 * o->decay;
     const double acceleration = -damping * v - square * u - (s->a + s->slope * tau);
     const double jerk = -damping * acceleration - square * v - s->slope;
     const double snap = -damping * jerk - square * acceleration;
+    return (struct course){tau, u, v, acceleration, jerk, snap};
+}
+
+static struct value value_of(const struct quantity *q, const struct course *c) {
     return (struct value){
-        .tau = tau,
-        .y = q->p * u + q->q * v,
-        .dy = q->p * v + q->q * acceleration,
-        .ddy = q->p * acceleration + q->q * jerk,
-        .dddy = q->p * jerk + q->q * snap,
+        .tau = c->tau,
+        .y = q->p * c->u + q->q * c->v,
+        .dy = q->p * c->v + q->q * c->acceleration,
+        .ddy = q->p * c->acceleration + q->q * c->jerk,
+        .dddy = q->p * c->jerk + q->q * c->snap,
     };
 }
 
@@ -107,7 +120,8 @@ static struct value value_at(const struct oscillator *o, const struct step *s,
     double u, v;
     const struct kernel k = kernel_at(o, tau);
     advance(o, s, &k, &u, &v);
-    return value_of(o, s, q, tau, u, v);
+    const struct course c = course_of(o, s, tau, u, v);
+    return value_of(q, &c);
 }
 
 // The value where y' passes zero between two instants at which its signs differ. An error of
@@ -142,22 +156,20 @@ static void note_piece(const struct oscillator *o, const struct step *s, struct 
     q->peak = fmax(q->peak, fabs(to->y));
 }
 
-// Notes the peak of a step that ends with the state (u, v). The damped sine in y is
-// y'' / omega^2 in size; what is left of y is a straight line, largest at an end.
-static void note_step(const struct oscillator *o, const struct step *s, struct quantity *q,
-                      double u, double v) {
-    struct value at = value_of(o, s, q, 0.0, s->u, s->v);
-    const struct value end = value_of(o, s, q, s->length, u, v);
-    const double c = at.ddy, d = (at.dddy + o->decay * at.ddy) / o->omega_d;
-    const double wave = 2.0 * sqrt(c * c + d * d) / (o->omega * o->omega);
+// Notes the peak of a step that may hold one. The damped sine in y is y'' / omega^2 in size; what
+// is left of y is a straight line, largest at an end.
+static void search_step(const struct oscillator *o, const struct step *s, struct quantity *q,
+                        const struct value *start, const struct value *end, double amplitude) {
+    struct value at = *start;
+    const double wave = 2.0 * amplitude / (o->omega * o->omega);
     const double half_period = M_PI / o->omega_d;
     double zero = s->length;
-    if (s->length >= half_period || at.ddy * end.ddy <= 0.0) {
-        const double angle = atan2(c, -d);
+    if (s->length >= half_period || at.ddy * end->ddy <= 0.0) {
+        const double angle = atan2(at.ddy, -(at.dddy + o->decay * at.ddy) / o->omega_d);
         zero = (angle > 0.0 ? angle : angle + M_PI) / o->omega_d;
     }
     for (; zero < s->length; zero += half_period) {
-        const double bound = fmax(fabs(at.y), fabs(end.y)) + wave * exp(-o->decay * at.tau);
+        const double bound = fmax(fabs(at.y), fabs(end->y)) + wave * exp(-o->decay * at.tau);
         if (bound <= q->peak) {
             return;
         }
@@ -165,15 +177,30 @@ static void note_step(const struct oscillator *o, const struct step *s, struct q
         note_piece(o, s, q, &at, &next);
         at = next;
     }
-    note_piece(o, s, q, &at, &end);
+    note_piece(o, s, q, &at, end);
+}
+
+// Notes the peak of a step from one instant to another.
+static void note_step(const struct oscillator *o, const struct step *s, struct quantity *q,
+                      const struct course *from, const struct course *to) {
+    const struct value start = value_of(q, from);
+    const double y = fmax(fabs(start.y), fabs(q->p * to->u + q->q * to->v));
+    const double rest = (start.dddy + o->decay * start.ddy) / o->omega_d;
+    const double amplitude = sqrt(start.ddy * start.ddy + rest * rest);
+    if (y + s->length * s->length / 8.0 * amplitude > q->peak) {
+        const struct value end = value_of(q, to);
+        search_step(o, s, q, &start, &end, amplitude);
+    }
 }
 
 static void take_step(const struct oscillator *o, struct step *s, const struct kernel *k,
                       struct quantity q[3]) {
     double u, v;
     advance(o, s, k, &u, &v);
+    const struct course from = course_of(o, s, 0.0, s->u, s->v);
+    const struct course to = course_of(o, s, s->length, u, v);
     for (int i = 0; i < 3; i++) {
-        note_step(o, s, &q[i], u, v);
+        note_step(o, s, &q[i], &from, &to);
     }
     s->u = u;
     s->v = v;

@@ -22,6 +22,7 @@
 #include <string.h>
 
 #include "solve/contact.h"
+#include "solve/quick.h"
 
 enum { WHOLE_STEPS = 12, PARTS = 20 };
 static const double HELD = 1.0 - 1e-10;
@@ -60,15 +61,15 @@ static void linearise(struct work *w, const struct state *now, const struct stat
         int k = c->link[i];
         struct line line = contact_line(w, now, next, k);
         double force;
-        enum branch branch = line_answer(&line, next->force[k], &force);
-        double share = share_at(&line, branch, force) / w->flexibility[k];
+        enum branch branch = line_answer(&line, w->quick[k].force, &force);
+        double share = share_at(&line, branch, force) / w->quick[k].flexibility;
         double *row = w->matrix + (size_t)i * (size_t)c->n;
         for (int j = 0; j < c->n; j++) {
             row[j] = i == j
                          ? 1.0
                          : share * flexibility(w, &w->model->link[k], &w->model->link[c->link[j]]);
         }
-        r[i] = force - next->force[k];
+        r[i] = force - w->quick[k].force;
     }
 }
 
@@ -92,10 +93,9 @@ static bool newton_step(struct work *w, const struct state *now, const struct st
     return finite;
 }
 
-static void apply(struct work *w, struct state *next, const struct cluster *c, double part,
-                  const double *df) {
+static void apply(struct work *w, const struct cluster *c, double part, const double *df) {
     for (int i = 0; i < c->n; i++) {
-        contact_apply(w, next, c->link[i], part * df[i]);
+        contact_apply(w, &w->quick[c->link[i]], part * df[i]);
     }
 }
 
@@ -111,17 +111,17 @@ static void copy_buildings(const struct work *w, const struct cluster *c, double
     }
 }
 
-static void keep(struct work *w, const struct state *next, const struct cluster *c) {
+static void keep(struct work *w, const struct cluster *c) {
     copy_buildings(w, c, w->kept_q, w->correction);
     for (int i = 0; i < c->n; i++) {
-        w->kept_f[c->link[i]] = next->force[c->link[i]];
+        w->quick[c->link[i]].kept = w->quick[c->link[i]].force;
     }
 }
 
-static void restore(struct work *w, struct state *next, const struct cluster *c) {
+static void restore(struct work *w, const struct cluster *c) {
     copy_buildings(w, c, w->correction, w->kept_q);
     for (int i = 0; i < c->n; i++) {
-        next->force[c->link[i]] = w->kept_f[c->link[i]];
+        w->quick[c->link[i]].force = w->quick[c->link[i]].kept;
     }
 }
 
@@ -130,7 +130,7 @@ static double sweep(struct work *w, const struct state *now, struct state *next,
                     const struct cluster *c) {
     double moved = 0.0;
     for (int i = 0; i < c->n; i++) {
-        moved += fabs(contact_settle(w, now, next, c->link[i])) * w->flexibility[c->link[i]];
+        moved += fabs(contact_settle(w, now, next, c->link[i])) * w->quick[c->link[i]].flexibility;
     }
     w->totals->iterations++;
     return moved;
@@ -144,7 +144,7 @@ static bool whole_steps(struct work *w, const struct state *now, struct state *n
         if (!newton_step(w, now, next, c, w->vector)) {
             return false;
         }
-        apply(w, next, c, 1.0, w->vector);
+        apply(w, c, 1.0, w->vector);
         double moved = sweep(w, now, next, c);
         if (moved <= 0.5 * *nearest) {
             *nearest = moved;
@@ -161,19 +161,18 @@ static double descent(struct work *w, const struct state *now, struct state *nex
     for (int i = 0; i < c->n; i++) {
         int k = c->link[i];
         struct line line = contact_line(w, now, next, k);
-        sum += df[i] * w->flexibility[k] * line_excess(&line, next->force[k]);
+        sum += df[i] * w->quick[k].flexibility * line_excess(&line, w->quick[k].force);
     }
     return sum;
 }
 
 // No force of a law that does not pull may become negative.
-static void limit(const struct work *w, const struct state *next, const struct cluster *c,
-                  double *df) {
+static void limit(const struct work *w, const struct cluster *c, double *df) {
     for (int i = 0; i < c->n; i++) {
         int k = c->link[i];
         const struct link *l = &w->model->link[k];
-        if (w->clamped[k] || !(l->bilateral || (l->law->traits & CONTACT_MAY_PULL))) {
-            df[i] = fmax(df[i], -next->force[k]);
+        if (w->quick[k].clamped || !(l->bilateral || (l->law->traits & CONTACT_MAY_PULL))) {
+            df[i] = fmax(df[i], -w->quick[k].force);
         }
     }
 }
@@ -186,19 +185,19 @@ static bool part_step(struct work *w, const struct state *now, struct state *nex
     if (!newton_step(w, now, next, c, df)) {
         return false;
     }
-    limit(w, next, c, df);
+    limit(w, c, df);
     double low = 0.0;
     double high = 2.0;
     for (int i = 0; i < PARTS; i++) {
         double part = 0.5 * (low + high);
-        apply(w, next, c, part, df);
+        apply(w, c, part, df);
         *(descent(w, now, next, c, df) <= 0.0 ? &low : &high) = part;
-        restore(w, next, c);
+        restore(w, c);
         if (low == 1.0) {
             break;
         }
     }
-    apply(w, next, c, low, df);
+    apply(w, c, low, df);
     return low > 0.0;
 }
 
@@ -208,10 +207,10 @@ bool block_step(struct work *w, const struct state *now, struct state *next,
         return false;
     }
     *nearest = fmin(*nearest, sweep(w, now, next, c));
-    keep(w, next, c);
+    keep(w, c);
     if (whole_steps(w, now, next, c, nearest)) {
         return true;
     }
-    restore(w, next, c);
+    restore(w, c);
     return part_step(w, now, next, c);
 }

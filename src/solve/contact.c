@@ -43,8 +43,8 @@ enum { PULLING_SWEEPS = 25 };
 // Changes of a force less than this share of it may come from the rounding of others.
 static const double SMALL = 1e-8;
 
-static double ends_difference(const struct ends *e, const double *x) {
-    return x[e->left] - x[e->right];
+static double ends_difference(const struct quick *p, const double *x) {
+    return x[p->end[0]] - x[p->end[1]];
 }
 
 static double recovery(const struct model *m) {
@@ -52,60 +52,48 @@ static double recovery(const struct model *m) {
 }
 
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
-    const struct link *l = &w->model->link[k];
-    const struct ends *e = &w->ends[k];
-    double s = w->flexibility[k];
-    double corrected = ends_difference(e, w->correction) + s * next->force[k];
+    const struct quick *p = &w->quick[k];
+    const struct link *l = p->link;
+    double s = p->flexibility;
+    double corrected = ends_difference(p, w->correction) + s * p->force;
     return (struct line){
         .link = l,
         .history = next->link_history + l->history,
-        .d_free = ends_difference(e, w->u_trial) - e->gap + w->b * corrected +
+        .d_free = ends_difference(p, w->u_trial) - l->gap + w->b * corrected +
                   state_ground_gap(l, w->model, next->ground_u),
-        .v_free = ends_difference(e, w->v_trial) + w->g * corrected +
+        .v_free = ends_difference(p, w->v_trial) + w->g * corrected +
                   state_ground_gap(l, w->model, next->ground_v),
         .d_force = w->b * s,
         .v_force = w->g * s,
         .v_rest = -recovery(w->model) * now->delta[k] / w->h,
         .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
         .closed = now->closed[k],
-        .clamped = w->clamped[k],
+        .clamped = p->clamped,
         .held = now->closed[k] && k == w->held,
     };
 }
 
-void contact_apply(struct work *w, struct state *next, int k, double df) {
-    const struct link *l = &w->model->link[k];
-    next->force[k] += df;
-    for (int i = 0; i < 2 && df != 0.0; i++) {
-        if (l->dof[i] == WALL) {
-            continue;
-        }
-        const struct building *g = &w->model->building[l->building[i]];
-        const double *restrict column =
-            effective_column(&w->effective[l->building[i]], l->floor[i] - 1);
-        double *restrict q = w->correction + g->first;
-        double push = i == 0 ? -df : df;
-        for (int j = 0; j < g->n_floor; j++) {
-            q[j] += push * column[j];
-        }
-    }
+void contact_apply(struct work *w, struct quick *p, double df) {
+    p->force += df;
+    quick_push(w, p, df);
 }
 
-// A first guess of the force: the parabola or the line through the last steps, as many as there
-// were with the link closed.
+// A first guess of the force: the polynomial through the last steps, as many as there were with the
+// link closed, up to four.
 static double guess(const struct state *now, int k) {
     double f = now->force[k];
-    double f1 = now->past[k][0];
-    double f2 = now->past[k][1];
-    double next = now->n_past[k] == 0   ? f
-                  : now->n_past[k] == 1 ? 2.0 * f - f1
-                                        : 3.0 * (f - f1) + f2;
+    const double *past = now->past[k];
+    int n = now->n_past[k];
+    double next = n == 0   ? f
+                  : n == 1 ? 2.0 * f - past[0]
+                  : n == 2 ? 3.0 * (f - past[0]) + past[1]
+                           : 4.0 * (f + past[1]) - 6.0 * past[0] - past[2];
     return f > 0.0 ? number_max(next, 0.0) : f;
 }
 
 // Forces of rigid contacts at rest hardly curve; a parabola would enlarge what they miss.
 static int past_after(const struct state *now, const struct link *l, int k) {
-    int most = l->law->rebound ? 1 : 2;
+    int most = l->law->rebound ? 1 : PAST_STEPS;
     return now->n_past[k] < most ? now->n_past[k] + 1 : most;
 }
 
@@ -117,11 +105,13 @@ static inline void enliven(struct work *w, struct state *next, int k) {
 
 // Link k, closed so far, begins the step as it ended the last.
 static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
-    const struct link *l = &w->model->link[k];
+    struct quick *p = &w->quick[k];
+    const struct link *l = p->link;
     enliven(w, next, k);
     next->force[k] = guess(now, k);
     next->past[k][0] = now->force[k];
     next->past[k][1] = now->past[k][0];
+    next->past[k][2] = now->past[k][1];
     next->n_past[k] = past_after(now, l, k);
     next->t_close[k] = now->t_close[k];
     next->v_close[k] = now->v_close[k];
@@ -129,8 +119,8 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
         memcpy(next->link_history + l->history, now->link_history + l->history,
                (size_t)l->law->n_history * sizeof *next->link_history);
     }
-    w->branch[k] = BRANCH_CLOSED;
-    w->clamped[k] = false;
+    p->branch = BRANCH_CLOSED;
+    p->clamped = false;
 }
 
 void contact_begin(struct work *w, const struct state *now, struct state *next) {
@@ -160,13 +150,13 @@ static void try_buildings(struct work *w, const struct state *now, const struct 
 // Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
 // of closure from its path without its own force, and the law's history from that.
 static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
-    const struct link *l = &w->model->link[k];
+    struct quick *p = &w->quick[k];
+    const struct link *l = p->link;
     try_buildings(w, now, l);
     enliven(w, next, k);
-    w->branch[k] = BRANCH_OPEN;
-    w->clamped[k] = false;
-    w->checked[k] = 0.0;
-    w->flexibility[k] = 0.0;  // its force is still 0
+    p->branch = BRANCH_OPEN;
+    p->clamped = false;
+    p->checked = p->fits_to = p->force = 0.0;
     struct line line = contact_line(w, now, next, k);
     struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
                         line.v_free, w->h};
@@ -242,12 +232,13 @@ static bool negligible(const struct work *w, const struct line *l, enum branch b
 }
 
 double contact_settle(struct work *w, const struct state *now, struct state *next, int k) {
+    struct quick *p = &w->quick[k];
     struct line line = contact_line(w, now, next, k);
     double force;
-    w->branch[k] = line_answer(&line, next->force[k], &force);
-    double df = force - next->force[k];
-    contact_apply(w, next, k, df);
-    next->force[k] = force;
+    p->branch = line_answer(&line, p->force, &force);
+    double df = force - p->force;
+    quick_push(w, p, df);
+    p->force = force;
     return df;
 }
 
@@ -260,14 +251,15 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
     double df = contact_settle(w, now, next, k);
     bool jumps = law->traits & CONTACT_JUMPS;
     bool pulls = law->traits & CONTACT_MAY_PULL;
-    p->trusted = w->branch[k] == BRANCH_CLOSED && law->force && !w->clamped[k] &&
+    p->trusted = p->branch == BRANCH_CLOSED && law->force && !p->clamped &&
                  (now->closed[k] || !(jumps || pulls));
-    p->open = w->branch[k] == BRANCH_OPEN && law->force && !(now->closed[k] && pulls);
-    p->settled = false;
-    s->largest = number_max(s->largest, fabs(next->force[k]));
+    p->open = p->branch == BRANCH_OPEN && law->force && !(now->closed[k] && pulls);
+    p->room = -1.0;
+    s->answered = true;
+    s->largest = number_max(s->largest, fabs(p->force));
     if (fabs(df) > s->change) {
         struct line line = contact_line(w, now, next, k);
-        if (!negligible(w, &line, w->branch[k], next->force[k], df)) {
+        if (!negligible(w, &line, p->branch, p->force, df)) {
             s->change = fabs(df);
         }
     }
@@ -276,16 +268,21 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
 // How a sweep answers: exactly, or by Newton steps where they are safe.
 enum answers { ANSWERS_EXACT, ANSWERS_NEWTON };
 
+// `last` is the sweep before.
 static struct progress sweep(struct work *w, const struct state *now, struct state *next,
-                             enum answers answers, double largest) {
-    struct progress s = {.enough = w->model->tolerance * largest};
+                             enum answers answers, const struct progress *last) {
+    struct progress s = {.enough = w->model->tolerance * last->largest,
+                         .loosest = last->loosest,
+                         .echo = last->echo,
+                         .clear = INFINITY};
+    quick_tighten(w, &s);
     for (int i = 0;; i++) {
-        i = answers == ANSWERS_NEWTON ? quick_sweep(w, next, i, &s) : i;
-        if (i == next->n_live) {
+        i = answers == ANSWERS_NEWTON ? quick_sweep(w, i, &s) : i;
+        if (i == w->n_acting) {
             w->totals->iterations++;
             return s;
         }
-        answer(w, now, next, &w->quick[next->live[i]], &s);
+        answer(w, now, next, w->acting[i], &s);
     }
 }
 
@@ -297,10 +294,10 @@ static bool suffices(struct work *w, const struct state *now, const struct state
 
 // With laws that pull there may be no solution, or several between which sweeps go to and fro.
 // Without their tension there is just one.
-static void clamp(struct work *w, const struct state *next) {
-    for (int i = 0; i < next->n_live; i++) {
-        const struct link *l = &w->model->link[next->live[i]];
-        w->clamped[next->live[i]] = !l->bilateral && (l->law->traits & CONTACT_MAY_PULL);
+static void clamp(struct work *w) {
+    for (int i = 0; i < w->n_acting; i++) {
+        struct quick *p = w->acting[i];
+        p->clamped = !p->link->bilateral && (p->link->law->traits & CONTACT_MAY_PULL);
     }
 }
 
@@ -315,33 +312,39 @@ static bool block_steps(struct work *w, const struct state *now, struct state *n
     return any;
 }
 
-static double largest_guess(const struct state *next) {
+static double largest_guess(const struct work *w) {
     double largest = 0.0;
-    for (int i = 0; i < next->n_live; i++) {
-        largest = number_max(largest, fabs(next->force[next->live[i]]));
+    for (int i = 0; i < w->n_acting; i++) {
+        largest = number_max(largest, fabs(w->acting[i]->force));
     }
     return largest;
 }
 
-// Has the sweep changed next to nothing? If it took Newton steps it measured that by the largest
-// force of the sweep before, which may have been much larger.
+// Largest change of a force in a sweep.
+static double changed(const struct progress *s) {
+    return number_max(s->change, s->moved);
+}
+
+// Would another sweep change next to nothing? If this one took Newton steps it measured that by the
+// largest force of the sweep before, which may have been much larger.
 static bool converged(const struct work *w, enum answers answers, const struct progress *s) {
     double tolerance = w->model->tolerance * s->largest;
-    return s->change <= tolerance && (answers == ANSWERS_EXACT || s->enough <= 4.0 * tolerance);
+    double echo = w->n_acting == 1 ? 0.0 : s->answered ? 1.0 : number_min(s->echo, 1.0);
+    return s->change <= tolerance && echo * s->moved <= tolerance && !(s->moved > s->clear) &&
+           (answers == ANSWERS_EXACT || s->enough <= 4.0 * tolerance);
 }
 
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
 // for what it took.
 static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
-    double before = INFINITY;
-    double largest = largest_guess(next);
+    struct progress last = {.largest = largest_guess(w), .change = INFINITY};
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->nearest[i] = INFINITY;
     }
     enum answers answers = ANSWERS_NEWTON;
     for (int i = 0; i < w->model->iterations; i++) {
-        struct progress s = sweep(w, now, next, answers, largest);
+        struct progress s = sweep(w, now, next, answers, &last);
         bool done = converged(w, answers, &s);
         if ((done || i == PLAIN_SWEEPS) && !suffices(w, now, next)) {
             return STATUS_RETRY;
@@ -354,43 +357,44 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
             w->others_v = rounding_of_others(w, w->v_trial);
         }
         if (i == PULLING_SWEEPS) {
-            clamp(w, next);
+            clamp(w);
             answers = ANSWERS_EXACT;
         }
-        if (i + 1 >= PLAIN_SWEEPS && s.change > SLOW * before) {
+        if (i + 1 >= PLAIN_SWEEPS && changed(&s) > SLOW * changed(&last)) {
             answers = ANSWERS_EXACT;
             bool blocked = block_steps(w, now, next) || *counter == &w->totals->block;
             *counter = blocked ? &w->totals->block : &w->totals->scalar;
         }
-        before = s.change;
-        largest = s.largest;
+        last = s;
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
 // A link whose law would pull where it was not let has neither an open nor a closed solution.
-static void judge_clamped(struct work *w, const struct state *now, const struct state *next) {
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        if (w->clamped[k] && next->force[k] == 0.0 && w->branch[k] == BRANCH_CLOSED) {
-            struct line line = contact_line(w, now, next, k);
-            line.clamped = false;
-            w->branch[k] = line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
-        }
+static enum branch judge_clamped(struct work *w, const struct state *now, const struct state *next,
+                                 const struct quick *p) {
+    if (!p->clamped || p->force != 0.0 || p->branch != BRANCH_CLOSED) {
+        return p->branch;
     }
+    struct line line = contact_line(w, now, next, p->index);
+    line.clamped = false;
+    return line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
 }
 
-// A link that found neither an open nor a closed solution opens inside the step, unless it has
-// bounced to rest.
-static bool undecided(const struct work *w, const struct state *now, const struct state *next) {
-    for (int i = 0; w->strictness == STEP_STRICT && i < next->n_live; i++) {
-        int k = next->live[i];
-        if (w->branch[k] == BRANCH_NONE && !resolve_negligible(w, state_rate(now, w->model, k))) {
-            return true;
+// Takes the forces that were found. A link that found neither an open nor a closed solution opens
+// inside the step, unless it has bounced to rest; then false.
+static bool decided(struct work *w, const struct state *now, struct state *next) {
+    bool all = true;
+    for (int i = 0; i < w->n_acting; i++) {
+        struct quick *p = w->acting[i];
+        next->force[p->index] = p->force;
+        p->branch = judge_clamped(w, now, next, p);
+        if (p->branch == BRANCH_NONE && w->strictness == STEP_STRICT) {
+            all &= resolve_negligible(w, state_rate(now, w->model, p->index));
         }
     }
-    return false;
+    return all;
 }
 
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
@@ -400,10 +404,24 @@ int contact_solve(struct work *w, const struct state *now, struct state *next) {
     if (status != STATUS_OK) {
         return status;
     }
-    judge_clamped(w, now, next);
-    if (undecided(w, now, next)) {
+    if (!decided(w, now, next)) {
         return STATUS_RETRY;
     }
     *counter += 1;
     return STATUS_OK;
+}
+
+void contact_finish(struct work *w, const struct state *now, struct state *next) {
+    const struct model *m = w->model;
+    w->toggled = false;
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
+        const struct link *l = &m->link[k];
+        next->closed[k] = w->quick[k].branch != BRANCH_OPEN;
+        w->toggled |= next->closed[k] != now->closed[k];
+        if (next->closed[k] && l->law->commit) {
+            l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
+                           state_rate(next, m, k));
+        }
+    }
 }

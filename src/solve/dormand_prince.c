@@ -16,6 +16,7 @@
 
 static const double SAFETY = 0.9, EXPONENT = 0.2;
 static const double SHRINK_MOST = 0.2, GROW_MOST = 5.0;
+static const double NEGLIGIBLE = 1e-4;  // less than (SAFETY / GROW_MOST)^5
 
 // Step after an event over the one before it. Forces begin with an infinite slope where a contact
 // closes (d^(1/4)), and with a kink where its velocity turns.
@@ -54,9 +55,9 @@ struct dp *dormand_prince_create(const struct model *m, struct results *r, struc
     *p = (struct dp){.model = m, .results = r, .impacts = log, .last_link = -1};
     p->rate[0] = arena_alloc(a, n_rate, sizeof(double));
     p->rate[1] = arena_alloc(a, n_rate, sizeof(double));
-    p->no_depth = arena_alloc(a, n_rate, sizeof(double));
+    p->reach = arena_alloc(a, n_rate, sizeof(double));
     p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
-    bool good = p->meeting && p->rate[0] && p->rate[1] && p->no_depth &&
+    bool good = p->meeting && p->rate[0] && p->rate[1] && p->reach && gaps_alloc(&p->gaps, m, a) &&
                 scale_alloc(&p->scales, m, a) && dp_system_alloc(&p->system, m, a) &&
                 state_alloc(&p->now, m, a) && state_alloc(&p->next, m, a) && alloc_stages(p, a);
     return good ? p : NULL;
@@ -114,7 +115,7 @@ void dormand_prince_start(struct dp *p, const struct state *start,
     bind(p);
     dp_system_start(&p->system, now);
     rates_now(p);
-    dp_stages_gaps(m, now, p->rate[0]);
+    dp_stages_gaps(p, now, p->rate[0]);
     scale_expect(&p->scales, m);
     p->grown = true;
     dp_peaks_now(p);
@@ -185,7 +186,7 @@ static int happen(struct dp *p, const struct dp_event *event, struct error *e) {
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
     rates_now(p);
-    dp_stages_gaps(p->model, &p->now, p->rate[0]);
+    dp_stages_gaps(p, &p->now, p->rate[0]);
     dp_peaks_now(p);
     return too_crowded(p, e);
 }
@@ -266,25 +267,29 @@ static int too_slow(const struct dp *p, double step, struct error *e) {
                      p->now.time, unit, step, unit, cause(p, step), (double)ADAPTIVE_STEPS_MAX);
 }
 
+// The step that would just meet the tolerance over one with this error.
+static double change_for(double error) {
+    return error > NEGLIGIBLE ? SAFETY * pow(error, -EXPONENT) : GROW_MOST;
+}
+
 // Tries steps until one meets the tolerance.
 static int attempt(struct dp *p, struct error *e) {
     for (;;) {
         take(p);
         double error = dp_stages_error(p) * (p->closed_now ? UNSEEN : 1.0);
-        double change = SAFETY * pow(error, -EXPONENT);
         double step;
         if (pace_is_slow(&p->pace, p->model, p->now.time, &step)) {
             return too_slow(p, step, e);
         }
         if (error <= 1.0) {
-            p->trial = p->h * fmin(change, GROW_MOST);
+            p->trial = p->h * fmin(change_for(error), GROW_MOST);
             return STATUS_OK;
         }
         p->results->totals.cuts++;
         if (p->h <= p->model->control.shortest || p->now.time + p->h / 2.0 == p->now.time) {
             return too_short(p, p->h, error, e);
         }
-        p->trial = p->h * fmin(fmax(change, SHRINK_MOST), SAFETY);
+        p->trial = p->h * fmin(fmax(change_for(error), SHRINK_MOST), SAFETY);
         p->trial = fmax(p->trial, p->model->control.shortest);
     }
 }

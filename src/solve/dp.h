@@ -7,6 +7,7 @@
 
 #include "solve/account.h"
 #include "solve/dp_system.h"
+#include "solve/gaps.h"
 #include "solve/hermite.h"
 #include "solve/pace.h"
 #include "solve/scale.h"
@@ -40,16 +41,19 @@ struct dp {
     struct results *results;     // borrowed
     struct impact_log *impacts;  // borrowed
     struct dp_system system;
+    struct gaps gaps;        // only the runs of links
     struct state now, next;  // the ends of the step; histories and closed links are in `now`
     struct dp_rates stage[DP_STAGES];         // the first at `now`, the last at `next`
     const double *term[DP_TERMS][DP_STAGES];  // their accelerations
     struct meeting *meeting;                  // (n_contact) scratch of rigid impacts
     double *rate[2];                          // [L/T] (n_link) of penetrations at both ends
-    double *zero, *no_depth;                  // (n_dof), (n_link) zeros
-    double *error_u, *error_v;                // (n_dof) scratch
-    struct scales scales;                     // of errors
-    bool grown;                               // since the scales were made
-    struct energy_account before, energy;     // up to the start and to the end of the step
+    double *reach;              // [L] (n_contact) upper bounds of penetrations in the step
+    bool closes, deepens;       // can any be above 0, or above its peak?
+    double *zero;               // (n_dof) zeros
+    double *error_u, *error_v;  // (n_dof) scratch
+    struct scales scales;       // of errors
+    bool grown;                 // since the scales were made
+    struct energy_account before, energy;  // up to the start and to the end of the step
 
     double h;               // [T] the step; 0: none has been made
     double trial;           // [T] what the error control would take next
@@ -68,7 +72,7 @@ void dp_stages_bind(struct dp *p);
 void dp_stages_take(struct dp *p, double h, double end);
 
 // The estimated error of that step over the tolerance.
-double dp_stages_error(struct dp *p);
+double dp_stages_error(const struct dp *p);
 
 // Integral over the step, up to the place x in it, of what has the values f at the stages: h sum
 // b_i(x) f_i; and over the whole of it.
@@ -79,7 +83,7 @@ extern const double dp_stages_whole[DP_STAGES];
 void dp_stages_ends(struct dp *p);
 
 // Penetrations of all links of state `s` and their rates.
-void dp_stages_gaps(const struct model *m, struct state *s, double *rate);
+void dp_stages_gaps(const struct dp *p, struct state *s, double *rate);
 
 // The motion of all floors at place x of the step.
 void dp_stages_between(const struct dp *p, double x, double *u, double *v);
@@ -88,10 +92,7 @@ void dp_stages_between(const struct dp *p, double x, double *u, double *v);
 struct motion dp_event_floor(const struct dp *p, int i);
 struct motion dp_event_link(const struct dp *p, int k);
 struct motion dp_event_storey(const struct dp *p, int i);
-struct dp_event dp_event_first(const struct dp *p);
-
-// Could the penetration of any contact go beyond its limit (n_contact) in the step?
-bool dp_event_may_exceed(const struct dp *p, const double *limit);
+struct dp_event dp_event_first(struct dp *p);
 
 // Takes the step again so that it ends at its event.
 void dp_event_locate(struct dp *p);
@@ -103,8 +104,9 @@ int dp_event_apply(struct dp *p, const struct dp_event *event, struct error *e);
 void dp_peaks_step(struct dp *p);
 void dp_peaks_now(struct dp *p);
 
-// Force and penetration of link k in the step, into its peaks and into `share`.
-void dp_peaks_link(struct dp *p, int k, struct impact_share *share);
+// Force and penetration in the step of link number i of the active ones, into its peaks and into
+// `share`.
+void dp_peaks_link(struct dp *p, int i, struct impact_share *share);
 
 // dp_account.c: works and impulses of the step, and the state at an instant of it.
 void dp_account_step(struct dp *p);

@@ -73,7 +73,7 @@ void dp_account_step(struct dp *p) {
         int k = p->now.live[i];
         struct impact_share share = {.steps = 1};
         share.work = link_work(p, dp_stages_whole, i, p->next.delta[k], &share.impulse);
-        dp_peaks_link(p, k, &share);
+        dp_peaks_link(p, i, &share);
         impacts_add(p->impacts, p->results, p->model, k, &share);
         contact += share.work;
     }

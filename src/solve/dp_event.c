@@ -19,7 +19,10 @@
 #include "solve/excitation.h"
 
 enum { ITERATIONS_MAX = 60 };
-static const double LOCATED = 1e-7;   // of the step: the next correction is about its square
+// Corrections of the instant of an event, as a share of the step, after which the step is taken a
+// last time; the next one would be about their square. Links may stand that far from zero at their
+// event. Storeys may not, as their histories are committed with it.
+static const double LOCATED_LINK = 1e-4, LOCATED_STOREY = 1e-7;
 static const double ROUNDING = 64.0;  // units in the last place that mean nothing
 static const double STILL = 1e-3;     // of the error allowed: a drift that has not moved
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
@@ -121,7 +124,20 @@ static struct dp_event closing(const struct dp *p, int k, const struct motion *m
     return nothing;
 }
 
+// Does a closed link go on in its phase through the whole step, for certain? In the cubic of its
+// velocity, between those at the ends, the accelerations have no larger share than 4/27 of the step
+// each.
+static bool stays(const struct dp *p, int k, const struct motion *m) {
+    int phase = p->system.phase[k];
+    double slowest = fmin(phase * m->v[0], phase * m->v[1]);
+    bool goes_on = slowest > 4.0 / 27.0 * m->h * (fabs(m->a[0]) + fabs(m->a[1]));
+    return goes_on && (phase == PHASE_APPROACH || m->d[1] > 0.0);
+}
+
 static struct dp_event leaving(const struct dp *p, int k, const struct motion *m) {
+    if (stays(p, k, m)) {
+        return nothing;
+    }
     struct pieces s = cut(m);
     double least = noise(p, k);
     int phase = p->system.phase[k];
@@ -139,16 +155,7 @@ static struct dp_event leaving(const struct dp *p, int k, const struct motion *m
     return nothing;
 }
 
-// Could an open link close in the step? An upper bound of its penetration.
-static bool may_close(const struct dp *p, int k) {
-    double d = fmax(p->now.delta[k], p->next.delta[k]);
-    return d + p->h * fmax(fabs(p->rate[0][k]), fabs(p->rate[1][k])) > 0.0;
-}
-
 static struct dp_event link_event(const struct dp *p, int k) {
-    if (!p->now.closed[k] && !may_close(p, k)) {
-        return nothing;
-    }
     struct motion m = dp_event_link(p, k);
     return p->now.closed[k] ? leaving(p, k, &m) : closing(p, k, &m);
 }
@@ -212,34 +219,36 @@ static struct dp_event storey_event(const struct dp *p, int i) {
     return nothing;
 }
 
-// Penetrations and their rates at both ends, and what they are compared with.
-struct beyond {
-    const double *d[2], *v[2], *limit;
-};
-
-LANES static bool any_beyond(int n, double h, const struct beyond *b) {
-    const double *restrict d0 = b->d[0], *restrict d1 = b->d[1], *restrict limit = b->limit;
-    const double *restrict v0 = b->v[0], *restrict v1 = b->v[1];
-    long found = 0;
-    for (int i = 0, end = lanes_whole(n); i < end; i++) {
+// Upper bounds of the penetrations of n contacts. A motion that goes beyond both its ends does so
+// by a fraction of its way at the larger rate.
+LANES static void find_reach(struct dp *p, int n) {
+    const double *restrict d0 = p->now.delta, *restrict d1 = p->next.delta;
+    const double *restrict v0 = p->rate[0], *restrict v1 = p->rate[1];
+    const double *restrict deepest = p->results->deepest;
+    double *restrict reach = p->reach;
+    double h = p->h;
+    int64_t closes = 0;
+    int64_t deepens = 0;
+    for (int i = 0; i < n; i++) {
         double d = d0[i] > d1[i] ? d0[i] : d1[i];
         double v = fabs(v0[i]) > fabs(v1[i]) ? fabs(v0[i]) : fabs(v1[i]);
-        found |= d + h * v > limit[i];
+        double most = d + h * v;
+        reach[i] = most;
+        closes |= most > 0.0;
+        deepens |= most > deepest[i];
     }
-    return found != 0;
+    p->closes = closes != 0;
+    p->deepens = deepens != 0;
 }
 
-bool dp_event_may_exceed(const struct dp *p, const double *limit) {
-    const struct beyond b = {{p->now.delta, p->next.delta}, {p->rate[0], p->rate[1]}, limit};
-    return any_beyond(p->model->n_contact, p->h, &b);
-}
-
-struct dp_event dp_event_first(const struct dp *p) {
+struct dp_event dp_event_first(struct dp *p) {
     struct dp_event first = nothing;
-    int n_contact = dp_event_may_exceed(p, p->no_depth) ? p->model->n_contact : 0;
-    for (int k = 0; k < n_contact; k++) {
-        struct dp_event event = link_event(p, k);
-        first = event.place < first.place ? event : first;
+    find_reach(p, p->model->n_contact);
+    for (int k = 0, n = p->closes ? p->model->n_contact : 0; k < n; k++) {
+        if (p->reach[k] > 0.0 || p->now.closed[k]) {
+            struct dp_event event = link_event(p, k);
+            first = event.place < first.place ? event : first;
+        }
     }
     for (int n = 0; n < p->system.n_inelastic; n++) {
         struct dp_event event = storey_event(p, p->system.inelastic[n]);
@@ -248,11 +257,14 @@ struct dp_event dp_event_first(const struct dp *p) {
     return first;
 }
 
+static bool is_of_storey(const struct dp_event *e) {
+    return e->kind == DP_BRANCH || e->kind == DP_UNLOAD;
+}
+
 // What passes through zero at the event, at the end of the step, and its rate.
 static double value_at_end(const struct dp *p, double *rate) {
     const struct dp_event *e = &p->event;
-    bool storey = e->kind == DP_BRANCH || e->kind == DP_UNLOAD;
-    struct motion m = storey ? dp_event_storey(p, e->index) : dp_event_link(p, e->index);
+    struct motion m = is_of_storey(e) ? dp_event_storey(p, e->index) : dp_event_link(p, e->index);
     if (e->kind == DP_TURN || e->kind == DP_UNLOAD) {
         *rate = m.a[1];
         return m.v[1];
@@ -267,6 +279,7 @@ void dp_event_locate(struct dp *p) {
     double low = 0.0;
     double high = whole;
     double h = p->event.place * whole;
+    double near = (is_of_storey(&p->event) ? LOCATED_STOREY : LOCATED_LINK) * whole;
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         dp_stages_take(p, h, p->now.time + h);
         dp_stages_ends(p);
@@ -280,7 +293,7 @@ void dp_event_locate(struct dp *p) {
         if (!(next > low && next < high)) {
             next = 0.5 * (low + high);
         }
-        bool located = fabs(next - h) <= LOCATED * whole;
+        bool located = fabs(next - h) <= near;
         h = next;
         if (located) {
             dp_stages_take(p, h, p->now.time + h);
@@ -289,6 +302,7 @@ void dp_event_locate(struct dp *p) {
         }
     }
     p->event.place = 1.0;
+    find_reach(p, p->model->n_contact);
 }
 
 static int toggle(struct dp *p, int k, struct error *e) {

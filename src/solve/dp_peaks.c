@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "core/lanes.h"
+#include "core/number.h"
 #include "solve/dp.h"
 
 // Distance in the step of the three values, and how much an acceleration may exceed those at the
@@ -162,9 +163,10 @@ static void floor_at(struct dp *p, const struct state *s, int i) {
     }
 }
 
-// Could one of n floors from `first` on, in whole lanes, have a new peak in the step? Upper bounds
-// of motions, and accelerations at stages with what may lie beyond them.
-LANES static bool may_peak(const struct dp *p, int first, int n) {
+// Which of the n floors from `first` on, in whole lanes, could have a new peak in the step? Upper
+// bounds of motions, and accelerations at stages with what may lie beyond them; those of the floors
+// are negative in `hit`, and so is what is returned if any is.
+LANES static int64_t may_peak(const struct dp *p, int first, int n, int64_t *restrict hit) {
     const double *restrict u1 = p->next.u, *restrict v1 = p->next.v;
     const double *restrict a1 = p->next.a, *restrict d1 = p->next.drift;
     const double *restrict a2 = p->stage[2].a, *restrict a3 = p->stage[3].a;
@@ -177,15 +179,19 @@ LANES static bool may_peak(const struct dp *p, int first, int n) {
     double g1 = p->next.ground_a[0];
     double g2 = p->stage[2].ground.a[0];
     double g3 = p->stage[3].ground.a[0];
-    long found = 0;
+    int64_t found = 0;
     for (int i = first, end = first + lanes_whole(n); i < end; i++) {
         double slip = v1[i] - joint[i] * v1[i - 1];
-        found |= (fabs(u1[i]) + h * fabs(v1[i]) > u[i]) | (fabs(v1[i]) + h * fabs(a1[i]) > v[i]) |
-                 (fabs(d1[i]) + h * fabs(slip) > d[i]) | (fabs(a1[i] + share[i] * g1) > a[i]) |
-                 (BEYOND * fabs(a2[i] + share[i] * g2) > a[i]) |
-                 (BEYOND * fabs(a3[i] + share[i] * g3) > a[i]);
+        int64_t beyond = number_beyond(fabs(u1[i]) + h * fabs(v1[i]), u[i]) |
+                         number_beyond(fabs(v1[i]) + h * fabs(a1[i]), v[i]) |
+                         number_beyond(fabs(d1[i]) + h * fabs(slip), d[i]) |
+                         number_beyond(a1[i] + share[i] * g1, a[i]) |
+                         number_beyond(BEYOND * (a2[i] + share[i] * g2), a[i]) |
+                         number_beyond(BEYOND * (a3[i] + share[i] * g3), a[i]);
+        hit[i - first] = beyond;
+        found |= beyond;
     }
-    return found != 0;
+    return found;
 }
 
 // Makes the scales of errors again, if motions have grown.
@@ -196,15 +202,21 @@ static void rescale(struct dp *p) {
     }
 }
 
+// Where there are several grounds, or storeys with a history, no bound is known.
 static void floors_step(struct dp *p) {
     const struct model *m = p->model;
     bool always = m->n_ground != 1 || m->n_storey_history > 0;
+    int64_t hit[BLOCK];
     for (int first = 0; first < m->n_dof; first += BLOCK) {
         int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
-        bool seen = always || may_peak(p, first, n);
-        for (int i = first; seen && i < first + n; i++) {
-            inner_step(p, i);
-            floor_at(p, &p->next, i);
+        if (!always && may_peak(p, first, n, hit) >= 0) {
+            continue;
+        }
+        for (int i = 0; i < n; i++) {
+            if (always || hit[i] < 0) {
+                inner_step(p, first + i);
+                floor_at(p, &p->next, first + i);
+            }
         }
     }
     rescale(p);
@@ -267,44 +279,47 @@ static double force_at(const struct dp *p, int k, const struct polynomial *path,
     return r.force;
 }
 
-// The force where its rate changes its sign inside the step, and when; the one at the end where it
-// does not.
-static double inner_force(const struct dp *p, int k, const struct motion *m, double *time) {
+// The force of link k, number i of the active ones, where its rate changes its sign inside the
+// step, and when; the one at the end where it does not.
+static double inner_force(const struct dp *p, int i, const struct motion *m, double *time) {
+    const struct dp_rates *first = &p->stage[0];
+    const struct dp_rates *last = &p->stage[DP_STAGES - 1];
+    double start = first->dfdd[i] * m->v[0] + first->dfdv[i] * m->a[0];
+    double rate = last->dfdd[i] * m->v[1] + last->dfdv[i] * m->a[1];
+    double force = last->force[i];
+    *time = p->next.time;
+    if (start * rate >= 0.0) {
+        return force;
+    }
     struct polynomial path = hermite_position(m);
-    double start;
-    double rate;
     double low = 0.0;
     double high = 1.0;
-    force_at(p, k, &path, low, &start);
-    double force = force_at(p, k, &path, high, &rate);
-    *time = p->next.time;
-    for (int i = 0; start * rate < 0.0 && i < ITERATIONS_MAX && high - low > PLACED; i++) {
+    for (int n = 0; n < ITERATIONS_MAX && high - low > PLACED; n++) {
         double x = 0.5 * (low + high);
-        double slope;
-        force = force_at(p, k, &path, x, &slope);
+        force = force_at(p, p->now.live[i], &path, x, &rate);
         *time = p->now.time + x * p->h;
-        *(start * slope > 0.0 ? &low : &high) = x;
+        *(start * rate > 0.0 ? &low : &high) = x;
     }
     return force;
 }
 
-void dp_peaks_link(struct dp *p, int k, struct impact_share *share) {
+void dp_peaks_link(struct dp *p, int i, struct impact_share *share) {
+    int k = p->now.live[i];
     bool both = p->model->link[k].bilateral;
     struct motion m = dp_event_link(p, k);
     double time;
-    double force = inner_force(p, k, &m, &time);
+    double force = inner_force(p, i, &m, &time);
     share->penetration = link_penetration(p, k, &m);
     share->force = p->next.force[k];
     note_force(&p->results->link[k], both ? fabs(share->force) : share->force, p->next.time);
     note_force(&p->results->link[k], both ? fabs(force) : force, time);
-    share->force = fmax(share->force, force);
+    share->force = number_max(share->force, force);
 }
 
 void dp_peaks_step(struct dp *p) {
     floors_step(p);
-    int n = dp_event_may_exceed(p, p->results->deepest) ? p->model->n_contact : 0;
-    for (int k = 0; k < n; k++) {
-        if (!p->now.closed[k]) {
+    for (int k = 0, n = p->deepens ? p->model->n_contact : 0; k < n; k++) {
+        if (p->reach[k] > p->results->deepest[k] && !p->now.closed[k]) {
             open_step(p, k);
         }
     }

@@ -13,7 +13,9 @@
 #include <string.h>
 
 #include "core/lanes.h"
+#include "core/number.h"
 #include "solve/dp.h"
+#include "solve/dp_floors.h"
 
 static const double node[DP_STAGES] = {0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0};
 
@@ -54,75 +56,32 @@ static const struct sums error_sums = {
     {611.0 / 230400.0, -514.0 / 83475.0, 391.0 / 38400.0, -4617.0 / 1356800.0, -11.0 / 3360.0, 0.0},
 };
 
-// v = v0 + h times the sum of the first n accelerations a and u = u0 + c v0 + h^2 times theirs.
-// Where this is expanded n is a constant, so that the compiler makes one loop in lanes of it.
-static inline void combine(int n, const struct sums *s, const double *const *a, double h, int n_dof,
-                           double c, const double *restrict u0, const double *restrict v0,
-                           double *restrict u, double *restrict v) {
-    const double *restrict a0 = a[0], *restrict a1 = a[1], *restrict a2 = a[2];
-    const double *restrict a3 = a[3], *restrict a4 = a[4], *restrict a5 = a[5];
+// v = v0 + h times the sum of the first n accelerations a, and u = u0 + c v0 + h^2 times theirs, of
+// which the last one has no share. Where this is expanded n is a constant, so that the compiler
+// makes one loop in lanes of it.
+LANES_INLINE void combine(int n, const struct sums *s, const double *const *a, double h, int n_dof,
+                          double c, const double *u0, const double *v0, double *u, double *v) {
+    const double *a0 = a[0], *a1 = a[1], *a2 = a[2], *a3 = a[3], *a4 = a[4], *a5 = a[5];
     double v_0 = s->v[0], v_1 = s->v[1], v_2 = s->v[2], v_3 = s->v[3], v_4 = s->v[4];
     double u_0 = s->u[0], u_1 = s->u[1], u_2 = s->u[2], u_3 = s->u[3], u_4 = s->u[4];
-    double v_5 = s->v[5], u_5 = s->u[5];
+    double v_5 = s->v[5];
     double h2 = h * h;
+    LANES_LOOP
     for (int i = 0, end = lanes_whole(n_dof); i < end; i++) {
         double to_v = v_0 * a0[i];
-        double to_u = u_0 * a0[i];
+        double to_u = n > 1 ? u_0 * a0[i] : 0.0;
         to_v += n > 1 ? v_1 * a1[i] : 0.0;
-        to_u += n > 1 ? u_1 * a1[i] : 0.0;
+        to_u += n > 2 ? u_1 * a1[i] : 0.0;
         to_v += n > 2 ? v_2 * a2[i] : 0.0;
-        to_u += n > 2 ? u_2 * a2[i] : 0.0;
+        to_u += n > 3 ? u_2 * a2[i] : 0.0;
         to_v += n > 3 ? v_3 * a3[i] : 0.0;
-        to_u += n > 3 ? u_3 * a3[i] : 0.0;
+        to_u += n > 4 ? u_3 * a3[i] : 0.0;
         to_v += n > 4 ? v_4 * a4[i] : 0.0;
-        to_u += n > 4 ? u_4 * a4[i] : 0.0;
+        to_u += n > 5 ? u_4 * a4[i] : 0.0;
         to_v += n > 5 ? v_5 * a5[i] : 0.0;
-        to_u += n > 5 ? u_5 * a5[i] : 0.0;
         v[i] = v0[i] + h * to_v;
-        u[i] = u0[i] + (c * v0[i] + h2 * to_u);
+        u[i] = u0[i] + (n > 1 ? c * v0[i] + h2 * to_u : c * v0[i]);
     }
-}
-
-typedef void combine_fn(const struct sums *s, const double *const *a, double h, int n_dof, double c,
-                        const double *u0, const double *v0, double *u, double *v);
-
-LANES static void combine_1(const struct sums *s, const double *const *a, double h, int n_dof,
-                            double c, const double *u0, const double *v0, double *u, double *v) {
-    combine(1, s, a, h, n_dof, c, u0, v0, u, v);
-}
-
-LANES static void combine_2(const struct sums *s, const double *const *a, double h, int n_dof,
-                            double c, const double *u0, const double *v0, double *u, double *v) {
-    combine(2, s, a, h, n_dof, c, u0, v0, u, v);
-}
-
-LANES static void combine_3(const struct sums *s, const double *const *a, double h, int n_dof,
-                            double c, const double *u0, const double *v0, double *u, double *v) {
-    combine(3, s, a, h, n_dof, c, u0, v0, u, v);
-}
-
-LANES static void combine_4(const struct sums *s, const double *const *a, double h, int n_dof,
-                            double c, const double *u0, const double *v0, double *u, double *v) {
-    combine(4, s, a, h, n_dof, c, u0, v0, u, v);
-}
-
-LANES static void combine_5(const struct sums *s, const double *const *a, double h, int n_dof,
-                            double c, const double *u0, const double *v0, double *u, double *v) {
-    combine(5, s, a, h, n_dof, c, u0, v0, u, v);
-}
-
-LANES static void combine_6(const struct sums *s, const double *const *a, double h, int n_dof,
-                            double c, const double *u0, const double *v0, double *u, double *v) {
-    combine(6, s, a, h, n_dof, c, u0, v0, u, v);
-}
-
-static combine_fn *const combine_terms[TERMS_MAX + 1] = {NULL,      combine_1, combine_2, combine_3,
-                                                         combine_4, combine_5, combine_6};
-
-// The sums over the stages' accelerations.
-static void sum_stages(const struct dp *p, const struct sums *s, double c, const double *u0,
-                       const double *v0, double *u, double *v) {
-    combine_terms[s->n](s, p->term[s->terms], p->h, p->model->n_dof, c, u0, v0, u, v);
 }
 
 void dp_stages_bind(struct dp *p) {
@@ -134,26 +93,48 @@ void dp_stages_bind(struct dp *p) {
     }
 }
 
+// Stage number s of the step, at time t.
+LANES_INLINE void take_stage(struct dp *p, int s, double t) {
+    const struct sums *sums = &stage_sums[s];
+    struct dp_rates *r = &p->stage[s];
+    combine(sums->n, sums, p->term[sums->terms], p->h, p->model->n_dof, node[s] * p->h, p->now.u,
+            p->now.v, r->u, r->v);
+    dp_floors_rates(&p->system, dp_system_ground(&p->system, t, r), r);
+    dp_system_add(&p->system, &p->now, t, r);
+}
+
+LANES static void take_stages(struct dp *p) {
+    double start = p->now.time;
+    take_stage(p, 1, start + node[1] * p->h);
+    take_stage(p, 2, start + node[2] * p->h);
+    take_stage(p, 3, start + node[3] * p->h);
+    take_stage(p, 4, start + node[4] * p->h);
+    take_stage(p, 5, p->next.time);
+    take_stage(p, 6, p->next.time);
+}
+
 void dp_stages_take(struct dp *p, double h, double end) {
     p->h = h;
     p->next.time = end;
-    for (int s = 1; s < DP_STAGES; s++) {
-        struct dp_rates *stage = &p->stage[s];
-        sum_stages(p, &stage_sums[s], node[s] * h, p->now.u, p->now.v, stage->u, stage->v);
-        dp_system_rates(&p->system, &p->now, node[s] == 1.0 ? end : p->now.time + node[s] * h,
-                        stage);
+    take_stages(p);
+}
+
+// The differences of u and v over the links, a run of links at a time.
+LANES static void differences(const struct gaps *g, const double *restrict u,
+                              const double *restrict v, double *restrict delta,
+                              double *restrict rate) {
+    for (int i = 0; i < g->n_run; i++) {
+        const struct gap_run *r = &g->run[i];
+        for (int j = 0; j < r->n; j++) {
+            delta[r->first + j] = u[r->left + j] - u[r->right + j] - g->gap[r->first + j];
+            rate[r->first + j] = v[r->left + j] - v[r->right + j];
+        }
     }
 }
 
-void dp_stages_gaps(const struct model *m, struct state *s, double *rate) {
-    const double *restrict u = s->u;
-    const double *restrict v = s->v;
-    for (int k = 0; k < m->n_link; k++) {
-        const struct link *l = &m->link[k];
-        static_assert(WALL == -1, "a wall is the zero in front of an array");
-        s->delta[k] = u[l->dof[0]] - u[l->dof[1]] - l->gap;
-        rate[k] = v[l->dof[0]] - v[l->dof[1]];
-    }
+void dp_stages_gaps(const struct dp *p, struct state *s, double *rate) {
+    const struct model *m = p->model;
+    differences(&p->gaps, s->u, s->v, s->delta, rate);
     for (int k = 0; m->n_ground > 1 && k < m->n_link; k++) {
         s->delta[k] = state_gap(&m->link[k], m, s->u, s->ground_u) - m->link[k].gap;
         rate[k] = state_rate(s, m, k);
@@ -170,14 +151,28 @@ LANES static void drifts(const struct chain *c, const double *restrict u, double
 void dp_stages_ends(struct dp *p) {
     struct state *next = &p->next;
     drifts(&p->model->chain, next->u, next->drift);
-    dp_stages_gaps(p->model, next, p->rate[1]);
+    dp_stages_gaps(p, next, p->rate[1]);
     memset(next->force, 0, (size_t)p->model->n_link * sizeof *next->force);
     for (int i = 0; i < p->now.n_live; i++) {
         next->force[p->now.live[i]] = p->stage[DP_STAGES - 1].force[i];
     }
 }
 
-// The Hermite polynomial of degree 5 and its slope: sums over what is known at both ends.
+enum { ENDS = 6 };
+
+// u and v as sums over what is known at both ends.
+LANES static void sum_ends(int n, const double *const *of, const double *to_u, const double *to_v,
+                           double *restrict u, double *restrict v) {
+    for (int i = 0, end = lanes_whole(n); i < end; i++) {
+        u[i] = v[i] = 0.0;
+        for (int q = 0; q < ENDS; q++) {
+            u[i] += to_u[q] * of[q][i];
+            v[i] += to_v[q] * of[q][i];
+        }
+    }
+}
+
+// The Hermite polynomial of degree 5 and its slope.
 void dp_stages_between(const struct dp *p, double x, double *u, double *v) {
     const struct state *now = &p->now;
     const struct state *next = &p->next;
@@ -187,39 +182,39 @@ void dp_stages_between(const struct dp *p, double x, double *u, double *v) {
     double y2 = y * y;
     double rise = x2 * x * (10.0 + x * (6.0 * x - 15.0));
     double slope = 30.0 * x2 * y2 / h;
-    const double *const of[] = {now->u, now->v, now->a, next->u, next->v, next->a};
-    const struct sums sums = {
-        .u = {1.0 - rise, h * x * y2 * y * (1.0 + 3.0 * x), h * h * x2 * y2 * y / 2.0, rise,
-              -h * x2 * x * y * (1.0 + 3.0 * y), h * h * x2 * x * y2 / 2.0},
-        .v = {-slope, y2 * (1.0 + x * (2.0 - 15.0 * x)), h * x * y2 * (2.0 - 5.0 * x) / 2.0, slope,
-              x2 * (1.0 + y * (2.0 - 15.0 * y)), -h * x2 * y * (2.0 - 5.0 * y) / 2.0},
-    };
-    combine_6(&sums, of, 1.0, p->model->n_dof, 0.0, p->zero, p->zero, u, v);
+    const double *const of[ENDS] = {now->u, now->v, now->a, next->u, next->v, next->a};
+    const double to_u[ENDS] = {
+        1.0 - rise, h * x * y2 * y * (1.0 + 3.0 * x),  h * h * x2 * y2 * y / 2.0,
+        rise,       -h * x2 * x * y * (1.0 + 3.0 * y), h * h * x2 * x * y2 / 2.0};
+    const double to_v[ENDS] = {
+        -slope, y2 * (1.0 + x * (2.0 - 15.0 * x)), h * x * y2 * (2.0 - 5.0 * x) / 2.0,
+        slope,  x2 * (1.0 + y * (2.0 - 15.0 * y)), -h * x2 * y * (2.0 - 5.0 * y) / 2.0};
+    sum_ends(p->model->n_dof, of, to_u, to_v, u, v);
 }
 
-// Errors in u and v over their sizes; the larger one takes the place of that in u.
-LANES static void scale_errors(int n, const double *restrict scale_u,
-                               const double *restrict scale_v, double *restrict u,
-                               const double *restrict v) {
-    for (int i = 0, end = lanes_whole(n); i < end; i++) {
-        double of_u = fabs(u[i]) * scale_u[i];
-        double of_v = fabs(v[i]) * scale_v[i];
-        u[i] = of_v > of_u ? of_v : of_u;
+// The larger one of the errors of a floor in u and v over their sizes, of all floors. Numbers that
+// are not negative stand in the order of their bits, and what is not a number stands above all.
+LANES static double largest_error(const struct dp *p) {
+    double *u = p->error_u, *v = p->error_v;
+    const double *scale_u = p->scales.over_u, *scale_v = p->scales.over_v;
+    int n_dof = p->model->n_dof;
+    combine(error_sums.n, &error_sums, p->term[error_sums.terms], p->h, n_dof, 0.0, p->zero,
+            p->zero, u, v);
+    int64_t largest = 0;
+    for (int i = 0, end = lanes_whole(n_dof); i < end; i++) {
+        int64_t of_u = number_bits(u[i] * scale_u[i]) & INT64_MAX;
+        int64_t of_v = number_bits(v[i] * scale_v[i]) & INT64_MAX;
+        of_u = of_u > of_v ? of_u : of_v;
+        largest = of_u > largest ? of_u : largest;
     }
+    double error;
+    memcpy(&error, &largest, sizeof error);
+    return error;
 }
 
-double dp_stages_error(struct dp *p) {
-    double largest = 0.0;
-    double sum = 0.0;
-    int n = p->model->n_dof;
-    sum_stages(p, &error_sums, 0.0, p->zero, p->zero, p->error_u, p->error_v);
-    scale_errors(n, p->scales.over_u, p->scales.over_v, p->error_u, p->error_v);
-    for (int i = 0; i < n; i++) {
-        double error = p->error_u[i];
-        largest = error > largest ? error : largest;
-        sum += error;
-    }
-    return isfinite(sum) ? largest / p->model->control.tolerance : INFINITY;
+double dp_stages_error(const struct dp *p) {
+    double largest = largest_error(p);
+    return isfinite(largest) ? largest / p->model->control.tolerance : INFINITY;
 }
 
 const double dp_stages_whole[DP_STAGES] = {

@@ -16,6 +16,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "solve/dp_floors.h"
 
 // How far beyond its drift a storey is asked for its tangent, relative to its drift or to that
 // which its shear would take elastically: far above rounding, far below any tolerance.
@@ -24,7 +25,8 @@ static const double PROBE = 1e-12;
 bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a) {
     size_t n = (size_t)m->n_dof;
     *s = (struct dp_system){.model = m};
-    double **const part[] = {&s->mobility, &s->base, &s->tangent, &s->damping};
+    double **const part[] = {&s->mobility, &s->base,    &s->tangent,
+                             &s->damping,  &s->carried, &s->damped};
     bool good = true;
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         good = good && (*part[i] = lanes_array(a, m->n_dof));
@@ -49,11 +51,13 @@ bool dp_system_alloc_rates(struct dp_rates *r, const struct model *m, struct are
     r->a = lanes_array(a, m->n_dof);
     r->force = arena_alloc(a, n_link, sizeof(double));
     r->power = arena_alloc(a, n_link, sizeof(double));
+    r->dfdd = arena_alloc(a, n_link, sizeof(double));
+    r->dfdv = arena_alloc(a, n_link, sizeof(double));
     r->ground.a = arena_alloc(a, n_ground, sizeof(double));
     r->ground.v = arena_alloc(a, n_ground, sizeof(double));
     r->ground.u = arena_alloc(a, n_ground, sizeof(double));
-    return r->u && r->v && r->a && r->force && r->power && r->ground.a && r->ground.v &&
-           r->ground.u;
+    return r->u && r->v && r->a && r->force && r->power && r->dfdd && r->dfdv && r->ground.a &&
+           r->ground.v && r->ground.u;
 }
 
 static bool is_straight(const struct storey *law) {
@@ -159,39 +163,8 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
     return s->calls[i] ? storey_at(s, now, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
-static double sum_of(const lanes *x) {
-    static_assert(LANES_VECTOR == 4, "all of them are summed");
-    return ((*x)[0] + (*x)[1]) + ((*x)[2] + (*x)[3]);
-}
-
-// Accelerations of all floors without links, loads and what is special, under the ground
-// acceleration `ground`, and what the ground and the dampers do.
 LANES static void floor_rates(const struct dp_system *s, double ground, struct dp_rates *r) {
-    const lanes *k_below = (const lanes *)s->row[DP_K_BELOW];
-    const lanes *k_own = (const lanes *)s->row[DP_K_OWN];
-    const lanes *k_above = (const lanes *)s->row[DP_K_ABOVE];
-    const lanes *c_below = (const lanes *)s->row[DP_C_BELOW];
-    const lanes *c_own = (const lanes *)s->row[DP_C_OWN];
-    const lanes *c_above = (const lanes *)s->row[DP_C_ABOVE];
-    const lanes *constant = (const lanes *)s->row[DP_CONSTANT];
-    const lanes *share = (const lanes *)s->row[DP_GROUND];
-    const lanes *mass = (const lanes *)s->model->chain.mass;
-    const lanes *u = (const lanes *)r->u, *v = (const lanes *)r->v;
-    const lanes *u_below = (const lanes *)(r->u - 1), *u_above = (const lanes *)(r->u + 1);
-    const lanes *v_below = (const lanes *)(r->v - 1), *v_above = (const lanes *)(r->v + 1);
-    lanes *a = (lanes *)r->a;
-    lanes carried = {0.0};
-    lanes damped = {0.0};
-    for (int j = 0, end = lanes_whole(s->model->n_dof) / LANES_VECTOR; j < end; j++) {
-        lanes spring = k_below[j] * u_below[j] + k_own[j] * u[j] + k_above[j] * u_above[j];
-        lanes damping = c_below[j] * v_below[j] + c_own[j] * v[j] + c_above[j] * v_above[j];
-        lanes momentum = mass[j] * v[j];
-        carried += share[j] * momentum;
-        damped += damping * momentum;
-        a[j] = constant[j] - ground * share[j] - (spring + damping);
-    }
-    r->input = -ground * sum_of(&carried);
-    r->damping = sum_of(&damped);
+    dp_floors_rates(s, ground, r);
 }
 
 // Ground accelerations where there are several.
@@ -223,7 +196,6 @@ static void full_damping(const struct dp_system *s, struct dp_rates *r) {
 
 // Storeys with a history: their power, and the shear of those whose law is called.
 static void storey_rates(const struct dp_system *s, const struct state *now, struct dp_rates *r) {
-    r->storey = 0.0;
     for (int n = 0; n < s->n_inelastic; n++) {
         int i = s->inelastic[n];
         int below = s->below[i];
@@ -262,9 +234,12 @@ static void link_rates(const struct dp_system *s, const struct state *now, struc
         const struct link *l = &m->link[k];
         double rate = gap(l, m, r->v, r->ground.v);
         double d = gap(l, m, r->u, r->ground.u) - l->gap;
-        double force = dp_system_response(s, now, k, d, rate).force;
+        struct contact_response response = dp_system_response(s, now, k, d, rate);
+        double force = response.force;
         r->force[i] = force;
         r->power[i] = force * rate;
+        r->dfdd[i] = response.dfdd;
+        r->dfdv[i] = response.dfdv;
         if (l->dof[0] != WALL) {
             r->a[l->dof[0]] -= force * s->mobility[l->dof[0]];
         }
@@ -277,20 +252,31 @@ static void link_rates(const struct dp_system *s, const struct state *now, struc
     }
 }
 
-void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
-                     struct dp_rates *r) {
+void dp_system_add(const struct dp_system *s, const struct state *now, double t,
+                   struct dp_rates *r) {
     const struct model *m = s->model;
-    forcing_ground(&s->forcing, t, &r->ground);
-    floor_rates(s, m->n_ground == 1 ? r->ground.a[0] : 0.0, r);
+    r->storey = 0.0;
     if (m->n_ground > 1) {
         ground_rates(s, r);
     }
     if (m->chain.full_damping) {
         full_damping(s, r);
     }
-    storey_rates(s, now, r);
-    load_rates(s, t, r);
-    link_rates(s, now, r);
+    if (s->n_inelastic > 0) {
+        storey_rates(s, now, r);
+    }
+    if (m->n_load > 0) {
+        load_rates(s, t, r);
+    }
+    if (now->n_live > 0) {
+        link_rates(s, now, r);
+    }
+}
+
+void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
+                     struct dp_rates *r) {
+    floor_rates(s, dp_system_ground(s, t, r), r);
+    dp_system_add(s, now, t, r);
 }
 
 // Acceleration of floor i by its storeys and dampers.

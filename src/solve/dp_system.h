@@ -36,6 +36,8 @@ struct dp_system {
     double *mobility;        // [1/M] (n_dof) 1 / m
     double *base, *tangent;  // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
     double *damping;         // [F] (n_dof) scratch
+    double *carried;         // [F T] (n_dof) scratch: momenta of floors that the ground moves
+    double *damped;          // [F L/T] (n_dof) scratch: powers of dampers
     enum phase *phase;       // (n_link)
     int n_inelastic;         // storeys with a history
     int *inelastic;          // (n_dof) their indices
@@ -51,6 +53,7 @@ struct dp_rates {
     struct forcing_values ground;  // (n_ground)
     double *force;                 // [F] (n_live)
     double *power;                 // [F L/T] (n_live) of those forces
+    double *dfdd, *dfdv;           // [F/L] [F T/L] (n_live) their slopes
     double input, damping;         // [F L/T] of all loads, and of all dampers
     double storey;                 // [F L/T] done on storeys that are not elastic
 };
@@ -74,9 +77,19 @@ double dp_system_storey_noise(const struct dp_system *s, const struct state *now
 // Shear of the storey below floor i at `drift`, on its branch [F].
 double dp_system_shear(const struct dp_system *s, const struct state *now, int i, double drift);
 
-// Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`.
+// Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`: those
+// of dp_floors.h, and what dp_system_add adds to them.
+void dp_system_add(const struct dp_system *s, const struct state *now, double t,
+                   struct dp_rates *r);
 void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
                      struct dp_rates *r);
+
+// The ground's motion at time t into r->ground. Returns its acceleration where there is one ground
+// only, else 0.
+static inline double dp_system_ground(const struct dp_system *s, double t, struct dp_rates *r) {
+    forcing_ground(&s->forcing, t, &r->ground);
+    return s->model->n_ground == 1 ? r->ground.a[0] : 0.0;
+}
 
 // The total acceleration of floor i alone, from the motion of its building and of the floors that
 // its links join it to.

@@ -167,13 +167,15 @@ static long cruise(struct fleet *f, long n) {
     if (taken == last) {
         return last;
     }
-    const unsigned leaving = ensemble_leaving(e);
+    const wide *due = base + (taken + 1 - n);
+    const unsigned leaving = ensemble_leaving(e, due);
     for (int k = 0; k < f->n; k++) {
         if (leaving >> k & 1U) {
             leave(f, k, taken);
         }
     }
-    ensemble_commit(e, (double)(taken + 1) * e->h);
+    ensemble_raise(e, due, (double)(taken + 1) * e->h);
+    ensemble_commit(e, due);
     return taken + 1;
 }
 

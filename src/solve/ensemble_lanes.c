@@ -17,9 +17,10 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
     return e->contact != NULL;
 }
 
-static bool alloc_inverses(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
+static bool alloc_factors(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
+    e->factor = lanes_wide_array(a, m->n_dof, sizeof *e->factor);
     e->inverse = arena_alloc(a, (size_t)m->n_building, sizeof *e->inverse);
-    for (int k = 0; e->inverse && k < m->n_building; k++) {
+    for (int k = 0; e->factor && e->inverse && k < m->n_building; k++) {
         int n = m->building[k].n_floor;
         if (n <= INVERSE_FLOORS_MAX) {
             e->inverse[k] = lanes_wide_array(a, n * n, sizeof(wide));
@@ -28,7 +29,7 @@ static bool alloc_inverses(struct ensemble_lanes *e, const struct model *m, stru
             }
         }
     }
-    return e->inverse != NULL;
+    return e->factor && e->inverse;
 }
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
@@ -45,11 +46,13 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
-        .next_works = lanes_wide_array(a, 1, sizeof *e->next_works),
+        .residual = lanes_wide_array(a, n, sizeof *e->residual),
+        .correction = lanes_wide_array(a, n, sizeof *e->correction),
+        .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
-    return e->floor && e->now && e->next && e->works && e->next_works && e->base &&
-           alloc_contacts(e, m, a) && alloc_inverses(e, m, a);
+    return e->floor && e->now && e->next && e->works && e->residual && e->correction &&
+           e->peak_time && e->base && alloc_contacts(e, m, a) && alloc_factors(e, m, a);
 }
 
 static bool is_small(double x) {
@@ -77,7 +80,7 @@ static bool fill_inverse(wide *inverse, int lane, struct effective *home) {
 static bool fill_factors(struct ensemble_lanes *e, int lane, struct effective *home) {
     bool small = true;
     for (int k = 0; k < e->n_building; k++) {
-        struct ensemble_floor *f = e->floor + e->building[k].first;
+        struct ensemble_factor *f = e->factor + e->building[k].first;
         for (int i = 0; i < e->building[k].n_floor; i++) {
             small &= put(&f[i].pivot, lane, home[k].pivot[i]);
             small &= put(&f[i].factor, lane, home[k].factor[i]);
@@ -125,11 +128,11 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         small &= put(&f->v, lane, s->v[i]);
         small &= put(&f->a, lane, s->a[i]);
     }
-    e->works->ground[lane] = s->ground_a[0];
     for (int i = 0; i < LANES_WIDTH; i++) {
         e->works->input_2x[i][lane] = r->energy.input_2x[i];
         e->works->damping_2x[i][lane] = r->energy.damping_2x[i];
     }
+    e->works->ground[lane] = s->ground_a[0];
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
         const struct link_peak *p = &r->results->link[k];
@@ -152,11 +155,11 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
         s->a[i] = f->a[lane];
         t->speed = number_max(t->speed, e->floor[i].peak[PEAK_VELOCITY][lane]);
     }
-    s->ground_a[0] = e->works->ground[lane];
     for (int i = 0; i < LANES_WIDTH; i++) {
         r->energy.input_2x[i] = e->works->input_2x[i][lane];
         r->energy.damping_2x[i] = e->works->damping_2x[i][lane];
     }
+    s->ground_a[0] = e->works->ground[lane];
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_contact *c = &e->contact[k];
         s->delta[k] = s->u[c->left] - s->u[c->right] - c->gap[lane];
@@ -179,7 +182,8 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
     for (int q = 0; q < PEAK_COUNT; q++) {
         for (int i = 0; i < e->n_floor; i++) {
             const struct ensemble_floor *f = &e->floor[i];
-            merge(&r->peak[q][i], &r->peak_time[q][i], f->peak[q][lane], f->peak_time[q][lane]);
+            merge(&r->peak[q][i], &r->peak_time[q][i], f->peak[q][lane],
+                  e->peak_time[i].of[q][lane]);
         }
     }
     for (int k = 0; k < e->n_contact; k++) {

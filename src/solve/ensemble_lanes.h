@@ -19,30 +19,34 @@ struct ensemble_state {
     wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
 };
 
-// What it changes besides.
-struct ensemble_works {
-    wide ground;  // [L/T^2] its acceleration
-    // [F L] as in struct energy_account
-    wide input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
+// What a step needs of a floor besides, with the storey below it.
+struct ensemble_floor {
+    wide inertia;            // [M] minus the mass
+    wide stiffness;          // [F/L]
+    wide below, own, above;  // [F T/L] bands of C
+    wide peak[PEAK_COUNT];   // since the run came aboard, or before: never above that of the run
 };
 
-// The rest of a floor, with the storey below it.
-struct ensemble_floor {
-    wide inertia;               // [M] minus the mass
-    wide stiffness;             // [F/L]
-    wide below, own, above;     // [F T/L] bands of C
-    wide pivot, factor;         // of A = L D L^T
-    wide u_trial, v_trial;      // of the step under way
-    wide residual, correction;  // [F] [L/T^2]
-    wide total;                 // [L/T^2] of the state after it
-    wide peak[PEAK_COUNT];      // since the run came aboard, or before: never above that of the run
-    wide peak_time[PEAK_COUNT];
+// Of A = L D L^T.
+struct ensemble_factor {
+    wide pivot, factor;
+};
+
+struct ensemble_peak_times {
+    wide of[PEAK_COUNT];  // [T]
 };
 
 struct ensemble_contact {
-    int left, right;             // floors; a wall is the zero behind them
-    wide gap;                    // [L]
-    wide deepest, deepest_time;  // [L] [T] as the peaks
+    wide gap;           // [L]
+    wide deepest;       // [L] as the peaks
+    wide deepest_time;  // [T]
+    int left, right;    // floors; a wall is the zero behind them
+};
+
+// As of struct energy_account, and the ground acceleration of `now` [L/T^2].
+struct ensemble_works {
+    wide input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
+    wide ground;
 };
 
 struct ensemble_lanes {
@@ -51,13 +55,17 @@ struct ensemble_lanes {
     const struct building *building;  // borrowed
     double b, g, h;                   // beta h^2, gamma h and h
 
-    long long aboard[WIDE_RUNS];        // all bits of the lanes whose runs are aboard
-    struct ensemble_floor *floor;       // (n_floor) of all buildings
-    struct ensemble_state *now, *next;  // (n_floor)
-    struct ensemble_works *works, *next_works;
-    struct ensemble_contact *contact;  // (n_contact)
-    wide **inverse;  // (n_building) A^-1 of each (n_floor, n_floor), or NULL: factors
-    wide *base;      // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
+    long long aboard[WIDE_RUNS];            // all bits of the lanes whose runs are aboard
+    struct ensemble_floor *floor;           // (n_floor) of all buildings
+    struct ensemble_state *now, *next;      // (n_floor)
+    struct ensemble_contact *contact;       // (n_contact)
+    struct ensemble_works *works;           // so far
+    struct ensemble_factor *factor;         // (n_floor)
+    wide **inverse;                         // (n_building) A^-1 of each (n_floor, n_floor), or
+                                            // NULL: factors
+    wide *residual, *correction;            // [F] [L/T^2] (n_floor) scratch of a building
+    struct ensemble_peak_times *peak_time;  // (n_floor)
+    wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
 
 // Room for the runs of models like `m`; false: no memory.
@@ -76,26 +84,19 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
 
-// Commits the step that has been computed, without a look at its peaks.
-static inline void ensemble_swap(struct ensemble_lanes *e) {
-    struct ensemble_state *old = e->now;
-    struct ensemble_works *old_works = e->works;
-    e->now = e->next;
-    e->next = old;
-    e->works = e->next_works;
-    e->next_works = old_works;
-}
-
 // Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them asks
-// for ensemble_look: that one is computed, but not committed. Returns the number committed.
+// for a closer look: that one is computed, but not committed. Returns the number committed.
 int ensemble_march(struct ensemble_lanes *e, const wide *base, int n);
 
-// The lanes aboard that cannot take the step to `time` that has been computed: links would act, or
-// numbers have grown too large. One bit each.
-unsigned ensemble_leaving(const struct ensemble_lanes *e);
+// The lanes aboard that cannot take the step that has been computed: links would act, or numbers
+// have grown too large. One bit each. `base` is its ground acceleration here and below.
+unsigned ensemble_leaving(const struct ensemble_lanes *e, const wide *base);
 
-// Commits the step to `time` for those aboard, with their peaks.
-void ensemble_commit(struct ensemble_lanes *e, double time);
+// Takes the step that has been computed, to `time`, into the peaks of those aboard.
+void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
+
+// Takes its works into account and commits it.
+void ensemble_commit(struct ensemble_lanes *e, const wide *base);
 
 // The energies of all lanes (WIDE_RUNS).
 void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums);

@@ -14,7 +14,7 @@ enum { SIGN = 63 };
 #define LESS(a, b) ((wide_bits)((a) - (b)))  // negative where a < b
 #define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
-LANES unsigned ensemble_leaving(const struct ensemble_lanes *e) {
+LANES unsigned ensemble_leaving(const struct ensemble_lanes *e, const wide *base) {
     const wide most = ENSEMBLE_LARGEST - (wide){0.0};
     wide_bits bad = {0};
     for (int k = 0; k < e->n_contact; k++) {
@@ -24,8 +24,9 @@ LANES unsigned ensemble_leaving(const struct ensemble_lanes *e) {
     }
     for (int i = 0; i < e->n_floor; i++) {
         const struct ensemble_state *s = &e->next[i];
-        bad |= LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) |
-               LESS(most, ABSOLUTE(e->floor[i].total));
+        const wide total = s->a + *base;
+        bad |=
+            LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
     }
     unsigned leaving = 0;
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
@@ -42,30 +43,31 @@ INLINE void raise(const wide_bits *aboard, const wide *size, const wide *time, w
     *peak_time = CHOOSE(above, *time, *peak_time);
 }
 
-INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard, const wide *time,
-                        const wide *drift) {
+INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard, const wide *base,
+                        const wide *time, const wide *drift) {
+    const wide total = e->next[i].a + *base;
     const wide value[PEAK_COUNT] = {
         [PEAK_DISPLACEMENT] = ABSOLUTE(e->next[i].u),
         [PEAK_VELOCITY] = ABSOLUTE(e->next[i].v),
-        [PEAK_ACCELERATION] = ABSOLUTE(e->floor[i].total),
+        [PEAK_ACCELERATION] = ABSOLUTE(total),
         [PEAK_DRIFT] = ABSOLUTE(*drift),
         [PEAK_SHEAR] = ABSOLUTE(e->floor[i].stiffness * *drift),
     };
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(aboard, &value[q], time, &e->floor[i].peak[q], &e->floor[i].peak_time[q]);
+        raise(aboard, &value[q], time, &e->floor[i].peak[q], &e->peak_time[i].of[q]);
     }
 }
 
-LANES void ensemble_commit(struct ensemble_lanes *e, double time) {
+LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time) {
     wide_bits aboard;
     memcpy(&aboard, e->aboard, sizeof aboard);
     const wide now = time - (wide){0.0};
     const struct ensemble_state *s = e->next;
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
-        wide drift = s[g->first].u - 0.0 * s[g->first - 1].u;
+        wide drift = s[g->first].u;
         for (int i = g->first; i < g->first + g->n_floor; i++) {
-            raise_floor(e, i, &aboard, &now, &drift);
+            raise_floor(e, i, &aboard, base, &now, &drift);
             drift = s[i + 1].u - s[i].u;
         }
     }
@@ -74,7 +76,6 @@ LANES void ensemble_commit(struct ensemble_lanes *e, double time) {
         wide delta = s[c->left].u - s[c->right].u - c->gap;
         raise(&aboard, &delta, &now, &c->deepest, &c->deepest_time);
     }
-    ensemble_swap(e);
 }
 
 LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
@@ -82,7 +83,7 @@ LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sum
     const struct ensemble_state *s = e->now;
     for (int k = 0; k < e->n_building; k++) {
         const struct building *g = &e->building[k];
-        wide drift = s[g->first].u - 0.0 * s[g->first - 1].u;
+        wide drift = s[g->first].u;
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             kinetic -= e->floor[i].inertia * s[i].v * s[i].v;
             elastic += e->floor[i].stiffness * drift * drift / 2.0;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps in which no link acts, of all runs aboard at once: chain.c, effective.c, energy.c and
-// peaks.c for elastic storeys, in one pass over the floors. Each lane sees their operations in
-// their order, so that its bits are those of a run alone.
+// Steps in which no link acts, of all runs aboard at once: what chain_floor.h, flight_step.c and
+// account.c say for elastic storeys under one ground. Each lane sees their operations in their
+// order, so that its bits are those of a run alone. A building is taken through the whole step
+// before the next one, while its numbers are at hand; what one floor needs of its neighbours is
+// carried along in registers.
 //
 // A drift that does not exceed its peak brings no shear beyond its own, as rounding keeps order; so
 // shears are looked at only where a drift says so.
@@ -14,133 +16,103 @@ static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 // Negative where |x| > peak.
 #define UNDER(peak, x) ((wide_bits)((peak) - (wide)((wide_bits)(x)&SIZE)))
 
-INLINE void trial(const struct ensemble_lanes *e) {
-    const struct ensemble_state *restrict s = e->now;
-    struct ensemble_floor *restrict f = e->floor;
+// The end of the step if the acceleration stays.
+INLINE void predict(const struct ensemble_lanes *e, const struct ensemble_state *restrict s,
+                    struct ensemble_state *restrict t) {
     double h = e->h, half = h * h / 2.0;
-    for (int i = 0; i < e->n_floor; i++) {
-        f[i].u_trial = s[i].u + (h * s[i].v + half * s[i].a);
-        f[i].v_trial = s[i].v + h * s[i].a;
-    }
+    t->u = s->u + (h * s->v + half * s->a);
+    t->v = s->v + h * s->a;
 }
 
-// r = -m (a_ground + a) - C v_t - K u_t of a building of n floors; the joints below its first floor
-// and above its last one are 0.
-INLINE void residuals(struct ensemble_floor *restrict f, const struct ensemble_state *restrict s,
-                      const wide *base, int n) {
-    wide ground = *base;
-    wide shear = f[0].stiffness * (f[0].u_trial - 0.0 * f[-1].u_trial);
+// r = -m (a_ground + a) - C v_t - K u_t of a building of n floors, with the trial in t.
+INLINE void residuals(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
+                      const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
+                      const wide *ground, int n) {
+    const wide none = {0.0};
+    wide *restrict r = e->residual;
+    wide v_below = none;
+    predict(e, &s[0], &t[0]);
+    wide shear = f[0].stiffness * t[0].u;
     for (int i = 0; i < n; i++) {
-        wide above = f[i + 1].stiffness * (f[i + 1].u_trial - f[i].u_trial);
-        if (i + 1 == n) {
-            above *= 0.0;
+        wide v_above = none, shear_above = none;
+        if (i + 1 < n) {
+            predict(e, &s[i + 1], &t[i + 1]);
+            v_above = t[i + 1].v;
+            shear_above = f[i + 1].stiffness * (t[i + 1].u - t[i].u);
         }
-        wide damping =
-            f[i].below * f[i - 1].v_trial + f[i].own * f[i].v_trial + f[i].above * f[i + 1].v_trial;
-        f[i].residual = f[i].inertia * ground + f[i].inertia * s[i].a - damping - shear + above;
-        shear = above;
+        wide damping = f[i].below * v_below + f[i].own * t[i].v + f[i].above * v_above;
+        r[i] = f[i].inertia * *ground + f[i].inertia * s[i].a - damping - shear + shear_above;
+        v_below = t[i].v;
+        shear = shear_above;
     }
 }
 
 // Four rows of the inverse times the residual.
-INLINE void multiply_four(const wide *restrict row, int n, struct ensemble_floor *restrict f,
-                          int j) {
+INLINE void multiply_four(const wide *restrict row, int n, const wide *restrict r,
+                          wide *restrict q) {
     wide q0 = {0.0}, q1 = {0.0}, q2 = {0.0}, q3 = {0.0};
     for (int i = 0; i < n; i++) {
-        wide r = f[i].residual;
-        q0 += r * row[i];
-        q1 += r * row[n + i];
-        q2 += r * row[2 * n + i];
-        q3 += r * row[3 * n + i];
+        q0 += r[i] * row[i];
+        q1 += r[i] * row[n + i];
+        q2 += r[i] * row[2 * n + i];
+        q3 += r[i] * row[3 * n + i];
     }
-    f[j].correction = q0;
-    f[j + 1].correction = q1;
-    f[j + 2].correction = q2;
-    f[j + 3].correction = q3;
+    q[0] = q0;
+    q[1] = q1;
+    q[2] = q2;
+    q[3] = q3;
 }
 
-INLINE void multiply(const wide *restrict inverse, int n, struct ensemble_floor *restrict f) {
+INLINE void multiply(const wide *restrict inverse, int n, const wide *restrict r,
+                     wide *restrict q) {
     int j = 0;
     for (; j + 4 <= n; j += 4) {
-        multiply_four(inverse + (size_t)j * (size_t)n, n, f, j);
+        multiply_four(inverse + (size_t)j * (size_t)n, n, r, q + j);
     }
     for (; j < n; j++) {
-        wide q = {0.0};
+        wide sum = {0.0};
         for (int i = 0; i < n; i++) {
-            q += f[i].residual * inverse[j * n + i];
+            sum += r[i] * inverse[j * n + i];
         }
-        f[j].correction = q;
+        q[j] = sum;
     }
 }
 
 // L D L^T, from the ground up and back.
-INLINE void substitute(struct ensemble_floor *restrict f, int n) {
+INLINE void substitute(const struct ensemble_factor *restrict f, int n, wide *restrict r,
+                       wide *restrict q) {
     for (int i = 1; i < n; i++) {
-        f[i].residual -= f[i - 1].factor * f[i - 1].residual;
+        r[i] -= f[i - 1].factor * r[i - 1];
     }
-    wide x = f[n - 1].residual * f[n - 1].pivot;
-    f[n - 1].correction = 0.0 + x;
+    wide x = r[n - 1] * f[n - 1].pivot;
+    q[n - 1] = 0.0 + x;
     for (int i = n - 2; i >= 0; i--) {
-        x = f[i].residual * f[i].pivot - f[i].factor * x;
-        f[i].correction = 0.0 + x;
+        x = r[i] * f[i].pivot - f[i].factor * x;
+        q[i] = 0.0 + x;
     }
 }
 
-// The state that the correction leads to. *flags: see step.
-INLINE void correct(const struct ensemble_lanes *e, const wide *base, wide_bits *flags) {
-    const struct ensemble_state *restrict s = e->now;
-    struct ensemble_state *restrict t = e->next;
-    struct ensemble_floor *restrict f = e->floor;
+// The state that the corrections lead to from the trial. *flags: see step.
+INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
+                    const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
+                    const wide *ground, int n, wide_bits *flags) {
+    const wide *restrict q = e->correction;
     wide_bits more = {0};
-    wide ground = *base;
+    wide under = {0.0};
     double b = e->b, g = e->g;
-    for (int i = 0; i < e->n_floor; i++) {
-        wide q = f[i].correction;
-        wide u = f[i].u_trial + b * q;
-        wide v = f[i].v_trial + g * q;
-        wide a = s[i].a + q;
-        wide total = a + ground;
+    for (int i = 0; i < n; i++) {
+        wide u = t[i].u + b * q[i];
+        wide v = t[i].v + g * q[i];
+        wide a = s[i].a + q[i];
         t[i].u = u;
         t[i].v = v;
         t[i].a = a;
-        f[i].total = total;
         more |= UNDER(f[i].peak[PEAK_DISPLACEMENT], u) | UNDER(f[i].peak[PEAK_VELOCITY], v) |
-                UNDER(f[i].peak[PEAK_ACCELERATION], total);
-    }
-    *flags |= more;
-}
-
-// The works of a building, and a look for peaks of its drifts.
-INLINE void account_building(const struct ensemble_lanes *e, const struct building *g,
-                             const wide *ground_2x, wide_bits *flags) {
-    const struct ensemble_floor *restrict f = e->floor;
-    const struct ensemble_state *restrict s = e->now, *restrict t = e->next;
-    wide *restrict input = e->next_works->input_2x, *restrict damping = e->next_works->damping_2x;
-    wide_bits more = {0};
-    wide under = 0.0 * t[g->first - 1].u;
-    wide below = s[g->first - 1].v + t[g->first - 1].v;
-    wide own = s[g->first].v + t[g->first].v;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        wide u = t[i].u;
-        wide du = u - s[i].u;
-        wide above = s[i + 1].v + t[i + 1].v;
-        input[i % LANES_WIDTH] += *ground_2x * (f[i].inertia * du);
-        damping[i % LANES_WIDTH] += du * (f[i].below * below + f[i].own * own + f[i].above * above);
-        more |= UNDER(f[i].peak[PEAK_DRIFT], u - under);
+                UNDER(f[i].peak[PEAK_ACCELERATION], a + *ground) |
+                UNDER(f[i].peak[PEAK_DRIFT], u - under);
         under = u;
-        below = own;
-        own = above;
     }
     *flags |= more;
-}
-
-INLINE void account(const struct ensemble_lanes *e, const wide *base, wide_bits *flags) {
-    *e->next_works = *e->works;
-    e->next_works->ground = *base;
-    wide ground_2x = e->works->ground + *base;
-    for (int k = 0; k < e->n_building; k++) {
-        account_building(e, &e->building[k], &ground_2x, flags);
-    }
 }
 
 INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
@@ -156,21 +128,53 @@ INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
 
 // Computes `next`. *flags gets negative in lanes where a peak is exceeded, and so where a link
 // would act.
-INLINE void step(const struct ensemble_lanes *e, const wide *base, wide_bits *flags) {
-    trial(e);
+INLINE void step(const struct ensemble_lanes *e, const wide *ground, wide_bits *flags) {
     for (int k = 0; k < e->n_building; k++) {
-        const struct building *g = &e->building[k];
-        struct ensemble_floor *f = e->floor + g->first;
-        residuals(f, e->now + g->first, base, g->n_floor);
+        const int first = e->building[k].first, n = e->building[k].n_floor;
+        const struct ensemble_floor *f = e->floor + first;
+        residuals(e, f, e->now + first, e->next + first, ground, n);
         if (e->inverse[k]) {
-            multiply(e->inverse[k], g->n_floor, f);
+            multiply(e->inverse[k], n, e->residual, e->correction);
         } else {
-            substitute(f, g->n_floor);
+            substitute(e->factor + first, n, e->residual, e->correction);
         }
+        correct(e, f, e->now + first, e->next + first, ground, n, flags);
     }
-    correct(e, base, flags);
     penetrate(e, flags);
-    account(e, base, flags);
+}
+
+// The works of the ground and of damping on a building.
+INLINE void account(const struct ensemble_lanes *e, const struct building *g,
+                    const wide *ground_2x) {
+    const struct ensemble_floor *restrict f = e->floor;
+    const struct ensemble_state *restrict s = e->now, *restrict t = e->next;
+    struct ensemble_works *restrict w = e->works;
+    const wide none = {0.0};
+    wide below = none, own = s[g->first].v + t[g->first].v;
+    for (int i = g->first, end = i + g->n_floor; i < end; i++) {
+        wide above = i + 1 < end ? s[i + 1].v + t[i + 1].v : none;
+        wide du = t[i].u - s[i].u;
+        w->input_2x[i % LANES_WIDTH] += *ground_2x * (f[i].inertia * du);
+        w->damping_2x[i % LANES_WIDTH] +=
+            du * (f[i].below * below + f[i].own * own + f[i].above * above);
+        below = own;
+        own = above;
+    }
+}
+
+INLINE void commit(struct ensemble_lanes *e, const wide *ground) {
+    const wide ground_2x = e->works->ground + *ground;
+    for (int k = 0; k < e->n_building; k++) {
+        account(e, &e->building[k], &ground_2x);
+    }
+    e->works->ground = *ground;
+    struct ensemble_state *old = e->now;
+    e->now = e->next;
+    e->next = old;
+}
+
+LANES void ensemble_commit(struct ensemble_lanes *e, const wide *base) {
+    commit(e, base);
 }
 
 LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
@@ -184,7 +188,7 @@ LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
         if (any < 0) {
             return i;
         }
-        ensemble_swap(e);
+        commit(e, base + i);
     }
     return n;
 }

@@ -219,21 +219,8 @@ static int solve_linear(struct work *w, const struct state *now, struct state *n
     return solve_links(w, now, next);
 }
 
-static void finish_links(struct work *w, struct state *next) {
-    const struct model *m = w->model;
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        const struct link *l = &m->link[k];
-        next->closed[k] = w->branch[k] != BRANCH_OPEN;
-        if (next->closed[k] && l->law->commit) {
-            l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
-                           state_rate(next, m, k));
-        }
-    }
-}
-
 // Everything else that belongs to the end of the step: forces, and the histories of the laws.
-static void finish(struct work *w, struct state *next) {
+static void finish(struct work *w, const struct state *now, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {
         state_internal_forces(next, m, next->u, next->v);
@@ -245,7 +232,7 @@ static void finish(struct work *w, struct state *next) {
             s->law->commit(s->constant, next->storey_history + s->history, next->drift[i]);
         }
     }
-    finish_links(w, next);
+    contact_finish(w, now, next);
 }
 
 int newmark_step(struct work *w, const struct state *now, struct state *next, double end, double h,
@@ -256,7 +243,7 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
     begin(w, now, next, end);
     int status = state_is_linear(w->model) ? solve_linear(w, now, next, e) : solve(w, now, next, e);
     if (status == STATUS_OK) {
-        finish(w, next);
+        finish(w, now, next);
     }
     return status;
 }

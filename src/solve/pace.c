@@ -25,5 +25,5 @@ bool pace_is_slow(struct pace *p, const struct model *m, double time, double *st
 }
 
 double pace_parts(double rest, double trial, double longest) {
-    return fmax(ceil(rest / trial - STRETCH), ceil(rest / longest - ROUNDING));
+    return ceil(fmax(rest / trial - STRETCH, rest / longest - ROUNDING));
 }

@@ -26,17 +26,27 @@ bool resolve_negligible(const struct work *w, double velocity) {
     return fabs(velocity) <= NEGLIGIBLE * w->totals->speed;
 }
 
-// Is a step short enough for the law of a link that has the tangents `r` at (d, v)?
-static bool fits(const struct work *w, const struct quick *p, struct contact_response r, double d) {
+// Is a step short enough for the spring of a law that has the tangents `r` at (d, v)? That of a
+// smooth one is no more than four times as stiff at twice the penetration.
+static bool fits_spring(const struct work *w, struct quick *p, struct contact_response r,
+                        double d) {
+    if (d <= p->fits_to) {
+        return true;
+    }
     const struct link *l = p->link;
     double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
                            ? r.dfdd
                            : l->law->force(l->constant, p->history, d, 0.0).dfdd;
-    return stiffness * p->flexibility * w->h * w->h <= COARSEST_SPRING &&
-           w->g * p->flexibility * r.dfdv <= COARSEST_DASHPOT;
+    double coarse = stiffness * p->flexibility * w->h * w->h;
+    p->fits_to = p->smooth && 4.0 * coarse <= COARSEST_SPRING ? 2.0 * d : 0.0;
+    return coarse <= COARSEST_SPRING;
 }
 
-static bool resolved_at(const struct work *w, const struct quick *p, double d, double v) {
+static bool fits(const struct work *w, struct quick *p, struct contact_response r, double d) {
+    return w->g * p->flexibility * r.dfdv <= COARSEST_DASHPOT && fits_spring(w, p, r, d);
+}
+
+static bool resolved_at(const struct work *w, struct quick *p, double d, double v) {
     const struct link *l = p->link;
     double depth = number_max(d, 0.0);
     return fits(w, p, l->law->force(l->constant, p->history, depth, v), depth);
@@ -50,32 +60,32 @@ static bool at_rest(const struct work *w, const struct path *p) {
 
 // The start of the step was the end of the last one, and need not be looked at again where that was
 // resolved with a step as long.
-static bool starts_resolved(const struct work *w, const struct state *now, const struct quick *p) {
+static bool starts_resolved(const struct work *w, const struct state *now, struct quick *p) {
     int k = p->index;
-    bool seen = w->checked[k] >= w->h && now->t_close[k] < now->time;
+    bool seen = w->quick[k].checked >= w->h && now->t_close[k] < now->time;
     return !now->closed[k] || seen ||
            resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
 }
 
 // A settled link has its tangents already, so near to the end of the step that it does not matter.
-static bool ends_resolved(const struct work *w, const struct quick *p, const struct path *path) {
-    return w->branch[p->index] != BRANCH_CLOSED ||
-           (p->settled ? fits(w, p, p->law, path->d1) : resolved_at(w, p, path->d1, path->v1));
+static bool ends_resolved(const struct work *w, struct quick *p, const struct path *path) {
+    return p->branch != BRANCH_CLOSED ||
+           (p->room >= 0.0 ? fits(w, p, p->law, path->d1) : resolved_at(w, p, path->d1, path->v1));
 }
 
 static bool resolved(struct work *w, const struct state *now, const struct state *next,
-                     const struct quick *p) {
+                     struct quick *p) {
     int k = p->index;
     double x = w->correction[p->end[0]] - w->correction[p->end[1]];
     struct path path = {
         .d0 = now->delta[k], .d1 = p->d_trial + w->b * x, .v1 = p->v_trial + w->g * x, .h = w->h};
     if (starts_resolved(w, now, p) && ends_resolved(w, p, &path)) {
-        w->checked[k] = w->h;
+        w->quick[k].checked = w->h;
         return true;
     }
-    w->checked[k] = 0.0;
+    w->quick[k].checked = 0.0;
     path.v0 = state_rate(now, w->model, k);
-    if (now->closed[k] && w->branch[k] == BRANCH_CLOSED) {
+    if (now->closed[k] && w->quick[k].branch == BRANCH_CLOSED) {
         return at_rest(w, &path);
     }
     return resolve_negligible(w, path.v1) &&
@@ -84,7 +94,7 @@ static bool resolved(struct work *w, const struct state *now, const struct state
 
 bool resolve_suffices(struct work *w, const struct state *now, const struct state *next) {
     for (int i = 0; i < next->n_live; i++) {
-        const struct quick *p = &w->quick[next->live[i]];
+        struct quick *p = &w->quick[next->live[i]];
         if (!p->link->bilateral && !p->link->law->rebound && !resolved(w, now, next, p)) {
             w->unresolved = p->index;
             return false;

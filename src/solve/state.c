@@ -69,7 +69,8 @@ void state_open_link(struct state *s, int k) {
     while (s->live[i] != k) {
         i++;
     }
-    s->live[i] = s->live[--s->n_live];
+    s->n_live--;
+    memmove(s->live + i, s->live + i + 1, (size_t)(s->n_live - i) * sizeof *s->live);
     s->is_live[k] = s->closed[k] = false;
     s->force[k] = 0.0;
 }

@@ -6,6 +6,9 @@
 
 #include "jostle/analysis.h"
 
+// Steps before the last one whose forces a guess is drawn from.
+enum { PAST_STEPS = 3 };
+
 struct state {
     double time;  // [T]
 
@@ -18,16 +21,16 @@ struct state {
     double *storey_history;  // (model.n_storey_history)
 
     // Links. Those not in `live` are open, with force 0.
-    int n_live, *live;     // links that were closed in the step to this state, or are
-    bool *is_live;         // (n_link)
-    bool *closed;          // (n_link) in contact; bilateral links always are
-    double *force;         // [F] (n_link)
-    double (*past)[2];     // [F] (n_link) of a live link one and two steps before
-    int *n_past;           // (n_link) in how many of those it was closed
-    double *delta;         // [L] (n_link) penetration
-    double *t_close;       // [T] (n_link) instant of closure of a closed link
-    double *v_close;       // [L/T] (n_link) closing velocity then
-    double *link_history;  // (model.n_link_history)
+    int n_live, *live;  // links that were closed in the step to this state, or are; ascending
+    bool *is_live;      // (n_link)
+    bool *closed;       // (n_link) in contact; bilateral links always are
+    double *force;      // [F] (n_link)
+    double (*past)[PAST_STEPS];  // [F] (n_link) of a live link one step before, two and three
+    int *n_past;                 // (n_link) in how many of those it was closed
+    double *delta;               // [L] (n_link) penetration
+    double *t_close;             // [T] (n_link) instant of closure of a closed link
+    double *v_close;             // [L/T] (n_link) closing velocity then
+    double *link_history;        // (model.n_link_history)
 
     // Ground motions, all (n_ground)
     double *ground_a, *ground_v, *ground_u;  // [L/T^2] [L/T] [L]
@@ -44,7 +47,11 @@ static inline void state_enliven(struct state *s, int k) {
     if (!s->is_live[k]) {
         s->is_live[k] = true;
         s->n_past[k] = 0;
-        s->live[s->n_live++] = k;
+        int i = s->n_live++;
+        for (; i > 0 && s->live[i - 1] > k; i--) {
+            s->live[i] = s->live[i - 1];
+        }
+        s->live[i] = k;
     }
 }
 

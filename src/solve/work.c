@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/work.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -26,28 +27,34 @@ static bool alloc_links(struct work *w, const struct model *m, struct arena *a) 
     size_t n_link = (size_t)m->n_link;
     size_t n_block = (size_t)w->block_max;
     w->quick = arena_alloc(a, n_link, sizeof *w->quick);
-    w->ends = arena_alloc(a, n_link, sizeof *w->ends);
+    w->acting = arena_alloc(a, n_link, sizeof *w->acting);
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
-    w->branch = arena_alloc(a, n_link, sizeof *w->branch);
-    w->clamped = arena_alloc(a, n_link, sizeof *w->clamped);
-    w->flexibility = arena_alloc(a, n_link, sizeof *w->flexibility);
-    w->checked = arena_alloc(a, n_link, sizeof *w->checked);
-    w->kept_f = arena_alloc(a, n_link, sizeof *w->kept_f);
     w->grouped = arena_alloc(a, n_link, sizeof *w->grouped);
     w->vector = arena_alloc(a, n_block, sizeof *w->vector);
     w->order = arena_alloc(a, n_block, sizeof *w->order);
     w->matrix = arena_alloc(a, n_block * n_block, sizeof *w->matrix);
-    return w->quick && gaps_alloc(&w->gaps, m, a) && w->ends && w->rigid && w->branch &&
-           w->clamped && w->flexibility && w->checked && w->kept_f && w->grouped && w->vector &&
-           w->order && w->matrix;
+    return w->quick && gaps_alloc(&w->gaps, m, a) && w->acting && w->rigid && w->grouped &&
+           w->vector && w->order && w->matrix;
+}
+
+// The most links with a force law at any floor; `residual` counts them.
+static double crowd_of(const struct work *w, const struct model *m) {
+    double most = 1.0;
+    for (int i = 0; i < 2 * m->n_link; i++) {
+        const struct link *l = &m->link[i / 2];
+        int dof = l->dof[i % 2];
+        if (dof != WALL && l->law->force) {
+            w->residual[dof] += 1.0;
+            most = fmax(most, w->residual[dof]);
+        }
+    }
+    memset(w->residual, 0, (size_t)m->n_dof * sizeof *w->residual);
+    return most;
 }
 
 static void fill_links(struct work *w, const struct model *m) {
     for (int k = 0; k < m->n_link; k++) {
-        const int *dof = m->link[k].dof;
         quick_init(&w->quick[k], m, k);
-        w->ends[k] = (struct ends){dof[0] == WALL ? m->n_dof : dof[0],
-                                   dof[1] == WALL ? m->n_dof : dof[1], m->link[k].gap};
         if (m->link[k].law->rebound) {
             w->rigid[w->n_rigid++] = k;
         }
@@ -78,6 +85,7 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
         return false;
     }
     fill_links(w, m);
+    w->crowd = crowd_of(w, m);
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         if (!effective_alloc(&w->home[k], g, EFFECTIVE_LONG, a) ||
@@ -110,6 +118,8 @@ int work_factor(struct work *w, double h) {
     w->factors++;
     w->b = w->model->beta * h * h;
     w->g = w->model->gamma * h;
+    w->per_b = 1.0 / w->b;
+    w->per_g = 1.0 / w->g;
     for (int k = 0; k < w->model->n_building; k++) {
         int status = refactor(w, e, k);
         if (status != STATUS_OK) {

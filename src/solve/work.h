@@ -23,12 +23,6 @@ enum splitting {
     SPLIT_ALWAYS,  // all
 };
 
-// The two ends of a link among the arrays of struct chain; a wall is the zero behind them.
-struct ends {
-    int left, right;
-    double gap;  // [L]
-};
-
 struct quick;
 
 struct work {
@@ -40,6 +34,7 @@ struct work {
     double h;                     // [T] step of the factors; 0: none yet
     long factors;                 // counts the factorisations of the step in hand
     double b, g;                  // beta h^2 and gamma h
+    double per_b, per_g;          // 1 / b and 1 / g; b may be 0
     enum strictness strictness;
     enum splitting splitting;
     int unresolved;  // link that last asked for a shorter step; -1: none did
@@ -54,14 +49,13 @@ struct work {
     bool *settled;              // (n_building) storeys agree with the tangents used
 
     struct gaps gaps;
-    struct quick *quick;            // (n_link) of quick sweeps
-    struct ends *ends;              // (n_link)
+    struct quick *quick;            // (n_link) what the solution for its force needs of each link
+    int n_acting;                   // live links whose forces are being solved for,
+    struct quick **acting;          // (n_link) in ascending order
+    double crowd;                   // most links with a force law that any floor has
+    bool toggled;                   // a link has closed or opened in the step in hand
     int n_rigid, *rigid;            // contacts of laws without a force
-    double *flexibility;            // [L/T^2/F] (n_link) S_ll of live links
-    double *checked;                // [T] (n_link) step with which the end was last resolved
-    enum branch *branch;            // (n_link) of live links
-    bool *clamped;                  // (n_link) live links whose laws are not let pull
-    double *kept_q, *kept_f;        // (n_dof), (n_link) to step back to
+    double *kept_q;                 // (n_dof) to step back to
     int *parent, *start, *cluster;  // (n_building) scratch of cluster.c
     double others_d, others_v;      // [L] [L/T] rounding that links bring to each other
     double *nearest;                // (n_building) least change of a cluster in a sweep so far

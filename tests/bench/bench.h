@@ -60,9 +60,12 @@ bench_measure bench_program;
 // CPU time of the thread in reading the deck and building the model.
 bench_measure bench_build;
 
+// The clock of the processor [GHz]; 0: not known.
+double bench_clock(void);
+
 enum layout { LAYOUT_TABLE, LAYOUT_TABS };
 
-// Prints date, machine, compiler and its options.
+// Prints date, machine and its clock, compiler and its options.
 void bench_head(enum layout layout);
 
 // Measures and prints the cases whose names contain `filter`, one line each.

@@ -19,6 +19,9 @@ static const char compiler[] = "gcc " __VERSION__;
 enum { RUNS_MIN = 3, RUNS_MAX = 25 };
 static const double SECONDS = 1.0;
 
+// Clock of the machine for which limits and targets were set [GHz].
+static const double TARGET_CLOCK = 4.2;
+
 struct times {
     int n;
     double run[RUNS_MAX];  // [s] ascending
@@ -67,15 +70,20 @@ void bench_head(enum layout layout) {
     machine_name(machine, sizeof machine);
     time_t now = time(NULL);
     strftime(date, sizeof date, "%Y-%m-%d", gmtime(&now));
-    printf("%s%s, %s, %s, %s\n", layout == LAYOUT_TABS ? "# " : "", date, machine, compiler,
-           BENCH_FLAGS);
+    char clock[32] = "";
+    if (bench_clock() > 0.0) {
+        snprintf(clock, sizeof clock, " at %.2f GHz", bench_clock());
+    }
+    printf("%s%s, %s%s, %s, %s\n", layout == LAYOUT_TABS ? "# " : "", date, machine, clock,
+           compiler, BENCH_FLAGS);
 }
 
 static void print_columns(enum layout layout) {
-    const char *format = layout == LAYOUT_TABS ? "%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n"
-                                               : "\n%-24s %7s %7s %10s %8s %7s %5s %8s %8s %6s\n";
+    const char *format = layout == LAYOUT_TABS
+                             ? "%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n"
+                             : "\n%-24s %7s %7s %10s %8s %7s %5s %8s %8s %6s %8s\n";
     printf(format, "model", "dt s", "steps", "ns/step", "ns/dof", "spread", "runs", "limit",
-           "target", "ratio");
+           "target", "ratio", "by clock");
 }
 
 // Numbers that are not there are a dash.
@@ -100,14 +108,17 @@ static void print_row(const struct bench_case *c, const struct model *m, const s
     char limit[32];
     char target[32];
     char ratio[32];
+    char by_clock[32];
+    double over = c->target > 0.0 ? step / c->target : 0.0;
     format_number(limit, sizeof limit, "%.4g", c->limit);
     format_number(target, sizeof target, "%.4g", c->target);
-    format_number(ratio, sizeof ratio, "%.2f", c->target > 0.0 ? step / c->target : 0.0);
+    format_number(ratio, sizeof ratio, "%.2f", over);
+    format_number(by_clock, sizeof by_clock, "%.2f", over * bench_clock() / TARGET_CLOCK);
     const char *format = layout == LAYOUT_TABS
-                             ? "%s\t%g\t%ld\t%.4g\t%.3g\t%.0f\t%d\t%s\t%s\t%s\n"
-                             : "%-24s %7g %7ld %10.4g %8.3g %5.0f %% %5d %8s %8s %6s\n";
+                             ? "%s\t%g\t%ld\t%.4g\t%.3g\t%.0f\t%d\t%s\t%s\t%s\t%s\n"
+                             : "%-24s %7g %7ld %10.4g %8.3g %5.0f %% %5d %8s %8s %6s %8s\n";
     printf(format, c->name, c->dt, m->n_step, step, step / m->n_dof, spread, t->n, limit, target,
-           ratio);
+           ratio, by_clock);
     fflush(stdout);
 }
 

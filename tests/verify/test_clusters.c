@@ -11,6 +11,7 @@
 
 #include "core/arena.h"
 #include "solve/newmark.h"
+#include "solve/quick.h"
 #include "support/analysis.h"
 #include "support/random.h"
 #include "support/random_deck.h"
@@ -147,7 +148,7 @@ static struct span graph(const struct bench *b, int k, double moved) {
             double d = b->next.delta[k] + i * around_d;
             double v = state_rate(&b->next, b->model, k) + j * around_v;
             widen(&span, l->law->force(l->constant, history, fmax(d, 0.0), v).force);
-            if (d <= 0.0 || b->work.branch[k] == BRANCH_NONE) {
+            if (d <= 0.0 || b->work.quick[k].branch == BRANCH_NONE) {
                 widen(&span, 0.0);
             }
         }
@@ -167,7 +168,7 @@ static double largest_force(const struct bench *b) {
 static bool rests(const struct bench *b, int k) {
     double v = state_rate(&b->next, b->model, k) + 0.5 * b->now.delta[k] / b->work.h;
     double around = rounding(b, b->work.v_trial, b->next.v) +
-                    b->work.g * b->work.flexibility[k] * LARGEST_TOLERANCE * largest_force(b);
+                    b->work.g * b->work.quick[k].flexibility * LARGEST_TOLERANCE * largest_force(b);
     double f = b->next.force[k];
     return f > 0.0 ? fabs(v) <= around : f == 0.0 && v <= around;
 }
@@ -182,7 +183,7 @@ static bool obeys(const struct bench *b, int k) {
         return rests(b, k);
     }
     double allowed = LARGEST_TOLERANCE * largest_force(b);
-    struct span span = graph(b, k, b->work.flexibility[k] * allowed);
+    struct span span = graph(b, k, b->work.quick[k].flexibility * allowed);
     allowed += FORCE_TOLERANCE * fabs(f);
     return f >= span.low - allowed && f <= span.high + allowed;
 }
@@ -196,7 +197,7 @@ return MONOTONE;
 
 static bool undecided(const struct bench *b) {
     for (int i = 0; i < b->next.n_live; i++) {
-        if (b->work.branch[b->next.live[i]] == BRANCH_NONE) {
+        if (b->work.quick[b->next.live[i]].branch == BRANCH_NONE) {
             return true;
         }
     }
@@ -218,7 +219,7 @@ static void report(const struct bench *b, uint64_t seed, int step, const char *w
     for (int k = 0; getenv("JOSTLE_VERBOSE") && k < b->model->n_contact; k++) {
         print_error("%s %s closed %d branch %d f %.17g d %.17g v %.17g %s\n",
                     b->model->link[k].name, b->model->link[k].law->name, b->now.closed[k],
-                    b->next.is_live[k] ? (int)b->work.branch[k] : -1, b->next.force[k],
+                    b->next.is_live[k] ? (int)b->work.quick[k].branch : -1, b->next.force[k],
                     b->next.delta[k], state_rate(&b->next, b->model, k),
                     obeys(b, k) ? "" : "WRONG");
     }
