@@ -28,6 +28,10 @@
 #define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
 #endif
 
+LANES_INLINE int floors_whole(int n) {
+    return n & ~(LANES_WIDTH - 1);
+}
+
 #define ABSOLUTE(x) ((lanes)((lanes_bits)(x)&INT64_MAX))
 // Negative where |x| > limit >= 0, as number_beyond.
 #define BEYOND(x, limit) ((lanes_bits)(limit) - ((lanes_bits)(x)&INT64_MAX))
@@ -167,6 +171,22 @@ LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines
     *(lanes *)(lines->shear + i) = shear;
 }
 
+// Which of the quantities of floors may have peaks, or not be finite.
+enum floors_higher {
+    FLOORS_U = 1,
+    FLOORS_V = 2,
+    FLOORS_A = 4,
+    FLOORS_DRIFT = 8,
+};
+
+LANES_INLINE unsigned char floors_which(const lanes_bits higher[4]) {
+    unsigned which = 0;
+    for (int q = 0; q < 4; q++) {
+        which |= (unsigned)(floors_any(&higher[q]) < 0) << q;
+    }
+    return (unsigned char)which;
+}
+
 // What is added up, and what it is compared with.
 struct floors_account {
     double ground, ground_2x;  // acceleration of the ground, and the sum of that at both ends
@@ -198,10 +218,10 @@ LANES_INLINE void floors_exchange(lanes *x, lanes *y) {
 }
 
 // Adds the works of the floors from `first` to `end`, and stores what corrections lead to if there
-// are any. *beyond gets negative if a storey is beyond its line. Negative if a displacement,
-// velocity, total acceleration, drift or shear is greater than ever, or is not finite. The shear of
-// an elastic storey is so only with its drift: k |drift| is rounded to no less for a greater drift.
-LANES_INLINE int64_t floors_add_works(const struct chain *c, const struct floors_lines *lines,
+// are any. *beyond gets negative if a storey is beyond its line. Returns which quantities are
+// greater than ever somewhere, or not finite. The shear of an elastic storey is so only with its
+// drift: k |drift| is rounded to no less for a greater drift.
+LANES_INLINE unsigned char floors_add_works(const struct chain *c, const struct floors_lines *lines,
                                       const struct floors_correction *k,
                                       const struct floors_account *account, int first, int end,
                                       const struct floors_of *now, const struct floors_of *next,
@@ -209,7 +229,7 @@ LANES_INLINE int64_t floors_add_works(const struct chain *c, const struct floors
     double *input_2x = account->energy->input_2x, *damping_2x = account->energy->damping_2x;
     lanes input = FOUR(input_2x, 0), other_input = FOUR(input_2x, LANES_VECTOR);
     lanes damping = FOUR(damping_2x, 0), other_damping = FOUR(damping_2x, LANES_VECTOR);
-    lanes_bits sign = {0};
+    lanes_bits higher[4] = {{0}, {0}, {0}, {0}};
     struct floors_end own, over;
     int before = first - LANES_VECTOR;
     lanes under = FOUR(next->u, before);
@@ -229,10 +249,12 @@ LANES_INLINE int64_t floors_add_works(const struct chain *c, const struct floors
         damping += du * (FOUR(c->damping_below, i) * BELOW(speed_under, speed) +
                          FOUR(c->damping, i) * speed +
                          FOUR(c->damping_above, i) * ABOVE(speed, speed_over));
-        sign |= BEYOND(own.u, FOUR(account->u, i)) | BEYOND(own.v, FOUR(account->v, i)) |
-                BEYOND(own.a + base, FOUR(account->a, i)) | BEYOND(drift, FOUR(account->drift, i));
+        higher[0] |= BEYOND(own.u, FOUR(account->u, i));
+        higher[1] |= BEYOND(own.v, FOUR(account->v, i));
+        higher[2] |= BEYOND(own.a + base, FOUR(account->a, i));
+        higher[3] |= BEYOND(drift, FOUR(account->drift, i));
         if (lines) {
-            floors_follow(c, lines, i, &drift, beyond, &sign);
+            floors_follow(c, lines, i, &drift, beyond, &higher[3]);
         }
         if (k) {
             floors_put(&own, next, i);
@@ -248,36 +270,7 @@ LANES_INLINE int64_t floors_add_works(const struct chain *c, const struct floors
     *(lanes *)(input_2x + LANES_VECTOR) = other_input;
     *(lanes *)damping_2x = damping;
     *(lanes *)(damping_2x + LANES_VECTOR) = other_damping;
-    return floors_any(&sign);
-}
-
-// Takes the floors from `first` to `end` into the peaks. Negative if one is not finite. `shear`
-// NULL: all are elastic.
-LANES_INLINE int64_t floors_raise(const struct model *m, const double *shear, int first, int end,
-                                  struct results *r, const struct state *s) {
-    const struct chain *c = &m->chain;
-    double *const *peak = r->peak, *const *when = r->peak_time;
-    double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
-    double *peak_a = peak[PEAK_ACCELERATION];
-    double *peak_d = peak[PEAK_DRIFT], *peak_s = peak[PEAK_SHEAR];
-    double *when_u = when[PEAK_DISPLACEMENT], *when_v = when[PEAK_VELOCITY];
-    double *when_a = when[PEAK_ACCELERATION];
-    double *when_d = when[PEAK_DRIFT], *when_s = when[PEAK_SHEAR];
-    const double *u = s->u, *v = s->v, *a = s->a, *base = s->base, *k = c->stiffness;
-    const bool uniform = state_is_uniform(m);
-    const double ground = s->ground_a[0], time = s->time;
-    int64_t sign = 0;
-    LANES_LOOP
-    for (int i = first, n = first + ((end - first) & ~(LANES_WIDTH - 1)); i < n; i++) {
-        double drift = floor_drift(c, u, i);
-        sign |= number_beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
-        peak_raise(u[i], time, &peak_u[i], &when_u[i]);
-        peak_raise(v[i], time, &peak_v[i], &when_v[i]);
-        peak_raise(a[i] + (uniform ? ground : base[i]), time, &peak_a[i], &when_a[i]);
-        peak_raise(drift, time, &peak_d[i], &when_d[i]);
-        peak_raise(shear ? shear[i] : k[i] * drift, time, &peak_s[i], &when_s[i]);
-    }
-    return sign;
+    return floors_which(higher);
 }
 
 // How near have the contacts of some groups come: closed, or nearer than ever?

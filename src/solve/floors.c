@@ -129,25 +129,87 @@ void floors_trial(struct work *w, const struct state *now, int k) {
     chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
 }
 
-LANES static bool account_block(struct energy_account *e, struct results *r, const struct model *m,
-                                int first, int end, const struct state *now,
-                                const struct state *next) {
+// Takes x + shift of the floors from `first` to `end` into their peaks. False: not finite.
+LANES static bool raise(int first, int end, const double *restrict x, double shift, double time,
+                        double *restrict peak, double *restrict when) {
+    int64_t sign = 0;
+    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
+        double value = x[i] + shift;
+        sign |= number_beyond(value, DBL_MAX);
+        peak_raise(value, time, &peak[i], &when[i]);
+    }
+    return sign >= 0;
+}
+
+// The same of drifts and shears; `shear` NULL: all storeys are elastic.
+LANES static void raise_drifts(const struct chain *c, int first, int end, const double *restrict u,
+                               const double *restrict shear, double time,
+                               double *const peak[PEAK_COUNT], double *const when[PEAK_COUNT]) {
+    const double *restrict k = c->stiffness;
+    double *restrict peak_d = peak[PEAK_DRIFT], *restrict peak_s = peak[PEAK_SHEAR];
+    double *restrict when_d = when[PEAK_DRIFT], *restrict when_s = when[PEAK_SHEAR];
+    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
+        double drift = floor_drift(c, u, i);
+        peak_raise(drift, time, &peak_d[i], &when_d[i]);
+        peak_raise(shear ? shear[i] : k[i] * drift, time, &peak_s[i], &when_s[i]);
+    }
+}
+
+// The same of total accelerations under base accelerations that differ.
+LANES static bool raise_totals(int first, int end, const double *restrict a,
+                               const double *restrict base, double time, double *restrict peak,
+                               double *restrict when) {
+    int64_t sign = 0;
+    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
+        double total = a[i] + base[i];
+        sign |= number_beyond(total, DBL_MAX);
+        peak_raise(total, time, &peak[i], &when[i]);
+    }
+    return sign >= 0;
+}
+
+// Takes what may be higher of the floors from `first` to `end` into the peaks. False: not finite.
+static bool raise_which(const struct model *m, unsigned which, int first, int end,
+                        const double *shear, struct results *r, const struct state *s) {
+    double *const *p = r->peak, *const *t = r->peak_time;
+    bool finite = true;
+    if (which & FLOORS_U) {
+        finite &= raise(first, end, s->u, 0.0, s->time, p[PEAK_DISPLACEMENT],
+                        t[PEAK_DISPLACEMENT]);
+    }
+    if (which & FLOORS_V) {
+        finite &= raise(first, end, s->v, 0.0, s->time, p[PEAK_VELOCITY], t[PEAK_VELOCITY]);
+    }
+    if (which & FLOORS_A && state_is_uniform(m)) {
+        finite &= raise(first, end, s->a, s->ground_a[0], s->time, p[PEAK_ACCELERATION],
+                        t[PEAK_ACCELERATION]);
+    } else if (which & FLOORS_A) {
+        finite &= raise_totals(first, end, s->a, s->base, s->time, p[PEAK_ACCELERATION],
+                               t[PEAK_ACCELERATION]);
+    }
+    if (which & FLOORS_DRIFT) {
+        raise_drifts(&m->chain, first, end, s->u, shear, s->time, p, t);
+    }
+    return finite;
+}
+
+LANES static unsigned account_block(struct energy_account *e, struct results *r,
+                                    const struct model *m, int first, int end,
+                                    const struct state *now, const struct state *next) {
     const struct chain c = m->chain;
     const struct floors_of from = floors_of(now), to = floors_of(next);
     const struct floors_account account = floors_account_of(m, e, r->peak, now, next);
     lanes_bits none = {0};
-    bool higher = floors_add_works(&c, NULL, NULL, &account, first, end, &from, &to, &none) < 0;
-    if (higher) {
-        (void)floors_raise(m, NULL, first, end, r, next);
-    }
-    return higher;
+    return floors_add_works(&c, NULL, NULL, &account, first, end, &from, &to, &none);
 }
 
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,
                     const struct state *now, const struct state *next) {
     for (int first = 0; first < m->chain.n; first += CHAIN_BLOCK) {
         int end = first + CHAIN_BLOCK < m->chain.n ? first + CHAIN_BLOCK : m->chain.n;
-        if (account_block(a, r, m, first, end, now, next)) {
+        unsigned which = account_block(a, r, m, first, end, now, next);
+        (void)raise_which(m, which, first, end, NULL, r, next);
+        if (which & FLOORS_V) {
             peaks_speed(r, first, end - first);
         }
     }
@@ -173,7 +235,7 @@ LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines
             return NEARNESS_CLOSED;
         }
         f->higher[i] =
-            floors_add_works(&c, lines, &k, &account, b->first, b->end, &from, &to, &beyond) < 0;
+            floors_add_works(&c, lines, &k, &account, b->first, b->end, &from, &to, &beyond);
         enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
         group = f->group_end[i];
         all = own > all ? own : all;
@@ -182,30 +244,37 @@ LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines
 }
 
 // Takes a step into the peaks. False: not finite.
-LANES_INLINE bool raise(const struct flight *f, const double *shear, const struct state *next) {
-    int64_t sign = 0;
+static bool fly_higher(const struct flight *f, const double *shear, const struct state *next) {
+    bool finite = true;
     for (int i = 0; i < f->work->floors.n_block; i++) {
         const struct floor_block *b = &f->work->floors.block[i];
-        if (f->higher[i]) {
-            sign |= floors_raise(f->model, shear, b->first, b->end, f->results, next);
-        }
+        finite &= raise_which(f->model, f->higher[i], b->first, b->end, shear, f->results, next);
     }
-    return sign >= 0;
+    return finite;
 }
 
-LANES enum nearness floors_fly(const struct flight *f, const struct state *now,
-                               struct state *next) {
-    enum nearness near = fly(f, NULL, now, next);
-    return near != NEARNESS_CLOSED && raise(f, NULL, next) ? near : NEARNESS_CLOSED;
+LANES static enum nearness fly_elastic(const struct flight *f, const struct state *now,
+                                       struct state *next) {
+    return fly(f, NULL, now, next);
 }
 
-LANES enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
+enum nearness floors_fly(const struct flight *f, const struct state *now, struct state *next) {
+    enum nearness near = fly_elastic(f, now, next);
+    return near != NEARNESS_CLOSED && fly_higher(f, NULL, next) ? near : NEARNESS_CLOSED;
+}
+
+LANES static enum nearness fly_on_lines(const struct flight *f, const struct state *now,
                                         struct state *next) {
     const struct floors_lines lines = {
         f->back,     f->spring,  f->rest, f->limit, f->results->peak[PEAK_SHEAR],
         next->drift, next->shear};
-    enum nearness near = fly(f, &lines, now, next);
-    if (near == NEARNESS_CLOSED || !raise(f, next->shear, next)) {
+    return fly(f, &lines, now, next);
+}
+
+enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
+                                  struct state *next) {
+    enum nearness near = fly_on_lines(f, now, next);
+    if (near == NEARNESS_CLOSED || !fly_higher(f, next->shear, next)) {
         return NEARNESS_CLOSED;
     }
     chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
