@@ -32,7 +32,6 @@ LANES_INLINE int floors_whole(int n) {
     return n & ~(LANES_WIDTH - 1);
 }
 
-#define ABSOLUTE(x) ((lanes)((lanes_bits)(x)&INT64_MAX))
 // Negative where |x| > limit >= 0, as number_beyond.
 #define BEYOND(x, limit) ((lanes_bits)(limit) - ((lanes_bits)(x)&INT64_MAX))
 
@@ -106,7 +105,7 @@ LANES_INLINE int64_t floors_unbalance(const struct chain *c, const struct floors
         }
         lanes damping = FOUR(c->damping_below, i) * BELOW(under.v, own.v) +
                         FOUR(c->damping, i) * own.v +
-                        FOUR(c->damping_above, i) * ABOVE(own.v, over.v);
+                        FOUR(c->damping_below, i + 1) * ABOVE(own.v, over.v);
         *(lanes *)(residual + (i - first)) = p - mass * FOUR(now->a, i) - damping - own.shear +
                                              FOUR(c->joint, i + 1) * ABOVE(own.shear, over.shear);
         under = own;
@@ -121,43 +120,67 @@ struct floors_correction {
     double b, g, h;
 };
 
-// Displacements, velocities and accelerations of four floors of `next`.
-struct floors_end {
-    lanes u, v, a;
-};
-
-// From the correction, or where there is none, as they are.
-LANES_INLINE void floors_reach(const struct floors_correction *k, const struct floors_of *now,
-                               const struct floors_of *next, int i, struct floors_end *e) {
-    if (!k) {
-        *e = (struct floors_end){FOUR(next->u, i), FOUR(next->v, i), FOUR(next->a, i)};
-        return;
-    }
-    lanes q = FOUR(k->q, i);
-    floors_predict(now, k->h, i, &e->u, &e->v);
-    e->u += k->b * q;
-    e->v += k->g * q;
-    e->a = FOUR(now->a, i) + q;
-}
-
-LANES_INLINE void floors_put(const struct floors_end *e, const struct floors_of *next, int i) {
-    *(lanes *)(next->u + i) = e->u;
-    *(lanes *)(next->v + i) = e->v;
-    *(lanes *)(next->a + i) = e->a;
-}
-
 // Stores what corrections lead to. Negative if that is not finite.
 LANES_INLINE int64_t floors_correct(const struct floors_correction *k, int first, int end,
                                     const struct floors_of *now, const struct floors_of *next) {
-    const lanes most = DBL_MAX - (lanes){0.0};
-    lanes_bits sign = {0};
-    for (int i = first; i < end; i += LANES_VECTOR) {
-        struct floors_end e;
-        floors_reach(k, now, next, i, &e);
-        floors_put(&e, next, i);
-        sign |= BEYOND(ABSOLUTE(e.u) + ABSOLUTE(e.v) + ABSOLUTE(e.a), most);
+    const double *u0 = now->u, *v0 = now->v, *a0 = now->a, *q = k->q;
+    double *u = next->u, *v = next->v, *a = next->a;
+    const double b = k->b, g = k->g, h = k->h, half = h * h / 2.0;
+    int64_t sign = 0;
+    LANES_LOOP
+    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
+        u[i] = u0[i] + (h * v0[i] + half * a0[i]) + b * q[i];
+        v[i] = v0[i] + h * a0[i] + g * q[i];
+        a[i] = a0[i] + q[i];
+        sign |= number_beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
     }
-    return floors_any(&sign);
+    return sign;
+}
+
+// Which of the quantities of floors may have peaks. The shear of an elastic storey has one only
+// with its drift: k |drift| is rounded to no less for a greater drift.
+enum floors_higher {
+    FLOORS_MOTION = 1,  // displacements, velocities, total accelerations
+    FLOORS_DRIFT = 2,   // drifts, shears
+};
+
+// Is a displacement, velocity or total acceleration greater than ever? `base` NULL: the
+// acceleration of the ground is that of all floors.
+LANES_INLINE unsigned floors_compare(int first, int end, const struct floors_of *s, double ground,
+                                     const double *base, double *const peak[PEAK_COUNT]) {
+    const double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
+    const double *peak_a = peak[PEAK_ACCELERATION];
+    const double *u = s->u, *v = s->v, *a = s->a;
+    int64_t sign = 0;
+    LANES_LOOP
+    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
+        sign |= number_beyond(u[i], peak_u[i]) | number_beyond(v[i], peak_v[i]) |
+                number_beyond(a[i] + (base ? base[i] : ground), peak_a[i]);
+    }
+    return sign < 0 ? FLOORS_MOTION : 0;
+}
+
+// The same of what corrections lead to, which is stored.
+LANES_INLINE unsigned floors_correct_and_compare(const struct floors_correction *k, int first,
+                                                 int end, const struct floors_of *now,
+                                                 const struct floors_of *next, double ground,
+                                                 const double *base,
+                                                 double *const peak[PEAK_COUNT]) {
+    const double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
+    const double *peak_a = peak[PEAK_ACCELERATION];
+    const double *u0 = now->u, *v0 = now->v, *a0 = now->a, *q = k->q;
+    double *u = next->u, *v = next->v, *a = next->a;
+    const double b = k->b, g = k->g, h = k->h, half = h * h / 2.0;
+    int64_t sign = 0;
+    LANES_LOOP
+    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
+        u[i] = u0[i] + (h * v0[i] + half * a0[i]) + b * q[i];
+        v[i] = v0[i] + h * a0[i] + g * q[i];
+        a[i] = a0[i] + q[i];
+        sign |= number_beyond(u[i], peak_u[i]) | number_beyond(v[i], peak_v[i]) |
+                number_beyond(a[i] + (base ? base[i] : ground), peak_a[i]);
+    }
+    return sign < 0 ? FLOORS_MOTION : 0;
 }
 
 // Drifts and shears of storeys that follow lines, and whether these are beyond their lines or
@@ -171,106 +194,52 @@ LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines
     *(lanes *)(lines->shear + i) = shear;
 }
 
-// Which of the quantities of floors may have peaks, or not be finite.
-enum floors_higher {
-    FLOORS_U = 1,
-    FLOORS_V = 2,
-    FLOORS_A = 4,
-    FLOORS_DRIFT = 8,
-};
-
-LANES_INLINE unsigned char floors_which(const lanes_bits higher[4]) {
-    unsigned which = 0;
-    for (int q = 0; q < 4; q++) {
-        which |= (unsigned)(floors_any(&higher[q]) < 0) << q;
-    }
-    return (unsigned char)which;
-}
-
-// What is added up, and what it is compared with.
-struct floors_account {
-    double ground, ground_2x;  // acceleration of the ground, and the sum of that at both ends
-    const double *base;        // (n_dof) NULL: that is everywhere the ground's
-    const double *u, *v, *a, *drift;  // (n_dof) peaks
-    struct energy_account *energy;
-};
-
-LANES_INLINE struct floors_account
-floors_account_of(const struct model *m, struct energy_account *e, double *const peak[PEAK_COUNT],
-                  const struct state *now, const struct state *next) {
-    const bool uniform = state_is_uniform(m);
-    return (struct floors_account){
-        .ground = next->ground_a[0],
-        .ground_2x = uniform ? now->ground_a[0] + next->ground_a[0] : 0.0,
-        .base = uniform ? NULL : next->base,
-        .u = peak[PEAK_DISPLACEMENT],
-        .v = peak[PEAK_VELOCITY],
-        .a = peak[PEAK_ACCELERATION],
-        .drift = peak[PEAK_DRIFT],
-        .energy = e,
-    };
-}
-
 LANES_INLINE void floors_exchange(lanes *x, lanes *y) {
     lanes old = *x;
     *x = *y;
     *y = old;
 }
 
-// Adds the works of the floors from `first` to `end`, and stores what corrections lead to if there
-// are any. *beyond gets negative if a storey is beyond its line. Returns which quantities are
-// greater than ever somewhere, or not finite. The shear of an elastic storey is so only with its
-// drift: k |drift| is rounded to no less for a greater drift.
-LANES_INLINE unsigned char floors_add_works(const struct chain *c, const struct floors_lines *lines,
-                                      const struct floors_correction *k,
-                                      const struct floors_account *account, int first, int end,
-                                      const struct floors_of *now, const struct floors_of *next,
-                                      lanes_bits *beyond) {
-    double *input_2x = account->energy->input_2x, *damping_2x = account->energy->damping_2x;
-    lanes input = FOUR(input_2x, 0), other_input = FOUR(input_2x, LANES_VECTOR);
-    lanes damping = FOUR(damping_2x, 0), other_damping = FOUR(damping_2x, LANES_VECTOR);
-    lanes_bits higher[4] = {{0}, {0}, {0}, {0}};
-    struct floors_end own, over;
+// Adds the works of the floors from `first` to `end` under ground accelerations whose sum is
+// ground_2x. *beyond gets negative if a storey is beyond its line. Is a drift or shear greater than
+// ever?
+LANES_INLINE unsigned floors_add_works(const struct chain *c, const struct floors_lines *lines,
+                                       int first, int end, const struct floors_of *now,
+                                       const struct floors_of *next, double ground_2x,
+                                       const double *peak, struct energy_account *account,
+                                       lanes_bits *beyond) {
+    lanes input = FOUR(account->input_2x, 0), damping = FOUR(account->damping_2x, 0);
+    lanes other_input = FOUR(account->input_2x, LANES_VECTOR);
+    lanes other_damping = FOUR(account->damping_2x, LANES_VECTOR);
+    lanes_bits higher = {0};
     int before = first - LANES_VECTOR;
     lanes under = FOUR(next->u, before);
     lanes speed_under = FOUR(now->v, before) + FOUR(next->v, before);
-    floors_reach(k, now, next, first, &own);
-    lanes speed = FOUR(now->v, first) + own.v;
+    lanes speed = FOUR(now->v, first) + FOUR(next->v, first);
     for (int i = first; i < end; i += LANES_VECTOR) {
-        floors_reach(k, now, next, i + LANES_VECTOR, &over);
-        lanes speed_over = FOUR(now->v, i + LANES_VECTOR) + over.v;
-        lanes du = own.u - FOUR(now->u, i);
-        lanes drift = own.u - FOUR(c->joint, i) * BELOW(under, own.u);
-        lanes base = account->ground - (lanes){0.0};
-        if (account->base) {
-            base = FOUR(account->base, i);
-        }
-        input -= account->ground_2x * (FOUR(c->mass, i) * du);
+        lanes u = FOUR(next->u, i);
+        lanes du = u - FOUR(now->u, i);
+        lanes speed_over = FOUR(now->v, i + LANES_VECTOR) + FOUR(next->v, i + LANES_VECTOR);
+        lanes drift = u - FOUR(c->joint, i) * BELOW(under, u);
+        input -= ground_2x * (FOUR(c->mass, i) * du);
         damping += du * (FOUR(c->damping_below, i) * BELOW(speed_under, speed) +
                          FOUR(c->damping, i) * speed +
-                         FOUR(c->damping_above, i) * ABOVE(speed, speed_over));
-        higher[0] |= BEYOND(own.u, FOUR(account->u, i));
-        higher[1] |= BEYOND(own.v, FOUR(account->v, i));
-        higher[2] |= BEYOND(own.a + base, FOUR(account->a, i));
-        higher[3] |= BEYOND(drift, FOUR(account->drift, i));
+                         FOUR(c->damping_below, i + 1) * ABOVE(speed, speed_over));
+        higher |= BEYOND(drift, FOUR(peak, i));
         if (lines) {
-            floors_follow(c, lines, i, &drift, beyond, &higher[3]);
+            floors_follow(c, lines, i, &drift, beyond, &higher);
         }
-        if (k) {
-            floors_put(&own, next, i);
-        }
-        under = own.u;
+        under = u;
         speed_under = speed;
-        own = over;
         speed = speed_over;
         floors_exchange(&input, &other_input);
         floors_exchange(&damping, &other_damping);
     }
-    *(lanes *)input_2x = input;
-    *(lanes *)(input_2x + LANES_VECTOR) = other_input;
-    *(lanes *)damping_2x = damping;
-    *(lanes *)(damping_2x + LANES_VECTOR) = other_damping;
-    return floors_which(higher);
+    *(lanes *)account->input_2x = input;
+    *(lanes *)account->damping_2x = damping;
+    *(lanes *)(account->input_2x + LANES_VECTOR) = other_input;
+    *(lanes *)(account->damping_2x + LANES_VECTOR) = other_damping;
+    return floors_any(&higher) < 0 ? FLOORS_DRIFT : 0;
 }
 
 // How near have the contacts of some groups come: closed, or nearer than ever?

@@ -129,68 +129,56 @@ void floors_trial(struct work *w, const struct state *now, int k) {
     chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
 }
 
-// Takes x + shift of the floors from `first` to `end` into their peaks. False: not finite.
-LANES static bool raise(int first, int end, const double *restrict x, double shift, double time,
-                        double *restrict peak, double *restrict when) {
+// Takes the motion of the floors from `first` to `end` into their peaks. False: not finite. `base`
+// NULL: the acceleration of the ground is that of all floors.
+LANES_INLINE bool raise_motion(int first, int end, const struct state *s, const double *base,
+                               const struct results *r) {
+    double *const *peak = r->peak, *const *when = r->peak_time;
+    double *peak_u = peak[PEAK_DISPLACEMENT], *when_u = when[PEAK_DISPLACEMENT];
+    double *peak_v = peak[PEAK_VELOCITY], *when_v = when[PEAK_VELOCITY];
+    double *peak_a = peak[PEAK_ACCELERATION], *when_a = when[PEAK_ACCELERATION];
+    const double *u = s->u, *v = s->v, *a = s->a;
+    const double ground = s->ground_a[0], time = s->time;
     int64_t sign = 0;
+    LANES_LOOP
     for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        double value = x[i] + shift;
-        sign |= number_beyond(value, DBL_MAX);
-        peak_raise(value, time, &peak[i], &when[i]);
+        sign |= number_beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
+        peak_raise(u[i], time, &peak_u[i], &when_u[i]);
+        peak_raise(v[i], time, &peak_v[i], &when_v[i]);
+        peak_raise(a[i] + (base ? base[i] : ground), time, &peak_a[i], &when_a[i]);
     }
     return sign >= 0;
 }
 
 // The same of drifts and shears; `shear` NULL: all storeys are elastic.
-LANES static void raise_drifts(const struct chain *c, int first, int end, const double *restrict u,
-                               const double *restrict shear, double time,
-                               double *const peak[PEAK_COUNT], double *const when[PEAK_COUNT]) {
-    const double *restrict k = c->stiffness;
-    double *restrict peak_d = peak[PEAK_DRIFT], *restrict peak_s = peak[PEAK_SHEAR];
-    double *restrict when_d = when[PEAK_DRIFT], *restrict when_s = when[PEAK_SHEAR];
+LANES_INLINE void raise_drifts(const struct chain *c, int first, int end, const struct state *s,
+                               const double *shear, const struct results *r) {
+    double *const *peak = r->peak, *const *when = r->peak_time;
+    double *peak_d = peak[PEAK_DRIFT], *when_d = when[PEAK_DRIFT];
+    double *peak_s = peak[PEAK_SHEAR], *when_s = when[PEAK_SHEAR];
+    const double *u = s->u, *k = c->stiffness, *joint = c->joint;
+    const double time = s->time;
+    LANES_LOOP
     for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        double drift = floor_drift(c, u, i);
+        double drift = u[i] - joint[i] * u[i - 1];
         peak_raise(drift, time, &peak_d[i], &when_d[i]);
         peak_raise(shear ? shear[i] : k[i] * drift, time, &peak_s[i], &when_s[i]);
     }
 }
 
-// The same of total accelerations under base accelerations that differ.
-LANES static bool raise_totals(int first, int end, const double *restrict a,
-                               const double *restrict base, double time, double *restrict peak,
-                               double *restrict when) {
-    int64_t sign = 0;
-    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        double total = a[i] + base[i];
-        sign |= number_beyond(total, DBL_MAX);
-        peak_raise(total, time, &peak[i], &when[i]);
-    }
-    return sign >= 0;
-}
-
 // Takes what may be higher of the floors from `first` to `end` into the peaks. False: not finite.
-static bool raise_which(const struct model *m, unsigned which, int first, int end,
-                        const double *shear, struct results *r, const struct state *s) {
-    double *const *p = r->peak, *const *t = r->peak_time;
-    bool finite = true;
-    if (which & FLOORS_U) {
-        finite &= raise(first, end, s->u, 0.0, s->time, p[PEAK_DISPLACEMENT],
-                        t[PEAK_DISPLACEMENT]);
+LANES static bool raise(const struct model *m, unsigned which, int first, int end,
+                        const double *shear, const struct results *r, const struct state *s) {
+    if (which & FLOORS_DRIFT && shear) {
+        raise_drifts(&m->chain, first, end, s, shear, r);
+    } else if (which & FLOORS_DRIFT) {
+        raise_drifts(&m->chain, first, end, s, NULL, r);
     }
-    if (which & FLOORS_V) {
-        finite &= raise(first, end, s->v, 0.0, s->time, p[PEAK_VELOCITY], t[PEAK_VELOCITY]);
+    if (!(which & FLOORS_MOTION)) {
+        return true;
     }
-    if (which & FLOORS_A && state_is_uniform(m)) {
-        finite &= raise(first, end, s->a, s->ground_a[0], s->time, p[PEAK_ACCELERATION],
-                        t[PEAK_ACCELERATION]);
-    } else if (which & FLOORS_A) {
-        finite &= raise_totals(first, end, s->a, s->base, s->time, p[PEAK_ACCELERATION],
-                               t[PEAK_ACCELERATION]);
-    }
-    if (which & FLOORS_DRIFT) {
-        raise_drifts(&m->chain, first, end, s->u, shear, s->time, p, t);
-    }
-    return finite;
+    return state_is_uniform(m) ? raise_motion(first, end, s, NULL, r)
+                               : raise_motion(first, end, s, s->base, r);
 }
 
 LANES static unsigned account_block(struct energy_account *e, struct results *r,
@@ -198,9 +186,14 @@ LANES static unsigned account_block(struct energy_account *e, struct results *r,
                                     const struct state *now, const struct state *next) {
     const struct chain c = m->chain;
     const struct floors_of from = floors_of(now), to = floors_of(next);
-    const struct floors_account account = floors_account_of(m, e, r->peak, now, next);
+    const bool uniform = state_is_uniform(m);
+    const double ground = next->ground_a[0];
+    const double ground_2x = uniform ? now->ground_a[0] + ground : 0.0;
     lanes_bits none = {0};
-    return floors_add_works(&c, NULL, NULL, &account, first, end, &from, &to, &none);
+    unsigned higher = uniform ? floors_compare(first, end, &to, ground, NULL, r->peak)
+                              : floors_compare(first, end, &to, 0.0, next->base, r->peak);
+    return higher | floors_add_works(&c, NULL, first, end, &from, &to, ground_2x,
+                                     r->peak[PEAK_DRIFT], e, &none);
 }
 
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,
@@ -208,8 +201,10 @@ void floors_account(struct energy_account *a, struct results *r, const struct mo
     for (int first = 0; first < m->chain.n; first += CHAIN_BLOCK) {
         int end = first + CHAIN_BLOCK < m->chain.n ? first + CHAIN_BLOCK : m->chain.n;
         unsigned which = account_block(a, r, m, first, end, now, next);
-        (void)raise_which(m, which, first, end, NULL, r, next);
-        if (which & FLOORS_V) {
+        if (which) {
+            (void)raise(m, which, first, end, NULL, r, next);
+        }
+        if (which & FLOORS_MOTION) {
             peaks_speed(r, first, end - first);
         }
     }
@@ -222,11 +217,12 @@ void floors_account(struct energy_account *a, struct results *r, const struct mo
 LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines *lines,
                                const struct state *now, struct state *next) {
     struct work *w = f->work;
+    double *const *peak = f->results->peak;
     const struct chain c = f->model->chain;
     const struct floors_correction k = {w->correction, w->b, w->g, w->h};
     const struct floors_of from = floors_of(now), to = floors_of(next);
-    const struct floors_account account =
-        floors_account_of(f->model, f->energy, f->results->peak, now, next);
+    const double ground = next->ground_a[0];
+    const double ground_2x = f->uniform ? now->ground_a[0] + ground : 0.0;
     enum nearness all = NEARNESS_FAR;
     lanes_bits beyond = {0};
     for (int i = 0, group = 0; i < w->floors.n_block && all != NEARNESS_CLOSED; i++) {
@@ -234,8 +230,14 @@ LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines
         if (solve(w, lines, now, next, b) < 0) {
             return NEARNESS_CLOSED;
         }
-        f->higher[i] =
-            floors_add_works(&c, lines, &k, &account, b->first, b->end, &from, &to, &beyond);
+        unsigned higher =
+            f->uniform
+                ? floors_correct_and_compare(&k, b->first, b->end, &from, &to, ground, NULL, peak)
+                : floors_correct_and_compare(&k, b->first, b->end, &from, &to, 0.0, next->base,
+                                             peak);
+        higher |= floors_add_works(&c, lines, b->first, b->end, &from, &to, ground_2x,
+                                   peak[PEAK_DRIFT], f->energy, &beyond);
+        f->higher[i] = (unsigned char)higher;
         enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
         group = f->group_end[i];
         all = own > all ? own : all;
@@ -248,7 +250,9 @@ static bool fly_higher(const struct flight *f, const double *shear, const struct
     bool finite = true;
     for (int i = 0; i < f->work->floors.n_block; i++) {
         const struct floor_block *b = &f->work->floors.block[i];
-        finite &= raise_which(f->model, f->higher[i], b->first, b->end, shear, f->results, next);
+        if (f->higher[i]) {
+            finite &= raise(f->model, f->higher[i], b->first, b->end, shear, f->results, next);
+        }
     }
     return finite;
 }
