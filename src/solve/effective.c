@@ -8,10 +8,8 @@
 // been used some times.
 #include "solve/effective.h"
 
-#include <assert.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
-#include <stddef.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -151,41 +149,6 @@ void effective_solve(struct effective *e, double *r, double *q) {
     }
 }
 
-// For at most LANES_WIDTH floors. Rows and columns beyond the inverse are 0.
-LANES_INLINE void multiply_low(const double *inverse, const double *r, double *q) {
-    lanes_wide sum = {0.0};
-    for (int i = 0; i < LANES_WIDTH; i++) {
-        sum += r[i] * LANES_AT(inverse, (ptrdiff_t)i * LANES_WIDTH);
-    }
-    *(lanes_wide *)q = sum;
-}
-
-// For at most twice as many: LANES_WIDTH columns, the first of which is column j.
-LANES_INLINE void multiply_columns(const double *inverse, int j, const double *r, double *q) {
-    enum { STRIDE = 2 * LANES_WIDTH };
-    const double *row = inverse + j;
-    lanes first = {0.0}, second = {0.0};
-    for (int i = 0; i < STRIDE; i++, row += STRIDE) {
-        first += r[i] * *(const lanes *)row;
-        second += r[i] * *(const lanes *)(row + LANES_VECTOR);
-    }
-    *(lanes *)(q + j) = first;
-    *(lanes *)(q + j + LANES_VECTOR) = second;
-}
-
-// The same as multiply for low buildings, in whole lanes: what is written beyond q belongs to the
-// next building.
-LANES_INLINE void multiply_whole(const struct effective *e, const double *r, double *q) {
-    static_assert(INVERSE_FLOORS_MAX <= 2 * LANES_WIDTH, "those are all the strides there are");
-    static_assert(LANES_WIDTH == 2 * LANES_VECTOR, "there are two halves");
-    if (e->stride == LANES_WIDTH) {
-        multiply_low(e->inverse, r, q);
-    } else {
-        multiply_columns(e->inverse, 0, r, q);
-        multiply_columns(e->inverse, LANES_WIDTH, r, q);
-    }
-}
-
 // Are the first n buildings of a row four tridiagonal ones of one height?
 static bool are_alike(const struct effective *e, int n) {
     bool alike = n >= 4;
@@ -207,8 +170,8 @@ LANES void effective_solve_row(struct effective *e, int n, double *r, double *q)
         struct effective *first = &e[k];
         int floors = first->building->n_floor;
         int solved = 1;
-        if (first->stride <= INVERSE_FLOORS_MAX && effective_has_inverse(first)) {
-            multiply_whole(first, r, q);
+        if (effective_is_low(first)) {
+            effective_multiply(first, r, q);
         } else if (are_alike(first, n - k)) {
             solve_four(first, r, q);
             solved = 4;

@@ -6,6 +6,10 @@
 #ifndef JOSTLE_EFFECTIVE_H
 #define JOSTLE_EFFECTIVE_H
 
+#include <assert.h>
+#include <stddef.h>
+
+#include "core/lanes.h"
 #include "jostle/model.h"
 
 // How long a factorisation will serve.
@@ -47,6 +51,45 @@ static inline bool effective_prefers_inverse(const struct effective *e) {
 
 static inline bool effective_has_inverse(const struct effective *e) {
     return e->n_ready == e->building->n_floor && effective_prefers_inverse(e);
+}
+
+static inline bool effective_is_low(const struct effective *e) {
+    return e->stride <= INVERSE_FLOORS_MAX && effective_has_inverse(e);
+}
+
+// q = A^-1 r by the inverse, for at most LANES_WIDTH floors. Rows and columns beyond it are 0.
+LANES_INLINE void effective_multiply_low(const double *inverse, const double *r, double *q) {
+    lanes_wide sum = {0.0};
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        sum += r[i] * LANES_AT(inverse, (ptrdiff_t)i * LANES_WIDTH);
+    }
+    *(lanes_wide *)q = sum;
+}
+
+// For at most twice as many: LANES_WIDTH columns, the first of which is column j.
+LANES_INLINE void effective_multiply_columns(const double *inverse, int j, const double *r, double *q) {
+    enum { STRIDE = 2 * LANES_WIDTH };
+    const double *row = inverse + j;
+    lanes first = {0.0}, second = {0.0};
+    for (int i = 0; i < STRIDE; i++, row += STRIDE) {
+        first += r[i] * *(const lanes *)row;
+        second += r[i] * *(const lanes *)(row + LANES_VECTOR);
+    }
+    *(lanes *)(q + j) = first;
+    *(lanes *)(q + j + LANES_VECTOR) = second;
+}
+
+// For a low building with its inverse, in whole lanes: what is written beyond q belongs to the next
+// building. In line for the loops over floors.
+LANES_INLINE void effective_multiply(const struct effective *e, const double *r, double *q) {
+    static_assert(INVERSE_FLOORS_MAX <= 2 * LANES_WIDTH, "those are all the strides there are");
+    static_assert(LANES_WIDTH == 2 * LANES_VECTOR, "there are two halves");
+    if (e->stride == LANES_WIDTH) {
+        effective_multiply_low(e->inverse, r, q);
+    } else {
+        effective_multiply_columns(e->inverse, 0, r, q);
+        effective_multiply_columns(e->inverse, LANES_WIDTH, r, q);
+    }
 }
 
 // q = A^-1 r; both (n_floor), r is overwritten.

@@ -99,7 +99,7 @@ LANES_INLINE int64_t floors_unbalance(const struct chain *c, const struct floors
     for (int i = first; i < first + n; i += LANES_VECTOR) {
         floors_try(c, lines, now, h, i + LANES_VECTOR, &own.u, &over, &beyond);
         lanes mass = FOUR(c->mass, i);
-        lanes p = -mass * ground;
+        lanes p = mass * -ground;
         if (external) {
             p = FOUR(external, i);
         }
@@ -120,21 +120,50 @@ struct floors_correction {
     double b, g, h;
 };
 
+// Eight floors at the end of the step, from the corrections.
+struct floors_end {
+    lanes_wide u, v, a;
+};
+
+LANES_INLINE void floors_reach(const struct floors_correction *k, const struct floors_of *now,
+                               int i, struct floors_end *e) {
+    const double half = k->h * k->h / 2.0;
+    lanes_wide q = LANES_AT(k->q, i), v0 = LANES_AT(now->v, i), a0 = LANES_AT(now->a, i);
+    e->u = LANES_AT(now->u, i) + (k->h * v0 + half * a0) + k->b * q;
+    e->v = v0 + k->h * a0 + k->g * q;
+    e->a = a0 + q;
+}
+
+LANES_INLINE void floors_put(const struct floors_end *e, const struct floors_of *next, int i) {
+    *(lanes_wide *)(next->u + i) = e->u;
+    *(lanes_wide *)(next->v + i) = e->v;
+    *(lanes_wide *)(next->a + i) = e->a;
+}
+
+LANES_INLINE int64_t floors_any_wide(const lanes_wide_bits *sign) {
+    int64_t any = 0;
+    for (int lane = 0; lane < LANES_WIDTH; lane++) {
+        any |= (*sign)[lane];
+    }
+    return any;
+}
+
+#define ABSOLUTE_WIDE(x) ((lanes_wide)((lanes_wide_bits)(x)&INT64_MAX))
+#define BEYOND_WIDE(x, limit) ((lanes_wide_bits)(limit) - ((lanes_wide_bits)(x)&INT64_MAX))
+
 // Stores what corrections lead to. Negative if that is not finite.
 LANES_INLINE int64_t floors_correct(const struct floors_correction *k, int first, int end,
                                     const struct floors_of *now, const struct floors_of *next) {
-    const double *u0 = now->u, *v0 = now->v, *a0 = now->a, *q = k->q;
-    double *u = next->u, *v = next->v, *a = next->a;
-    const double b = k->b, g = k->g, h = k->h, half = h * h / 2.0;
-    int64_t sign = 0;
-    LANES_LOOP
-    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        u[i] = u0[i] + (h * v0[i] + half * a0[i]) + b * q[i];
-        v[i] = v0[i] + h * a0[i] + g * q[i];
-        a[i] = a0[i] + q[i];
-        sign |= number_beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
+    const lanes_wide most = DBL_MAX - (lanes_wide){0.0};
+    lanes_wide_bits sign = {0};
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        struct floors_end e;
+        floors_reach(k, now, i, &e);
+        floors_put(&e, next, i);
+        lanes_wide size = ABSOLUTE_WIDE(e.u) + ABSOLUTE_WIDE(e.v) + ABSOLUTE_WIDE(e.a);
+        sign |= BEYOND_WIDE(size, most);
     }
-    return sign;
+    return floors_any_wide(&sign);
 }
 
 // Which of the quantities of floors may have peaks. The shear of an elastic storey has one only
@@ -144,101 +173,98 @@ enum floors_higher {
     FLOORS_DRIFT = 2,   // drifts, shears
 };
 
-// Is a displacement, velocity or total acceleration greater than ever? `base` NULL: the
-// acceleration of the ground is that of all floors.
-LANES_INLINE unsigned floors_compare(int first, int end, const struct floors_of *s, double ground,
-                                     const double *base, double *const peak[PEAK_COUNT]) {
-    const double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
-    const double *peak_a = peak[PEAK_ACCELERATION];
-    const double *u = s->u, *v = s->v, *a = s->a;
-    int64_t sign = 0;
-    LANES_LOOP
-    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        sign |= number_beyond(u[i], peak_u[i]) | number_beyond(v[i], peak_v[i]) |
-                number_beyond(a[i] + (base ? base[i] : ground), peak_a[i]);
+// The peaks of motion. `base` NULL: the acceleration of the ground is that of all floors.
+struct floors_peaks {
+    const double *u, *v, *a;
+    double ground;
+    const double *base;
+};
+
+LANES_INLINE void floors_compare(const struct floors_peaks *peak, const struct floors_end *e,
+                                 int i, lanes_wide_bits *sign) {
+    lanes_wide base = peak->ground - (lanes_wide){0.0};
+    if (peak->base) {
+        base = LANES_AT(peak->base, i);
     }
-    return sign < 0 ? FLOORS_MOTION : 0;
+    *sign |= BEYOND_WIDE(e->u, LANES_AT(peak->u, i)) | BEYOND_WIDE(e->v, LANES_AT(peak->v, i)) |
+             BEYOND_WIDE(e->a + base, LANES_AT(peak->a, i));
+}
+
+// *motion gets negative where a displacement, velocity or total acceleration of a state is greater
+// than ever.
+LANES_INLINE void floors_look_up(const struct floors_peaks *peak, int first, int end,
+                                 const struct floors_of *s, lanes_wide_bits *motion) {
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        struct floors_end e = {LANES_AT(s->u, i), LANES_AT(s->v, i), LANES_AT(s->a, i)};
+        floors_compare(peak, &e, i, motion);
+    }
 }
 
 // The same of what corrections lead to, which is stored.
-LANES_INLINE unsigned floors_correct_and_compare(const struct floors_correction *k, int first,
-                                                 int end, const struct floors_of *now,
-                                                 const struct floors_of *next, double ground,
-                                                 const double *base,
-                                                 double *const peak[PEAK_COUNT]) {
-    const double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
-    const double *peak_a = peak[PEAK_ACCELERATION];
-    const double *u0 = now->u, *v0 = now->v, *a0 = now->a, *q = k->q;
-    double *u = next->u, *v = next->v, *a = next->a;
-    const double b = k->b, g = k->g, h = k->h, half = h * h / 2.0;
-    int64_t sign = 0;
-    LANES_LOOP
-    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        u[i] = u0[i] + (h * v0[i] + half * a0[i]) + b * q[i];
-        v[i] = v0[i] + h * a0[i] + g * q[i];
-        a[i] = a0[i] + q[i];
-        sign |= number_beyond(u[i], peak_u[i]) | number_beyond(v[i], peak_v[i]) |
-                number_beyond(a[i] + (base ? base[i] : ground), peak_a[i]);
+LANES_INLINE void floors_correct_and_compare(const struct floors_correction *k,
+                                             const struct floors_peaks *peak, int first, int end,
+                                             const struct floors_of *now,
+                                             const struct floors_of *next,
+                                             lanes_wide_bits *motion) {
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        struct floors_end e;
+        floors_reach(k, now, i, &e);
+        floors_put(&e, next, i);
+        floors_compare(peak, &e, i, motion);
     }
-    return sign < 0 ? FLOORS_MOTION : 0;
 }
 
-// Drifts and shears of storeys that follow lines, and whether these are beyond their lines or
-// peaks.
-LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines *lines, int i,
-                                const lanes *drift, lanes_bits *beyond, lanes_bits *higher) {
-    lanes shear;
-    floors_shear(c, lines, i, drift, &shear, beyond);
-    *higher |= BEYOND(shear, FOUR(lines->peak, i));
-    *(lanes *)(lines->drift + i) = *drift;
-    *(lanes *)(lines->shear + i) = shear;
-}
-
-LANES_INLINE void floors_exchange(lanes *x, lanes *y) {
-    lanes old = *x;
-    *x = *y;
-    *y = old;
+LANES_INLINE struct floors_peaks floors_peaks_of(const struct model *m,
+                                                 double *const peak[PEAK_COUNT],
+                                                 const struct state *next) {
+    return (struct floors_peaks){peak[PEAK_DISPLACEMENT], peak[PEAK_VELOCITY],
+                                 peak[PEAK_ACCELERATION], next->ground_a[0],
+                                 state_is_uniform(m) ? NULL : next->base};
 }
 
 // Adds the works of the floors from `first` to `end` under ground accelerations whose sum is
-// ground_2x. *beyond gets negative if a storey is beyond its line. Is a drift or shear greater than
-// ever?
-LANES_INLINE unsigned floors_add_works(const struct chain *c, const struct floors_lines *lines,
-                                       int first, int end, const struct floors_of *now,
-                                       const struct floors_of *next, double ground_2x,
-                                       const double *peak, struct energy_account *account,
-                                       lanes_bits *beyond) {
-    lanes input = FOUR(account->input_2x, 0), damping = FOUR(account->damping_2x, 0);
-    lanes other_input = FOUR(account->input_2x, LANES_VECTOR);
-    lanes other_damping = FOUR(account->damping_2x, LANES_VECTOR);
-    lanes_bits higher = {0};
-    int before = first - LANES_VECTOR;
-    lanes under = FOUR(next->u, before);
-    lanes speed_under = FOUR(now->v, before) + FOUR(next->v, before);
-    lanes speed = FOUR(now->v, first) + FOUR(next->v, first);
-    for (int i = first; i < end; i += LANES_VECTOR) {
-        lanes u = FOUR(next->u, i);
-        lanes du = u - FOUR(now->u, i);
-        lanes speed_over = FOUR(now->v, i + LANES_VECTOR) + FOUR(next->v, i + LANES_VECTOR);
-        lanes drift = u - FOUR(c->joint, i) * BELOW(under, u);
-        input -= ground_2x * (FOUR(c->mass, i) * du);
-        damping += du * (FOUR(c->damping_below, i) * BELOW(speed_under, speed) +
-                         FOUR(c->damping, i) * speed +
-                         FOUR(c->damping_below, i + 1) * ABOVE(speed, speed_over));
-        higher |= BEYOND(drift, FOUR(peak, i));
-        if (lines) {
-            floors_follow(c, lines, i, &drift, beyond, &higher);
-        }
-        under = u;
-        speed_under = speed;
-        speed = speed_over;
-        floors_exchange(&input, &other_input);
-        floors_exchange(&damping, &other_damping);
+// ground_2x. *higher gets negative where a drift is greater than ever.
+LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
+                                   const struct floors_of *now, const struct floors_of *next,
+                                   double ground_2x, const double *peak,
+                                   struct energy_account *account, lanes_wide_bits *higher) {
+    lanes_wide input = LANES_AT(account->input_2x, 0), damping = LANES_AT(account->damping_2x, 0);
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        floors_input(c, i, ground_2x, now->u, next->u, &input);
+        floors_damped(c, i, now->u, next->u, now->v, next->v, &damping);
+        lanes_wide drift =
+            LANES_AT(next->u, i) - LANES_AT(c->joint, i) * LANES_AT(next->u, i - 1);
+        *higher |= BEYOND_WIDE(drift, LANES_AT(peak, i));
     }
-    *(lanes *)account->input_2x = input;
-    *(lanes *)account->damping_2x = damping;
-    *(lanes *)(account->input_2x + LANES_VECTOR) = other_input;
-    *(lanes *)(account->damping_2x + LANES_VECTOR) = other_damping;
+    *(lanes_wide *)account->input_2x = input;
+    *(lanes_wide *)account->damping_2x = damping;
+}
+
+// Which peaks there may be.
+LANES_INLINE unsigned floors_which(const lanes_wide_bits *motion, const lanes_wide_bits *drift) {
+    lanes_wide_bits either = *motion | *drift;
+    if (floors_any_wide(&either) >= 0) {
+        return 0;
+    }
+    return (floors_any_wide(motion) < 0 ? FLOORS_MOTION : 0U) |
+           (floors_any_wide(drift) < 0 ? FLOORS_DRIFT : 0U);
+}
+
+// Drifts and shears at the end of the step of storeys that follow lines. *beyond gets negative if
+// one is beyond its line. Is a shear greater than ever?
+LANES_INLINE unsigned floors_follow(const struct chain *c, const struct floors_lines *lines,
+                                    int first, int end, const double *u, lanes_bits *beyond) {
+    lanes_bits higher = {0};
+    lanes under = FOUR(u, first - LANES_VECTOR);
+    for (int i = first; i < end; i += LANES_VECTOR) {
+        lanes own = FOUR(u, i), shear;
+        lanes drift = own - FOUR(c->joint, i) * BELOW(under, own);
+        floors_shear(c, lines, i, &drift, &shear, beyond);
+        higher |= BEYOND(shear, FOUR(lines->peak, i));
+        *(lanes *)(lines->drift + i) = drift;
+        *(lanes *)(lines->shear + i) = shear;
+        under = own;
+    }
     return floors_any(&higher) < 0 ? FLOORS_DRIFT : 0;
 }
 
@@ -257,9 +283,11 @@ LANES_INLINE enum nearness floors_look(const struct flight *f, int from, int to,
             nearer |= (lanes_bits)(FOUR(deepest, i) - delta);
         }
     }
-    return floors_any(&closed) < 0   ? NEARNESS_CLOSED
-           : floors_any(&nearer) < 0 ? NEARNESS_DEEPEST
-                                     : NEARNESS_FAR;
+    lanes_bits near = closed | nearer;
+    if (floors_any(&near) >= 0) {
+        return NEARNESS_FAR;
+    }
+    return floors_any(&closed) < 0 ? NEARNESS_CLOSED : NEARNESS_DEEPEST;
 }
 
 #endif

@@ -90,6 +90,19 @@ static void push(struct work *w, const struct state *now, const struct state *ne
     }
 }
 
+// effective_solve_row, in line as long as buildings are low.
+LANES_INLINE void solve_row(struct effective *e, int n, double *r, double *q) {
+    int k = 0;
+    for (; k < n && effective_is_low(&e[k]); k++) {
+        effective_multiply(&e[k], r, q);
+        r += e[k].building->n_floor;
+        q += e[k].building->n_floor;
+    }
+    if (k < n) {
+        effective_solve_row(&e[k], n - k, r, q);
+    }
+}
+
 // The corrections that the floors of a block want. Negative if a storey is beyond its line.
 LANES_INLINE int64_t solve(struct work *w, const struct floors_lines *lines,
                            const struct state *now, const struct state *next,
@@ -104,8 +117,7 @@ LANES_INLINE int64_t solve(struct work *w, const struct floors_lines *lines,
     if (next->n_live > 0) {
         push(w, now, next, b);
     }
-    effective_solve_row(&w->effective[b->building], b->n_building, r + (first - b->first),
-                        q + first);
+    solve_row(&w->effective[b->building], b->n_building, r + (first - b->first), q + first);
     return sign;
 }
 
@@ -186,14 +198,13 @@ LANES static unsigned account_block(struct energy_account *e, struct results *r,
                                     const struct state *now, const struct state *next) {
     const struct chain c = m->chain;
     const struct floors_of from = floors_of(now), to = floors_of(next);
-    const bool uniform = state_is_uniform(m);
-    const double ground = next->ground_a[0];
-    const double ground_2x = uniform ? now->ground_a[0] + ground : 0.0;
-    lanes_bits none = {0};
-    unsigned higher = uniform ? floors_compare(first, end, &to, ground, NULL, r->peak)
-                              : floors_compare(first, end, &to, 0.0, next->base, r->peak);
-    return higher | floors_add_works(&c, NULL, first, end, &from, &to, ground_2x,
-                                     r->peak[PEAK_DRIFT], e, &none);
+    const struct floors_peaks peaks = floors_peaks_of(m, r->peak, next);
+    const double ground_2x =
+        state_is_uniform(m) ? now->ground_a[0] + next->ground_a[0] : 0.0;
+    lanes_wide_bits motion = {0}, drift = {0};
+    floors_look_up(&peaks, first, end, &to, &motion);
+    floors_add_works(&c, first, end, &from, &to, ground_2x, r->peak[PEAK_DRIFT], e, &drift);
+    return floors_which(&motion, &drift);
 }
 
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,
@@ -221,34 +232,38 @@ LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines
     const struct chain c = f->model->chain;
     const struct floors_correction k = {w->correction, w->b, w->g, w->h};
     const struct floors_of from = floors_of(now), to = floors_of(next);
-    const double ground = next->ground_a[0];
-    const double ground_2x = f->uniform ? now->ground_a[0] + ground : 0.0;
+    const struct floors_peaks peaks = floors_peaks_of(f->model, peak, next);
+    const double ground_2x = f->uniform ? now->ground_a[0] + next->ground_a[0] : 0.0;
     enum nearness all = NEARNESS_FAR;
+    unsigned any = 0;
     lanes_bits beyond = {0};
     for (int i = 0, group = 0; i < w->floors.n_block && all != NEARNESS_CLOSED; i++) {
         const struct floor_block *b = &w->floors.block[i];
         if (solve(w, lines, now, next, b) < 0) {
             return NEARNESS_CLOSED;
         }
-        unsigned higher =
-            f->uniform
-                ? floors_correct_and_compare(&k, b->first, b->end, &from, &to, ground, NULL, peak)
-                : floors_correct_and_compare(&k, b->first, b->end, &from, &to, 0.0, next->base,
-                                             peak);
-        higher |= floors_add_works(&c, lines, b->first, b->end, &from, &to, ground_2x,
-                                   peak[PEAK_DRIFT], f->energy, &beyond);
+        lanes_wide_bits motion = {0}, drift = {0};
+        floors_correct_and_compare(&k, &peaks, b->first, b->end, &from, &to, &motion);
+        floors_add_works(&c, b->first, b->end, &from, &to, ground_2x, peak[PEAK_DRIFT], f->energy,
+                         &drift);
+        unsigned higher = floors_which(&motion, &drift);
+        if (lines) {
+            higher |= floors_follow(&c, lines, b->first, b->end, next->u, &beyond);
+        }
         f->higher[i] = (unsigned char)higher;
+        any |= higher;
         enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
         group = f->group_end[i];
         all = own > all ? own : all;
     }
+    *f->any_higher = any != 0;
     return floors_any(&beyond) < 0 ? NEARNESS_CLOSED : all;
 }
 
 // Takes a step into the peaks. False: not finite.
 static bool fly_higher(const struct flight *f, const double *shear, const struct state *next) {
     bool finite = true;
-    for (int i = 0; i < f->work->floors.n_block; i++) {
+    for (int i = 0; *f->any_higher && i < f->work->floors.n_block; i++) {
         const struct floor_block *b = &f->work->floors.block[i];
         if (f->higher[i]) {
             finite &= raise(f->model, f->higher[i], b->first, b->end, shear, f->results, next);
