@@ -2,7 +2,9 @@
 // Numbers, characters and near words.
 #include "core/text.h"
 
+#include <float.h>
 #include <langinfo.h>
+#include <limits.h>
 #include <locale.h>
 #include <math.h>
 #include <stdlib.h>
@@ -42,6 +44,55 @@ static const char *number_end(const char *text) {
     return at;
 }
 
+// The exponent from `at` to `end`; beyond any range: INT_MAX.
+static int exponent_of(const char *at, const char *end) {
+    bool negative = *at == '-';
+    int exponent = 0;
+    for (at += *at == '+' || *at == '-'; at < end; at++) {
+        if (exponent > DBL_MAX_10_EXP) {
+            return INT_MAX;
+        }
+        exponent = 10 * exponent + (*at - '0');
+    }
+    return negative ? -exponent : exponent;
+}
+
+// The number from `text` to `end` where one operation gives it, and so the double nearest to it:
+// at most 15 digits are a whole number that doubles hold, and so are powers of ten up to 22
+// (Clinger 1990, How to read floating point numbers accurately, section 3). NAN: it takes more.
+static double short_number(const char *text, const char *end) {
+    static const double power[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    enum { DIGITS_MAX = 15, POWER_MAX = sizeof power / sizeof power[0] - 1 };
+    long long whole = 0;
+    int n = 0, scale = 0;
+    bool fraction = false;
+    const char *at = text + (*text == '+' || *text == '-');
+    for (; at < end && *at != 'e' && *at != 'E'; at++) {
+        if (*at == '.') {
+            fraction = true;
+            continue;
+        }
+        whole = 10 * whole + (*at - '0');
+        n += whole > 0;
+        scale -= fraction;
+        if (n > DIGITS_MAX || scale < -POWER_MAX) {
+            return NAN;
+        }
+    }
+    int exponent = at < end ? exponent_of(at + 1, end) : 0;
+    if (FLT_EVAL_METHOD != 0 || exponent > POWER_MAX || exponent < -POWER_MAX) {
+        return NAN;
+    }
+    scale += exponent;
+    if (scale > POWER_MAX || scale < -POWER_MAX) {
+        return NAN;
+    }
+    double x = scale < 0 ? (double)whole / power[-scale] : (double)whole * power[scale];
+    return *text == '-' ? -x : x;
+}
+
 // strtod in the C locale, whatever the locale of the thread is.
 static double number_value(const char *text, char **stop) {
     if (strcmp(nl_langinfo(RADIXCHAR), ".") == 0) {
@@ -66,15 +117,20 @@ enum text_number text_number(const char *text, const char **end, double *value) 
     if (!last) {
         return TEXT_NUMBER_NONE;
     }
+    *end = last;
+    *value = short_number(text, last);
+    if (!isnan(*value)) {
+        return TEXT_NUMBER_OK;
+    }
     char *stop;
     double v = number_value(text, &stop);
     if (!stop) {
+        *end = text;
         return TEXT_NUMBER_NONE;
     }
     if (stop > last) {  // strtod went on reading 0x...
         v = *text == '-' ? -0.0 : 0.0;
     }
-    *end = last;
     if (!isfinite(v)) {
         return TEXT_NUMBER_RANGE;
     }

@@ -22,10 +22,14 @@
 
 enum { DEPTH, SPEED, N_STATE };  // of the state, in units of L and v0
 
-static const double TOLERANCE = 1e-13;   // of a step
-static const double FIRST_STEP = 1e-12;  // in units of L / v0, as the longest one
-static const double LONGEST_STEP = 0.02;
-static const double JUMP = 1e-9;  // of the peak force: what is shown on both sides
+// Tolerance of a step, and the longest one in units of L / v0.
+struct accuracy {
+    double tolerance, longest_step;
+};
+static const struct accuracy full = {1e-13, 0.02}, rough = {1e-8, 0.2};
+
+static const double FIRST_STEP = 1e-12;  // in units of L / v0
+static const double JUMP = 1e-9;         // of the peak force: what is shown on both sides
 enum { STEPS_MAX = 200000 };
 
 enum phase { APPROACH, RELEASE };
@@ -36,6 +40,7 @@ struct flight {
     const double *constant;
     double history[CONTACT_HISTORY_MAX];
     double mass, velocity, length;
+    const struct accuracy *accuracy;
     enum phase phase;
 
     gsl_odeiv2_system system;
@@ -182,7 +187,7 @@ static bool cut(struct flight *f, double (*function)(double h, void *context)) {
 static bool advance(struct flight *f, bool *parted) {
     f->before = f->time;
     memcpy(f->start, f->state, sizeof f->state);
-    f->next_step = fmin(f->next_step, LONGEST_STEP);
+    f->next_step = fmin(f->next_step, f->accuracy->longest_step);
     if (gsl_odeiv2_evolve_apply(f->evolve, f->control, f->step, &f->system, &f->time, INFINITY,
                                 &f->next_step, f->state) != GSL_SUCCESS) {
         return false;
@@ -250,7 +255,7 @@ static void summarise(const struct flight *f, struct isolated_impact *out) {
 static bool allocate(struct flight *f) {
     f->system = (gsl_odeiv2_system){.function = rates, .dimension = N_STATE, .params = f};
     f->step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, N_STATE);
-    f->control = gsl_odeiv2_control_y_new(TOLERANCE, TOLERANCE);
+    f->control = gsl_odeiv2_control_y_new(f->accuracy->tolerance, f->accuracy->tolerance);
     f->evolve = gsl_odeiv2_evolve_alloc(N_STATE);
     return f->step && f->control && f->evolve;
 }
@@ -284,6 +289,26 @@ static void rigid(const struct contact_law *law, const double *constant, double 
     }
 }
 
+// The impact of a flight of which the law, its constants, mass and velocity are given, and how it
+// is to be followed.
+static int follow(struct flight *f, struct isolated_impact *out, struct error *e) {
+    f->state[SPEED] = f->start[SPEED] = 1.0;
+    f->next_step = FIRST_STEP;
+    if (f->law->close) {
+        f->law->close(f->constant, f->velocity, f->history);
+    }
+    f->length = find_length(f);
+    if (f->length == 0.0) {
+        return error_set(e, STATUS_FAILED, "%s has no force to part the bodies", f->law->name);
+    }
+    int status = allocate(f) ? fly(f, e) : error_no_memory(e);
+    if (status == STATUS_OK) {
+        summarise(f, out);
+    }
+    release(f);
+    return status;
+}
+
 int isolated_run(const struct contact_law *law, const double *constant, double mass,
                  double velocity, const struct isolated_observer *observer,
                  struct isolated_impact *out, struct error *e) {
@@ -295,21 +320,17 @@ int isolated_run(const struct contact_law *law, const double *constant, double m
                        .constant = constant,
                        .mass = mass,
                        .velocity = velocity,
-                       .state = {[SPEED] = 1.0},
-                       .start = {[SPEED] = 1.0},
-                       .next_step = FIRST_STEP,
+                       .accuracy = &full,
                        .observer = observer};
-    if (law->close) {
-        law->close(constant, velocity, f.history);
-    }
-    f.length = find_length(&f);
-    if (f.length == 0.0) {
-        return error_set(e, STATUS_FAILED, "%s has no force to part the bodies", law->name);
-    }
-    int status = allocate(&f) ? fly(&f, e) : error_no_memory(e);
-    if (status == STATUS_OK) {
-        summarise(&f, out);
-    }
-    release(&f);
+    return follow(&f, out, e);
+}
+
+int isolated_duration(const struct contact_law *law, const double *constant, double mass,
+                      double velocity, double *out, struct error *e) {
+    struct isolated_impact impact = {.duration = 0.0};
+    struct flight f = {
+        .law = law, .constant = constant, .mass = mass, .velocity = velocity, .accuracy = &rough};
+    int status = law->rebound ? STATUS_OK : follow(&f, &impact, e);
+    *out = status == STATUS_OK ? impact.duration : NAN;
     return status;
 }

@@ -40,4 +40,9 @@ int isolated_run(const struct contact_law *law, const double *constant, double m
                  double velocity, const struct isolated_observer *observer,
                  struct isolated_impact *out, struct error *e);
 
+// The duration of the impact alone, to about six digits and several times as fast. NAN after an
+// error; 0 under a law without a force.
+int isolated_duration(const struct contact_law *law, const double *constant, double mass,
+                      double velocity, double *out, struct error *e);
+
 #endif

@@ -52,7 +52,7 @@ static double spectral_velocity(const struct mode *k, const struct signal *s) {
     if (k->omega == 0.0) {
         return intensity_of(s, 1.0).pgv;
     }
-    return spectrum_at(s, 2.0 * M_PI / k->omega, k->ratio).value[SPECTRUM_SV];
+    return spectrum_velocity(s, k->omega, k->ratio);
 }
 
 // Takes account of an excitation, of which the mode sees `share`.

@@ -64,16 +64,16 @@ static bool same_impact(const struct model *m, int a, int b, const struct guidan
 static int find_duration(const struct model *m, int k, struct guidance_contact *c,
                          struct error *e) {
     const struct link *l = &m->link[k];
-    struct isolated_impact impact = {.duration = NAN};
     if (k > 0 && same_impact(m, k, k - 1, c)) {
         c[k].duration = c[k - 1].duration;
         return STATUS_OK;
     }
-    if (c[k].velocity > 0.0 && isolated_run(l->law, l->constant, effective_mass(m, l),
-                                            c[k].velocity, NULL, &impact, e) == STATUS_SYSTEM) {
+    c[k].duration = l->law->rebound ? 0.0 : NAN;
+    if (c[k].velocity > 0.0 &&
+        isolated_duration(l->law, l->constant, effective_mass(m, l), c[k].velocity, &c[k].duration,
+                          e) == STATUS_SYSTEM) {
         return STATUS_SYSTEM;
     }
-    c[k].duration = l->law->rebound ? 0.0 : impact.duration;
     return STATUS_OK;
 }
 

@@ -9,7 +9,7 @@
 #include "motion/record_format.h"
 
 static bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
+    return c == ' ' || (c >= '\t' && c <= '\r');  // tab, line feed, vertical tab, form feed, return
 }
 
 static bool is_digit(char c) {

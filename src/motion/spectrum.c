@@ -193,17 +193,49 @@ static void note_step(const struct oscillator *o, const struct step *s, struct q
     }
 }
 
-static void take_step(const struct oscillator *o, struct step *s, const struct kernel *k,
-                      struct quantity q[3]) {
+static void take_step(const struct oscillator *o, struct step *s, const struct kernel *k, int n,
+                      struct quantity *q) {
     double u, v;
     advance(o, s, k, &u, &v);
     const struct course from = course_of(o, s, 0.0, s->u, s->v);
     const struct course to = course_of(o, s, s->length, u, v);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < n; i++) {
         note_step(o, s, &q[i], &from, &to);
     }
     s->u = u;
     s->v = v;
+}
+
+// The peaks of n quantities over all time.
+static void respond(const struct signal *ground, double omega, double zeta, int n,
+                    struct quantity *q) {
+    const struct oscillator o = {
+        .omega = omega,
+        .omega_d = omega * sqrt((1.0 - zeta) * (1.0 + zeta)),
+        .decay = zeta * omega,
+    };
+    struct step s = {.length = ground->dt};
+    const struct kernel k = kernel_at(&o, s.length);
+    for (size_t j = 0; j + 1 < ground->n; j++) {
+        s.a = ground->value[j];
+        s.slope = (ground->value[j + 1] - s.a) / s.length;
+        take_step(&o, &s, &k, n, q);
+    }
+    struct step after = {.u = s.u, .v = s.v, .length = 2.0 * M_PI / o.omega_d};
+    const struct kernel free_vibration = kernel_at(&o, after.length);
+    take_step(&o, &after, &free_vibration, n, q);
+}
+
+// What responds, from which the others follow.
+enum { DISPLACEMENT, VELOCITY, ACCELERATION, N_QUANTITY };
+
+static struct quantity quantity_of(int which, double omega, double zeta) {
+    const struct quantity all[N_QUANTITY] = {
+        [DISPLACEMENT] = {.p = 1.0},
+        [VELOCITY] = {.q = 1.0},
+        [ACCELERATION] = {.p = omega * omega, .q = 2.0 * zeta * omega},
+    };
+    return all[which];
 }
 
 struct spectrum_point spectrum_at(const struct signal *ground, double period, double zeta) {
@@ -212,27 +244,22 @@ struct spectrum_point spectrum_at(const struct signal *ground, double period, do
         return (struct spectrum_point){.value = {[SPECTRUM_PSA] = peak, [SPECTRUM_SA] = peak}};
     }
     const double omega = 2.0 * M_PI / period;
-    const struct oscillator o = {
-        .omega = omega,
-        .omega_d = omega * sqrt((1.0 - zeta) * (1.0 + zeta)),
-        .decay = zeta * omega,
-    };
-    struct quantity q[3] = {{.p = 1.0}, {.q = 1.0}, {.p = omega * omega, .q = 2.0 * zeta * omega}};
-    struct step s = {.length = ground->dt};
-    const struct kernel k = kernel_at(&o, s.length);
-    for (size_t j = 0; j + 1 < ground->n; j++) {
-        s.a = ground->value[j];
-        s.slope = (ground->value[j + 1] - s.a) / s.length;
-        take_step(&o, &s, &k, q);
+    struct quantity q[N_QUANTITY];
+    for (int i = 0; i < N_QUANTITY; i++) {
+        q[i] = quantity_of(i, omega, zeta);
     }
-    struct step after = {.u = s.u, .v = s.v, .length = 2.0 * M_PI / o.omega_d};
-    const struct kernel free_vibration = kernel_at(&o, after.length);
-    take_step(&o, &after, &free_vibration, q);
+    respond(ground, omega, zeta, N_QUANTITY, q);
     return (struct spectrum_point){.value = {
-                                       [SPECTRUM_PSA] = omega * omega * q[0].peak,
-                                       [SPECTRUM_PSV] = omega * q[0].peak,
-                                       [SPECTRUM_SD] = q[0].peak,
-                                       [SPECTRUM_SV] = q[1].peak,
-                                       [SPECTRUM_SA] = q[2].peak,
+                                       [SPECTRUM_PSA] = omega * omega * q[DISPLACEMENT].peak,
+                                       [SPECTRUM_PSV] = omega * q[DISPLACEMENT].peak,
+                                       [SPECTRUM_SD] = q[DISPLACEMENT].peak,
+                                       [SPECTRUM_SV] = q[VELOCITY].peak,
+                                       [SPECTRUM_SA] = q[ACCELERATION].peak,
                                    }};
+}
+
+double spectrum_velocity(const struct signal *ground, double omega, double zeta) {
+    struct quantity velocity = quantity_of(VELOCITY, omega, zeta);
+    respond(ground, omega, zeta, 1, &velocity);
+    return velocity.peak;
 }

@@ -13,11 +13,23 @@
 
 enum { H5_CAUSE_MAX = 256, H5_DIMENSIONS_MAX = STUDY_SWEEPS_MAX + 1 };
 struct h5_use;
+
+// The chunks of a dataset.
+struct h5_chunk {
+    int n_dim;
+    hsize_t rows, width;
+    int compress;  // level of deflate; 0: none
+};
+
 struct h5 {
     hid_t file;
-    hid_t text;                       // type of texts: UTF-8, any length
-    hid_t references;                 // type of lists of references to objects
-    hid_t plain, group;               // creation lists of contiguous datasets and of groups
+    hid_t text;          // type of texts: UTF-8, any length
+    hid_t references;    // type of lists of references to objects
+    hid_t scalar;        // space of an attribute
+    hid_t plain, group;  // creation lists of contiguous datasets and of groups
+    hid_t chunked;       // of the last dataset in chunks, which was like `chunk`
+    struct h5_chunk chunk;
+    hid_t access;                     // of datasets in chunks
     hid_t transfer;                   // for writing
     const struct unit_system *units;  // borrowed
     struct h5_use *use;               // (n_use) of scales; heap

@@ -9,27 +9,29 @@
 
 #include "result/h5.h"
 
-// The open attribute of an object, created if it is not there.
-static hid_t open_attribute(struct h5 *h, hid_t object, const char *name, hid_t type) {
-    htri_t present = H5Aexists(object, name);
-    if (h5_failed(h, present) || present) {
-        return present > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
+static void write_attribute(struct h5 *h, hid_t attribute, hid_t type, const void *value) {
+    if (!h5_failed(h, attribute)) {
+        h5_failed(h, H5Awrite(attribute, type, value));
+        H5Aclose(attribute);
     }
-    hid_t space = H5Screate(H5S_SCALAR);
-    hid_t attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-    H5Sclose(space);
-    return attribute;
+}
+
+// Of an object that does not have it yet.
+static void add_attribute(struct h5 *h, hid_t object, const char *name, hid_t type,
+                          const void *value) {
+    if (!h->failed) {
+        write_attribute(h, H5Acreate2(object, name, type, h->scalar, H5P_DEFAULT, H5P_DEFAULT),
+                        type, value);
+    }
 }
 
 static void put_attribute(struct h5 *h, hid_t object, const char *name, hid_t type,
                           const void *value) {
-    if (h->failed) {
-        return;
-    }
-    hid_t attribute = open_attribute(h, object, name, type);
-    if (!h5_failed(h, attribute)) {
-        h5_failed(h, H5Awrite(attribute, type, value));
-        H5Aclose(attribute);
+    htri_t present = h->failed ? -1 : H5Aexists(object, name);
+    if (present > 0) {
+        write_attribute(h, H5Aopen(object, name, H5P_DEFAULT), type, value);
+    } else if (!h5_failed(h, present)) {
+        add_attribute(h, object, name, type, value);
     }
 }
 
@@ -45,35 +47,44 @@ void h5_put_double(struct h5 *h, hid_t object, const char *name, double value) {
     put_attribute(h, object, name, H5T_NATIVE_DOUBLE, &value);
 }
 
-// Rows not yet written read as NaN. A scale of thousands of datasets lists them in an attribute of
-// more than the 64 KiB that an object header takes, so it keeps its attributes outside.
-static hid_t creation_list(struct h5 *h, const struct h5_dataset *d, hsize_t values) {
+// Rows not yet written read as NaN.
+static void set_chunks(struct h5 *h, hid_t list, const struct h5_chunk *c) {
+    const hsize_t size[2] = {c->rows, c->width};
+    const double missing = NAN;
+    h5_failed(h, H5Pset_chunk(list, c->n_dim, size));
+    h5_failed(h, H5Pset_fill_value(list, H5T_NATIVE_DOUBLE, &missing));
+    if (c->compress > 0) {
+        h5_failed(h, H5Pset_shuffle(list));
+        h5_failed(h, H5Pset_deflate(list, (unsigned)c->compress));
+    }
+}
+
+// The creation list of datasets in such chunks, kept for the next one, which is often alike.
+static hid_t chunked_list(struct h5 *h, const struct h5_chunk *c) {
+    const struct h5_chunk *last = &h->chunk;
+    if (h->chunked > 0 && last->n_dim == c->n_dim && last->rows == c->rows &&
+        last->width == c->width && last->compress == c->compress) {
+        return h->chunked;
+    }
     hid_t list = H5Pcopy(h->plain);
     if (h5_failed(h, list)) {
         return list;
     }
-    if (d->many_users) {
-        h5_failed(h, H5Pset_attr_creation_order(list, H5P_CRT_ORDER_TRACKED));
-        h5_failed(h, H5Pset_attr_phase_change(list, 0, 0));
+    set_chunks(h, list, c);
+    if (h->chunked > 0) {
+        H5Pclose(h->chunked);
     }
-    if (d->chunk_rows > 0 && values > 0) {
-        const hsize_t chunk[2] = {d->chunk_rows, d->dim[1]};
-        const double missing = NAN;
-        h5_failed(h, H5Pset_chunk(list, d->n_dim, chunk));
-        h5_failed(h, H5Pset_fill_value(list, H5T_NATIVE_DOUBLE, &missing));
-        if (d->compress > 0) {
-            h5_failed(h, H5Pset_shuffle(list));
-            h5_failed(h, H5Pset_deflate(list, (unsigned)d->compress));
-        }
-    }
-    return list;
+    h->chunk = *c;
+    return h->chunked = list;
 }
 
-// Chunks are written whole and never kept in memory by the library.
-static hid_t access_list(struct h5 *h) {
-    hid_t list = H5Pcreate(H5P_DATASET_ACCESS);
+// A scale of thousands of datasets lists them in an attribute of more than the 64 KiB that an
+// object header takes, so it keeps its attributes outside.
+static hid_t spacious_list(struct h5 *h, hid_t like) {
+    hid_t list = H5Pcopy(like);
     if (!h5_failed(h, list)) {
-        h5_failed(h, H5Pset_chunk_cache(list, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT));
+        h5_failed(h, H5Pset_attr_creation_order(list, H5P_CRT_ORDER_TRACKED));
+        h5_failed(h, H5Pset_attr_phase_change(list, 0, 0));
     }
     return list;
 }
@@ -91,16 +102,15 @@ static hid_t create_with(struct h5 *h, hid_t parent, const struct h5_dataset *d,
 }
 
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
-    if (d->chunk_rows == 0 && !d->many_users) {
-        return create_with(h, parent, d, h->plain, H5P_DEFAULT);
-    }
     const hsize_t values = d->n_dim == 2 ? d->dim[0] * d->dim[1] : d->dim[0];
-    hid_t list = creation_list(h, d, values);
-    hid_t access = access_list(h);
-    hid_t dataset = h->failed ? -1 : create_with(h, parent, d, list, access);
-    if (access >= 0) {
-        H5Pclose(access);
+    const struct h5_chunk chunk = {d->n_dim, d->chunk_rows, d->dim[1], d->compress};
+    hid_t list = d->chunk_rows > 0 && values > 0 ? chunked_list(h, &chunk) : h->plain;
+    hid_t access = d->chunk_rows > 0 ? h->access : H5P_DEFAULT;
+    if (h->failed || !d->many_users) {
+        return h->failed ? -1 : create_with(h, parent, d, list, access);
     }
+    list = spacious_list(h, list);
+    hid_t dataset = h->failed ? -1 : create_with(h, parent, d, list, access);
     if (list >= 0) {
         H5Pclose(list);
     }
@@ -116,8 +126,9 @@ hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     if (d->quantity.dimension) {
         unit_text(h->units, *d->quantity.dimension, units, sizeof units);
     }
-    h5_put_text(h, dataset, "units", units);
-    h5_put_text(h, dataset, "long_name", d->quantity.long_name);
+    const char *text = units;
+    add_attribute(h, dataset, "units", h->text, &text);
+    add_attribute(h, dataset, "long_name", h->text, &d->quantity.long_name);
     bool is_scale = d->n_dim == 1 && d->scale[0] <= 0;
     if (is_scale && !h->failed) {
         h5_failed(h, H5DSset_scale(dataset, d->name));

@@ -7,10 +7,8 @@ void account_step(struct energy_account *a, struct results *r, const struct mode
                   const struct state *now, struct state *next) {
     if (!state_is_linear(m)) {
         energy_step(a, m, now, next);
-        peaks_update(r, m, next);
+        peaks_all_floors(r, m, next);
         return;
     }
     floors_account(a, r, m, now, next);
-    energy_links(a, m, now, next);
-    peaks_links(r, m, next);
 }

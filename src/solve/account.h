@@ -33,16 +33,12 @@ void energy_start(struct energy_account *a, const struct model *m, const struct 
 int energy_start_links(struct energy_account *a, const struct model *m, const struct state *s,
                        struct link_peak *link, struct error *e);
 
-// Adds the step from `now` to `next`.
+// Adds what floors and storeys did in the step from `now` to `next`.
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next);
 
 // Adds what the ground and the loads did to the floors in the step.
 void energy_input(struct energy_account *a, const struct model *m, const struct state *now,
-                  const struct state *next);
-
-// Adds what links did in the step.
-void energy_links(struct energy_account *a, const struct model *m, const struct state *now,
                   const struct state *next);
 
 // Adds what rigid contacts that met at the instant of `s` have lost. `meeting` is (n_contact).
@@ -73,6 +69,9 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
 // The same in parts: the peaks of n floors from `first` on,
 void peaks_floors(struct results *r, int first, int n, const struct state *s);
 
+// those of all floors;
+void peaks_all_floors(struct results *r, const struct model *m, const struct state *s);
+
 // contacts and other links;
 void peaks_links(struct results *r, const struct model *m, const struct state *s);
 
@@ -85,6 +84,32 @@ static inline void peak_raise(double x, double time, double *peak, double *peak_
 
 // the largest velocity of all floors, from the peaks of n of them from `first` on;
 void peaks_speed(struct results *r, int first, int n);
+
+// the penetration of contact k, if it is larger than ever before;
+static inline void peaks_penetration(struct results *r, int k, double delta, double time) {
+    if (delta > r->deepest[k]) {
+        r->deepest[k] = r->link[k].penetration = delta;
+        r->link[k].penetration_time = time;
+    }
+}
+
+// force and penetration of live link k;
+static inline void peaks_link(struct results *r, const struct model *m, const struct state *s,
+                              int k) {
+    struct link_peak *p = &r->link[k];
+    bool both = k >= m->n_contact;
+    double force = both ? fabs(s->force[k]) : s->force[k];
+    if (force > p->force) {
+        p->force = force;
+        p->force_time = s->time;
+    }
+    if (!both) {
+        peaks_penetration(r, k, s->delta[k], s->time);
+    } else if (fabs(s->delta[k]) > p->penetration) {
+        p->penetration = fabs(s->delta[k]);
+        p->penetration_time = s->time;
+    }
+}
 
 // the penetrations of n contacts.
 void peaks_penetrations(struct results *r, int n, const struct state *s);
@@ -111,9 +136,11 @@ bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *
 int impacts_start(struct impact_log *log, struct results *r, const struct model *m,
                   const struct state *s, struct error *e);
 
-// Carries every link through the step from `now` to `next`. STATUS_SYSTEM: no memory.
-int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
-                 const struct state *now, const struct state *next, struct error *e);
+// Carries every live link through the step from `now` to `next`: impacts, energies and peaks.
+// STATUS_SYSTEM: no memory.
+int impacts_step(struct impact_log *log, struct energy_account *a, struct results *r,
+                 const struct model *m, const struct state *now, const struct state *next,
+                 struct error *e);
 
 // Takes account of a link that has just been closed or opened at the instant of state `s`.
 int impacts_toggle(struct impact_log *log, struct results *r, const struct model *m,
@@ -129,8 +156,8 @@ int impacts_meet(struct impact_log *log, struct results *r, const struct model *
 void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
                     const struct state *s);
 
-// Takes the step from `now` to `next` into energies and peaks. Internal forces of linear models are
-// found here.
+// Takes the step from `now` to `next` into energies and peaks of the floors. Internal forces of
+// linear models are found here.
 void account_step(struct energy_account *a, struct results *r, const struct model *m,
                   const struct state *now, struct state *next);
 

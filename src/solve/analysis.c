@@ -44,7 +44,8 @@ static int poll(struct run *r, double time) {
 static int commit(struct run *r) {
     struct results *out = r->results;
     account_step(&r->energy, out, r->model, r->now, r->next);
-    int status = impacts_step(&r->impacts, out, r->model, r->now, r->next, r->error);
+    gaps_peaks(&r->work.gaps, r->next);
+    int status = impacts_step(&r->impacts, &r->energy, out, r->model, r->now, r->next, r->error);
     struct state *old = r->now;
     r->now = r->next;
     r->next = old;
@@ -379,6 +380,9 @@ int analysis_end(struct run *r, int status, struct results **out) {
     if (status != STATUS_OK) {
         results_free(results);
         return status;
+    }
+    if (!r->adaptive) {
+        gaps_finish(&r->work.gaps, results);
     }
     impacts_finish(&r->impacts, results, r->model, r->now);
     results->initial_energy = r->energy.initial;

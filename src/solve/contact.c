@@ -11,18 +11,16 @@
 // step. Where it is slow, because stiff links share a floor, a block Newton step (block.c) is put
 // between sweeps, and kept only if it halves the error.
 //
-// Converged: in one sweep no force changes by more than the tolerance relative to the largest, or
-// the change moves the link by less than the rounding of its displacements. The latter keeps
-// grazing contacts, whose force is all rounding, from iterating for ever.
+// Converged: another sweep would change no force by more than the tolerance relative to the
+// largest, or the change moves the link by less than the rounding of its displacements. The latter
+// keeps grazing contacts, whose force is all rounding, from iterating for ever.
 #include "solve/contact.h"
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "core/number.h"
 #include "solve/block.h"
-#include "solve/crossing.h"
 #include "solve/quick.h"
 #include "solve/resolve.h"
 
@@ -76,117 +74,6 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
 void contact_apply(struct work *w, struct quick *p, double df) {
     p->force += df;
     quick_push(w, p, df);
-}
-
-// A first guess of the force: the polynomial through the last steps, as many as there were with the
-// link closed, up to four.
-static double guess(const struct state *now, int k) {
-    double f = now->force[k];
-    const double *past = now->past[k];
-    int n = now->n_past[k];
-    double next = n == 0   ? f
-                  : n == 1 ? 2.0 * f - past[0]
-                  : n == 2 ? 3.0 * (f - past[0]) + past[1]
-                           : 4.0 * (f + past[1]) - 6.0 * past[0] - past[2];
-    return f > 0.0 ? number_max(next, 0.0) : f;
-}
-
-// Forces of rigid contacts at rest hardly curve; a parabola would enlarge what they miss.
-static int past_after(const struct state *now, const struct link *l, int k) {
-    int most = l->law->rebound ? 1 : PAST_STEPS;
-    return now->n_past[k] < most ? now->n_past[k] + 1 : most;
-}
-
-// A link is enlivened at most once a step.
-static inline void enliven(struct work *w, struct state *next, int k) {
-    state_enliven(next, k);
-    gaps_touch(&w->gaps, k);
-}
-
-// Link k, closed so far, begins the step as it ended the last.
-static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
-    struct quick *p = &w->quick[k];
-    const struct link *l = p->link;
-    enliven(w, next, k);
-    next->force[k] = guess(now, k);
-    next->past[k][0] = now->force[k];
-    next->past[k][1] = now->past[k][0];
-    next->past[k][2] = now->past[k][1];
-    next->n_past[k] = past_after(now, l, k);
-    next->t_close[k] = now->t_close[k];
-    next->v_close[k] = now->v_close[k];
-    if (l->law->n_history > 0) {
-        memcpy(next->link_history + l->history, now->link_history + l->history,
-               (size_t)l->law->n_history * sizeof *next->link_history);
-    }
-    p->branch = BRANCH_CLOSED;
-    p->clamped = false;
-}
-
-void contact_begin(struct work *w, const struct state *now, struct state *next) {
-    state_open_links(next);
-    gaps_forget(&w->gaps);
-    for (int i = 0; i < now->n_live; i++) {
-        if (now->closed[now->live[i]]) {
-            carry_on(w, now, next, now->live[i]);
-        }
-    }
-}
-
-void contact_penetrations(struct work *w, struct state *next) {
-    gaps_update(&w->gaps, next);
-}
-
-// The trial of the buildings of a link, unless others have touched them before.
-static void try_buildings(struct work *w, const struct state *now, const struct link *l) {
-    for (int i = 0; i < 2; i++) {
-        int b = l->building[i];
-        if (b != WALL && !w->gaps.is_touched[b]) {
-            floors_trial(w, now, b);
-        }
-    }
-}
-
-// Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
-// of closure from its path without its own force, and the law's history from that.
-static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
-    struct quick *p = &w->quick[k];
-    const struct link *l = p->link;
-    try_buildings(w, now, l);
-    enliven(w, next, k);
-    p->branch = BRANCH_OPEN;
-    p->clamped = false;
-    p->checked = p->fits_to = p->force = 0.0;
-    struct line line = contact_line(w, now, next, k);
-    struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
-                        line.v_free, w->h};
-    double rate;
-    next->t_close[k] = now->time + crossing_find(&path, &rate);
-    next->v_close[k] = number_max(rate, 0.0);
-    if (l->law->close) {
-        l->law->close(l->constant, next->v_close[k], next->link_history + l->history);
-    }
-}
-
-// Does an open link close in this step? One that has just opened may stand a rounding error inside;
-// it closes only if it goes deeper. Rigid contacts close by an event.
-static inline bool closes(const struct work *w, const struct state *now, const struct state *next,
-                          int k) {
-    return next->delta[k] > 0.0 && next->delta[k] > now->delta[k] && !next->is_live[k] &&
-           k != w->held && !w->model->link[k].law->rebound;
-}
-
-int contact_search(struct work *w, const struct state *now, struct state *next) {
-    int before = next->n_live;
-    for (int i = 0; i < w->gaps.n_pressed; i++) {
-        const struct gap_run *r = &w->gaps.run[w->gaps.pressed[i]];
-        for (int k = r->first; k < r->first + r->n; k++) {
-            if (closes(w, now, next, k)) {
-                close_link(w, now, next, k);
-            }
-        }
-    }
-    return next->n_live - before;
 }
 
 // Rounding that the forces of other links bring into x (n_dof).
@@ -254,7 +141,7 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
     p->trusted = p->branch == BRANCH_CLOSED && law->force && !p->clamped &&
                  (now->closed[k] || !(jumps || pulls));
     p->open = p->branch == BRANCH_OPEN && law->force && !(now->closed[k] && pulls);
-    p->room = -1.0;
+    p->ask = true;
     s->answered = true;
     s->largest = number_max(s->largest, fabs(p->force));
     if (fabs(df) > s->change) {
@@ -275,7 +162,9 @@ static struct progress sweep(struct work *w, const struct state *now, struct sta
                          .loosest = last->loosest,
                          .echo = last->echo,
                          .clear = INFINITY};
-    quick_tighten(w, &s);
+    if (answers == ANSWERS_NEWTON) {
+        quick_ask(w, &s);
+    }
     for (int i = 0;; i++) {
         i = answers == ANSWERS_NEWTON ? quick_sweep(w, i, &s) : i;
         if (i == w->n_acting) {
@@ -312,14 +201,6 @@ static bool block_steps(struct work *w, const struct state *now, struct state *n
     return any;
 }
 
-static double largest_guess(const struct work *w) {
-    double largest = 0.0;
-    for (int i = 0; i < w->n_acting; i++) {
-        largest = number_max(largest, fabs(w->acting[i]->force));
-    }
-    return largest;
-}
-
 // Largest change of a force in a sweep.
 static double changed(const struct progress *s) {
     return number_max(s->change, s->moved);
@@ -337,7 +218,8 @@ static bool converged(const struct work *w, enum answers answers, const struct p
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
 // for what it took.
 static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
-    struct progress last = {.largest = largest_guess(w), .change = INFINITY};
+    struct progress last;
+    quick_gather(w, next, &last);
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->nearest[i] = INFINITY;
@@ -399,7 +281,6 @@ static bool decided(struct work *w, const struct state *now, struct state *next)
 
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
     long *counter = &w->totals->fast;
-    quick_gather(w, next);
     int status = iterate(w, now, next, &counter);
     if (status != STATUS_OK) {
         return status;
@@ -409,19 +290,4 @@ int contact_solve(struct work *w, const struct state *now, struct state *next) {
     }
     *counter += 1;
     return STATUS_OK;
-}
-
-void contact_finish(struct work *w, const struct state *now, struct state *next) {
-    const struct model *m = w->model;
-    w->toggled = false;
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        const struct link *l = &m->link[k];
-        next->closed[k] = w->quick[k].branch != BRANCH_OPEN;
-        w->toggled |= next->closed[k] != now->closed[k];
-        if (next->closed[k] && l->law->commit) {
-            l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
-                           state_rate(next, m, k));
-        }
-    }
 }

@@ -16,6 +16,9 @@ void contact_penetrations(struct work *w, struct state *next);
 // returns how many.
 int contact_search(struct work *w, const struct state *now, struct state *next);
 
+// The same for link k; returns whether it closes.
+bool contact_close(struct work *w, const struct state *now, struct state *next, int k);
+
 // On entry w->correction solves the buildings' equations under the link forces next->force; on
 // return both are changed so that the force of every live link also obeys its law. `now` is the
 // committed state. STATUS_RETRY: not solved to the model's tolerance.

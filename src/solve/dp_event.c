@@ -19,10 +19,12 @@
 #include "solve/excitation.h"
 
 enum { ITERATIONS_MAX = 60 };
+
 // Corrections of the instant of an event, as a share of the step, after which the step is taken a
-// last time; the next one would be about their square. Links may stand that far from zero at their
-// event. Storeys may not, as their histories are committed with it.
-static const double LOCATED_LINK = 1e-4, LOCATED_STOREY = 1e-7;
+// last time; the next one would be about their square. Where a law is only changed the instant may
+// be wrong by the tolerance; where a history is committed, or velocities jump, it may not.
+static const double LOCATED = 1e-7, LOCATED_ROUGHLY = 1e-4;
+
 static const double ROUNDING = 64.0;  // units in the last place that mean nothing
 static const double STILL = 1e-3;     // of the error allowed: a drift that has not moved
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
@@ -273,13 +275,18 @@ static double value_at_end(const struct dp *p, double *rate) {
     return m.d[1] - e->target;
 }
 
+static double located(const struct dp *p) {
+    bool roughly = p->event.kind != DP_MEET && !is_of_storey(&p->event);
+    return roughly ? fmin(LOCATED_ROUGHLY, sqrt(p->model->control.tolerance)) : LOCATED;
+}
+
 void dp_event_locate(struct dp *p) {
     double sign = p->event.direction > 0.0 ? 1.0 : -1.0;
     double whole = p->h;
     double low = 0.0;
     double high = whole;
     double h = p->event.place * whole;
-    double near = (is_of_storey(&p->event) ? LOCATED_STOREY : LOCATED_LINK) * whole;
+    double near = located(p) * whole;
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         dp_stages_take(p, h, p->now.time + h);
         dp_stages_ends(p);
@@ -293,9 +300,9 @@ void dp_event_locate(struct dp *p) {
         if (!(next > low && next < high)) {
             next = 0.5 * (low + high);
         }
-        bool located = fabs(next - h) <= near;
+        bool last = fabs(next - h) <= near;
         h = next;
-        if (located) {
+        if (last) {
             dp_stages_take(p, h, p->now.time + h);
             dp_stages_ends(p);
             break;

@@ -139,8 +139,8 @@ void dp_system_start(struct dp_system *s, const struct state *now) {
     }
 }
 
-struct contact_response dp_system_response(const struct dp_system *s, const struct state *now,
-                                           int k, double d, double v) {
+static inline struct contact_response
+response_of(const struct dp_system *s, const struct state *now, int k, double d, double v) {
     const struct link *l = &s->model->link[k];
     const double *history = now->link_history + l->history;
     int phase = s->phase[k];
@@ -157,6 +157,11 @@ struct contact_response dp_system_response(const struct dp_system *s, const stru
         r.force += r.dfdd * d;
     }
     return r;
+}
+
+struct contact_response dp_system_response(const struct dp_system *s, const struct state *now,
+                                           int k, double d, double v) {
+    return response_of(s, now, k, d, v);
 }
 
 double dp_system_shear(const struct dp_system *s, const struct state *now, int i, double drift) {
@@ -234,7 +239,7 @@ static void link_rates(const struct dp_system *s, const struct state *now, struc
         const struct link *l = &m->link[k];
         double rate = gap(l, m, r->v, r->ground.v);
         double d = gap(l, m, r->u, r->ground.u) - l->gap;
-        struct contact_response response = dp_system_response(s, now, k, d, rate);
+        struct contact_response response = response_of(s, now, k, d, rate);
         double force = response.force;
         r->force[i] = force;
         r->power[i] = force * rate;

@@ -95,27 +95,6 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
     return STATUS_OK;
 }
 
-void energy_links(struct energy_account *a, const struct model *m, const struct state *now,
-                  const struct state *next) {
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        double sum = now->force[k] + next->force[k];
-        if (sum == 0.0) {
-            continue;
-        }
-        double closing = next->delta[k] - now->delta[k];
-        a->contact += sum / 2.0 * closing;
-        if (m->link[k].moving_ground) {
-            const struct link *l = &m->link[k];
-            double relative =
-                state_gap(l, m, next->u, next->ground_u) - state_gap(l, m, now->u, now->ground_u);
-            double own =
-                next->u[l->dof[0]] - next->u[l->dof[1]] - (now->u[l->dof[0]] - now->u[l->dof[1]]);
-            a->input += sum / 2.0 * (relative - own);
-        }
-    }
-}
-
 void energy_input(struct energy_account *a, const struct model *m, const struct state *now,
                   const struct state *next) {
     if (state_is_uniform(m)) {
@@ -139,7 +118,6 @@ void energy_step(struct energy_account *a, const struct model *m, const struct s
         chain_storey_works(&m->chain, now->shear, next->shear, now->drift, next->drift,
                            a->storey_2x);
     }
-    energy_links(a, m, now, next);
 }
 
 static double sum_of(const double x[LANES_WIDTH]) {

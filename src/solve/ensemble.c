@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time loop of several runs. A run is aboard the lanes as long as none of its links acts; a
-// step in which one does it takes ashore, as a run alone takes it, and it comes back when its links
-// are open again. All runs are at the same step, so that they share the lanes' ground motion.
+// Which runs go together, and their time loop.
 #include "jostle/ensemble.h"
 
 #include <assert.h>
@@ -10,7 +8,7 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "solve/ensemble_lanes.h"
+#include "solve/ensemble_fleet.h"
 
 static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
 
@@ -21,33 +19,6 @@ enum { FLOORS_MOST = 256 };
 enum { RUNS_LEAST = 4 };
 
 enum { POLL_STEPS = 64 * ENSEMBLE_STRETCH };
-
-enum berth {
-    BERTH_ABOARD,  // in the lanes
-    BERTH_ASHORE,  // in a struct run, until its links are open
-    BERTH_STAYS,   // in a struct run for good
-    BERTH_ENDED,   // with an error
-};
-
-// A run of the fleet.
-struct boat {
-    struct run run;
-    struct ensemble_member *member;  // borrowed
-    enum berth berth;
-    int ground;    // the first run whose ground moves as that of this one
-    long boarded;  // the step after which it came aboard
-};
-
-struct fleet {
-    struct ensemble_lanes lanes;
-    const struct observer *observer;  // borrowed
-    int n;
-    struct boat boat[ENSEMBLE_MAX];  // (n) boat k in lane k
-    int n_aboard, n_ashore;
-    long due;    // the step after which a run has but its last one, which may be shorter
-    long known;  // ground accelerations are there up to this step
-    int every;   // steps between two rows
-};
 
 bool ensemble_suits(const struct model *m) {
     bool suits = !m->adaptive && m->n_storey_history == 0 && !m->chain.full_damping &&
@@ -121,64 +92,6 @@ static void look_ahead(struct fleet *f, long n) {
     f->known = n + ENSEMBLE_STRETCH - 1;
 }
 
-// Takes a run aboard whose links are open after step n, if it may.
-static void board(struct fleet *f, int k, long n) {
-    struct boat *b = &f->boat[k];
-    if (b->berth == BERTH_ASHORE && b->run.now->n_live == 0 &&
-        ensemble_board(&f->lanes, k, &b->run)) {
-        b->berth = BERTH_ABOARD;
-        b->boarded = n;
-        f->n_aboard++;
-        f->n_ashore--;
-    }
-}
-
-static void leave(struct fleet *f, int k, long n) {
-    struct boat *b = &f->boat[k];
-    ensemble_leave(&f->lanes, k, &b->run, model_time(b->run.model, n), n - b->boarded);
-    b->berth = BERTH_ASHORE;
-    f->n_aboard--;
-    f->n_ashore++;
-}
-
-// Ends a run for good.
-static void end(struct fleet *f, int k, int status) {
-    struct boat *b = &f->boat[k];
-    *(b->berth == BERTH_ABOARD ? &f->n_aboard : &f->n_ashore) -= 1;
-    b->berth = BERTH_ENDED;
-    b->member->status = analysis_end(&b->run, status, &b->member->results);
-}
-
-static long least(long a, long b) {
-    return a < b ? a : b;
-}
-
-// Takes those aboard from step n on to a step at which there is something to do for one of the
-// runs, and returns it; those whose links act there are left before it.
-static long cruise(struct fleet *f, long n) {
-    struct ensemble_lanes *e = &f->lanes;
-    const long row = (n + f->every - 1) / f->every * f->every;
-    const long last = f->n_ashore > 0 ? n : least(least(f->known, f->due), row);
-    if (f->n_aboard == 0) {
-        return last;
-    }
-    const wide *base = e->base + (n + ENSEMBLE_STRETCH - 1 - f->known);
-    const long taken = n - 1 + ensemble_march(e, base, (int)(last - n + 1));
-    if (taken == last) {
-        return last;
-    }
-    const wide *due = base + (taken + 1 - n);
-    const unsigned leaving = ensemble_leaving(e, due);
-    for (int k = 0; k < f->n; k++) {
-        if (leaving >> k & 1U) {
-            leave(f, k, taken);
-        }
-    }
-    ensemble_raise(e, due, (double)(taken + 1) * e->h);
-    ensemble_commit(e, due);
-    return taken + 1;
-}
-
 // The energies of a row of those aboard.
 static void balance(struct fleet *f) {
     struct energy_sums sums[WIDE_RUNS];
@@ -189,7 +102,7 @@ static void balance(struct fleet *f) {
             energy_close(&r->energy, &sums[k], r->results->energy);
             int status = analysis_balanced(r);
             if (status != STATUS_OK) {
-                end(f, k, status);
+                fleet_end(f, k, status);
             }
         }
     }
@@ -201,7 +114,7 @@ static void poll(struct fleet *f, double time) {
         struct boat *b = &f->boat[k];
         int status = b->berth == BERTH_ABOARD ? o->poll(o->context, time, &b->member->error) : 0;
         if (status != STATUS_OK) {
-            end(f, k, status);
+            fleet_end(f, k, status);
         }
     }
 }
@@ -215,9 +128,9 @@ static void step_ashore(struct fleet *f, long n) {
         }
         int status = analysis_step(&b->run, n);
         if (status == STATUS_OK) {
-            board(f, k, n);
+            fleet_board(f, k, n);
         } else {
-            end(f, k, status);
+            fleet_end(f, k, status);
         }
     }
 }
@@ -227,10 +140,14 @@ static void land(struct fleet *f, int k) {
     struct boat *b = &f->boat[k];
     const long last = b->run.model->n_step;
     if (b->berth == BERTH_ABOARD) {
-        leave(f, k, last - 1);
+        fleet_leave(f, k, last - 1);
     }
     ensemble_lanes_merge(&f->lanes, k, b->run.results);
-    end(f, k, analysis_step(&b->run, last));
+    fleet_end(f, k, analysis_step(&b->run, last));
+}
+
+static long least(long a, long b) {
+    return a < b ? a : b;
 }
 
 // Lands the runs that have but one step left after step n, and looks for the next that will.
@@ -260,7 +177,7 @@ static void lockstep(struct fleet *f) {
                 poll(f, (double)(n - 1) * dt);
             }
         }
-        n = cruise(f, n);
+        n = fleet_cruise(f, n);
         if (n % f->every == 0 && f->n_aboard > 0) {
             balance(f);
         }
@@ -290,11 +207,11 @@ static void start(struct fleet *f, struct ensemble_member *member) {
     f->n_ashore++;
     int status = analysis_begin(&b->run, m, f->observer, &member->error);
     if (status != STATUS_OK) {
-        end(f, k, status);
+        fleet_end(f, k, status);
     } else if (work_factor(&b->run.work, m->dt) == STATUS_OK &&
                ensemble_lanes_fill(&f->lanes, k, &b->run)) {
         b->berth = BERTH_ASHORE;
-        board(f, k, 0);
+        fleet_board(f, k, 0);
     }
 }
 
@@ -311,6 +228,7 @@ static int run_alike(struct ensemble_member **member, int n, const struct observ
     for (int k = 0; k < n; k++) {
         start(f, member[k]);
     }
+    ensemble_lanes_share(&f->lanes, n);
     lockstep(f);
     return STATUS_OK;
 }

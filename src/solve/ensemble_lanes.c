@@ -2,34 +2,42 @@
 #include "solve/ensemble_lanes.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #include "core/arena.h"
 #include "core/number.h"
 
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
+    e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     for (int k = 0; e->contact && k < m->n_contact; k++) {
         const int *dof = m->link[k].dof;
         e->contact[k].left = dof[0] == WALL ? m->n_dof : dof[0];
         e->contact[k].right = dof[1] == WALL ? m->n_dof : dof[1];
         e->contact[k].deepest = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact != NULL;
+    return e->contact && e->pressed;
 }
 
-static bool alloc_factors(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
-    e->factor = lanes_wide_array(a, m->n_dof, sizeof *e->factor);
-    e->inverse = arena_alloc(a, (size_t)m->n_building, sizeof *e->inverse);
-    for (int k = 0; e->factor && e->inverse && k < m->n_building; k++) {
-        int n = m->building[k].n_floor;
-        if (n <= INVERSE_FLOORS_MAX) {
-            e->inverse[k] = lanes_wide_array(a, n * n, sizeof(wide));
-            if (!e->inverse[k]) {
-                return false;
-            }
-        }
+static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
+    const int n = g->n_floor;
+    const bool low = n <= INVERSE_FLOORS_MAX;
+    *b = (struct ensemble_building){
+        .shape = g,
+        .number = lanes_wide_array(a, n * NUMBER_COUNT, sizeof(wide)),
+        .factor = lanes_wide_array(a, n * FACTOR_COUNT, sizeof(wide)),
+        .inverse = low ? lanes_wide_array(a, n * n, sizeof(wide)) : NULL,
+    };
+    return b->number && b->factor && (b->inverse || !low);
+}
+
+static bool alloc_buildings(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
+    e->building = arena_alloc(a, (size_t)m->n_building, sizeof *e->building);
+    bool all = e->building != NULL;
+    for (int k = 0; all && k < m->n_building; k++) {
+        all = alloc_building(&e->building[k], &m->building[k], a);
     }
-    return e->factor && e->inverse;
+    return all;
 }
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
@@ -38,21 +46,20 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
         .n_building = m->n_building,
         .n_floor = n,
         .n_contact = m->n_contact,
-        .building = m->building,
         .b = m->beta * m->dt * m->dt,
         .g = m->gamma * m->dt,
         .h = m->dt,
-        .floor = lanes_wide_array(a, n, sizeof *e->floor),
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
         .residual = lanes_wide_array(a, n, sizeof *e->residual),
         .correction = lanes_wide_array(a, n, sizeof *e->correction),
+        .peak = lanes_wide_array(a, n, sizeof *e->peak),
         .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
-    return e->floor && e->now && e->next && e->works && e->residual && e->correction &&
-           e->peak_time && e->base && alloc_contacts(e, m, a) && alloc_factors(e, m, a);
+    return e->now && e->next && e->works && e->residual && e->correction && e->peak &&
+           e->peak_time && e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
 }
 
 static bool is_small(double x) {
@@ -65,44 +72,46 @@ static bool put(wide *to, int lane, double x) {
     return is_small(x);
 }
 
-static bool fill_inverse(wide *inverse, int lane, struct effective *home) {
+// Number i of all lanes.
+static double *lanes_of(double *x, int i) {
+    return x + (ptrdiff_t)i * WIDE_RUNS;
+}
+
+// The same for number i of `to`.
+static bool put_at(double *to, int i, int lane, double x) {
+    lanes_of(to, i)[lane] = x;
+    return is_small(x);
+}
+
+static bool fill_inverse(double *inverse, int lane, struct effective *home) {
     const int n = home->building->n_floor;
     bool small = true;
     for (int i = 0; i < n; i++) {
         const double *column = effective_column(home, i);
         for (int j = 0; j < n; j++) {
-            small &= put(&inverse[j * n + i], lane, column[j]);
+            small &= put_at(inverse, j * n + i, lane, column[j]);
         }
     }
     return small;
 }
 
-static bool fill_factors(struct ensemble_lanes *e, int lane, struct effective *home) {
+static bool fill_building(struct ensemble_building *b, int lane, const struct chain *c,
+                          struct effective *home) {
     bool small = true;
-    for (int k = 0; k < e->n_building; k++) {
-        struct ensemble_factor *f = e->factor + e->building[k].first;
-        for (int i = 0; i < e->building[k].n_floor; i++) {
-            small &= put(&f[i].pivot, lane, home[k].pivot[i]);
-            small &= put(&f[i].factor, lane, home[k].factor[i]);
+    for (int i = 0; i < b->shape->n_floor; i++) {
+        const int j = b->shape->first + i;
+        const double number[NUMBER_COUNT] = {
+            [NUMBER_INERTIA] = -c->mass[j],       [NUMBER_STIFFNESS] = c->stiffness[j],
+            [NUMBER_BELOW] = c->damping_below[j], [NUMBER_OWN] = c->damping[j],
+            [NUMBER_ABOVE] = c->damping_above[j],
+        };
+        for (int q = 0; q < NUMBER_COUNT; q++) {
+            small &= put_at(b->number, i * NUMBER_COUNT + q, lane, number[q]);
         }
-        if (e->inverse[k]) {
-            small &= fill_inverse(e->inverse[k], lane, &home[k]);
-        }
+        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_PIVOT, lane, home->pivot[i]);
+        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_OFF, lane, home->factor[i]);
     }
-    return small;
-}
-
-static bool fill_floors(struct ensemble_lanes *e, int lane, const struct chain *c) {
-    bool small = true;
-    for (int i = 0; i < e->n_floor; i++) {
-        struct ensemble_floor *f = &e->floor[i];
-        small &= put(&f->inertia, lane, -c->mass[i]);
-        small &= put(&f->stiffness, lane, c->stiffness[i]);
-        small &= put(&f->below, lane, c->damping_below[i]);
-        small &= put(&f->own, lane, c->damping[i]);
-        small &= put(&f->above, lane, c->damping_above[i]);
-    }
-    return small;
+    return (!b->inverse || fill_inverse(b->inverse, lane, home)) && small;
 }
 
 bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
@@ -115,8 +124,52 @@ bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
     for (int i = 0; i < g->n_signal; i++) {
         small &= is_small(g->n_signal * signal_peak(&g->signal[i]));
     }
-    small &= fill_floors(e, lane, &m->chain);
-    return fill_factors(e, lane, r->work.home) && small;
+    for (int k = 0; k < e->n_building; k++) {
+        small &= fill_building(&e->building[k], lane, &m->chain, &r->work.home[k]);
+    }
+    return small;
+}
+
+// Are all n_number numbers of x the same in the first n lanes?
+static bool are_same(double *x, int n_number, int n) {
+    bool same = true;
+    for (int i = 0; same && i < n_number; i++) {
+        const double *of = lanes_of(x, i);
+        for (int lane = 1; lane < n; lane++) {
+            same &= number_bits(of[lane]) == number_bits(of[0]);
+        }
+    }
+    return same;
+}
+
+static void hold_once(double *x, int n_number) {
+    for (int i = 0; i < n_number; i++) {
+        x[i] = *lanes_of(x, i);
+    }
+}
+
+void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
+    for (int k = 0; k < e->n_building; k++) {
+        struct ensemble_building *b = &e->building[k];
+        const int n_floor = b->shape->n_floor;
+        struct {
+            double *x;
+            int n;
+        } part[] = {
+            {b->number, n_floor * NUMBER_COUNT},
+            {b->factor, n_floor * FACTOR_COUNT},
+            {b->inverse, b->inverse ? n_floor * n_floor : 0},
+        };
+        enum { PARTS = sizeof part / sizeof part[0] };
+        bool same = true;
+        for (int i = 0; i < PARTS; i++) {
+            same = same && are_same(part[i].x, part[i].n, n);
+        }
+        b->held = same ? HELD_ONCE : HELD_BY_EACH;
+        for (int i = 0; same && i < PARTS; i++) {
+            hold_once(part[i].x, part[i].n);
+        }
+    }
 }
 
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
@@ -133,12 +186,13 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         e->works->damping_2x[i][lane] = r->energy.damping_2x[i];
     }
     e->works->ground[lane] = s->ground_a[0];
+    e->works->speed[lane] = r->results->totals.speed;
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
-        const struct link_peak *p = &r->results->link[k];
-        if (c->deepest[lane] < fmin(p->penetration, 0.0)) {
-            c->deepest[lane] = fmin(p->penetration, 0.0);
-            c->deepest_time[lane] = p->penetration_time;
+        const double nearest = fmin(r->work.gaps.nearest[k], 0.0);
+        if (c->deepest[lane] < nearest) {
+            c->deepest[lane] = nearest;
+            c->deepest_time[lane] = r->work.gaps.time[k];
         }
     }
     e->aboard[lane] = small ? -1 : 0;
@@ -153,13 +207,13 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
         s->u[i] = f->u[lane];
         s->v[i] = f->v[lane];
         s->a[i] = f->a[lane];
-        t->speed = number_max(t->speed, e->floor[i].peak[PEAK_VELOCITY][lane]);
     }
     for (int i = 0; i < LANES_WIDTH; i++) {
         r->energy.input_2x[i] = e->works->input_2x[i][lane];
         r->energy.damping_2x[i] = e->works->damping_2x[i][lane];
     }
     s->ground_a[0] = e->works->ground[lane];
+    t->speed = e->works->speed[lane];
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_contact *c = &e->contact[k];
         s->delta[k] = s->u[c->left] - s->u[c->right] - c->gap[lane];
@@ -181,8 +235,7 @@ static void merge(double *peak, double *time, double other, double other_time) {
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r) {
     for (int q = 0; q < PEAK_COUNT; q++) {
         for (int i = 0; i < e->n_floor; i++) {
-            const struct ensemble_floor *f = &e->floor[i];
-            merge(&r->peak[q][i], &r->peak_time[q][i], f->peak[q][lane],
+            merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[i].of[q][lane],
                   e->peak_time[i].of[q][lane]);
         }
     }

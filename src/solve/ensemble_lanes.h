@@ -20,16 +20,41 @@ struct ensemble_state {
 };
 
 // What a step needs of a floor besides, with the storey below it.
-struct ensemble_floor {
-    wide inertia;            // [M] minus the mass
-    wide stiffness;          // [F/L]
-    wide below, own, above;  // [F T/L] bands of C
-    wide peak[PEAK_COUNT];   // since the run came aboard, or before: never above that of the run
+enum ensemble_number {
+    NUMBER_INERTIA,    // [M] minus the mass
+    NUMBER_STIFFNESS,  // [F/L]
+    NUMBER_BELOW,
+    NUMBER_OWN,
+    NUMBER_ABOVE,  // [F T/L] bands of C
+    NUMBER_COUNT
 };
 
-// Of A = L D L^T.
-struct ensemble_factor {
-    wide pivot, factor;
+// What it needs to solve A = L D L^T.
+enum ensemble_factor { FACTOR_PIVOT, FACTOR_OFF, FACTOR_COUNT };
+
+// How the numbers of a building are held.
+enum ensemble_held {
+    HELD_BY_EACH,  // WIDE_RUNS of each: one for every lane
+    HELD_ONCE,     // one of each, where it is the same in all lanes: it takes less of the cache
+};
+
+// Number i of `x`, in functions that know how it is `held`.
+#define ENSEMBLE_AT(x, i)                                                                          \
+    (held == HELD_ONCE ? (x)[i] - (wide){0.0}                                                      \
+                       : *(const wide *)((x) + (size_t)(i) * (size_t)WIDE_RUNS))
+
+struct ensemble_building {
+    const struct building *shape;  // borrowed: that of the first model
+    enum ensemble_held held;
+    double *number;   // (n_floor, NUMBER_COUNT)
+    double *factor;   // (n_floor, FACTOR_COUNT)
+    double *inverse;  // (n_floor, n_floor) A^-1; NULL: solves go through the factors
+    bool exceeds;     // a floor exceeds a peak in the step under way
+};
+
+// Largest values since the runs came aboard, or before: never above those of the runs.
+struct ensemble_peaks {
+    wide of[PEAK_COUNT];
 };
 
 struct ensemble_peak_times {
@@ -38,33 +63,41 @@ struct ensemble_peak_times {
 
 struct ensemble_contact {
     wide gap;           // [L]
-    wide deepest;       // [L] as the peaks
+    wide limit;         // [L] 0, and infinite in lanes whose runs have taken it up in this step
+    wide deepest;       // [L] as the peaks, but while it is open
     wide deepest_time;  // [T]
     int left, right;    // floors; a wall is the zero behind them
 };
 
-// As of struct energy_account, and the ground acceleration of `now` [L/T^2].
+// A contact that is closed in some lanes.
+struct ensemble_pressed {
+    int contact;
+    unsigned lanes;  // a bit each
+};
+
+// As of struct energy_account, and of the runs besides.
 struct ensemble_works {
     wide input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
-    wide ground;
+    wide ground;  // [L/T^2] acceleration of `now`
+    wide speed;   // [L/T] largest velocity of any floor so far
 };
 
 struct ensemble_lanes {
     // The shape, and the steps: those of the first model.
     int n_building, n_floor, n_contact;
-    const struct building *building;  // borrowed
-    double b, g, h;                   // beta h^2, gamma h and h
+    double b, g, h;  // beta h^2, gamma h and h
 
     long long aboard[WIDE_RUNS];            // all bits of the lanes whose runs are aboard
-    struct ensemble_floor *floor;           // (n_floor) of all buildings
-    struct ensemble_state *now, *next;      // (n_floor)
-    struct ensemble_contact *contact;       // (n_contact)
-    struct ensemble_works *works;           // so far
-    struct ensemble_factor *factor;         // (n_floor)
-    wide **inverse;                         // (n_building) A^-1 of each (n_floor, n_floor), or
-                                            // NULL: factors
-    wide *residual, *correction;            // [F] [L/T^2] (n_floor) scratch of a building
+    struct ensemble_building *building;     // (n_building)
+    struct ensemble_state *now, *next;      // (n_floor) of all buildings
+    struct ensemble_peaks *peak;            // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
+    struct ensemble_works *works;           // so far
+    wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
+    struct ensemble_contact *contact;       // (n_contact)
+    bool nearer;                            // one exceeds its peak in the step under way
+    struct ensemble_pressed *pressed;       // (n_contact) those beyond their limits
+    int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
 
@@ -75,7 +108,10 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
 // steps in lanes might overflow.
 bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r);
 
-// Takes the committed state of a run without live links aboard. False: a number is too large.
+// Holds once what is the same in all of the first n lanes, when they have been filled.
+void ensemble_lanes_share(struct ensemble_lanes *e, int n);
+
+// Takes the floors of the committed state of a run aboard. False: a number is too large.
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r);
 
 // Gives a run the state of its lane, at time `time`, after `n_step` steps aboard.
@@ -88,11 +124,24 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
 // for a closer look: that one is computed, but not committed. Returns the number committed.
 int ensemble_march(struct ensemble_lanes *e, const wide *base, int n);
 
-// The lanes aboard that cannot take the step that has been computed: links would act, or numbers
-// have grown too large. One bit each. `base` is its ground acceleration here and below.
-unsigned ensemble_leaving(const struct ensemble_lanes *e, const wide *base);
+// The same in parts, for a step in which links act: the residuals without their forces,
+void ensemble_unbalance(struct ensemble_lanes *e, const wide *base);
 
-// Takes the step that has been computed, to `time`, into the peaks of those aboard.
+// what they lead to,
+void ensemble_move(struct ensemble_lanes *e, const wide *base);
+
+// and whether one of those aboard exceeds a peak, and where.
+bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base);
+
+// The lanes aboard whose numbers have grown too large in the step that has been computed, one bit
+// each. `base` is its ground acceleration here and below.
+unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base);
+
+// Finds the contacts that it has pressed beyond their limits in lanes aboard.
+void ensemble_press(struct ensemble_lanes *e);
+
+// Takes the step that has been computed, to `time`, into the peaks of those aboard that
+// ensemble_exceeds has found to be exceeded.
 void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
 
 // Takes its works into account and commits it.

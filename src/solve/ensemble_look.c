@@ -9,30 +9,64 @@
 static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 enum { SIGN = 63 };
 
+// Contacts looked at together, of which few are pressed.
+enum { TOGETHER = 8 };
+
 #define INLINE static inline __attribute__((always_inline))
 #define ABSOLUTE(x) ((wide)((wide_bits)(x)&SIZE))
 #define LESS(a, b) ((wide_bits)((a) - (b)))  // negative where a < b
 #define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
-LANES unsigned ensemble_leaving(const struct ensemble_lanes *e, const wide *base) {
-    const wide most = ENSEMBLE_LARGEST - (wide){0.0};
-    wide_bits bad = {0};
-    for (int k = 0; k < e->n_contact; k++) {
-        const struct ensemble_contact *c = &e->contact[k];
-        wide delta = e->next[c->left].u - e->next[c->right].u - c->gap;
-        bad |= LESS(0.0, delta);
-    }
-    for (int i = 0; i < e->n_floor; i++) {
-        const struct ensemble_state *s = &e->next[i];
-        const wide total = s->a + *base;
-        bad |=
-            LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
-    }
-    unsigned leaving = 0;
+INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
+    unsigned lanes_set = 0;
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        leaving |= (unsigned)((e->aboard[lane] & bad[lane]) < 0) << lane;
+        lanes_set |= (unsigned)((e->aboard[lane] & (*flags)[lane]) < 0) << lane;
     }
-    return leaving;
+    return lanes_set;
+}
+
+// Negative in lanes where floor i has a number that is too large.
+INLINE void overflow(const struct ensemble_lanes *e, int i, const wide *base, wide_bits *flags) {
+    const struct ensemble_state *s = &e->next[i];
+    const wide most = ENSEMBLE_LARGEST - (wide){0.0};
+    const wide total = s->a + *base;
+    *flags |= LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
+}
+
+LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base) {
+    wide_bits flags = {0};
+    for (int k = 0; k < e->n_building; k++) {
+        const struct ensemble_building *b = &e->building[k];
+        for (int i = 0; b->exceeds && i < b->shape->n_floor; i++) {
+            overflow(e, b->shape->first + i, base, &flags);
+        }
+    }
+    return lanes_aboard(e, &flags);
+}
+
+// Negative in lanes where a contact is beyond its limit.
+INLINE void press(const struct ensemble_lanes *e, int k, wide_bits *flags) {
+    const struct ensemble_contact *c = &e->contact[k];
+    wide delta = e->next[c->left].u - e->next[c->right].u - c->gap;
+    *flags |= LESS(c->limit, delta);
+}
+
+LANES void ensemble_press(struct ensemble_lanes *e) {
+    e->n_pressed = 0;
+    for (int first = 0; first < e->n_contact; first += TOGETHER) {
+        const int end = first + TOGETHER < e->n_contact ? first + TOGETHER : e->n_contact;
+        wide_bits any = {0};
+        for (int k = first; k < end; k++) {
+            press(e, k, &any);
+        }
+        for (int k = first; lanes_aboard(e, &any) && k < end; k++) {
+            wide_bits flags = {0};
+            press(e, k, &flags);
+            const unsigned lanes_set = lanes_aboard(e, &flags);
+            e->pressed[e->n_pressed] = (struct ensemble_pressed){k, lanes_set};
+            e->n_pressed += lanes_set != 0;
+        }
+    }
 }
 
 // Where `size` is greater than the peak of a run aboard, the peak and its time.
@@ -44,17 +78,32 @@ INLINE void raise(const wide_bits *aboard, const wide *size, const wide *time, w
 }
 
 INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard, const wide *base,
-                        const wide *time, const wide *drift) {
+                        const wide *time, const wide *drift, const wide *shear) {
     const wide total = e->next[i].a + *base;
     const wide value[PEAK_COUNT] = {
         [PEAK_DISPLACEMENT] = ABSOLUTE(e->next[i].u),
         [PEAK_VELOCITY] = ABSOLUTE(e->next[i].v),
         [PEAK_ACCELERATION] = ABSOLUTE(total),
         [PEAK_DRIFT] = ABSOLUTE(*drift),
-        [PEAK_SHEAR] = ABSOLUTE(e->floor[i].stiffness * *drift),
+        [PEAK_SHEAR] = ABSOLUTE(*shear),
     };
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(aboard, &value[q], time, &e->floor[i].peak[q], &e->peak_time[i].of[q]);
+        raise(aboard, &value[q], time, &e->peak[i].of[q], &e->peak_time[i].of[q]);
+    }
+    const wide_bits faster = (LESS(e->works->speed, value[PEAK_VELOCITY]) >> SIGN) & *aboard;
+    e->works->speed = CHOOSE(faster, value[PEAK_VELOCITY], e->works->speed);
+}
+
+INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble_building *b,
+                           const wide_bits *aboard, const wide *base, const wide *time) {
+    const enum ensemble_held held = b->held;
+    const struct ensemble_state *s = e->next + b->shape->first;
+    wide u_below = {0.0};
+    for (int i = 0; i < b->shape->n_floor; i++) {
+        const wide drift = s[i].u - u_below;
+        const wide shear = ENSEMBLE_AT(b->number, i * NUMBER_COUNT + NUMBER_STIFFNESS) * drift;
+        raise_floor(e, b->shape->first + i, aboard, base, time, &drift, &shear);
+        u_below = s[i].u;
     }
 }
 
@@ -64,31 +113,36 @@ LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double tim
     const wide now = time - (wide){0.0};
     const struct ensemble_state *s = e->next;
     for (int k = 0; k < e->n_building; k++) {
-        const struct building *g = &e->building[k];
-        wide drift = s[g->first].u;
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            raise_floor(e, i, &aboard, base, &now, &drift);
-            drift = s[i + 1].u - s[i].u;
+        if (e->building[k].exceeds) {
+            raise_building(e, &e->building[k], &aboard, base, &now);
         }
     }
-    for (int k = 0; k < e->n_contact; k++) {
+    for (int k = 0; e->nearer && k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
         wide delta = s[c->left].u - s[c->right].u - c->gap;
-        raise(&aboard, &delta, &now, &c->deepest, &c->deepest_time);
+        wide_bits open = aboard & ~(LESS(0.0, delta) >> SIGN);
+        raise(&open, &delta, &now, &c->deepest, &c->deepest_time);
+    }
+}
+
+INLINE void add_building(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                         wide *kinetic, wide *elastic) {
+    const enum ensemble_held held = b->held;
+    const struct ensemble_state *s = e->now + b->shape->first;
+    wide u_below = {0.0};
+    for (int i = 0; i < b->shape->n_floor; i++) {
+        const double *x = b->number;
+        const wide drift = s[i].u - u_below;
+        *kinetic -= ENSEMBLE_AT(x, i * NUMBER_COUNT + NUMBER_INERTIA) * s[i].v * s[i].v;
+        *elastic += ENSEMBLE_AT(x, i * NUMBER_COUNT + NUMBER_STIFFNESS) * drift * drift / 2.0;
+        u_below = s[i].u;
     }
 }
 
 LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
     wide kinetic = {0.0}, elastic = {0.0}, input = {0.0}, damping = {0.0};
-    const struct ensemble_state *s = e->now;
     for (int k = 0; k < e->n_building; k++) {
-        const struct building *g = &e->building[k];
-        wide drift = s[g->first].u;
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            kinetic -= e->floor[i].inertia * s[i].v * s[i].v;
-            elastic += e->floor[i].stiffness * drift * drift / 2.0;
-            drift = s[i + 1].u - s[i].u;
-        }
+        add_building(e, &e->building[k], &kinetic, &elastic);
     }
     for (int i = 0; i < LANES_WIDTH; i++) {
         input += e->works->input_2x[i];

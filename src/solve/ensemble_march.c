@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps in which no link acts, of all runs aboard at once: what chain_floor.h, flight_step.c and
 // account.c say for elastic storeys under one ground. Each lane sees their operations in their
-// order, so that its bits are those of a run alone. A building is taken through the whole step
-// before the next one, while its numbers are at hand; what one floor needs of its neighbours is
-// carried along in registers.
+// order, so that its bits are those of a run alone. A few buildings are taken through the whole
+// step before the next ones, while their numbers are at hand; what one floor needs of its
+// neighbours is carried along in registers.
 //
 // A drift that does not exceed its peak brings no shear beyond its own, as rounding keeps order; so
 // shears are looked at only where a drift says so.
@@ -16,6 +16,14 @@ static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 // Negative where |x| > peak.
 #define UNDER(peak, x) ((wide_bits)((peak) - (wide)((wide_bits)(x)&SIZE)))
 
+// Buildings that are taken through a step together. While the processor waits in the substitution
+// of one, where each floor needs the one before, it goes on with the next.
+enum { TOGETHER = 2 };
+
+// A number of floor i, in functions that know `x` and how it is `held`.
+#define NUMBER(i, q) ENSEMBLE_AT(x, (i)*NUMBER_COUNT + NUMBER_##q)
+#define FACTOR(i, q) ENSEMBLE_AT(x, (i)*FACTOR_COUNT + FACTOR_##q)
+
 // The end of the step if the acceleration stays.
 INLINE void predict(const struct ensemble_lanes *e, const struct ensemble_state *restrict s,
                     struct ensemble_state *restrict t) {
@@ -25,96 +33,139 @@ INLINE void predict(const struct ensemble_lanes *e, const struct ensemble_state 
 }
 
 // r = -m (a_ground + a) - C v_t - K u_t of a building of n floors, with the trial in t.
-INLINE void residuals(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
-                      const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
-                      const wide *ground, int n) {
+INLINE void residuals(const struct ensemble_lanes *e, const double *restrict x,
+                      enum ensemble_held held, const struct ensemble_state *restrict s,
+                      struct ensemble_state *restrict t, const wide *ground, int n,
+                      wide *restrict r) {
     const wide none = {0.0};
-    wide *restrict r = e->residual;
     wide v_below = none;
     predict(e, &s[0], &t[0]);
-    wide shear = f[0].stiffness * t[0].u;
+    wide shear = NUMBER(0, STIFFNESS) * t[0].u;
     for (int i = 0; i < n; i++) {
         wide v_above = none, shear_above = none;
         if (i + 1 < n) {
             predict(e, &s[i + 1], &t[i + 1]);
             v_above = t[i + 1].v;
-            shear_above = f[i + 1].stiffness * (t[i + 1].u - t[i].u);
+            shear_above = NUMBER(i + 1, STIFFNESS) * (t[i + 1].u - t[i].u);
         }
-        wide damping = f[i].below * v_below + f[i].own * t[i].v + f[i].above * v_above;
-        r[i] = f[i].inertia * *ground + f[i].inertia * s[i].a - damping - shear + shear_above;
+        wide damping =
+            NUMBER(i, BELOW) * v_below + NUMBER(i, OWN) * t[i].v + NUMBER(i, ABOVE) * v_above;
+        r[i] = NUMBER(i, INERTIA) * *ground + NUMBER(i, INERTIA) * s[i].a - damping - shear +
+               shear_above;
         v_below = t[i].v;
         shear = shear_above;
     }
 }
 
-// Four rows of the inverse times the residual.
-INLINE void multiply_four(const wide *restrict row, int n, const wide *restrict r,
-                          wide *restrict q) {
+// Four rows of the inverse from row j on times the residual.
+INLINE void multiply_four(const double *restrict inverse, enum ensemble_held held, int j, int n,
+                          const wide *restrict r, wide *restrict q) {
     wide q0 = {0.0}, q1 = {0.0}, q2 = {0.0}, q3 = {0.0};
-    for (int i = 0; i < n; i++) {
-        q0 += r[i] * row[i];
-        q1 += r[i] * row[n + i];
-        q2 += r[i] * row[2 * n + i];
-        q3 += r[i] * row[3 * n + i];
+    for (int i = 0, row = j * n; i < n; i++, row++) {
+        q0 += r[i] * ENSEMBLE_AT(inverse, row);
+        q1 += r[i] * ENSEMBLE_AT(inverse, row + n);
+        q2 += r[i] * ENSEMBLE_AT(inverse, row + 2 * n);
+        q3 += r[i] * ENSEMBLE_AT(inverse, row + 3 * n);
     }
-    q[0] = q0;
-    q[1] = q1;
-    q[2] = q2;
-    q[3] = q3;
+    q[j] = q0;
+    q[j + 1] = q1;
+    q[j + 2] = q2;
+    q[j + 3] = q3;
 }
 
-INLINE void multiply(const wide *restrict inverse, int n, const wide *restrict r,
-                     wide *restrict q) {
+INLINE void multiply(const double *restrict inverse, enum ensemble_held held, int n,
+                     const wide *restrict r, wide *restrict q) {
     int j = 0;
     for (; j + 4 <= n; j += 4) {
-        multiply_four(inverse + (size_t)j * (size_t)n, n, r, q + j);
+        multiply_four(inverse, held, j, n, r, q);
     }
     for (; j < n; j++) {
         wide sum = {0.0};
         for (int i = 0; i < n; i++) {
-            sum += r[i] * inverse[j * n + i];
+            sum += r[i] * ENSEMBLE_AT(inverse, j * n + i);
         }
         q[j] = sum;
     }
 }
 
 // L D L^T, from the ground up and back.
-INLINE void substitute(const struct ensemble_factor *restrict f, int n, wide *restrict r,
+INLINE void substitute(const double *restrict x, enum ensemble_held held, int n, wide *restrict r,
                        wide *restrict q) {
+    wide below = r[0];
     for (int i = 1; i < n; i++) {
-        r[i] -= f[i - 1].factor * r[i - 1];
+        below = r[i] - FACTOR(i - 1, OFF) * below;
+        r[i] = below;
     }
-    wide x = r[n - 1] * f[n - 1].pivot;
-    q[n - 1] = 0.0 + x;
+    wide above = below * FACTOR(n - 1, PIVOT);
+    q[n - 1] = 0.0 + above;
     for (int i = n - 2; i >= 0; i--) {
-        x = r[i] * f[i].pivot - f[i].factor * x;
-        q[i] = 0.0 + x;
+        above = r[i] * FACTOR(i, PIVOT) - FACTOR(i, OFF) * above;
+        q[i] = 0.0 + above;
     }
 }
 
-// The state that the corrections lead to from the trial. *flags: see step.
-INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_floor *restrict f,
+// Negative in lanes where a floor exceeds a peak.
+INLINE void look(const struct ensemble_peaks *restrict p, const struct ensemble_state *restrict t,
+                 const wide *ground, const wide *u_below, wide_bits *flags) {
+    *flags |= UNDER(p->of[PEAK_DISPLACEMENT], t->u) | UNDER(p->of[PEAK_VELOCITY], t->v) |
+              UNDER(p->of[PEAK_ACCELERATION], t->a + *ground) |
+              UNDER(p->of[PEAK_DRIFT], t->u - *u_below);
+}
+
+// The state that the corrections q lead to from the trial, with a look at it.
+INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_peaks *restrict p,
                     const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
-                    const wide *ground, int n, wide_bits *flags) {
-    const wide *restrict q = e->correction;
+                    const wide *ground, int n, const wide *restrict q, wide_bits *flags) {
     wide_bits more = {0};
-    wide under = {0.0};
+    wide u_below = {0.0};
     double b = e->b, g = e->g;
     for (int i = 0; i < n; i++) {
-        wide u = t[i].u + b * q[i];
-        wide v = t[i].v + g * q[i];
-        wide a = s[i].a + q[i];
-        t[i].u = u;
-        t[i].v = v;
-        t[i].a = a;
-        more |= UNDER(f[i].peak[PEAK_DISPLACEMENT], u) | UNDER(f[i].peak[PEAK_VELOCITY], v) |
-                UNDER(f[i].peak[PEAK_ACCELERATION], a + *ground) |
-                UNDER(f[i].peak[PEAK_DRIFT], u - under);
-        under = u;
+        const struct ensemble_state x = {t[i].u + b * q[i], t[i].v + g * q[i], s[i].a + q[i]};
+        t[i] = x;
+        look(&p[i], &x, ground, &u_below, &more);
+        u_below = x.u;
     }
     *flags |= more;
 }
 
+INLINE void unbalance(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                      const wide *ground) {
+    const int first = b->shape->first, n = b->shape->n_floor;
+    const struct ensemble_state *s = e->now + first;
+    struct ensemble_state *t = e->next + first;
+    if (b->held == HELD_ONCE) {
+        residuals(e, b->number, HELD_ONCE, s, t, ground, n, e->residual + first);
+    } else {
+        residuals(e, b->number, HELD_BY_EACH, s, t, ground, n, e->residual + first);
+    }
+}
+
+INLINE void solve_held(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                       enum ensemble_held held) {
+    const int first = b->shape->first, n = b->shape->n_floor;
+    if (b->inverse) {
+        multiply(b->inverse, held, n, e->residual + first, e->correction + first);
+    } else {
+        substitute(b->factor, held, n, e->residual + first, e->correction + first);
+    }
+}
+
+INLINE void solve(const struct ensemble_lanes *e, const struct ensemble_building *b) {
+    if (b->held == HELD_ONCE) {
+        solve_held(e, b, HELD_ONCE);
+    } else {
+        solve_held(e, b, HELD_BY_EACH);
+    }
+}
+
+INLINE void move(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                 const wide *ground, wide_bits *flags) {
+    const int first = b->shape->first;
+    correct(e, e->peak + first, e->now + first, e->next + first, ground, b->shape->n_floor,
+            e->correction + first, flags);
+}
+
+// Negative in lanes where a contact is closed, or nearer than ever.
 INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
     const struct ensemble_state *restrict t = e->next;
     wide_bits deeper = {0};
@@ -126,39 +177,32 @@ INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
     *flags |= deeper;
 }
 
-// Computes `next`. *flags gets negative in lanes where a peak is exceeded, and so where a link
-// would act.
-INLINE void step(const struct ensemble_lanes *e, const wide *ground, wide_bits *flags) {
-    for (int k = 0; k < e->n_building; k++) {
-        const int first = e->building[k].first, n = e->building[k].n_floor;
-        const struct ensemble_floor *f = e->floor + first;
-        residuals(e, f, e->now + first, e->next + first, ground, n);
-        if (e->inverse[k]) {
-            multiply(e->inverse[k], n, e->residual, e->correction);
-        } else {
-            substitute(e->factor + first, n, e->residual, e->correction);
-        }
-        correct(e, f, e->now + first, e->next + first, ground, n, flags);
-    }
-    penetrate(e, flags);
-}
-
 // The works of the ground and of damping on a building.
-INLINE void account(const struct ensemble_lanes *e, const struct building *g,
-                    const wide *ground_2x) {
-    const struct ensemble_floor *restrict f = e->floor;
-    const struct ensemble_state *restrict s = e->now, *restrict t = e->next;
+INLINE void account_held(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                         enum ensemble_held held, const wide *ground_2x) {
+    const int first = b->shape->first, n = b->shape->n_floor;
+    const double *restrict x = b->number;
+    const struct ensemble_state *restrict s = e->now + first, *restrict t = e->next + first;
     struct ensemble_works *restrict w = e->works;
     const wide none = {0.0};
-    wide below = none, own = s[g->first].v + t[g->first].v;
-    for (int i = g->first, end = i + g->n_floor; i < end; i++) {
-        wide above = i + 1 < end ? s[i + 1].v + t[i + 1].v : none;
+    wide below = none, own = s[0].v + t[0].v;
+    for (int i = 0; i < n; i++) {
+        wide above = i + 1 < n ? s[i + 1].v + t[i + 1].v : none;
         wide du = t[i].u - s[i].u;
-        w->input_2x[i % LANES_WIDTH] += *ground_2x * (f[i].inertia * du);
-        w->damping_2x[i % LANES_WIDTH] +=
-            du * (f[i].below * below + f[i].own * own + f[i].above * above);
+        w->input_2x[(first + i) % LANES_WIDTH] += *ground_2x * (NUMBER(i, INERTIA) * du);
+        w->damping_2x[(first + i) % LANES_WIDTH] +=
+            du * (NUMBER(i, BELOW) * below + NUMBER(i, OWN) * own + NUMBER(i, ABOVE) * above);
         below = own;
         own = above;
+    }
+}
+
+INLINE void account(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                    const wide *ground_2x) {
+    if (b->held == HELD_ONCE) {
+        account_held(e, b, HELD_ONCE, ground_2x);
+    } else {
+        account_held(e, b, HELD_BY_EACH, ground_2x);
     }
 }
 
@@ -173,22 +217,78 @@ INLINE void commit(struct ensemble_lanes *e, const wide *ground) {
     e->next = old;
 }
 
-LANES void ensemble_commit(struct ensemble_lanes *e, const wide *base) {
-    commit(e, base);
+// Any of the flags of those aboard?
+INLINE bool any_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
+    long long any = 0;
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        any |= (*flags)[lane] & e->aboard[lane];
+    }
+    return any < 0;
+}
+
+// Computes `next`.
+INLINE void step(const struct ensemble_lanes *e, const wide *ground, wide_bits *flags) {
+    const struct ensemble_building *b = e->building;
+    for (int first = 0; first < e->n_building; first += TOGETHER) {
+        const int end = first + TOGETHER < e->n_building ? first + TOGETHER : e->n_building;
+        for (int k = first; k < end; k++) {
+            unbalance(e, &b[k], ground);
+        }
+        for (int k = first; k < end; k++) {
+            solve(e, &b[k]);
+        }
+        for (int k = first; k < end; k++) {
+            move(e, &b[k], ground, flags);
+        }
+    }
+    penetrate(e, flags);
 }
 
 LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
     for (int i = 0; i < n; i++) {
         wide_bits flags = {0};
         step(e, base + i, &flags);
-        long long any = 0;
-        for (int lane = 0; lane < WIDE_RUNS; lane++) {
-            any |= flags[lane] & e->aboard[lane];
-        }
-        if (any < 0) {
+        if (any_aboard(e, &flags)) {
             return i;
         }
         commit(e, base + i);
     }
     return n;
+}
+
+LANES void ensemble_unbalance(struct ensemble_lanes *e, const wide *base) {
+    for (int k = 0; k < e->n_building; k++) {
+        unbalance(e, &e->building[k], base);
+    }
+}
+
+LANES void ensemble_move(struct ensemble_lanes *e, const wide *base) {
+    wide_bits flags = {0};
+    for (int k = 0; k < e->n_building; k++) {
+        solve(e, &e->building[k]);
+        move(e, &e->building[k], base, &flags);
+    }
+}
+
+LANES bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base) {
+    wide_bits nearer = {0};
+    penetrate(e, &nearer);
+    e->nearer = any_aboard(e, &nearer);
+    bool any = e->nearer;
+    for (int k = 0; k < e->n_building; k++) {
+        struct ensemble_building *b = &e->building[k];
+        wide_bits flags = {0};
+        wide u_below = {0.0};
+        for (int i = b->shape->first; i < b->shape->first + b->shape->n_floor; i++) {
+            look(&e->peak[i], &e->next[i], base, &u_below, &flags);
+            u_below = e->next[i].u;
+        }
+        b->exceeds = any_aboard(e, &flags);
+        any |= b->exceeds;
+    }
+    return any;
+}
+
+LANES void ensemble_commit(struct ensemble_lanes *e, const wide *base) {
+    commit(e, base);
 }

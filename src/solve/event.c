@@ -71,8 +71,8 @@ struct event event_first(const struct work *w, const struct state *now, const st
                          double h, const int *count, int except) {
     const struct model *m = w->model;
     struct event first = {.link = -1, .time = INFINITY};
-    for (int i = 0; w->toggled && i < next->n_live; i++) {
-        int k = next->live[i];
+    for (int i = 0; i < w->n_toggled; i++) {
+        int k = w->toggled[i];
         if (k != except && splits(w, now, next, k) && count[k] < EVENTS_JUMP_MAX) {
             take_earlier(&first, k, jump_time(m, now, next, h, k), h);
         }

@@ -145,8 +145,8 @@ static bool take(const struct flight *f, const struct state *now, struct state *
         return false;
     }
     if (near == NEARNESS_DEEPEST) {
-        contact_penetrations(f->work, next);
-        peaks_penetrations(f->results, f->model->n_contact, next);
+        gaps_update(&f->work->gaps, next);
+        gaps_peaks(&f->work->gaps, next);
     }
     if (!f->uniform) {
         energy_input(f->energy, f->model, now, next);
@@ -208,6 +208,7 @@ static bool may_start(struct flight *f, const struct state *s) {
 static void start(const struct flight *f, const struct state *now, struct state *next) {
     const struct model *m = f->model;
     state_open_links(next);
+    gaps_forget(&f->work->gaps, now);
     memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
     if (f->yields) {
         memcpy(next->storey_history, now->storey_history,

@@ -275,7 +275,7 @@ LANES_INLINE enum nearness floors_look(const struct flight *f, int from, int to,
     lanes_bits closed = {0}, nearer = {0};
     for (const struct gap_group *g = f->group + from; g < f->group + to; g++) {
         const double *left = u + g->dof[0], *right = u + g->dof[1];
-        const double *deepest = f->results->deepest + g->contact;
+        const double *deepest = f->work->gaps.nearest + g->contact;
         double apart = ground[g->ground[0]] - ground[g->ground[1]];
         for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR, gap += LANES_VECTOR) {
             lanes delta = FOUR(left, i) - FOUR(right, i) - FOUR(gap, 0) + apart;

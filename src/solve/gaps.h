@@ -7,6 +7,8 @@
 
 #include "solve/state.h"
 
+struct results;
+
 // Links first to first + n - 1 whose ends are floors one above the other on the same two sides.
 struct gap_run {
     int first, n;
@@ -17,13 +19,18 @@ struct gap_run {
 struct gaps {
     const struct model *model;  // borrowed
     double *gap;                // [L] (n_link)
-    double *limit;              // [L] (n_link) a link beyond this may close: 0, but infinite for
-                                // links that act, and for those without a force
+    double *limit;    // [L] (n_link) a link beyond this may close or has come nearer than ever:
+                      // infinite for links that act, else 0 or its largest penetration, or less
+    double *nearest;  // [L] (n_link) largest penetration that gaps_peaks has seen,
+    double *time;     // [T] (n_link) and when
     int n_run;
     struct gap_run *run;
+    int *run_of;               // (n_link)
+    bool *beyond;              // (n_run) at last sight, one of its links was beyond its limit
     int *start, *of_building;  // (n_building + 1): runs at each building, one list behind another
-    int n_visited, *visited;   // scratch: runs that an update goes over
-    int n_pressed, *pressed;   // runs in which a link was beyond its limit in the last update
+    int *visited;              // (n_run) scratch: runs that an update goes over
+    int *all;                  // (n_run) all runs
+    int n_pressed, *pressed;   // runs in which a link that does not act was inside then
     int n_acting, *acting;     // links that act in this step
     int n_touched, *touched;   // their buildings
     bool *is_touched;          // (n_building)
@@ -37,16 +44,23 @@ void gaps_update(struct gaps *g, struct state *s);
 // The same where only touched buildings have moved.
 void gaps_update_touched(struct gaps *g, struct state *s);
 
-// No link acts, and no building is touched any more.
-void gaps_forget(struct gaps *g);
+// Takes note of penetrations that are larger than ever.
+void gaps_peaks(struct gaps *g, const struct state *s);
 
-// Link k acts, and touches its buildings.
+// Takes those of contacts into the peaks.
+void gaps_finish(const struct gaps *g, struct results *r);
+
+// No building is touched any more, and no link acts but those that are closed in `s`.
+void gaps_forget(struct gaps *g, const struct state *s);
+
+// Link k acts, and touches its buildings, as those of its run before it do.
 static inline void gaps_touch(struct gaps *g, int k) {
-    const struct link *l = &g->model->link[k];
+    const struct gap_run *r = &g->run[g->run_of[k]];
+    bool seen = g->n_acting > 0 && g->run_of[g->acting[g->n_acting - 1]] == g->run_of[k];
     g->acting[g->n_acting++] = k;
     g->limit[k] = INFINITY;
-    for (int i = 0; i < 2; i++) {
-        int b = l->building[i];
+    for (int i = 0; i < 2 && !seen; i++) {
+        int b = r->building[i];
         if (b != WALL && !g->is_touched[b]) {
             g->is_touched[b] = true;
             g->touched[g->n_touched++] = b;

@@ -79,34 +79,47 @@ void impacts_add(struct impact_log *log, struct results *r, const struct model *
     }
 }
 
-// The share of one step by the trapezoidal rule.
-static struct impact_share share_of(int k, const struct state *now, const struct state *next) {
-    double mean = (now->force[k] + next->force[k]) / 2.0;
-    return (struct impact_share){
-        .impulse = mean * (next->time - now->time),
-        .work = mean * (next->delta[k] - now->delta[k]),
-        .force = next->force[k],
-        .penetration = next->delta[k],
-        .steps = next->closed[k],
-    };
+// Where the grounds of a link's ends move differently, its force works on them too.
+static double ground_work(const struct link *l, const struct model *m, double mean,
+                          const struct state *now, const struct state *next) {
+    double relative =
+        state_gap(l, m, next->u, next->ground_u) - state_gap(l, m, now->u, now->ground_u);
+    double own = next->u[l->dof[0]] - next->u[l->dof[1]] - (now->u[l->dof[0]] - now->u[l->dof[1]]);
+    return mean * (relative - own);
 }
 
-int impacts_step(struct impact_log *log, struct results *r, const struct model *m,
-                 const struct state *now, const struct state *next, struct error *e) {
+int impacts_step(struct impact_log *log, struct energy_account *a, struct results *r,
+                 const struct model *m, const struct state *now, const struct state *next,
+                 struct error *e) {
+    double h = next->time - now->time;
+    double contact = 0.0;
     for (int j = 0; j < next->n_live; j++) {
         int k = next->live[j];
-        bool acts = now->closed[k] || next->closed[k];
-        if (acts && !now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
+        peaks_link(r, m, next, k);
+        if (!now->closed[k] && !next->closed[k]) {
+            continue;
+        }
+        if (!now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
             return e->status;
         }
-        if (acts) {
-            struct impact_share share = share_of(k, now, next);
-            impacts_add(log, r, m, k, &share);
+        double mean = (now->force[k] + next->force[k]) / 2.0;  // by the trapezoidal rule
+        struct impact_share share = {
+            .impulse = mean * h,
+            .work = mean * (next->delta[k] - now->delta[k]),
+            .force = next->force[k],
+            .penetration = next->delta[k],
+            .steps = next->closed[k],
+        };
+        impacts_add(log, r, m, k, &share);
+        contact += share.work;
+        if (m->n_ground > 1 && m->link[k].moving_ground) {
+            a->input += ground_work(&m->link[k], m, mean, now, next);
         }
-        if (acts && !next->closed[k]) {
+        if (!next->closed[k]) {
             close_impact(log, m, &r->impact[log->open[k]], now, next);
         }
     }
+    a->contact += contact;
     return STATUS_OK;
 }
 

@@ -98,43 +98,19 @@ void peaks_penetrations(struct results *r, int n, const struct state *s) {
         int end = n - first < FEW ? n : first + FEW;
         bool any = any_exceeds(end - first, s->delta + first, r->deepest + first);
         for (int k = first; any && k < end; k++) {
-            if (s->delta[k] > r->deepest[k]) {
-                r->deepest[k] = s->delta[k];
-                r->link[k].penetration = s->delta[k];
-                r->link[k].penetration_time = s->time;
-            }
+            peaks_penetration(r, k, s->delta[k], s->time);
         }
-    }
-}
-
-static void force_update(struct link_peak *p, double force, double time) {
-    if (force > p->force) {
-        p->force = force;
-        p->force_time = time;
-    }
-}
-
-static void bilateral_update(struct link_peak *p, const struct state *s, int k) {
-    force_update(p, fabs(s->force[k]), s->time);
-    if (fabs(s->delta[k]) > p->penetration) {
-        p->penetration = fabs(s->delta[k]);
-        p->penetration_time = s->time;
     }
 }
 
 void peaks_links(struct results *r, const struct model *m, const struct state *s) {
     peaks_penetrations(r, m->n_contact, s);
     for (int i = 0; i < s->n_live; i++) {
-        int k = s->live[i];
-        if (m->link[k].bilateral) {
-            bilateral_update(&r->link[k], s, k);
-        } else {
-            force_update(&r->link[k], s->force[k], s->time);
-        }
+        peaks_link(r, m, s, s->live[i]);
     }
 }
 
-void peaks_update(struct results *r, const struct model *m, const struct state *s) {
+void peaks_all_floors(struct results *r, const struct model *m, const struct state *s) {
     const struct floor_values value = values_of(s);
     for (int first = 0; first < m->n_dof; first += BLOCK) {
         int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
@@ -142,5 +118,9 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
             peaks_floors(r, first, n, s);
         }
     }
+}
+
+void peaks_update(struct results *r, const struct model *m, const struct state *s) {
+    peaks_all_floors(r, m, s);
     peaks_links(r, m, s);
 }

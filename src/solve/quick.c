@@ -6,11 +6,12 @@
 // and q changes by df times the columns of A^-1 of both ends. A^-1 is almost diagonal, for
 // beta h^2 K << M: links disturb each other where they share a floor, and little else.
 //
-// A link of a smooth law whose own step was so small that the error, of second order in df, does
-// not matter, is settled: its F is known from F(x) = F(x_seen) + t (x - x_seen) from then on, and
-// where t (x - x_seen) does not matter either it is passed over. With F = k d^n a step changes d by
-// the share b S df / d = s df / (n f), with s = S t, and so F by (n - 1) / (2 n) s^2 df^2 / f more
-// than linearly. A dashpot that grows with d^(1/4) has at most 3/2 of s^2 df^2 / f; 4 are taken.
+// Laws are asked between sweeps, where they need not wait for each other, and a law is taken for
+// the line df = base + rate x from there, which costs little. It must be asked again where that is
+// not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f more than the
+// line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4 are taken. A
+// link of a smooth law within that reach is settled, and passed over where the line asks for no
+// change that matters.
 //
 // What is left to a settled link are the changes of others after its own. They change its force by
 //     |df_l| <= t / (1 + s) sum over m of |S_lm df_m| <= s sum of |S_lm| / S_ll max |df_m|,
@@ -29,12 +30,27 @@
 static const double NEAR = 0.1;
 static const double STEEPEST = 0.1;
 
+// Changes of this share of what is enough are not made.
+static const double NEGLECTED = 0.1;
+
+// A force f may follow the slope of its law by a change c as long as 4 c^2 / f does not matter.
+static const double STRAIGHT = 0.1 / 4.0;
+
 // What was settled while forces were larger by this factor still is.
 static const double LOOSER = 4.0;
 
 void quick_init(struct quick *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
-    *p = (struct quick){.link = l, .index = k, .smooth = l->law->traits & CONTACT_SMOOTH};
+    *p = (struct quick){
+        .link = l,
+        .index = k,
+        .kind = l->law,
+        .constant = l->constant,
+        .gap = l->gap,
+        .bilateral = l->bilateral,
+        .moving_ground = l->moving_ground,
+        .smooth = l->law->traits & CONTACT_SMOOTH,
+    };
     for (int i = 0; i < 2; i++) {
         p->end[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
     }
@@ -71,39 +87,71 @@ static void find_columns(const struct work *w, struct quick *p) {
     p->others = w->crowd * sum / p->flexibility - 1.0;
 }
 
+// Asks the law of a link that sees x, and draws its line from there. False: a Newton step is not
+// safe.
+static inline bool ask(const struct work *w, struct quick *p, double x, struct progress *s) {
+    double d = p->d_trial + w->b * x;
+    double v = p->v_trial + w->g * x;
+    if (!p->trusted || !(d > 0.0 || p->bilateral)) {
+        return false;
+    }
+    p->law = p->kind->force(p->constant, p->history, d, v);
+    double slope = w->b * p->law.dfdd + w->g * p->law.dfdv;
+    double share = p->flexibility * slope;
+    if (!(share >= 0.0 && share <= STEEPEST)) {
+        return false;
+    }
+    p->ask = false;
+    p->asked = x;
+    p->damped = 1.0 / (1.0 + share);
+    p->rate = slope * p->damped;
+    p->base = (p->law.force - p->force) * p->damped - p->rate * x;
+    p->near = p->bilateral ? INFINITY : NEAR * d * w->per_b;
+    double straight = sqrt(STRAIGHT * s->enough * fabs(p->law.force)) / slope;
+    double turn = fabs(v) * w->per_g;
+    p->reach = p->smooth ? number_min(number_min(p->near, turn), straight) : -1.0;
+    s->echo = number_max(s->echo, share * p->others);
+    return true;
+}
+
 // Where d and v are without corrections, and how the ends yield, unless that has stayed.
 static inline void gather(struct work *w, const struct state *next, struct quick *p) {
-    const struct link *l = p->link;
     int left = p->end[0];
     int right = p->end[1];
-    p->history = next->link_history + l->history;
-    p->force = next->force[p->index];
-    p->trusted = p->branch == BRANCH_CLOSED && l->law->force && !p->clamped;
+    p->trusted = p->branch == BRANCH_CLOSED && p->kind->force && !p->clamped;
     p->open = false;
-    p->room = -1.0;
-    p->d_trial = w->u_trial[left] - w->u_trial[right] - l->gap;
+    p->ask = true;
+    p->d_trial = w->u_trial[left] - w->u_trial[right] - p->gap;
     p->v_trial = w->v_trial[left] - w->v_trial[right];
-    if (l->moving_ground) {
-        p->d_trial += state_ground_gap(l, w->model, next->ground_u);
-        p->v_trial += state_ground_gap(l, w->model, next->ground_v);
+    if (p->moving_ground) {
+        p->d_trial += state_ground_gap(p->link, w->model, next->ground_u);
+        p->v_trial += state_ground_gap(p->link, w->model, next->ground_v);
     }
     if (p->factors != w->factors) {
         find_columns(w, p);
     }
 }
 
-void quick_gather(struct work *w, const struct state *next) {
+void quick_gather(struct work *w, const struct state *next, struct progress *s) {
+    *s = (struct progress){.change = INFINITY};
     w->n_acting = next->n_live;
-    for (int i = 0; i < next->n_live; i++) {
-        w->acting[i] = &w->quick[next->live[i]];
-        gather(w, next, w->acting[i]);
+    for (int i = 0; i < w->n_acting; i++) {
+        struct quick *p = &w->quick[next->live[i]];
+        w->acting[i] = p;
+        p->force = next->force[p->index];
+        s->largest = number_max(s->largest, fabs(p->force));
+        gather(w, next, p);
     }
 }
 
-void quick_tighten(struct work *w, struct progress *s) {
+void quick_ask(struct work *w, struct progress *s) {
     bool looser = s->loosest > LOOSER * s->enough;
-    for (int i = 0; looser && i < w->n_acting; i++) {
-        w->acting[i]->room = -1.0;
+    for (int i = 0; i < w->n_acting; i++) {
+        struct quick *p = w->acting[i];
+        if (p->ask || looser) {
+            p->ask = true;
+            ask(w, p, w->correction[p->end[0]] - w->correction[p->end[1]], s);
+        }
     }
     s->loosest = looser ? s->enough : number_max(s->loosest, s->enough);
 }
@@ -119,20 +167,6 @@ static inline void push(double *restrict q, const double *restrict column, int n
     }
 }
 
-// Is a change of the force no more than the rounding of d and v makes of it?
-static inline bool negligible(const struct work *w, const struct quick *p, double df) {
-    double d = fabs(w->u_trial[p->end[0]]) + fabs(w->u_trial[p->end[1]]) + p->link->gap;
-    double v = fabs(w->v_trial[p->end[0]]) + fabs(w->v_trial[p->end[1]]);
-    double change = 4.0 * DBL_EPSILON * (fabs(p->law.dfdd) * d + fabs(p->law.dfdv) * v);
-    return fabs(df) <= change * p->damped;
-}
-
-// Is the error of the second order small that a force f has which follows the slope of its law by
-// `change`?
-static inline bool straight(double change, double f, double enough) {
-    return 40.0 * change * change <= enough * fabs(f);
-}
-
 static inline void push_ends(const struct work *w, const struct quick *p, double df) {
     push(w->correction + p->first[0], p->column[0], p->lanes[0], -df);
     push(w->correction + p->first[1], p->column[1], p->lanes[1], df);
@@ -142,83 +176,58 @@ void quick_push(const struct work *w, const struct quick *p, double df) {
     push_ends(w, p, df);
 }
 
-// Changes the force of a link that sees x by df.
-static inline void move(const struct work *w, struct quick *p, double x, double df) {
-    p->force += df;
-    p->seen = x - p->flexibility * df;
-    push_ends(w, p, df);
+// Is a change of the force no more than the rounding of d and v makes of it?
+static inline bool negligible(const struct work *w, const struct quick *p, double df) {
+    double d = fabs(w->u_trial[p->end[0]]) + fabs(w->u_trial[p->end[1]]) + p->gap;
+    double v = fabs(w->v_trial[p->end[0]]) + fabs(w->v_trial[p->end[1]]);
+    double change = 4.0 * DBL_EPSILON * (fabs(p->law.dfdd) * d + fabs(p->law.dfdv) * v);
+    return fabs(df) <= change * p->damped;
 }
 
-// Takes note of the change df.
+// Takes note of the change df of a force whose law is known as well as need be, or is not.
 static inline void note(const struct work *w, const struct quick *p, double df,
                         struct progress *s) {
-    double *most = p->room >= 0.0 ? &s->moved : &s->change;
+    double *most = p->ask ? &s->change : &s->moved;
     if (fabs(df) > *most && fabs(df) > s->enough && !negligible(w, p, df)) {
         *most = fabs(df);
     }
 }
 
-// A Newton step of a link that sees x, from the law there; false: not safe.
+// A Newton step of a link that sees x; false: not safe.
 static inline bool step(const struct work *w, struct quick *p, double x, struct progress *s) {
-    const struct link *l = p->link;
-    double d = p->d_trial + w->b * x;
-    double v = p->v_trial + w->g * x;
-    if (!p->trusted || !(d > 0.0 || l->bilateral)) {
-        return false;
-    }
-    p->law = l->law->force(l->constant, p->history, d, v);
-    p->slope = w->b * p->law.dfdd + w->g * p->law.dfdv;
-    double share = p->flexibility * p->slope;
-    p->damped = 1.0 / (1.0 + share);
-    double df = (p->law.force - p->force) * p->damped;
-    double moved = p->flexibility * fabs(df);
-    double room = l->bilateral ? INFINITY : NEAR * d * w->per_b;
-    bool safe = share >= 0.0 && share <= STEEPEST && moved <= room;
-    if (!safe || fabs(df) > NEAR * fabs(p->force)) {
-        return false;
-    }
-    room = p->smooth ? number_min(room, fabs(v) * w->per_g) - moved : -1.0;
-    move(w, p, x, df);
-    p->room = straight(share * df, p->force, s->enough) ? room : -1.0;
-    s->echo = number_max(s->echo, share * p->others);
-    note(w, p, df, s);
-    return true;
-}
-
-// The same from what is known of the law, where that is enough; else false.
-static inline bool follow(const struct work *w, struct quick *p, double x, struct progress *s) {
-    double dx = x - p->seen;
-    double change = p->slope * dx;
-    if (!(fabs(dx) <= p->room && straight(change, p->force, s->enough))) {
-        return false;
-    }
-    double df = change * p->damped;
-    p->room -= fabs(dx);
-    move(w, p, x, df);
-    note(w, p, df, s);
-    return true;
-}
-
-// Does the force of a link that sees x need no change?
-static inline bool rests(const struct work *w, const struct quick *p, double x,
-                         struct progress *s) {
-    double dx = x - p->seen;
-    if (fabs(dx) <= p->room && fabs(p->slope * dx) <= 0.1 * s->enough) {
+    double df = p->base + p->rate * x;
+    double dx = x - p->asked;
+    if (fabs(df) <= NEGLECTED * s->enough && fabs(dx) <= p->reach) {
         return true;
     }
-    double d = p->d_trial + w->b * x;
-    bool open = p->open && d <= 0.0;
-    if (open) {
-        s->clear = number_min(s->clear, -d / (w->b * p->flexibility * p->others));
+    double far = fabs(dx - p->flexibility * df);
+    if (!(far <= p->near && fabs(df) <= NEAR * fabs(p->force))) {
+        return false;
     }
-    return open;
+    p->force += df;
+    p->base -= p->damped * df;
+    p->ask = !(far <= p->reach);
+    push_ends(w, p, df);
+    note(w, p, df, s);
+    return true;
+}
+
+// Does a link that sees x stay open?
+static inline bool stays_open(const struct work *w, const struct quick *p, double x,
+                              struct progress *s) {
+    double d = p->d_trial + w->b * x;
+    if (!(p->open && d <= 0.0)) {
+        return false;
+    }
+    s->clear = number_min(s->clear, -d / (w->b * p->flexibility * p->others));
+    return true;
 }
 
 LANES int quick_sweep(struct work *w, int first, struct progress *s) {
     for (int i = first, n = w->n_acting; i < n; i++) {
         struct quick *p = w->acting[i];
         double x = w->correction[p->end[0]] - w->correction[p->end[1]];
-        if (!rests(w, p, x, s) && !follow(w, p, x, s) && !step(w, p, x, s)) {
+        if (p->ask ? !stays_open(w, p, x, s) : !step(w, p, x, s)) {
             return i;
         }
         s->largest = number_max(s->largest, fabs(p->force));

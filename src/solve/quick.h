@@ -6,47 +6,54 @@
 
 #include "solve/work.h"
 
-// One link.
+// One link. What a sweep looks at comes first, as it is to be in few lines of the cache.
 struct quick {
-    // What does not change,
-    const struct link *link;
-    int index;    // of the link
-    bool smooth;  // its law is CONTACT_SMOOTH
-    int end[2];   // among the arrays of struct chain
+    int end[2];    // among the arrays of struct chain
+    bool ask;      // the law must be asked again, if it is trusted
+    bool trusted;  // it is on the closed branch: a Newton step may start there
+    bool open;     // its force is 0 as long as d <= 0
 
-    // but with the factors,
-    long factors;             // work.factors that these are of
+    // The force, and what the law said when it was asked, with the correction x = asked.
+    double force;       // [F]
+    double base, rate;  // a Newton step from x changes the force by base + rate x
+    double asked;       // [L/T^2] difference of the corrections of its ends
+    double reach;       // [L/T^2] how far from there until the law must be asked again,
+    double near;        // [L/T^2] and how far a step may lead
+    double damped;      // 1 / (1 + S_ll t)
+
+    // What does not change but with the factors.
+    double flexibility;       // S_ll
     int first[2];             // of the floors that feel its force, at either end
     int lanes[2];             // how many they are, in whole lanes; 0 for a wall
     const double *column[2];  // what they feel: of A^-1, from `first` on
-    double flexibility;       // S_ll
     double others;            // the sum of |S_lm| over all other links, as a share of S_ll, at most
+    long factors;             // work.factors that these are of
     double fits_to;           // [L] penetration up to which steps are short enough for its spring
     double checked;           // [T] step with which its end was last resolved
 
-    // what is gathered where it is live,
-    const double *history;    // of the law
-    double d_trial, v_trial;  // [L] [L/T] without corrections
-    enum branch branch;       // that its force is on
-    bool clamped;             // its law may pull, but is not let
-    bool trusted;             // it is on the closed branch: a Newton step may start there
-    bool open;                // its force is 0 as long as d <= 0
-    double force;             // [F]
-    double kept;              // [F] to step back to
+    // What is gathered where it is live.
+    double d_trial, v_trial;      // [L] [L/T] without corrections
+    const double *history;        // of the law
+    struct contact_response law;  // what it said
+    enum branch branch;           // that its force is on
+    bool clamped;                 // its law may pull, but is not let
+    double kept;                  // [F] to step back to
 
-    // and what the last evaluation of its law found.
-    struct contact_response law;
-    double seen;    // [L/T^2] difference of the corrections of its ends that its force belongs to
-    double slope;   // t, dF per difference of corrections
-    double damped;  // 1 / (1 + S_ll t)
-    double room;    // [L/T^2] by how much that may still change until the law must be asked again;
-                    // negative: it must be
+    // What does not change.
+    const struct link *link;
+    const struct contact_law *kind;  // of its law,
+    const double *constant;          // with these
+    double gap;                      // [L]
+    int index;                       // of the link
+    bool bilateral;
+    bool moving_ground;
+    bool smooth;  // its law is CONTACT_SMOOTH
 };
 
 // What a sweep found.
 struct progress {
     double enough;   // [F] changes below this do not matter
-    double loosest;  // [F] `enough` of the sweeps that links were settled in, at most
+    double loosest;  // [F] the most that was enough when a law was asked
     double largest;  // [F] largest force
     double change;   // [F] largest change that matters of a force whose law must be asked again,
     double moved;    // [F] and of one that obeys its law but for what others do to it
@@ -59,11 +66,12 @@ struct progress {
 // What does not change of link k.
 void quick_init(struct quick *p, const struct model *m, int k);
 
-// The rest for the live links of `next`, which act from then on.
-void quick_gather(struct work *w, const struct state *next);
+// The rest for the live links of `next`, which act from then on; *progress is that before the first
+// sweep.
+void quick_gather(struct work *w, const struct state *next, struct progress *progress);
 
-// Makes links ask their laws again where those have been settled while much more was enough.
-void quick_tighten(struct work *w, struct progress *progress);
+// Asks the laws that must be asked before a sweep.
+void quick_ask(struct work *w, struct progress *progress);
 
 // Moves the ends of the link by what a change df of its force does to them.
 void quick_push(const struct work *w, const struct quick *p, double df);

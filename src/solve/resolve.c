@@ -33,10 +33,9 @@ static bool fits_spring(const struct work *w, struct quick *p, struct contact_re
     if (d <= p->fits_to) {
         return true;
     }
-    const struct link *l = p->link;
     double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
                            ? r.dfdd
-                           : l->law->force(l->constant, p->history, d, 0.0).dfdd;
+                           : p->kind->force(p->constant, p->history, d, 0.0).dfdd;
     double coarse = stiffness * p->flexibility * w->h * w->h;
     p->fits_to = p->smooth && 4.0 * coarse <= COARSEST_SPRING ? 2.0 * d : 0.0;
     return coarse <= COARSEST_SPRING;
@@ -47,9 +46,8 @@ static bool fits(const struct work *w, struct quick *p, struct contact_response 
 }
 
 static bool resolved_at(const struct work *w, struct quick *p, double d, double v) {
-    const struct link *l = p->link;
     double depth = number_max(d, 0.0);
-    return fits(w, p, l->law->force(l->constant, p->history, depth, v), depth);
+    return fits(w, p, p->kind->force(p->constant, p->history, depth, v), depth);
 }
 
 static bool at_rest(const struct work *w, const struct path *p) {
@@ -70,22 +68,29 @@ static bool starts_resolved(const struct work *w, const struct state *now, struc
 // A settled link has its tangents already, so near to the end of the step that it does not matter.
 static bool ends_resolved(const struct work *w, struct quick *p, const struct path *path) {
     return p->branch != BRANCH_CLOSED ||
-           (p->room >= 0.0 ? fits(w, p, p->law, path->d1) : resolved_at(w, p, path->d1, path->v1));
+           (!p->ask ? fits(w, p, p->law, path->d1) : resolved_at(w, p, path->d1, path->v1));
+}
+
+// Is what usually holds enough: the start has been looked at, the end has its tangents, and its
+// spring is no stiffer than has been looked at?
+static inline bool seen_before(const struct work *w, const struct state *now, const struct quick *p,
+                               double d) {
+    return p->checked >= w->h && !p->ask && d <= p->fits_to &&
+           w->g * p->flexibility * p->law.dfdv <= COARSEST_DASHPOT &&
+           now->t_close[p->index] < now->time && now->closed[p->index];
 }
 
 static bool resolved(struct work *w, const struct state *now, const struct state *next,
-                     struct quick *p) {
+                     struct quick *p, double x, double d) {
     int k = p->index;
-    double x = w->correction[p->end[0]] - w->correction[p->end[1]];
-    struct path path = {
-        .d0 = now->delta[k], .d1 = p->d_trial + w->b * x, .v1 = p->v_trial + w->g * x, .h = w->h};
+    struct path path = {.d0 = now->delta[k], .d1 = d, .v1 = p->v_trial + w->g * x, .h = w->h};
     if (starts_resolved(w, now, p) && ends_resolved(w, p, &path)) {
-        w->quick[k].checked = w->h;
+        p->checked = w->h;
         return true;
     }
-    w->quick[k].checked = 0.0;
+    p->checked = 0.0;
     path.v0 = state_rate(now, w->model, k);
-    if (now->closed[k] && w->quick[k].branch == BRANCH_CLOSED) {
+    if (now->closed[k] && p->branch == BRANCH_CLOSED) {
         return at_rest(w, &path);
     }
     return resolve_negligible(w, path.v1) &&
@@ -93,9 +98,13 @@ static bool resolved(struct work *w, const struct state *now, const struct state
 }
 
 bool resolve_suffices(struct work *w, const struct state *now, const struct state *next) {
-    for (int i = 0; i < next->n_live; i++) {
-        struct quick *p = &w->quick[next->live[i]];
-        if (!p->link->bilateral && !p->link->law->rebound && !resolved(w, now, next, p)) {
+    for (int i = 0; i < w->n_acting; i++) {
+        struct quick *p = w->acting[i];
+        double x = w->correction[p->end[0]] - w->correction[p->end[1]];
+        double d = p->d_trial + w->b * x;
+        if (seen_before(w, now, p, d)) {
+            p->checked = w->h;
+        } else if (!p->bilateral && !p->kind->rebound && !resolved(w, now, next, p, x, d)) {
             w->unresolved = p->index;
             return false;
         }

@@ -29,12 +29,13 @@ static bool alloc_links(struct work *w, const struct model *m, struct arena *a) 
     w->quick = arena_alloc(a, n_link, sizeof *w->quick);
     w->acting = arena_alloc(a, n_link, sizeof *w->acting);
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
+    w->toggled = arena_alloc(a, n_link, sizeof *w->toggled);
     w->grouped = arena_alloc(a, n_link, sizeof *w->grouped);
     w->vector = arena_alloc(a, n_block, sizeof *w->vector);
     w->order = arena_alloc(a, n_block, sizeof *w->order);
     w->matrix = arena_alloc(a, n_block * n_block, sizeof *w->matrix);
-    return w->quick && gaps_alloc(&w->gaps, m, a) && w->acting && w->rigid && w->grouped &&
-           w->vector && w->order && w->matrix;
+    return w->quick && gaps_alloc(&w->gaps, m, a) && w->acting && w->rigid && w->toggled &&
+           w->grouped && w->vector && w->order && w->matrix;
 }
 
 // The most links with a force law at any floor; `residual` counts them.

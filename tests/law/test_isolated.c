@@ -193,6 +193,20 @@ static void every_law_agrees_with_an_independent_integration(void **state) {
     }
 }
 
+// What isolated.h promises.
+static void durations_alone_are_right_to_six_digits(void **state) {
+    (void)state;
+    for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
+        const struct contact_law *law = contact_law_find(row[k].law);
+        double value[CONTACT_ROWS_MAX], constant[CONTACT_CONSTANTS_MAX], duration;
+        struct error e;
+        impact_values(law, row[k].parameters, value);
+        assert_int_equal(law->prepare(value, MASS, constant, &e), STATUS_OK);
+        assert_int_equal(isolated_duration(law, constant, MASS, V0, &duration, &e), STATUS_OK);
+        assert_close(duration, row[k].duration, 1e-6);
+    }
+}
+
 // To the four digits that the descriptions of the laws quote.
 static void the_published_relations_deliver_what_is_said_of_them(void **state) {
     (void)state;
@@ -335,6 +349,7 @@ int main(void) {
         cmocka_unit_test(hertz_gives_its_closed_forms),
         cmocka_unit_test(kelvin_voigt_is_a_damped_half_wave),
         cmocka_unit_test(every_law_agrees_with_an_independent_integration),
+        cmocka_unit_test(durations_alone_are_right_to_six_digits),
         cmocka_unit_test(the_published_relations_deliver_what_is_said_of_them),
         cmocka_unit_test(an_observer_sees_the_whole_impact),
         cmocka_unit_test(samples_lie_on_the_force_at_their_instants),

@@ -34,6 +34,37 @@ static void numbers_are_read_up_to_their_last_character(void **state) {
     }
 }
 
+// Of 1 to 19 digits, with a point anywhere and exponents of -30 to 30, so that some take one
+// operation and some the library. The tests run in the C locale, so that strtod is the truth.
+static void numbers_are_the_doubles_nearest_to_their_texts(void **state) {
+    (void)state;
+    enum { TEXTS = 200000, DIGITS = 19 };
+    unsigned long long seed = 1;
+    for (int i = 0; i < TEXTS; i++) {
+        char text[64] = "-";
+        size_t n = i % 3 == 0;
+        int digits = 1 + i % DIGITS, point = i / DIGITS % (digits + 1);
+        for (int j = 0; j < digits; j++) {
+            seed = 6364136223846793005ULL * seed + 1442695040888963407ULL;  // Knuth's MMIX
+            text[n] = '.';
+            n += j == point;
+            text[n++] = (char)('0' + (seed >> 33) % 10 * (j > i % 5));
+        }
+        int exponent = (int)((seed >> 40) % 61) - 30;
+        snprintf(text + n, sizeof text - n,
+                 i % 4 == 0   ? ""
+                 : i % 4 == 1 ? "e%d"
+                              : "E%+d",
+                 exponent);
+        const char *end;
+        double value;
+        double truth = strtod(text, NULL);
+        assert_int_equal(text_number(text, &end, &value), TEXT_NUMBER_OK);
+        assert_int_equal(*end, '\0');
+        assert_memory_equal(&value, &truth, sizeof value);
+    }
+}
+
 static void what_is_no_finite_number_is_told_apart(void **state) {
     (void)state;
     const char *const none[] = {"", ".", "-", "e5", "nan", "inf", "-infinity", "+.e1", " 1"};
@@ -206,6 +237,7 @@ static void beyond_the_limit_messages_are_only_counted(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_are_read_up_to_their_last_character),
+        cmocka_unit_test(numbers_are_the_doubles_nearest_to_their_texts),
         cmocka_unit_test(what_is_no_finite_number_is_told_apart),
         cmocka_unit_test(the_nearest_word_is_found_within_a_third_of_the_letters),
         cmocka_unit_test(columns_count_characters),

@@ -86,7 +86,7 @@ static void penetrations_of_runs_of_links_are_those_of_each(void **state) {
         fill(&random, s.u, m->n_dof);
         gaps_update(&gaps, &s);
         assert_penetrations(m, &s);
-        gaps_forget(&gaps);
+        gaps_forget(&gaps, &s);
         int k = random_below(&random, m->n_link);
         gaps_touch(&gaps, k);
         for (int j = 0; j < gaps.n_touched; j++) {
@@ -122,7 +122,7 @@ static void contacts_inside_are_in_a_pressed_run(void **state) {
     s.u[3] = 0.021;
     gaps_update_touched(&gaps, &s);
     assert_int_equal(gaps.n_pressed, 1);
-    gaps_forget(&gaps);
+    gaps_forget(&gaps, &s);
     s.u[3] = 0.0;
     gaps_update(&gaps, &s);
     assert_int_equal(gaps.n_pressed, 1);

@@ -313,6 +313,19 @@ static void statistics_are_those_of_the_values_in_order(void **state) {
     }
 }
 
+// Nothing else is done for one quantity than for all; the frequency may differ by rounding.
+static void the_velocity_alone_is_that_of_the_whole_point(void **state) {
+    (void)state;
+    struct ground g = el_centro();
+    static const double periods[] = {0.01, 0.05, 0.4, 3.0, 20.0};
+    for (int i = 0; i < 5; i++) {
+        double omega = 2.0 * M_PI / periods[i];
+        assert_close(spectrum_velocity(&g.signal, omega, 0.05),
+                     spectrum_at(&g.signal, 2.0 * M_PI / omega, 0.05).value[SPECTRUM_SV], 1e-14);
+    }
+    arena_free(g.arena);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_step_doubles_the_static_response),
@@ -324,6 +337,7 @@ int main(void) {
         cmocka_unit_test(a_rigid_oscillator_sees_the_acceleration_of_the_ground),
         cmocka_unit_test(el_centro_has_the_values_printed_by_chopra),
         cmocka_unit_test(spectra_agree_with_another_integration_to_1e_6),
+        cmocka_unit_test(the_velocity_alone_is_that_of_the_whole_point),
         cmocka_unit_test(statistics_are_those_of_the_values_in_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which links act in a step: those that were closed before, those that close on its way, and which
+// of them are closed at its end.
+#include <math.h>
+#include <string.h>
+
+#include "core/number.h"
+#include "solve/contact.h"
+#include "solve/crossing.h"
+#include "solve/quick.h"
+
+// A first guess of the force: the polynomial through the last steps, as many as there were with the
+// link closed, up to four.
+static inline double guess(double f, int n_past, const double past[PAST_STEPS]) {
+    double next = n_past == PAST_STEPS ? 4.0 * (f + past[1]) - 6.0 * past[0] - past[2]
+                  : n_past == 2        ? 3.0 * (f - past[0]) + past[1]
+                  : n_past == 1        ? 2.0 * f - past[0]
+                                       : f;
+    return f > 0.0 ? number_max(next, 0.0) : f;
+}
+
+// Forces of rigid contacts at rest hardly curve; a parabola would enlarge what they miss.
+static inline int past_after(int n_past, const struct contact_law *law) {
+    int most = law->rebound ? 1 : PAST_STEPS;
+    return n_past < most ? n_past + 1 : most;
+}
+
+// Link k, closed so far, begins the step as it ended the last.
+// What the law of a link remembers.
+static void keep_history(const struct state *now, struct state *next, struct quick *p) {
+    const struct link *l = p->link;
+    double *history = next->link_history + l->history;
+    memcpy(history, now->link_history + l->history, (size_t)l->law->n_history * sizeof *history);
+    p->history = history;
+}
+
+static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
+    struct quick *p = &w->quick[k];
+    double f = now->force[k];
+    const double *past = now->past[k];
+    double *past_next = next->past[k];
+    next->live[next->n_live++] = k;
+    next->is_live[k] = true;
+    next->force[k] = guess(f, now->n_past[k], past);
+    past_next[0] = f;
+    past_next[1] = past[0];
+    past_next[2] = past[1];
+    next->n_past[k] = past_after(now->n_past[k], p->kind);
+    next->t_close[k] = now->t_close[k];
+    next->v_close[k] = now->v_close[k];
+    if (p->kind->n_history > 0) {
+        keep_history(now, next, p);
+    }
+    p->branch = BRANCH_CLOSED;
+    p->clamped = false;
+    gaps_touch(&w->gaps, k);
+}
+
+// Opens the links that were live in `next`, when it was another state, and are not closed in `now`.
+static void open_others(const struct state *now, struct state *next) {
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
+        if (!now->closed[k]) {
+            next->is_live[k] = next->closed[k] = false;
+            next->force[k] = 0.0;
+        }
+    }
+    next->n_live = 0;
+}
+
+void contact_begin(struct work *w, const struct state *now, struct state *next) {
+    open_others(now, next);
+    gaps_forget(&w->gaps, now);
+    for (int i = 0; i < now->n_live; i++) {
+        if (now->closed[now->live[i]]) {
+            carry_on(w, now, next, now->live[i]);
+        }
+    }
+}
+
+void contact_penetrations(struct work *w, struct state *next) {
+    gaps_update(&w->gaps, next);
+}
+
+// Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
+// of closure from its path without its own force, and the law's history from that.
+static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
+    struct quick *p = &w->quick[k];
+    const struct link *l = p->link;
+    state_enliven(next, k);
+    gaps_touch(&w->gaps, k);
+    p->branch = BRANCH_OPEN;
+    p->clamped = false;
+    p->checked = p->fits_to = p->force = 0.0;
+    p->history = next->link_history + l->history;
+    struct line line = contact_line(w, now, next, k);
+    struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
+                        line.v_free, w->h};
+    double rate;
+    next->t_close[k] = now->time + crossing_find(&path, &rate);
+    next->v_close[k] = number_max(rate, 0.0);
+    if (l->law->close) {
+        l->law->close(l->constant, next->v_close[k], next->link_history + l->history);
+    }
+}
+
+// Does an open link close in this step? One that has just opened may stand a rounding error inside;
+// it closes only if it goes deeper. Rigid contacts close by an event.
+static inline bool closes(const struct work *w, const struct state *now, const struct state *next,
+                          int k) {
+    return next->delta[k] > 0.0 && next->delta[k] > now->delta[k] && !next->is_live[k] &&
+           k != w->held && !w->model->link[k].law->rebound;
+}
+
+bool contact_close(struct work *w, const struct state *now, struct state *next, int k) {
+    bool closed = closes(w, now, next, k);
+    if (closed) {
+        close_link(w, now, next, k);
+    }
+    return closed;
+}
+
+// The trial of the buildings of a run, unless they have been touched before.
+static void try_buildings(struct work *w, const struct state *now, const struct gap_run *r) {
+    for (int i = 0; i < 2; i++) {
+        int b = r->building[i];
+        if (b != WALL && !w->gaps.is_touched[b]) {
+            floors_trial(w, now, b);
+        }
+    }
+}
+
+int contact_search(struct work *w, const struct state *now, struct state *next) {
+    int before = next->n_live;
+    for (int i = 0; i < w->gaps.n_pressed; i++) {
+        const struct gap_run *r = &w->gaps.run[w->gaps.pressed[i]];
+        try_buildings(w, now, r);
+        for (int k = r->first; k < r->first + r->n; k++) {
+            contact_close(w, now, next, k);
+        }
+    }
+    return next->n_live - before;
+}
+
+void contact_finish(struct work *w, const struct state *now, struct state *next) {
+    const struct model *m = w->model;
+    w->n_toggled = 0;
+    for (int i = 0; i < next->n_live; i++) {
+        int k = next->live[i];
+        const struct quick *p = &w->quick[k];
+        next->closed[k] = p->branch != BRANCH_OPEN;
+        if (next->closed[k] != now->closed[k]) {
+            w->toggled[w->n_toggled++] = k;
+        }
+        if (next->closed[k] && p->kind->commit) {
+            const struct link *l = p->link;
+            l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
+                           state_rate(next, m, k));
+        }
+    }
+}

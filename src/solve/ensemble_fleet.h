@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The runs of an ensemble. A run is aboard the lanes but for steps that only a run alone can take:
+// those go ashore before, and come back after. All runs are at the same step, so that they share
+// the lanes' ground motion.
+#ifndef JOSTLE_ENSEMBLE_FLEET_H
+#define JOSTLE_ENSEMBLE_FLEET_H
+
+#include "jostle/ensemble.h"
+#include "solve/ensemble_lanes.h"
+
+enum berth {
+    BERTH_ABOARD,  // in the lanes
+    BERTH_ASHORE,  // in a struct run, for a step
+    BERTH_STAYS,   // in a struct run for good
+    BERTH_ENDED,   // with an error
+};
+
+// A run of the fleet.
+struct boat {
+    struct run run;
+    struct ensemble_member *member;  // borrowed
+    enum berth berth;
+    int ground;            // the first run whose ground moves as that of this one
+    long boarded;          // the step after which it came aboard
+    bool acts;             // links act in the step under way of a run aboard,
+    bool wanted;           // and their forces have not been solved for
+    struct totals before;  // as of the start of that step
+};
+
+struct fleet {
+    struct ensemble_lanes lanes;
+    const struct observer *observer;  // borrowed
+    int n;
+    struct boat boat[ENSEMBLE_MAX];  // (n) boat k in lane k
+    int n_aboard, n_ashore;
+    long due;    // the step after which a run has but its last one, which may be shorter
+    long known;  // ground accelerations are there up to this step
+    int every;   // steps between two rows
+};
+
+// Takes a run aboard after step n, if it may.
+void fleet_board(struct fleet *f, int k, long n);
+
+// Takes a run ashore after step n.
+void fleet_leave(struct fleet *f, int k, long n);
+
+// Ends a run for good, with the status of its steps.
+void fleet_end(struct fleet *f, int k, int status);
+
+// Takes those aboard from step n on to a step at which there is something to do for one of the
+// runs, and returns it.
+long fleet_cruise(struct fleet *f, long n);
+
+#endif
