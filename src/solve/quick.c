@@ -7,11 +7,12 @@
 // beta h^2 K << M: links disturb each other where they share a floor, and little else.
 //
 // Laws are asked between sweeps, where they need not wait for each other, and a law is taken for
-// the line df = base + rate x from there, which costs little. It must be asked again where that is
-// not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f more than the
-// line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4 are taken. A
-// link of a smooth law within that reach is settled, and passed over where the line asks for no
-// change that matters.
+// the line df = base + rate dx from there, which costs little. It must be asked again, at once,
+// where that is not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f
+// more than the line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4
+// are taken, and both parts of t by their size, as they may cancel where a law pulls. A link of a
+// smooth law within that reach is settled, and passed over where the line asks for no change that
+// matters.
 //
 // What is left to a settled link are the changes of others after its own. They change its force by
 //     |df_l| <= t / (1 + s) sum over m of |S_lm df_m| <= s sum of |S_lm| / S_ll max |df_m|,
@@ -95,6 +96,7 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
     if (!p->trusted || !(d > 0.0 || p->bilateral)) {
         return false;
     }
+    p->ask = true;
     p->law = p->kind->force(p->constant, p->history, d, v);
     double slope = w->b * p->law.dfdd + w->g * p->law.dfdv;
     double share = p->flexibility * slope;
@@ -105,9 +107,10 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
     p->asked = x;
     p->damped = 1.0 / (1.0 + share);
     p->rate = slope * p->damped;
-    p->base = (p->law.force - p->force) * p->damped - p->rate * x;
+    p->base = (p->law.force - p->force) * p->damped;
     p->near = p->bilateral ? INFINITY : NEAR * d * w->per_b;
-    double straight = sqrt(STRAIGHT * s->enough * fabs(p->law.force)) / slope;
+    double steep = fabs(w->b * p->law.dfdd) + fabs(w->g * p->law.dfdv);
+    double straight = sqrt(STRAIGHT * s->enough * fabs(p->law.force)) / steep;
     double turn = fabs(v) * w->per_g;
     p->reach = p->smooth ? number_min(number_min(p->near, turn), straight) : -1.0;
     s->echo = number_max(s->echo, share * p->others);
@@ -193,10 +196,16 @@ static inline void note(const struct work *w, const struct quick *p, double df,
     }
 }
 
+// Does the line of the law hold for a link that sees x?
+static inline bool is_known(const struct quick *p, double x) {
+    double dx = x - p->asked;
+    return fabs(dx) <= p->reach || dx == 0.0;
+}
+
 // A Newton step of a link that sees x; false: not safe.
 static inline bool step(const struct work *w, struct quick *p, double x, struct progress *s) {
-    double df = p->base + p->rate * x;
     double dx = x - p->asked;
+    double df = p->base + p->rate * dx;
     if (fabs(df) <= NEGLECTED * s->enough && fabs(dx) <= p->reach) {
         return true;
     }
@@ -227,7 +236,8 @@ LANES int quick_sweep(struct work *w, int first, struct progress *s) {
     for (int i = first, n = w->n_acting; i < n; i++) {
         struct quick *p = w->acting[i];
         double x = w->correction[p->end[0]] - w->correction[p->end[1]];
-        if (p->ask ? !stays_open(w, p, x, s) : !step(w, p, x, s)) {
+        bool known = !p->ask && (is_known(p, x) || ask(w, p, x, s));
+        if (known ? !step(w, p, x, s) : !stays_open(w, p, x, s)) {
             return i;
         }
         s->largest = number_max(s->largest, fabs(p->force));

@@ -15,7 +15,7 @@ struct quick {
 
     // The force, and what the law said when it was asked, with the correction x = asked.
     double force;       // [F]
-    double base, rate;  // a Newton step from x changes the force by base + rate x
+    double base, rate;  // a Newton step from asked + dx changes the force by base + rate dx
     double asked;       // [L/T^2] difference of the corrections of its ends
     double reach;       // [L/T^2] how far from there until the law must be asked again,
     double near;        // [L/T^2] and how far a step may lead
