@@ -6,22 +6,17 @@
 #include "solve/contact.h"
 #include "solve/event.h"
 
-// The committed state of building k, its trial, as ensemble_march.c has it, and the corrections
-// that it has so far.
+// The committed state of building k, its trial, and the corrections that it has so far.
 static void gather_building(const struct ensemble_lanes *e, int lane, struct run *r, int k) {
     const struct building *g = &r->model->building[k];
-    const double h = e->h, half = h * h / 2.0;
-    struct work *w = &r->work;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
         const struct ensemble_state *s = &e->now[i];
-        const double u = s->u[lane], v = s->v[lane], a = s->a[lane];
-        r->now->u[i] = u;
-        r->now->v[i] = v;
-        r->now->a[i] = a;
-        w->u_trial[i] = u + (h * v + half * a);
-        w->v_trial[i] = v + h * a;
-        w->correction[i] = e->correction[i][lane];
+        r->now->u[i] = s->u[lane];
+        r->now->v[i] = s->v[lane];
+        r->now->a[i] = s->a[lane];
+        r->work.correction[i] = e->correction[i][lane];
     }
+    floors_trial(&r->work, r->now, k);
 }
 
 // The state that they lead to now.
