@@ -23,7 +23,7 @@ static void forget(struct fleet *f, int k) {
     put(&f->wanted, k, false);
 }
 
-void fleet_board(struct fleet *f, int k, long n) {
+void ensemble_fleet_board(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
     struct run *r = &b->run;
     if (b->berth == BERTH_ASHORE && work_factor(&r->work, r->model->dt) == STATUS_OK &&
@@ -37,7 +37,7 @@ void fleet_board(struct fleet *f, int k, long n) {
     }
 }
 
-void fleet_leave(struct fleet *f, int k, long n) {
+void ensemble_fleet_leave(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
     ensemble_leave(&f->lanes, k, &b->run, model_time(b->run.model, n), n - b->boarded);
     b->berth = BERTH_ASHORE;
@@ -46,7 +46,7 @@ void fleet_leave(struct fleet *f, int k, long n) {
     forget(f, k);
 }
 
-void fleet_end(struct fleet *f, int k, int status) {
+void ensemble_fleet_end(struct fleet *f, int k, int status) {
     struct boat *b = &f->boat[k];
     *(b->berth == BERTH_ABOARD ? &f->n_aboard : &f->n_ashore) -= 1;
     b->berth = BERTH_ENDED;
@@ -72,7 +72,7 @@ static void give_up(struct fleet *f, int k, long n) {
         b->run.results->totals = b->before;
         ensemble_links_release(&f->lanes, k, &b->run);
     }
-    fleet_leave(f, k, n - 1);
+    ensemble_fleet_leave(f, k, n - 1);
 }
 
 // The step n of all floors aboard, with the forces that live links begin it with.
@@ -156,7 +156,7 @@ static void commit(struct fleet *f, const wide *base) {
         put(&f->acting, k, false);
         put(&f->live, k, r->now->n_live > 0);
         if (status != STATUS_OK) {
-            fleet_end(f, k, status);
+            ensemble_fleet_end(f, k, status);
         }
     }
     ensemble_commit(&f->lanes, base);
@@ -166,7 +166,7 @@ static long least(long a, long b) {
     return a < b ? a : b;
 }
 
-long fleet_cruise(struct fleet *f, long n) {
+long ensemble_fleet_cruise(struct fleet *f, long n) {
     struct ensemble_lanes *e = &f->lanes;
     const bool live = f->live != 0;
     const long row = (n + f->every - 1) / f->every * f->every;

@@ -41,16 +41,16 @@ struct fleet {
 };
 
 // Takes a run aboard after step n, if it may.
-void fleet_board(struct fleet *f, int k, long n);
+void ensemble_fleet_board(struct fleet *f, int k, long n);
 
 // Takes a run ashore after step n.
-void fleet_leave(struct fleet *f, int k, long n);
+void ensemble_fleet_leave(struct fleet *f, int k, long n);
 
 // Ends a run for good, with the status of its steps.
-void fleet_end(struct fleet *f, int k, int status);
+void ensemble_fleet_end(struct fleet *f, int k, int status);
 
 // Takes those aboard from step n on to a step at which there is something to do for one of the
 // runs, and returns it.
-long fleet_cruise(struct fleet *f, long n);
+long ensemble_fleet_cruise(struct fleet *f, long n);
 
 #endif
