@@ -38,6 +38,13 @@
 #define LANES_LOOP
 #endif
 
+// In front of what such functions are made of, which is compiled as they are.
+#if defined(__GNUC__)
+#define LANES_INLINE static inline __attribute__((always_inline))
+#else
+#define LANES_INLINE static inline
+#endif
+
 struct arena;
 
 // Arrays for such loops have a multiple of LANES_WIDTH elements, those beyond the end 0, and as
@@ -53,6 +60,7 @@ typedef double lanes
 typedef double lanes_wide
     __attribute__((vector_size(LANES_WIDTH * sizeof(double)), aligned(sizeof(double)), may_alias));
 typedef int64_t lanes_bits __attribute__((vector_size(LANES_VECTOR * sizeof(int64_t))));
+typedef int64_t lanes_wide_bits __attribute__((vector_size(LANES_WIDTH * sizeof(int64_t))));
 
 // Elements i to i + LANES_WIDTH - 1 of an array.
 #define LANES_AT(x, i) (*(const lanes_wide *)((x) + (i)))

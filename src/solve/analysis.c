@@ -247,6 +247,9 @@ int analysis_balanced(struct run *r) {
 }
 
 static int observe(struct run *r) {
+    if (!r->adaptive) {
+        state_complete(r->now, r->model);
+    }
     const struct state *s = r->now;
     energy_balance(&r->energy, r->model, s, r->results->energy);
     int status = analysis_balanced(r);

@@ -52,25 +52,15 @@ LANES void chain_residual(const struct chain *c, const double *restrict external
     }
 }
 
-LANES void chain_elastic_residual(const struct chain *c, const double *restrict external,
-                                  const double *restrict a, const double *restrict u,
-                                  const double *restrict v, double *restrict r) {
-    for (int i = 0, n = whole(c->n); i < n; i++) {
-        r[i] = floor_residual(c, external, a, u, v, i);
-    }
-}
-
 LANES bool chain_correct(const struct chain *c, double b, double g, const double *restrict q,
                          const double *restrict u_t, const double *restrict v_t,
-                         const double *restrict a_0, const double *restrict base,
-                         double *restrict u, double *restrict v, double *restrict a,
-                         double *restrict total) {
+                         const double *restrict a_0, double *restrict u, double *restrict v,
+                         double *restrict a) {
     long bad = 0;
     for (int i = 0, n = whole(c->n); i < n; i++) {
         u[i] = u_t[i] + b * q[i];
         v[i] = v_t[i] + g * q[i];
         a[i] = a_0[i] + q[i];
-        total[i] = a[i] + base[i];
         double size = fabs(u[i]) + fabs(v[i]) + fabs(a[i]);
         bad |= !(size <= DBL_MAX);
     }

@@ -40,14 +40,9 @@ void chain_inertia(const struct chain *c, const double *base, double *external);
 void chain_residual(const struct chain *c, const double *external, const double *a,
                     const double *damping, const double *shear, double *r);
 
-// The same at the displacements u and velocities v, where all storeys are elastic and no C is full.
-void chain_elastic_residual(const struct chain *c, const double *external, const double *a,
-                            const double *u, const double *v, double *r);
-
-// u = u_t + b q, v = v_t + g q, a = a_0 + q; total = a + base. False: not all is finite.
+// u = u_t + b q, v = v_t + g q, a = a_0 + q. False: not all is finite.
 bool chain_correct(const struct chain *c, double b, double g, const double *q, const double *u_t,
-                   const double *v_t, const double *a_0, const double *base, double *u, double *v,
-                   double *a, double *total);
+                   const double *v_t, const double *a_0, double *u, double *v, double *a);
 
 // The following add twice what forces do while u0 becomes u1 to `work`, floor i to element i %
 // LANES_WIDTH: forces that go from f0 to f1,

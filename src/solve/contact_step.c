@@ -120,10 +120,21 @@ bool contact_close(struct work *w, const struct state *now, struct state *next, 
     return closed;
 }
 
+// The trial of the buildings of a run, unless they have been touched before.
+static void try_buildings(struct work *w, const struct state *now, const struct gap_run *r) {
+    for (int i = 0; i < 2; i++) {
+        int b = r->building[i];
+        if (b != WALL && !w->gaps.is_touched[b]) {
+            floors_trial(w, now, b);
+        }
+    }
+}
+
 int contact_search(struct work *w, const struct state *now, struct state *next) {
     int before = next->n_live;
     for (int i = 0; i < w->gaps.n_pressed; i++) {
         const struct gap_run *r = &w->gaps.run[w->gaps.pressed[i]];
+        try_buildings(w, now, r);
         for (int k = r->first; k < r->first + r->n; k++) {
             contact_close(w, now, next, k);
         }

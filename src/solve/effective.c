@@ -116,7 +116,7 @@ static void solve_tridiagonal(const struct effective *e, double *r) {
     }
 }
 
-// Adds to q (n) the sum of r_i times row i of the inverse.
+// q (n) = the sum of r_i times row i of the inverse.
 LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
                            int n, double *restrict q) {
     for (int j = 0; j < n; j += LANES_VECTOR) {
@@ -126,10 +126,10 @@ LANES static void multiply(const double *restrict inverse, int stride, const dou
             y += r[i] * *(const lanes *)row;
         }
         if (j + LANES_VECTOR <= n) {
-            *(lanes *)(q + j) += y;
+            *(lanes *)(q + j) = y;
         }
         for (int lane = 0; j + LANES_VECTOR > n && j + lane < n; lane++) {
-            q[j + lane] += y[lane];
+            q[j + lane] = y[lane];
         }
     }
 }
@@ -142,26 +142,46 @@ void effective_solve(struct effective *e, double *r, double *q) {
     }
     solve_tridiagonal(e, r);
     for (int i = 0; i < n; i++) {
-        q[i] += r[i];
+        q[i] = 0.0 + r[i];
     }
     if (effective_prefers_inverse(e)) {
         effective_column(e, e->n_ready);
     }
 }
 
-void effective_solve_four(struct effective *e, double *const r[4], double *const q[4]) {
+// Are the first n buildings of a row four tridiagonal ones of one height?
+static bool are_alike(const struct effective *e, int n) {
+    bool alike = n >= 4;
+    for (int k = 0; alike && k < 4; k++) {
+        alike = e[k].building->n_floor == e->building->n_floor && !effective_prefers_inverse(&e[k]);
+    }
+    return alike;
+}
+
+static void solve_four(const struct effective *e, double *r, double *q) {
     int n = e->building->n_floor;
-    bool alike = true;
-    for (int k = 0; k < 4; k++) {
-        alike = alike && e[k].building->n_floor == n && !effective_prefers_inverse(&e[k]);
-    }
-    if (!alike) {
-        for (int k = 0; k < 4; k++) {
-            effective_solve(&e[k], r[k], q[k]);
+    double *const rs[] = {r, r + n, r + 2 * n, r + 3 * n};
+    double *const qs[] = {q, q + n, q + 2 * n, q + 3 * n};
+    four_solve(e, rs, qs);
+}
+
+LANES void effective_solve_row(struct effective *e, int n, double *r, double *q) {
+    for (int k = 0; k < n;) {
+        struct effective *first = &e[k];
+        int floors = first->building->n_floor;
+        int solved = 1;
+        if (effective_is_low(first)) {
+            effective_multiply(first, r, q);
+        } else if (are_alike(first, n - k)) {
+            solve_four(first, r, q);
+            solved = 4;
+        } else {
+            effective_solve(first, r, q);
         }
-        return;
+        k += solved;
+        r += solved * floors;
+        q += solved * floors;
     }
-    four_solve(e, r, q);
 }
 
 // Entries of a row of the inverse that are this small against its diagonal are below rounding.

@@ -6,6 +6,10 @@
 #ifndef JOSTLE_EFFECTIVE_H
 #define JOSTLE_EFFECTIVE_H
 
+#include <assert.h>
+#include <stddef.h>
+
+#include "core/lanes.h"
 #include "jostle/model.h"
 
 // How long a factorisation will serve.
@@ -49,12 +53,52 @@ static inline bool effective_has_inverse(const struct effective *e) {
     return e->n_ready == e->building->n_floor && effective_prefers_inverse(e);
 }
 
-// Adds A^-1 r to q; both (n_floor), r is overwritten.
+static inline bool effective_is_low(const struct effective *e) {
+    return e->stride <= INVERSE_FLOORS_MAX && effective_has_inverse(e);
+}
+
+// q = A^-1 r by the inverse, for at most LANES_WIDTH floors. Rows and columns beyond it are 0.
+LANES_INLINE void effective_multiply_low(const double *inverse, const double *r, double *q) {
+    lanes_wide sum = {0.0};
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        sum += r[i] * LANES_AT(inverse, (ptrdiff_t)i * LANES_WIDTH);
+    }
+    *(lanes_wide *)q = sum;
+}
+
+// For at most twice as many: LANES_WIDTH columns, the first of which is column j.
+LANES_INLINE void effective_multiply_columns(const double *inverse, int j, const double *r, double *q) {
+    enum { STRIDE = 2 * LANES_WIDTH };
+    const double *row = inverse + j;
+    lanes first = {0.0}, second = {0.0};
+    for (int i = 0; i < STRIDE; i++, row += STRIDE) {
+        first += r[i] * *(const lanes *)row;
+        second += r[i] * *(const lanes *)(row + LANES_VECTOR);
+    }
+    *(lanes *)(q + j) = first;
+    *(lanes *)(q + j + LANES_VECTOR) = second;
+}
+
+// For a low building with its inverse, in whole lanes: what is written beyond q belongs to the next
+// building. In line for the loops over floors.
+LANES_INLINE void effective_multiply(const struct effective *e, const double *r, double *q) {
+    static_assert(INVERSE_FLOORS_MAX <= 2 * LANES_WIDTH, "those are all the strides there are");
+    static_assert(LANES_WIDTH == 2 * LANES_VECTOR, "there are two halves");
+    if (e->stride == LANES_WIDTH) {
+        effective_multiply_low(e->inverse, r, q);
+    } else {
+        effective_multiply_columns(e->inverse, 0, r, q);
+        effective_multiply_columns(e->inverse, LANES_WIDTH, r, q);
+    }
+}
+
+// q = A^-1 r; both (n_floor), r is overwritten.
 void effective_solve(struct effective *e, double *r, double *q);
 
-// The same for four buildings at once, which takes little longer than for one where all are
-// tridiagonal and of the same height.
-void effective_solve_four(struct effective *e, double *const r[4], double *const q[4]);
+// The same for n buildings whose floors stand one behind the other in r and q, arrays of
+// core/lanes.h: what r has behind them must be finite, and q may be written there. Takes much less
+// time than one after the other where they are low, or where four are of the same height.
+void effective_solve_row(struct effective *e, int n, double *r, double *q);
 
 // Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on
 // floor i + 1. Computed when first asked for after a factorisation.

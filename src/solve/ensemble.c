@@ -102,7 +102,7 @@ static void balance(struct fleet *f) {
             energy_close(&r->energy, &sums[k], r->results->energy);
             int status = analysis_balanced(r);
             if (status != STATUS_OK) {
-                fleet_end(f, k, status);
+                ensemble_fleet_end(f, k, status);
             }
         }
     }
@@ -114,7 +114,7 @@ static void poll(struct fleet *f, double time) {
         struct boat *b = &f->boat[k];
         int status = b->berth == BERTH_ABOARD ? o->poll(o->context, time, &b->member->error) : 0;
         if (status != STATUS_OK) {
-            fleet_end(f, k, status);
+            ensemble_fleet_end(f, k, status);
         }
     }
 }
@@ -128,9 +128,9 @@ static void step_ashore(struct fleet *f, long n) {
         }
         int status = analysis_step(&b->run, n);
         if (status == STATUS_OK) {
-            fleet_board(f, k, n);
+            ensemble_fleet_board(f, k, n);
         } else {
-            fleet_end(f, k, status);
+            ensemble_fleet_end(f, k, status);
         }
     }
 }
@@ -140,10 +140,10 @@ static void land(struct fleet *f, int k) {
     struct boat *b = &f->boat[k];
     const long last = b->run.model->n_step;
     if (b->berth == BERTH_ABOARD) {
-        fleet_leave(f, k, last - 1);
+        ensemble_fleet_leave(f, k, last - 1);
     }
     ensemble_lanes_merge(&f->lanes, k, b->run.results);
-    fleet_end(f, k, analysis_step(&b->run, last));
+    ensemble_fleet_end(f, k, analysis_step(&b->run, last));
 }
 
 static long least(long a, long b) {
@@ -177,7 +177,7 @@ static void lockstep(struct fleet *f) {
                 poll(f, (double)(n - 1) * dt);
             }
         }
-        n = fleet_cruise(f, n);
+        n = ensemble_fleet_cruise(f, n);
         if (n % f->every == 0 && f->n_aboard > 0) {
             balance(f);
         }
@@ -207,11 +207,11 @@ static void start(struct fleet *f, struct ensemble_member *member) {
     f->n_ashore++;
     int status = analysis_begin(&b->run, m, f->observer, &member->error);
     if (status != STATUS_OK) {
-        fleet_end(f, k, status);
+        ensemble_fleet_end(f, k, status);
     } else if (work_factor(&b->run.work, m->dt) == STATUS_OK &&
                ensemble_lanes_fill(&f->lanes, k, &b->run)) {
         b->berth = BERTH_ASHORE;
-        fleet_board(f, k, 0);
+        ensemble_fleet_board(f, k, 0);
     }
 }
 

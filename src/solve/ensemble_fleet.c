@@ -8,7 +8,22 @@
 
 #include "solve/ensemble_links.h"
 
-void fleet_board(struct fleet *f, int k, long n) {
+static bool has(unsigned runs, int k) {
+    return runs >> k & 1U;
+}
+
+// Sets the bit of run k.
+static void put(unsigned *runs, int k, bool value) {
+    *runs = (*runs & ~(1U << k)) | (unsigned)value << k;
+}
+
+static void forget(struct fleet *f, int k) {
+    put(&f->live, k, false);
+    put(&f->acting, k, false);
+    put(&f->wanted, k, false);
+}
+
+void ensemble_fleet_board(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
     struct run *r = &b->run;
     if (b->berth == BERTH_ASHORE && work_factor(&r->work, r->model->dt) == STATUS_OK &&
@@ -18,95 +33,86 @@ void fleet_board(struct fleet *f, int k, long n) {
         b->boarded = n;
         f->n_aboard++;
         f->n_ashore--;
+        put(&f->live, k, r->now->n_live > 0);
     }
 }
 
-void fleet_leave(struct fleet *f, int k, long n) {
+void ensemble_fleet_leave(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
     ensemble_leave(&f->lanes, k, &b->run, model_time(b->run.model, n), n - b->boarded);
     b->berth = BERTH_ASHORE;
     f->n_aboard--;
     f->n_ashore++;
+    forget(f, k);
 }
 
-void fleet_end(struct fleet *f, int k, int status) {
+void ensemble_fleet_end(struct fleet *f, int k, int status) {
     struct boat *b = &f->boat[k];
     *(b->berth == BERTH_ABOARD ? &f->n_aboard : &f->n_ashore) -= 1;
     b->berth = BERTH_ENDED;
     f->lanes.aboard[k] = 0;
+    forget(f, k);
     b->member->status = analysis_end(&b->run, status, &b->member->results);
-}
-
-static bool is_aboard(const struct fleet *f, int k) {
-    return f->boat[k].berth == BERTH_ABOARD;
-}
-
-static bool any_live(const struct fleet *f) {
-    bool any = false;
-    for (int k = 0; k < f->n; k++) {
-        any |= is_aboard(f, k) && f->boat[k].run.now->n_live > 0;
-    }
-    return any;
 }
 
 // The links of run k act in step n.
 static void act(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
     const struct model *m = b->run.model;
-    b->acts = true;
     b->before = b->run.results->totals;
     ensemble_links_begin(&f->lanes, k, &b->run, model_time(m, n - 1), model_time(m, n));
-    b->wanted = b->run.next->n_live > 0;
+    put(&f->acting, k, true);
+    put(&f->wanted, k, b->run.next->n_live > 0);
 }
 
-// Run k cannot take step n aboard, whose links have acted in it so far.
+// Run k cannot take step n aboard, whatever its links have done in it so far.
 static void give_up(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
-    if (b->acts) {
+    if (has(f->acting, k)) {
         b->run.results->totals = b->before;
         ensemble_links_release(&f->lanes, k, &b->run);
-        b->acts = false;
     }
-    fleet_leave(f, k, n - 1);
+    ensemble_fleet_leave(f, k, n - 1);
 }
 
 // The step n of all floors aboard, with the forces that live links begin it with.
 static void begin_links(struct fleet *f, long n, const wide *base) {
     ensemble_unbalance(&f->lanes, base);
     for (int k = 0; k < f->n; k++) {
-        if (is_aboard(f, k) && f->boat[k].run.now->n_live > 0) {
+        if (has(f->live, k)) {
             act(f, k, n);
         }
     }
     ensemble_move(&f->lanes, base);
     for (int k = 0; k < f->n; k++) {
-        if (is_aboard(f, k) && f->boat[k].acts) {
+        if (has(f->acting, k)) {
             ensemble_links_gather(&f->lanes, k, &f->boat[k].run);
         }
     }
 }
 
-static unsigned pressed_lanes(const struct ensemble_lanes *e) {
-    unsigned lanes_set = 0;
+static unsigned find_pressed(struct ensemble_lanes *e) {
+    unsigned runs = 0;
+    ensemble_press(e);
     for (int i = 0; i < e->n_pressed; i++) {
-        lanes_set |= e->pressed[i].lanes;
+        runs |= e->pressed[i].lanes;
     }
-    return lanes_set;
+    return runs;
 }
 
 // Closes the pressed contacts of run k, and solves for its links where that is to be done anew:
 // returns whether it was.
 static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
-    struct boat *b = &f->boat[k];
-    if (pressed && !b->acts) {
+    struct run *r = &f->boat[k].run;
+    if (pressed && !has(f->acting, k)) {
         act(f, k, n);
     }
-    b->wanted |= pressed && ensemble_links_close(&f->lanes, k, &b->run) > 0;
-    if (!b->wanted) {
+    bool closed = pressed && ensemble_links_close(&f->lanes, k, r) > 0;
+    if (!closed && !has(f->wanted, k)) {
         return false;
     }
-    b->wanted = false;
-    if (ensemble_links_solve(&f->lanes, k, &b->run) != STATUS_OK) {
+    put(&f->wanted, k, false);
+    if (ensemble_links_solve(&f->lanes, k, r) != STATUS_OK) {
         give_up(f, k, n);
     }
     return true;
@@ -116,16 +122,14 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
 static void meet(struct fleet *f, long n) {
     for (bool again = true; again;) {
         again = false;
-        ensemble_press(&f->lanes);
-        const unsigned pressed = pressed_lanes(&f->lanes);
-        for (int k = 0; k < f->n; k++) {
-            bool asked = is_aboard(f, k) && (f->boat[k].wanted || (pressed >> k & 1U));
-            again |= asked && solve_links(f, k, n, pressed >> k & 1U);
+        const unsigned pressed = find_pressed(&f->lanes);
+        const unsigned asked = pressed | f->wanted;
+        for (int k = 0; asked && k < f->n; k++) {
+            again |= has(asked, k) && solve_links(f, k, n, has(pressed, k));
         }
     }
-    for (int k = 0; k < f->n; k++) {
-        bool acts = is_aboard(f, k) && f->boat[k].acts;
-        if (acts && ensemble_links_finish(&f->boat[k].run) != STATUS_OK) {
+    for (int k = 0; f->acting && k < f->n; k++) {
+        if (has(f->acting, k) && ensemble_links_finish(&f->boat[k].run) != STATUS_OK) {
             give_up(f, k, n);
         }
     }
@@ -134,8 +138,8 @@ static void meet(struct fleet *f, long n) {
 // Takes a closer look at the step n that has been computed, in which a peak is exceeded.
 static void look(struct fleet *f, long n, const wide *base) {
     const unsigned leaving = ensemble_overflows(&f->lanes, base);
-    for (int k = 0; k < f->n; k++) {
-        if (leaving >> k & 1U) {
+    for (int k = 0; leaving && k < f->n; k++) {
+        if (has(leaving, k)) {
             give_up(f, k, n);
         }
     }
@@ -143,14 +147,16 @@ static void look(struct fleet *f, long n, const wide *base) {
 }
 
 static void commit(struct fleet *f, const wide *base) {
-    for (int k = 0; k < f->n; k++) {
-        struct boat *b = &f->boat[k];
-        if (is_aboard(f, k) && b->acts) {
-            b->acts = false;
-            int status = ensemble_links_commit(&f->lanes, k, &b->run);
-            if (status != STATUS_OK) {
-                fleet_end(f, k, status);
-            }
+    for (int k = 0; f->acting && k < f->n; k++) {
+        if (!has(f->acting, k)) {
+            continue;
+        }
+        struct run *r = &f->boat[k].run;
+        int status = ensemble_links_commit(&f->lanes, k, r);
+        put(&f->acting, k, false);
+        put(&f->live, k, r->now->n_live > 0);
+        if (status != STATUS_OK) {
+            ensemble_fleet_end(f, k, status);
         }
     }
     ensemble_commit(&f->lanes, base);
@@ -160,9 +166,9 @@ static long least(long a, long b) {
     return a < b ? a : b;
 }
 
-long fleet_cruise(struct fleet *f, long n) {
+long ensemble_fleet_cruise(struct fleet *f, long n) {
     struct ensemble_lanes *e = &f->lanes;
-    const bool live = any_live(f);
+    const bool live = f->live != 0;
     const long row = (n + f->every - 1) / f->every * f->every;
     const long last = f->n_ashore > 0 || live ? n : least(least(f->known, f->due), row);
     if (f->n_aboard == 0) {

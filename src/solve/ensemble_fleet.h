@@ -22,9 +22,7 @@ struct boat {
     enum berth berth;
     int ground;            // the first run whose ground moves as that of this one
     long boarded;          // the step after which it came aboard
-    bool acts;             // links act in the step under way of a run aboard,
-    bool wanted;           // and their forces have not been solved for
-    struct totals before;  // as of the start of that step
+    struct totals before;  // a step in which its links act
 };
 
 struct fleet {
@@ -33,22 +31,26 @@ struct fleet {
     int n;
     struct boat boat[ENSEMBLE_MAX];  // (n) boat k in lane k
     int n_aboard, n_ashore;
-    long due;    // the step after which a run has but its last one, which may be shorter
-    long known;  // ground accelerations are there up to this step
-    int every;   // steps between two rows
+    // Bits of runs aboard:
+    unsigned live;    // their committed states have live links,
+    unsigned acting;  // links act in the step under way,
+    unsigned wanted;  // and their forces are still to be solved for
+    long due;         // the step after which a run has but its last one, which may be shorter
+    long known;       // ground accelerations are there up to this step
+    int every;        // steps between two rows
 };
 
 // Takes a run aboard after step n, if it may.
-void fleet_board(struct fleet *f, int k, long n);
+void ensemble_fleet_board(struct fleet *f, int k, long n);
 
 // Takes a run ashore after step n.
-void fleet_leave(struct fleet *f, int k, long n);
+void ensemble_fleet_leave(struct fleet *f, int k, long n);
 
 // Ends a run for good, with the status of its steps.
-void fleet_end(struct fleet *f, int k, int status);
+void ensemble_fleet_end(struct fleet *f, int k, int status);
 
 // Takes those aboard from step n on to a step at which there is something to do for one of the
 // runs, and returns it.
-long fleet_cruise(struct fleet *f, long n);
+long ensemble_fleet_cruise(struct fleet *f, long n);
 
 #endif

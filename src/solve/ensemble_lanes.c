@@ -10,13 +10,15 @@
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
-    for (int k = 0; e->contact && k < m->n_contact; k++) {
+    e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
+    for (int k = 0; e->contact && e->end && k < m->n_contact; k++) {
         const int *dof = m->link[k].dof;
-        e->contact[k].left = dof[0] == WALL ? m->n_dof : dof[0];
-        e->contact[k].right = dof[1] == WALL ? m->n_dof : dof[1];
+        for (int i = 0; i < 2; i++) {
+            e->end[k][i] = dof[i] == WALL ? m->n_dof : dof[i];
+        }
         e->contact[k].deepest = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->pressed;
+    return e->contact && e->end && e->pressed;
 }
 
 static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
@@ -215,8 +217,7 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
     s->ground_a[0] = e->works->ground[lane];
     t->speed = e->works->speed[lane];
     for (int k = 0; k < e->n_contact; k++) {
-        const struct ensemble_contact *c = &e->contact[k];
-        s->delta[k] = s->u[c->left] - s->u[c->right] - c->gap[lane];
+        s->delta[k] = s->u[e->end[k][0]] - s->u[e->end[k][1]] - e->contact[k].gap[lane];
     }
     s->time = time;
     t->steps += n_step;

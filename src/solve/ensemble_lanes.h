@@ -66,7 +66,6 @@ struct ensemble_contact {
     wide limit;         // [L] 0, and infinite in lanes whose runs have taken it up in this step
     wide deepest;       // [L] as the peaks, but while it is open
     wide deepest_time;  // [T]
-    int left, right;    // floors; a wall is the zero behind them
 };
 
 // A contact that is closed in some lanes.
@@ -95,8 +94,9 @@ struct ensemble_lanes {
     struct ensemble_works *works;           // so far
     wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
     struct ensemble_contact *contact;       // (n_contact)
-    bool nearer;                            // one exceeds its peak in the step under way
-    struct ensemble_pressed *pressed;       // (n_contact) those beyond their limits
+    int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
+    bool nearer;    // an open one exceeds its peak in the step under way
+    struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };

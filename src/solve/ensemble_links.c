@@ -6,20 +6,17 @@
 #include "solve/contact.h"
 #include "solve/event.h"
 
-// The trial of building k, and the corrections that it has so far. The former as ensemble_march.c
-// has it.
+// The committed state of building k, its trial, and the corrections that it has so far.
 static void gather_building(const struct ensemble_lanes *e, int lane, struct run *r, int k) {
     const struct building *g = &r->model->building[k];
-    const double h = e->h, half = h * h / 2.0;
-    struct work *w = &r->work;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
         const struct ensemble_state *s = &e->now[i];
-        const double u = s->u[lane], v = s->v[lane], a = s->a[lane];
-        r->now->v[i] = v;
-        w->u_trial[i] = u + (h * v + half * a);
-        w->v_trial[i] = v + h * a;
-        w->correction[i] = e->correction[i][lane];
+        r->now->u[i] = s->u[lane];
+        r->now->v[i] = s->v[lane];
+        r->now->a[i] = s->a[lane];
+        r->work.correction[i] = e->correction[i][lane];
     }
+    floors_trial(&r->work, r->now, k);
 }
 
 // The state that they lead to now.
@@ -30,17 +27,16 @@ static void scatter_building(struct ensemble_lanes *e, int lane, struct run *r, 
         const double q = w->correction[i];
         const double u = w->u_trial[i] + w->b * q;
         const double v = w->v_trial[i] + w->g * q;
-        r->next->u[i] = u;
         r->next->v[i] = v;
         e->next[i].u[lane] = u;
         e->next[i].v[lane] = v;
-        e->next[i].a[lane] = e->now[i].a[lane] + q;
+        e->next[i].a[lane] = r->now->a[i] + q;
     }
 }
 
-static double penetration(const struct ensemble_contact *c, const struct ensemble_state *s,
+static double penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
                           int lane) {
-    return s[c->left].u[lane] - s[c->right].u[lane] - c->gap[lane];
+    return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
 }
 
 void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, double start,
@@ -52,10 +48,9 @@ void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, dou
     next->time = end;
     for (int i = 0; i < next->n_live; i++) {
         const int k = next->live[i];
-        struct ensemble_contact *c = &e->contact[k];
-        c->limit[lane] = INFINITY;
-        e->residual[c->left][lane] -= next->force[k];
-        e->residual[c->right][lane] += next->force[k];
+        e->contact[k].limit[lane] = INFINITY;
+        e->residual[e->end[k][0]][lane] -= next->force[k];
+        e->residual[e->end[k][1]][lane] += next->force[k];
     }
 }
 
@@ -85,8 +80,8 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
             continue;
         }
         gather_ends(e, lane, r, &r->model->link[k]);
-        r->now->delta[k] = penetration(&e->contact[k], e->now, lane);
-        r->next->delta[k] = penetration(&e->contact[k], e->next, lane);
+        r->now->delta[k] = penetration(e, k, e->now, lane);
+        r->next->delta[k] = penetration(e, k, e->next, lane);
         if (contact_close(&r->work, r->now, r->next, k)) {
             e->contact[k].limit[lane] = INFINITY;
             n++;
@@ -105,7 +100,7 @@ int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r) {
     }
     for (int i = 0; i < r->next->n_live; i++) {
         const int k = r->next->live[i];
-        r->next->delta[k] = penetration(&e->contact[k], e->next, lane);
+        r->next->delta[k] = penetration(e, k, e->next, lane);
     }
     return STATUS_OK;
 }

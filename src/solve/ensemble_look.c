@@ -47,7 +47,7 @@ LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *ba
 // Negative in lanes where a contact is beyond its limit.
 INLINE void press(const struct ensemble_lanes *e, int k, wide_bits *flags) {
     const struct ensemble_contact *c = &e->contact[k];
-    wide delta = e->next[c->left].u - e->next[c->right].u - c->gap;
+    wide delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - c->gap;
     *flags |= LESS(c->limit, delta);
 }
 
@@ -119,7 +119,7 @@ LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double tim
     }
     for (int k = 0; e->nearer && k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
-        wide delta = s[c->left].u - s[c->right].u - c->gap;
+        wide delta = s[e->end[k][0]].u - s[e->end[k][1]].u - c->gap;
         wide_bits open = aboard & ~(LESS(0.0, delta) >> SIGN);
         raise(&open, &delta, &now, &c->deepest, &c->deepest_time);
     }

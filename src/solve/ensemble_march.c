@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps in which no link acts, of all runs aboard at once: what chain_floor.h, flight_step.c and
-// account.c say for elastic storeys under one ground. Each lane sees their operations in their
-// order, so that its bits are those of a run alone. A few buildings are taken through the whole
-// step before the next ones, while their numbers are at hand; what one floor needs of its
-// neighbours is carried along in registers.
+// Steps in which no link acts, of all runs aboard at once: what chain_floor.h says, as a run alone
+// goes through it where storeys are elastic and one ground moves all. Each lane sees the same
+// operations in the same order, so that its bits are those of a run alone. A few buildings are
+// taken through the whole step before the next ones, while their numbers are at hand; what one
+// floor needs of its neighbours is carried along in registers.
 //
 // A drift that does not exceed its peak brings no shear beyond its own, as rounding keeps order; so
 // shears are looked at only where a drift says so.
@@ -165,16 +165,17 @@ INLINE void move(const struct ensemble_lanes *e, const struct ensemble_building 
             e->correction + first, flags);
 }
 
-// Negative in lanes where a contact is closed, or nearer than ever.
-INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
+// *closer gets negative in lanes where a contact is nearer than ever or closed, *open where one is
+// so that is open.
+INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *closer, wide_bits *open) {
     const struct ensemble_state *restrict t = e->next;
-    wide_bits deeper = {0};
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_contact *c = &e->contact[k];
-        wide delta = t[c->left].u - t[c->right].u - c->gap;
-        deeper |= (wide_bits)(c->deepest - delta);
+        wide delta = t[e->end[k][0]].u - t[e->end[k][1]].u - c->gap;
+        wide_bits deeper = (wide_bits)(c->deepest - delta);
+        *closer |= deeper;
+        *open |= deeper & ~(wide_bits)(0.0 - delta);
     }
-    *flags |= deeper;
 }
 
 // The works of the ground and of damping on a building.
@@ -241,7 +242,9 @@ INLINE void step(const struct ensemble_lanes *e, const wide *ground, wide_bits *
             move(e, &b[k], ground, flags);
         }
     }
-    penetrate(e, flags);
+    wide_bits closer = {0}, open = {0};
+    penetrate(e, &closer, &open);
+    *flags |= closer;
 }
 
 LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
@@ -271,9 +274,9 @@ LANES void ensemble_move(struct ensemble_lanes *e, const wide *base) {
 }
 
 LANES bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base) {
-    wide_bits nearer = {0};
-    penetrate(e, &nearer);
-    e->nearer = any_aboard(e, &nearer);
+    wide_bits closer = {0}, open = {0};
+    penetrate(e, &closer, &open);
+    e->nearer = any_aboard(e, &open);
     bool any = e->nearer;
     for (int k = 0; k < e->n_building; k++) {
         struct ensemble_building *b = &e->building[k];

@@ -4,7 +4,7 @@
 #include "solve/chain.h"
 
 // With one ground under all, nothing depends on its velocity and displacement.
-static void ground_at(struct state *s, const struct model *m, double t) {
+void excitation_grounds(struct state *s, const struct model *m, double t) {
     for (int k = 0; k < m->n_ground; k++) {
         const struct ground *g = &m->ground[k];
         s->ground_a[k] = s->ground_v[k] = s->ground_u[k] = 0.0;
@@ -27,8 +27,7 @@ static void fill(double *x, int n, double value) {
     }
 }
 
-void excitation_at(struct state *s, const struct model *m, double t) {
-    ground_at(s, m, t);
+void excitation_floors(struct state *s, const struct model *m, double t) {
     if (m->n_ground == 1) {
         fill(s->base, m->n_dof, s->ground_a[0]);
     } else {
@@ -41,4 +40,9 @@ void excitation_at(struct state *s, const struct model *m, double t) {
     for (int k = 0; k < m->n_load; k++) {
         s->external[m->load[k].dof] += signal_value(&m->load[k].signal, t);
     }
+}
+
+void excitation_at(struct state *s, const struct model *m, double t) {
+    excitation_grounds(s, m, t);
+    excitation_floors(s, m, t);
 }

@@ -9,4 +9,8 @@
 // external forces -m a_ground + p of `s` to time t.
 void excitation_at(struct state *s, const struct model *m, double t);
 
+// Its parts: what is of the grounds, and what is of the floors.
+void excitation_grounds(struct state *s, const struct model *m, double t);
+void excitation_floors(struct state *s, const struct model *m, double t);
+
 #endif

@@ -39,6 +39,27 @@ static void group_contacts(struct flight *f, const struct model *m) {
     }
 }
 
+static int last_building(const struct model *m, int contact) {
+    const int *k = m->link[contact].building;
+    return k[0] > k[1] ? k[0] : k[1];
+}
+
+// Gives each block of floors the groups that can be seen to after it, in their order.
+static void assign_groups(struct flight *f) {
+    const struct floors *floors = &f->work->floors;
+    const struct model *m = f->model;
+    int group = 0;
+    for (int i = 0; i < floors->n_block; i++) {
+        const struct floor_block *b = &floors->block[i];
+        bool last = i == floors->n_block - 1;
+        while (group < f->n_group &&
+               (last || last_building(m, f->group[group].contact) < b->building + b->n_building)) {
+            group++;
+        }
+        f->group_end[i] = group;
+    }
+}
+
 // Are all links contacts with a law of force, and all storeys of straight lines?
 static bool is_possible(const struct model *m) {
     bool possible = m->n_link == m->n_contact && !m->chain.full_damping;
@@ -99,8 +120,11 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     size_t n = f->possible ? (size_t)m->n_contact : 0;
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
+    f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
+    f->higher = arena_alloc(a, (size_t)m->n_building, sizeof *f->higher);
+    f->any_higher = arena_alloc(a, 1, sizeof *f->any_higher);
     f->ahead_from = -FLIGHT_AHEAD;
-    if (!f->group || !f->gap || !branches_alloc(f, m, a)) {
+    if (!f->group || !f->gap || !f->group_end || !f->higher || !f->any_higher || !branches_alloc(f, m, a)) {
         return false;
     }
     for (size_t i = 0; i < n * LANES_WIDTH; i++) {
@@ -108,29 +132,36 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     }
     if (f->possible) {
         group_contacts(f, m);
-    }
-    if (f->possible && !f->yields) {
-        find_branches(f, NULL);
+        assign_groups(f);
     }
     return true;
 }
 
-unsigned flight_near(const struct flight *f, struct state *next) {
-    struct gaps *g = &f->work->gaps;
-    gaps_update(g, next);
-    if (g->n_pressed > 0) {
-        return FLIGHT_ENDS;
+// Takes a step as it has been found, or takes back what has been added for it.
+static bool take(const struct flight *f, const struct state *now, struct state *next,
+                 enum nearness near, const struct energy_account *before) {
+    if (near == NEARNESS_CLOSED) {
+        *f->energy = *before;
+        return false;
     }
-    gaps_peaks(g, next);
-    return 0;
+    if (near == NEARNESS_DEEPEST) {
+        gaps_update(&f->work->gaps, next);
+        gaps_peaks(&f->work->gaps, next);
+    }
+    if (!f->uniform) {
+        energy_input(f->energy, f->model, now, next);
+    }
+    return true;
 }
 
-// What flight_step leaves out.
+// What steps in flight leave out.
 static void complete(const struct flight *f, struct state *s) {
-    state_internal_forces(s, f->model, s->u, s->v);
+    const struct model *m = f->model;
     contact_penetrations(f->work, s);
-    for (int i = 0; i < f->model->n_dof; i++) {
-        s->total[i] = s->a[i] + s->base[i];
+    if (f->yields) {
+        excitation_floors(s, m, s->time);
+        state_internal_forces(s, m, s->u, s->v);
+        state_totals(s, m);
     }
 }
 
@@ -147,19 +178,20 @@ static void look_ahead(struct flight *f, long n) {
     }
 }
 
-static unsigned step_to(struct flight *f, const struct state *now, struct state *next, long n) {
+// False: step n is not one in free flight.
+static bool step_to(struct flight *f, const struct state *now, struct state *next, long n) {
     if (n < f->ahead_from || n >= f->ahead_from + FLIGHT_AHEAD) {
         look_ahead(f, n);
     }
     next->time = f->time[n - f->ahead_from];
-    double ground = f->ground[n - f->ahead_from];
     if (f->uniform) {
-        next->ground_a[0] = ground;
+        next->ground_a[0] = f->ground[n - f->ahead_from];
     } else {
         excitation_at(next, f->model, next->time);
     }
-    return f->yields ? flight_step_yielding(f, now, next, ground)
-                     : flight_step(f, now, next, ground);
+    const struct energy_account before = *f->energy;
+    enum nearness near = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
+    return take(f, now, next, near, &before);
 }
 
 static bool may_start(struct flight *f, const struct state *s) {
@@ -200,18 +232,10 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
     start(f, *now, *next);
     long first = n;
-    while (n < end) {
-        struct state *s = *next;
-        unsigned events = step_to(f, *now, s, n + 1);
-        if (events == FLIGHT_PEAK) {
-            events = flight_peaks(f, s);
-        }
-        if (events == FLIGHT_ENDS) {
-            break;
-        }
-        *next = *now;
-        *now = s;
-        n++;
+    for (; n < end && step_to(f, *now, *next, n + 1); n++) {
+        struct state *old = *now;
+        *now = *next;
+        *next = old;
     }
     if (n > first) {
         finish(f, *now, n - first);

@@ -32,6 +32,9 @@ struct flight {
     int n_group;
     struct gap_group *group;  // (n_group)
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
+    int *group_end;           // by block of floors: after it the groups before this can be seen to
+    bool *any_higher;         // one of these is not 0:
+    unsigned char *higher;    // which peaks a block may have: enum floors_higher
 
     long ahead_from;              // step of the first of what is computed ahead:
     double time[FLIGHT_AHEAD];    // [T]
@@ -45,27 +48,5 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
 // step in which a link would act or a storey change its branch. Returns the step that it has
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
-
-// What a step may turn out to be.
-enum flight_event {
-    FLIGHT_PEAK = 1,  // a floor may have reached a peak, or is not finite
-    FLIGHT_ENDS = 2,  // a contact closes or a storey leaves its branch: the step is not taken
-};
-
-// The step from `now` to `next`: displacements, velocities, accelerations and damping forces, and
-// the works done, under the ground acceleration `ground`, or where that is not uniform under the
-// base and external forces of `next`.
-unsigned flight_step(const struct flight *f, const struct state *now, struct state *next,
-                     double ground);
-
-// The same where not all storeys are elastic.
-unsigned flight_step_yielding(const struct flight *f, const struct state *now, struct state *next,
-                              double ground);
-
-// Looks closer at contacts that may have come nearer than ever: FLIGHT_ENDS if one is closed.
-unsigned flight_near(const struct flight *f, struct state *next);
-
-// Takes the floors of `s` into the peaks: FLIGHT_ENDS if one is not finite.
-unsigned flight_peaks(const struct flight *f, const struct state *s);
 
 #endif

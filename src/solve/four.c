@@ -10,7 +10,7 @@
 enum { FOUR = 4 };
 
 // Rows become columns.
-static inline void transpose(lanes x[FOUR]) {
+LANES_INLINE void transpose(lanes x[FOUR]) {
     lanes a = x[0], b = x[1], c = x[2], d = x[3];
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
     lanes ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -29,26 +29,26 @@ static inline void transpose(lanes x[FOUR]) {
 }
 
 // Floors i to i + 3 of four arrays; lane k of row j is floor i + j of array k.
-static inline void load(const double *const x[FOUR], int i, lanes row[FOUR]) {
+LANES_INLINE void load(const double *const x[FOUR], int i, lanes row[FOUR]) {
     for (int k = 0; k < FOUR; k++) {
         row[k] = *(const lanes *)(x[k] + i);
     }
     transpose(row);
 }
 
-static inline void load_floor(const double *const x[FOUR], int i, lanes *row) {
+LANES_INLINE void load_floor(const double *const x[FOUR], int i, lanes *row) {
     *row = (lanes){x[0][i], x[1][i], x[2][i], x[3][i]};
 }
 
-static inline void add(double *const q[FOUR], int i, lanes row[FOUR]) {
+LANES_INLINE void store(double *const q[FOUR], int i, lanes row[FOUR]) {
     transpose(row);
     for (int k = 0; k < FOUR; k++) {
-        *(lanes *)(q[k] + i) += row[k];
+        *(lanes *)(q[k] + i) = 0.0 + row[k];
     }
 }
 
-static inline void upwards(const double *const r[FOUR], const double *const l[FOUR], int n,
-                           lanes *restrict x) {
+LANES_INLINE void upwards(const double *const r[FOUR], const double *const l[FOUR], int n,
+                          lanes *restrict x) {
     int i = 1;
     lanes last;
     load_floor(r, 0, &last);
@@ -69,8 +69,8 @@ static inline void upwards(const double *const r[FOUR], const double *const l[FO
     }
 }
 
-static inline void downwards(const double *const p[FOUR], const double *const l[FOUR], int n,
-                             const lanes *restrict x, double *const q[FOUR]) {
+LANES_INLINE void downwards(const double *const p[FOUR], const double *const l[FOUR], int n,
+                            const lanes *restrict x, double *const q[FOUR]) {
     int i = n;
     lanes last = {0.0};
     for (; i >= FOUR; i -= FOUR) {
@@ -80,7 +80,7 @@ static inline void downwards(const double *const p[FOUR], const double *const l[
         for (int j = FOUR - 1; j >= 0; j--) {
             y[j] = last = x[i - FOUR + j] * pivot[j] - above[j] * last;
         }
-        add(q, i - FOUR, y);
+        store(q, i - FOUR, y);
     }
     while (i-- > 0) {
         lanes pivot, above;
@@ -88,7 +88,7 @@ static inline void downwards(const double *const p[FOUR], const double *const l[
         load_floor(l, i, &above);
         last = x[i] * pivot - above * last;
         for (int k = 0; k < FOUR; k++) {
-            q[k][i] += last[k];
+            q[k][i] = 0.0 + last[k];
         }
     }
 }

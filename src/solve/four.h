@@ -5,7 +5,7 @@
 
 #include "solve/effective.h"
 
-// Adds A^-1 r to q for four buildings of e[0].building->n_floor floors, with the bits of four
+// q = A^-1 r for four buildings of e[0].building->n_floor floors, with the bits of four
 // solves one after the other.
 void four_solve(const struct effective e[4], double *const r[4], double *const q[4]);
 

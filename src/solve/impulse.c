@@ -85,6 +85,7 @@ static void part(struct state *s, const struct model *m, const struct least_boun
 // Everything that follows from the velocities.
 static void follow(struct state *s, const struct model *m) {
     state_complete(s, m);
+    state_internal_forces(s, m, s->u, s->v);
     for (int k = 0; k < m->n_link; k++) {
         if (s->closed[k] && m->link[k].law->force) {
             s->force[k] = state_link_force(s, m, k);

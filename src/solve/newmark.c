@@ -12,8 +12,8 @@
 // contact.c solves them exactly about each linearisation. Both are consistent, so the two together
 // are Newton's method on all unknowns.
 //
-// What is done for every floor is in chain.c, in flat loops; what is done for links, for live ones
-// only. A step without contact is trial, solution, correction and forces.
+// What is done for every floor is in flat loops, in floors.c where all is linear but for the links
+// and else in chain.c; what is done for links, for live ones only.
 #include "solve/newmark.h"
 
 #include <float.h>
@@ -28,6 +28,10 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     const struct model *m = w->model;
     contact_begin(w, now, next);
     next->time = end;
+    if (state_is_linear(m) && state_is_uniform(m) && !m->adaptive) {
+        excitation_grounds(next, m, end);
+        return;
+    }
     excitation_at(next, m, end);
     memcpy(next->storey_history, now->storey_history,
            (size_t)m->n_storey_history * sizeof *next->storey_history);
@@ -39,57 +43,35 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
 static void residuals(struct work *w, struct state *next, const double *u, const double *v,
                       const double *a) {
     const struct model *m = w->model;
-    if (state_is_linear(m)) {
-        chain_elastic_residual(&m->chain, next->external, a, u, v, w->residual);
-    } else {
-        state_internal_forces(next, m, u, v);
-        chain_residual(&m->chain, next->external, a, next->damping_force, next->shear, w->residual);
-    }
+    state_internal_forces(next, m, u, v);
+    chain_residual(&m->chain, next->external, a, next->damping_force, next->shear, w->residual);
     state_add_link_forces(next, m, w->residual);
 }
 
-static void trial(struct work *w, const struct state *now, int first, int n) {
-    const struct chain part = {.n = n};
-    chain_trial(&part, w->h, now->u + first, now->v + first, now->a + first, w->u_trial + first,
-                w->v_trial + first);
+// Buildings from k on that are not settled.
+static int unsettled(const struct work *w, int k) {
+    int n = 0;
+    while (k + n < w->model->n_building && !w->settled[k + n]) {
+        n++;
+    }
+    return n;
 }
 
-// The trial and its residuals. These need the floor above, so they stay behind by a lane's width.
-static void trial_residuals(struct work *w, const struct state *now, struct state *next) {
-    const struct model *m = w->model;
-    int n = lanes_whole(m->n_dof);
-    if (!state_is_linear(m)) {
-        trial(w, now, 0, n);
-        residuals(w, next, w->u_trial, w->v_trial, now->a);
-        return;
+// Adds what the residuals lead to to the corrections of buildings that are not settled.
+static void solve_residuals(struct work *w) {
+    const struct building *building = w->model->building;
+    for (int k = 0; k < w->model->n_building; k++) {
+        int n = unsettled(w, k);
+        int first = building[k].first;
+        if (n == 0) {
+            continue;
+        }
+        effective_solve_row(&w->effective[k], n, w->residual + first, w->change + first);
+        k += n - 1;
+        for (int i = first; i < building[k].first + building[k].n_floor; i++) {
+            w->correction[i] += w->change[i];
+        }
     }
-    for (int first = 0, done = 0; first < n; first += CHAIN_BLOCK) {
-        int end = first + CHAIN_BLOCK < n ? first + CHAIN_BLOCK : n;
-        trial(w, now, first, end - first);
-        end = end == n ? n : end - LANES_WIDTH;
-        const struct chain part = chain_part(&m->chain, done, end - done);
-        chain_elastic_residual(&part, next->external + done, now->a + done, w->u_trial + done,
-                               w->v_trial + done, w->residual + done);
-        done = end;
-    }
-    state_add_link_forces(next, m, w->residual);
-}
-
-int newmark_solve_from(struct work *w, int k) {
-    const struct building *g = &w->model->building[k];
-    double *r = w->residual;
-    double *q = w->correction;
-    if (k + 4 <= w->model->n_building && !w->settled[k] && !w->settled[k + 1] &&
-        !w->settled[k + 2] && !w->settled[k + 3]) {
-        double *const rs[] = {r + g[0].first, r + g[1].first, r + g[2].first, r + g[3].first};
-        double *const qs[] = {q + g[0].first, q + g[1].first, q + g[2].first, q + g[3].first};
-        effective_solve_four(&w->effective[k], rs, qs);
-        return 4;
-    }
-    if (!w->settled[k]) {
-        effective_solve(&w->effective[k], r + g->first, q + g->first);
-    }
-    return 1;
 }
 
 // The state that the correction leads to, n floors from `first` on. False: not finite.
@@ -98,26 +80,7 @@ static bool correct(const struct work *w, const struct state *now, struct state 
     const struct chain part = {.n = n};
     int j = first;
     return chain_correct(&part, w->b, w->g, w->correction + j, w->u_trial + j, w->v_trial + j,
-                         now->a + j, next->base + j, next->u + j, next->v + j, next->a + j,
-                         next->total + j);
-}
-
-// The state that the residuals lead to, and the penetrations in it. False: not finite.
-static bool solve_buildings(struct work *w, const struct state *now, struct state *next) {
-    const struct model *m = w->model;
-    bool finite = true;
-    int corrected = 0;
-    for (int k = 0; k < m->n_building;) {
-        k += newmark_solve_from(w, k);
-        bool all = k == m->n_building;
-        int solved = all ? lanes_whole(m->n_dof) : m->building[k].first / LANES_WIDTH * LANES_WIDTH;
-        if (all || solved - corrected >= CHAIN_BLOCK) {
-            finite &= correct(w, now, next, corrected, solved - corrected);
-            corrected = solved;
-        }
-    }
-    contact_penetrations(w, next);
-    return finite;
+                         now->a + j, next->u + j, next->v + j, next->a + j);
 }
 
 // The same where only the corrections of buildings with live links have changed since.
@@ -219,12 +182,16 @@ static int not_finite(const struct model *m, const struct state *s, struct error
 
 // Newton's iteration on storeys and links.
 static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
-    trial_residuals(w, now, next);
-    for (int i = 0; i < w->model->iterations; i++) {
+    const struct model *m = w->model;
+    chain_trial(&m->chain, w->h, now->u, now->v, now->a, w->u_trial, w->v_trial);
+    residuals(w, next, w->u_trial, w->v_trial, now->a);
+    for (int i = 0; i < m->iterations; i++) {
         w->totals->iterations++;
-        if (!solve_buildings(w, now, next)) {
-            return not_finite(w->model, next, e);
+        solve_residuals(w);
+        if (!correct(w, now, next, 0, m->chain.n)) {
+            return not_finite(m, next, e);
         }
+        contact_penetrations(w, next);
         int status = solve_links(w, now, next);
         if (status != STATUS_OK) {
             return status;
@@ -241,11 +208,23 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
+// The same where the floors are linear.
+static int solve_linear(struct work *w, const struct state *now, struct state *next,
+                        struct error *e) {
+    w->totals->iterations++;
+    if (!floors_move(w, now, next)) {
+        return not_finite(w->model, next, e);
+    }
+    contact_penetrations(w, next);
+    return solve_links(w, now, next);
+}
+
 // Everything else that belongs to the end of the step: forces, and the histories of the laws.
 static void finish(struct work *w, const struct state *now, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {
         state_internal_forces(next, m, next->u, next->v);
+        state_totals(next, m);
     }
     for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
         const struct storey *s = &m->storey[i];
@@ -262,7 +241,7 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
         return STATUS_RETRY;
     }
     begin(w, now, next, end);
-    int status = solve(w, now, next, e);
+    int status = state_is_linear(w->model) ? solve_linear(w, now, next, e) : solve(w, now, next, e);
     if (status == STATUS_OK) {
         finish(w, now, next);
     }

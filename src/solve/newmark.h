@@ -11,8 +11,4 @@
 int newmark_step(struct work *w, const struct state *now, struct state *next, double end, double h,
                  struct error *e);
 
-// Adds A^-1 residual to the correction of the buildings from k on that are not settled; returns how
-// many buildings it went over.
-int newmark_solve_from(struct work *w, int k);
-
 #endif

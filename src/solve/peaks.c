@@ -23,6 +23,9 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
             return false;
         }
     }
+    for (int i = m->n_dof; i < m->chain.n; i++) {
+        r->peak[PEAK_ACCELERATION][i] = INFINITY;  // the ground shakes there too
+    }
     r->link = arena_alloc(a, (size_t)m->n_link, sizeof *r->link);
     r->deepest = arena_alloc(a, (size_t)m->n_link + LANES_WIDTH, sizeof *r->deepest);
     for (int k = 0; r->link && r->deepest && k < m->n_contact; k++) {

@@ -106,12 +106,19 @@ void state_internal_forces(struct state *s, const struct model *m, const double 
     }
 }
 
-void state_complete(struct state *s, const struct model *m) {
-    excitation_at(s, m, s->time);
-    state_internal_forces(s, m, s->u, s->v);
+void state_totals(struct state *s, const struct model *m) {
     for (int i = 0; i < m->n_dof; i++) {
         s->total[i] = s->a[i] + s->base[i];
     }
+}
+
+void state_complete(struct state *s, const struct model *m) {
+    if (!state_is_linear(m)) {
+        return;
+    }
+    excitation_floors(s, m, s->time);
+    state_internal_forces(s, m, s->u, s->v);
+    state_totals(s, m);
 }
 
 double state_gap(const struct link *l, const struct model *m, const double *u,
@@ -203,9 +210,7 @@ static void accelerations(struct state *s, const struct model *m) {
 void state_equilibrium(struct state *s, const struct model *m) {
     accelerations(s, m);
     rest_forces(s, m);
-    for (int i = 0; i < m->n_dof; i++) {
-        s->total[i] = s->a[i] + s->base[i];
-    }
+    state_totals(s, m);
 }
 
 void state_start(struct state *s, const struct model *m) {

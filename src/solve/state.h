@@ -93,9 +93,12 @@ static inline bool state_is_uniform(const struct model *m) {
 void state_internal_forces(struct state *s, const struct model *m, const double *u,
                            const double *v);
 
-// Everything that follows from the time and from u, v and a, with the storey history of `s`; steps
-// leave out what they have no need of.
+// Accelerations of the ground, external and internal forces, drifts and total accelerations, which
+// steps of linear models leave out; nothing for others.
 void state_complete(struct state *s, const struct model *m);
+
+// total = a + base.
+void state_totals(struct state *s, const struct model *m);
 
 // Penetration of link l from displacements (or its velocity from velocities), with the ground's
 // share.

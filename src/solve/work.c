@@ -12,7 +12,8 @@
 enum { BLOCK_MAX = 400 };
 
 static bool alloc_floors(struct work *w, const struct model *m, struct arena *a) {
-    double **const part[] = {&w->u_trial, &w->v_trial, &w->residual, &w->correction, &w->kept_q};
+    double **const part[] = {&w->u_trial,    &w->v_trial, &w->residual,
+                             &w->correction, &w->change,  &w->kept_q};
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         *part[i] = lanes_array(a, m->n_dof);
         if (!*part[i]) {
@@ -80,7 +81,8 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
     w->cluster = arena_alloc(a, n, sizeof *w->cluster);
     w->nearest = arena_alloc(a, n, sizeof *w->nearest);
     if (!w->nearest || !w->home || !w->other || !w->settled || !w->parent || !w->start ||
-        !w->cluster || !alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
+        !w->cluster || !alloc_floors(w, m, a) || !floors_alloc(&w->floors, m, a) ||
+        !alloc_links(w, m, a)) {
         return false;
     }
     fill_links(w, m);

@@ -6,6 +6,7 @@
 
 #include "solve/chain.h"
 #include "solve/effective.h"
+#include "solve/floors.h"
 #include "solve/gaps.h"
 #include "solve/line.h"
 #include "solve/state.h"
@@ -39,9 +40,12 @@ struct work {
     int unresolved;  // link that last asked for a shorter step; -1: none did
     int held;        // link that stays open or closed in this step; -1: none
 
-    double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay
-    double *residual;           // (n_dof) [F]
+    struct floors floors;
+    double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
+                                // linear models, for buildings that gaps.touched lists
+    double *residual;           // (n_dof) [F] not of linear models
     double *correction;         // (n_dof) [L/T^2] of the accelerations
+    double *change;             // (n_dof) of the correction
     bool *settled;              // (n_building) storeys agree with the tangents used
 
     struct gaps gaps;

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The loops over floors of which steps are made, for functions compiled by LANES. Arrays are those
+// of core/lanes.h; first, n and `end` are whole lanes.
+//
+// Neighbours' values are taken from registers, not from memory: a load that spans two stores made
+// just before waits until both are in the cache. And what is cheap is computed twice rather than
+// written and read.
+#ifndef JOSTLE_FLOOR_LOOPS_H
+#define JOSTLE_FLOOR_LOOPS_H
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+#include "core/number.h"
+#include "solve/chain_floor.h"
+#include "solve/flight.h"
+
+// Four elements of an array from i on.
+#define FOUR(x, i) (*(const lanes *)((x) + (i)))
+
+// Of four floors, those below each and above each; `under` and `over` are the four next to them.
+#if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
+#define BELOW(under, own) __builtin_shufflevector(under, own, 3, 4, 5, 6)
+#define ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4)
+#else
+#define BELOW(under, own) ((lanes){(under)[3], (own)[0], (own)[1], (own)[2]})
+#define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
+#endif
+
+LANES_INLINE int floors_whole(int n) {
+    return n & ~(LANES_WIDTH - 1);
+}
+
+// Negative where |x| > limit >= 0, as number_beyond.
+#define BEYOND(x, limit) ((lanes_bits)(limit) - ((lanes_bits)(x)&INT64_MAX))
+
+LANES_INLINE int64_t floors_any(const lanes_bits *sign) {
+    return (*sign)[0] | (*sign)[1] | (*sign)[2] | (*sign)[3];
+}
+
+// Copies of pointers: what is stored may be anything, so that those behind a pointer would be read
+// again after each store.
+struct floors_of {
+    double *u, *v, *a;
+};
+
+LANES_INLINE struct floors_of floors_of(const struct state *s) {
+    return (struct floors_of){s->u, s->v, s->a};
+}
+
+// The lines that storeys follow, and the drifts and shears at the end of the step.
+struct floors_lines {
+    const double *back, *spring, *rest, *limit, *peak;
+    double *drift, *shear;
+};
+
+// Shears of the storeys below four floors: elastic ones, or where `lines` is not NULL, of the lines
+// they are on. *beyond gets negative if one is beyond its line.
+LANES_INLINE void floors_shear(const struct chain *c, const struct floors_lines *lines, int i,
+                               const lanes *drift, lanes *shear, lanes_bits *beyond) {
+    if (!lines) {
+        *shear = FOUR(c->stiffness, i) * *drift;
+        return;
+    }
+    lanes force = FOUR(lines->spring, i) * (*drift - FOUR(lines->rest, i));
+    *beyond |= BEYOND(force, FOUR(lines->limit, i));
+    *shear = FOUR(lines->back, i) * *drift + force;
+}
+
+// Four floors at the end of the step if the accelerations stay.
+struct floors_trial {
+    lanes u, v, shear;
+};
+
+LANES_INLINE void floors_predict(const struct floors_of *now, double h, int i, lanes *u, lanes *v) {
+    double half = h * h / 2.0;
+    *u = FOUR(now->u, i) + (h * FOUR(now->v, i) + half * FOUR(now->a, i));
+    *v = FOUR(now->v, i) + h * FOUR(now->a, i);
+}
+
+LANES_INLINE void floors_try(const struct chain *c, const struct floors_lines *lines,
+                             const struct floors_of *now, double h, int i, const lanes *under,
+                             struct floors_trial *t, lanes_bits *beyond) {
+    floors_predict(now, h, i, &t->u, &t->v);
+    lanes drift = t->u - FOUR(c->joint, i) * BELOW(*under, t->u);
+    floors_shear(c, lines, i, &drift, &t->shear, beyond);
+}
+
+// residual (n) = p - M a - C v - storey shears of n floors, at the trial. Negative if a storey is
+// beyond its line. `external` NULL: p is that of the acceleration of the ground.
+LANES_INLINE int64_t floors_unbalance(const struct chain *c, const struct floors_lines *lines,
+                                      double h, int first, int n, const struct floors_of *now,
+                                      double ground, const double *external, double *residual) {
+    lanes_bits beyond = {0};
+    struct floors_trial under, own, over;
+    floors_predict(now, h, first - LANES_VECTOR, &under.u, &under.v);
+    floors_try(c, lines, now, h, first, &under.u, &own, &beyond);
+    for (int i = first; i < first + n; i += LANES_VECTOR) {
+        floors_try(c, lines, now, h, i + LANES_VECTOR, &own.u, &over, &beyond);
+        lanes mass = FOUR(c->mass, i);
+        lanes p = mass * -ground;
+        if (external) {
+            p = FOUR(external, i);
+        }
+        lanes damping = FOUR(c->damping_below, i) * BELOW(under.v, own.v) +
+                        FOUR(c->damping, i) * own.v +
+                        FOUR(c->damping_below, i + 1) * ABOVE(own.v, over.v);
+        *(lanes *)(residual + (i - first)) = p - mass * FOUR(now->a, i) - damping - own.shear +
+                                             FOUR(c->joint, i + 1) * ABOVE(own.shear, over.shear);
+        under = own;
+        own = over;
+    }
+    return floors_any(&beyond);
+}
+
+// How corrections lead to a state: q (n_dof), beta h^2, gamma h and h.
+struct floors_correction {
+    const double *q;
+    double b, g, h;
+};
+
+// Eight floors at the end of the step, from the corrections.
+struct floors_end {
+    lanes_wide u, v, a;
+};
+
+LANES_INLINE void floors_reach(const struct floors_correction *k, const struct floors_of *now,
+                               int i, struct floors_end *e) {
+    const double half = k->h * k->h / 2.0;
+    lanes_wide q = LANES_AT(k->q, i), v0 = LANES_AT(now->v, i), a0 = LANES_AT(now->a, i);
+    e->u = LANES_AT(now->u, i) + (k->h * v0 + half * a0) + k->b * q;
+    e->v = v0 + k->h * a0 + k->g * q;
+    e->a = a0 + q;
+}
+
+LANES_INLINE void floors_put(const struct floors_end *e, const struct floors_of *next, int i) {
+    *(lanes_wide *)(next->u + i) = e->u;
+    *(lanes_wide *)(next->v + i) = e->v;
+    *(lanes_wide *)(next->a + i) = e->a;
+}
+
+LANES_INLINE int64_t floors_any_wide(const lanes_wide_bits *sign) {
+    int64_t any = 0;
+    for (int lane = 0; lane < LANES_WIDTH; lane++) {
+        any |= (*sign)[lane];
+    }
+    return any;
+}
+
+#define ABSOLUTE_WIDE(x) ((lanes_wide)((lanes_wide_bits)(x)&INT64_MAX))
+#define BEYOND_WIDE(x, limit) ((lanes_wide_bits)(limit) - ((lanes_wide_bits)(x)&INT64_MAX))
+
+// Stores what corrections lead to. Negative if that is not finite.
+LANES_INLINE int64_t floors_correct(const struct floors_correction *k, int first, int end,
+                                    const struct floors_of *now, const struct floors_of *next) {
+    const lanes_wide most = DBL_MAX - (lanes_wide){0.0};
+    lanes_wide_bits sign = {0};
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        struct floors_end e;
+        floors_reach(k, now, i, &e);
+        floors_put(&e, next, i);
+        lanes_wide size = ABSOLUTE_WIDE(e.u) + ABSOLUTE_WIDE(e.v) + ABSOLUTE_WIDE(e.a);
+        sign |= BEYOND_WIDE(size, most);
+    }
+    return floors_any_wide(&sign);
+}
+
+// Which of the quantities of floors may have peaks. The shear of an elastic storey has one only
+// with its drift: k |drift| is rounded to no less for a greater drift.
+enum floors_higher {
+    FLOORS_MOTION = 1,  // displacements, velocities, total accelerations
+    FLOORS_DRIFT = 2,   // drifts, shears
+};
+
+// The peaks of motion. `base` NULL: the acceleration of the ground is that of all floors.
+struct floors_peaks {
+    const double *u, *v, *a;
+    double ground;
+    const double *base;
+};
+
+LANES_INLINE void floors_compare(const struct floors_peaks *peak, const struct floors_end *e,
+                                 int i, lanes_wide_bits *sign) {
+    lanes_wide base = peak->ground - (lanes_wide){0.0};
+    if (peak->base) {
+        base = LANES_AT(peak->base, i);
+    }
+    *sign |= BEYOND_WIDE(e->u, LANES_AT(peak->u, i)) | BEYOND_WIDE(e->v, LANES_AT(peak->v, i)) |
+             BEYOND_WIDE(e->a + base, LANES_AT(peak->a, i));
+}
+
+// *motion gets negative where a displacement, velocity or total acceleration of a state is greater
+// than ever.
+LANES_INLINE void floors_look_up(const struct floors_peaks *peak, int first, int end,
+                                 const struct floors_of *s, lanes_wide_bits *motion) {
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        struct floors_end e = {LANES_AT(s->u, i), LANES_AT(s->v, i), LANES_AT(s->a, i)};
+        floors_compare(peak, &e, i, motion);
+    }
+}
+
+// The same of what corrections lead to, which is stored.
+LANES_INLINE void floors_correct_and_compare(const struct floors_correction *k,
+                                             const struct floors_peaks *peak, int first, int end,
+                                             const struct floors_of *now,
+                                             const struct floors_of *next,
+                                             lanes_wide_bits *motion) {
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        struct floors_end e;
+        floors_reach(k, now, i, &e);
+        floors_put(&e, next, i);
+        floors_compare(peak, &e, i, motion);
+    }
+}
+
+LANES_INLINE struct floors_peaks floors_peaks_of(const struct model *m,
+                                                 double *const peak[PEAK_COUNT],
+                                                 const struct state *next) {
+    return (struct floors_peaks){peak[PEAK_DISPLACEMENT], peak[PEAK_VELOCITY],
+                                 peak[PEAK_ACCELERATION], next->ground_a[0],
+                                 state_is_uniform(m) ? NULL : next->base};
+}
+
+// Adds the works of the floors from `first` to `end` under ground accelerations whose sum is
+// ground_2x. *higher gets negative where a drift is greater than ever.
+LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
+                                   const struct floors_of *now, const struct floors_of *next,
+                                   double ground_2x, const double *peak,
+                                   struct energy_account *account, lanes_wide_bits *higher) {
+    lanes_wide input = LANES_AT(account->input_2x, 0), damping = LANES_AT(account->damping_2x, 0);
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        floors_input(c, i, ground_2x, now->u, next->u, &input);
+        floors_damped(c, i, now->u, next->u, now->v, next->v, &damping);
+        lanes_wide drift =
+            LANES_AT(next->u, i) - LANES_AT(c->joint, i) * LANES_AT(next->u, i - 1);
+        *higher |= BEYOND_WIDE(drift, LANES_AT(peak, i));
+    }
+    *(lanes_wide *)account->input_2x = input;
+    *(lanes_wide *)account->damping_2x = damping;
+}
+
+// Which peaks there may be.
+LANES_INLINE unsigned floors_which(const lanes_wide_bits *motion, const lanes_wide_bits *drift) {
+    lanes_wide_bits either = *motion | *drift;
+    if (floors_any_wide(&either) >= 0) {
+        return 0;
+    }
+    return (floors_any_wide(motion) < 0 ? FLOORS_MOTION : 0U) |
+           (floors_any_wide(drift) < 0 ? FLOORS_DRIFT : 0U);
+}
+
+// Drifts and shears at the end of the step of storeys that follow lines. *beyond gets negative if
+// one is beyond its line. Is a shear greater than ever?
+LANES_INLINE unsigned floors_follow(const struct chain *c, const struct floors_lines *lines,
+                                    int first, int end, const double *u, lanes_bits *beyond) {
+    lanes_bits higher = {0};
+    lanes under = FOUR(u, first - LANES_VECTOR);
+    for (int i = first; i < end; i += LANES_VECTOR) {
+        lanes own = FOUR(u, i), shear;
+        lanes drift = own - FOUR(c->joint, i) * BELOW(under, own);
+        floors_shear(c, lines, i, &drift, &shear, beyond);
+        higher |= BEYOND(shear, FOUR(lines->peak, i));
+        *(lanes *)(lines->drift + i) = drift;
+        *(lanes *)(lines->shear + i) = shear;
+        under = own;
+    }
+    return floors_any(&higher) < 0 ? FLOORS_DRIFT : 0;
+}
+
+// How near have the contacts of some groups come: closed, or nearer than ever?
+LANES_INLINE enum nearness floors_look(const struct flight *f, int from, int to, const double *u,
+                                       const double *ground) {
+    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH;
+    lanes_bits closed = {0}, nearer = {0};
+    for (const struct gap_group *g = f->group + from; g < f->group + to; g++) {
+        const double *left = u + g->dof[0], *right = u + g->dof[1];
+        const double *deepest = f->work->gaps.nearest + g->contact;
+        double apart = ground[g->ground[0]] - ground[g->ground[1]];
+        for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR, gap += LANES_VECTOR) {
+            lanes delta = FOUR(left, i) - FOUR(right, i) - FOUR(gap, 0) + apart;
+            closed |= (lanes_bits)(0.0 - delta);
+            nearer |= (lanes_bits)(FOUR(deepest, i) - delta);
+        }
+    }
+    lanes_bits near = closed | nearer;
+    if (floors_any(&near) >= 0) {
+        return NEARNESS_FAR;
+    }
+    return floors_any(&closed) < 0 ? NEARNESS_CLOSED : NEARNESS_DEEPEST;
+}
+
+#endif

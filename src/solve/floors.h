@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a step does for every floor where all storeys are elastic and all bands of C are in struct
+// chain: Newmark's step and its account, a block of buildings at a time, so that what one loop
+// writes the next one finds in the cache.
+#ifndef JOSTLE_FLOORS_H
+#define JOSTLE_FLOORS_H
+
+#include "solve/account.h"
+#include "solve/state.h"
+
+// Buildings that follow each other, and their floors, from where lanes begin to where lanes end.
+struct floor_block {
+    int building, n_building;
+    int first, n;
+    int end;  // where the next block begins: below this all is done
+};
+
+struct floors {
+    int n_block;
+    struct floor_block *block;       // (n_block)
+    double *residual;                // [F] of a block
+    int *first_end, *following_end;  // (n_building), (2 n_link) live links by building: end i % 2
+                                     // of link i / 2; -1: none
+};
+
+bool floors_alloc(struct floors *f, const struct model *m, struct arena *a);
+
+struct work;
+struct flight;
+
+// Displacements, velocities and accelerations of `next` under the forces that its live links have,
+// with the trial of their buildings and the correction of all in `w`. False: not finite.
+bool floors_move(struct work *w, const struct state *now, struct state *next);
+
+// The trial of building k.
+void floors_trial(struct work *w, const struct state *now, int k);
+
+// Takes the step from `now` to `next` into works and peaks.
+void floors_account(struct energy_account *a, struct results *r, const struct model *m,
+                    const struct state *now, const struct state *next);
+
+// How near contacts have come.
+enum nearness {
+    NEARNESS_FAR,
+    NEARNESS_DEEPEST,  // nearer than ever
+    NEARNESS_CLOSED,
+};
+
+// A step in free flight to the time and under the ground accelerations, or where these are not
+// uniform the base and external forces of `next`, with its works and peaks. NEARNESS_CLOSED: it is
+// none; a contact would close, or the state is not finite. Then works may have been added.
+enum nearness floors_fly(const struct flight *f, const struct state *now, struct state *next);
+
+// The same where storeys follow straight lines; nor may one leave its line.
+enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
+                                  struct state *next);
+
+#endif
