@@ -40,7 +40,6 @@ struct chain {
     int n;                    // degrees of freedom, in whole lanes
     const double *mass;       // [M] (n)
     const double *stiffness;  // [F/L] (n) initial, of the storey below
-    const double *floor;      // (n) 1; 0 behind the last
     const double *joint;      // (n + 1) 1: floor i stands on floor i - 1; else 0
     const double *damping_below, *damping, *damping_above;  // [F T/L] (n) bands of C; 0 where full
     bool full_damping;                                      // somewhere

@@ -2,14 +2,13 @@
 #include "core/lanes.h"
 #include "model/finish.h"
 
-enum { MASS, STIFFNESS, FLOOR, JOINT, BELOW, OWN, ABOVE, N_ARRAY };
+enum { MASS, STIFFNESS, JOINT, BELOW, OWN, ABOVE, N_ARRAY };
 
 static void fill(double *const x[N_ARRAY], struct chain *c, const struct building *g) {
     for (int i = 0; i < g->n_floor; i++) {
         int j = g->first + i;
         x[MASS][j] = g->mass[i];
         x[STIFFNESS][j] = g->stiffness[i];
-        x[FLOOR][j] = 1.0;
         x[JOINT][j] = i > 0 ? 1.0 : 0.0;
         if (!g->damping_full) {
             x[OWN][j] = g->damping_diagonal[i];
@@ -33,7 +32,6 @@ void finish_chain(struct builder *b, struct model *m) {
         .n = lanes_whole(m->n_dof),
         .mass = x[MASS],
         .stiffness = x[STIFFNESS],
-        .floor = x[FLOOR],
         .joint = x[JOINT],
         .damping_below = x[BELOW],
         .damping = x[OWN],

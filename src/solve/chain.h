@@ -10,20 +10,6 @@
 // Floors, in whole lanes, that one thing after the other is done for while they are at hand.
 enum { CHAIN_BLOCK = 256 };
 
-// The n floors from `first` on.
-static inline struct chain chain_part(const struct chain *c, int first, int n) {
-    struct chain part = *c;
-    part.n = n;
-    part.stiffness += first;
-    part.joint += first;
-    part.mass += first;
-    part.floor += first;
-    part.damping_below += first;
-    part.damping += first;
-    part.damping_above += first;
-    return part;
-}
-
 // u_t = u + h v + h^2 a / 2 and v_t = v + h a: the end of the step if the accelerations stay.
 void chain_trial(const struct chain *c, double h, const double *u, const double *v, const double *a,
                  double *u_t, double *v_t);

@@ -16,20 +16,6 @@ LANES_INLINE double floor_damping(const struct chain *c, const double *v, int i)
     return c->damping_below[i] * v[i - 1] + c->damping[i] * v[i] + c->damping_above[i] * v[i + 1];
 }
 
-// Row i of p - M a - C v - storey shears, p being the force from outside on floor i.
-LANES_INLINE double floor_unbalanced(const struct chain *c, double p, const double *a,
-                                     const double *v, double shear, double shear_above, int i) {
-    return p - c->mass[i] * a[i] - floor_damping(c, v, i) - shear + c->joint[i + 1] * shear_above;
-}
-
-// The same with elastic storeys.
-LANES_INLINE double floor_residual(const struct chain *c, double p, const double *a,
-                                   const double *u, const double *v, int i) {
-    const double *k = c->stiffness;
-    return floor_unbalanced(c, p, a, v, k[i] * floor_drift(c, u, i), k[i + 1] * (u[i + 1] - u[i]),
-                            i);
-}
-
 // Twice the work of the ground on LANES_WIDTH floors from i on, while u0 becomes u1 under ground
 // accelerations whose sum is ground_2x.
 LANES_INLINE void floors_input(const struct chain *c, int i, double ground_2x, const double *u0,

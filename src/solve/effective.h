@@ -67,7 +67,8 @@ LANES_INLINE void effective_multiply_low(const double *inverse, const double *r,
 }
 
 // For at most twice as many: LANES_WIDTH columns, the first of which is column j.
-LANES_INLINE void effective_multiply_columns(const double *inverse, int j, const double *r, double *q) {
+LANES_INLINE void effective_multiply_columns(const double *inverse, int j, const double *r,
+                                             double *q) {
     enum { STRIDE = 2 * LANES_WIDTH };
     const double *row = inverse + j;
     lanes first = {0.0}, second = {0.0};

@@ -124,7 +124,8 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     f->higher = arena_alloc(a, (size_t)m->n_building, sizeof *f->higher);
     f->any_higher = arena_alloc(a, 1, sizeof *f->any_higher);
     f->ahead_from = -FLIGHT_AHEAD;
-    if (!f->group || !f->gap || !f->group_end || !f->higher || !f->any_higher || !branches_alloc(f, m, a)) {
+    if (!f->group || !f->gap || !f->group_end || !f->higher || !f->any_higher ||
+        !branches_alloc(f, m, a)) {
         return false;
     }
     for (size_t i = 0; i < n * LANES_WIDTH; i++) {

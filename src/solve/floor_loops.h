@@ -180,8 +180,8 @@ struct floors_peaks {
     const double *base;
 };
 
-LANES_INLINE void floors_compare(const struct floors_peaks *peak, const struct floors_end *e,
-                                 int i, lanes_wide_bits *sign) {
+LANES_INLINE void floors_compare(const struct floors_peaks *peak, const struct floors_end *e, int i,
+                                 lanes_wide_bits *sign) {
     lanes_wide base = peak->ground - (lanes_wide){0.0};
     if (peak->base) {
         base = LANES_AT(peak->base, i);
@@ -214,9 +214,8 @@ LANES_INLINE void floors_correct_and_compare(const struct floors_correction *k,
     }
 }
 
-LANES_INLINE struct floors_peaks floors_peaks_of(const struct model *m,
-                                                 double *const peak[PEAK_COUNT],
-                                                 const struct state *next) {
+LANES_INLINE struct floors_peaks
+floors_peaks_of(const struct model *m, double *const peak[PEAK_COUNT], const struct state *next) {
     return (struct floors_peaks){peak[PEAK_DISPLACEMENT], peak[PEAK_VELOCITY],
                                  peak[PEAK_ACCELERATION], next->ground_a[0],
                                  state_is_uniform(m) ? NULL : next->base};
@@ -232,8 +231,7 @@ LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
     for (int i = first; i < end; i += LANES_WIDTH) {
         floors_input(c, i, ground_2x, now->u, next->u, &input);
         floors_damped(c, i, now->u, next->u, now->v, next->v, &damping);
-        lanes_wide drift =
-            LANES_AT(next->u, i) - LANES_AT(c->joint, i) * LANES_AT(next->u, i - 1);
+        lanes_wide drift = LANES_AT(next->u, i) - LANES_AT(c->joint, i) * LANES_AT(next->u, i - 1);
         *higher |= BEYOND_WIDE(drift, LANES_AT(peak, i));
     }
     *(lanes_wide *)account->input_2x = input;

@@ -199,8 +199,7 @@ LANES static unsigned account_block(struct energy_account *e, struct results *r,
     const struct chain c = m->chain;
     const struct floors_of from = floors_of(now), to = floors_of(next);
     const struct floors_peaks peaks = floors_peaks_of(m, r->peak, next);
-    const double ground_2x =
-        state_is_uniform(m) ? now->ground_a[0] + next->ground_a[0] : 0.0;
+    const double ground_2x = state_is_uniform(m) ? now->ground_a[0] + next->ground_a[0] : 0.0;
     lanes_wide_bits motion = {0}, drift = {0};
     floors_look_up(&peaks, first, end, &to, &motion);
     floors_add_works(&c, first, end, &from, &to, ground_2x, r->peak[PEAK_DRIFT], e, &drift);

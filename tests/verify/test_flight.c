@@ -146,10 +146,44 @@ static void storeys_that_yield_have_the_same_bits(void **state) {
         check(PAIR SHAKEN "step fixed 2ms\nstorey A:all clough -yield 4MN -hardening 0.05\n") > 5);
 }
 
+// Blocks of floors begin and end where lanes do, not where buildings do.
+static void buildings_of_a_long_row_have_the_bits_of_one_alone(void **state) {
+    (void)state;
+    enum { BUILDINGS = 14, FLOORS = 37 };
+    char deck[4000];
+    int n = 0;
+    for (int k = 0; k < BUILDINGS; k++) {
+        n += snprintf(deck + n, sizeof deck - (size_t)n,
+                      "building B%d -floors %d -mass 300t -stiffness 345MN/m\n"
+                      "damping B%d rayleigh 5%%\n",
+                      k, FLOORS, k);
+    }
+    for (int k = 1; k < BUILDINGS; k++) {
+        n += snprintf(deck + n, sizeof deck - (size_t)n,
+                      "contact B%d B%d -gap 9m -law linear -k 1MN/m\n", k - 1, k);
+    }
+    struct analysis row = analysis_of("%s" SHAKEN "duration 3\nstep fixed 5ms\n", deck);
+    struct analysis alone =
+        analysis_of("building B -floors %d -mass 300t -stiffness 345MN/m\n"
+                    "damping B rayleigh 5%%\n" SHAKEN "duration 3\nstep fixed 5ms\n",
+                    FLOORS);
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        for (int k = 0; k < BUILDINGS; k++) {
+            const double *peak = row.results->peak[q] + k * FLOORS;
+            const double *when = row.results->peak_time[q] + k * FLOORS;
+            assert_same(peak, alone.results->peak[q], FLOORS * sizeof *peak);
+            assert_same(when, alone.results->peak_time[q], FLOORS * sizeof *when);
+        }
+    }
+    analysis_free(&row);
+    analysis_free(&alone);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pair_has_the_same_bits_with_every_law),
         cmocka_unit_test(rows_of_all_heights_have_the_same_bits),
+        cmocka_unit_test(buildings_of_a_long_row_have_the_bits_of_one_alone),
         cmocka_unit_test(any_beta_and_gamma_have_the_same_bits),
         cmocka_unit_test(loads_and_grounds_have_the_same_bits),
         cmocka_unit_test(storeys_that_yield_have_the_same_bits),
