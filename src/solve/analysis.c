@@ -378,9 +378,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
         results_free(results);
         return status;
     }
-    if (!r->adaptive) {
-        gaps_finish(&r->work.gaps, results);
-    }
+    gaps_finish(&r->work.gaps, results);
     impacts_finish(&r->impacts, results, r->model, r->now);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = seconds_now() - r->start;
