@@ -16,8 +16,7 @@
 #include "solve/run.h"
 
 // A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
-enum { CUTS_MAX = 30 };
-enum { POLL_STEPS = 4096 };
+enum { CUTS_MAX = 30, POLL_STEPS = 4096 };
 
 // Tries at the instant of an event, and how near d = 0 is near enough, as a share of the way that
 // the link would make in the whole step. Rigid contacts keep what they penetrate.
