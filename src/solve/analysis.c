@@ -16,8 +16,7 @@
 #include "solve/run.h"
 
 // A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
-enum { CUTS_MAX = 30 };
-enum { POLL_STEPS = 4096 };
+enum { CUTS_MAX = 30, POLL_STEPS = 4096 };
 
 // Tries at the instant of an event, and how near d = 0 is near enough, as a share of the way that
 // the link would make in the whole step. Rigid contacts keep what they penetrate.
@@ -381,9 +380,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
         results_free(results);
         return status;
     }
-    if (!r->adaptive) {
-        gaps_finish(&r->work.gaps, results);
-    }
+    gaps_finish(&r->work.gaps, results);
     impacts_finish(&r->impacts, results, r->model, r->now);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = seconds_now() - r->start;

@@ -206,7 +206,8 @@ void gaps_peaks(struct gaps *g, const struct state *s) {
 }
 
 void gaps_finish(const struct gaps *g, struct results *r) {
-    for (int k = 0; k < g->model->n_contact; k++) {
+    int n = g->n_run > 0 ? g->model->n_contact : 0;
+    for (int k = 0; k < n; k++) {
         peaks_penetration(r, k, g->nearest[k], g->time[k]);
     }
 }

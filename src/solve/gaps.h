@@ -47,7 +47,7 @@ void gaps_update_touched(struct gaps *g, struct state *s);
 // Takes note of penetrations that are larger than ever.
 void gaps_peaks(struct gaps *g, const struct state *s);
 
-// Takes those of contacts into the peaks.
+// Takes those of contacts into the peaks; nothing where `g` was never allocated and is all zero.
 void gaps_finish(const struct gaps *g, struct results *r);
 
 // No building is touched any more, and no link acts but those that are closed in `s`.
