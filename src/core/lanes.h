@@ -38,13 +38,6 @@
 #define LANES_LOOP
 #endif
 
-// In front of what such functions are made of, which is compiled as they are.
-#if defined(__GNUC__)
-#define LANES_INLINE static inline __attribute__((always_inline))
-#else
-#define LANES_INLINE static inline
-#endif
-
 struct arena;
 
 // Arrays for such loops have a multiple of LANES_WIDTH elements, those beyond the end 0, and as

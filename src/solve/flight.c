@@ -135,7 +135,7 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
         group_contacts(f, m);
         assign_groups(f);
     }
-    return true;
+    return few_alloc(&f->few, f, a);
 }
 
 // Takes a step as it has been found, or takes back what has been added for it.
@@ -179,11 +179,34 @@ static void look_ahead(struct flight *f, long n) {
     }
 }
 
-// False: step n is not one in free flight.
-static bool step_to(struct flight *f, const struct state *now, struct state *next, long n) {
+// What is known ahead begins with step n, or with one before.
+static void ensure_ahead(struct flight *f, long n) {
     if (n < f->ahead_from || n >= f->ahead_from + FLIGHT_AHEAD) {
         look_ahead(f, n);
     }
+}
+
+static long least(long a, long b) {
+    return a < b ? a : b;
+}
+
+// Steps from n towards `end` that bring no news; returns the one reached.
+static long glide(struct flight *f, struct state *now, long n, long end) {
+    long reached = n;
+    while (f->few.possible && reached < end) {
+        ensure_ahead(f, reached + 1);
+        long known = least(end, f->ahead_from + FLIGHT_AHEAD - 1);
+        reached = few_take(&f->few, f, now, reached, known);
+        if (reached < known) {
+            break;
+        }
+    }
+    return reached;
+}
+
+// False: step n is not one in free flight.
+static bool step_to(struct flight *f, const struct state *now, struct state *next, long n) {
+    ensure_ahead(f, n);
     next->time = f->time[n - f->ahead_from];
     if (f->uniform) {
         next->ground_a[0] = f->ground[n - f->ahead_from];
@@ -198,6 +221,9 @@ static bool step_to(struct flight *f, const struct state *now, struct state *nex
 static bool may_start(struct flight *f, const struct state *s) {
     if (!f->possible || s->n_live > 0 || f->work->h != f->model->dt) {
         return false;
+    }
+    if (f->few.possible && !f->few.factored) {
+        few_factor(&f->few, f->work);
     }
     if (!f->yields) {
         return true;
@@ -233,7 +259,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
     start(f, *now, *next);
     long first = n;
-    for (; n < end && step_to(f, *now, *next, n + 1); n++) {
+    for (; (n = glide(f, *now, n, end)) < end && step_to(f, *now, *next, n + 1); n++) {
         struct state *old = *now;
         *now = *next;
         *next = old;

@@ -6,6 +6,7 @@
 #define JOSTLE_FLIGHT_H
 
 #include "solve/account.h"
+#include "solve/few.h"
 #include "solve/work.h"
 
 // Contacts that follow each other, as do the floors at both their ends: LANES_WIDTH at most.
@@ -35,6 +36,7 @@ struct flight {
     int *group_end;           // by block of floors: after it the groups before this can be seen to
     bool *any_higher;         // one of these is not 0:
     unsigned char *higher;    // which peaks a block may have: enum floors_higher
+    struct few few;           // what models with few floors need
 
     long ahead_from;              // step of the first of what is computed ahead:
     double time[FLIGHT_AHEAD];    // [T]

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The step of floors.c, operation by operation, so that the bits are the same. Only the residuals
+// are stored, as each floor wants those of its building, and the displacements, which the gaps
+// want.
+#include "solve/few.h"
+
+#include <string.h>
+
+#include "core/arena.h"
+#include "solve/floor_loops.h"
+
+enum { VECTORS = FEW_MAX / LANES_VECTOR };
+
+// For each vector of n, in loops that are unrolled, or they would not be in registers.
+#define EACH_VECTOR(j, n) _Pragma("GCC unroll 4") for (int j = 0; j < (n); j++)
+
+bool few_alloc(struct few *few, const struct flight *f, struct arena *a) {
+    const struct model *m = f->model;
+    few->possible = f->possible && f->uniform && !f->yields && m->n_dof <= FEW_MAX;
+    few->inverse = lanes_array(a, few->possible ? FEW_MAX * FEW_MAX : 0);
+    return few->inverse != NULL;
+}
+
+void few_factor(struct few *few, const struct work *w) {
+    few->factored = true;
+    for (int k = 0; k < w->model->n_building; k++) {
+        const struct building *g = &w->model->building[k];
+        const int end = g->first + g->n_floor;
+        for (int i = 0; i < g->n_floor; i++) {
+            memcpy(few->inverse + (g->first + i) * FEW_MAX + g->first,
+                   effective_column(&w->home[k], i), (size_t)g->n_floor * sizeof *few->inverse);
+        }
+        for (int j = g->first / LANES_VECTOR; j * LANES_VECTOR < end; j++) {
+            struct few_rows *r = &few->rows[j];
+            r->from = r->to == 0 ? g->first / LANES_VECTOR * LANES_VECTOR : r->from;
+            r->to = (end + LANES_VECTOR - 1) / LANES_VECTOR * LANES_VECTOR;
+        }
+    }
+}
+
+// All floors, at one instant.
+struct few_floors {
+    lanes u[VECTORS], v[VECTORS], a[VECTORS];
+};
+
+struct few_works {
+    lanes input[2], damping[2];
+};
+
+static const lanes none = {0.0};
+
+// residual = -m a_ground - M a - C v - K u at the trial.
+LANES_INLINE void few_unbalance(const struct chain *c, int n, const struct few_floors *now,
+                                const struct few_floors *trial, double ground, double *residual) {
+    lanes shear[VECTORS + 1] = {none};
+    EACH_VECTOR(j, n) {
+        lanes below = j > 0 ? trial->u[j - 1] : none;
+        lanes drift = trial->u[j] - FOUR(c->joint, j * LANES_VECTOR) * BELOW(below, trial->u[j]);
+        shear[j] = FOUR(c->stiffness, j * LANES_VECTOR) * drift;
+    }
+    shear[n] = none;
+    EACH_VECTOR(j, n) {
+        const int i = j * LANES_VECTOR;
+        lanes v_below = j > 0 ? trial->v[j - 1] : none;
+        lanes v_above = j + 1 < n ? trial->v[j + 1] : none;
+        lanes mass = FOUR(c->mass, i);
+        lanes damping = FOUR(c->damping_below, i) * BELOW(v_below, trial->v[j]) +
+                        FOUR(c->damping, i) * trial->v[j] +
+                        FOUR(c->damping_below, i + 1) * ABOVE(trial->v[j], v_above);
+        *(lanes *)(residual + i) = mass * -ground - mass * now->a[j] - damping - shear[j] +
+                                   FOUR(c->joint, i + 1) * ABOVE(shear[j], shear[j + 1]);
+    }
+}
+
+// The corrections of four floors.
+LANES_INLINE void few_solve(const struct few *few, int j, const double *residual, lanes *q) {
+    const double *column = few->inverse + j * LANES_VECTOR;
+    lanes sum = none;
+    for (int i = few->rows[j].from; i < few->rows[j].to; i += LANES_VECTOR) {
+        for (int k = i; k < i + LANES_VECTOR; k++) {
+            sum += residual[k] * FOUR(column, k * FEW_MAX);
+        }
+    }
+    *q = sum;
+}
+
+// Negative where a floor is beyond its peaks.
+LANES_INLINE int64_t few_compare(const struct chain *c, int n, const struct few_floors *s,
+                                 double ground, double *const peak[PEAK_COUNT]) {
+    lanes_bits sign = {0};
+    EACH_VECTOR(j, n) {
+        const int i = j * LANES_VECTOR;
+        lanes below = j > 0 ? s->u[j - 1] : none;
+        lanes drift = s->u[j] - FOUR(c->joint, i) * BELOW(below, s->u[j]);
+        lanes total = s->a[j] + ground;
+        sign |= BEYOND(s->u[j], FOUR(peak[PEAK_DISPLACEMENT], i)) |
+                BEYOND(s->v[j], FOUR(peak[PEAK_VELOCITY], i)) |
+                BEYOND(total, FOUR(peak[PEAK_ACCELERATION], i)) |
+                BEYOND(drift, FOUR(peak[PEAK_DRIFT], i));
+    }
+    return floors_any(&sign);
+}
+
+LANES_INLINE void few_add_works(const struct chain *c, int n, const struct few_floors *now,
+                                const struct few_floors *next, double ground_2x,
+                                struct few_works *w) {
+    lanes sum[VECTORS];
+    EACH_VECTOR(j, n) {
+        sum[j] = now->v[j] + next->v[j];
+    }
+    EACH_VECTOR(j, n) {
+        const int i = j * LANES_VECTOR;
+        lanes du = next->u[j] - now->u[j];
+        lanes below = BELOW(j > 0 ? sum[j - 1] : none, sum[j]);
+        lanes above = ABOVE(sum[j], j + 1 < n ? sum[j + 1] : none);
+        w->input[j % 2] -= ground_2x * (FOUR(c->mass, i) * du);
+        w->damping[j % 2] +=
+            du * (FOUR(c->damping_below, i) * below + FOUR(c->damping, i) * sum[j] +
+                  FOUR(c->damping_above, i) * above);
+    }
+}
+
+// The state after a step, with its displacements in `shown` too.
+LANES_INLINE void few_step(const struct few *few, const struct work *w, const struct chain *c,
+                           int n, const struct few_floors *now, double ground, double *shown,
+                           struct few_floors *next) {
+    double residual[FEW_MAX];
+    struct few_floors trial;
+    const double h = w->h, half = h * h / 2.0;
+    EACH_VECTOR(j, n) {
+        trial.u[j] = now->u[j] + (h * now->v[j] + half * now->a[j]);
+        trial.v[j] = now->v[j] + h * now->a[j];
+    }
+    few_unbalance(c, n, now, &trial, ground, residual);
+    EACH_VECTOR(j, n) {
+        lanes q;
+        few_solve(few, j, residual, &q);
+        next->u[j] = trial.u[j] + w->b * q;
+        next->v[j] = trial.v[j] + w->g * q;
+        next->a[j] = now->a[j] + q;
+        *(lanes *)(shown + j * LANES_VECTOR) = next->u[j];
+    }
+}
+
+// Between whole steps all is in memory.
+LANES_INLINE void few_load(int n, const struct state *s, struct few_floors *x) {
+    EACH_VECTOR(j, n) {
+        x->u[j] = FOUR(s->u, j * LANES_VECTOR);
+        x->v[j] = FOUR(s->v, j * LANES_VECTOR);
+        x->a[j] = FOUR(s->a, j * LANES_VECTOR);
+    }
+}
+
+LANES_INLINE void few_store(int n, const struct few_floors *x, const struct state *s) {
+    EACH_VECTOR(j, n) {
+        *(lanes *)(s->u + j * LANES_VECTOR) = x->u[j];
+        *(lanes *)(s->v + j * LANES_VECTOR) = x->v[j];
+        *(lanes *)(s->a + j * LANES_VECTOR) = x->a[j];
+    }
+}
+
+LANES_INLINE void few_load_works(const struct energy_account *a, struct few_works *w) {
+    EACH_VECTOR(j, 2) {
+        w->input[j] = FOUR(a->input_2x, j * LANES_VECTOR);
+        w->damping[j] = FOUR(a->damping_2x, j * LANES_VECTOR);
+    }
+}
+
+LANES_INLINE void few_store_works(const struct few_works *w, struct energy_account *a) {
+    EACH_VECTOR(j, 2) {
+        *(lanes *)(a->input_2x + j * LANES_VECTOR) = w->input[j];
+        *(lanes *)(a->damping_2x + j * LANES_VECTOR) = w->damping[j];
+    }
+}
+
+// Takes steps of a model of n vectors from number `from` to number `end`, or until there is news;
+// returns the one reached.
+LANES_INLINE long few_fly(const struct few *few, const struct flight *f, int n, struct state *s,
+                          long from, long end) {
+    const struct work *w = f->work;
+    const struct chain c = w->model->chain;
+    double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
+    struct few_floors now;
+    struct few_works works;
+    double ground = s->ground_a[0];
+    few_load(n, s, &now);
+    few_load_works(f->energy, &works);
+    long step = from;
+    for (; step < end; step++) {
+        struct few_floors next;
+        struct few_works more = works;
+        const double after = f->ground[step + 1 - f->ahead_from];
+        few_step(few, w, &c, n, &now, after, shown, &next);
+        few_add_works(&c, n, &now, &next, ground + after, &more);
+        if (few_compare(&c, n, &next, after, f->results->peak) < 0 ||
+            floors_look(f, 0, f->n_group, shown, s->ground_u) != NEARNESS_FAR) {
+            break;
+        }
+        now = next;
+        works = more;
+        ground = after;
+    }
+    few_store(n, &now, s);
+    few_store_works(&works, f->energy);
+    return step;
+}
+
+LANES static long few_fly_low(const struct few *few, const struct flight *f, struct state *s,
+                              long n, long end) {
+    return few_fly(few, f, VECTORS / 2, s, n, end);
+}
+
+LANES static long few_fly_high(const struct few *few, const struct flight *f, struct state *s,
+                               long n, long end) {
+    return few_fly(few, f, VECTORS, s, n, end);
+}
+
+long few_take(const struct few *few, const struct flight *f, struct state *s, long n, long end) {
+    bool low = f->model->n_dof <= FEW_MAX / 2;
+    long reached = (low ? few_fly_low : few_fly_high)(few, f, s, n, end);
+    if (reached > n) {
+        s->time = f->time[reached - f->ahead_from];
+        s->ground_a[0] = f->ground[reached - f->ahead_from];
+    }
+    return reached;
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Free flight of models with few floors, all on one ground: what floors.c does, but from step to
+// step, with the state in registers.
+#ifndef JOSTLE_FEW_H
+#define JOSTLE_FEW_H
+
+#include "solve/account.h"
+#include "solve/work.h"
+
+enum { FEW_MAX = 2 * LANES_WIDTH };
+
+struct few {
+    bool possible;  // with this model
+    bool factored;  // the rest is there
+    // A^-1 of all buildings, (FEW_MAX, FEW_MAX), and for each four columns the rows that they have,
+    // in fours too.
+    double *inverse;
+    struct few_rows {
+        int from, to;
+    } rows[FEW_MAX / LANES_VECTOR];
+};
+
+struct flight;
+
+// Room for the model of a flight; false: no memory.
+bool few_alloc(struct few *few, const struct flight *f, struct arena *a);
+
+// Takes the inverses of the buildings, for steps of the model's size.
+void few_factor(struct few *few, const struct work *w);
+
+// Takes steps from number `n`, whose state is `s`, as far as `end`, but stops before one that
+// brings news: a peak, or a contact that closes or is nearer than ever. What is computed ahead for
+// the flight must reach that far. Returns the step reached, the state of which is then in `s`.
+long few_take(const struct few *few, const struct flight *f, struct state *s, long n, long end);
+
+#endif
