@@ -16,19 +16,24 @@ enum { VECTORS = FEW_MAX / LANES_VECTOR };
 
 bool few_alloc(struct few *few, const struct flight *f, struct arena *a) {
     const struct model *m = f->model;
-    few->possible = f->possible && f->uniform && !f->yields && m->n_dof <= FEW_MAX;
+    few->possible = f->possible && f->uniform && m->n_dof <= FEW_MAX;
     few->inverse = lanes_array(a, few->possible ? FEW_MAX * FEW_MAX : 0);
     return few->inverse != NULL;
 }
 
 void few_factor(struct few *few, const struct work *w) {
-    few->factored = true;
+    if (few->factors == w->factors) {
+        return;
+    }
+    few->factors = w->factors;
+    memset(few->rows, 0, sizeof few->rows);
     for (int k = 0; k < w->model->n_building; k++) {
         const struct building *g = &w->model->building[k];
         const int end = g->first + g->n_floor;
         for (int i = 0; i < g->n_floor; i++) {
             memcpy(few->inverse + (g->first + i) * FEW_MAX + g->first,
-                   effective_column(&w->home[k], i), (size_t)g->n_floor * sizeof *few->inverse);
+                   effective_column(&w->effective[k], i),
+                   (size_t)g->n_floor * sizeof *few->inverse);
         }
         for (int j = g->first / LANES_VECTOR; j * LANES_VECTOR < end; j++) {
             struct few_rows *r = &few->rows[j];
@@ -38,9 +43,9 @@ void few_factor(struct few *few, const struct work *w) {
     }
 }
 
-// All floors, at one instant.
+// All floors, at one instant; drifts and shears where storeys follow lines.
 struct few_floors {
-    lanes u[VECTORS], v[VECTORS], a[VECTORS];
+    lanes u[VECTORS], v[VECTORS], a[VECTORS], drift[VECTORS], shear[VECTORS];
 };
 
 struct few_works {
@@ -49,26 +54,32 @@ struct few_works {
 
 static const lanes none = {0.0};
 
-// residual = -m a_ground - M a - C v - K u at the trial.
+// Drifts and shears at the displacements of s. `lines` NULL: storeys are elastic. *beyond gets
+// negative where one is beyond its line.
+LANES_INLINE void few_strain(const struct chain *c, const struct floors_lines *lines, int n,
+                             struct few_floors *s, lanes_bits *beyond) {
+    EACH_VECTOR(j, n) {
+        const int i = j * LANES_VECTOR;
+        lanes below = j > 0 ? s->u[j - 1] : none;
+        s->drift[j] = s->u[j] - FOUR(c->joint, i) * BELOW(below, s->u[j]);
+        floors_shear(c, lines, i, &s->drift[j], &s->shear[j], beyond);
+    }
+}
+
+// residual = -m a_ground - M a - C v - storey shears at the trial.
 LANES_INLINE void few_unbalance(const struct chain *c, int n, const struct few_floors *now,
                                 const struct few_floors *trial, double ground, double *residual) {
-    lanes shear[VECTORS + 1] = {none};
-    EACH_VECTOR(j, n) {
-        lanes below = j > 0 ? trial->u[j - 1] : none;
-        lanes drift = trial->u[j] - FOUR(c->joint, j * LANES_VECTOR) * BELOW(below, trial->u[j]);
-        shear[j] = FOUR(c->stiffness, j * LANES_VECTOR) * drift;
-    }
-    shear[n] = none;
     EACH_VECTOR(j, n) {
         const int i = j * LANES_VECTOR;
         lanes v_below = j > 0 ? trial->v[j - 1] : none;
         lanes v_above = j + 1 < n ? trial->v[j + 1] : none;
+        lanes shear_above = j + 1 < n ? trial->shear[j + 1] : none;
         lanes mass = FOUR(c->mass, i);
         lanes damping = FOUR(c->damping_below, i) * BELOW(v_below, trial->v[j]) +
                         FOUR(c->damping, i) * trial->v[j] +
                         FOUR(c->damping_below, i + 1) * ABOVE(trial->v[j], v_above);
-        *(lanes *)(residual + i) = mass * -ground - mass * now->a[j] - damping - shear[j] +
-                                   FOUR(c->joint, i + 1) * ABOVE(shear[j], shear[j + 1]);
+        *(lanes *)(residual + i) = mass * -ground - mass * now->a[j] - damping - trial->shear[j] +
+                                   FOUR(c->joint, i + 1) * ABOVE(trial->shear[j], shear_above);
     }
 }
 
@@ -84,21 +95,20 @@ LANES_INLINE void few_solve(const struct few *few, int j, const double *residual
     *q = sum;
 }
 
-// Negative where a floor is beyond its peaks.
-LANES_INLINE int64_t few_compare(const struct chain *c, int n, const struct few_floors *s,
-                                 double ground, double *const peak[PEAK_COUNT]) {
-    lanes_bits sign = {0};
+// *sign gets negative where a floor is beyond its peaks. Elastic shears are so only with drifts.
+LANES_INLINE void few_compare(const struct floors_lines *lines, int n, const struct few_floors *s,
+                              double ground, double *const peak[PEAK_COUNT], lanes_bits *sign) {
     EACH_VECTOR(j, n) {
         const int i = j * LANES_VECTOR;
-        lanes below = j > 0 ? s->u[j - 1] : none;
-        lanes drift = s->u[j] - FOUR(c->joint, i) * BELOW(below, s->u[j]);
         lanes total = s->a[j] + ground;
-        sign |= BEYOND(s->u[j], FOUR(peak[PEAK_DISPLACEMENT], i)) |
-                BEYOND(s->v[j], FOUR(peak[PEAK_VELOCITY], i)) |
-                BEYOND(total, FOUR(peak[PEAK_ACCELERATION], i)) |
-                BEYOND(drift, FOUR(peak[PEAK_DRIFT], i));
+        *sign |= BEYOND(s->u[j], FOUR(peak[PEAK_DISPLACEMENT], i)) |
+                 BEYOND(s->v[j], FOUR(peak[PEAK_VELOCITY], i)) |
+                 BEYOND(total, FOUR(peak[PEAK_ACCELERATION], i)) |
+                 BEYOND(s->drift[j], FOUR(peak[PEAK_DRIFT], i));
+        if (lines) {
+            *sign |= BEYOND(s->shear[j], FOUR(lines->peak, i));
+        }
     }
-    return floors_any(&sign);
 }
 
 LANES_INLINE void few_add_works(const struct chain *c, int n, const struct few_floors *now,
@@ -122,8 +132,9 @@ LANES_INLINE void few_add_works(const struct chain *c, int n, const struct few_f
 
 // The state after a step, with its displacements in `shown` too.
 LANES_INLINE void few_step(const struct few *few, const struct work *w, const struct chain *c,
-                           int n, const struct few_floors *now, double ground, double *shown,
-                           struct few_floors *next) {
+                           const struct floors_lines *lines, int n, const struct few_floors *now,
+                           double ground, double *shown, struct few_floors *next,
+                           lanes_bits *beyond) {
     double residual[FEW_MAX];
     struct few_floors trial;
     const double h = w->h, half = h * h / 2.0;
@@ -131,6 +142,7 @@ LANES_INLINE void few_step(const struct few *few, const struct work *w, const st
         trial.u[j] = now->u[j] + (h * now->v[j] + half * now->a[j]);
         trial.v[j] = now->v[j] + h * now->a[j];
     }
+    few_strain(c, lines, n, &trial, beyond);
     few_unbalance(c, n, now, &trial, ground, residual);
     EACH_VECTOR(j, n) {
         lanes q;
@@ -140,22 +152,32 @@ LANES_INLINE void few_step(const struct few *few, const struct work *w, const st
         next->a[j] = now->a[j] + q;
         *(lanes *)(shown + j * LANES_VECTOR) = next->u[j];
     }
+    few_strain(c, lines, n, next, beyond);
 }
 
-// Between whole steps all is in memory.
-LANES_INLINE void few_load(int n, const struct state *s, struct few_floors *x) {
+LANES_INLINE void few_load(const struct state *s, const struct floors_lines *lines, int n,
+                           struct few_floors *x) {
     EACH_VECTOR(j, n) {
-        x->u[j] = FOUR(s->u, j * LANES_VECTOR);
-        x->v[j] = FOUR(s->v, j * LANES_VECTOR);
-        x->a[j] = FOUR(s->a, j * LANES_VECTOR);
+        const int i = j * LANES_VECTOR;
+        x->u[j] = FOUR(s->u, i);
+        x->v[j] = FOUR(s->v, i);
+        x->a[j] = FOUR(s->a, i);
+        x->drift[j] = lines ? FOUR(lines->drift, i) : none;
+        x->shear[j] = lines ? FOUR(lines->shear, i) : none;
     }
 }
 
-LANES_INLINE void few_store(int n, const struct few_floors *x, const struct state *s) {
+LANES_INLINE void few_store(const struct few_floors *x, const struct floors_lines *lines, int n,
+                            const struct state *s) {
     EACH_VECTOR(j, n) {
-        *(lanes *)(s->u + j * LANES_VECTOR) = x->u[j];
-        *(lanes *)(s->v + j * LANES_VECTOR) = x->v[j];
-        *(lanes *)(s->a + j * LANES_VECTOR) = x->a[j];
+        const int i = j * LANES_VECTOR;
+        *(lanes *)(s->u + i) = x->u[j];
+        *(lanes *)(s->v + i) = x->v[j];
+        *(lanes *)(s->a + i) = x->a[j];
+        if (lines) {
+            *(lanes *)(lines->drift + i) = x->drift[j];
+            *(lanes *)(lines->shear + i) = x->shear[j];
+        }
     }
 }
 
@@ -173,51 +195,73 @@ LANES_INLINE void few_store_works(const struct few_works *w, struct energy_accou
     }
 }
 
+LANES_INLINE void few_add_storey_works(int n, const struct few_floors *now,
+                                       const struct few_floors *next, double *work) {
+    EACH_VECTOR(j, n) {
+        *(lanes *)(work + j * LANES_VECTOR) +=
+            (now->shear[j] + next->shear[j]) * (next->drift[j] - now->drift[j]);
+    }
+}
+
 // Takes steps of a model of n vectors from number `from` to number `end`, or until there is news;
-// returns the one reached.
-LANES_INLINE long few_fly(const struct few *few, const struct flight *f, int n, struct state *s,
-                          long from, long end) {
+// returns the one reached. Between whole steps all is in registers.
+LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lines, int n,
+                          struct state *s, long from, long end) {
     const struct work *w = f->work;
     const struct chain c = w->model->chain;
     double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
     struct few_floors now;
     struct few_works works;
     double ground = s->ground_a[0];
-    few_load(n, s, &now);
+    few_load(s, lines, n, &now);
     few_load_works(f->energy, &works);
     long step = from;
     for (; step < end; step++) {
         struct few_floors next;
         struct few_works more = works;
+        lanes_bits news = {0};
         const double after = f->ground[step + 1 - f->ahead_from];
-        few_step(few, w, &c, n, &now, after, shown, &next);
+        few_step(&f->few, w, &c, lines, n, &now, after, shown, &next, &news);
         few_add_works(&c, n, &now, &next, ground + after, &more);
-        if (few_compare(&c, n, &next, after, f->results->peak) < 0 ||
+        few_compare(lines, n, &next, after, f->results->peak, &news);
+        if (floors_any(&news) < 0 ||
             floors_look(f, 0, f->n_group, shown, s->ground_u) != NEARNESS_FAR) {
             break;
+        }
+        if (lines) {
+            few_add_storey_works(n, &now, &next, f->energy->storey_2x);
         }
         now = next;
         works = more;
         ground = after;
     }
-    few_store(n, &now, s);
+    few_store(&now, lines, n, s);
     few_store_works(&works, f->energy);
     return step;
 }
 
-LANES static long few_fly_low(const struct few *few, const struct flight *f, struct state *s,
-                              long n, long end) {
-    return few_fly(few, f, VECTORS / 2, s, n, end);
+LANES static long fly_low(const struct flight *f, struct state *s, long n, long end) {
+    return few_fly(f, NULL, VECTORS / 2, s, n, end);
 }
 
-LANES static long few_fly_high(const struct few *few, const struct flight *f, struct state *s,
-                               long n, long end) {
-    return few_fly(few, f, VECTORS, s, n, end);
+LANES static long fly_high(const struct flight *f, struct state *s, long n, long end) {
+    return few_fly(f, NULL, VECTORS, s, n, end);
 }
 
-long few_take(const struct few *few, const struct flight *f, struct state *s, long n, long end) {
+LANES static long fly_low_on_lines(const struct flight *f, struct state *s, long n, long end) {
+    const struct floors_lines lines = floors_lines_of(f, s);
+    return few_fly(f, &lines, VECTORS / 2, s, n, end);
+}
+
+LANES static long fly_high_on_lines(const struct flight *f, struct state *s, long n, long end) {
+    const struct floors_lines lines = floors_lines_of(f, s);
+    return few_fly(f, &lines, VECTORS, s, n, end);
+}
+
+long few_take(const struct flight *f, struct state *s, long n, long end) {
     bool low = f->model->n_dof <= FEW_MAX / 2;
-    long reached = (low ? few_fly_low : few_fly_high)(few, f, s, n, end);
+    long reached = f->yields ? (low ? fly_low_on_lines : fly_high_on_lines)(f, s, n, end)
+                             : (low ? fly_low : fly_high)(f, s, n, end);
     if (reached > n) {
         s->time = f->time[reached - f->ahead_from];
         s->ground_a[0] = f->ground[reached - f->ahead_from];

@@ -11,7 +11,7 @@ enum { FEW_MAX = 2 * LANES_WIDTH };
 
 struct few {
     bool possible;  // with this model
-    bool factored;  // the rest is there
+    long factors;   // work.factors that the rest is of
     // A^-1 of all buildings, (FEW_MAX, FEW_MAX), and for each four columns the rows that they have,
     // in fours too.
     double *inverse;
@@ -25,12 +25,13 @@ struct flight;
 // Room for the model of a flight; false: no memory.
 bool few_alloc(struct few *few, const struct flight *f, struct arena *a);
 
-// Takes the inverses of the buildings, for steps of the model's size.
+// Takes the inverses of the buildings, which must be there, unless that has been done.
 void few_factor(struct few *few, const struct work *w);
 
 // Takes steps from number `n`, whose state is `s`, as far as `end`, but stops before one that
-// brings news: a peak, or a contact that closes or is nearer than ever. What is computed ahead for
-// the flight must reach that far. Returns the step reached, the state of which is then in `s`.
-long few_take(const struct few *few, const struct flight *f, struct state *s, long n, long end);
+// brings news: a peak, a contact that closes or is nearer than ever, a storey that leaves its line.
+// What is computed ahead for the flight must reach that far. Returns the step reached, the state of
+// which is then in `s`.
+long few_take(const struct flight *f, struct state *s, long n, long end);
 
 #endif

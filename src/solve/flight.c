@@ -196,7 +196,7 @@ static long glide(struct flight *f, struct state *now, long n, long end) {
     while (f->few.possible && reached < end) {
         ensure_ahead(f, reached + 1);
         long known = least(end, f->ahead_from + FLIGHT_AHEAD - 1);
-        reached = few_take(&f->few, f, now, reached, known);
+        reached = few_take(f, now, reached, known);
         if (reached < known) {
             break;
         }
@@ -222,21 +222,20 @@ static bool may_start(struct flight *f, const struct state *s) {
     if (!f->possible || s->n_live > 0 || f->work->h != f->model->dt) {
         return false;
     }
-    if (f->few.possible && !f->few.factored) {
-        few_factor(&f->few, f->work);
+    if (f->yields) {
+        find_branches(f, s->storey_history);
     }
-    if (!f->yields) {
-        return true;
-    }
-    find_branches(f, s->storey_history);
-    return is_factorised(f);
+    return !f->yields || is_factorised(f);
 }
 
-static void start(const struct flight *f, const struct state *now, struct state *next) {
+static void start(struct flight *f, const struct state *now, struct state *next) {
     const struct model *m = f->model;
     state_open_links(next);
     gaps_forget(&f->work->gaps, now);
     memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
+    if (f->few.possible) {
+        few_factor(&f->few, f->work);
+    }
     if (f->yields) {
         memcpy(next->storey_history, now->storey_history,
                (size_t)m->n_storey_history * sizeof *next->storey_history);

@@ -55,6 +55,11 @@ struct floors_lines {
     double *drift, *shear;
 };
 
+LANES_INLINE struct floors_lines floors_lines_of(const struct flight *f, const struct state *s) {
+    return (struct floors_lines){
+        f->back, f->spring, f->rest, f->limit, f->results->peak[PEAK_SHEAR], s->drift, s->shear};
+}
+
 // Shears of the storeys below four floors: elastic ones, or where `lines` is not NULL, of the lines
 // they are on. *beyond gets negative if one is beyond its line.
 LANES_INLINE void floors_shear(const struct chain *c, const struct floors_lines *lines, int i,

@@ -283,9 +283,7 @@ enum nearness floors_fly(const struct flight *f, const struct state *now, struct
 
 LANES static enum nearness fly_on_lines(const struct flight *f, const struct state *now,
                                         struct state *next) {
-    const struct floors_lines lines = {
-        f->back,     f->spring,  f->rest, f->limit, f->results->peak[PEAK_SHEAR],
-        next->drift, next->shear};
+    const struct floors_lines lines = floors_lines_of(f, next);
     return fly(f, &lines, now, next);
 }
 
