@@ -202,11 +202,18 @@ static inline bool is_known(const struct quick *p, double x) {
     return fabs(dx) <= p->reach || dx == 0.0;
 }
 
+// Changes of others up to this leave a link within the reach of its line that is `far` from where
+// that was drawn.
+static inline double room(const struct quick *p, double far) {
+    return number_max(p->reach - far, 0.0) / (p->flexibility * p->others);
+}
+
 // A Newton step of a link that sees x; false: not safe.
 static inline bool step(const struct work *w, struct quick *p, double x, struct progress *s) {
     double dx = x - p->asked;
     double df = p->base + p->rate * dx;
     if (fabs(df) <= NEGLECTED * s->enough && fabs(dx) <= p->reach) {
+        s->clear = number_min(s->clear, room(p, fabs(dx)));
         return true;
     }
     double far = fabs(dx - p->flexibility * df);
@@ -216,6 +223,7 @@ static inline bool step(const struct work *w, struct quick *p, double x, struct 
     p->force += df;
     p->base -= p->damped * df;
     p->ask = !(far <= p->reach);
+    s->clear = number_min(s->clear, room(p, far));
     push_ends(w, p, df);
     note(w, p, df, s);
     return true;

@@ -59,8 +59,9 @@ struct progress {
     double moved;    // [F] and of one that obeys its law but for what others do to it
     double echo;     // by how much the changes of others may still change one of those, as a
                      // share of the largest; of sweeps before too
-    double clear;    // [F] changes of others up to this leave open links open
-    bool answered;   // some link got its exact answer: echo knows nothing of it
+    double clear;   // [F] changes of others up to this leave open links open, and the others within
+                    // the reach of their lines
+    bool answered;  // some link got its exact answer: echo knows nothing of it
 };
 
 // What does not change of link k.
