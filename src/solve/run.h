@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An analysis under way, and its steps, in analysis.c: for those who take them one after the other,
-// in lanes but for some, or of other lengths.
+// An analysis under way, in analysis.c, and its steps, in run_step.c: for those who take them one
+// after the other, in lanes but for some, or of other lengths.
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
@@ -45,9 +45,16 @@ int analysis_balanced(struct run *r);
 // Ends an analysis whose steps gave `status`, which it returns: *out has the results if it is 0.
 int analysis_end(struct run *r, int status, struct results **out);
 
+// Steps between two questions to the observer whether to go on, and the question, if it is time.
+enum { RUN_POLL_STEPS = 4096 };
+int run_poll(struct run *r, double time);
+
 // Steps to `end`, h later, or to the first event on the way; *rest is what is left of h. A step of
 // so many `cuts` is taken as it is where it cannot be cut. STATUS_RETRY: a shorter one is wanted.
 int run_step(struct run *r, double end, double h, int cuts, double *rest);
+
+// Goes to `end`, h later, by one step or as many as it takes.
+int run_advance_fixed(struct run *r, double end, double h);
 
 // Starts to count the events of each contact anew, if there were any.
 void run_forget_events(struct run *r);

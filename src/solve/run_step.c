@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A step of an analysis: taken, committed and accounted for, split where forces jump or bodies
+// meet, and cut where it is not solved.
+#include <math.h>
+#include <string.h>
+
+#include "solve/event.h"
+#include "solve/newmark.h"
+#include "solve/run.h"
+
+// A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
+enum { CUTS_MAX = 30 };
+
+// Tries at the instant of an event, and how near d = 0 is near enough, as a share of the way that
+// the link would make in the whole step. Rigid contacts keep what they penetrate.
+enum { LOCATIONS_MAX = 40 };
+static const double LOCATED_JUMP = 1e-3;
+static const double LOCATED_RIGID = 1e-8;
+// Bounces shorter than this share of the step are not followed.
+static const double SHORTEST_BOUNCE = 0.01;
+// Events nearer to each other than this share of their time are at the same instant.
+static const double TOGETHER = 1e-6;
+
+// A run in which steps were cut more often than this, and this often per step of the deck, will not
+// end in a reasonable time.
+enum { CUTS_BUDGET = 2000000, CUTS_BUDGET_PER_STEP = 100 };
+
+int run_poll(struct run *r, double time) {
+    const struct observer *o = r->observer;
+    bool due = o && o->poll && r->results->totals.steps % RUN_POLL_STEPS == 0;
+    return due ? o->poll(o->context, time, r->error) : STATUS_OK;
+}
+
+// Takes `next` as the new committed state.
+static int commit(struct run *r) {
+    struct results *out = r->results;
+    account_step(&r->energy, out, r->model, r->now, r->next);
+    gaps_peaks(&r->work.gaps, r->next);
+    int status = impacts_step(&r->impacts, &r->energy, out, r->model, r->now, r->next, r->error);
+    struct state *old = r->now;
+    r->now = r->next;
+    r->next = old;
+    out->totals.steps++;
+    return status == STATUS_OK ? run_poll(r, r->now->time) : status;
+}
+
+static int give_up(struct run *r, double h) {
+    const struct model *m = r->model;
+    const char *unit = m->deck->units.time_name;
+    int k = r->work.unresolved;
+    return error_set(
+        r->error, STATUS_FAILED,
+        "at t = %.6g %s a step of %.3g %s is still too long for contact %s, after %ld cuts; "
+        "it wants a softer or a damped contact, or a much shorter step",
+        r->now->time, unit, h, unit, k < 0 ? "forces" : m->link[k].name, r->results->totals.cuts);
+}
+
+// May a step of size h, itself of so many cuts, be cut once more?
+static int spend_cut(struct run *r, double h, int cuts) {
+    if (cuts == CUTS_MAX) {
+        return error_set(
+            r->error, STATUS_FAILED,
+            "no step is short enough at t = %.9g: the numbers are beyond double precision",
+            r->now->time);
+    }
+    long budget = CUTS_BUDGET + CUTS_BUDGET_PER_STEP * r->model->n_step;
+    return r->results->totals.cuts++ < budget ? STATUS_OK : give_up(r, h);
+}
+
+// Steps to the instant of an event with its link held as it was. Where the step is long the instant
+// is only an estimate: it is mended until the link stands near d = 0, or where it stood before if
+// it was inside by an error. STATUS_RETRY: not found.
+static int step_to_event(struct run *r, struct event *event, double end, double h) {
+    bool opens = r->now->closed[event->link];
+    double sign = opens ? -1.0 : 1.0;
+    double start = opens ? 0.0 : fmax(r->now->delta[event->link], 0.0);
+    double located = r->model->link[event->link].law->rebound ? LOCATED_RIGID : LOCATED_JUMP;
+    double low = 0.0;
+    double high = h;
+    for (int i = 0; i < LOCATIONS_MAX; i++) {
+        double instant = event->time < h ? r->now->time + event->time : end;
+        r->work.held = event->link;
+        int status = newmark_step(&r->work, r->now, r->next, instant, event->time, r->error);
+        r->work.held = -1;
+        double d = r->next->delta[event->link] - start;
+        double v = state_rate(r->next, r->model, event->link);
+        *(sign * d < 0.0 ? &low : &high) = event->time;
+        bool near = fabs(d) <= located * fabs(v) * h || high - low <= 1e-9 * h;
+        if (status != STATUS_OK || near) {
+            return status;
+        }
+        double time = event->time - d / v;
+        event->time = time > low && time < high ? time : 0.5 * (low + high);
+    }
+    return r->work.strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
+}
+
+// Lets the force of the event's link jump.
+static int jump(struct run *r, const struct event *event) {
+    event_apply(r->now, r->model, event->link);
+    return impacts_toggle(&r->impacts, r->results, r->model, r->now, event->link, r->error);
+}
+
+// Lets the bodies of a rigid contact meet.
+static int meet(struct run *r, const struct event *event) {
+    const struct model *m = r->model;
+    bool chatters = r->events[event->link] > EVENTS_RIGID_MAX;
+    enum rebound rebound = chatters ? REBOUND_NONE : REBOUND_BY_LAW;
+    const struct least_bounce least = {
+        .time = m->adaptive ? 0.0 : SHORTEST_BOUNCE * m->dt,
+        .velocity = m->adaptive ? m->control.tolerance * r->results->totals.speed : 0.0,
+    };
+    impulse_meet(r->now, m, event->link, rebound, &least, r->meeting);
+    energy_meet(&r->energy, m, r->now, r->meeting);
+    return impacts_meet(&r->impacts, r->results, m, r->now, r->meeting, r->error);
+}
+
+// Steps to the first event, which may turn out to be another one than was seen from the whole step.
+static int step_to_first(struct run *r, struct event *event, double end, double h) {
+    for (int i = 0; i < LOCATIONS_MAX; i++) {
+        int status = step_to_event(r, event, end, h);
+        if (status != STATUS_OK) {
+            return status;
+        }
+        struct event other =
+            event_first(&r->work, r->now, r->next, event->time, r->events, event->link);
+        if (other.link < 0 || other.time >= (1.0 - TOGETHER) * event->time) {
+            return STATUS_OK;
+        }
+        *event = other;
+        if (event->time == 0.0) {
+            return STATUS_OK;
+        }
+    }
+    return r->work.strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
+}
+
+static int endless(const struct run *r, const struct event *event) {
+    return error_set(r->error, STATUS_FAILED, "contact %s meets without end at t = %.9g",
+                     r->model->link[event->link].name, r->now->time);
+}
+
+// Goes to the event and lets happen what happens there.
+static int pass(struct run *r, struct event *event, double end, double h) {
+    int status = STATUS_OK;
+    if (r->events[event->link] == EVENTS_ENDLESS) {
+        return endless(r, event);
+    }
+    if (event->time > 0.0) {
+        status = step_to_first(r, event, end, h);
+        status = status == STATUS_OK && event->time > 0.0 ? commit(r) : status;
+    }
+    if (status == STATUS_OK) {
+        r->results->totals.events++;
+        r->events[event->link]++;
+        status = r->model->link[event->link].law->rebound ? meet(r, event) : jump(r, event);
+        peaks_update(r->results, r->model, r->now);
+    }
+    return status;
+}
+
+int run_step(struct run *r, double end, double h, int cuts, double *rest) {
+    r->work.strictness = cuts < CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
+    *rest = 0.0;
+    int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    if (r->model->adaptive && step_length_judge(&r->length, r->now, r->next, h) != STATUS_OK) {
+        r->work.unresolved = -1;
+        return STATUS_RETRY;
+    }
+    struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);
+    if (event.link < 0) {
+        return commit(r);
+    }
+    status = pass(r, &event, end, h);
+    *rest = h - event.time;
+    return status;
+}
+
+// Goes from the committed state to `end`, h later; a step that is not solved is cut in two.
+static int advance(struct run *r, double end, double h, int cuts) {
+    while (h > 0.0) {
+        double rest;
+        int status = run_step(r, end, h, cuts, &rest);
+        if (status == STATUS_RETRY) {
+            status = spend_cut(r, h, cuts++);
+            rest = h / 2.0;
+            status = status == STATUS_OK ? advance(r, end - rest, rest, cuts) : status;
+        }
+        if (status != STATUS_OK) {
+            return status;
+        }
+        h = rest;
+    }
+    return STATUS_OK;
+}
+
+void run_forget_events(struct run *r) {
+    if (r->results->totals.events > r->events_before) {
+        memset(r->events, 0, (size_t)r->model->n_contact * sizeof *r->events);
+        r->events_before = r->results->totals.events;
+    }
+}
+
+int run_advance_fixed(struct run *r, double end, double h) {
+    run_forget_events(r);
+    return advance(r, end, h, 0);
+}
