@@ -159,7 +159,7 @@ static bool are_alike(const struct effective *e, int n) {
 }
 
 static void solve_four(const struct effective *e, double *r, double *q) {
-    int n = e->building->n_floor;
+    ptrdiff_t n = e->building->n_floor;
     double *const rs[] = {r, r + n, r + 2 * n, r + 3 * n};
     double *const qs[] = {q, q + n, q + 2 * n, q + 3 * n};
     four_solve(e, rs, qs);
@@ -168,7 +168,7 @@ static void solve_four(const struct effective *e, double *r, double *q) {
 LANES void effective_solve_row(struct effective *e, int n, double *r, double *q) {
     for (int k = 0; k < n;) {
         struct effective *first = &e[k];
-        int floors = first->building->n_floor;
+        ptrdiff_t floors = first->building->n_floor;
         int solved = 1;
         if (effective_is_low(first)) {
             effective_multiply(first, r, q);

@@ -12,7 +12,7 @@
 enum { VECTORS = FEW_MAX / LANES_VECTOR };
 
 // For each vector of n, in loops that are unrolled, or they would not be in registers.
-#define EACH_VECTOR(j, n) _Pragma("GCC unroll 4") for (int j = 0; j < (n); j++)
+#define EACH_VECTOR(j, n) _Pragma("GCC unroll 4") for (ptrdiff_t j = 0; j < (n); j++)
 
 bool few_alloc(struct few *few, const struct flight *f, struct arena *a) {
     const struct model *m = f->model;
@@ -31,7 +31,7 @@ void few_factor(struct few *few, const struct work *w) {
         const struct building *g = &w->model->building[k];
         const int end = g->first + g->n_floor;
         for (int i = 0; i < g->n_floor; i++) {
-            memcpy(few->inverse + (g->first + i) * FEW_MAX + g->first,
+            memcpy(few->inverse + (ptrdiff_t)(g->first + i) * FEW_MAX + g->first,
                    effective_column(&w->effective[k], i),
                    (size_t)g->n_floor * sizeof *few->inverse);
         }
@@ -59,7 +59,7 @@ static const lanes none = {0.0};
 LANES_INLINE void few_strain(const struct chain *c, const struct floors_lines *lines, int n,
                              struct few_floors *s, lanes_bits *beyond) {
     EACH_VECTOR(j, n) {
-        const int i = j * LANES_VECTOR;
+        const ptrdiff_t i = j * LANES_VECTOR;
         lanes below = j > 0 ? s->u[j - 1] : none;
         s->drift[j] = s->u[j] - FOUR(c->joint, i) * BELOW(below, s->u[j]);
         floors_shear(c, lines, i, &s->drift[j], &s->shear[j], beyond);
@@ -70,7 +70,7 @@ LANES_INLINE void few_strain(const struct chain *c, const struct floors_lines *l
 LANES_INLINE void few_unbalance(const struct chain *c, int n, const struct few_floors *now,
                                 const struct few_floors *trial, double ground, double *residual) {
     EACH_VECTOR(j, n) {
-        const int i = j * LANES_VECTOR;
+        const ptrdiff_t i = j * LANES_VECTOR;
         lanes v_below = j > 0 ? trial->v[j - 1] : none;
         lanes v_above = j + 1 < n ? trial->v[j + 1] : none;
         lanes shear_above = j + 1 < n ? trial->shear[j + 1] : none;
@@ -84,11 +84,11 @@ LANES_INLINE void few_unbalance(const struct chain *c, int n, const struct few_f
 }
 
 // The corrections of four floors.
-LANES_INLINE void few_solve(const struct few *few, int j, const double *residual, lanes *q) {
+LANES_INLINE void few_solve(const struct few *few, ptrdiff_t j, const double *residual, lanes *q) {
     const double *column = few->inverse + j * LANES_VECTOR;
     lanes sum = none;
     for (int i = few->rows[j].from; i < few->rows[j].to; i += LANES_VECTOR) {
-        for (int k = i; k < i + LANES_VECTOR; k++) {
+        for (ptrdiff_t k = i; k < i + LANES_VECTOR; k++) {
             sum += residual[k] * FOUR(column, k * FEW_MAX);
         }
     }
@@ -99,7 +99,7 @@ LANES_INLINE void few_solve(const struct few *few, int j, const double *residual
 LANES_INLINE void few_compare(const struct floors_lines *lines, int n, const struct few_floors *s,
                               double ground, double *const peak[PEAK_COUNT], lanes_bits *sign) {
     EACH_VECTOR(j, n) {
-        const int i = j * LANES_VECTOR;
+        const ptrdiff_t i = j * LANES_VECTOR;
         lanes total = s->a[j] + ground;
         *sign |= BEYOND(s->u[j], FOUR(peak[PEAK_DISPLACEMENT], i)) |
                  BEYOND(s->v[j], FOUR(peak[PEAK_VELOCITY], i)) |
@@ -119,7 +119,7 @@ LANES_INLINE void few_add_works(const struct chain *c, int n, const struct few_f
         sum[j] = now->v[j] + next->v[j];
     }
     EACH_VECTOR(j, n) {
-        const int i = j * LANES_VECTOR;
+        const ptrdiff_t i = j * LANES_VECTOR;
         lanes du = next->u[j] - now->u[j];
         lanes below = BELOW(j > 0 ? sum[j - 1] : none, sum[j]);
         lanes above = ABOVE(sum[j], j + 1 < n ? sum[j + 1] : none);
@@ -158,7 +158,7 @@ LANES_INLINE void few_step(const struct few *few, const struct work *w, const st
 LANES_INLINE void few_load(const struct state *s, const struct floors_lines *lines, int n,
                            struct few_floors *x) {
     EACH_VECTOR(j, n) {
-        const int i = j * LANES_VECTOR;
+        const ptrdiff_t i = j * LANES_VECTOR;
         x->u[j] = FOUR(s->u, i);
         x->v[j] = FOUR(s->v, i);
         x->a[j] = FOUR(s->a, i);
@@ -170,7 +170,7 @@ LANES_INLINE void few_load(const struct state *s, const struct floors_lines *lin
 LANES_INLINE void few_store(const struct few_floors *x, const struct floors_lines *lines, int n,
                             const struct state *s) {
     EACH_VECTOR(j, n) {
-        const int i = j * LANES_VECTOR;
+        const ptrdiff_t i = j * LANES_VECTOR;
         *(lanes *)(s->u + i) = x->u[j];
         *(lanes *)(s->v + i) = x->v[j];
         *(lanes *)(s->a + i) = x->a[j];

@@ -62,7 +62,7 @@ LANES_INLINE struct floors_lines floors_lines_of(const struct flight *f, const s
 
 // Shears of the storeys below four floors: elastic ones, or where `lines` is not NULL, of the lines
 // they are on. *beyond gets negative if one is beyond its line.
-LANES_INLINE void floors_shear(const struct chain *c, const struct floors_lines *lines, int i,
+LANES_INLINE void floors_shear(const struct chain *c, const struct floors_lines *lines, ptrdiff_t i,
                                const lanes *drift, lanes *shear, lanes_bits *beyond) {
     if (!lines) {
         *shear = FOUR(c->stiffness, i) * *drift;
