@@ -203,8 +203,18 @@ LANES_INLINE void few_add_storey_works(int n, const struct few_floors *now,
     }
 }
 
-// Takes steps of a model of n vectors from number `from` to number `end`, or until there is news;
-// returns the one reached. Between whole steps all is in registers.
+// Stores the step to `time` and takes it into the peaks. False: it is none, as it is not finite.
+LANES_INLINE bool few_raise(const struct flight *f, const struct floors_lines *lines, int n,
+                            const struct few_floors *next, double time, double ground,
+                            enum nearness near, struct state *s) {
+    few_store(next, lines, n, s);
+    s->time = time;
+    s->ground_a[0] = ground;
+    return flight_raise(f, near, s);
+}
+
+// Takes steps of a model of n vectors from number `from` to number `end`, or until one is none in
+// free flight; returns the one reached. Between steps all is in registers.
 LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lines, int n,
                           struct state *s, long from, long end) {
     const struct work *w = f->work;
@@ -212,31 +222,35 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
     struct few_floors now;
     struct few_works works;
-    double ground = s->ground_a[0];
+    double time = s->time, ground = s->ground_a[0];
     few_load(s, lines, n, &now);
     few_load_works(f->energy, &works);
     long step = from;
     for (; step < end; step++) {
         struct few_floors next;
-        struct few_works more = works;
-        lanes_bits news = {0};
-        const double after = f->ground[step + 1 - f->ahead_from];
-        few_step(&f->few, w, &c, lines, n, &now, after, shown, &next, &news);
-        few_add_works(&c, n, &now, &next, ground + after, &more);
-        few_compare(lines, n, &next, after, f->results->peak, &news);
-        if (floors_any(&news) < 0 ||
-            floors_look(f, 0, f->n_group, shown, s->ground_u) != NEARNESS_FAR) {
+        lanes_bits beyond = {0}, higher = {0};
+        const long ahead = step + 1 - f->ahead_from;
+        few_step(&f->few, w, &c, lines, n, &now, f->ground[ahead], shown, &next, &beyond);
+        few_compare(lines, n, &next, f->ground[ahead], f->results->peak, &higher);
+        enum nearness near = floors_look(f, 0, f->n_group, shown, s->ground_u);
+        bool refused = floors_any(&beyond) < 0 || near == NEARNESS_CLOSED;
+        bool news = floors_any(&higher) < 0 || near == NEARNESS_DEEPEST;
+        if (refused ||
+            (news && !few_raise(f, lines, n, &next, f->time[ahead], f->ground[ahead], near, s))) {
             break;
         }
+        few_add_works(&c, n, &now, &next, ground + f->ground[ahead], &works);
         if (lines) {
             few_add_storey_works(n, &now, &next, f->energy->storey_2x);
         }
         now = next;
-        works = more;
-        ground = after;
+        time = f->time[ahead];
+        ground = f->ground[ahead];
     }
     few_store(&now, lines, n, s);
     few_store_works(&works, f->energy);
+    s->time = time;
+    s->ground_a[0] = ground;
     return step;
 }
 
@@ -260,11 +274,6 @@ LANES static long fly_high_on_lines(const struct flight *f, struct state *s, lon
 
 long few_take(const struct flight *f, struct state *s, long n, long end) {
     bool low = f->model->n_dof <= FEW_MAX / 2;
-    long reached = f->yields ? (low ? fly_low_on_lines : fly_high_on_lines)(f, s, n, end)
-                             : (low ? fly_low : fly_high)(f, s, n, end);
-    if (reached > n) {
-        s->time = f->time[reached - f->ahead_from];
-        s->ground_a[0] = f->ground[reached - f->ahead_from];
-    }
-    return reached;
+    return f->yields ? (low ? fly_low_on_lines : fly_high_on_lines)(f, s, n, end)
+                     : (low ? fly_low : fly_high)(f, s, n, end);
 }

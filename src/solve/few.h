@@ -28,10 +28,9 @@ bool few_alloc(struct few *few, const struct flight *f, struct arena *a);
 // Takes the inverses of the buildings, which must be there, unless that has been done.
 void few_factor(struct few *few, const struct work *w);
 
-// Takes steps from number `n`, whose state is `s`, as far as `end`, but stops before one that
-// brings news: a peak, a contact that closes or is nearer than ever, a storey that leaves its line.
-// What is computed ahead for the flight must reach that far. Returns the step reached, the state of
-// which is then in `s`.
+// Takes steps from number `n`, whose state is `s`, as far as `end`, but stops before one in which a
+// contact closes or a storey leaves its line. What is computed ahead for the flight must reach that
+// far. Returns the step reached, the state of which is then in `s`.
 long few_take(const struct flight *f, struct state *s, long n, long end);
 
 #endif

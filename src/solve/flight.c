@@ -138,6 +138,21 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     return few_alloc(&f->few, f, a);
 }
 
+static void raise_penetrations(const struct flight *f, enum nearness near, struct state *s) {
+    if (near == NEARNESS_DEEPEST) {
+        gaps_update(&f->work->gaps, s);
+        gaps_peaks(&f->work->gaps, s);
+    }
+}
+
+bool flight_raise(const struct flight *f, enum nearness near, struct state *s) {
+    if (!floors_raise(f, s)) {
+        return false;
+    }
+    raise_penetrations(f, near, s);
+    return true;
+}
+
 // Takes a step as it has been found, or takes back what has been added for it.
 static bool take(const struct flight *f, const struct state *now, struct state *next,
                  enum nearness near, const struct energy_account *before) {
@@ -145,10 +160,7 @@ static bool take(const struct flight *f, const struct state *now, struct state *
         *f->energy = *before;
         return false;
     }
-    if (near == NEARNESS_DEEPEST) {
-        gaps_update(&f->work->gaps, next);
-        gaps_peaks(&f->work->gaps, next);
-    }
+    raise_penetrations(f, near, next);
     if (!f->uniform) {
         energy_input(f->energy, f->model, now, next);
     }

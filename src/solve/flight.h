@@ -51,4 +51,8 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
+// Takes a step in flight into the peaks; `near` is how near contacts have come. False: it is none,
+// as it is not finite.
+bool flight_raise(const struct flight *f, enum nearness near, struct state *s);
+
 #endif
