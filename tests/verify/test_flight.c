@@ -168,7 +168,7 @@ static void buildings_of_a_long_row_have_the_bits_of_one_alone(void **state) {
                     "damping B rayleigh 5%%\n" SHAKEN "duration 3\nstep fixed 5ms\n",
                     FLOORS);
     for (int q = 0; q < PEAK_COUNT; q++) {
-        for (int k = 0; k < BUILDINGS; k++) {
+        for (ptrdiff_t k = 0; k < BUILDINGS; k++) {
             const double *peak = row.results->peak[q] + k * FLOORS;
             const double *when = row.results->peak_time[q] + k * FLOORS;
             assert_same(peak, alone.results->peak[q], FLOORS * sizeof *peak);
