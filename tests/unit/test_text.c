@@ -50,12 +50,11 @@ static void numbers_are_the_doubles_nearest_to_their_texts(void **state) {
             n += j == point;
             text[n++] = (char)('0' + (seed >> 33) % 10 * (j > i % 5));
         }
+        text[n] = '\0';
         int exponent = (int)((seed >> 40) % 61) - 30;
-        snprintf(text + n, sizeof text - n,
-                 i % 4 == 0   ? ""
-                 : i % 4 == 1 ? "e%d"
-                              : "E%+d",
-                 exponent);
+        if (i % 4 > 0) {
+            snprintf(text + n, sizeof text - n, i % 4 == 1 ? "e%d" : "E%+d", exponent);
+        }
         const char *end;
         double value;
         double truth = strtod(text, NULL);
