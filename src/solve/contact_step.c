@@ -25,7 +25,6 @@ static inline int past_after(int n_past, const struct contact_law *law) {
     return n_past < most ? n_past + 1 : most;
 }
 
-// Link k, closed so far, begins the step as it ended the last.
 // What the law of a link remembers.
 static void keep_history(const struct state *now, struct state *next, struct quick *p) {
     const struct link *l = p->link;
@@ -34,6 +33,7 @@ static void keep_history(const struct state *now, struct state *next, struct qui
     p->history = history;
 }
 
+// Link k, closed so far, begins the step as it ended the last.
 static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
     struct quick *p = &w->quick[k];
     double f = now->force[k];
