@@ -108,8 +108,10 @@ static double noise(const struct line *l, enum branch branch, double f, double d
 // sweeps take long.
 static bool negligible(const struct work *w, const struct line *l, enum branch branch, double f,
                        double df) {
-    double d = state_rounding(l->link, w->u_trial) + 4.0 * DBL_EPSILON * l->link->gap;
-    double v = state_rounding(l->link, w->v_trial);
+    double corrected = state_rounding(l->link, w->correction);
+    double d =
+        state_rounding(l->link, w->u_trial) + w->b * corrected + 4.0 * DBL_EPSILON * l->link->gap;
+    double v = state_rounding(l->link, w->v_trial) + w->g * corrected;
     if (fabs(df) <= SMALL * fabs(f)) {
         d += w->others_d;
         v += w->others_v;

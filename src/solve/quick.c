@@ -181,8 +181,10 @@ void quick_push(const struct work *w, const struct quick *p, double df) {
 
 // Is a change of the force no more than the rounding of d and v makes of it?
 static inline bool negligible(const struct work *w, const struct quick *p, double df) {
-    double d = fabs(w->u_trial[p->end[0]]) + fabs(w->u_trial[p->end[1]]) + p->gap;
-    double v = fabs(w->v_trial[p->end[0]]) + fabs(w->v_trial[p->end[1]]);
+    const int left = p->end[0], right = p->end[1];
+    double q = fabs(w->correction[left]) + fabs(w->correction[right]);
+    double d = fabs(w->u_trial[left]) + fabs(w->u_trial[right]) + p->gap + w->b * q;
+    double v = fabs(w->v_trial[left]) + fabs(w->v_trial[right]) + w->g * q;
     double change = 4.0 * DBL_EPSILON * (fabs(p->law.dfdd) * d + fabs(p->law.dfdv) * v);
     return fabs(df) <= change * p->damped;
 }
