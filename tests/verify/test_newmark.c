@@ -128,6 +128,22 @@ static void a_ground_under_all_free_bodies_does_not_change_their_impacts(void **
     analysis_free(&shaken);
 }
 
+// A damper of a power below 1 is infinitely steep at rest: all digits of its force are those of a
+// velocity that is a small difference of accelerations.
+static void a_steep_damper_at_rest_is_solved_to_rounding(void **state) {
+    (void)state;
+    struct analysis a =
+        analysis_of("units N m s\n"
+                    "building A -floors 2 -mass 657.805 -stiffness 1025.44\n"
+                    "building B -floors 5 -mass 7206.52 -stiffness 0\n"
+                    "link A:1 B:1 -stiffness 7450.1 -dashpot 68715 -exponent 0.645\n"
+                    "ground sine -amplitude 1.712 -frequency 14.25\n"
+                    "step fixed 5.96317e-05\nduration 0.0149079\n");
+    assert_int_equal(a.results->totals.cuts, 0);
+    assert_int_equal(a.results->totals.unsolved, 0);
+    analysis_free(&a);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gamma_of_one_half_is_second_order),
@@ -138,6 +154,7 @@ int main(void) {
         cmocka_unit_test(a_mode_vibrates_alone),
         cmocka_unit_test(free_bodies_on_different_grounds_keep_their_distance),
         cmocka_unit_test(a_ground_under_all_free_bodies_does_not_change_their_impacts),
+        cmocka_unit_test(a_steep_damper_at_rest_is_solved_to_rounding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
