@@ -6,12 +6,17 @@
 #include <stdint.h>
 #include <string.h>
 
-// Not for NaN.
+// Not for NaN, as the next one.
 static inline double number_max(double a, double b) {
     return a > b ? a : b;
 }
 
 static inline double number_min(double a, double b) {
+    return a < b ? a : b;
+}
+
+// Of whole numbers.
+static inline long number_least(long a, long b) {
     return a < b ? a : b;
 }
 

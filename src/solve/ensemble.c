@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/number.h"
 #include "solve/ensemble_fleet.h"
 
 static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
@@ -146,10 +147,6 @@ static void land(struct fleet *f, int k) {
     ensemble_fleet_end(f, k, analysis_step(&b->run, last));
 }
 
-static long least(long a, long b) {
-    return a < b ? a : b;
-}
-
 // Lands the runs that have but one step left after step n, and looks for the next that will.
 static void land_due(struct fleet *f, long n) {
     if (n < f->due) {
@@ -162,7 +159,7 @@ static void land_due(struct fleet *f, long n) {
         if (b->berth != BERTH_ENDED && due == n) {
             land(f, k);
         } else if (b->berth != BERTH_ENDED) {
-            f->due = least(f->due, due);
+            f->due = number_least(f->due, due);
         }
     }
 }

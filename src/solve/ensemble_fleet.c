@@ -6,6 +6,7 @@
 // for the step.
 #include "solve/ensemble_fleet.h"
 
+#include "core/number.h"
 #include "solve/ensemble_links.h"
 
 static bool has(unsigned runs, int k) {
@@ -162,15 +163,12 @@ static void commit(struct fleet *f, const wide *base) {
     ensemble_commit(&f->lanes, base);
 }
 
-static long least(long a, long b) {
-    return a < b ? a : b;
-}
-
 long ensemble_fleet_cruise(struct fleet *f, long n) {
     struct ensemble_lanes *e = &f->lanes;
     const bool live = f->live != 0;
     const long row = (n + f->every - 1) / f->every * f->every;
-    const long last = f->n_ashore > 0 || live ? n : least(least(f->known, f->due), row);
+    const long last =
+        f->n_ashore > 0 || live ? n : number_least(number_least(f->known, f->due), row);
     if (f->n_aboard == 0) {
         return last;
     }

@@ -6,6 +6,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "core/number.h"
 #include "solve/contact.h"
 #include "solve/excitation.h"
 
@@ -198,16 +199,12 @@ static void ensure_ahead(struct flight *f, long n) {
     }
 }
 
-static long least(long a, long b) {
-    return a < b ? a : b;
-}
-
 // Steps from n towards `end` that bring no news; returns the one reached.
 static long glide(struct flight *f, struct state *now, long n, long end) {
     long reached = n;
     while (f->few.possible && reached < end) {
         ensure_ahead(f, reached + 1);
-        long known = least(end, f->ahead_from + FLIGHT_AHEAD - 1);
+        long known = number_least(end, f->ahead_from + FLIGHT_AHEAD - 1);
         reached = few_take(f, now, reached, known);
         if (reached < known) {
             break;
