@@ -141,7 +141,7 @@ void quick_gather(struct work *w, const struct state *next, struct progress *s) 
     for (int i = 0; i < w->n_acting; i++) {
         struct quick *p = &w->quick[next->live[i]];
         w->acting[i] = p;
-        p->force = next->force[p->index];
+        p->force = next->link[p->index].force;
         s->largest = number_max(s->largest, fabs(p->force));
         gather(w, next, p);
     }
