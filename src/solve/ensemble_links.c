@@ -49,8 +49,8 @@ void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, dou
     for (int i = 0; i < next->n_live; i++) {
         const int k = next->live[i];
         e->contact[k].limit[lane] = INFINITY;
-        e->residual[e->end[k][0]][lane] -= next->force[k];
-        e->residual[e->end[k][1]][lane] += next->force[k];
+        e->residual[e->end[k][0]][lane] -= next->link[k].force;
+        e->residual[e->end[k][1]][lane] += next->link[k].force;
     }
 }
 
