@@ -182,10 +182,8 @@ static void complete(const struct flight *f, struct state *s) {
 // Times from step n on, and the ground accelerations then.
 static void look_ahead(struct flight *f, long n) {
     f->ahead_from = n;
-    for (int i = 0; i < FLIGHT_AHEAD; i++) {
-        f->time[i] = model_time(f->model, n + i);
-        f->ground[i] = 0.0;
-    }
+    model_times(f->model, n, FLIGHT_AHEAD, f->time);
+    memset(f->ground, 0, sizeof f->ground);
     const struct ground *g = &f->model->ground[0];
     for (int i = 0; f->uniform && i < g->n_signal; i++) {
         signal_add_values(&g->signal[i], FLIGHT_AHEAD, f->time, f->ground);
