@@ -15,6 +15,8 @@
 
 enum { LINE = 64, VECTORS = FEW_MAX / LANES_VECTOR, PER_EIGHT = LANES_WIDTH / LANES_VECTOR };
 
+#define ABSOLUTE(x) ((lanes)((lanes_bits)(x)&INT64_MAX))
+
 // For each vector of n, in loops that are unrolled, or they would not be in registers.
 #define EACH_VECTOR(j, n) _Pragma("GCC unroll 4") for (ptrdiff_t j = 0; j < (n); j++)
 
@@ -30,18 +32,20 @@ static void fill_table(struct few_table *t, const struct model *m) {
     memcpy(t->damping_above, c->damping_above, n);
 }
 
-bool few_alloc(struct few *few, const struct flight *f, struct arena *a) {
-    const struct model *m = f->model;
-    few->possible = f->possible && f->uniform && m->n_dof <= FEW_MAX;
-    few->table = lanes_wide_array(a, few->possible ? 1 : 0, sizeof *few->table);
-    if (few->table && few->possible) {
-        fill_table(few->table, m);
+bool few_alloc(struct few *few, const struct model *m, struct arena *a) {
+    few->possible = state_is_uniform(m) && !m->chain.full_damping && m->n_dof <= FEW_MAX;
+    if (few->possible) {
+        few->table = (void *)lanes_array(a, sizeof *few->table / sizeof(double));
+        if (few->table) {
+            fill_table(few->table, m);
+        }
     }
-    return few->table != NULL;
+    return !few->possible || few->table;
 }
 
 void few_factor(struct few *few, const struct work *w) {
-    if (few->factors == w->factors) {
+    bool kept = few->factors > 0 && w->model->n_storey_history == 0;
+    if (few->factors == w->factors || kept) {
         return;
     }
     few->factors = w->factors;
@@ -106,34 +110,36 @@ LANES_INLINE void few_unbalance(const struct few_table *t, int n, const struct f
     }
 }
 
-// The corrections of LANES_WIDTH floors.
-LANES_INLINE void few_solve(const struct few *few, ptrdiff_t j, const double *residual, lanes *q) {
-    lanes sum[PER_EIGHT] = {{0.0}};
-    const double *row = few->table->inverse[few->rows[j].from] + j * LANES_WIDTH;
-    for (const double *r = residual + few->rows[j].from, *end = residual + few->rows[j].to; r < end;
-         r += LANES_VECTOR) {
-        _Pragma("GCC unroll 4") for (ptrdiff_t k = 0; k < LANES_VECTOR; k++, row += FEW_MAX) {
-            EACH_VECTOR(i, PER_EIGHT) {
-                sum[i] += r[k] * PART(row, i);
+// The corrections q of all floors, LANES_WIDTH at a time.
+LANES_INLINE void few_solve(const struct few *few, int n, const double *residual, lanes *q) {
+    EACH_VECTOR(j, n / PER_EIGHT) {
+        const struct few_rows *rows = &few->rows[j];
+        const double *row = few->table->inverse[rows->from] + j * LANES_WIDTH;
+        lanes sum[PER_EIGHT] = {{0.0}};
+        for (int i = rows->from; i < rows->to; i += LANES_VECTOR) {
+            _Pragma("GCC unroll 4") for (int k = i; k < i + LANES_VECTOR; k++, row += FEW_MAX) {
+                EACH_VECTOR(part, PER_EIGHT) {
+                    sum[part] += residual[k] * PART(row, part);
+                }
             }
         }
-    }
-    EACH_VECTOR(i, PER_EIGHT) {
-        q[j * PER_EIGHT + i] = sum[i];
+        EACH_VECTOR(part, PER_EIGHT) {
+            q[j * PER_EIGHT + part] = sum[part];
+        }
     }
 }
 
 // *sign gets negative where a floor is beyond its peaks. Elastic shears are so only with drifts.
-LANES_INLINE void few_compare(const struct few_table *t, const struct floors_lines *lines, int n,
-                              const struct few_floors *s, double ground, lanes_bits *sign) {
+LANES_INLINE void few_compare(double *const peak[PEAK_COUNT], const struct floors_lines *lines,
+                              int n, const struct few_floors *s, double ground, lanes_bits *sign) {
     EACH_VECTOR(j, n) {
         lanes total = s->a[j] + ground;
-        *sign |= BEYOND(s->u[j], PART(t->peak[PEAK_DISPLACEMENT], j)) |
-                 BEYOND(s->v[j], PART(t->peak[PEAK_VELOCITY], j)) |
-                 BEYOND(total, PART(t->peak[PEAK_ACCELERATION], j)) |
-                 BEYOND(s->drift[j], PART(t->peak[PEAK_DRIFT], j));
+        *sign |= BEYOND(s->u[j], PART(peak[PEAK_DISPLACEMENT], j)) |
+                 BEYOND(s->v[j], PART(peak[PEAK_VELOCITY], j)) |
+                 BEYOND(total, PART(peak[PEAK_ACCELERATION], j)) |
+                 BEYOND(s->drift[j], PART(peak[PEAK_DRIFT], j));
         if (lines) {
-            *sign |= BEYOND(s->shear[j], PART(t->peak[PEAK_SHEAR], j));
+            *sign |= BEYOND(s->shear[j], PART(peak[PEAK_SHEAR], j));
         }
     }
 }
@@ -170,31 +176,48 @@ LANES_INLINE void few_add_works(const struct few_table *t, int n, const struct f
     }
 }
 
+// The trial and its residuals.
+LANES_INLINE void few_try(const struct work *w, const struct floors_lines *lines, int n,
+                          const struct few_floors *now, double ground, struct few_floors *trial,
+                          double *residual, lanes_bits *beyond) {
+    const double h = w->h, half = h * h / 2.0;
+    EACH_VECTOR(j, n) {
+        trial->u[j] = now->u[j] + (h * now->v[j] + half * now->a[j]);
+        trial->v[j] = now->v[j] + h * now->a[j];
+    }
+    few_strain(w->few.table, lines, n, trial, beyond);
+    few_unbalance(w->few.table, n, now, trial, ground, residual);
+}
+
+// What the corrections q of the accelerations lead to.
+LANES_INLINE void few_reach(const struct work *w, int n, const struct few_floors *now,
+                            const struct few_floors *trial, const lanes *q,
+                            struct few_floors *next) {
+    EACH_VECTOR(j, n) {
+        next->u[j] = trial->u[j] + w->b * q[j];
+        next->v[j] = trial->v[j] + w->g * q[j];
+        next->a[j] = now->a[j] + q[j];
+    }
+}
+
+LANES_INLINE void few_put(const lanes *x, int n, double *array) {
+    EACH_VECTOR(j, n) {
+        *(lanes *)(array + j * LANES_VECTOR) = x[j];
+    }
+}
+
 // The state after a step, with its displacements in `shown` too.
-LANES_INLINE void few_step(const struct few *few, const struct work *w,
-                           const struct floors_lines *lines, int n, const struct few_floors *now,
-                           double ground, double *shown, struct few_floors *next,
-                           lanes_bits *beyond) {
+LANES_INLINE void few_step(const struct work *w, const struct floors_lines *lines, int n,
+                           const struct few_floors *now, double ground, double *shown,
+                           struct few_floors *next, lanes_bits *beyond) {
     alignas(LINE) double residual[FEW_MAX];
     struct few_floors trial;
     lanes q[VECTORS];
-    const double h = w->h, half = h * h / 2.0;
-    EACH_VECTOR(j, n) {
-        trial.u[j] = now->u[j] + (h * now->v[j] + half * now->a[j]);
-        trial.v[j] = now->v[j] + h * now->a[j];
-    }
-    few_strain(few->table, lines, n, &trial, beyond);
-    few_unbalance(few->table, n, now, &trial, ground, residual);
-    EACH_VECTOR(j, n / PER_EIGHT) {
-        few_solve(few, j, residual, q);
-    }
-    EACH_VECTOR(j, n) {
-        next->u[j] = trial.u[j] + w->b * q[j];
-        next->v[j] = trial.v[j] + w->g * q[j];
-        next->a[j] = now->a[j] + q[j];
-        *(lanes *)(shown + j * LANES_VECTOR) = next->u[j];
-    }
-    few_strain(few->table, lines, n, next, beyond);
+    few_try(w, lines, n, now, ground, &trial, residual, beyond);
+    few_solve(&w->few, n, residual, q);
+    few_reach(w, n, now, &trial, q, next);
+    few_put(next->u, n, shown);
+    few_strain(w->few.table, lines, n, next, beyond);
 }
 
 LANES_INLINE void few_load(const struct state *s, const struct floors_lines *lines, int n,
@@ -210,15 +233,12 @@ LANES_INLINE void few_load(const struct state *s, const struct floors_lines *lin
 
 LANES_INLINE void few_store(const struct few_floors *x, const struct floors_lines *lines, int n,
                             const struct state *s) {
-    EACH_VECTOR(j, n) {
-        const ptrdiff_t i = j * LANES_VECTOR;
-        *(lanes *)(s->u + i) = x->u[j];
-        *(lanes *)(s->v + i) = x->v[j];
-        *(lanes *)(s->a + i) = x->a[j];
-        if (lines) {
-            *(lanes *)(lines->drift + i) = x->drift[j];
-            *(lanes *)(lines->shear + i) = x->shear[j];
-        }
+    few_put(x->u, n, s->u);
+    few_put(x->v, n, s->v);
+    few_put(x->a, n, s->a);
+    if (lines) {
+        few_put(x->drift, n, lines->drift);
+        few_put(x->shear, n, lines->shear);
     }
 }
 
@@ -244,65 +264,103 @@ LANES_INLINE void few_add_storey_works(int n, const struct few_floors *now,
     }
 }
 
-LANES_INLINE void few_load_peaks(struct few_table *t, const struct results *r, int n) {
-    for (int q = 0; q < PEAK_COUNT; q++) {
-        EACH_VECTOR(j, n) {
-            *(lanes *)(t->peak[q] + j * LANES_VECTOR) = PART(r->peak[q], j);
-        }
-    }
-}
-
-LANES_INLINE void few_load_lines(struct few_table *t, const struct floors_lines *lines, int n) {
+LANES_INLINE void few_get(double *x, const double *from, int n) {
     EACH_VECTOR(j, n) {
-        *(lanes *)(t->back + j * LANES_VECTOR) = PART(lines->back, j);
-        *(lanes *)(t->spring + j * LANES_VECTOR) = PART(lines->spring, j);
-        *(lanes *)(t->rest + j * LANES_VECTOR) = PART(lines->rest, j);
-        *(lanes *)(t->limit + j * LANES_VECTOR) = PART(lines->limit, j);
+        *(lanes *)(x + j * LANES_VECTOR) = PART(from, j);
     }
 }
 
-// Stores the step to `time` and takes it into the peaks. False: it is none, as it is not finite.
-LANES_INLINE bool few_raise(const struct flight *f, const struct floors_lines *lines, int n,
-                            const struct few_floors *next, double time, double ground,
-                            enum nearness near, struct state *s) {
-    few_store(next, lines, n, s);
-    s->time = time;
-    s->ground_a[0] = ground;
-    bool good = flight_raise(f, near, s);
-    few_load_peaks(f->few.table, f->results, n);
-    return good;
+LANES_INLINE void few_get_peaks(struct few_table *t, const struct results *r, int n) {
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        few_get(t->peak[q], r->peak[q], n);
+    }
+}
+
+LANES_INLINE void few_get_lines(struct few_table *t, const struct floors_lines *lines, int n) {
+    few_get(t->back, lines->back, n);
+    few_get(t->spring, lines->spring, n);
+    few_get(t->rest, lines->rest, n);
+    few_get(t->limit, lines->limit, n);
+}
+
+// peak_raise of all floors.
+LANES_INLINE void few_raise_peak(const struct results *r, enum peak kind, int n, const lanes *x,
+                                 double time) {
+    double *peak = r->peak[kind], *when = r->peak_time[kind];
+    EACH_VECTOR(j, n) {
+        lanes_bits more = BEYOND(x[j], PART(peak, j)) >> 63;
+        lanes_bits own = (lanes_bits)x[j] & INT64_MAX, now = (lanes_bits)(time + none);
+        lanes_bits old = (lanes_bits)PART(peak, j), then = (lanes_bits)PART(when, j);
+        *(lanes *)(peak + j * LANES_VECTOR) = (lanes)((own & more) | (old & ~more));
+        *(lanes *)(when + j * LANES_VECTOR) = (lanes)((now & more) | (then & ~more));
+    }
+}
+
+// Takes floors into the peaks. False: they are not finite.
+LANES_INLINE bool few_raise(const struct results *r, int n, const struct few_floors *s, double time,
+                            double ground) {
+    lanes_bits sign = {0};
+    lanes total[VECTORS];
+    EACH_VECTOR(j, n) {
+        lanes size = ABSOLUTE(s->u[j]) + ABSOLUTE(s->v[j]) + ABSOLUTE(s->a[j]);
+        sign |= BEYOND(size, DBL_MAX + none);
+        total[j] = s->a[j] + ground;
+    }
+    few_raise_peak(r, PEAK_DISPLACEMENT, n, s->u, time);
+    few_raise_peak(r, PEAK_VELOCITY, n, s->v, time);
+    few_raise_peak(r, PEAK_ACCELERATION, n, total, time);
+    few_raise_peak(r, PEAK_DRIFT, n, s->drift, time);
+    few_raise_peak(r, PEAK_SHEAR, n, s->shear, time);
+    return floors_any(&sign) >= 0;
+}
+
+// Takes a step in flight to `time` into the peaks. False: it is none.
+LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_lines *lines, int n,
+                                const struct few_floors *next, const double *shown, double time,
+                                double ground, struct state *s) {
+    enum nearness near = floors_look(f, 0, f->n_group, shown, s->ground_u);
+    if (near == NEARNESS_CLOSED || !few_raise(f->results, n, next, time, ground)) {
+        return false;
+    }
+    few_get_peaks(f->work->few.table, f->results, n);
+    if (near == NEARNESS_DEEPEST) {
+        few_store(next, lines, n, s);
+        s->time = time;
+        flight_deepen(f, s);
+    }
+    return true;
 }
 
 // Takes steps of a model of n vectors from number `from` to number `end`, or until one is none in
 // free flight; returns the one reached. Between steps all is in registers.
 LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lines, int n,
                           struct state *s, long from, long end) {
-    struct few_table *t = f->few.table;
+    const struct work *w = f->work;
+    struct few_table *t = w->few.table;
+    double *const peak[PEAK_COUNT] = {t->peak[0], t->peak[1], t->peak[2], t->peak[3], t->peak[4]};
     alignas(LINE) double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
     struct few_floors now;
     struct few_works works;
     double time = s->time, ground = s->ground_a[0];
     few_load(s, lines, n, &now);
     few_load_works(f->energy, &works);
-    few_load_peaks(t, f->results, n);
+    few_get_peaks(t, f->results, n);
     if (lines) {
-        few_load_lines(t, lines, n);
+        few_get_lines(t, lines, n);
     }
     long step = from;
     for (; step < end; step++) {
         struct few_floors next;
         lanes_bits beyond = {0}, news = {0};
         const long ahead = step + 1 - f->ahead_from;
-        few_step(&f->few, f->work, lines, n, &now, f->ground[ahead], shown, &next, &beyond);
-        few_compare(t, lines, n, &next, f->ground[ahead], &news);
+        few_step(w, lines, n, &now, f->ground[ahead], shown, &next, &beyond);
+        few_compare(peak, lines, n, &next, f->ground[ahead], &news);
         few_look(f, shown, &news);
         news |= beyond;
-        if (floors_any(&news) < 0) {
-            enum nearness near = floors_look(f, 0, f->n_group, shown, s->ground_u);
-            if (floors_any(&beyond) < 0 || near == NEARNESS_CLOSED ||
-                !few_raise(f, lines, n, &next, f->time[ahead], f->ground[ahead], near, s)) {
-                break;
-            }
+        if (floors_any(&news) < 0 &&
+            (floors_any(&beyond) < 0 ||
+             !few_take_note(f, lines, n, &next, shown, f->time[ahead], f->ground[ahead], s))) {
+            break;
         }
         few_add_works(t, n, &now, &next, ground + f->ground[ahead], &works);
         if (lines) {
@@ -319,26 +377,109 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     return step;
 }
 
-LANES static long fly_low(const struct flight *f, struct state *s, long n, long end) {
-    return few_fly(f, NULL, VECTORS / 2, s, n, end);
+// Vectors of a model, of which there are two numbers, so that loops over them can be unrolled.
+LANES_INLINE bool is_low(const struct model *m) {
+    return m->n_dof <= FEW_MAX / 2;
 }
 
-LANES static long fly_high(const struct flight *f, struct state *s, long n, long end) {
-    return few_fly(f, NULL, VECTORS, s, n, end);
+LANES static long fly(const struct flight *f, struct state *s, long n, long end) {
+    return is_low(f->model) ? few_fly(f, NULL, VECTORS / 2, s, n, end)
+                            : few_fly(f, NULL, VECTORS, s, n, end);
 }
 
-LANES static long fly_low_on_lines(const struct flight *f, struct state *s, long n, long end) {
+LANES static long fly_on_lines(const struct flight *f, struct state *s, long n, long end) {
     const struct floors_lines lines = floors_lines_of(f, s);
-    return few_fly(f, &lines, VECTORS / 2, s, n, end);
-}
-
-LANES static long fly_high_on_lines(const struct flight *f, struct state *s, long n, long end) {
-    const struct floors_lines lines = floors_lines_of(f, s);
-    return few_fly(f, &lines, VECTORS, s, n, end);
+    return is_low(f->model) ? few_fly(f, &lines, VECTORS / 2, s, n, end)
+                            : few_fly(f, &lines, VECTORS, s, n, end);
 }
 
 long few_take(const struct flight *f, struct state *s, long n, long end) {
-    bool low = f->model->n_dof <= FEW_MAX / 2;
-    return f->yields ? (low ? fly_low_on_lines : fly_high_on_lines)(f, s, n, end)
-                     : (low ? fly_low : fly_high)(f, s, n, end);
+    return f->yields ? fly_on_lines(f, s, n, end) : fly(f, s, n, end);
+}
+
+bool few_serves(const struct work *w) {
+    return w->few.possible && w->model->n_storey_history == 0 && w->effective == w->home &&
+           w->h == w->model->dt;
+}
+
+// Takes the forces of live links into the residuals.
+static void push(const struct model *m, const struct state *s, double *residual) {
+    for (int i = 0; i < s->n_live; i++) {
+        int k = s->live[i];
+        const int *dof = m->link[k].dof;
+        if (dof[0] != WALL) {
+            residual[dof[0]] -= s->force[k];
+        }
+        if (dof[1] != WALL) {
+            residual[dof[1]] += s->force[k];
+        }
+    }
+}
+
+LANES_INLINE bool move(struct work *w, const struct state *now, struct state *next, int n) {
+    alignas(LINE) double residual[FEW_MAX];
+    struct few_floors start, trial, end;
+    lanes q[VECTORS];
+    lanes_bits sign = {0};
+    few_load(now, NULL, n, &start);
+    few_try(w, NULL, n, &start, next->ground_a[0], &trial, residual, &sign);
+    push(w->model, next, residual);
+    few_solve(&w->few, n, residual, q);
+    few_reach(w, n, &start, &trial, q, &end);
+    few_put(trial.u, n, w->u_trial);
+    few_put(trial.v, n, w->v_trial);
+    few_put(q, n, w->correction);
+    few_store(&end, NULL, n, next);
+    EACH_VECTOR(j, n) {
+        lanes size = ABSOLUTE(end.u[j]) + ABSOLUTE(end.v[j]) + ABSOLUTE(end.a[j]);
+        sign |= BEYOND(size, DBL_MAX + none);
+    }
+    return floors_any(&sign) >= 0;
+}
+
+LANES bool few_move(struct work *w, const struct state *now, struct state *next) {
+    few_factor(&w->few, w);
+    return is_low(w->model) ? move(w, now, next, VECTORS / 2) : move(w, now, next, VECTORS);
+}
+
+LANES_INLINE void correct(const struct work *w, const struct state *now, struct state *next,
+                          int n) {
+    struct few_floors start, trial, end;
+    lanes q[VECTORS];
+    EACH_VECTOR(j, n) {
+        start.a[j] = PART(now->a, j);
+        trial.u[j] = PART(w->u_trial, j);
+        trial.v[j] = PART(w->v_trial, j);
+        q[j] = PART(w->correction, j);
+    }
+    few_reach(w, n, &start, &trial, q, &end);
+    few_store(&end, NULL, n, next);
+}
+
+LANES void few_correct(const struct work *w, const struct state *now, struct state *next) {
+    is_low(w->model) ? correct(w, now, next, VECTORS / 2) : correct(w, now, next, VECTORS);
+}
+
+LANES_INLINE void account(const struct few_table *t, struct energy_account *a, struct results *r,
+                          const struct state *now, const struct state *next, int n) {
+    struct few_floors start, end;
+    struct few_works works;
+    lanes_bits sign = {0};
+    few_load(now, NULL, n, &start);
+    few_load(next, NULL, n, &end);
+    few_strain(t, NULL, n, &end, &sign);
+    few_load_works(a, &works);
+    few_add_works(t, n, &start, &end, now->ground_a[0] + next->ground_a[0], &works);
+    few_store_works(&works, a);
+    few_compare(r->peak, NULL, n, &end, next->ground_a[0], &sign);
+    if (floors_any(&sign) < 0) {
+        (void)few_raise(r, n, &end, next->time, next->ground_a[0]);
+        peaks_speed(r, 0, n * LANES_VECTOR);
+    }
+}
+
+LANES void few_account(const struct few *few, struct energy_account *a, struct results *r,
+                       const struct model *m, const struct state *now, const struct state *next) {
+    is_low(m) ? account(few->table, a, r, now, next, VECTORS / 2)
+              : account(few->table, a, r, now, next, VECTORS);
 }
