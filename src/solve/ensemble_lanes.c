@@ -9,6 +9,7 @@
 
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
+    e->nearer = lanes_wide_array(a, 1, sizeof *e->nearer);
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
     for (int k = 0; e->contact && e->end && k < m->n_contact; k++) {
@@ -18,7 +19,7 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
         }
         e->contact[k].deepest = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->end && e->pressed;
+    return e->contact && e->end && e->pressed && e->nearer;
 }
 
 static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
@@ -53,6 +54,8 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
         .h = m->dt,
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
+        .trial = lanes_wide_array(a, n, sizeof *e->trial),
+        .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
         .residual = lanes_wide_array(a, n, sizeof *e->residual),
         .correction = lanes_wide_array(a, n, sizeof *e->correction),
@@ -60,8 +63,9 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
         .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
-    return e->now && e->next && e->works && e->residual && e->correction && e->peak &&
-           e->peak_time && e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
+    return e->now && e->next && e->trial && e->beyond && e->works && e->residual && e->correction &&
+           e->peak && e->peak_time && e->base && alloc_contacts(e, m, a) &&
+           alloc_buildings(e, m, a);
 }
 
 static bool is_small(double x) {

@@ -19,6 +19,11 @@ struct ensemble_state {
     wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
 };
 
+// Where it would be at the end of the step if the acceleration stayed.
+struct ensemble_trial {
+    wide u, v;
+};
+
 // What a step needs of a floor besides, with the storey below it.
 enum ensemble_number {
     NUMBER_INERTIA,    // [M] minus the mass
@@ -49,7 +54,8 @@ struct ensemble_building {
     double *number;   // (n_floor, NUMBER_COUNT)
     double *factor;   // (n_floor, FACTOR_COUNT)
     double *inverse;  // (n_floor, n_floor) A^-1; NULL: solves go through the factors
-    bool exceeds;     // a floor exceeds a peak in the step under way
+    bool exceeds;     // a run aboard exceeds a peak of it in the step under way
+    bool pushed;      // links have changed its corrections since it was moved
 };
 
 // Largest values since the runs came aboard, or before: never above those of the runs.
@@ -66,6 +72,7 @@ struct ensemble_contact {
     wide limit;         // [L] 0, and infinite in lanes whose runs have taken it up in this step
     wide deepest;       // [L] as the peaks, but while it is open
     wide deepest_time;  // [T]
+    wide delta;         // [L] penetration in the step under way, as last pressed
 };
 
 // A contact that is closed in some lanes.
@@ -86,16 +93,18 @@ struct ensemble_lanes {
     int n_building, n_floor, n_contact;
     double b, g, h;  // beta h^2, gamma h and h
 
-    long long aboard[WIDE_RUNS];            // all bits of the lanes whose runs are aboard
-    struct ensemble_building *building;     // (n_building)
-    struct ensemble_state *now, *next;      // (n_floor) of all buildings
-    struct ensemble_peaks *peak;            // (n_floor)
+    long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
+    struct ensemble_building *building;  // (n_building)
+    struct ensemble_state *now, *next;   // (n_floor) of all buildings
+    struct ensemble_trial *trial;        // (n_floor) of the step under way
+    wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
+    struct ensemble_peaks *peak;         // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
     struct ensemble_works *works;           // so far
     wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
     struct ensemble_contact *contact;       // (n_contact)
-    int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
-    bool nearer;    // an open one exceeds its peak in the step under way
+    int (*end)[2];      // (n_contact) floors on both sides; a wall is the zero behind them
+    wide_bits *nearer;  // (1) negative in lanes where an open one exceeds its peak then
     struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
@@ -130,14 +139,18 @@ void ensemble_unbalance(struct ensemble_lanes *e, const wide *base);
 // what they lead to,
 void ensemble_move(struct ensemble_lanes *e, const wide *base);
 
-// and whether one of those aboard exceeds a peak, and where.
-bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base);
+// and that again for buildings that links have pushed.
+void ensemble_move_pushed(struct ensemble_lanes *e, const wide *base);
+
+// Whether one of those aboard exceeds a peak in the step that has been computed and pressed.
+bool ensemble_exceeds(struct ensemble_lanes *e);
 
 // The lanes aboard whose numbers have grown too large in the step that has been computed, one bit
 // each. `base` is its ground acceleration here and below.
 unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base);
 
-// Finds the contacts that it has pressed beyond their limits in lanes aboard.
+// Finds the penetrations of contacts, and those that it has pressed beyond their limits in lanes
+// aboard.
 void ensemble_press(struct ensemble_lanes *e);
 
 // Takes the step that has been computed, to `time`, into the peaks of those aboard that

@@ -6,37 +6,32 @@
 #include "solve/contact.h"
 #include "solve/event.h"
 
-// The committed state of building k, its trial, and the corrections that it has so far.
+// The trial of building k, and the corrections that it has so far.
 static void gather_building(const struct ensemble_lanes *e, int lane, struct run *r, int k) {
     const struct building *g = &r->model->building[k];
+    struct work *w = &r->work;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
-        const struct ensemble_state *s = &e->now[i];
-        r->now->u[i] = s->u[lane];
-        r->now->v[i] = s->v[lane];
-        r->now->a[i] = s->a[lane];
-        r->work.correction[i] = e->correction[i][lane];
+        w->u_trial[i] = e->trial[i].u[lane];
+        w->v_trial[i] = e->trial[i].v[lane];
+        w->correction[i] = e->correction[i][lane];
     }
-    floors_trial(&r->work, r->now, k);
 }
 
-// The state that they lead to now.
-static void scatter_building(struct ensemble_lanes *e, int lane, struct run *r, int k) {
+// The corrections that it has now.
+static void scatter_building(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct building *g = &r->model->building[k];
-    const struct work *w = &r->work;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
-        const double q = w->correction[i];
-        const double u = w->u_trial[i] + w->b * q;
-        const double v = w->v_trial[i] + w->g * q;
-        r->next->v[i] = v;
-        e->next[i].u[lane] = u;
-        e->next[i].v[lane] = v;
-        e->next[i].a[lane] = r->now->a[i] + q;
+        e->correction[i][lane] = r->work.correction[i];
     }
+    e->building[k].pushed = true;
 }
 
-static double penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
-                          int lane) {
-    return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
+// The velocities of both ends of contact k.
+static void gather_velocities(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
+                              int lane, double *v) {
+    for (int i = 0; i < 2; i++) {
+        v[e->end[k][i]] = s[e->end[k][i]].v[lane];
+    }
 }
 
 void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, double start,
@@ -59,11 +54,15 @@ void ensemble_links_gather(const struct ensemble_lanes *e, int lane, struct run 
     for (int i = 0; i < g->n_touched; i++) {
         gather_building(e, lane, r, g->touched[i]);
     }
+    for (int i = 0; i < r->next->n_live; i++) {
+        gather_velocities(e, r->next->live[i], e->now, lane, r->now->v);
+    }
 }
 
-// Those of a link that no other has touched.
-static void gather_ends(const struct ensemble_lanes *e, int lane, struct run *r,
-                        const struct link *l) {
+// The same of the ends of a link that no other has touched.
+static void gather_ends(const struct ensemble_lanes *e, int lane, struct run *r, int contact) {
+    const struct link *l = &r->model->link[contact];
+    gather_velocities(e, contact, e->now, lane, r->now->v);
     for (int side = 0; side < 2; side++) {
         const int k = l->building[side];
         if (k != WALL && !r->work.gaps.is_touched[k]) {
@@ -79,9 +78,10 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
         if (!(e->pressed[i].lanes >> lane & 1U)) {
             continue;
         }
-        gather_ends(e, lane, r, &r->model->link[k]);
-        r->now->delta[k] = penetration(e, k, e->now, lane);
-        r->next->delta[k] = penetration(e, k, e->next, lane);
+        gather_ends(e, lane, r, k);
+        r->now->delta[k] =
+            e->now[e->end[k][0]].u[lane] - e->now[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
+        r->next->delta[k] = e->contact[k].delta[lane];
         if (contact_close(&r->work, r->now, r->next, k)) {
             e->contact[k].limit[lane] = INFINITY;
             n++;
@@ -98,15 +98,16 @@ int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r) {
     for (int i = 0; i < g->n_touched; i++) {
         scatter_building(e, lane, r, g->touched[i]);
     }
-    for (int i = 0; i < r->next->n_live; i++) {
-        const int k = r->next->live[i];
-        r->next->delta[k] = penetration(e, k, e->next, lane);
-    }
     return STATUS_OK;
 }
 
-int ensemble_links_finish(struct run *r) {
+int ensemble_links_finish(const struct ensemble_lanes *e, int lane, struct run *r) {
     struct work *w = &r->work;
+    for (int i = 0; i < r->next->n_live; i++) {
+        const int k = r->next->live[i];
+        r->next->delta[k] = e->contact[k].delta[lane];
+        gather_velocities(e, k, e->next, lane, r->next->v);
+    }
     contact_finish(w, r->now, r->next);
     return event_first(w, r->now, r->next, w->h, r->events, -1).link < 0 ? STATUS_OK : STATUS_RETRY;
 }

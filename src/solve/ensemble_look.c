@@ -44,29 +44,42 @@ LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *ba
     return lanes_aboard(e, &flags);
 }
 
-// Negative in lanes where a contact is beyond its limit.
-INLINE void press(const struct ensemble_lanes *e, int k, wide_bits *flags) {
-    const struct ensemble_contact *c = &e->contact[k];
+// The penetration of a contact. *nearer gets negative in lanes where it is open and nearer than
+// ever, *beyond where it is beyond its limit.
+INLINE void press(const struct ensemble_lanes *e, int k, wide_bits *nearer, wide_bits *beyond) {
+    struct ensemble_contact *c = &e->contact[k];
     wide delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - c->gap;
-    *flags |= LESS(c->limit, delta);
+    c->delta = delta;
+    *nearer |= LESS(c->deepest, delta) & ~LESS(0.0, delta);
+    *beyond |= LESS(c->limit, delta);
 }
 
 LANES void ensemble_press(struct ensemble_lanes *e) {
+    wide_bits nearer = {0};
     e->n_pressed = 0;
     for (int first = 0; first < e->n_contact; first += TOGETHER) {
         const int end = first + TOGETHER < e->n_contact ? first + TOGETHER : e->n_contact;
         wide_bits any = {0};
         for (int k = first; k < end; k++) {
-            press(e, k, &any);
+            press(e, k, &nearer, &any);
         }
         for (int k = first; lanes_aboard(e, &any) && k < end; k++) {
-            wide_bits flags = {0};
-            press(e, k, &flags);
-            const unsigned lanes_set = lanes_aboard(e, &flags);
+            const wide_bits beyond = LESS(e->contact[k].limit, e->contact[k].delta);
+            const unsigned lanes_set = lanes_aboard(e, &beyond);
             e->pressed[e->n_pressed] = (struct ensemble_pressed){k, lanes_set};
             e->n_pressed += lanes_set != 0;
         }
     }
+    *e->nearer = nearer;
+}
+
+LANES bool ensemble_exceeds(struct ensemble_lanes *e) {
+    bool any = lanes_aboard(e, e->nearer) != 0;
+    for (int k = 0; k < e->n_building; k++) {
+        e->building[k].exceeds = lanes_aboard(e, &e->beyond[k]) != 0;
+        any |= e->building[k].exceeds;
+    }
+    return any;
 }
 
 // Where `size` is greater than the peak of a run aboard, the peak and its time.
@@ -111,17 +124,16 @@ LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double tim
     wide_bits aboard;
     memcpy(&aboard, e->aboard, sizeof aboard);
     const wide now = time - (wide){0.0};
-    const struct ensemble_state *s = e->next;
     for (int k = 0; k < e->n_building; k++) {
         if (e->building[k].exceeds) {
             raise_building(e, &e->building[k], &aboard, base, &now);
         }
     }
-    for (int k = 0; e->nearer && k < e->n_contact; k++) {
+    const bool nearer = lanes_aboard(e, e->nearer) != 0;
+    for (int k = 0; nearer && k < e->n_contact; k++) {
         struct ensemble_contact *c = &e->contact[k];
-        wide delta = s[e->end[k][0]].u - s[e->end[k][1]].u - c->gap;
-        wide_bits open = aboard & ~(LESS(0.0, delta) >> SIGN);
-        raise(&open, &delta, &now, &c->deepest, &c->deepest_time);
+        wide_bits open = aboard & ~(LESS(0.0, c->delta) >> SIGN);
+        raise(&open, &c->delta, &now, &c->deepest, &c->deepest_time);
     }
 }
 

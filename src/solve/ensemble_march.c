@@ -25,34 +25,35 @@ enum { TOGETHER = 2 };
 #define FACTOR(i, q) ENSEMBLE_AT(x, (i)*FACTOR_COUNT + FACTOR_##q)
 
 // The end of the step if the acceleration stays.
-INLINE void predict(const struct ensemble_lanes *e, const struct ensemble_state *restrict s,
-                    struct ensemble_state *restrict t) {
-    double h = e->h, half = h * h / 2.0;
-    t->u = s->u + (h * s->v + half * s->a);
-    t->v = s->v + h * s->a;
+INLINE struct ensemble_trial predict(const struct ensemble_state *s, const wide *h,
+                                     const wide *half) {
+    return (struct ensemble_trial){s->u + (*h * s->v + *half * s->a), s->v + *h * s->a};
 }
 
 // r = -m (a_ground + a) - C v_t - K u_t of a building of n floors, with the trial in t.
 INLINE void residuals(const struct ensemble_lanes *e, const double *restrict x,
                       enum ensemble_held held, const struct ensemble_state *restrict s,
-                      struct ensemble_state *restrict t, const wide *ground, int n,
+                      struct ensemble_trial *restrict t, const wide *ground, int n,
                       wide *restrict r) {
     const wide none = {0.0};
+    const wide h = e->h - none, half = e->h * e->h / 2.0 - none;
     wide v_below = none;
-    predict(e, &s[0], &t[0]);
-    wide shear = NUMBER(0, STIFFNESS) * t[0].u;
+    struct ensemble_trial own = predict(&s[0], &h, &half);
+    wide shear = NUMBER(0, STIFFNESS) * own.u;
     for (int i = 0; i < n; i++) {
-        wide v_above = none, shear_above = none;
+        struct ensemble_trial above = {.v = none};
+        wide shear_above = none;
         if (i + 1 < n) {
-            predict(e, &s[i + 1], &t[i + 1]);
-            v_above = t[i + 1].v;
-            shear_above = NUMBER(i + 1, STIFFNESS) * (t[i + 1].u - t[i].u);
+            above = predict(&s[i + 1], &h, &half);
+            shear_above = NUMBER(i + 1, STIFFNESS) * (above.u - own.u);
         }
         wide damping =
-            NUMBER(i, BELOW) * v_below + NUMBER(i, OWN) * t[i].v + NUMBER(i, ABOVE) * v_above;
+            NUMBER(i, BELOW) * v_below + NUMBER(i, OWN) * own.v + NUMBER(i, ABOVE) * above.v;
         r[i] = NUMBER(i, INERTIA) * *ground + NUMBER(i, INERTIA) * s[i].a - damping - shear +
                shear_above;
-        v_below = t[i].v;
+        t[i] = own;
+        v_below = own.v;
+        own = above;
         shear = shear_above;
     }
 }
@@ -112,27 +113,34 @@ INLINE void look(const struct ensemble_peaks *restrict p, const struct ensemble_
               UNDER(p->of[PEAK_DRIFT], t->u - *u_below);
 }
 
-// The state that the corrections q lead to from the trial, with a look at it.
-INLINE void correct(const struct ensemble_lanes *e, const struct ensemble_peaks *restrict p,
-                    const struct ensemble_state *restrict s, struct ensemble_state *restrict t,
-                    const wide *ground, int n, const wide *restrict q, wide_bits *flags) {
-    wide_bits more = {0};
-    wide u_below = {0.0};
-    double b = e->b, g = e->g;
+// The state t that the corrections q lead to from the trial. Negative in lanes where it exceeds a
+// peak.
+INLINE void correct(const struct ensemble_lanes *e, int first, int n, const wide *ground,
+                    wide_bits *beyond) {
+    const struct ensemble_peaks *restrict p = e->peak + first;
+    const struct ensemble_trial *restrict trial = e->trial + first;
+    const struct ensemble_state *restrict s = e->now + first;
+    struct ensemble_state *restrict t = e->next + first;
+    const wide *restrict q = e->correction + first;
+    const wide none = {0.0};
+    const wide b = e->b - none, g = e->g - none;
+    wide_bits flags = {0};
+    wide u_below = none;
     for (int i = 0; i < n; i++) {
-        const struct ensemble_state x = {t[i].u + b * q[i], t[i].v + g * q[i], s[i].a + q[i]};
+        const struct ensemble_state x = {trial[i].u + b * q[i], trial[i].v + g * q[i],
+                                         s[i].a + q[i]};
         t[i] = x;
-        look(&p[i], &x, ground, &u_below, &more);
+        look(&p[i], &x, ground, &u_below, &flags);
         u_below = x.u;
     }
-    *flags |= more;
+    *beyond = flags;
 }
 
 INLINE void unbalance(const struct ensemble_lanes *e, const struct ensemble_building *b,
                       const wide *ground) {
     const int first = b->shape->first, n = b->shape->n_floor;
     const struct ensemble_state *s = e->now + first;
-    struct ensemble_state *t = e->next + first;
+    struct ensemble_trial *t = e->trial + first;
     if (b->held == HELD_ONCE) {
         residuals(e, b->number, HELD_ONCE, s, t, ground, n, e->residual + first);
     } else {
@@ -158,23 +166,17 @@ INLINE void solve(const struct ensemble_lanes *e, const struct ensemble_building
     }
 }
 
-INLINE void move(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                 const wide *ground, wide_bits *flags) {
-    const int first = b->shape->first;
-    correct(e, e->peak + first, e->now + first, e->next + first, ground, b->shape->n_floor,
-            e->correction + first, flags);
+INLINE void move(const struct ensemble_lanes *e, int k, const wide *ground) {
+    const struct building *g = e->building[k].shape;
+    correct(e, g->first, g->n_floor, ground, &e->beyond[k]);
 }
 
-// *closer gets negative in lanes where a contact is nearer than ever or closed, *open where one is
-// so that is open.
-INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *closer, wide_bits *open) {
+// Negative in lanes where a contact is nearer than ever or closed.
+INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
     const struct ensemble_state *restrict t = e->next;
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_contact *c = &e->contact[k];
-        wide delta = t[e->end[k][0]].u - t[e->end[k][1]].u - c->gap;
-        wide_bits deeper = (wide_bits)(c->deepest - delta);
-        *closer |= deeper;
-        *open |= deeper & ~(wide_bits)(0.0 - delta);
+        *flags |= (wide_bits)(c->deepest - (t[e->end[k][0]].u - t[e->end[k][1]].u - c->gap));
     }
 }
 
@@ -239,12 +241,11 @@ INLINE void step(const struct ensemble_lanes *e, const wide *ground, wide_bits *
             solve(e, &b[k]);
         }
         for (int k = first; k < end; k++) {
-            move(e, &b[k], ground, flags);
+            move(e, k, ground);
+            *flags |= e->beyond[k];
         }
     }
-    wide_bits closer = {0}, open = {0};
-    penetrate(e, &closer, &open);
-    *flags |= closer;
+    penetrate(e, flags);
 }
 
 LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
@@ -266,30 +267,19 @@ LANES void ensemble_unbalance(struct ensemble_lanes *e, const wide *base) {
 }
 
 LANES void ensemble_move(struct ensemble_lanes *e, const wide *base) {
-    wide_bits flags = {0};
     for (int k = 0; k < e->n_building; k++) {
         solve(e, &e->building[k]);
-        move(e, &e->building[k], base, &flags);
+        move(e, k, base);
     }
 }
 
-LANES bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base) {
-    wide_bits closer = {0}, open = {0};
-    penetrate(e, &closer, &open);
-    e->nearer = any_aboard(e, &open);
-    bool any = e->nearer;
+LANES void ensemble_move_pushed(struct ensemble_lanes *e, const wide *base) {
     for (int k = 0; k < e->n_building; k++) {
-        struct ensemble_building *b = &e->building[k];
-        wide_bits flags = {0};
-        wide u_below = {0.0};
-        for (int i = b->shape->first; i < b->shape->first + b->shape->n_floor; i++) {
-            look(&e->peak[i], &e->next[i], base, &u_below, &flags);
-            u_below = e->next[i].u;
+        if (e->building[k].pushed) {
+            e->building[k].pushed = false;
+            move(e, k, base);
         }
-        b->exceeds = any_aboard(e, &flags);
-        any |= b->exceeds;
     }
-    return any;
 }
 
 LANES void ensemble_commit(struct ensemble_lanes *e, const wide *base) {
