@@ -96,7 +96,7 @@ static unsigned find_pressed(struct ensemble_lanes *e) {
     unsigned runs = 0;
     ensemble_press(e);
     for (int i = 0; i < e->n_pressed; i++) {
-        runs |= e->pressed[i].lanes;
+        runs |= e->pressed[i].closed;
     }
     return runs;
 }

@@ -9,17 +9,17 @@
 
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
-    e->nearer = lanes_wide_array(a, 1, sizeof *e->nearer);
+    e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
-    for (int k = 0; e->contact && e->end && k < m->n_contact; k++) {
+    for (int k = 0; e->nearest && e->end && k < m->n_contact; k++) {
         const int *dof = m->link[k].dof;
         for (int i = 0; i < 2; i++) {
             e->end[k][i] = dof[i] == WALL ? m->n_dof : dof[i];
         }
-        e->contact[k].deepest = -INFINITY - (wide){0.0};  // of runs that never come aboard too
+        e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->end && e->pressed && e->nearer;
+    return e->contact && e->nearest && e->end && e->pressed;
 }
 
 static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
@@ -194,12 +194,13 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
     e->works->ground[lane] = s->ground_a[0];
     e->works->speed[lane] = r->results->totals.speed;
     for (int k = 0; k < e->n_contact; k++) {
-        struct ensemble_contact *c = &e->contact[k];
-        const double nearest = fmin(r->work.gaps.nearest[k], 0.0);
-        if (c->deepest[lane] < nearest) {
-            c->deepest[lane] = nearest;
-            c->deepest_time[lane] = r->work.gaps.time[k];
+        struct ensemble_nearest *p = &e->nearest[k];
+        const double depth = fmin(r->work.gaps.nearest[k], 0.0);
+        if (p->depth[lane] < depth) {
+            p->depth[lane] = depth;
+            p->time[lane] = r->work.gaps.time[k];
         }
+        e->contact[k].limit[lane] = p->depth[lane];
     }
     e->aboard[lane] = small ? -1 : 0;
     return small;
@@ -246,8 +247,8 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
     }
     for (int k = 0; k < e->n_contact; k++) {
         struct link_peak *p = &r->link[k];
-        const struct ensemble_contact *c = &e->contact[k];
-        merge(&p->penetration, &p->penetration_time, c->deepest[lane], c->deepest_time[lane]);
+        const struct ensemble_nearest *n = &e->nearest[k];
+        merge(&p->penetration, &p->penetration_time, n->depth[lane], n->time[lane]);
         r->deepest[k] = p->penetration;
     }
 }

@@ -68,17 +68,22 @@ struct ensemble_peak_times {
 };
 
 struct ensemble_contact {
-    wide gap;           // [L]
-    wide limit;         // [L] 0, and infinite in lanes whose runs have taken it up in this step
-    wide deepest;       // [L] as the peaks, but while it is open
-    wide deepest_time;  // [T]
-    wide delta;         // [L] penetration in the step under way, as last pressed
+    wide gap;    // [L]
+    wide limit;  // [L] a contact beyond this closes or is nearer than ever: its nearest, or
+                 // infinite in lanes whose runs have taken it up in this step
 };
 
-// A contact that is closed in some lanes.
+// Largest penetrations of a contact while it is open, as the peaks.
+struct ensemble_nearest {
+    wide depth;  // [L]
+    wide time;   // [T]
+};
+
+// A contact that is beyond its limit in some lanes, a bit each:
 struct ensemble_pressed {
     int contact;
-    unsigned lanes;  // a bit each
+    unsigned closed;  // those in which it is closed,
+    unsigned nearer;  // and those in which it is open
 };
 
 // As of struct energy_account, and of the runs besides.
@@ -103,9 +108,9 @@ struct ensemble_lanes {
     struct ensemble_works *works;           // so far
     wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
     struct ensemble_contact *contact;       // (n_contact)
-    int (*end)[2];      // (n_contact) floors on both sides; a wall is the zero behind them
-    wide_bits *nearer;  // (1) negative in lanes where an open one exceeds its peak then
-    struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits
+    struct ensemble_nearest *nearest;       // (n_contact)
+    int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
+    struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits, as last looked at
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
@@ -149,8 +154,7 @@ bool ensemble_exceeds(struct ensemble_lanes *e);
 // each. `base` is its ground acceleration here and below.
 unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base);
 
-// Finds the penetrations of contacts, and those that it has pressed beyond their limits in lanes
-// aboard.
+// Finds the contacts that it has pressed beyond their limits in lanes aboard.
 void ensemble_press(struct ensemble_lanes *e);
 
 // Takes the step that has been computed, to `time`, into the peaks of those aboard that

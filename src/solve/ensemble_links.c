@@ -34,6 +34,11 @@ static void gather_velocities(const struct ensemble_lanes *e, int k, const struc
     }
 }
 
+static double penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
+                          int lane) {
+    return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
+}
+
 void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, double start,
                           double end) {
     struct state *next = r->next;
@@ -75,13 +80,13 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
     int n = 0;
     for (int i = 0; i < e->n_pressed; i++) {
         const int k = e->pressed[i].contact;
-        if (!(e->pressed[i].lanes >> lane & 1U)) {
+        if (!(e->pressed[i].closed >> lane & 1U)) {
             continue;
         }
         gather_ends(e, lane, r, k);
         r->now->delta[k] =
             e->now[e->end[k][0]].u[lane] - e->now[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
-        r->next->delta[k] = e->contact[k].delta[lane];
+        r->next->delta[k] = penetration(e, k, e->next, lane);
         if (contact_close(&r->work, r->now, r->next, k)) {
             e->contact[k].limit[lane] = INFINITY;
             n++;
@@ -105,7 +110,7 @@ int ensemble_links_finish(const struct ensemble_lanes *e, int lane, struct run *
     struct work *w = &r->work;
     for (int i = 0; i < r->next->n_live; i++) {
         const int k = r->next->live[i];
-        r->next->delta[k] = e->contact[k].delta[lane];
+        r->next->delta[k] = penetration(e, k, e->next, lane);
         gather_velocities(e, k, e->next, lane, r->next->v);
     }
     contact_finish(w, r->now, r->next);
@@ -116,7 +121,7 @@ int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r) {
     struct state *next = r->next;
     for (int i = 0; i < e->n_pressed; i++) {
         const int k = e->pressed[i].contact;
-        if (e->pressed[i].lanes >> lane & 1U) {
+        if (e->pressed[i].closed >> lane & 1U) {
             peaks_penetration(r->results, k, next->delta[k], next->time);
         }
     }
@@ -131,6 +136,6 @@ int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r) {
 void ensemble_links_release(struct ensemble_lanes *e, int lane, const struct run *r) {
     const struct gaps *g = &r->work.gaps;
     for (int i = 0; i < g->n_acting; i++) {
-        e->contact[g->acting[i]].limit[lane] = 0.0;
+        e->contact[g->acting[i]].limit[lane] = e->nearest[g->acting[i]].depth[lane];
     }
 }

@@ -44,40 +44,44 @@ LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *ba
     return lanes_aboard(e, &flags);
 }
 
-// The penetration of a contact. *nearer gets negative in lanes where it is open and nearer than
-// ever, *beyond where it is beyond its limit.
-INLINE void press(const struct ensemble_lanes *e, int k, wide_bits *nearer, wide_bits *beyond) {
-    struct ensemble_contact *c = &e->contact[k];
-    wide delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - c->gap;
-    c->delta = delta;
-    *nearer |= LESS(c->deepest, delta) & ~LESS(0.0, delta);
-    *beyond |= LESS(c->limit, delta);
+INLINE void find_penetration(const struct ensemble_lanes *e, int k, wide *delta) {
+    *delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - e->contact[k].gap;
+}
+
+// Lists a contact that may be beyond its limit in some lanes.
+INLINE void list(struct ensemble_lanes *e, int k) {
+    wide delta;
+    find_penetration(e, k, &delta);
+    const wide_bits flags = LESS(e->contact[k].limit, delta), inside = LESS(0.0, delta);
+    const unsigned beyond = lanes_aboard(e, &flags), closed = beyond & lanes_aboard(e, &inside);
+    e->pressed[e->n_pressed] = (struct ensemble_pressed){k, closed, beyond & ~closed};
+    e->n_pressed += beyond != 0;
 }
 
 LANES void ensemble_press(struct ensemble_lanes *e) {
-    wide_bits nearer = {0};
     e->n_pressed = 0;
     for (int first = 0; first < e->n_contact; first += TOGETHER) {
         const int end = first + TOGETHER < e->n_contact ? first + TOGETHER : e->n_contact;
         wide_bits any = {0};
         for (int k = first; k < end; k++) {
-            press(e, k, &nearer, &any);
+            wide delta;
+            find_penetration(e, k, &delta);
+            any |= LESS(e->contact[k].limit, delta);
         }
         for (int k = first; lanes_aboard(e, &any) && k < end; k++) {
-            const wide_bits beyond = LESS(e->contact[k].limit, e->contact[k].delta);
-            const unsigned lanes_set = lanes_aboard(e, &beyond);
-            e->pressed[e->n_pressed] = (struct ensemble_pressed){k, lanes_set};
-            e->n_pressed += lanes_set != 0;
+            list(e, k);
         }
     }
-    *e->nearer = nearer;
 }
 
 LANES bool ensemble_exceeds(struct ensemble_lanes *e) {
-    bool any = lanes_aboard(e, e->nearer) != 0;
+    bool any = false;
     for (int k = 0; k < e->n_building; k++) {
         e->building[k].exceeds = lanes_aboard(e, &e->beyond[k]) != 0;
         any |= e->building[k].exceeds;
+    }
+    for (int i = 0; !any && i < e->n_pressed; i++) {
+        any = e->pressed[i].nearer != 0;
     }
     return any;
 }
@@ -120,6 +124,19 @@ INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble_build
     }
 }
 
+// The same of a contact, where it is open.
+INLINE void draw_near(struct ensemble_lanes *e, int k, const wide_bits *aboard, const wide *time) {
+    struct ensemble_contact *c = &e->contact[k];
+    struct ensemble_nearest *p = &e->nearest[k];
+    wide delta;
+    find_penetration(e, k, &delta);
+    const wide_bits nearer =
+        (LESS(c->limit, delta) >> SIGN) & ~(LESS(0.0, delta) >> SIGN) & *aboard;
+    c->limit = CHOOSE(nearer, delta, c->limit);
+    p->depth = CHOOSE(nearer, delta, p->depth);
+    p->time = CHOOSE(nearer, *time, p->time);
+}
+
 LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time) {
     wide_bits aboard;
     memcpy(&aboard, e->aboard, sizeof aboard);
@@ -129,11 +146,10 @@ LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double tim
             raise_building(e, &e->building[k], &aboard, base, &now);
         }
     }
-    const bool nearer = lanes_aboard(e, e->nearer) != 0;
-    for (int k = 0; nearer && k < e->n_contact; k++) {
-        struct ensemble_contact *c = &e->contact[k];
-        wide_bits open = aboard & ~(LESS(0.0, c->delta) >> SIGN);
-        raise(&open, &c->delta, &now, &c->deepest, &c->deepest_time);
+    for (int i = 0; i < e->n_pressed; i++) {
+        if (e->pressed[i].nearer) {
+            draw_near(e, e->pressed[i].contact, &aboard, &now);
+        }
     }
 }
 

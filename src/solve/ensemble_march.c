@@ -176,7 +176,7 @@ INLINE void penetrate(const struct ensemble_lanes *e, wide_bits *flags) {
     const struct ensemble_state *restrict t = e->next;
     for (int k = 0; k < e->n_contact; k++) {
         const struct ensemble_contact *c = &e->contact[k];
-        *flags |= (wide_bits)(c->deepest - (t[e->end[k][0]].u - t[e->end[k][1]].u - c->gap));
+        *flags |= (wide_bits)(c->limit - (t[e->end[k][0]].u - t[e->end[k][1]].u - c->gap));
     }
 }
 
