@@ -54,18 +54,15 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
         .h = m->dt,
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
-        .trial = lanes_wide_array(a, n, sizeof *e->trial),
+        .motion = lanes_wide_array(a, n, sizeof *e->motion),
         .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
-        .residual = lanes_wide_array(a, n, sizeof *e->residual),
-        .correction = lanes_wide_array(a, n, sizeof *e->correction),
         .peak = lanes_wide_array(a, n, sizeof *e->peak),
         .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
-    return e->now && e->next && e->trial && e->beyond && e->works && e->residual && e->correction &&
-           e->peak && e->peak_time && e->base && alloc_contacts(e, m, a) &&
-           alloc_buildings(e, m, a);
+    return e->now && e->next && e->motion && e->beyond && e->works && e->peak && e->peak_time &&
+           e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
 }
 
 static bool is_small(double x) {
@@ -181,6 +178,7 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
     const struct state *s = r->now;
     bool small = true;
+    ensemble_settle(e);
     for (int i = 0; i < e->n_floor; i++) {
         struct ensemble_state *f = &e->now[i];
         small &= put(&f->u, lane, s->u[i]);
@@ -209,6 +207,7 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
 void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double time, long n_step) {
     struct state *s = r->now;
     struct totals *t = &r->results->totals;
+    ensemble_settle(e);
     for (int i = 0; i < e->n_floor; i++) {
         const struct ensemble_state *f = &e->now[i];
         s->u[i] = f->u[lane];

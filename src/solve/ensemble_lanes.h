@@ -19,9 +19,11 @@ struct ensemble_state {
     wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
 };
 
-// Where it would be at the end of the step if the acceleration stayed.
-struct ensemble_trial {
-    wide u, v;
+// How it moves in the step under way.
+struct ensemble_motion {
+    wide u, v;        // where it would be at the end if the acceleration stayed
+    wide residual;    // [F] what it lacks then
+    wide correction;  // [L/T^2] of the acceleration
 };
 
 // What a step needs of a floor besides, with the storey below it.
@@ -89,8 +91,9 @@ struct ensemble_pressed {
 // As of struct energy_account, and of the runs besides.
 struct ensemble_works {
     wide input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
-    wide ground;  // [L/T^2] acceleration of `now`
-    wide speed;   // [L/T] largest velocity of any floor so far
+    wide ground;     // [L/T^2] acceleration of `now`
+    wide ground_2x;  // and of the step before, together
+    wide speed;      // [L/T] largest velocity of any floor so far
 };
 
 struct ensemble_lanes {
@@ -101,12 +104,12 @@ struct ensemble_lanes {
     long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
     struct ensemble_building *building;  // (n_building)
     struct ensemble_state *now, *next;   // (n_floor) of all buildings
-    struct ensemble_trial *trial;        // (n_floor) of the step under way
+    struct ensemble_motion *motion;      // (n_floor)
     wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
     struct ensemble_peaks *peak;         // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
-    struct ensemble_works *works;           // so far
-    wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
+    struct ensemble_works *works;           // up to `now`, or if
+    bool owing;                             // up to the step before, which is `next` then
     struct ensemble_contact *contact;       // (n_contact)
     struct ensemble_nearest *nearest;       // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
@@ -161,10 +164,13 @@ void ensemble_press(struct ensemble_lanes *e);
 // ensemble_exceeds has found to be exceeded.
 void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
 
-// Takes its works into account and commits it.
+// Commits it, and owes its works.
 void ensemble_commit(struct ensemble_lanes *e, const wide *base);
 
+// Takes the works of the last step into account, where that is still owing.
+void ensemble_settle(struct ensemble_lanes *e);
+
 // The energies of all lanes (WIDE_RUNS).
-void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums);
+void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums);
 
 #endif

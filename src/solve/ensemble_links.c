@@ -11,9 +11,9 @@ static void gather_building(const struct ensemble_lanes *e, int lane, struct run
     const struct building *g = &r->model->building[k];
     struct work *w = &r->work;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
-        w->u_trial[i] = e->trial[i].u[lane];
-        w->v_trial[i] = e->trial[i].v[lane];
-        w->correction[i] = e->correction[i][lane];
+        w->u_trial[i] = e->motion[i].u[lane];
+        w->v_trial[i] = e->motion[i].v[lane];
+        w->correction[i] = e->motion[i].correction[lane];
     }
 }
 
@@ -21,7 +21,7 @@ static void gather_building(const struct ensemble_lanes *e, int lane, struct run
 static void scatter_building(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct building *g = &r->model->building[k];
     for (int i = g->first; i < g->first + g->n_floor; i++) {
-        e->correction[i][lane] = r->work.correction[i];
+        e->motion[i].correction[lane] = r->work.correction[i];
     }
     e->building[k].pushed = true;
 }
@@ -49,8 +49,8 @@ void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, dou
     for (int i = 0; i < next->n_live; i++) {
         const int k = next->live[i];
         e->contact[k].limit[lane] = INFINITY;
-        e->residual[e->end[k][0]][lane] -= next->force[k];
-        e->residual[e->end[k][1]][lane] += next->force[k];
+        e->motion[e->end[k][0]].residual[lane] -= next->force[k];
+        e->motion[e->end[k][1]].residual[lane] += next->force[k];
     }
 }
 

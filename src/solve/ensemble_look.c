@@ -167,7 +167,7 @@ INLINE void add_building(const struct ensemble_lanes *e, const struct ensemble_b
     }
 }
 
-LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
+LANES static void add_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
     wide kinetic = {0.0}, elastic = {0.0}, input = {0.0}, damping = {0.0};
     for (int k = 0; k < e->n_building; k++) {
         add_building(e, &e->building[k], &kinetic, &elastic);
@@ -182,4 +182,9 @@ LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sum
                                           .input_2x = input[lane],
                                           .damping_2x = damping[lane]};
     }
+}
+
+void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums) {
+    ensemble_settle(e);
+    add_sums(e, sums);
 }
