@@ -106,6 +106,32 @@ static void percentiles_are_over_the_runs(void **state) {
     model_free(m);
 }
 
+// Without contact the gap is nothing; each run counts as often as it differs.
+static void sweeps_that_change_nothing_count_once(void **state) {
+    (void)state;
+    struct model *m = analysis_model("sweep a values 0.1 0.2 0.4\n"
+                                     "sweep gap values 0.11 0.15 0.3 0.5\n"
+                                     "building A -floors 1 -mass 1 -stiffness ${4 * pi^2}\n"
+                                     "initial A -displacement ${-a}\n"
+                                     "contact A wall -gap $gap -law linear -k 1e4\n" STEPS);
+    struct apart a;
+    double scratch[12];
+    run_apart(m, 1, &a);
+    assert_int_equal(a.n_run, 12);
+    assert_true(a.counts[4] && !a.counts[5]);
+    assert_false(a.idle[0]);
+    assert_true(a.idle[1]);
+    const struct apart_summary s = apart_summarise(&a, 0, APART_CLOSING, APART_VALUES, scratch);
+    assert_close(s.mean, 0.7 / 3, RTOL);
+    assert_close(s.low, 0.1 + 0.32 * 0.1, RTOL);
+    assert_int_equal(s.run, 8);
+    assert_close(apart_summarise(&a, 0, APART_GAP, APART_VALUES, scratch).mean, 1.06 / 4, 1e-14);
+    // 0.2 is beyond 0.11 and 0.15, 0.4 beyond 0.3, too
+    assert_int_equal(apart_hits(&a, 0), 5);
+    apart_close(&a);
+    model_free(m);
+}
+
 static int try_search(const struct model *m, const char *edp, struct gap_search_request q,
                       struct gap_search *out, struct error *e) {
     const struct gap_runs how = {.n_thread = 2};
@@ -234,6 +260,7 @@ int main(void) {
         cmocka_unit_test(closing_displacements_are_those_of_the_closed_form),
         cmocka_unit_test(links_act_although_contacts_do_not),
         cmocka_unit_test(percentiles_are_over_the_runs),
+        cmocka_unit_test(sweeps_that_change_nothing_count_once),
         cmocka_unit_test(bisection_finds_a_threshold_that_is_known),
         cmocka_unit_test(a_parameter_of_the_deck_can_be_the_gap),
         cmocka_unit_test(a_limit_that_no_gap_keeps_is_not_found),
