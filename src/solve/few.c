@@ -408,10 +408,10 @@ static void push(const struct model *m, const struct state *s, double *residual)
         int k = s->live[i];
         const int *dof = m->link[k].dof;
         if (dof[0] != WALL) {
-            residual[dof[0]] -= s->force[k];
+            residual[dof[0]] -= s->link[k].force;
         }
         if (dof[1] != WALL) {
-            residual[dof[1]] += s->force[k];
+            residual[dof[1]] += s->link[k].force;
         }
     }
 }
