@@ -33,6 +33,9 @@ static const double RECOVERY = 0.5;
 // Quick sweeps end, and block steps are tried, after so many sweeps, where the last one brought the
 // change of the forces down by less than the factor SLOW.
 enum { PLAIN_SWEEPS = 4 };
+
+// Links that are gathered, asked and visited together.
+enum { GROUP = 16 };
 static const double SLOW = 0.2;
 
 // After so many, laws are no longer let pull.
@@ -144,6 +147,7 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
                  (now->link[k].closed || !(jumps || pulls));
     p->open = p->branch == BRANCH_OPEN && law->force && !(now->link[k].closed && pulls);
     p->ask = true;
+    s->stale |= p->trusted;
     s->answered = true;
     s->largest = number_max(s->largest, fabs(p->force));
     if (fabs(df) > s->change) {
@@ -157,24 +161,50 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
 // How a sweep answers: exactly, or by Newton steps where they are safe.
 enum answers { ANSWERS_EXACT, ANSWERS_NEWTON };
 
+// Goes over acting links `first` to end - 1.
+static void visit(struct work *w, const struct state *now, struct state *next, enum answers answers,
+                  int first, int end, struct progress *s) {
+    for (int i = first;; i++) {
+        i = answers == ANSWERS_NEWTON ? quick_sweep(w, i, end, s) : i;
+        if (i == end) {
+            return;
+        }
+        answer(w, now, next, w->acting[i], s);
+    }
+}
+
+static struct progress progress_after(const struct work *w, const struct progress *last) {
+    return (struct progress){.enough = w->model->tolerance * last->largest,
+                             .loosest = last->loosest,
+                             .echo = last->echo,
+                             .clear = INFINITY,
+                             .stale = last->stale};
+}
+
+// The first sweep, by groups of links that the cache holds until they have been visited.
+static struct progress first_sweep(struct work *w, const struct state *now, struct state *next) {
+    struct progress s;
+    quick_gather(w, next, &s);
+    s = progress_after(w, &s);
+    for (int first = 0, end; first < w->n_acting; first = end) {
+        end = first + GROUP < w->n_acting ? first + GROUP : w->n_acting;
+        quick_take(w, next, first, end, &s);
+        visit(w, now, next, ANSWERS_NEWTON, first, end, &s);
+    }
+    w->totals->iterations++;
+    return s;
+}
+
 // `last` is the sweep before.
 static struct progress sweep(struct work *w, const struct state *now, struct state *next,
                              enum answers answers, const struct progress *last) {
-    struct progress s = {.enough = w->model->tolerance * last->largest,
-                         .loosest = last->loosest,
-                         .echo = last->echo,
-                         .clear = INFINITY};
+    struct progress s = progress_after(w, last);
     if (answers == ANSWERS_NEWTON) {
         quick_ask(w, &s);
     }
-    for (int i = 0;; i++) {
-        i = answers == ANSWERS_NEWTON ? quick_sweep(w, i, &s) : i;
-        if (i == w->n_acting) {
-            w->totals->iterations++;
-            return s;
-        }
-        answer(w, now, next, w->acting[i], &s);
-    }
+    visit(w, now, next, answers, 0, w->n_acting, &s);
+    w->totals->iterations++;
+    return s;
 }
 
 // Is it worth going on? Asked when the answer is there, and early, so that a hopeless step costs
@@ -220,15 +250,15 @@ static bool converged(const struct work *w, enum answers answers, const struct p
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
 // for what it took.
 static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
-    struct progress last;
-    quick_gather(w, next, &last);
+    struct progress last = {.change = INFINITY};
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->nearest[i] = INFINITY;
     }
     enum answers answers = ANSWERS_NEWTON;
     for (int i = 0; i < w->model->iterations; i++) {
-        struct progress s = sweep(w, now, next, answers, &last);
+        struct progress s =
+            i == 0 ? first_sweep(w, now, next) : sweep(w, now, next, answers, &last);
         bool done = converged(w, answers, &s);
         if ((done || i == PLAIN_SWEEPS) && !suffices(w, now, next)) {
             return STATUS_RETRY;

@@ -37,7 +37,8 @@ static bool fits_spring(const struct work *w, struct quick *p, struct contact_re
                            ? r.dfdd
                            : p->kind->force(p->constant, p->history, d, 0.0).dfdd;
     double coarse = stiffness * p->flexibility * w->h * w->h;
-    p->fits_to = p->smooth && 4.0 * coarse <= COARSEST_SPRING ? 2.0 * d : 0.0;
+    p->fits_to =
+        (p->kind->traits & CONTACT_SMOOTH) && 4.0 * coarse <= COARSEST_SPRING ? 2.0 * d : 0.0;
     return coarse <= COARSEST_SPRING;
 }
 
@@ -68,7 +69,9 @@ static bool starts_resolved(const struct work *w, const struct state *now, struc
 // A settled link has its tangents already, so near to the end of the step that it does not matter.
 static bool ends_resolved(const struct work *w, struct quick *p, const struct path *path) {
     return p->branch != BRANCH_CLOSED ||
-           (!p->ask ? fits(w, p, p->law, path->d1) : resolved_at(w, p, path->d1, path->v1));
+           (!p->ask
+                ? fits(w, p, (struct contact_response){.dfdd = p->dfdd, .dfdv = p->dfdv}, path->d1)
+                : resolved_at(w, p, path->d1, path->v1));
 }
 
 // Is what usually holds enough: the start has been looked at, the end has its tangents, and its
@@ -76,7 +79,7 @@ static bool ends_resolved(const struct work *w, struct quick *p, const struct pa
 static inline bool seen_before(const struct work *w, const struct state *now, const struct quick *p,
                                double d) {
     return p->checked >= w->h && !p->ask && d <= p->fits_to &&
-           w->g * p->flexibility * p->law.dfdv <= COARSEST_DASHPOT &&
+           w->g * p->flexibility * p->dfdv <= COARSEST_DASHPOT &&
            now->link[p->index].t_close < now->time && now->link[p->index].closed;
 }
 
