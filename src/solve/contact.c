@@ -207,10 +207,14 @@ static struct progress sweep(struct work *w, const struct state *now, struct sta
     return s;
 }
 
-// Is it worth going on? Asked when the answer is there, and early, so that a hopeless step costs
-// little.
-static bool suffices(struct work *w, const struct state *now, const struct state *next) {
-    return w->strictness == STEP_ACCEPT || resolve_suffices(w, now, next);
+// Is it worth going on? Asked early, so that a hopeless step costs little.
+static bool is_hopeful(struct work *w, const struct state *now, const struct state *next) {
+    for (int i = 0; i < w->n_acting && w->strictness == STEP_STRICT; i++) {
+        if (!resolve_suffices(w, now, next, w->acting[i])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // With laws that pull there may be no solution, or several between which sweeps go to and fro.
@@ -259,14 +263,13 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
     for (int i = 0; i < w->model->iterations; i++) {
         struct progress s =
             i == 0 ? first_sweep(w, now, next) : sweep(w, now, next, answers, &last);
-        bool done = converged(w, answers, &s);
-        if ((done || i == PLAIN_SWEEPS) && !suffices(w, now, next)) {
-            return STATUS_RETRY;
-        }
-        if (done) {
+        if (converged(w, answers, &s)) {
             return STATUS_OK;
         }
         if (i == PLAIN_SWEEPS) {
+            if (!is_hopeful(w, now, next)) {
+                return STATUS_RETRY;
+            }
             w->others_d = rounding_of_others(w, w->u_trial);
             w->others_v = rounding_of_others(w, w->v_trial);
         }
@@ -296,30 +299,39 @@ static enum branch judge_clamped(struct work *w, const struct state *now, const 
     return line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
 }
 
-// Takes the forces that were found. A link that found neither an open nor a closed solution opens
-// inside the step, unless it has bounced to rest; then false.
-static bool decided(struct work *w, const struct state *now, struct state *next) {
-    bool all = true;
+// Takes what was found for a link. One that found neither an open nor a closed solution opens
+// inside the step, unless it has bounced to rest; then false, as where the step is not short
+// enough.
+static bool take(struct work *w, const struct state *now, struct state *next, struct quick *p) {
+    int k = p->index;
+    bool strict = w->strictness == STEP_STRICT;
+    if (strict && !resolve_suffices(w, now, next, p)) {
+        return false;
+    }
+    p->branch = judge_clamped(w, now, next, p);
+    next->link[k].force = p->force;
+    next->link[k].closed = p->branch != BRANCH_OPEN;
+    if (next->link[k].closed != now->link[k].closed) {
+        w->toggled[w->n_toggled++] = k;
+    }
+    return !strict || p->branch != BRANCH_NONE ||
+           resolve_negligible(w, state_rate(now, w->model, k));
+}
+
+static int take_all(struct work *w, const struct state *now, struct state *next) {
+    w->n_toggled = 0;
     for (int i = 0; i < w->n_acting; i++) {
-        struct quick *p = w->acting[i];
-        next->link[p->index].force = p->force;
-        p->branch = judge_clamped(w, now, next, p);
-        if (p->branch == BRANCH_NONE && w->strictness == STEP_STRICT) {
-            all &= resolve_negligible(w, state_rate(now, w->model, p->index));
+        if (!take(w, now, next, w->acting[i])) {
+            return STATUS_RETRY;
         }
     }
-    return all;
+    return STATUS_OK;
 }
 
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
     long *counter = &w->totals->fast;
     int status = iterate(w, now, next, &counter);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    if (!decided(w, now, next)) {
-        return STATUS_RETRY;
-    }
-    *counter += 1;
-    return STATUS_OK;
+    status = status == STATUS_OK ? take_all(w, now, next) : status;
+    *counter += status == STATUS_OK;
+    return status;
 }

@@ -61,8 +61,7 @@ static bool at_rest(const struct work *w, const struct path *p) {
 // resolved with a step as long.
 static bool starts_resolved(const struct work *w, const struct state *now, struct quick *p) {
     int k = p->index;
-    bool seen = w->quick[k].checked >= w->h && now->link[k].t_close < now->time;
-    return !now->link[k].closed || seen ||
+    return !now->link[k].closed || p->checked >= w->h ||
            resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
 }
 
@@ -76,11 +75,9 @@ static bool ends_resolved(const struct work *w, struct quick *p, const struct pa
 
 // Is what usually holds enough: the start has been looked at, the end has its tangents, and its
 // spring is no stiffer than has been looked at?
-static inline bool seen_before(const struct work *w, const struct state *now, const struct quick *p,
-                               double d) {
+static inline bool seen_before(const struct work *w, const struct quick *p, double d) {
     return p->checked >= w->h && !p->ask && d <= p->fits_to &&
-           w->g * p->flexibility * p->dfdv <= COARSEST_DASHPOT &&
-           now->link[p->index].t_close < now->time && now->link[p->index].closed;
+           w->g * p->flexibility * p->dfdv <= COARSEST_DASHPOT;
 }
 
 static bool resolved(struct work *w, const struct state *now, const struct state *next,
@@ -100,17 +97,17 @@ static bool resolved(struct work *w, const struct state *now, const struct state
            resolve_negligible(w, now->link[k].closed ? path.v0 : next->link[k].v_close);
 }
 
-bool resolve_suffices(struct work *w, const struct state *now, const struct state *next) {
-    for (int i = 0; i < w->n_acting; i++) {
-        struct quick *p = w->acting[i];
-        double x = w->correction[p->end[0]] - w->correction[p->end[1]];
-        double d = p->d_trial + w->b * x;
-        if (seen_before(w, now, p, d)) {
-            p->checked = w->h;
-        } else if (!p->bilateral && !p->kind->rebound && !resolved(w, now, next, p, x, d)) {
-            w->unresolved = p->index;
-            return false;
-        }
+bool resolve_suffices(struct work *w, const struct state *now, const struct state *next,
+                      struct quick *p) {
+    double x = w->correction[p->end[0]] - w->correction[p->end[1]];
+    double d = p->d_trial + w->b * x;
+    if (seen_before(w, p, d)) {
+        p->checked = w->h;
+        return true;
     }
-    return true;
+    if (p->bilateral || p->kind->rebound || resolved(w, now, next, p, x, d)) {
+        return true;
+    }
+    w->unresolved = p->index;
+    return false;
 }

@@ -53,6 +53,7 @@ struct work {
     int n_acting;                   // live links whose forces are being solved for,
     struct quick **acting;          // (n_link) in ascending order
     double crowd;                   // most links with a force law that any floor has
+    bool commits;                   // some law remembers what happens in contact
     int n_toggled, *toggled;        // links that have closed or opened in the step in hand
     int n_rigid, *rigid;            // contacts of laws without a force
     double *kept_q;                 // (n_dof) to step back to
