@@ -261,18 +261,16 @@ static inline bool stays_open(const struct work *w, const struct quick *p, doubl
     return true;
 }
 
-LANES int quick_sweep(struct work *w, int first, int end, struct progress *progress) {
-    struct progress s = *progress;
+LANES int quick_sweep(struct work *w, int first, int end, struct progress *s) {
     int i = first;
     for (; i < end; i++) {
         struct quick *p = w->acting[i];
         double x = sees(w, p);
-        bool known = !p->ask && (is_known(p, x) || ask(w, p, x, &s));
-        if (known ? !step(w, p, x, &s) : !stays_open(w, p, x, &s)) {
+        bool known = !p->ask && (is_known(p, x) || ask(w, p, x, s));
+        if (known ? !step(w, p, x, s) : !stays_open(w, p, x, s)) {
             break;
         }
-        s.largest = number_max(s.largest, fabs(p->force));
+        s->largest = number_max(s->largest, fabs(p->force));
     }
-    *progress = s;
     return i;
 }
