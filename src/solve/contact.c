@@ -173,38 +173,33 @@ static void visit(struct work *w, const struct state *now, struct state *next, e
     }
 }
 
-static struct progress progress_after(const struct work *w, const struct progress *last) {
-    return (struct progress){.enough = w->model->tolerance * last->largest,
-                             .loosest = last->loosest,
-                             .echo = last->echo,
-                             .clear = INFINITY,
-                             .stale = last->stale};
+// Makes the progress of the last sweep, or of the guess, that of the next one before it has begun.
+static void renew(const struct work *w, struct progress *s) {
+    s->enough = w->model->tolerance * s->largest;
+    s->largest = s->change = s->moved = 0.0;
+    s->clear = INFINITY;
+    s->answered = false;
 }
 
 // The first sweep, by groups of links that the cache holds until they have been visited.
-static struct progress first_sweep(struct work *w, const struct state *now, struct state *next) {
-    struct progress s;
-    quick_gather(w, next, &s);
-    s = progress_after(w, &s);
+static void first_sweep(struct work *w, const struct state *now, struct state *next,
+                        struct progress *s) {
+    quick_gather(w, next, s);
+    renew(w, s);
     for (int first = 0, end; first < w->n_acting; first = end) {
         end = first + GROUP < w->n_acting ? first + GROUP : w->n_acting;
-        quick_take(w, next, first, end, &s);
-        visit(w, now, next, ANSWERS_NEWTON, first, end, &s);
+        quick_take(w, next, first, end, s);
+        visit(w, now, next, ANSWERS_NEWTON, first, end, s);
     }
-    w->totals->iterations++;
-    return s;
 }
 
-// `last` is the sweep before.
-static struct progress sweep(struct work *w, const struct state *now, struct state *next,
-                             enum answers answers, const struct progress *last) {
-    struct progress s = progress_after(w, last);
+static void sweep(struct work *w, const struct state *now, struct state *next, enum answers answers,
+                  struct progress *s) {
+    renew(w, s);
     if (answers == ANSWERS_NEWTON) {
-        quick_ask(w, &s);
+        quick_ask(w, s);
     }
-    visit(w, now, next, answers, 0, w->n_acting, &s);
-    w->totals->iterations++;
-    return s;
+    visit(w, now, next, answers, 0, w->n_acting, s);
 }
 
 // Is it worth going on? Asked early, so that a hopeless step costs little.
@@ -254,15 +249,20 @@ static bool converged(const struct work *w, enum answers answers, const struct p
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
 // for what it took.
 static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
-    struct progress last = {.change = INFINITY};
+    struct progress s;
+    double before = INFINITY;
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->nearest[i] = INFINITY;
     }
     enum answers answers = ANSWERS_NEWTON;
     for (int i = 0; i < w->model->iterations; i++) {
-        struct progress s =
-            i == 0 ? first_sweep(w, now, next) : sweep(w, now, next, answers, &last);
+        if (i == 0) {
+            first_sweep(w, now, next, &s);
+        } else {
+            sweep(w, now, next, answers, &s);
+        }
+        w->totals->iterations++;
         if (converged(w, answers, &s)) {
             return STATUS_OK;
         }
@@ -277,12 +277,12 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
             clamp(w);
             answers = ANSWERS_EXACT;
         }
-        if (i + 1 >= PLAIN_SWEEPS && changed(&s) > SLOW * changed(&last)) {
+        if (i + 1 >= PLAIN_SWEEPS && changed(&s) > SLOW * before) {
             answers = ANSWERS_EXACT;
             bool blocked = block_steps(w, now, next) || *counter == &w->totals->block;
             *counter = blocked ? &w->totals->block : &w->totals->scalar;
         }
-        last = s;
+        before = changed(&s);
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;

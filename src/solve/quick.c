@@ -140,7 +140,7 @@ static inline void gather(struct work *w, const struct state *next, struct quick
 }
 
 void quick_gather(struct work *w, const struct state *next, struct progress *s) {
-    *s = (struct progress){.change = INFINITY};
+    *s = (struct progress){0};
     w->n_acting = next->n_live;
     for (int i = 0; i < w->n_acting; i++) {
         int k = next->live[i];

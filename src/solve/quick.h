@@ -69,7 +69,7 @@ struct progress {
 // What does not change of link k.
 void quick_init(struct quick *p, const struct model *m, int k);
 
-// The live links of `next` act from now on; *progress is that before the first sweep.
+// The live links of `next` act from now on; *progress is that of a guess.
 void quick_gather(struct work *w, const struct state *next, struct progress *progress);
 
 // Gathers what changes from step to step of acting links `first` to end - 1, and asks their laws.
