@@ -147,7 +147,6 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
                  (now->link[k].closed || !(jumps || pulls));
     p->open = p->branch == BRANCH_OPEN && law->force && !(now->link[k].closed && pulls);
     p->ask = true;
-    s->stale |= p->trusted;
     s->answered = true;
     s->largest = number_max(s->largest, fabs(p->force));
     if (fabs(df) > s->change) {

@@ -166,15 +166,12 @@ void quick_take(struct work *w, const struct state *next, int first, int end, st
 
 void quick_ask(struct work *w, struct progress *s) {
     bool looser = s->loosest > LOOSER * s->enough;
-    for (int i = 0, n = s->stale || looser ? w->n_acting : 0; i < n; i++) {
+    for (int i = 0, n = looser ? w->n_acting : 0; i < n; i++) {
         struct quick *p = w->acting[i];
-        if (p->ask || looser) {
-            p->ask = true;
-            ask(w, p, sees(w, p), s);
-        }
+        p->ask = true;
+        ask(w, p, sees(w, p), s);
     }
     s->loosest = looser ? s->enough : number_max(s->loosest, s->enough);
-    s->stale = false;
 }
 
 // q += f column; beyond the floors of the building the column is 0.
@@ -243,7 +240,6 @@ static inline bool step(const struct work *w, struct quick *p, double x, struct 
     p->force += df;
     p->base -= p->damped * df;
     p->ask = !(far <= p->reach);
-    s->stale |= p->ask;
     s->clear = number_min(s->clear, room(p, far));
     push_ends(w, p, df);
     note(w, p, df, s);
@@ -266,7 +262,7 @@ LANES int quick_sweep(struct work *w, int first, int end, struct progress *s) {
     for (; i < end; i++) {
         struct quick *p = w->acting[i];
         double x = sees(w, p);
-        bool known = !p->ask && (is_known(p, x) || ask(w, p, x, s));
+        bool known = (!p->ask && is_known(p, x)) || ask(w, p, x, s);
         if (known ? !step(w, p, x, s) : !stays_open(w, p, x, s)) {
             break;
         }

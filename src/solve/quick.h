@@ -62,7 +62,6 @@ struct progress {
                      // share of the largest; of sweeps before too
     double clear;   // [F] changes of others up to this leave open links open, and the others within
                     // the reach of their lines
-    bool stale;     // some law must be asked again
     bool answered;  // some link got its exact answer: echo knows nothing of it
 };
 
@@ -76,7 +75,7 @@ void quick_gather(struct work *w, const struct state *next, struct progress *pro
 void quick_take(struct work *w, const struct state *next, int first, int end,
                 struct progress *progress);
 
-// Asks the laws that must be asked before a sweep.
+// Asks all laws again if what is enough has become much less.
 void quick_ask(struct work *w, struct progress *progress);
 
 // Moves the ends of the link by what a change df of its force does to them.
