@@ -72,6 +72,9 @@ static int observe(struct run *r) {
 // Steps from n of the deck as far as the next row of the output, or the next poll.
 static long stretch_end(const struct run *r, long n) {
     long every = r->model->output.every;
+    if (!r->observer) {
+        return r->model->n_step;
+    }
     long row = (n / every + 1) * every;
     long asked = n + RUN_POLL_STEPS - r->results->totals.steps % RUN_POLL_STEPS;
     return row < asked ? row : asked;

@@ -271,11 +271,6 @@ static bool fly_higher(const struct flight *f, const double *shear, const struct
     return finite;
 }
 
-bool floors_raise(const struct flight *f, const struct state *s) {
-    return raise(f->model, FLOORS_MOTION | FLOORS_DRIFT, 0, lanes_whole(f->model->n_dof),
-                 f->yields ? s->shear : NULL, f->results, s);
-}
-
 LANES static enum nearness fly_elastic(const struct flight *f, const struct state *now,
                                        struct state *next) {
     return fly(f, NULL, now, next);

@@ -70,7 +70,7 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
     *g = (struct gaps){
         .model = m,
         .gap = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->gap),
-        .limit = arena_alloc(a, n_link, sizeof *g->limit),
+        .limit = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->limit),
         .nearest = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->nearest),
         .time = arena_alloc(a, n_link, sizeof *g->time),
         .run_of = arena_alloc(a, n_link, sizeof *g->run_of),

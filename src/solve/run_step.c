@@ -34,7 +34,11 @@ int run_poll(struct run *r, double time) {
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
     struct results *out = r->results;
-    account_step(&r->energy, out, r->model, r->now, r->next);
+    if (few_serves(&r->work)) {
+        few_account(&r->work.few, &r->energy, out, r->model, r->now, r->next);
+    } else {
+        account_step(&r->energy, out, r->model, r->now, r->next);
+    }
     gaps_peaks(&r->work.gaps, r->next);
     int status = impacts_step(&r->impacts, &r->energy, out, r->model, r->now, r->next, r->error);
     struct state *old = r->now;

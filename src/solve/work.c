@@ -83,7 +83,7 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
     w->nearest = arena_alloc(a, n, sizeof *w->nearest);
     if (!w->nearest || !w->home || !w->other || !w->settled || !w->parent || !w->start ||
         !w->cluster || !alloc_floors(w, m, a) || !floors_alloc(&w->floors, m, a) ||
-        !alloc_links(w, m, a)) {
+        !few_alloc(&w->few, m, a) || !alloc_links(w, m, a)) {
         return false;
     }
     fill_links(w, m);
