@@ -113,7 +113,7 @@ int ensemble_links_finish(const struct ensemble_lanes *e, int lane, struct run *
         r->next->delta[k] = penetration(e, k, e->next, lane);
         gather_velocities(e, k, e->next, lane, r->next->v);
     }
-    contact_finish(w, r->now, r->next);
+    contact_finish(w, r->next);
     return event_first(w, r->now, r->next, w->h, r->events, -1).link < 0 ? STATUS_OK : STATUS_RETRY;
 }
 

@@ -223,7 +223,7 @@ static int solve_linear(struct work *w, const struct state *now, struct state *n
 }
 
 // Everything else that belongs to the end of the step: forces, and the histories of the laws.
-static void finish(struct work *w, const struct state *now, struct state *next) {
+static void finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {
         state_internal_forces(next, m, next->u, next->v);
@@ -235,7 +235,7 @@ static void finish(struct work *w, const struct state *now, struct state *next) 
             s->law->commit(s->constant, next->storey_history + s->history, next->drift[i]);
         }
     }
-    contact_finish(w, now, next);
+    contact_finish(w, next);
 }
 
 int newmark_step(struct work *w, const struct state *now, struct state *next, double end, double h,
@@ -246,7 +246,7 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
     begin(w, now, next, end);
     int status = state_is_linear(w->model) ? solve_linear(w, now, next, e) : solve(w, now, next, e);
     if (status == STATUS_OK) {
-        finish(w, now, next);
+        finish(w, next);
     }
     return status;
 }
