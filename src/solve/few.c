@@ -4,6 +4,7 @@
 // want.
 #include "solve/few.h"
 
+#include <limits.h>
 #include <stdalign.h>
 #include <string.h>
 
@@ -15,6 +16,8 @@
 
 enum { LINE = 64, VECTORS = FEW_MAX / LANES_VECTOR, PER_EIGHT = LANES_WIDTH / LANES_VECTOR };
 
+// Vector j of x where floors are joined, else 0.
+#define JOINED(joint, j, x) ((lanes)((lanes_bits)PART(joint, j) & (lanes_bits)(x)))
 #define ABSOLUTE(x) ((lanes)((lanes_bits)(x)&INT64_MAX))
 
 // For each vector of n, in loops that are unrolled, or they would not be in registers.
@@ -25,8 +28,10 @@ static void fill_table(struct few_table *t, const struct model *m) {
     size_t n = (size_t)m->n_dof * sizeof(double);
     memcpy(t->mass, c->mass, n);
     memcpy(t->stiffness, c->stiffness, n);
-    memcpy(t->joint, c->joint, n);
-    memcpy(t->joint_above, c->joint + 1, n);
+    for (int i = 0; i < m->n_dof; i++) {
+        memset(&t->joint[i], c->joint[i] != 0.0 ? UCHAR_MAX : 0, sizeof t->joint[i]);
+        memset(&t->joint_above[i], c->joint[i + 1] != 0.0 ? UCHAR_MAX : 0, sizeof t->joint[i]);
+    }
     memcpy(t->damping_below, c->damping_below, n);
     memcpy(t->damping, c->damping, n);
     memcpy(t->damping_above, c->damping_above, n);
@@ -59,8 +64,8 @@ void few_factor(struct few *few, const struct work *w) {
         }
         for (int j = g->first / LANES_WIDTH; j * LANES_WIDTH < end; j++) {
             struct few_rows *r = &few->rows[j];
-            r->from = r->to == 0 ? g->first / LANES_VECTOR * LANES_VECTOR : r->from;
-            r->to = (end + LANES_VECTOR - 1) / LANES_VECTOR * LANES_VECTOR;
+            r->from = r->to == 0 ? g->first : r->from;
+            r->to = end;
         }
     }
 }
@@ -82,7 +87,7 @@ LANES_INLINE void few_strain(const struct few_table *t, const struct floors_line
                              struct few_floors *s, lanes_bits *beyond) {
     EACH_VECTOR(j, n) {
         lanes below = j > 0 ? s->u[j - 1] : none;
-        s->drift[j] = s->u[j] - PART(t->joint, j) * BELOW(below, s->u[j]);
+        s->drift[j] = s->u[j] - JOINED(t->joint, j, BELOW(below, s->u[j]));
         if (lines) {
             lanes force = PART(t->spring, j) * (s->drift[j] - PART(t->rest, j));
             *beyond |= BEYOND(force, PART(t->limit, j));
@@ -106,7 +111,7 @@ LANES_INLINE void few_unbalance(const struct few_table *t, int n, const struct f
                         PART(t->damping_above, j) * ABOVE(trial->v[j], v_above);
         *(lanes *)(residual + j * LANES_VECTOR) =
             mass * -ground - mass * now->a[j] - damping - trial->shear[j] +
-            PART(t->joint_above, j) * ABOVE(trial->shear[j], shear_above);
+            JOINED(t->joint_above, j, ABOVE(trial->shear[j], shear_above));
     }
 }
 
@@ -115,12 +120,14 @@ LANES_INLINE void few_solve(const struct few *few, int n, const double *residual
     EACH_VECTOR(j, n / PER_EIGHT) {
         const struct few_rows *rows = &few->rows[j];
         const double *row = few->table->inverse[rows->from] + j * LANES_WIDTH;
-        lanes sum[PER_EIGHT] = {{0.0}};
-        for (int i = rows->from; i < rows->to; i += LANES_VECTOR) {
-            _Pragma("GCC unroll 4") for (int k = i; k < i + LANES_VECTOR; k++, row += FEW_MAX) {
-                EACH_VECTOR(part, PER_EIGHT) {
-                    sum[part] += residual[k] * PART(row, part);
-                }
+        lanes sum[PER_EIGHT];
+        EACH_VECTOR(part, PER_EIGHT) {
+            sum[part] = residual[rows->from] * PART(row, part);
+        }
+        row += FEW_MAX;
+        _Pragma("GCC unroll 4") for (int k = rows->from + 1; k < rows->to; k++, row += FEW_MAX) {
+            EACH_VECTOR(part, PER_EIGHT) {
+                sum[part] += residual[k] * PART(row, part);
             }
         }
         EACH_VECTOR(part, PER_EIGHT) {

@@ -12,7 +12,8 @@ enum { FEW_MAX = 2 * LANES_WIDTH };
 
 // What a step reads besides the state, side by side in memory; each (FEW_MAX), by floor.
 struct few_table {
-    double mass[FEW_MAX], stiffness[FEW_MAX], joint[FEW_MAX], joint_above[FEW_MAX];
+    double mass[FEW_MAX], stiffness[FEW_MAX];
+    double joint[FEW_MAX], joint_above[FEW_MAX];  // all bits are 1 where there is one
     double damping_below[FEW_MAX], damping[FEW_MAX], damping_above[FEW_MAX];
     double back[FEW_MAX], spring[FEW_MAX], rest[FEW_MAX], limit[FEW_MAX];  // struct storey_branch
     double peak[PEAK_COUNT][FEW_MAX];
@@ -23,7 +24,7 @@ struct few {
     bool possible;            // with this model
     long factors;             // work.factors that the inverse is of
     struct few_table *table;  // from where a line of the cache begins
-    // For LANES_WIDTH columns each, the rows of the inverse that they have, in fours.
+    // For LANES_WIDTH columns each, the rows of the inverse that they have.
     struct few_rows {
         int from, to;
     } rows[FEW_MAX / LANES_WIDTH];
