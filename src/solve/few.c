@@ -359,23 +359,24 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     for (; step < end; step++) {
         struct few_floors next;
         lanes_bits beyond = {0}, news = {0};
-        const long ahead = step + 1 - f->ahead_from;
-        few_step(w, lines, n, &now, f->ground[ahead], shown, &next, &beyond);
-        few_compare(peak, lines, n, &next, f->ground[ahead], &news);
+        const long ahead = step + 1 - w->ahead.from;
+        few_step(w, lines, n, &now, w->ahead.ground[ahead], shown, &next, &beyond);
+        few_compare(peak, lines, n, &next, w->ahead.ground[ahead], &news);
         few_look(f, shown, &news);
         news |= beyond;
         if (floors_any(&news) < 0 &&
             (floors_any(&beyond) < 0 ||
-             !few_take_note(f, lines, n, &next, shown, f->time[ahead], f->ground[ahead], s))) {
+             !few_take_note(f, lines, n, &next, shown, w->ahead.time[ahead], w->ahead.ground[ahead],
+                            s))) {
             break;
         }
-        few_add_works(t, n, &now, &next, ground + f->ground[ahead], &works);
+        few_add_works(t, n, &now, &next, ground + w->ahead.ground[ahead], &works);
         if (lines) {
             few_add_storey_works(n, &now, &next, f->energy->storey_2x);
         }
         now = next;
-        time = f->time[ahead];
-        ground = f->ground[ahead];
+        time = w->ahead.time[ahead];
+        ground = w->ahead.ground[ahead];
     }
     few_store(&now, lines, n, s);
     few_store_works(&works, f->energy);

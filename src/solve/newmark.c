@@ -29,7 +29,7 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     contact_begin(w, now, next);
     next->time = end;
     if (state_is_linear(m) && state_is_uniform(m) && !m->adaptive) {
-        excitation_grounds(next, m, end);
+        excitation_grounds_known(&w->ahead, next, m, end);
         return;
     }
     excitation_at(next, m, end);
