@@ -303,14 +303,21 @@ LANES_INLINE void few_raise_peak(const struct results *r, enum peak kind, int n,
     }
 }
 
+// *sign gets negative where floors are not finite.
+LANES_INLINE void few_weigh(int n, const struct few_floors *s, lanes_bits *sign) {
+    EACH_VECTOR(j, n) {
+        lanes size = ABSOLUTE(s->u[j]) + ABSOLUTE(s->v[j]) + ABSOLUTE(s->a[j]);
+        *sign |= BEYOND(size, DBL_MAX + none);
+    }
+}
+
 // Takes floors into the peaks. False: they are not finite.
 LANES_INLINE bool few_raise(const struct results *r, int n, const struct few_floors *s, double time,
                             double ground) {
     lanes_bits sign = {0};
     lanes total[VECTORS];
+    few_weigh(n, s, &sign);
     EACH_VECTOR(j, n) {
-        lanes size = ABSOLUTE(s->u[j]) + ABSOLUTE(s->v[j]) + ABSOLUTE(s->a[j]);
-        sign |= BEYOND(size, DBL_MAX + none);
         total[j] = s->a[j] + ground;
     }
     few_raise_peak(r, PEAK_DISPLACEMENT, n, s->u, time);
@@ -410,20 +417,6 @@ bool few_serves(const struct work *w) {
            w->h == w->model->dt;
 }
 
-// Takes the forces of live links into the residuals.
-static void push(const struct model *m, const struct state *s, double *residual) {
-    for (int i = 0; i < s->n_live; i++) {
-        int k = s->live[i];
-        const int *dof = m->link[k].dof;
-        if (dof[0] != WALL) {
-            residual[dof[0]] -= s->force[k];
-        }
-        if (dof[1] != WALL) {
-            residual[dof[1]] += s->force[k];
-        }
-    }
-}
-
 LANES_INLINE bool move(struct work *w, const struct state *now, struct state *next, int n) {
     alignas(LINE) double residual[FEW_MAX];
     struct few_floors start, trial, end;
@@ -431,17 +424,14 @@ LANES_INLINE bool move(struct work *w, const struct state *now, struct state *ne
     lanes_bits sign = {0};
     few_load(now, NULL, n, &start);
     few_try(w, NULL, n, &start, next->ground_a[0], &trial, residual, &sign);
-    push(w->model, next, residual);
+    state_add_link_forces(next, w->model, residual);
     few_solve(&w->few, n, residual, q);
     few_reach(w, n, &start, &trial, q, &end);
     few_put(trial.u, n, w->u_trial);
     few_put(trial.v, n, w->v_trial);
     few_put(q, n, w->correction);
     few_store(&end, NULL, n, next);
-    EACH_VECTOR(j, n) {
-        lanes size = ABSOLUTE(end.u[j]) + ABSOLUTE(end.v[j]) + ABSOLUTE(end.a[j]);
-        sign |= BEYOND(size, DBL_MAX + none);
-    }
+    few_weigh(n, &end, &sign);
     return floors_any(&sign) >= 0;
 }
 
