@@ -83,7 +83,7 @@ static void push(struct work *w, const struct state *now, const struct state *ne
             floors_trial(w, now, k);
         }
         for (int end = f->first_end[k]; end >= 0; end = f->following_end[end]) {
-            double force = next->force[end / 2];
+            double force = next->link[end / 2].force;
             f->residual[m->link[end / 2].dof[end % 2] - b->first] += end % 2 == 0 ? -force : force;
         }
         f->first_end[k] = -1;
