@@ -86,7 +86,7 @@ static bool correct(const struct work *w, const struct state *now, struct state 
 // The same where only the corrections of buildings with live links have changed since.
 static void correct_touched(struct work *w, const struct state *now, struct state *next) {
     if (few_serves(w)) {
-        few_correct(w, now, next);
+        w->few.steps->correct(w, now, next);
     }
     for (int i = 0; !few_serves(w) && i < w->gaps.n_touched; i++) {
         const struct building *g = &w->model->building[w->gaps.touched[i]];
@@ -211,11 +211,20 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
+// The state under the forces that live links have. False: not finite.
+static bool move(struct work *w, const struct state *now, struct state *next) {
+    if (!few_serves(w)) {
+        return floors_move(w, now, next);
+    }
+    few_factor(&w->few, w);
+    return w->few.steps->move(w, now, next);
+}
+
 // The same where the floors are linear.
 static int solve_linear(struct work *w, const struct state *now, struct state *next,
                         struct error *e) {
     w->totals->iterations++;
-    if (!(few_serves(w) ? few_move : floors_move)(w, now, next)) {
+    if (!move(w, now, next)) {
         return not_finite(w->model, next, e);
     }
     contact_penetrations(w, next);

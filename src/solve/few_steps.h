@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Free flight of few floors. Between steps all is in registers but for the displacements, which the
-// gaps want.
+// The steps of few.h, for vectors of one width: see few_loops.h. FEW_CLONES stands in front of the
+// functions, and FEW_STEPS is the name of what they make up. In free flight all is in registers
+// between steps but for the displacements, which the gaps want.
+#ifndef JOSTLE_FEW_STEPS_H
+#define JOSTLE_FEW_STEPS_H
+
 #include "solve/few_loops.h"
 
 // *sign gets negative where a contact closes or is nearer than ever.
-LANES_INLINE void few_look(const struct flight *f, const double *u, lanes_bits *sign) {
+LANES_INLINE void few_look(const struct flight *f, const double *u, few_bits *sign) {
     const double *gap = f->gap;
     for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++) {
         const double *left = u + g->dof[0], *right = u + g->dof[1];
         const double *limit = f->work->gaps.limit + g->contact;
         EACH_VECTOR(i, PER_EIGHT) {
-            lanes delta = PART(left, i) - PART(right, i) - PART(gap, i);
-            *sign |= (lanes_bits)(PART(limit, i) - delta);
+            few_lanes delta = PART(left, i) - PART(right, i) - PART(gap, i);
+            *sign |= (few_bits)(PART(limit, i) - delta);
         }
         gap += LANES_WIDTH;
     }
@@ -20,10 +24,10 @@ LANES_INLINE void few_look(const struct flight *f, const double *u, lanes_bits *
 // The state after a step, with its displacements in `shown` too.
 LANES_INLINE void few_step(const struct work *w, const struct floors_lines *lines, int n,
                            const struct few_floors *now, double ground, double *shown,
-                           struct few_floors *next, lanes_bits *beyond) {
+                           struct few_floors *next, few_bits *beyond) {
     alignas(LINE) double residual[FEW_MAX];
     struct few_floors trial;
-    lanes q[VECTORS];
+    few_lanes q[VECTORS];
     few_try(w, lines, n, now, ground, &trial, residual, beyond);
     few_solve(&w->few, n, residual, q);
     few_reach(w, n, now, &trial, q, next);
@@ -34,14 +38,14 @@ LANES_INLINE void few_step(const struct work *w, const struct floors_lines *line
 LANES_INLINE void few_add_storey_works(int n, const struct few_floors *now,
                                        const struct few_floors *next, double *work) {
     EACH_VECTOR(j, n) {
-        *(lanes *)(work + j * LANES_VECTOR) +=
+        *(few_lanes *)(work + j * WIDTH) +=
             (now->shear[j] + next->shear[j]) * (next->drift[j] - now->drift[j]);
     }
 }
 
 LANES_INLINE void few_get(double *x, const double *from, int n) {
     EACH_VECTOR(j, n) {
-        *(lanes *)(x + j * LANES_VECTOR) = PART(from, j);
+        *(few_lanes *)(x + j * WIDTH) = PART(from, j);
     }
 }
 
@@ -95,16 +99,15 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     long step = from;
     for (; step < end; step++) {
         struct few_floors next;
-        lanes_bits beyond = {0}, news = {0};
+        few_bits beyond = {0}, news = {0};
         const long ahead = step + 1 - w->ahead.from;
         few_step(w, lines, n, &now, w->ahead.ground[ahead], shown, &next, &beyond);
         few_compare(peak, lines, n, &next, w->ahead.ground[ahead], &news);
         few_look(f, shown, &news);
         news |= beyond;
-        if (floors_any(&news) < 0 &&
-            (floors_any(&beyond) < 0 ||
-             !few_take_note(f, lines, n, &next, shown, w->ahead.time[ahead], w->ahead.ground[ahead],
-                            s))) {
+        if (few_any(&news) < 0 &&
+            (few_any(&beyond) < 0 || !few_take_note(f, lines, n, &next, shown, w->ahead.time[ahead],
+                                                    w->ahead.ground[ahead], s))) {
             break;
         }
         few_add_works(t, n, &now, &next, ground + w->ahead.ground[ahead], &works);
@@ -122,17 +125,88 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     return step;
 }
 
-LANES static long fly(const struct flight *f, struct state *s, long n, long end) {
+FEW_CLONES static long fly(const struct flight *f, struct state *s, long n, long end) {
     return is_low(f->model) ? few_fly(f, NULL, VECTORS / 2, s, n, end)
                             : few_fly(f, NULL, VECTORS, s, n, end);
 }
 
-LANES static long fly_on_lines(const struct flight *f, struct state *s, long n, long end) {
+FEW_CLONES static long fly_on_lines(const struct flight *f, struct state *s, long n, long end) {
     const struct floors_lines lines = floors_lines_of(f, s);
     return is_low(f->model) ? few_fly(f, &lines, VECTORS / 2, s, n, end)
                             : few_fly(f, &lines, VECTORS, s, n, end);
 }
 
-long few_take(const struct flight *f, struct state *s, long n, long end) {
-    return f->yields ? fly_on_lines(f, s, n, end) : fly(f, s, n, end);
+LANES_INLINE bool move(struct work *w, const struct state *now, struct state *next, int n) {
+    alignas(LINE) double residual[FEW_MAX];
+    struct few_floors start, trial, end;
+    few_lanes q[VECTORS];
+    few_bits sign = {0};
+    few_load(now, NULL, n, &start);
+    few_try(w, NULL, n, &start, next->ground_a[0], &trial, residual, &sign);
+    state_add_link_forces(next, w->model, residual);
+    few_solve(&w->few, n, residual, q);
+    few_reach(w, n, &start, &trial, q, &end);
+    few_put(trial.u, n, w->u_trial);
+    few_put(trial.v, n, w->v_trial);
+    few_put(q, n, w->correction);
+    few_store(&end, NULL, n, next);
+    few_weigh(n, &end, &sign);
+    return few_any(&sign) >= 0;
 }
+
+FEW_CLONES static bool take_step(struct work *w, const struct state *now, struct state *next) {
+    return is_low(w->model) ? move(w, now, next, VECTORS / 2) : move(w, now, next, VECTORS);
+}
+
+LANES_INLINE void correct(const struct work *w, const struct state *now, struct state *next,
+                          int n) {
+    struct few_floors start, trial, end;
+    few_lanes q[VECTORS];
+    EACH_VECTOR(j, n) {
+        start.a[j] = PART(now->a, j);
+        trial.u[j] = PART(w->u_trial, j);
+        trial.v[j] = PART(w->v_trial, j);
+        q[j] = PART(w->correction, j);
+    }
+    few_reach(w, n, &start, &trial, q, &end);
+    few_store(&end, NULL, n, next);
+}
+
+FEW_CLONES static void take_corrections(const struct work *w, const struct state *now,
+                                        struct state *next) {
+    is_low(w->model) ? correct(w, now, next, VECTORS / 2) : correct(w, now, next, VECTORS);
+}
+
+LANES_INLINE void account(const struct few_table *t, struct energy_account *a, struct results *r,
+                          const struct state *now, const struct state *next, int n) {
+    struct few_floors start, end;
+    struct few_works works;
+    few_bits sign = {0};
+    few_load(now, NULL, n, &start);
+    few_load(next, NULL, n, &end);
+    few_strain(t, NULL, n, &end, &sign);
+    few_load_works(a, &works);
+    few_add_works(t, n, &start, &end, now->ground_a[0] + next->ground_a[0], &works);
+    few_store_works(&works, a);
+    few_compare(r->peak, NULL, n, &end, next->ground_a[0], &sign);
+    if (few_any(&sign) < 0) {
+        (void)few_raise(r, n, &end, next->time, next->ground_a[0]);
+        peaks_speed(r, 0, n * WIDTH);
+    }
+}
+
+FEW_CLONES static void take_account(const struct few_table *t, struct energy_account *a,
+                                    struct results *r, const struct model *m,
+                                    const struct state *now, const struct state *next) {
+    is_low(m) ? account(t, a, r, now, next, VECTORS / 2) : account(t, a, r, now, next, VECTORS);
+}
+
+const struct few_steps FEW_STEPS = {
+    .fly = fly,
+    .fly_on_lines = fly_on_lines,
+    .move = take_step,
+    .correct = take_corrections,
+    .account = take_account,
+};
+
+#endif
