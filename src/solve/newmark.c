@@ -28,11 +28,11 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     const struct model *m = w->model;
     contact_begin(w, now, next);
     next->time = end;
+    excitation_grounds_known(&w->ahead, next, m, end);
     if (state_is_linear(m) && state_is_uniform(m) && !m->adaptive) {
-        excitation_grounds_known(&w->ahead, next, m, end);
         return;
     }
-    excitation_at(next, m, end);
+    excitation_floors(next, m, end);
     memcpy(next->storey_history, now->storey_history,
            (size_t)m->n_storey_history * sizeof *next->storey_history);
     memset(w->settled, 0, (size_t)m->n_building * sizeof *w->settled);
@@ -85,10 +85,11 @@ static bool correct(const struct work *w, const struct state *now, struct state 
 
 // The same where only the corrections of buildings with live links have changed since.
 static void correct_touched(struct work *w, const struct state *now, struct state *next) {
-    if (few_serves(w)) {
+    bool few = few_serves(w);
+    if (few) {
         w->few.steps->correct(w, now, next);
     }
-    for (int i = 0; !few_serves(w) && i < w->gaps.n_touched; i++) {
+    for (int i = 0; !few && i < w->gaps.n_touched; i++) {
         const struct building *g = &w->model->building[w->gaps.touched[i]];
         correct(w, now, next, g->first, lanes_whole(g->n_floor));
     }
