@@ -9,11 +9,12 @@
 // In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
 // takes what the processor has. Each element sees the same operations in the same order either way,
 // so the bits are the same. Elsewhere, and under sanitizers, which run before such choices can be
-// made, it is compiled once.
+// made, it is compiled once. LANES_WIDEST is the processor that has lanes_wide in one register.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #if __GNUC__ >= 12
-#define LANES __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
+#define LANES_WIDEST "x86-64-v4"
+#define LANES __attribute__((target_clones("default", "avx2", "arch=" LANES_WIDEST)))
 #else
 #define LANES __attribute__((target_clones("default", "avx2")))
 #endif

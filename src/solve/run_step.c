@@ -35,7 +35,7 @@ int run_poll(struct run *r, double time) {
 static int commit(struct run *r) {
     struct results *out = r->results;
     if (few_serves(&r->work)) {
-        few_account(&r->work.few, &r->energy, out, r->model, r->now, r->next);
+        r->work.few.steps->account(r->work.few.table, &r->energy, out, r->model, r->now, r->next);
     } else {
         account_step(&r->energy, out, r->model, r->now, r->next);
     }

@@ -68,6 +68,7 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
         .model = m,
         .totals = totals,
         .splitting = m->adaptive ? SPLIT_ALWAYS : SPLIT_JUMPS,
+        .ahead.from = -EXCITATION_AHEAD,
         .unresolved = -1,
         .held = -1,
         .block_max = m->n_link < BLOCK_MAX ? m->n_link : BLOCK_MAX,

@@ -6,6 +6,7 @@
 
 #include "solve/chain.h"
 #include "solve/effective.h"
+#include "solve/excitation.h"
 #include "solve/few.h"
 #include "solve/floors.h"
 #include "solve/gaps.h"
@@ -41,6 +42,7 @@ struct work {
     int unresolved;  // link that last asked for a shorter step; -1: none did
     int held;        // link that stays open or closed in this step; -1: none
 
+    struct excitation_ahead ahead;  // of steps of the model's size
     struct floors floors;
     struct few few;             // what models with few floors need
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
