@@ -3,6 +3,7 @@
 #ifndef JOSTLE_LANES_H
 #define JOSTLE_LANES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>  // any header of the library says which library it is
 
@@ -67,6 +68,10 @@ typedef int64_t lanes_wide_bits __attribute__((vector_size(LANES_WIDTH * sizeof(
 enum { WIDE_RUNS = 8 };
 typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
 typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
+
+// Do functions marked LANES hold one in a register, on the processor at hand? Where they do not,
+// gcc passes it through memory in pieces, and eight runs one after the other are faster.
+bool lanes_hold_wide(void);
 
 // A zeroed array for n things of such values, `size` bytes each, with one in front and one behind;
 // NULL: no memory.

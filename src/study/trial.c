@@ -115,7 +115,7 @@ static int conclude(struct trial *t, struct ensemble_member *member) {
 }
 
 int trial_most(const struct plan *p) {
-    return ensemble_suits(p->first) ? ENSEMBLE_MAX : 1;
+    return ensemble_pays() && ensemble_suits(p->first) ? ENSEMBLE_MAX : 1;
 }
 
 void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch) {
