@@ -48,6 +48,14 @@ static int sample_sine(const struct mode *k, const struct signal *s, struct sign
     return signal_init_samples(out, k->scratch, value, n, dt, 1.0, 0.0, e);
 }
 
+// The samples that act in the analysis.
+static struct signal cut_samples(const struct mode *k, const struct signal *s) {
+    struct signal out = *s;
+    const double n = ceil((k->model->duration - s->start) / s->dt) + 1.0;
+    out.n = n < (double)s->n ? (size_t)n : s->n;
+    return out;
+}
+
 static double spectral_velocity(const struct mode *k, const struct signal *s) {
     if (k->omega == 0.0) {
         return intensity_of(s, 1.0).pgv;
@@ -63,7 +71,8 @@ static int excite(struct mode *k, const struct signal *s, double share, struct e
         return STATUS_OK;
     }
     if (s->value) {
-        velocity = spectral_velocity(k, s);
+        samples = cut_samples(k, s);
+        velocity = spectral_velocity(k, &samples);
     } else if (s->omega == 0.0) {
         double time = fmin(s->end, k->model->duration) - s->start;
         velocity = fabs(s->amplitude) * (k->omega > 0.0 ? fmin(1.0 / k->omega, time) : time);
