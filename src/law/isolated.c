@@ -25,8 +25,9 @@ enum { DEPTH, SPEED, N_STATE };  // of the state, in units of L and v0
 // Tolerance of a step, and the first and the longest one in units of L / v0.
 struct accuracy {
     double tolerance, first_step, longest_step;
+    bool peaks;  // are they wanted?
 };
-static const struct accuracy full = {1e-13, 1e-12, 0.02}, rough = {1e-8, 1e-4, 0.2};
+static const struct accuracy full = {1e-13, 1e-12, 0.02, true}, rough = {1e-8, 1e-4, 0.2, false};
 
 static const double JUMP = 1e-9;  // of the peak force: what is shown on both sides
 enum { STEPS_MAX = 200000 };
@@ -151,7 +152,9 @@ static void show(const struct flight *f) {
 
 // Accepts the state: its peak, its history, and whoever looks.
 static void accept(struct flight *f) {
-    note_peak(f);
+    if (f->accuracy->peaks) {
+        note_peak(f);
+    }
     if (f->observer) {
         show_samples(f);
     }

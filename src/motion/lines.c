@@ -8,8 +8,9 @@
 #include "core/text.h"
 #include "motion/record_format.h"
 
+// Tab, line feed, vertical tab, form feed and return are blanks too; most characters are none.
 static bool is_blank(char c) {
-    return c == ' ' || (c >= '\t' && c <= '\r');  // tab, line feed, vertical tab, form feed, return
+    return (unsigned char)c <= ' ' && (c == ' ' || (c >= '\t' && c <= '\r'));
 }
 
 static bool is_digit(char c) {

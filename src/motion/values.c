@@ -34,9 +34,9 @@ int values_read(struct arena *a, const struct record_text *t, struct lines from,
     }
     size_t i = 0;
     while (lines_next(&from)) {
-        struct span rest = from.line;
+        struct span rest = lines_is_comment(from.line) ? (struct span){0} : from.line;
         struct span field;
-        while (!lines_is_comment(from.line) && lines_field(&rest, separators, &field)) {
+        while (lines_field(&rest, separators, &field)) {
             struct number_field f = {t->path, from.number, "value", i + 1, field};
             int status = lines_read_number(&f, &value[i], e);
             if (status) {
