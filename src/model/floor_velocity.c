@@ -2,7 +2,8 @@
 // Modes and excitations are put together by the root of the sum of their squares, as in response
 // spectrum analysis (Chopra, Dynamics of Structures, section 13.7). A mode phi of generalised mass
 // M = phi^T M phi answers with
-//     ground motion    phi^T M 1 / M times the velocity spectrum of the record, which is exact,
+//     ground motion    phi^T M 1 / M times the velocity spectrum of what of the record acts in
+//                      the analysis, which is exact,
 //     load on floor i  phi_i / M times the velocity spectrum of the load,
 //     initial state    hypot(q', omega q), q = phi^T M u / M, its free vibration undamped,
 // and moves floor i by phi_i times that. A rigid-body mode has the largest integral of the record
