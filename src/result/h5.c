@@ -70,26 +70,33 @@ static void open_lists(struct h5 *h) {
     h->references = H5Tvlen_create(H5T_STD_REF_OBJ);
     h->scalar = H5Screate(H5S_SCALAR);
     h->plain = H5Pcreate(H5P_DATASET_CREATE);
+    h->group = H5Pcreate(H5P_GROUP_CREATE);
     h->access = H5Pcreate(H5P_DATASET_ACCESS);
     h->transfer = H5Pcreate(H5P_DATASET_XFER);
     if (h5_failed(h, h->references) || h5_failed(h, h->scalar) || h5_failed(h, h->plain) ||
-        h5_failed(h, h->access) || h5_failed(h, h->transfer)) {
+        h5_failed(h, h->group) || h5_failed(h, h->access) || h5_failed(h, h->transfer)) {
         return;
     }
     h5_failed(h, H5Pset_obj_track_times(h->plain, false));
+    h5_failed(h, H5Pset_obj_track_times(h->group, false));
     h5_failed(h, H5Pset_chunk_cache(h->access, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT));
     h5_failed(h, H5Pset_buffer(h->transfer, CONVERSION_BUFFER, NULL, NULL));
 }
 
 // Datasets are written whole or in large blocks: no buffer of the library's between.
 void h5_create(struct h5 *h, const char *path) {
-    hid_t list = H5Pcreate(H5P_FILE_ACCESS);
-    if (!h5_failed(h, list) && !h5_failed(h, H5Pset_sieve_buf_size(list, 0))) {
-        h->file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, list);
+    hid_t list = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
+    if (!h5_failed(h, list) && !h5_failed(h, access) &&
+        !h5_failed(h, H5Pset_obj_track_times(list, false)) &&
+        !h5_failed(h, H5Pset_sieve_buf_size(access, 0))) {
+        h->file = H5Fcreate(path, H5F_ACC_TRUNC, list, access);
         h5_failed(h, h->file);
     }
     if (list >= 0) {
         H5Pclose(list);
+    }
+    if (access >= 0) {
+        H5Pclose(access);
     }
     if (!h->failed) {
         h5_open_types(h);
@@ -106,8 +113,8 @@ void h5_open_types(struct h5 *h) {
 }
 
 void h5_close_types(struct h5 *h) {
-    hid_t *const held[] = {&h->text,    &h->references, &h->scalar,  &h->plain,
-                           &h->chunked, &h->access,     &h->transfer};
+    hid_t *const held[] = {&h->text,  &h->references, &h->scalar, &h->plain,
+                           &h->group, &h->chunked,    &h->access, &h->transfer};
     for (size_t i = 0; i < sizeof held / sizeof held[0]; i++) {
         if (*held[i] > 0) {
             H5Idec_ref(*held[i]);
@@ -123,7 +130,7 @@ hid_t h5_group(struct h5 *h, hid_t parent, const char *name) {
     if (h->failed) {
         return -1;
     }
-    hid_t group = H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    hid_t group = H5Gcreate2(parent, name, H5P_DEFAULT, h->group, H5P_DEFAULT);
     h5_failed(h, group);
     return group;
 }
