@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "core/text.h"
 #include "deck/reader.h"
 
 enum { SETS_MAX = 8 };  // of one statement
@@ -75,9 +74,8 @@ static bool clear(struct deck *d, const struct row_set *set, double power) {
             continue;
         }
         struct dimension dimension = row_dimension(row, power);
-        double *number = arena_alloc(d->arena, 1, sizeof *number);
+        double *number = deck_array(d, 1, sizeof *number);
         if (!number) {
-            diagnostics_no_memory(&d->diagnostics);
             return false;
         }
         *number = unit_convert(row->fallback, 1, unit_size(&d->units, dimension));

@@ -12,7 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/arena.h"
 #include "core/text.h"
 #include "deck/reader.h"
 
@@ -214,9 +213,8 @@ static bool build(struct deck *d, struct statement *out) {
         deck_error(d, &r->word[0], "a statement must start with its name");
         return false;
     }
-    struct word *word = arena_alloc(d->arena, (size_t)r->n_word, sizeof *word);
+    struct word *word = deck_array(d, (size_t)r->n_word, sizeof *word);
     if (!word) {
-        diagnostics_no_memory(&d->diagnostics);
         return false;
     }
     memcpy(word, r->word, (size_t)r->n_word * sizeof *word);
