@@ -26,8 +26,10 @@ struct word {
     struct place place;
 };
 
-// A statement: word[0] is the command, then plain words up to n_plain, then options. An unquoted
-// `-` followed by a letter starts an option.
+// True for an option: an unquoted `-` followed by a letter.
+bool deck_is_option(const struct word *w);
+
+// A statement: word[0] is the command, then plain words up to n_plain, then options.
 struct statement {
     struct word *word;
     int n_word;

@@ -3,7 +3,6 @@
 // they are read, and messages point at them, as in a deck.
 #include "command/law_impacts.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -127,10 +126,7 @@ static bool lend_options(struct deck *d, const struct statement *first,
     int n = 1;
     bool taken = false;
     for (int i = first->n_plain; i < first->n_word; i++) {
-        const char *text = first->word[i].text;
-        const bool option =
-            !first->word[i].quoted && text[0] == '-' && isalpha((unsigned char)text[1]);
-        taken = option ? has_key(law, &first->word[i]) : taken;
+        taken = deck_is_option(&first->word[i]) ? has_key(law, &first->word[i]) : taken;
         if (taken) {
             word[n++] = first->word[i];
         }

@@ -10,15 +10,10 @@
 
 enum { SETS_MAX = 8 };  // of one statement
 
-static bool is_option(const struct word *w) {
-    char letter = w->text[0] == '-' ? w->text[1] : 0;
-    return !w->quoted && ((letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'));
-}
-
 // The number of words behind the option at s->word[at], up to the next option.
 static int count_behind(const struct statement *s, int at) {
     int n = 0;
-    while (at + 1 + n < s->n_word && !is_option(&s->word[at + 1 + n])) {
+    while (at + 1 + n < s->n_word && !deck_is_option(&s->word[at + 1 + n])) {
         n++;
     }
     return n;
@@ -27,7 +22,7 @@ static int count_behind(const struct statement *s, int at) {
 const struct word *deck_option(const struct statement *s, const char *key, int *n_word) {
     *n_word = 0;
     for (int i = s->n_plain; i < s->n_word; i++) {
-        if (is_option(&s->word[i]) && strcmp(s->word[i].text + 1, key) == 0) {
+        if (deck_is_option(&s->word[i]) && strcmp(s->word[i].text + 1, key) == 0) {
             *n_word = count_behind(s, i);
             return &s->word[i + 1];
         }

@@ -197,7 +197,7 @@ static void scan_line(struct scan *s, struct frame *f) {
     s->wrong = s->wrong || was_wrong;
 }
 
-static bool is_option(const struct word *w) {
+bool deck_is_option(const struct word *w) {
     char letter = w->text[0] == '-' ? w->text[1] : 0;
     return !w->quoted && ((letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'));
 }
@@ -206,7 +206,7 @@ static bool is_option(const struct word *w) {
 static bool build(struct deck *d, struct statement *out) {
     struct reader *r = d->reader;
     int n_plain = 0;
-    while (n_plain < r->n_word && !is_option(&r->word[n_plain])) {
+    while (n_plain < r->n_word && !deck_is_option(&r->word[n_plain])) {
         n_plain++;
     }
     if (n_plain == 0 || r->word[0].quoted) {
