@@ -58,8 +58,7 @@ struct options {
 
 static int show_progress(void *context, long n_done, struct error *e) {
     progress_show(context, (double)n_done);
-    const int signal = interrupt_number();
-    return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", signal) : STATUS_OK;
+    return interrupt_check(e);
 }
 
 // EXIT_DONE, or the status of what ended the runs.

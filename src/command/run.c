@@ -10,7 +10,6 @@
 #include "command/progress.h"
 #include "command/run.h"
 #include "command/threads.h"
-#include "core/arena.h"
 #include "core/heap.h"
 #include "jostle/result.h"
 
