@@ -108,6 +108,9 @@ int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r) {
 int ensemble_links_finish(struct run *r) {
     struct work *w = &r->work;
     contact_finish(w, r->now, r->next);
+    if (event_is_abrupt(w, r->now, r->next)) {
+        return STATUS_RETRY;
+    }
     return event_first(w, r->now, r->next, w->h, r->events, -1).link < 0 ? STATUS_OK : STATUS_RETRY;
 }
 
