@@ -25,9 +25,10 @@
 #include "solve/resolve.h"
 
 // A rigid contact at rest is held by its velocity, as holding d = 0 would make the force oscillate;
-// in each step it gives back this share of what rounding and the ground motion let it stray from
-// d = 0. That is stable for every share up to 1 where 2 beta <= gamma, and else for none if gamma
-// is 1/2 (eigenvalues of the recursion for d, v and a); then nothing is given back.
+// in each step of the deck it gives back this share of what rounding and the ground motion let it
+// stray from d = 0. That is stable for every share up to 1 where 2 beta <= gamma, and else for none
+// if gamma is 1/2 (eigenvalues of the recursion for d, v and a); then nothing is given back. In
+// steps that events have made short, the share is as much smaller: the velocity does not jump.
 static const double RECOVERY = 0.5;
 
 // Quick sweeps end, and block steps are tried, after so many sweeps, where the last one brought the
@@ -48,8 +49,17 @@ static double ends_difference(const struct quick *p, const double *x) {
     return x[p->end[0]] - x[p->end[1]];
 }
 
-static double recovery(const struct model *m) {
-    return 2.0 * m->beta <= m->gamma ? RECOVERY : 0.0;
+// The velocity that rigid contact k at rest is brought to. After a step that began with the bodies
+// accelerated apart, a velocity of zero leaves them inside where 2 beta > gamma, by h^2 |a|
+// (beta / gamma - 1/2): there d = 0 counts too, and what asks for the larger force prevails.
+static double rest_velocity(const struct work *w, const struct state *now, const struct line *l,
+                            int k) {
+    const struct model *m = w->model;
+    if (2.0 * m->beta <= m->gamma) {
+        return -RECOVERY * now->delta[k] / m->dt;
+    }
+    double enters = l->d_free - fmax(now->delta[k], 0.0);
+    return fmin(l->v_free - enters * l->v_force / l->d_force, 0.0);
 }
 
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
@@ -57,7 +67,7 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
     const struct link *l = p->link;
     double s = p->flexibility;
     double corrected = ends_difference(p, w->correction) + s * p->force;
-    return (struct line){
+    struct line line = {
         .link = l,
         .history = next->link_history + l->history,
         .d_free = ends_difference(p, w->u_trial) - l->gap + w->b * corrected +
@@ -66,12 +76,13 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
                   state_ground_gap(l, w->model, next->ground_v),
         .d_force = w->b * s,
         .v_force = w->g * s,
-        .v_rest = -recovery(w->model) * now->delta[k] / w->h,
         .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
         .closed = now->link[k].closed,
         .clamped = p->clamped,
         .held = now->link[k].closed && k == w->held,
     };
+    line.v_rest = l->law->rebound ? rest_velocity(w, now, &line, k) : 0.0;
+    return line;
 }
 
 void contact_apply(struct work *w, struct quick *p, double df) {

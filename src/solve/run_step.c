@@ -108,6 +108,10 @@ static int jump(struct run *r, const struct event *event) {
 // Lets the bodies of a rigid contact meet.
 static int meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
+    if (event_is_idle(r->now, m, event->link)) {
+        impulse_hold(r->now, m, event->link, r->meeting);
+        return impacts_meet(&r->impacts, r->results, m, r->now, r->meeting, r->error);
+    }
     bool chatters = r->events[event->link] > EVENTS_RIGID_MAX;
     enum rebound rebound = chatters ? REBOUND_NONE : REBOUND_BY_LAW;
     const struct least_bounce least = {
@@ -172,6 +176,10 @@ int run_step(struct run *r, double end, double h, int cuts, double *rest) {
     }
     if (r->model->adaptive && step_length_judge(&r->length, r->now, r->next, h) != STATUS_OK) {
         r->work.unresolved = -1;
+        return STATUS_RETRY;
+    }
+    if (r->work.strictness == STEP_STRICT && !r->model->adaptive &&
+        event_is_abrupt(&r->work, r->now, r->next)) {
         return STATUS_RETRY;
     }
     struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);
