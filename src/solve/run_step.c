@@ -73,7 +73,8 @@ static int spend_cut(struct run *r, double h, int cuts) {
 
 // Steps to the instant of an event with its link held as it was. Where the step is long the instant
 // is only an estimate: it is mended until the link stands near d = 0, or where it stood before if
-// it was inside by an error. STATUS_RETRY: not found.
+// it was inside by an error; where other contacts make it jump past that, the instant before is
+// taken. STATUS_RETRY: not found.
 static int step_to_event(struct run *r, struct event *event, double end, double h) {
     bool opens = r->now->link[event->link].closed;
     double sign = opens ? -1.0 : 1.0;
@@ -89,12 +90,13 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
         double d = r->next->delta[event->link] - start;
         double v = state_rate(r->next, r->model, event->link);
         *(sign * d < 0.0 ? &low : &high) = event->time;
-        bool near = fabs(d) <= located * fabs(v) * h || high - low <= 1e-9 * h;
-        if (status != STATUS_OK || near) {
+        bool near = fabs(d) <= located * fabs(v) * h;
+        bool narrow = high - low <= 1e-9 * h;
+        if (status != STATUS_OK || near || (narrow && (sign * d <= 0.0 || low == 0.0))) {
             return status;
         }
         double time = event->time - d / v;
-        event->time = time > low && time < high ? time : 0.5 * (low + high);
+        event->time = narrow ? low : time > low && time < high ? time : 0.5 * (low + high);
     }
     return r->work.strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
