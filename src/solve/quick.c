@@ -6,8 +6,9 @@
 // and q changes by df times the columns of A^-1 of both ends. A^-1 is almost diagonal, for
 // beta h^2 K << M: links disturb each other where they share a floor, and little else.
 //
-// Laws are asked between sweeps, where they need not wait for each other, and a law is taken for
-// the line df = base + rate dx from there, which costs little. It must be asked again, at once,
+// Laws are asked before the first sweep, some links at a time so that the cache holds them until
+// they are visited; there laws need not wait for each other. From then on a law is taken for the
+// line df = base + rate dx from there, which costs little. It must be asked again, at once,
 // where that is not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f
 // more than the line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4
 // are taken, and both parts of t by their size, as they may cancel where a law pulls. A link of a

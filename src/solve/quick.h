@@ -23,7 +23,7 @@ struct quick {
     double base, rate;  // a Newton step from asked + dx changes the force by base + rate dx
     double asked;       // [L/T^2] difference of the corrections of its ends
     double reach;       // [L/T^2] how far from there until the law must be asked again
-    double unmoved;     // 1 / the sum of |S_lm| over all other links, which is this at least
+    double unmoved;     // 1 / the most that |S_lm| of all other links may add up to
 
     double near;              // [L/T^2] how far a step may lead from there
     double damped;            // 1 / (1 + S_ll t)
