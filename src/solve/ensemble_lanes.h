@@ -4,6 +4,8 @@
 #ifndef JOSTLE_ENSEMBLE_LANES_H
 #define JOSTLE_ENSEMBLE_LANES_H
 
+#include <string.h>
+
 #include "core/lanes.h"
 #include "solve/run.h"
 
@@ -117,6 +119,16 @@ struct ensemble_lanes {
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
+
+// Is a flag negative in a lane whose run is aboard? By halves: compilers take lanes apart one by
+// one.
+LANES_INLINE bool ensemble_any(const struct ensemble_lanes *e, const wide_bits *flags) {
+    lanes_bits flag[2], aboard[2];
+    memcpy(flag, flags, sizeof flag);
+    memcpy(aboard, e->aboard, sizeof aboard);
+    const lanes_bits any = (flag[0] & aboard[0]) | (flag[1] & aboard[1]);
+    return (any[0] | any[1] | any[2] | any[3]) < 0;
+}
 
 // Room for the runs of models like `m`; false: no memory.
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a);
