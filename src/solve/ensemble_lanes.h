@@ -106,12 +106,12 @@ struct ensemble_lanes {
     long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
     struct ensemble_building *building;  // (n_building)
     struct ensemble_state *now, *next;   // (n_floor) of all buildings
-    struct ensemble_motion *motion;      // (n_floor)
+    struct ensemble_motion *motion;      // (n_floor) in the step under way
     wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
     struct ensemble_peaks *peak;         // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
-    struct ensemble_works *works;           // up to `now`, or if
-    bool owing;                             // up to the step before, which is `next` then
+    struct ensemble_works *works;           // up to `now`, or the step before where that is owing,
+    bool owing;                             // which is in `next` then
     struct ensemble_contact *contact;       // (n_contact)
     struct ensemble_nearest *nearest;       // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them

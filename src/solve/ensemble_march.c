@@ -210,7 +210,7 @@ INLINE void commit(struct ensemble_lanes *e, const wide *ground) {
     e->owing = true;
 }
 
-// Computes `next`. What moves a few buildings stays near the processor.
+// Computes `next`.
 INLINE void step(struct ensemble_lanes *e, const wide *ground, wide_bits *flags) {
     const struct ensemble_building *b = e->building;
     for (int first = 0; first < e->n_building; first += TOGETHER) {
