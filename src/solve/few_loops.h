@@ -2,7 +2,7 @@
 // The loops of few_steps.h: those of floor_loops.h, operation by operation, so that the bits are
 // the same, over all floors at once. Only the residuals are stored, as each floor wants those of
 // its building. few_narrow.c and few_wide.c say what a vector is: few_lanes and few_bits, and
-// FEW_BELOW and FEW_ABOVE for BELOW and ABOVE.
+// FEW_BELOW, FEW_ABOVE and few_any for BELOW, ABOVE and floors_any.
 #ifndef JOSTLE_FEW_LOOPS_H
 #define JOSTLE_FEW_LOOPS_H
 
@@ -27,14 +27,6 @@ enum {
 
 // For each vector of n, in loops that are unrolled, or they would not be in registers.
 #define EACH_VECTOR(j, n) _Pragma("GCC unroll 4") for (ptrdiff_t j = 0; j < (n); j++)
-
-LANES_INLINE int64_t few_any(const few_bits *sign) {
-    int64_t any = 0;
-    for (int lane = 0; lane < WIDTH; lane++) {
-        any |= (*sign)[lane];
-    }
-    return any;
-}
 
 // Vectors of a model, of which there are two numbers, so that loops over them can be unrolled.
 LANES_INLINE bool is_low(const struct model *m) {
