@@ -168,8 +168,9 @@ double model_fastest(const struct model *m, int i);
 double model_time(const struct model *m, long n);
 
 // The model at a step 2^level times shorter, with the rows of output at the same times. It borrows
-// everything from `m` and is not given to model_free. Adaptive: at a tolerance 32^level times
-// tighter, which makes the steps of Dormand & Prince's method as much shorter.
+// everything from `m` and is not given to model_free. Adaptive: at a tolerance so much
+// tighter that steps are about 2^level times shorter, 32^level with Dormand & Prince's method and
+// 8^level with Newmark's.
 struct model model_refined(const struct model *m, int level);
 
 // Options that a statement has only in one of its forms, as `ground record` has others than `ground
