@@ -51,6 +51,9 @@ static int observe(struct run *r) {
     if (status != STATUS_OK || !o || !o->row) {
         return status;
     }
+    for (int k = 0; k < r->model->n_link; k++) {
+        r->row_force[k] = s->link[k].force;
+    }
     const struct row_view row = {
         .time = s->time,
         .displacement = s->u,
@@ -58,7 +61,7 @@ static int observe(struct run *r) {
         .acceleration = s->total,
         .drift = s->drift,
         .storey_shear = s->shear,
-        .force = s->force,
+        .force = r->row_force,
         .penetration = s->delta,
         .ground = s->ground_a,
         .energy = r->results->energy,
@@ -69,6 +72,9 @@ static int observe(struct run *r) {
 // Steps from n of the deck as far as the next row of the output, or the next poll.
 static long stretch_end(const struct run *r, long n) {
     long every = r->model->output.every;
+    if (!r->observer) {
+        return r->model->n_step;
+    }
     long row = (n / every + 1) * every;
     long asked = n + RUN_POLL_STEPS - r->results->totals.steps % RUN_POLL_STEPS;
     return row < asked ? row : asked;
@@ -112,7 +118,8 @@ static bool run_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->now = &r->store[0];
     r->next = &r->store[1];
-    if (!energy_alloc(&r->energy, m, a) || !state_alloc(r->now, m, a) ||
+    r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
+    if (!r->row_force || !energy_alloc(&r->energy, m, a) || !state_alloc(r->now, m, a) ||
         !impacts_alloc(&r->impacts, m, a) || !peaks_alloc(r->results, m, a)) {
         return false;
     }

@@ -66,30 +66,33 @@ LANES_INLINE void effective_multiply_low(const double *inverse, const double *r,
     *(lanes_wide *)q = sum;
 }
 
-// For at most twice as many: LANES_WIDTH columns, the first of which is column j.
-LANES_INLINE void effective_multiply_columns(const double *inverse, int j, const double *r,
-                                             double *q) {
-    enum { STRIDE = 2 * LANES_WIDTH };
-    const double *row = inverse + j;
-    lanes first = {0.0}, second = {0.0};
-    for (int i = 0; i < STRIDE; i++, row += STRIDE) {
-        first += r[i] * *(const lanes *)row;
-        second += r[i] * *(const lanes *)(row + LANES_VECTOR);
+// For n floors, at most twice as many: `most` columns, at least n and a constant. What would be
+// rows and columns beyond is 0.
+LANES_INLINE void effective_multiply_high(const double *inverse, int n, int most, const double *r,
+                                          double *q) {
+    enum { VECTORS = 2 * LANES_WIDTH / LANES_VECTOR };
+    lanes sum[VECTORS] = {{0.0}};
+    for (int i = 0; i < n; i++, inverse += 2 * LANES_WIDTH) {
+        for (int j = 0; j < most / LANES_VECTOR; j++) {
+            sum[j] += r[i] * *(const lanes *)(inverse + (ptrdiff_t)j * LANES_VECTOR);
+        }
     }
-    *(lanes *)(q + j) = first;
-    *(lanes *)(q + j + LANES_VECTOR) = second;
+    for (int j = 0; j < most / LANES_VECTOR; j++) {
+        *(lanes *)(q + (ptrdiff_t)j * LANES_VECTOR) = sum[j];
+    }
 }
 
 // For a low building with its inverse, in whole lanes: what is written beyond q belongs to the next
 // building. In line for the loops over floors.
 LANES_INLINE void effective_multiply(const struct effective *e, const double *r, double *q) {
+    enum { MIDDLE = 3 * LANES_WIDTH / 2 };
     static_assert(INVERSE_FLOORS_MAX <= 2 * LANES_WIDTH, "those are all the strides there are");
-    static_assert(LANES_WIDTH == 2 * LANES_VECTOR, "there are two halves");
     if (e->stride == LANES_WIDTH) {
         effective_multiply_low(e->inverse, r, q);
+    } else if (e->building->n_floor <= MIDDLE) {
+        effective_multiply_high(e->inverse, e->building->n_floor, MIDDLE, r, q);
     } else {
-        effective_multiply_columns(e->inverse, 0, r, q);
-        effective_multiply_columns(e->inverse, LANES_WIDTH, r, q);
+        effective_multiply_high(e->inverse, e->building->n_floor, INVERSE_FLOORS_MAX, r, q);
     }
 }
 

@@ -6,7 +6,6 @@
 #define JOSTLE_FLIGHT_H
 
 #include "solve/account.h"
-#include "solve/few.h"
 #include "solve/work.h"
 
 // Contacts that follow each other, as do the floors at both their ends: LANES_WIDTH at most.
@@ -36,7 +35,6 @@ struct flight {
     int *group_end;           // by block of floors: after it the groups before this can be seen to
     bool *any_higher;         // one of these is not 0:
     unsigned char *higher;    // which peaks a block may have: enum floors_higher
-    struct few few;           // what models with few floors need
 
     long ahead_from;              // step of the first of what is computed ahead:
     double time[FLIGHT_AHEAD];    // [T]
@@ -51,8 +49,7 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
-// Takes a step in flight into the peaks; `near` is how near contacts have come. False: it is none,
-// as it is not finite.
-bool flight_raise(const struct flight *f, enum nearness near, struct state *s);
+// Takes note of the penetrations of a step in flight in which contacts are nearer than ever.
+void flight_deepen(const struct flight *f, struct state *s);
 
 #endif

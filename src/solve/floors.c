@@ -83,7 +83,7 @@ static void push(struct work *w, const struct state *now, const struct state *ne
             floors_trial(w, now, k);
         }
         for (int end = f->first_end[k]; end >= 0; end = f->following_end[end]) {
-            double force = next->force[end / 2];
+            double force = next->link[end / 2].force;
             f->residual[m->link[end / 2].dof[end % 2] - b->first] += end % 2 == 0 ? -force : force;
         }
         f->first_end[k] = -1;
@@ -269,11 +269,6 @@ static bool fly_higher(const struct flight *f, const double *shear, const struct
         }
     }
     return finite;
-}
-
-bool floors_raise(const struct flight *f, const struct state *s) {
-    return raise(f->model, FLOORS_MOTION | FLOORS_DRIFT, 0, lanes_whole(f->model->n_dof),
-                 f->yields ? s->shear : NULL, f->results, s);
 }
 
 LANES static enum nearness fly_elastic(const struct flight *f, const struct state *now,

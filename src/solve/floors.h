@@ -55,7 +55,4 @@ enum nearness floors_fly(const struct flight *f, const struct state *now, struct
 enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
                                   struct state *next);
 
-// Takes a step in free flight into the peaks of its floors. False: it is not finite.
-bool floors_raise(const struct flight *f, const struct state *s);
-
 #endif
