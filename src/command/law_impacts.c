@@ -356,7 +356,7 @@ int law_impacts_run(const struct law_words *words, struct law_impacts *out) {
     if (out->impact) {
         read_laws(out, words);
     }
-    if (d->n_error > 0) {
+    if (!out->impact || d->n_error > 0) {
         diagnostics_print(d, stderr, command_colour());
         error_set(&e, d->out_of_memory ? STATUS_SYSTEM : STATUS_INPUT,
                   "the command line has %d error%s", d->n_error, d->n_error == 1 ? "" : "s");
