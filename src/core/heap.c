@@ -6,14 +6,17 @@
 #define _DEFAULT_SOURCE
 #include "core/heap.h"
 
-#include <malloc.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 void heap_expect(size_t bytes) {
-#ifdef MADV_POPULATE_WRITE
+#if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
     const int more = (int)bytes + (1 << 20);
     if (mallopt(M_MMAP_THRESHOLD, more) == 0 || mallopt(M_TRIM_THRESHOLD, more) == 0) {
         return;
