@@ -6,24 +6,26 @@
 #define _DEFAULT_SOURCE
 #include "core/heap.h"
 
-#include <malloc.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 void heap_expect(size_t bytes) {
-#ifdef MADV_POPULATE_WRITE
+#if defined(__GLIBC__) && defined(MADV_POPULATE_WRITE)
     const int more = (int)bytes + (1 << 20);
     if (mallopt(M_MMAP_THRESHOLD, more) == 0 || mallopt(M_TRIM_THRESHOLD, more) == 0) {
         return;
     }
-    void *block = malloc(bytes);
-    const uintptr_t page = (uintptr_t)sysconf(_SC_PAGESIZE);
-    const uintptr_t start = ((uintptr_t)block + page - 1) / page * page;
-    if (block) {
-        madvise((void *)start, ((uintptr_t)block + bytes - start) / page * page,
-                MADV_POPULATE_WRITE);
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    char *block = malloc(bytes);
+    if (block && bytes > page) {
+        char *start = block + page - (uintptr_t)block % page;
+        madvise(start, (bytes - page) / page * page, MADV_POPULATE_WRITE);
     }
     free(block);
 #else
