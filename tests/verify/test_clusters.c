@@ -164,9 +164,10 @@ static double largest_force(const struct bench *b) {
     return largest;
 }
 
-// The force of a rigid contact at rest keeps a velocity, unless it would have to pull.
+// The force of a rigid contact at rest keeps a velocity, unless it would have to pull: that which
+// brings half of d back in a step of the deck.
 static bool rests(const struct bench *b, int k) {
-    double v = state_rate(&b->next, b->model, k) + 0.5 * b->now.delta[k] / b->work.h;
+    double v = state_rate(&b->next, b->model, k) + 0.5 * b->now.delta[k] / b->model->dt;
     double around = rounding(b, b->work.v_trial, b->next.v) +
                     b->work.g * b->work.quick[k].flexibility * LARGEST_TOLERANCE * largest_force(b);
     double f = b->next.link[k].force;
