@@ -165,7 +165,7 @@ static double largest_force(const struct bench *b) {
 }
 
 // The force of a rigid contact at rest keeps a velocity, unless it would have to pull: that which
-// in half a step of the deck brings d to half of what it is.
+// brings half of d back in a step of the deck.
 static bool rests(const struct bench *b, int k) {
     double v = state_rate(&b->next, b->model, k) + 0.5 * b->now.delta[k] / b->model->dt;
     double around = rounding(b, b->work.v_trial, b->next.v) +
