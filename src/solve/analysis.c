@@ -4,9 +4,9 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "core/arena.h"
+#include "core/wall.h"
 #include "solve/adaptive_newmark.h"
 #include "solve/dormand_prince.h"
 #include "solve/flight.h"
@@ -154,18 +154,12 @@ static int run_start(struct run *r) {
     return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
 }
 
-static double seconds_now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 int analysis_begin(struct run *r, const struct model *m, const struct observer *observer,
                    struct error *e) {
     struct arena *a = arena_create();
     struct results *results = a ? arena_alloc(a, 1, sizeof *results) : NULL;
     *r = (struct run){.model = m, .observer = observer, .results = results, .error = e};
-    r->start = seconds_now();
+    r->start = wall_seconds();
     if (!results) {
         arena_free(a);
         error_no_memory(e);
@@ -185,7 +179,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
     gaps_finish(&r->work.gaps, results);
     impacts_finish(&r->impacts, results, r->model, r->now);
     results->initial_energy = r->energy.initial;
-    results->totals.seconds = seconds_now() - r->start;
+    results->totals.seconds = wall_seconds() - r->start;
     *out = results;
     return STATUS_OK;
 }
