@@ -122,10 +122,8 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
     f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
-    f->higher = arena_alloc(a, (size_t)m->n_building, sizeof *f->higher);
-    f->any_higher = arena_alloc(a, 1, sizeof *f->any_higher);
     f->ahead_from = -FLIGHT_AHEAD;
-    if (!f->group || !f->gap || !f->group_end || !f->higher || !f->any_higher ||
+    if (!f->group || !f->gap || !f->group_end ||
         !branches_alloc(f, m, a)) {
         return false;
     }
@@ -154,18 +152,15 @@ bool flight_raise(const struct flight *f, enum nearness near, struct state *s) {
     return true;
 }
 
-// Takes a step as it has been found, or takes back what has been added for it.
-static bool take(const struct flight *f, const struct state *now, struct state *next,
-                 enum nearness near, const struct energy_account *before) {
-    if (near == NEARNESS_CLOSED) {
-        *f->energy = *before;
-        return false;
-    }
+// Takes a step as it has been found into the account, or sees to it that the next one does.
+static void take(const struct flight *f, const struct state *now, struct state *next,
+                 enum nearness near) {
     raise_penetrations(f, near, next);
-    if (!f->uniform) {
-        energy_input(f->energy, f->model, now, next);
+    if (f->uniform && !f->few.possible) {
+        floors_defer(&f->work->floors.late, now);
+    } else {
+        floors_account(f->energy, f->results, f->model, now, next);
     }
-    return true;
 }
 
 // What steps in flight leave out.
@@ -222,9 +217,11 @@ static bool step_to(struct flight *f, const struct state *now, struct state *nex
     } else {
         excitation_at(next, f->model, next->time);
     }
-    const struct energy_account before = *f->energy;
     enum nearness near = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
-    return take(f, now, next, near, &before);
+    if (near != NEARNESS_CLOSED) {
+        take(f, now, next, near);
+    }
+    return near != NEARNESS_CLOSED;
 }
 
 static bool may_start(struct flight *f, const struct state *s) {
@@ -243,6 +240,7 @@ static void start(struct flight *f, const struct state *now, struct state *next)
     gaps_forget(&f->work->gaps, now);
     memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
     if (f->few.possible) {
+        floors_settle(&f->work->floors.late, m, next, now);
         few_factor(&f->few, f->work);
     }
     if (f->yields) {
@@ -251,9 +249,12 @@ static void start(struct flight *f, const struct state *now, struct state *next)
     }
 }
 
-// Takes the account of n steps to the state s.
-static void finish(const struct flight *f, struct state *s, long n) {
+// Takes the account of n steps to the state s; what storeys that yield bear is found anew for it.
+static void finish(const struct flight *f, const struct state *old, struct state *s, long n) {
     struct totals *t = &f->results->totals;
+    if (f->yields) {
+        floors_settle(&f->work->floors.late, f->model, old, s);
+    }
     complete(f, s);
     peaks_speed(f->results, 0, f->model->n_dof);
     t->steps += n;
@@ -273,7 +274,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
         *next = old;
     }
     if (n > first) {
-        finish(f, *now, n - first);
+        finish(f, *next, *now, n - first);
     }
     return n;
 }

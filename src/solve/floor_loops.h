@@ -178,66 +178,88 @@ enum floors_higher {
     FLOORS_DRIFT = 2,   // drifts, shears
 };
 
-// The peaks of motion. `base` NULL: the acceleration of the ground is that of all floors.
-struct floors_peaks {
-    const double *u, *v, *a;
-    double ground;
-    const double *base;
+// What there is of the floors at one time, and their peaks so far. `base` NULL: the acceleration of
+// the ground is that of all floors; `shear` NULL: all storeys are elastic.
+struct floors_moment {
+    double time, ground;
+    const double *u, *v, *a, *base, *shear;
 };
 
-LANES_INLINE void floors_compare(const struct floors_peaks *peak, const struct floors_end *e, int i,
-                                 lanes_wide_bits *sign) {
-    lanes_wide base = peak->ground - (lanes_wide){0.0};
-    if (peak->base) {
-        base = LANES_AT(peak->base, i);
+LANES_INLINE struct floors_moment floors_moment_of(const struct model *m, const struct state *s) {
+    return (struct floors_moment){
+        s->time, s->ground_a[0],
+        s->u,    s->v,
+        s->a,    state_is_uniform(m) ? NULL : s->base,
+        m->n_storey_history > 0 ? s->shear : NULL};
+}
+
+// Eight floors at one time.
+struct floors_eight {
+    lanes_wide u, v, total, drift;
+};
+
+LANES_INLINE void floors_eight(const struct chain *c, const struct floors_moment *s, int i,
+                               struct floors_eight *e) {
+    lanes_wide base = s->ground - (lanes_wide){0.0};
+    if (s->base) {
+        base = LANES_AT(s->base, i);
     }
-    *sign |= BEYOND_WIDE(e->u, LANES_AT(peak->u, i)) | BEYOND_WIDE(e->v, LANES_AT(peak->v, i)) |
-             BEYOND_WIDE(e->a + base, LANES_AT(peak->a, i));
+    e->u = LANES_AT(s->u, i);
+    e->v = LANES_AT(s->v, i);
+    e->total = LANES_AT(s->a, i) + base;
+    e->drift = e->u - LANES_AT(c->joint, i) * LANES_AT(s->u, i - 1);
 }
 
-// *motion gets negative where a displacement, velocity or total acceleration of a state is greater
-// than ever.
-LANES_INLINE void floors_look_up(const struct floors_peaks *peak, int first, int end,
-                                 const struct floors_of *s, lanes_wide_bits *motion) {
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        struct floors_end e = {LANES_AT(s->u, i), LANES_AT(s->v, i), LANES_AT(s->a, i)};
-        floors_compare(peak, &e, i, motion);
+// *motion and *drift get negative where one of eight floors is beyond its peaks.
+LANES_INLINE void floors_compare(const struct chain *c, const struct floors_moment *s,
+                                 double *const peak[PEAK_COUNT], int i, lanes_wide_bits *motion,
+                                 lanes_wide_bits *drift) {
+    struct floors_eight e;
+    floors_eight(c, s, i, &e);
+    *motion |= BEYOND_WIDE(e.u, LANES_AT(peak[PEAK_DISPLACEMENT], i)) |
+               BEYOND_WIDE(e.v, LANES_AT(peak[PEAK_VELOCITY], i)) |
+               BEYOND_WIDE(e.total, LANES_AT(peak[PEAK_ACCELERATION], i));
+    *drift |= BEYOND_WIDE(e.drift, LANES_AT(peak[PEAK_DRIFT], i));
+    if (s->shear) {
+        *drift |= BEYOND_WIDE(LANES_AT(s->shear, i), LANES_AT(peak[PEAK_SHEAR], i));
     }
 }
 
-// The same of what corrections lead to, which is stored.
-LANES_INLINE void floors_correct_and_compare(const struct floors_correction *k,
-                                             const struct floors_peaks *peak, int first, int end,
-                                             const struct floors_of *now,
-                                             const struct floors_of *next,
-                                             lanes_wide_bits *motion) {
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        struct floors_end e;
-        floors_reach(k, now, i, &e);
-        floors_put(&e, next, i);
-        floors_compare(peak, &e, i, motion);
+// Negative where |x0| > limit and then |x1| <= |x0|.
+#define TURNED_WIDE(x0, x1, limit)                                                                 \
+    (BEYOND_WIDE(x0, limit) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
+
+// A peak is the last of values that grow: of a step from s0 to s1, *motion and *drift get negative
+// where s0 is beyond a peak and s1 no further. So what grows for long is stored once.
+LANES_INLINE void floors_compare_turned(const struct chain *c, const struct floors_moment *s0,
+                                        const struct floors_moment *s1,
+                                        double *const peak[PEAK_COUNT], int i,
+                                        lanes_wide_bits *motion, lanes_wide_bits *drift) {
+    struct floors_eight e0, e1;
+    floors_eight(c, s0, i, &e0);
+    floors_eight(c, s1, i, &e1);
+    *motion |= TURNED_WIDE(e0.u, e1.u, LANES_AT(peak[PEAK_DISPLACEMENT], i)) |
+               TURNED_WIDE(e0.v, e1.v, LANES_AT(peak[PEAK_VELOCITY], i)) |
+               TURNED_WIDE(e0.total, e1.total, LANES_AT(peak[PEAK_ACCELERATION], i));
+    *drift |= TURNED_WIDE(e0.drift, e1.drift, LANES_AT(peak[PEAK_DRIFT], i));
+    if (s0->shear) {
+        *drift |= TURNED_WIDE(LANES_AT(s0->shear, i), LANES_AT(s1->shear, i),
+                              LANES_AT(peak[PEAK_SHEAR], i));
     }
 }
 
-LANES_INLINE struct floors_peaks
-floors_peaks_of(const struct model *m, double *const peak[PEAK_COUNT], const struct state *next) {
-    return (struct floors_peaks){peak[PEAK_DISPLACEMENT], peak[PEAK_VELOCITY],
-                                 peak[PEAK_ACCELERATION], next->ground_a[0],
-                                 state_is_uniform(m) ? NULL : next->base};
-}
-
-// Adds the works of the floors from `first` to `end` under ground accelerations whose sum is
-// ground_2x. *higher gets negative where a drift is greater than ever.
-LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
-                                   const struct floors_of *now, const struct floors_of *next,
-                                   double ground_2x, const double *peak,
-                                   struct energy_account *account, lanes_wide_bits *higher) {
+// Adds the works of the floors from `first` to `end` in a step from s0 to s1, and compares as
+// floors_compare_turned.
+LANES_INLINE void floors_add_step(const struct chain *c, int first, int end,
+                                  const struct floors_moment *s0, const struct floors_moment *s1,
+                                  double *const peak[PEAK_COUNT], struct energy_account *account,
+                                  lanes_wide_bits *motion, lanes_wide_bits *drift) {
+    const double ground_2x = s0->base ? 0.0 : s0->ground + s1->ground;
     lanes_wide input = LANES_AT(account->input_2x, 0), damping = LANES_AT(account->damping_2x, 0);
     for (int i = first; i < end; i += LANES_WIDTH) {
-        floors_input(c, i, ground_2x, now->u, next->u, &input);
-        floors_damped(c, i, now->u, next->u, now->v, next->v, &damping);
-        lanes_wide drift = LANES_AT(next->u, i) - LANES_AT(c->joint, i) * LANES_AT(next->u, i - 1);
-        *higher |= BEYOND_WIDE(drift, LANES_AT(peak, i));
+        floors_input(c, i, ground_2x, s0->u, s1->u, &input);
+        floors_damped(c, i, s0->u, s1->u, s0->v, s1->v, &damping);
+        floors_compare_turned(c, s0, s1, peak, i, motion, drift);
     }
     *(lanes_wide *)account->input_2x = input;
     *(lanes_wide *)account->damping_2x = damping;
@@ -254,21 +276,18 @@ LANES_INLINE unsigned floors_which(const lanes_wide_bits *motion, const lanes_wi
 }
 
 // Drifts and shears at the end of the step of storeys that follow lines. *beyond gets negative if
-// one is beyond its line. Is a shear greater than ever?
-LANES_INLINE unsigned floors_follow(const struct chain *c, const struct floors_lines *lines,
-                                    int first, int end, const double *u, lanes_bits *beyond) {
-    lanes_bits higher = {0};
+// one is beyond its line.
+LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines *lines, int first,
+                                int end, const double *u, lanes_bits *beyond) {
     lanes under = FOUR(u, first - LANES_VECTOR);
     for (int i = first; i < end; i += LANES_VECTOR) {
         lanes own = FOUR(u, i), shear;
         lanes drift = own - FOUR(c->joint, i) * BELOW(under, own);
         floors_shear(c, lines, i, &drift, &shear, beyond);
-        higher |= BEYOND(shear, FOUR(lines->peak, i));
         *(lanes *)(lines->drift + i) = drift;
         *(lanes *)(lines->shear + i) = shear;
         under = own;
     }
-    return floors_any(&higher) < 0 ? FLOORS_DRIFT : 0;
 }
 
 // How near have the contacts of some groups come: closed, or nearer than ever?

@@ -121,19 +121,6 @@ LANES_INLINE int64_t solve(struct work *w, const struct floors_lines *lines,
     return sign;
 }
 
-LANES bool floors_move(struct work *w, const struct state *now, struct state *next) {
-    const struct floors_correction k = {w->correction, w->b, w->g, w->h};
-    const struct floors_of from = floors_of(now), to = floors_of(next);
-    int64_t sign = 0;
-    list_ends(&w->floors, w->model, next);
-    for (int i = 0; i < w->floors.n_block; i++) {
-        const struct floor_block *b = &w->floors.block[i];
-        (void)solve(w, NULL, now, next, b);
-        sign |= floors_correct(&k, b->first, b->end, &from, &to);
-    }
-    return sign >= 0;
-}
-
 void floors_trial(struct work *w, const struct state *now, int k) {
     const struct building *g = &w->model->building[k];
     const struct chain part = {.n = lanes_whole(g->n_floor)};
@@ -141,16 +128,15 @@ void floors_trial(struct work *w, const struct state *now, int k) {
     chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
 }
 
-// Takes the motion of the floors from `first` to `end` into their peaks. False: not finite. `base`
-// NULL: the acceleration of the ground is that of all floors.
-LANES_INLINE bool raise_motion(int first, int end, const struct state *s, const double *base,
-                               const struct results *r) {
+// Takes the motion of the floors from `first` to `end` into their peaks. False: not finite.
+LANES_INLINE bool raise_motion(int first, int end, const struct floors_moment *s,
+                               const double *base, const struct results *r) {
     double *const *peak = r->peak, *const *when = r->peak_time;
     double *peak_u = peak[PEAK_DISPLACEMENT], *when_u = when[PEAK_DISPLACEMENT];
     double *peak_v = peak[PEAK_VELOCITY], *when_v = when[PEAK_VELOCITY];
     double *peak_a = peak[PEAK_ACCELERATION], *when_a = when[PEAK_ACCELERATION];
     const double *u = s->u, *v = s->v, *a = s->a;
-    const double ground = s->ground_a[0], time = s->time;
+    const double ground = s->ground, time = s->time;
     int64_t sign = 0;
     LANES_LOOP
     for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
@@ -162,9 +148,10 @@ LANES_INLINE bool raise_motion(int first, int end, const struct state *s, const 
     return sign >= 0;
 }
 
-// The same of drifts and shears; `shear` NULL: all storeys are elastic.
-LANES_INLINE void raise_drifts(const struct chain *c, int first, int end, const struct state *s,
-                               const double *shear, const struct results *r) {
+// The same of drifts and shears.
+LANES_INLINE void raise_drifts(const struct chain *c, int first, int end,
+                               const struct floors_moment *s, const double *shear,
+                               const struct results *r) {
     double *const *peak = r->peak, *const *when = r->peak_time;
     double *peak_d = peak[PEAK_DRIFT], *when_d = when[PEAK_DRIFT];
     double *peak_s = peak[PEAK_SHEAR], *when_s = when[PEAK_SHEAR];
@@ -179,101 +166,167 @@ LANES_INLINE void raise_drifts(const struct chain *c, int first, int end, const 
 }
 
 // Takes what may be higher of the floors from `first` to `end` into the peaks. False: not finite.
-LANES static bool raise(const struct model *m, unsigned which, int first, int end,
-                        const double *shear, const struct results *r, const struct state *s) {
-    if (which & FLOORS_DRIFT && shear) {
-        raise_drifts(&m->chain, first, end, s, shear, r);
+LANES static bool raise(const struct chain *c, unsigned which, int first, int end,
+                        const struct results *r, const struct floors_moment *s) {
+    if (which & FLOORS_DRIFT && s->shear) {
+        raise_drifts(c, first, end, s, s->shear, r);
     } else if (which & FLOORS_DRIFT) {
-        raise_drifts(&m->chain, first, end, s, NULL, r);
+        raise_drifts(c, first, end, s, NULL, r);
     }
     if (!(which & FLOORS_MOTION)) {
         return true;
     }
-    return state_is_uniform(m) ? raise_motion(first, end, s, NULL, r)
-                               : raise_motion(first, end, s, s->base, r);
+    return s->base ? raise_motion(first, end, s, s->base, r) : raise_motion(first, end, s, NULL, r);
 }
 
-LANES static unsigned account_block(struct energy_account *e, struct results *r,
-                                    const struct model *m, int first, int end,
-                                    const struct state *now, const struct state *next) {
-    const struct chain c = m->chain;
-    const struct floors_of from = floors_of(now), to = floors_of(next);
-    const struct floors_peaks peaks = floors_peaks_of(m, r->peak, next);
-    const double ground_2x = state_is_uniform(m) ? now->ground_a[0] + next->ground_a[0] : 0.0;
+bool floors_raise(const struct flight *f, const struct state *s) {
+    const struct floors_moment moment = floors_moment_of(f->model, s);
+    const struct chain *c = &f->model->chain;
+    return raise(c, FLOORS_MOTION | FLOORS_DRIFT, 0, c->n, f->results, &moment);
+}
+
+// The account of a step from s0 to s1, taken from floor `done` on.
+struct account {
+    const struct chain *chain;
+    struct energy_account *energy;
+    const struct results *results;
+    struct floors_moment s0, s1;
+    int done;
+};
+
+// Takes it as far as floor `end`.
+LANES_INLINE void account_to(struct account *a, int end) {
+    const struct chain c = *a->chain;
+    const int first = a->done;
     lanes_wide_bits motion = {0}, drift = {0};
-    floors_look_up(&peaks, first, end, &to, &motion);
-    floors_add_works(&c, first, end, &from, &to, ground_2x, r->peak[PEAK_DRIFT], e, &drift);
-    return floors_which(&motion, &drift);
+    if (first >= end) {
+        return;
+    }
+    floors_add_step(&c, first, end, &a->s0, &a->s1, a->results->peak, a->energy, &motion, &drift);
+    unsigned which = floors_which(&motion, &drift);
+    if (which) {
+        (void)raise(&c, which, first, end, a->results, &a->s0);
+    }
+    a->done = end;
+}
+
+// What is due of the step from `old` to `now`.
+LANES_INLINE struct account account_due(const struct floors_late *late, const struct model *m,
+                                        const struct state *old, const struct state *now) {
+    struct account a = {&m->chain,
+                        late->energy,
+                        late->results,
+                        floors_moment_of(m, old),
+                        floors_moment_of(m, now),
+                        late->due ? 0 : m->chain.n};
+    a.s0.time = late->time;
+    a.s0.ground = late->ground_a;
+    return a;
+}
+
+// Takes what is due as far as the floors that see what the next block overwrites.
+LANES_INLINE void account_ahead(struct account *a, const struct floor_block *next) {
+    account_to(a, next->end + LANES_WIDTH < a->chain->n ? next->end + LANES_WIDTH : a->chain->n);
+}
+
+void floors_defer(struct floors_late *late, const struct state *now) {
+    late->due = true;
+    late->time = now->time;
+    late->ground_a = now->ground_a[0];
+}
+
+LANES static void account_block(struct account *a, int end) {
+    account_to(a, end);
+}
+
+// Takes those floors from `first` to `end` into the peaks that are beyond them.
+LANES static void raise_block(const struct chain *c, int first, int end, struct results *r,
+                              const struct floors_moment *s) {
+    lanes_wide_bits motion = {0}, drift = {0};
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        floors_compare(c, s, r->peak, i, &motion, &drift);
+    }
+    unsigned which = floors_which(&motion, &drift);
+    if (which) {
+        (void)raise(c, which, first, end, r, s);
+    }
+    if (which & FLOORS_MOTION) {
+        peaks_speed(r, first, end - first);
+    }
+}
+
+// Takes the rest of an account, and the state at its end.
+static void account_all(struct account *a, struct results *r) {
+    const int n = a->chain->n;
+    for (int first = 0; first < n; first += CHAIN_BLOCK) {
+        int end = first + CHAIN_BLOCK < n ? first + CHAIN_BLOCK : n;
+        account_block(a, end);
+        raise_block(a->chain, first, end, r, &a->s1);
+    }
+}
+
+void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
+                   const struct state *now) {
+    if (late->due) {
+        struct account a = account_due(late, m, old, now);
+        account_all(&a, late->results);
+        peaks_speed(late->results, 0, m->n_dof);
+        late->due = false;
+    }
 }
 
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,
                     const struct state *now, const struct state *next) {
-    for (int first = 0; first < m->chain.n; first += CHAIN_BLOCK) {
-        int end = first + CHAIN_BLOCK < m->chain.n ? first + CHAIN_BLOCK : m->chain.n;
-        unsigned which = account_block(a, r, m, first, end, now, next);
-        if (which) {
-            (void)raise(m, which, first, end, NULL, r, next);
-        }
-        if (which & FLOORS_MOTION) {
-            peaks_speed(r, first, end - first);
-        }
-    }
+    struct account account = {
+        &m->chain, a, r, floors_moment_of(m, now), floors_moment_of(m, next), 0};
+    account_all(&account, r);
     if (!state_is_uniform(m)) {
         energy_input(a, m, now, next);
     }
+}
+
+LANES bool floors_move(struct work *w, const struct state *now, struct state *next) {
+    const struct floors_correction k = {w->correction, w->b, w->g, w->h};
+    const struct floors_of from = floors_of(now), to = floors_of(next);
+    struct account due = account_due(&w->floors.late, w->model, next, now);
+    int64_t sign = 0;
+    list_ends(&w->floors, w->model, next);
+    for (int i = 0; i < w->floors.n_block; i++) {
+        const struct floor_block *b = &w->floors.block[i];
+        account_ahead(&due, b);
+        (void)solve(w, NULL, now, next, b);
+        sign |= floors_correct(&k, b->first, b->end, &from, &to);
+    }
+    w->floors.late.due = false;
+    return sign >= 0;
 }
 
 // A step as far as it is known to be one in free flight. `lines` NULL: all storeys are elastic.
 LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines *lines,
                                const struct state *now, struct state *next) {
     struct work *w = f->work;
-    double *const *peak = f->results->peak;
     const struct chain c = f->model->chain;
     const struct floors_correction k = {w->correction, w->b, w->g, w->h};
     const struct floors_of from = floors_of(now), to = floors_of(next);
-    const struct floors_peaks peaks = floors_peaks_of(f->model, peak, next);
-    const double ground_2x = f->uniform ? now->ground_a[0] + next->ground_a[0] : 0.0;
+    struct account due = account_due(&w->floors.late, f->model, next, now);
     enum nearness all = NEARNESS_FAR;
-    unsigned any = 0;
     lanes_bits beyond = {0};
     for (int i = 0, group = 0; i < w->floors.n_block && all != NEARNESS_CLOSED; i++) {
         const struct floor_block *b = &w->floors.block[i];
-        if (solve(w, lines, now, next, b) < 0) {
-            return NEARNESS_CLOSED;
-        }
-        lanes_wide_bits motion = {0}, drift = {0};
-        floors_correct_and_compare(&k, &peaks, b->first, b->end, &from, &to, &motion);
-        floors_add_works(&c, b->first, b->end, &from, &to, ground_2x, peak[PEAK_DRIFT], f->energy,
-                         &drift);
-        unsigned higher = floors_which(&motion, &drift);
+        account_ahead(&due, b);
+        int64_t sign = solve(w, lines, now, next, b);
+        sign |= floors_correct(&k, b->first, b->end, &from, &to);
         if (lines) {
-            higher |= floors_follow(&c, lines, b->first, b->end, next->u, &beyond);
+            floors_follow(&c, lines, b->first, b->end, next->u, &beyond);
         }
-        f->higher[i] = (unsigned char)higher;
-        any |= higher;
         enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
         group = f->group_end[i];
+        own = sign < 0 || floors_any(&beyond) < 0 ? NEARNESS_CLOSED : own;
         all = own > all ? own : all;
     }
-    *f->any_higher = any != 0;
-    return floors_any(&beyond) < 0 ? NEARNESS_CLOSED : all;
-}
-
-// Takes a step into the peaks. False: not finite.
-static bool fly_higher(const struct flight *f, const double *shear, const struct state *next) {
-    bool finite = true;
-    for (int i = 0; *f->any_higher && i < f->work->floors.n_block; i++) {
-        const struct floor_block *b = &f->work->floors.block[i];
-        if (f->higher[i]) {
-            finite &= raise(f->model, f->higher[i], b->first, b->end, shear, f->results, next);
-        }
-    }
-    return finite;
-}
-
-bool floors_raise(const struct flight *f, const struct state *s) {
-    return raise(f->model, FLOORS_MOTION | FLOORS_DRIFT, 0, lanes_whole(f->model->n_dof),
-                 f->yields ? s->shear : NULL, f->results, s);
+    account_to(&due, c.n);
+    w->floors.late.due = false;
+    return all;
 }
 
 LANES static enum nearness fly_elastic(const struct flight *f, const struct state *now,
@@ -282,8 +335,7 @@ LANES static enum nearness fly_elastic(const struct flight *f, const struct stat
 }
 
 enum nearness floors_fly(const struct flight *f, const struct state *now, struct state *next) {
-    enum nearness near = fly_elastic(f, now, next);
-    return near != NEARNESS_CLOSED && fly_higher(f, NULL, next) ? near : NEARNESS_CLOSED;
+    return fly_elastic(f, now, next);
 }
 
 LANES static enum nearness fly_on_lines(const struct flight *f, const struct state *now,
@@ -295,10 +347,9 @@ LANES static enum nearness fly_on_lines(const struct flight *f, const struct sta
 enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
                                   struct state *next) {
     enum nearness near = fly_on_lines(f, now, next);
-    if (near == NEARNESS_CLOSED || !fly_higher(f, next->shear, next)) {
-        return NEARNESS_CLOSED;
+    if (near != NEARNESS_CLOSED) {
+        chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
+                           f->energy->storey_2x);
     }
-    chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
-                       f->energy->storey_2x);
     return near;
 }
