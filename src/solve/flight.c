@@ -156,10 +156,14 @@ bool flight_raise(const struct flight *f, enum nearness near, struct state *s) {
 static void take(const struct flight *f, const struct state *now, struct state *next,
                  enum nearness near) {
     raise_penetrations(f, near, next);
-    if (f->uniform && !f->few.possible) {
-        floors_defer(&f->work->floors.late, now);
-    } else {
+    if (!f->uniform || f->few.possible) {
         floors_account(f->energy, f->results, f->model, now, next);
+        return;
+    }
+    floors_defer(&f->work->floors.late, now);
+    if (f->yields) {
+        chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
+                           f->energy->storey_2x);
     }
 }
 

@@ -178,91 +178,91 @@ enum floors_higher {
     FLOORS_DRIFT = 2,   // drifts, shears
 };
 
-// What there is of the floors at one time, and their peaks so far. `base` NULL: the acceleration of
-// the ground is that of all floors; `shear` NULL: all storeys are elastic.
+// What there is of the floors at one time. `base` NULL: the acceleration of the ground is that of
+// all floors; `shear` NULL: all storeys are elastic.
 struct floors_moment {
     double time, ground;
     const double *u, *v, *a, *base, *shear;
 };
 
 LANES_INLINE struct floors_moment floors_moment_of(const struct model *m, const struct state *s) {
-    return (struct floors_moment){
-        s->time, s->ground_a[0],
-        s->u,    s->v,
-        s->a,    state_is_uniform(m) ? NULL : s->base,
-        m->n_storey_history > 0 ? s->shear : NULL};
+    return (struct floors_moment){.time = s->time,
+                                  .ground = s->ground_a[0],
+                                  .u = s->u,
+                                  .v = s->v,
+                                  .a = s->a,
+                                  .base = state_is_uniform(m) ? NULL : s->base,
+                                  .shear = m->n_storey_history > 0 ? s->shear : NULL};
 }
 
-// Eight floors at one time.
-struct floors_eight {
-    lanes_wide u, v, total, drift;
-};
-
-LANES_INLINE void floors_eight(const struct chain *c, const struct floors_moment *s, int i,
-                               struct floors_eight *e) {
-    lanes_wide base = s->ground - (lanes_wide){0.0};
+LANES_INLINE void floors_total(const struct floors_moment *s, int i, lanes_wide *total) {
+    *total = LANES_AT(s->a, i) + s->ground;
     if (s->base) {
-        base = LANES_AT(s->base, i);
-    }
-    e->u = LANES_AT(s->u, i);
-    e->v = LANES_AT(s->v, i);
-    e->total = LANES_AT(s->a, i) + base;
-    e->drift = e->u - LANES_AT(c->joint, i) * LANES_AT(s->u, i - 1);
-}
-
-// *motion and *drift get negative where one of eight floors is beyond its peaks.
-LANES_INLINE void floors_compare(const struct chain *c, const struct floors_moment *s,
-                                 double *const peak[PEAK_COUNT], int i, lanes_wide_bits *motion,
-                                 lanes_wide_bits *drift) {
-    struct floors_eight e;
-    floors_eight(c, s, i, &e);
-    *motion |= BEYOND_WIDE(e.u, LANES_AT(peak[PEAK_DISPLACEMENT], i)) |
-               BEYOND_WIDE(e.v, LANES_AT(peak[PEAK_VELOCITY], i)) |
-               BEYOND_WIDE(e.total, LANES_AT(peak[PEAK_ACCELERATION], i));
-    *drift |= BEYOND_WIDE(e.drift, LANES_AT(peak[PEAK_DRIFT], i));
-    if (s->shear) {
-        *drift |= BEYOND_WIDE(LANES_AT(s->shear, i), LANES_AT(peak[PEAK_SHEAR], i));
+        *total = LANES_AT(s->a, i) + LANES_AT(s->base, i);
     }
 }
 
-// Negative where |x0| > limit and then |x1| <= |x0|.
-#define TURNED_WIDE(x0, x1, limit)                                                                 \
-    (BEYOND_WIDE(x0, limit) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
+LANES_INLINE void floors_drift(const struct chain *c, const double *u, int i, lanes_wide *drift) {
+    *drift = LANES_AT(u, i) - LANES_AT(c->joint, i) * LANES_AT(u, i - 1);
+}
 
-// A peak is the last of values that grow: of a step from s0 to s1, *motion and *drift get negative
-// where s0 is beyond a peak and s1 no further. So what grows for long is stored once.
-LANES_INLINE void floors_compare_turned(const struct chain *c, const struct floors_moment *s0,
-                                        const struct floors_moment *s1,
-                                        double *const peak[PEAK_COUNT], int i,
-                                        lanes_wide_bits *motion, lanes_wide_bits *drift) {
-    struct floors_eight e0, e1;
-    floors_eight(c, s0, i, &e0);
-    floors_eight(c, s1, i, &e1);
-    *motion |= TURNED_WIDE(e0.u, e1.u, LANES_AT(peak[PEAK_DISPLACEMENT], i)) |
-               TURNED_WIDE(e0.v, e1.v, LANES_AT(peak[PEAK_VELOCITY], i)) |
-               TURNED_WIDE(e0.total, e1.total, LANES_AT(peak[PEAK_ACCELERATION], i));
-    *drift |= TURNED_WIDE(e0.drift, e1.drift, LANES_AT(peak[PEAK_DRIFT], i));
-    if (s0->shear) {
-        *drift |= TURNED_WIDE(LANES_AT(s0->shear, i), LANES_AT(s1->shear, i),
-                              LANES_AT(peak[PEAK_SHEAR], i));
+// A peak is the last of values that grow, so that it is stored once: negative where |x0| > peak and
+// then |x1| <= |x0|.
+#define TURNED_WIDE(x0, x1, peak)                                                                  \
+    (BEYOND_WIDE(x0, peak) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
+
+// *motion gets negative where a displacement, velocity or total acceleration was highest at the
+// start of a step from s0 to s1, under one ground.
+LANES_INLINE void floors_turned(const struct floors_moment *s0, const struct floors_moment *s1,
+                                double *const peak[PEAK_COUNT], int first, int end,
+                                lanes_wide_bits *motion) {
+    const double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
+    const double *peak_a = peak[PEAK_ACCELERATION];
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground;
+        *motion |= TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i), LANES_AT(peak_u, i)) |
+                   TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(peak_v, i)) |
+                   TURNED_WIDE(a0, a1, LANES_AT(peak_a, i));
     }
 }
 
-// Adds the works of the floors from `first` to `end` in a step from s0 to s1, and compares as
-// floors_compare_turned.
-LANES_INLINE void floors_add_step(const struct chain *c, int first, int end,
-                                  const struct floors_moment *s0, const struct floors_moment *s1,
-                                  double *const peak[PEAK_COUNT], struct energy_account *account,
-                                  lanes_wide_bits *motion, lanes_wide_bits *drift) {
-    const double ground_2x = s0->base ? 0.0 : s0->ground + s1->ground;
+// The same of shears of storeys that may yield.
+LANES_INLINE void floors_turned_shears(const double *s0, const double *s1, const double *peak,
+                                       int first, int end, lanes_wide_bits *drift) {
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        *drift |= TURNED_WIDE(LANES_AT(s0, i), LANES_AT(s1, i), LANES_AT(peak, i));
+    }
+}
+
+// Adds the works of the floors from `first` to `end` in a step from s0 to s1, under one ground. The
+// same of drifts.
+LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
+                                   const struct floors_moment *s0, const struct floors_moment *s1,
+                                   const double *peak, struct energy_account *account,
+                                   lanes_wide_bits *drift) {
+    const double ground_2x = s0->ground + s1->ground;
     lanes_wide input = LANES_AT(account->input_2x, 0), damping = LANES_AT(account->damping_2x, 0);
     for (int i = first; i < end; i += LANES_WIDTH) {
         floors_input(c, i, ground_2x, s0->u, s1->u, &input);
         floors_damped(c, i, s0->u, s1->u, s0->v, s1->v, &damping);
-        floors_compare_turned(c, s0, s1, peak, i, motion, drift);
+        lanes_wide d0, d1;
+        floors_drift(c, s0->u, i, &d0);
+        floors_drift(c, s1->u, i, &d1);
+        *drift |= TURNED_WIDE(d0, d1, LANES_AT(peak, i));
     }
     *(lanes_wide *)account->input_2x = input;
     *(lanes_wide *)account->damping_2x = damping;
+}
+
+#define CHOOSE_WIDE(mask, x, y) ((lanes_wide)(((mask) & (lanes_wide_bits)(x)) | (~(mask) & (lanes_wide_bits)(y))))
+
+// Where |x| of eight values is beyond its peak, the peak and its time.
+LANES_INLINE void floors_raise_eight(const lanes_wide *x, double time, double *peak, double *when) {
+    lanes_wide_bits beyond = BEYOND_WIDE(*x, LANES_AT(peak, 0)) >> 63;
+    if (floors_any_wide(&beyond) < 0) {
+        *(lanes_wide *)peak = CHOOSE_WIDE(beyond, ABSOLUTE_WIDE(*x), LANES_AT(peak, 0));
+        *(lanes_wide *)when = CHOOSE_WIDE(beyond, time - (lanes_wide){0.0}, LANES_AT(when, 0));
+    }
 }
 
 // Which peaks there may be.

@@ -128,64 +128,62 @@ void floors_trial(struct work *w, const struct state *now, int k) {
     chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
 }
 
-// Takes the motion of the floors from `first` to `end` into their peaks. False: not finite.
-LANES_INLINE bool raise_motion(int first, int end, const struct floors_moment *s,
-                               const double *base, const struct results *r) {
+// Takes the motion of the floors from `first` to `end` into their peaks.
+LANES_INLINE void raise_motion(int first, int end, const struct floors_moment *s,
+                               const struct results *r) {
     double *const *peak = r->peak, *const *when = r->peak_time;
-    double *peak_u = peak[PEAK_DISPLACEMENT], *when_u = when[PEAK_DISPLACEMENT];
-    double *peak_v = peak[PEAK_VELOCITY], *when_v = when[PEAK_VELOCITY];
-    double *peak_a = peak[PEAK_ACCELERATION], *when_a = when[PEAK_ACCELERATION];
-    const double *u = s->u, *v = s->v, *a = s->a;
-    const double ground = s->ground, time = s->time;
-    int64_t sign = 0;
-    LANES_LOOP
-    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        sign |= number_beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
-        peak_raise(u[i], time, &peak_u[i], &when_u[i]);
-        peak_raise(v[i], time, &peak_v[i], &when_v[i]);
-        peak_raise(a[i] + (base ? base[i] : ground), time, &peak_a[i], &when_a[i]);
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        lanes_wide u = LANES_AT(s->u, i), v = LANES_AT(s->v, i), a;
+        floors_total(s, i, &a);
+        floors_raise_eight(&u, s->time, peak[PEAK_DISPLACEMENT] + i, when[PEAK_DISPLACEMENT] + i);
+        floors_raise_eight(&v, s->time, peak[PEAK_VELOCITY] + i, when[PEAK_VELOCITY] + i);
+        floors_raise_eight(&a, s->time, peak[PEAK_ACCELERATION] + i, when[PEAK_ACCELERATION] + i);
     }
-    return sign >= 0;
 }
 
 // The same of drifts and shears.
 LANES_INLINE void raise_drifts(const struct chain *c, int first, int end,
-                               const struct floors_moment *s, const double *shear,
-                               const struct results *r) {
+                               const struct floors_moment *s, const struct results *r) {
     double *const *peak = r->peak, *const *when = r->peak_time;
-    double *peak_d = peak[PEAK_DRIFT], *when_d = when[PEAK_DRIFT];
-    double *peak_s = peak[PEAK_SHEAR], *when_s = when[PEAK_SHEAR];
-    const double *u = s->u, *k = c->stiffness, *joint = c->joint;
-    const double time = s->time;
-    LANES_LOOP
-    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        double drift = u[i] - joint[i] * u[i - 1];
-        peak_raise(drift, time, &peak_d[i], &when_d[i]);
-        peak_raise(shear ? shear[i] : k[i] * drift, time, &peak_s[i], &when_s[i]);
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        lanes_wide drift;
+        floors_drift(c, s->u, i, &drift);
+        lanes_wide shear = LANES_AT(c->stiffness, i) * drift;
+        if (s->shear) {
+            shear = LANES_AT(s->shear, i);
+        }
+        floors_raise_eight(&drift, s->time, peak[PEAK_DRIFT] + i, when[PEAK_DRIFT] + i);
+        floors_raise_eight(&shear, s->time, peak[PEAK_SHEAR] + i, when[PEAK_SHEAR] + i);
     }
 }
 
-// Takes what may be higher of the floors from `first` to `end` into the peaks. False: not finite.
-LANES static bool raise(const struct chain *c, unsigned which, int first, int end,
+// Takes what may be higher of the floors from `first` to `end` into the peaks.
+LANES static void raise(const struct chain *c, unsigned which, int first, int end,
                         const struct results *r, const struct floors_moment *s) {
-    if (which & FLOORS_DRIFT && s->shear) {
-        raise_drifts(c, first, end, s, s->shear, r);
-    } else if (which & FLOORS_DRIFT) {
-        raise_drifts(c, first, end, s, NULL, r);
+    if (which & FLOORS_DRIFT) {
+        raise_drifts(c, first, end, s, r);
     }
-    if (!(which & FLOORS_MOTION)) {
-        return true;
+    if (which & FLOORS_MOTION) {
+        raise_motion(first, end, s, r);
     }
-    return s->base ? raise_motion(first, end, s, s->base, r) : raise_motion(first, end, s, NULL, r);
+}
+
+LANES static bool is_finite(int n, const struct floors_moment *s) {
+    int64_t sign = 0;
+    for (int i = 0, end = floors_whole(n); i < end; i++) {
+        sign |= number_beyond(fabs(s->u[i]) + fabs(s->v[i]) + fabs(s->a[i]), DBL_MAX);
+    }
+    return sign >= 0;
 }
 
 bool floors_raise(const struct flight *f, const struct state *s) {
     const struct floors_moment moment = floors_moment_of(f->model, s);
     const struct chain *c = &f->model->chain;
-    return raise(c, FLOORS_MOTION | FLOORS_DRIFT, 0, c->n, f->results, &moment);
+    raise(c, FLOORS_MOTION | FLOORS_DRIFT, 0, c->n, f->results, &moment);
+    return is_finite(c->n, &moment);
 }
 
-// The account of a step from s0 to s1, taken from floor `done` on.
+// The account of a step from s0 to s1 under one ground, taken from floor `done` on.
 struct account {
     const struct chain *chain;
     struct energy_account *energy;
@@ -202,10 +200,15 @@ LANES_INLINE void account_to(struct account *a, int end) {
     if (first >= end) {
         return;
     }
-    floors_add_step(&c, first, end, &a->s0, &a->s1, a->results->peak, a->energy, &motion, &drift);
+    double *const *peak = a->results->peak;
+    floors_turned(&a->s0, &a->s1, peak, first, end, &motion);
+    floors_add_works(&c, first, end, &a->s0, &a->s1, peak[PEAK_DRIFT], a->energy, &drift);
+    if (a->s0.shear) {
+        floors_turned_shears(a->s0.shear, a->s1.shear, peak[PEAK_SHEAR], first, end, &drift);
+    }
     unsigned which = floors_which(&motion, &drift);
     if (which) {
-        (void)raise(&c, which, first, end, a->results, &a->s0);
+        raise(&c, which, first, end, a->results, &a->s0);
     }
     a->done = end;
 }
@@ -235,54 +238,31 @@ void floors_defer(struct floors_late *late, const struct state *now) {
     late->ground_a = now->ground_a[0];
 }
 
-LANES static void account_block(struct account *a, int end) {
-    account_to(a, end);
+LANES static void account_rest(struct account *a) {
+    account_to(a, a->chain->n);
 }
 
-// Takes those floors from `first` to `end` into the peaks that are beyond them.
-LANES static void raise_block(const struct chain *c, int first, int end, struct results *r,
-                              const struct floors_moment *s) {
-    lanes_wide_bits motion = {0}, drift = {0};
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        floors_compare(c, s, r->peak, i, &motion, &drift);
-    }
-    unsigned which = floors_which(&motion, &drift);
-    if (which) {
-        (void)raise(c, which, first, end, r, s);
-    }
-    if (which & FLOORS_MOTION) {
-        peaks_speed(r, first, end - first);
-    }
-}
-
-// Takes the rest of an account, and the state at its end.
-static void account_all(struct account *a, struct results *r) {
-    const int n = a->chain->n;
-    for (int first = 0; first < n; first += CHAIN_BLOCK) {
-        int end = first + CHAIN_BLOCK < n ? first + CHAIN_BLOCK : n;
-        account_block(a, end);
-        raise_block(a->chain, first, end, r, &a->s1);
-    }
+// Takes a state into the peaks.
+static void raise_all(struct results *r, const struct model *m, const struct state *s) {
+    const struct floors_moment moment = floors_moment_of(m, s);
+    raise(&m->chain, FLOORS_MOTION | FLOORS_DRIFT, 0, m->chain.n, r, &moment);
+    peaks_speed(r, 0, m->n_dof);
 }
 
 void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
                    const struct state *now) {
     if (late->due) {
-        struct account a = account_due(late, m, old, now);
-        account_all(&a, late->results);
-        peaks_speed(late->results, 0, m->n_dof);
+        struct account due = account_due(late, m, old, now);
+        account_rest(&due);
+        raise_all(late->results, m, now);
         late->due = false;
     }
 }
 
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,
                     const struct state *now, const struct state *next) {
-    struct account account = {
-        &m->chain, a, r, floors_moment_of(m, now), floors_moment_of(m, next), 0};
-    account_all(&account, r);
-    if (!state_is_uniform(m)) {
-        energy_input(a, m, now, next);
-    }
+    energy_step(a, m, now, next);
+    raise_all(r, m, next);
 }
 
 LANES bool floors_move(struct work *w, const struct state *now, struct state *next) {
@@ -346,10 +326,5 @@ LANES static enum nearness fly_on_lines(const struct flight *f, const struct sta
 
 enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
                                   struct state *next) {
-    enum nearness near = fly_on_lines(f, now, next);
-    if (near != NEARNESS_CLOSED) {
-        chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
-                           f->energy->storey_2x);
-    }
-    return near;
+    return fly_on_lines(f, now, next);
 }
