@@ -56,8 +56,14 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
     for (int k = 0; k < m->n_building; k++) {
         f->first_end[k] = -1;
     }
-    f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
-    return f->residual != NULL;
+    double **const part[] = {&f->u, &f->v, &f->shear, &f->residual};
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        *part[i] = lanes_array(a, most + 2 * LANES_WIDTH);
+        if (!*part[i]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // Lists the ends of live links by building, in the order of the links.
@@ -103,22 +109,52 @@ LANES_INLINE void solve_row(struct effective *e, int n, double *r, double *q) {
     }
 }
 
-// The corrections that the floors of a block want. Negative if a storey is beyond its line.
-LANES_INLINE int64_t solve(struct work *w, const struct floors_lines *lines,
-                           const struct state *now, const struct state *next,
-                           const struct floor_block *b) {
-    const struct chain c = w->model->chain;
-    const struct floors_of from = floors_of(now);
-    const double *external = state_is_uniform(w->model) ? NULL : next->external;
-    double *r = w->floors.residual, *q = w->correction;
+// A step under way.
+struct move {
+    struct work *work;
+    const struct state *now;
+    const struct state *next;
+    struct chain chain;
+    struct floors_of from, to;
+    struct floors_trial trial;
+    struct floors_correction correction;
+};
+
+LANES_INLINE struct move move_of(struct work *w, const struct state *now,
+                                 const struct state *next) {
+    const struct floors *f = &w->floors;
+    return (struct move){.work = w,
+                         .now = now,
+                         .next = next,
+                         .chain = w->model->chain,
+                         .from = floors_of(now),
+                         .to = floors_of(next),
+                         .trial = {f->u, f->v, f->shear, f->residual},
+                         .correction = {w->correction, w->b, w->g}};
+}
+
+// The next state of a block. `lines` NULL: all storeys are elastic. Negative if a storey is beyond
+// its line, or what is found is not finite.
+LANES_INLINE int64_t move_block(const struct move *s, const struct floors_lines *lines,
+                                const struct floor_block *b) {
+    struct work *w = s->work;
+    const double *external = state_is_uniform(w->model) ? NULL : s->next->external;
     int first = w->model->building[b->building].first;
-    int64_t sign =
-        floors_unbalance(&c, lines, w->h, b->first, b->n, &from, next->ground_a[0], external, r);
-    if (next->n_live > 0) {
-        push(w, now, next, b);
+    int64_t sign = 0;
+    floors_predict(&s->from, w->h, b->first, b->n, &s->trial);
+    if (lines) {
+        sign = floors_bear_on_lines(&s->chain, lines, b->first, b->n, &s->trial);
+    } else {
+        floors_bear(&s->chain, b->first, b->n, &s->trial);
     }
-    solve_row(&w->effective[b->building], b->n_building, r + (first - b->first), q + first);
-    return sign;
+    floors_unbalance(&s->chain, b->first, b->n, &s->from, s->next->ground_a[0], external,
+                     &s->trial);
+    if (s->next->n_live > 0) {
+        push(w, s->now, s->next, b);
+    }
+    solve_row(&w->effective[b->building], b->n_building, w->floors.residual + (first - b->first),
+              w->correction + first);
+    return sign | floors_correct(&s->correction, b->first, b->end, &s->trial, &s->from, &s->to);
 }
 
 void floors_trial(struct work *w, const struct state *now, int k) {
@@ -266,16 +302,14 @@ void floors_account(struct energy_account *a, struct results *r, const struct mo
 }
 
 LANES bool floors_move(struct work *w, const struct state *now, struct state *next) {
-    const struct floors_correction k = {w->correction, w->b, w->g, w->h};
-    const struct floors_of from = floors_of(now), to = floors_of(next);
+    const struct move move = move_of(w, now, next);
     struct account due = account_due(&w->floors.late, w->model, next, now);
     int64_t sign = 0;
     list_ends(&w->floors, w->model, next);
     for (int i = 0; i < w->floors.n_block; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
-        (void)solve(w, NULL, now, next, b);
-        sign |= floors_correct(&k, b->first, b->end, &from, &to);
+        sign |= move_block(&move, NULL, b);
     }
     w->floors.late.due = false;
     return sign >= 0;
@@ -285,26 +319,23 @@ LANES bool floors_move(struct work *w, const struct state *now, struct state *ne
 LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines *lines,
                                const struct state *now, struct state *next) {
     struct work *w = f->work;
-    const struct chain c = f->model->chain;
-    const struct floors_correction k = {w->correction, w->b, w->g, w->h};
-    const struct floors_of from = floors_of(now), to = floors_of(next);
+    const struct move move = move_of(w, now, next);
     struct account due = account_due(&w->floors.late, f->model, next, now);
     enum nearness all = NEARNESS_FAR;
     lanes_bits beyond = {0};
     for (int i = 0, group = 0; i < w->floors.n_block && all != NEARNESS_CLOSED; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
-        int64_t sign = solve(w, lines, now, next, b);
-        sign |= floors_correct(&k, b->first, b->end, &from, &to);
+        int64_t sign = move_block(&move, lines, b);
         if (lines) {
-            floors_follow(&c, lines, b->first, b->end, next->u, &beyond);
+            floors_follow(&move.chain, lines, b->first, b->end, next->u, &beyond);
         }
         enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
         group = f->group_end[i];
         own = sign < 0 || floors_any(&beyond) < 0 ? NEARNESS_CLOSED : own;
         all = own > all ? own : all;
     }
-    account_to(&due, c.n);
+    account_to(&due, move.chain.n);
     w->floors.late.due = false;
     return all;
 }
