@@ -167,6 +167,9 @@ double model_fastest(const struct model *m, int i);
 // Time at the end of step `n` [T]: n dt, but the duration for the last.
 double model_time(const struct model *m, long n);
 
+// Those of n steps, the first of which is step number `first`.
+void model_times(const struct model *m, long first, int n, double *time);
+
 // The model at a step 2^level times shorter, with the rows of output at the same times. It borrows
 // everything from `m` and is not given to model_free. Adaptive: at a tolerance 32^level times
 // tighter, which makes the steps of Dormand & Prince's method as much shorter.

@@ -104,6 +104,12 @@ int result_finish(struct result_writer *w, const struct results *r, struct error
 // Removes PATH.part and frees the writer. NULL is allowed.
 void result_abort(struct result_writer *w);
 
+// Runs the writer's model, writes what comes and finishes the file; *out must be given to
+// results_free. `watch` has the poll of the analysis and no rows; NULL: nothing is asked. The
+// writer is freed whatever happens. Errors: those of analysis_run and of result_finish.
+int result_analyse(struct result_writer *w, const struct observer *watch, struct results **out,
+                   struct error *e);
+
 // Whether a file may be made at `path`, asked before the work is done. Errors: STATUS_INPUT (exists
 // and is to be kept, or is a folder).
 int result_check_path(const char *path, enum result_existing existing, struct error *e);

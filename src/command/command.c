@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/arena.h"
+#include "core/text.h"
 
 #define COMMAND(name) extern const struct command command_##name;
 #include "command/command_list.inc"
@@ -51,6 +52,13 @@ int command_usage(const struct command *c, const char *format, ...) {
     va_end(list);
     fprintf(stderr, "\ntry 'jostle %s --help'\n", c->name);
     return EXIT_INPUT;
+}
+
+int command_unknown(const struct command *c, const char *what, const char *word,
+                    const char *const *known, int n) {
+    const char *near = text_nearest(word, known, n);
+    return near ? command_usage(c, "unknown %s '%s'; did you mean '%s'?", what, word, near)
+                : command_usage(c, "unknown %s '%s'", what, word);
 }
 
 int command_help(const struct command *c, const char *details) {

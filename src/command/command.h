@@ -28,6 +28,10 @@ int command_fail(const struct error *e);
 int command_usage(const struct command *c, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+// "unknown WHAT 'WORD'", with the nearest of the `n` known ones; returns EXIT_INPUT.
+int command_unknown(const struct command *c, const char *what, const char *word,
+                    const char *const *known, int n);
+
 // Prints the usage, the summary and `details` to stdout; returns EXIT_DONE.
 int command_help(const struct command *c, const char *details);
 

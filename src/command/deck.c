@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "command/rows.h"
-#include "core/text.h"
 #include "jostle/model.h"
 
 static int deck_command(int argc, char **argv);
@@ -122,9 +121,7 @@ static int print_one(enum page page, const char *name) {
             return EXIT_DONE;
         }
     }
-    const char *near = text_nearest(name, known, n);
-    return command_usage(&command_deck, "unknown statement '%s'%s%s%s", name,
-                         near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    return command_unknown(&command_deck, "statement", name, known, n);
 }
 
 static int deck_command(int argc, char **argv) {

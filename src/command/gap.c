@@ -11,7 +11,7 @@
 #include "command/progress.h"
 #include "command/quantity_word.h"
 #include "command/threads.h"
-#include "core/text.h"
+#include "core/arena.h"
 
 static int gap_command(int argc, char **argv);
 
@@ -29,10 +29,9 @@ const struct command command_gap = {
 static const char details[] =
     "  -D NAME=VALUE       overrides a param of the deck; may be repeated\n"
     "  -j THREADS          threads, default: all cores\n"
-    "  --limit EDP=VALUE   the gap beyond which the largest EDP is at most VALUE: force, drift,\n"
-    "                      acceleration, displacement, velocity, storey_shear, impulse or "
-    "impacts;\n"
-    "                      EDP:NAME is of one contact or building; VALUE may have a unit\n"
+    "  --limit EDP=VALUE   the gap beyond which the demand EDP is at most VALUE, with its unit or\n"
+    "                      that of the deck: drift-ratio=1%, force:A:5-B:5=2MN, impacts=0;\n"
+    "                      jostle fragility --help lists the demands\n"
     "  --range FROM:TO:N   gaps to scan; default 0 to the largest closing displacement, 33 gaps\n"
     "  --tolerance LENGTH  of the bisection; default a thousandth of the range\n"
     "  --percentile P      of the runs that must keep the limit; default 100, all of them\n"
@@ -164,50 +163,31 @@ static int parse_quantity(const char *option, const struct unit_system *u,
                                        option, least, most, text);
 }
 
-static int unknown_edp(const char *name, size_t n) {
-    char known[256] = "";
-    for (int i = 0; i < n_gap_measure_kind; i++) {
-        const size_t used = strlen(known);
-        snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "",
-                 gap_measure_kinds[i].name);
-    }
-    return command_usage(&command_gap, "--limit knows no '%.*s'; it takes %s", (int)n, name, known);
-}
-
-// EDP[:NAME]=VALUE
-static int parse_limit(const struct model *m, const char *text, struct gap_search_request *q) {
+// EDP=VALUE, the EDP by its name in studies.
+static int parse_limit(const struct plan *p, const char *text, struct gap_search_request *q) {
     const char *equal = strrchr(text, '=');
-    const size_t n = strcspn(text, ":=");
     if (!equal) {
         return command_usage(&command_gap, "--limit takes EDP=VALUE, not '%s'", text);
     }
-    for (int i = 0; i < n_gap_measure_kind; i++) {
-        if (strlen(gap_measure_kinds[i].name) == n &&
-            strncmp(gap_measure_kinds[i].name, text, n) == 0) {
-            q->edp = (struct gap_measure){.kind = &gap_measure_kinds[i], .owner = -1};
-        }
+    struct arena *a = p->table->arena;
+    const char *name = arena_text(a, text, (size_t)(equal - text));
+    struct study_view view;
+    struct error e;
+    int status = name ? plan_view(p, &view, &e) : error_no_memory(&e);
+    if (status == STATUS_OK) {
+        status = edp_parse(&view, name, a, &q->edp, &e);
     }
-    if (!q->edp.kind) {
-        return unknown_edp(text, n);
+    if (status == STATUS_OK) {
+        status = edp_limit(&q->edp, &view.units, equal + 1, &q->limit, &e);
     }
-    if (text[n] == ':') {
-        char name[256];
-        snprintf(name, sizeof name, "%.*s", (int)(equal - text - (long)n - 1), text + n + 1);
-        q->edp.owner = gap_measure_find_owner(q->edp.kind, m, name);
-        if (q->edp.owner < 0) {
-            return command_usage(&command_gap, "the deck has no %s '%s'",
-                                 q->edp.kind->of_link ? "contact" : "building", name);
-        }
-    }
-    return parse_quantity("--limit", &m->deck->units, q->edp.kind->dimension, equal + 1, 0.0,
-                          INFINITY, &q->limit);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 static int make_request(const struct plan *p, const struct options *o,
                         struct gap_search_request *q) {
     const struct unit_system *u = &p->first->deck->units;
     *q = (struct gap_search_request){.plan = p, .parameter = o->parameter, .percentile = 100.0};
-    int status = parse_limit(p->first, o->limit, q);
+    int status = parse_limit(p, o->limit, q);
     if (status == EXIT_DONE && o->percentile) {
         status = parse_quantity("--percentile", u, &dimension_none, o->percentile, 0.0, 100.0,
                                 &q->percentile);
@@ -252,17 +232,21 @@ static int run_search(const struct plan *p, const struct options *o) {
 
 static int run_deck(void *options, const struct model *m) {
     const struct options *o = options;
-    if (m->n_contact == 0) {
-        struct error e;
-        error_set(&e, STATUS_INPUT, "the deck has no contact");
+    const struct study_request request = {.first = m,
+                                          .define = o->load.define,
+                                          .n_define = o->load.n_define,
+                                          .result = {.version = JOSTLE_VERSION}};
+    struct plan plan;
+    struct error e;
+    int status = m->n_contact > 0 ? plan_init(&plan, &request, &e)
+                                  : error_set(&e, STATUS_INPUT, "the deck has no contact");
+    if (status != STATUS_OK) {
         return command_fail(&e);
     }
-    const struct plan plan = {.first = m,
-                              .define = o->load.define,
-                              .n_define = o->load.n_define,
-                              .n_run = m->deck->n_run};
     interrupt_catch();
-    return o->limit ? run_search(&plan, o) : print_apart(&plan, o);
+    status = o->limit ? run_search(&plan, o) : print_apart(&plan, o);
+    plan_close(&plan);
+    return status;
 }
 
 static int take(void *options, int letter) {

@@ -118,11 +118,23 @@ static void print_modes(const struct plan *p, const struct apart *a, double *scr
     }
 }
 
-void gap_print_apart(const struct plan *p, const struct apart *a, double *scratch) {
+static void print_head(const struct plan *p, const struct apart *a) {
     const struct deck *d = p->first->deck;
-    printf("%s%s%ld run%s without contact, %ld failed; lengths in %s, times in %s\n\n", d->title,
+    printf("%s%s%ld run%s without contact, %ld failed; lengths in %s, times in %s\n", d->title,
            d->title[0] ? "\n" : "", a->n_run, a->n_run == 1 ? "" : "s", a->n_failed,
            d->units.length_name, d->units.time_name);
+    int k = 0;
+    for (const struct sweep *s = d->sweeps; s; s = s->next, k++) {
+        struct text_short t;
+        if (a->idle[k]) {
+            printf("the values of %s make no difference and count once\n", text_short(&t, s->name));
+        }
+    }
+    printf("\n");
+}
+
+void gap_print_apart(const struct plan *p, const struct apart *a, double *scratch) {
+    print_head(p, a);
     print_closings(p, a, scratch);
     print_rules(p, a, scratch);
     print_ratios(p, a, scratch);

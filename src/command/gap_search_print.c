@@ -5,27 +5,17 @@
 #include "command/cells.h"
 #include "command/gap_print.h"
 
-static const char *unit_of(const struct gap_search_request *q, char *text, size_t size) {
-    unit_text(&q->plan->first->deck->units, *q->edp.kind->dimension, text, size);
-    return text;
-}
-
 static double spacing(const struct gap_search_request *q) {
     return (q->to - q->from) / (q->n - 1);
 }
 
-// "84 % of the runs keep drift <= 0.02 m"
+// "largest drift at most 0.02 m, percentile 84 of 40 runs"
 static void print_aim(const struct gap_search_request *q, const struct gap_search *s) {
-    const struct model *m = q->plan->first;
-    const struct gap_measure *edp = &q->edp;
-    char unit[64];
-    const char *owner = edp->owner < 0       ? ""
-                        : edp->kind->of_link ? m->link[edp->owner].name
-                                             : m->building[edp->owner].name;
-    const bool counts = dimension_equal(*edp->kind->dimension, dimension_none);
-    printf("%s%slargest %s%s%s at most %.6g%s%s", m->deck->title, m->deck->title[0] ? "\n" : "",
-           edp->kind->name, owner[0] ? " of " : "", owner, q->limit, counts ? "" : " ",
-           counts ? "" : unit_of(q, unit, sizeof unit));
+    const struct deck *d = q->plan->first->deck;
+    const bool counts = dimension_equal(q->edp.dimension, dimension_none);
+    printf("%s%s%s%s at most %.6g%s%s", d->title, d->title[0] ? "\n" : "",
+           q->edp.quantity->reduction == EDP_LARGEST ? "largest " : "", q->edp.text, q->limit,
+           counts ? "" : " ", counts ? "" : q->edp.units);
     if (s->n_run == 1) {
         printf("\n");
     } else if (q->percentile == 100.0) {
@@ -63,13 +53,14 @@ static void print_answer(const struct gap_search_request *q, const struct gap_se
 
 void gap_print_search(const struct gap_search_request *q, const struct gap_search *s) {
     const struct unit_system *u = &q->plan->first->deck->units;
-    char unit[64], gap[80], value[128];
+    char gap[80], value[128];
     print_aim(q, s);
     printf("%s%s: %d gaps from %.6g to %.6g %s, then bisection to %.3g %s, %d gaps in all\n\n",
            q->parameter ? "parameter " : "", q->parameter ? q->parameter : "gaps of all contacts",
            q->n, q->from, q->to, u->length_name, q->tolerance, u->length_name, s->n_point);
     snprintf(gap, sizeof gap, "gap [%s]", u->length_name);
-    snprintf(value, sizeof value, "value [%s]", unit_of(q, unit, sizeof unit));
+    const bool counts = dimension_equal(q->edp.dimension, dimension_none);
+    snprintf(value, sizeof value, counts ? "value" : "value [%s]", q->edp.units);
     printf("%12s %14s %8s %8s\n", gap, value, "limit", "in run");
     for (int i = 0; i < s->n_point; i++) {
         if (s->point[i].stage == GAP_SCAN) {
@@ -80,10 +71,8 @@ void gap_print_search(const struct gap_search_request *q, const struct gap_searc
 }
 
 void gap_print_search_tsv(const struct gap_search_request *q, const struct gap_search *s) {
-    char unit[64];
     printf("stage\tgap [%s]\t%s [%s]\tlimit\tfailed\trun\tmessage\n",
-           q->plan->first->deck->units.length_name, q->edp.kind->name,
-           unit_of(q, unit, sizeof unit));
+           q->plan->first->deck->units.length_name, q->edp.text, q->edp.units);
     for (int i = 0; i < s->n_point; i++) {
         const struct gap_point *p = &s->point[i];
         printf("%s\t%.17g\t%.17g\t%s\t%ld\t%ld\t", p->stage == GAP_SCAN ? "scan" : "bisection",

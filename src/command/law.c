@@ -9,7 +9,6 @@
 #include "command/law_print.h"
 #include "command/law_words.h"
 #include "command/picture.h"
-#include "core/text.h"
 #include "plot/figure.h"
 #include "plot/impact_figure.h"
 
@@ -97,9 +96,7 @@ static int take_option(struct options *o, const char *option, const char *next, 
         o->existing = strcmp(known[i], "--force") == 0 ? RESULT_REPLACE : o->existing;
         return EXIT_DONE;
     }
-    const char *near = text_nearest(option, known, N_KNOWN);
-    return command_usage(&command_law, "unknown option '%s'%s%s%s", option,
-                         near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    return command_unknown(&command_law, "option", option, known, N_KNOWN);
 }
 
 // Parts the command's options from the words of the law.

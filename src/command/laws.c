@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "command/rows.h"
-#include "core/text.h"
 #include "jostle/contact_law.h"
 #include "jostle/storey_law.h"
 #include "law/bilateral.h"
@@ -112,9 +111,7 @@ static int unknown(const char *name) {
     for (int i = 0; i < n_storey_law && n < LAWS_MAX; i++) {
         known[n++] = storey_laws[i]->name;
     }
-    const char *near = text_nearest(name, known, n);
-    return command_usage(&command_laws, "unknown law '%s'%s%s%s", name,
-                         near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    return command_unknown(&command_laws, "law", name, known, n);
 }
 
 static int laws_command(int argc, char **argv) {

@@ -9,8 +9,8 @@
 #include "command/plot_names.h"
 #include "command/plot_study.h"
 #include "command/progress.h"
-#include "core/text.h"
 #include "plot/figure.h"
+#include "plot/study_figure.h"
 
 static int plot_command(int argc, char **argv);
 
@@ -104,10 +104,7 @@ static int unknown_figure(const char *word) {
         assert(figures[n]);
         known[n] = figures[n]->name;
     }
-    const char *near = text_nearest(word, known, n);
-    return near
-               ? command_usage(&command_plot, "unknown figure '%s'; did you mean '%s'?", word, near)
-               : command_usage(&command_plot, "unknown figure '%s'", word);
+    return command_unknown(&command_plot, "figure", word, known, n);
 }
 
 const char *plot_name_output(const char *result, const char *kind, char *name) {
@@ -187,25 +184,24 @@ static int open_and_make(struct request *q, struct error *e) {
     return status;
 }
 
-// Options of studies are no use for one run.
-static int refuse_options(const struct request *q) {
+// Options and figures of studies are no use for one run.
+static int refuse(const struct request *q, const char *what) {
     struct result_file *file;
     struct error e;
     if (result_open(q->result, &file, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     result_close(file);
-    return command_usage(&command_plot, "%s is for studies; %s is one run", q->study.first,
-                         q->result);
+    return command_usage(&command_plot, "%s is for studies; %s is one run", what, q->result);
 }
 
 static int plot_run(struct request *q) {
     if (q->study.first) {
-        return refuse_options(q);
+        return refuse(q, q->study.first);
     }
     q->figure = q->kind ? figure_find(q->kind) : NULL;
     if (q->kind && !q->figure) {
-        return unknown_figure(q->kind);
+        return study_figure_find(q->kind) ? refuse(q, q->kind) : unknown_figure(q->kind);
     }
     struct error e;
     if (open_and_make(q, &e) != STATUS_OK) {

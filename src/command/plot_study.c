@@ -5,7 +5,6 @@
 #include <assert.h>
 
 #include "command/plot_names.h"
-#include "core/text.h"
 #include "plot/study_figure.h"
 
 struct job {
@@ -36,10 +35,14 @@ void plot_study_help(void) {
            suite_options_help);
 }
 
-static int find_figure(struct job *j, int *status) {
+// EXIT_DONE with the figure asked for, or EXIT_INPUT.
+static int find_figure(struct job *j) {
     const struct plot_study_request *q = j->request;
     if (!q->kind || (j->figure = study_figure_find(q->kind)) != NULL) {
-        return STATUS_OK;
+        return EXIT_DONE;
+    }
+    if (figure_find(q->kind)) {
+        return command_usage(q->command, "%s is for single runs; %s is a study", q->kind, q->path);
     }
     const char *known[8];
     int n = 0;
@@ -47,11 +50,7 @@ static int find_figure(struct job *j, int *status) {
         assert(study_figures[n]);
         known[n] = study_figures[n]->name;
     }
-    const char *near = text_nearest(q->kind, known, n);
-    *status = command_usage(q->command, "unknown figure '%s' of a study%s%s%s", q->kind,
-                            near ? "; did you mean '" : "; see --help", near ? near : "",
-                            near ? "'?" : "");
-    return STATUS_INPUT;
+    return command_unknown(q->command, "figure of studies", q->kind, known, n);
 }
 
 static int write_figure(void *context, const struct figure_files *to, struct error *e) {
@@ -92,8 +91,8 @@ int plot_study(const struct plot_study_request *q) {
     struct study_file *f;
     struct suite *s;
     struct error e;
-    int status;
-    if (find_figure(&j, &status) != STATUS_OK) {
+    int status = find_figure(&j);
+    if (status != EXIT_DONE) {
         return status;
     }
     if (study_file_open(q->path, &f, &e) != STATUS_OK) {

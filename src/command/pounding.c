@@ -34,6 +34,8 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     struct model *m;
     const int status = load_model(&request, &m);
     if (status != EXIT_DONE) {
+        fprintf(stderr, "--pounding sets the params T1 and T2 of the deck, the periods of its two "
+                        "structures\n");
         return status;
     }
     p->units = m->deck->units;

@@ -35,20 +35,9 @@ static const char details[] =
     "                     command goes on with them\n"
     "  --help             this text\n";
 
-// Passes rows on to the writer, shows progress, and ends the run on a signal.
-struct watch {
-    struct observer writer;
-    struct progress progress;
-};
-
-static int watch_row(void *context, const struct row_view *row, struct error *e) {
-    const struct watch *w = context;
-    return w->writer.row(w->writer.context, row, e);
-}
-
+// Shows progress, and ends the run on a signal.
 static int watch_poll(void *context, double time, struct error *e) {
-    struct watch *w = context;
-    progress_show(&w->progress, time);
+    progress_show(context, time);
     const int signal = interrupt_number();
     return signal ? error_set(e, STATUS_SYSTEM,
                               "interrupted by signal %d at t = %.6g; nothing was written", signal,
@@ -101,20 +90,12 @@ static int analyse(const struct model *m, const struct run_options *o,
     if (status != STATUS_OK) {
         return status;
     }
-    struct watch watch = {.writer = result_observer(writer)};
-    struct observer observer = {.row = watch_row, .poll = watch_poll, .context = &watch};
-    progress_start(&watch.progress, m->duration, m->deck->units.time_name);
-    watch.progress.enabled = watch.progress.enabled && !o->load.quiet;
-    status = analysis_run(m, &observer, out, e);
-    progress_end(&watch.progress);
-    if (status != STATUS_OK) {
-        result_abort(writer);
-        return status;
-    }
-    status = result_finish(writer, *out, e);
-    if (status != STATUS_OK) {
-        results_free(*out);
-    }
+    struct progress progress;
+    progress_start(&progress, m->duration, m->deck->units.time_name);
+    progress.enabled = progress.enabled && !o->load.quiet;
+    const struct observer watch = {.poll = watch_poll, .context = &progress};
+    status = result_analyse(writer, &watch, out, e);
+    progress_end(&progress);
     return status;
 }
 

@@ -5,15 +5,16 @@
 
 #include "core/arena.h"
 
-// Bytes of a line of the cache, which no access of whole lanes should straddle.
-enum { LINE = 64 };
+void *lanes_lines(struct arena *a, size_t n, size_t size) {
+    char *x = arena_alloc(a, n + (LANES_LINE + size - 1) / size, size);
+    size_t beyond = (uintptr_t)x % LANES_LINE;
+    return x ? x + (LANES_LINE - beyond) % LANES_LINE : NULL;
+}
 
 double *lanes_array(struct arena *a, int n) {
-    size_t line = LINE / sizeof(double);
-    size_t room = (size_t)lanes_whole(n + 1) + 2 * (size_t)LANES_WIDTH + line;
-    double *x = arena_alloc(a, room, sizeof *x);
-    size_t beyond = (uintptr_t)x / sizeof *x % line;
-    return x ? x + (line - beyond) % line + LANES_WIDTH : NULL;
+    size_t room = (size_t)lanes_whole(n + 1) + 2 * (size_t)LANES_WIDTH;
+    double *x = lanes_lines(a, room, sizeof *x);
+    return x ? x + LANES_WIDTH : NULL;
 }
 
 void *lanes_wide_array(struct arena *a, int n, size_t size) {

@@ -40,6 +40,9 @@
 
 struct arena;
 
+// Bytes of a line of the cache, which no access of whole lanes should straddle.
+enum { LANES_LINE = 64 };
+
 // Arrays for such loops have a multiple of LANES_WIDTH elements, those beyond the end 0, and as
 // many zeros in front, so that element -1 can be read.
 enum { LANES_WIDTH = 8 };
@@ -71,6 +74,9 @@ void *lanes_wide_array(struct arena *a, int n, size_t size);
 // A zeroed array for n values, with at least one 0 behind them and behind the lanes in which that
 // one lies, so that element i + 1 can be read there too; NULL: no memory.
 double *lanes_array(struct arena *a, int n);
+
+// n zeroed things of `size` bytes, the first at the start of a line of the cache; NULL: no memory.
+void *lanes_lines(struct arena *a, size_t n, size_t size);
 
 // n rounded up to whole lanes.
 static inline int lanes_whole(int n) {

@@ -94,6 +94,12 @@ double model_time(const struct model *m, long n) {
     return n >= m->n_step ? m->duration : (double)n * m->dt;
 }
 
+void model_times(const struct model *m, long first, int n, double *time) {
+    for (int i = 0; i < n; i++) {
+        time[i] = model_time(m, first + i);
+    }
+}
+
 // Half a step has this share of the error: the methods' local errors are of order 3 and 5.
 static const double TOLERANCE_PER_HALVING[] = {
     [INTEGRATOR_NEWMARK] = 8.0,

@@ -7,10 +7,13 @@
 // Before the first and after the last sample the value is zero, so v stays and u grows linearly.
 #include "jostle/signal.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdbool.h>
 
 #include "core/arena.h"
+#include "core/lanes.h"
+#include "core/number.h"
 
 // A time this close to the end of a signal, relative to one sample, is taken as the end itself:
 // n dt and (n dt) computed in another way differ by rounding.
@@ -81,7 +84,25 @@ double signal_value(const struct signal *s, double t) {
     return value_at(s, t);
 }
 
+// value_at of samples, in lanes, which know numbers of samples as int only.
+LANES static void add_samples(const struct signal *s, int n, const double *restrict t,
+                              double *restrict sum) {
+    const double *restrict value = s->value;
+    const double start = s->start, dt = s->dt, most = (double)(s->n - 2);
+    const double from = start - slack(s), to = s->end + slack(s);
+    for (int i = 0; i < n; i++) {
+        int j = (int)number_min(number_max((t[i] - start) / dt, 0.0), most);
+        double since = t[i] - start - (double)j * dt;
+        double inside = (t[i] >= from) & (t[i] <= to);
+        sum[i] += inside * (value[j] + (value[j + 1] - value[j]) * (since / dt));
+    }
+}
+
 void signal_add_values(const struct signal *s, int n, const double *t, double *sum) {
+    if (s->value && s->n <= INT_MAX) {
+        add_samples(s, n, t, sum);
+        return;
+    }
     for (int i = 0; i < n; i++) {
         sum[i] += value_at(s, t[i]);
     }

@@ -53,12 +53,21 @@ static void write_line(const struct canvas *c, struct mark mark, double x, doubl
     }
 }
 
+static void write_point(const struct canvas *c, struct mark mark, double x, double y) {
+    fprintf(c->to, "set label ''");
+    write_place(c, x + 0.8, y);
+    fprintf(c->to, " point pt %d ps %.3g*point lc rgb '%s'\n",
+            mark.point > 0 ? mark.point : POINT_DISC, mark.size > 0 ? mark.size : 1, mark.colour);
+}
+
 static void write_mark(const struct canvas *c, struct mark mark, double x, double y) {
-    const double size = mark.size > 0 ? mark.size : 1;
     switch (mark.kind) {
         case MARK_LINE:
         case MARK_DASHED:
             write_line(c, mark, x, y);
+            if (mark.point > 0) {
+                write_point(c, mark, x, y);
+            }
             break;
         case MARK_AREA:
             fprintf(c->to,
@@ -68,15 +77,7 @@ static void write_mark(const struct canvas *c, struct mark mark, double x, doubl
                     mark.colour);
             break;
         case MARK_POINT:
-        case MARK_RING:
-        case MARK_CROSS:
-            fprintf(c->to, "set label ''");
-            write_place(c, x + 0.8, y);
-            fprintf(c->to, " point pt %d ps %.3g*point lc rgb '%s'\n",
-                    mark.kind == MARK_POINT  ? 7
-                    : mark.kind == MARK_RING ? 6
-                                             : 2,
-                    size, mark.colour);
+            write_point(c, mark, x, y);
             break;
     }
 }

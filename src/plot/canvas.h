@@ -31,11 +31,14 @@ struct canvas {
 void canvas_head(struct canvas *c, const char *title, const char *subtitle);
 
 // An entry of the legend behind the last one: what stands for the data, and its name.
-enum mark_kind { MARK_LINE, MARK_DASHED, MARK_AREA, MARK_POINT, MARK_RING, MARK_CROSS };
+enum mark_kind { MARK_LINE, MARK_DASHED, MARK_AREA, MARK_POINT };
+// Points by gnuplot's numbers, which mean the same on all terminals used.
+enum mark_point { POINT_CROSS = 2, POINT_RING = 6, POINT_DISC = 7 };
 struct mark {
     enum mark_kind kind;
     const char *colour;
     double size;  // of points; 0: as usual
+    int point;    // enum mark_point, or of script_point; 0: a disc, on a line none
 };
 void canvas_legend(struct canvas *c, struct mark mark, const char *name);
 

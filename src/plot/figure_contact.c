@@ -254,7 +254,7 @@ static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
         if (v->impact[k] >= 0) {
             fprintf(c->to,
                     "%s \\\n  $pulse%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s'",
-                    before, k, k > 0 ? 6 : 7, script_colour[k]);
+                    before, k, k > 0 ? POINT_RING : POINT_DISC, script_colour[k]);
             before = ",";
         }
     }
@@ -285,7 +285,8 @@ static void write_head(const struct view *v, struct canvas *c) {
     }
     canvas_head(c, runs_title(v->s), text);
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, v->s->name[k]);
+        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
+                      v->s->name[k]);
     }
 }
 

@@ -102,10 +102,11 @@ static void write_head(const struct runs *s, struct canvas *c) {
                 any || parts[p].energy < ENERGY_HYSTERETIC || s->r[k]->energy[parts[p].energy] != 0;
         }
         if (any) {
-            canvas_legend(c, (struct mark){MARK_AREA, parts[p].colour, 0}, parts[p].name);
+            canvas_legend(c, (struct mark){.kind = MARK_AREA, .colour = parts[p].colour},
+                          parts[p].name);
         }
     }
-    canvas_legend(c, (struct mark){MARK_LINE, "#404040", 0},
+    canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = "#404040"},
                   r->initial_energy > 0 ? "initial + input" : "input");
 }
 

@@ -220,7 +220,7 @@ static void write_floor(const struct view *v, struct canvas *c, struct area a, i
     }
     for (int k = 0; k < v->s->n && v->contact[0] >= 0; k++) {
         fprintf(c->to, ", \\\n  $marks%d%d using 1:2 with points pt %d ps 0.9*point lc rgb '%s'", k,
-                side, k == 0 ? 7 : 6, script_colour[k]);
+                side, k > 0 ? POINT_RING : POINT_DISC, script_colour[k]);
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);
@@ -260,7 +260,8 @@ static void write_legend(const struct view *v, struct canvas *c) {
     char name[160], text[192];
     if (v->s->n > 1) {
         for (int k = 0; k < v->s->n; k++) {
-            canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, v->s->name[k]);
+            canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
+                          v->s->name[k]);
         }
     } else {
         for (int side = 0; side < 2; side++) {
@@ -268,15 +269,17 @@ static void write_legend(const struct view *v, struct canvas *c) {
             snprintf(text, sizeof text, "%s%s", name,
                      side == 1 && v->contact[0] >= 0 ? " + gap" : "");
             if (v->contact[0] >= 0 || v->building[side] >= 0) {
-                canvas_legend(c, (struct mark){MARK_LINE, script_colour[side], 0}, text);
+                canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[side]},
+                              text);
             }
         }
     }
     if (v->contact[0] >= 0 && v->s->n == 1) {
-        canvas_legend(c, (struct mark){MARK_AREA, gap_colour, 0}, "gap");
+        canvas_legend(c, (struct mark){.kind = MARK_AREA, .colour = gap_colour}, "gap");
     }
     if (v->contact[0] >= 0) {
-        canvas_legend(c, (struct mark){MARK_POINT, "#000000", 0.8}, "impacts");
+        canvas_legend(c, (struct mark){.kind = MARK_POINT, .colour = "#000000", .size = 0.8},
+                      "impacts");
     }
 }
 

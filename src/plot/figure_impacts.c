@@ -194,7 +194,8 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a) {
         fprintf(
             c->to,
             "%s \\\n  $impacts%d using 1:2:($3*point) with points pt %d ps variable lc rgb '%s'",
-            k > 0 ? "," : "", k, k > 0 ? 6 : 7, k > 0 ? script_colour[1] : "#700072b2");
+            k > 0 ? "," : "", k, k > 0 ? POINT_RING : POINT_DISC,
+            k > 0 ? script_colour[1] : "#700072b2");
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);
@@ -218,7 +219,11 @@ static void write_head(const struct view *v, struct canvas *c) {
     }
     canvas_head(c, runs_title(v->s), text);
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c, (struct mark){k > 0 ? MARK_RING : MARK_POINT, script_colour[k], 2},
+        canvas_legend(c,
+                      (struct mark){.kind = MARK_POINT,
+                                    .colour = script_colour[k],
+                                    .size = 2,
+                                    .point = k > 0 ? POINT_RING : POINT_DISC},
                       v->s->name[k]);
     }
     const double step = script_step(v->largest, 2);
@@ -226,7 +231,10 @@ static void write_head(const struct view *v, struct canvas *c) {
     for (size_t i = 0; i < 3 && v->largest > 0; i++) {
         script_number(shown[i], number, sizeof number);
         snprintf(text, sizeof text, "%s %s", number, unit);
-        canvas_legend(c, (struct mark){MARK_POINT, "#707070", point_size(v, shown[i])}, text);
+        canvas_legend(
+            c,
+            (struct mark){.kind = MARK_POINT, .colour = "#707070", .size = point_size(v, shown[i])},
+            text);
     }
 }
 

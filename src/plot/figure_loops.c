@@ -172,8 +172,8 @@ static void write_contact(const struct view *v, struct canvas *c, struct area a)
                     "  $hardest%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s' lw "
                     "1.3, \\\n"
                     "  $largest%d using 1:2 with points pt 2 ps 1.3*point lc rgb '%s'",
-                    before, k, script_colour[k], k, k > 0 ? 6 : 7, script_colour[k], k,
-                    k > 0 ? script_colour[k] : "#404040");
+                    before, k, script_colour[k], k, k > 0 ? POINT_RING : POINT_DISC,
+                    script_colour[k], k, k > 0 ? script_colour[k] : "#404040");
             before = ",";
         }
     }
@@ -215,10 +215,15 @@ static void write_head(const struct view *v, struct canvas *c) {
     }
     canvas_head(c, runs_title(v->s), text);
     if (v->impact[0] >= 0) {
-        canvas_legend(c, (struct mark){MARK_CROSS, "#404040", 1.3}, "largest force, penetration");
+        canvas_legend(
+            c,
+            (struct mark){
+                .kind = MARK_POINT, .colour = "#404040", .size = 1.3, .point = POINT_CROSS},
+            "largest force, penetration");
     }
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, v->s->name[k]);
+        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
+                      v->s->name[k]);
     }
 }
 

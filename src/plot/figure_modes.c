@@ -98,8 +98,8 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a, i
         fprintf(
             c->to,
             "%s \\\n  $shapes%d%d using %d:1 with linespoints pt %d ps 1*point lc rgb '%s' dt %s",
-            k > 0 ? "," : "", run, building, mode + 2, run > 0 ? 6 : 7, script_colour[building],
-            run > 0 ? "(10,6)" : "solid");
+            k > 0 ? "," : "", run, building, mode + 2, run > 0 ? POINT_RING : POINT_DISC,
+            script_colour[building], run > 0 ? "(10,6)" : "solid");
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);
@@ -120,7 +120,7 @@ static void write_entry(const struct view *v, struct canvas *c, int k) {
     if (isfinite(b->period[0])) {
         snprintf(text + n, sizeof text - n, " %s", v->s->r[0]->units.time_name);
     }
-    canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, text);
+    canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]}, text);
 }
 
 static void write_head(const struct view *v, struct canvas *c) {
@@ -136,7 +136,8 @@ static void write_head(const struct view *v, struct canvas *c) {
         write_entry(v, c, k);
     }
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c, (struct mark){k > 0 ? MARK_DASHED : MARK_LINE, "#808080", 0},
+        canvas_legend(c,
+                      (struct mark){.kind = k > 0 ? MARK_DASHED : MARK_LINE, .colour = "#808080"},
                       v->s->name[k]);
     }
 }

@@ -153,7 +153,7 @@ static void write_panel(const struct selection *s, int at, struct canvas *c) {
                 p->data, run, building, p->column, p->data[0] == 'f' ? "linespoints" : "lines",
                 script_colour[building], run > 0 ? "(10,6)" : "solid");
         if (p->data[0] == 'f') {
-            fprintf(c->to, " pt %d ps 1*point", run > 0 ? 6 : 7);
+            fprintf(c->to, " pt %d ps 1*point", run > 0 ? POINT_RING : POINT_DISC);
         }
     }
     fprintf(c->to, "\n");
@@ -170,10 +170,12 @@ static void write_head(const struct selection *s, struct canvas *c) {
     }
     canvas_head(c, runs_title(s->s), text);
     for (int k = 0; k < s->n; k++) {
-        canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, shown(s, 0, k)->name);
+        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
+                      shown(s, 0, k)->name);
     }
     for (int k = 0; k < s->s->n && s->s->n > 1; k++) {
-        canvas_legend(c, (struct mark){k > 0 ? MARK_DASHED : MARK_LINE, "#808080", 0},
+        canvas_legend(c,
+                      (struct mark){.kind = k > 0 ? MARK_DASHED : MARK_LINE, .colour = "#808080"},
                       s->s->name[k]);
     }
 }

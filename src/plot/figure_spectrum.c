@@ -152,10 +152,12 @@ static void write_head(const struct view *v, struct canvas *c) {
         const struct series *p = &v->series[i];
         script_shorten(r->building[p->building].name, 16, name, sizeof name);
         snprintf(text, sizeof text, "%s, floor %d", name, p->floor + 1);
-        canvas_legend(c, (struct mark){MARK_LINE, colour(v, i), 0}, p->floor < 0 ? "ground" : text);
+        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = colour(v, i)},
+                      p->floor < 0 ? "ground" : text);
     }
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c, (struct mark){k > 0 ? MARK_DASHED : MARK_LINE, "#000000", 0},
+        canvas_legend(c,
+                      (struct mark){.kind = k > 0 ? MARK_DASHED : MARK_LINE, .colour = "#000000"},
                       v->s->name[k]);
     }
 }

@@ -111,10 +111,12 @@ static void write_head(const struct impact_figure *f, struct canvas *c) {
         return;
     }
     for (int k = 0; k < f->n_curve; k++) {
-        canvas_legend(c, (struct mark){MARK_LINE, script_colour[k], 0}, f->curve[k].name);
+        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
+                      f->curve[k].name);
     }
     if (f->n_sample > 0) {
-        canvas_legend(c, (struct mark){MARK_POINT, sample_colour, 0.8}, "measured");
+        canvas_legend(c, (struct mark){.kind = MARK_POINT, .colour = sample_colour, .size = 0.8},
+                      "measured");
     }
 }
 

@@ -70,13 +70,13 @@ static void write_records(const struct response_sheet *sheet, struct canvas *c) 
     char text[128], name[64];
     if (s->n_record > NAMED_MAX) {
         snprintf(text, sizeof text, "%d records", s->n_record);
-        canvas_legend(c, (struct mark){MARK_LINE, other_colour, 0}, text);
+        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = other_colour}, text);
         return;
     }
     for (int r = 0; r < s->n_record; r++) {
         script_shorten(sheet->name[r], 23, name, sizeof name);
         snprintf(text, sizeof text, "%s: %.2g g", name, sheet->intensity[r].pga / sheet->gravity);
-        canvas_legend(c, (struct mark){MARK_LINE, record_colour[r], 0}, text);
+        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = record_colour[r]}, text);
     }
 }
 
@@ -84,13 +84,14 @@ static void write_legend(const struct response_sheet *sheet, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
     if (s->n_damping == 1 && s->n_record > 1) {
         write_records(sheet, c);
-        canvas_legend(c, (struct mark){MARK_LINE, mean_colour, 0}, "mean");
-        canvas_legend(c, (struct mark){MARK_AREA, band_colour, 0}, "16 to 84 %");
+        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = mean_colour}, "mean");
+        canvas_legend(c, (struct mark){.kind = MARK_AREA, .colour = band_colour}, "16 to 84 %");
     }
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
         char text[64];
         snprintf(text, sizeof text, "%g %% damping", 100.0 * s->damping[d]);
-        canvas_legend(c, (struct mark){MARK_LINE, script_colour[d % SCRIPT_COLOURS], 0}, text);
+        canvas_legend(
+            c, (struct mark){.kind = MARK_LINE, .colour = script_colour[d % SCRIPT_COLOURS]}, text);
     }
 }
 

@@ -9,6 +9,7 @@
 const char *const script_colour[SCRIPT_COLOURS] = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9",
 };
+const int script_point[SCRIPT_COLOURS] = {7, 5, 9, 13, 11, 6, 4};
 
 void script_text(FILE *to, const char *text) {
     fputc('\'', to);

@@ -13,6 +13,9 @@
 enum { SCRIPT_COLOURS = 7 };
 extern const char *const script_colour[];
 
+// A point for each colour, to tell them apart without: gnuplot's numbers.
+extern const int script_point[];
+
 // `text` as a gnuplot string in single quotes. Line ends become blanks.
 void script_text(FILE *to, const char *text);
 

@@ -92,19 +92,23 @@ static void write_legend(const struct view *v, struct canvas *c) {
         snprintf(text, sizeof text, "%s%s%s%s%s", group, group[0] && v->p->n_limit > 1 ? ", " : "",
                  group[0] && v->p->n_limit == 1 ? "" : "> ",
                  group[0] && v->p->n_limit == 1 ? "" : limit, fitted ? "" : " (no curve)");
-        canvas_legend(c, (struct mark){fitted ? MARK_LINE : MARK_POINT, script_colour[i], 0}, text);
+        canvas_legend(c,
+                      (struct mark){.kind = fitted ? MARK_LINE : MARK_POINT,
+                                    .colour = script_colour[i],
+                                    .size = 1.5,
+                                    .point = script_point[i]},
+                      text);
     }
 }
 
 static void write_panel(const struct view *v, struct canvas *c) {
-    static const int point[SCRIPT_COLOURS] = {7, 5, 9, 13, 11, 6, 4};
     const struct axis y = {
         .name = "probability of exceedance", .unit = "", .span = {0, 1.03}, .step = 0.2};
     study_panel(c, v->p->suite, 3.2, &v->x, &y);
     fprintf(c->to, "plot");
     for (int i = 0; i < v->n; i++) {
         fprintf(c->to, "%s \\\n  $counts%d using 1:2 with points pt %d ps 1.5*point lc rgb '%s'",
-                i > 0 ? "," : "", i, point[i], script_colour[i]);
+                i > 0 ? "," : "", i, script_point[i], script_colour[i]);
         if (v->fit[i].outcome == FRAGILITY_FITTED) {
             fprintf(c->to, ", \\\n  $curve%d using 1:2 with lines lc rgb '%s' lw 1.5", i,
                     script_colour[i]);

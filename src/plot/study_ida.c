@@ -95,16 +95,18 @@ static void write_legend(const struct view *v, const struct study_picture *p, st
     char text[128];
     for (int i = 0; v->s->n_sample > 1 && i < CURVES; i++) {
         const enum mark_kind kind = i == 1 ? MARK_LINE : MARK_DASHED;
-        canvas_legend(c, (struct mark){kind, curve_colour[i], 0}, curve_name[i]);
+        canvas_legend(c, (struct mark){.kind = kind, .colour = curve_colour[i]}, curve_name[i]);
     }
     snprintf(text, sizeof text, "each %s", v->s->over[0] ? v->s->over : "run");
-    canvas_legend(c, (struct mark){MARK_LINE, record_colour, 0}, text);
+    canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = record_colour}, text);
     if (p->n_limit > 0) {
-        canvas_legend(c, (struct mark){MARK_DASHED, "#000000", 0},
+        canvas_legend(c, (struct mark){.kind = MARK_DASHED, .colour = "#000000"},
                       p->n_limit > 1 ? "limits" : "limit");
     }
     if (v->crosses) {
-        canvas_legend(c, (struct mark){MARK_CROSS, "#000000", 0}, "the next run failed");
+        canvas_legend(c,
+                      (struct mark){.kind = MARK_POINT, .colour = "#000000", .point = POINT_CROSS},
+                      "the next run failed");
     }
 }
 

@@ -68,16 +68,20 @@ static void write_legend(const struct view *v, struct canvas *c) {
     const bool points = has_points(s);
     const enum mark_kind kind = points ? MARK_POINT : MARK_LINE;
     if (v->band) {
-        canvas_legend(c, (struct mark){kind, script_colour[0], 0}, "median");
+        canvas_legend(
+            c, (struct mark){.kind = kind, .colour = script_colour[0], .point = script_point[0]},
+            "median");
         canvas_legend(c,
-                      (struct mark){points ? MARK_LINE : MARK_AREA,
-                                    points ? script_colour[0] : band_colour, 0},
+                      (struct mark){.kind = points ? MARK_LINE : MARK_AREA,
+                                    .colour = points ? script_colour[0] : band_colour},
                       "16 to 84 %");
     }
     char text[128];
     for (int g = 0; g < s->n_group && s->n_group > 1; g++) {
         study_group_text(s, g, text, sizeof text);
-        canvas_legend(c, (struct mark){kind, script_colour[g], 0}, text);
+        canvas_legend(
+            c, (struct mark){.kind = kind, .colour = script_colour[g], .point = script_point[g]},
+            text);
     }
 }
 
@@ -107,7 +111,6 @@ static void write_texts(const struct suite *s, double width, struct canvas *c) {
 }
 
 static void write_panel(const struct view *v, struct canvas *c) {
-    static const int point[SCRIPT_COLOURS] = {7, 5, 9, 13, 11, 6, 4};
     const struct suite *s = v->s;
     const struct axis y = study_demand_axis(&v->demand, s, v->span);
     struct axis x = study_abscissa_axis(s);
@@ -131,7 +134,7 @@ static void write_panel(const struct view *v, struct canvas *c) {
     }
     for (int g = 0; g < s->n_group; g++) {
         fprintf(c->to, "%s $group%d using 1:2 with %s pt %d ps point lc rgb '%s'%s",
-                g > 0 ? ", \\\n " : "", g, points ? "points" : "linespoints", point[g],
+                g > 0 ? ", \\\n " : "", g, points ? "points" : "linespoints", script_point[g],
                 script_colour[g], points ? "" : " lw 1.3");
     }
     fprintf(c->to, "\n");

@@ -8,7 +8,7 @@ void account_step(struct energy_account *a, struct results *r, struct floors_lat
     if (!state_is_linear(m)) {
         energy_step(a, m, now, next);
         peaks_all_floors(r, m, next);
-    } else if (state_is_uniform(m) && !m->adaptive) {
+    } else if (late->possible) {
         floors_defer(late, now);
     } else {
         floors_account(a, r, m, now, next);

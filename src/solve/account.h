@@ -98,7 +98,7 @@ static inline void peaks_link(struct results *r, const struct model *m, const st
                               int k) {
     struct link_peak *p = &r->link[k];
     bool both = k >= m->n_contact;
-    double force = both ? fabs(s->force[k]) : s->force[k];
+    double force = both ? fabs(s->link[k].force) : s->link[k].force;
     if (force > p->force) {
         p->force = force;
         p->force_time = s->time;

@@ -52,6 +52,9 @@ static int observe(struct run *r) {
     if (status != STATUS_OK || !o || !o->row) {
         return status;
     }
+    for (int k = 0; k < r->model->n_link; k++) {
+        r->row_force[k] = s->link[k].force;
+    }
     const struct row_view row = {
         .time = s->time,
         .displacement = s->u,
@@ -59,7 +62,7 @@ static int observe(struct run *r) {
         .acceleration = s->total,
         .drift = s->drift,
         .storey_shear = s->shear,
-        .force = s->force,
+        .force = r->row_force,
         .penetration = s->delta,
         .ground = s->ground_a,
         .energy = r->results->energy,
@@ -70,6 +73,9 @@ static int observe(struct run *r) {
 // Steps from n of the deck as far as the next row of the output, or the next poll.
 static long stretch_end(const struct run *r, long n) {
     long every = r->model->output.every;
+    if (!r->observer) {
+        return r->model->n_step;
+    }
     long row = (n / every + 1) * every;
     long asked = n + RUN_POLL_STEPS - r->results->totals.steps % RUN_POLL_STEPS;
     return row < asked ? row : asked;
@@ -105,7 +111,9 @@ int analysis_step(struct run *r, long n) {
     const struct model *m = r->model;
     double end = model_time(m, n);
     int status = r->advance(r, end, n < m->n_step ? m->dt : end - r->now->time);
-    floors_settle(&r->work.floors.late, m, r->next, r->now);
+    if (status == STATUS_OK) {
+        floors_settle(&r->work.floors.late, m, r->next, r->now);
+    }
     bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
     return status == STATUS_OK && row ? observe(r) : status;
 }
@@ -114,7 +122,8 @@ static bool run_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->now = &r->store[0];
     r->next = &r->store[1];
-    if (!energy_alloc(&r->energy, m, a) || !state_alloc(r->now, m, a) ||
+    r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
+    if (!r->row_force || !energy_alloc(&r->energy, m, a) || !state_alloc(r->now, m, a) ||
         !impacts_alloc(&r->impacts, m, a) || !peaks_alloc(r->results, m, a)) {
         return false;
     }
@@ -130,7 +139,11 @@ static bool run_alloc(struct run *r, struct arena *a) {
     if (!state_alloc(r->next, m, a) || !work_alloc(&r->work, m, &r->results->totals, a)) {
         return false;
     }
-    r->work.floors.late = (struct floors_late){.energy = &r->energy, .results = r->results};
+    r->work.floors.late = (struct floors_late){
+        .energy = &r->energy,
+        .results = r->results,
+        .possible = state_is_uniform(m) && !m->adaptive && !r->work.few.possible,
+    };
     return r->events && r->meeting &&
            (m->adaptive ? step_length_alloc(&r->length, m, r->results, a)
                         : flight_alloc(&r->flight, m, a));

@@ -65,9 +65,9 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
         .v_force = w->g * s,
         .v_rest = -recovery(w->model) * now->delta[k] / w->h,
         .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
-        .closed = now->closed[k],
+        .closed = now->link[k].closed,
         .clamped = p->clamped,
-        .held = now->closed[k] && k == w->held,
+        .held = now->link[k].closed && k == w->held,
     };
 }
 
@@ -141,8 +141,8 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
     bool jumps = law->traits & CONTACT_JUMPS;
     bool pulls = law->traits & CONTACT_MAY_PULL;
     p->trusted = p->branch == BRANCH_CLOSED && law->force && !p->clamped &&
-                 (now->closed[k] || !(jumps || pulls));
-    p->open = p->branch == BRANCH_OPEN && law->force && !(now->closed[k] && pulls);
+                 (now->link[k].closed || !(jumps || pulls));
+    p->open = p->branch == BRANCH_OPEN && law->force && !(now->link[k].closed && pulls);
     p->ask = true;
     s->answered = true;
     s->largest = number_max(s->largest, fabs(p->force));
@@ -272,7 +272,7 @@ static bool decided(struct work *w, const struct state *now, struct state *next)
     bool all = true;
     for (int i = 0; i < w->n_acting; i++) {
         struct quick *p = w->acting[i];
-        next->force[p->index] = p->force;
+        next->link[p->index].force = p->force;
         p->branch = judge_clamped(w, now, next, p);
         if (p->branch == BRANCH_NONE && w->strictness == STEP_STRICT) {
             all &= resolve_negligible(w, state_rate(now, w->model, p->index));

@@ -36,18 +36,17 @@ static void keep_history(const struct state *now, struct state *next, struct qui
 // Link k, closed so far, begins the step as it ended the last.
 static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
     struct quick *p = &w->quick[k];
-    double f = now->force[k];
-    const double *past = now->past[k];
-    double *past_next = next->past[k];
+    const struct link_state *from = &now->link[k];
     next->live[next->n_live++] = k;
-    next->is_live[k] = true;
-    next->force[k] = guess(f, now->n_past[k], past);
-    past_next[0] = f;
-    past_next[1] = past[0];
-    past_next[2] = past[1];
-    next->n_past[k] = past_after(now->n_past[k], p->kind);
-    next->t_close[k] = now->t_close[k];
-    next->v_close[k] = now->v_close[k];
+    next->link[k] = (struct link_state){
+        .force = guess(from->force, from->n_past, from->past),
+        .past = {from->force, from->past[0], from->past[1]},
+        .t_close = from->t_close,
+        .v_close = from->v_close,
+        .n_past = past_after(from->n_past, p->kind),
+        .is_live = true,
+        .closed = true,
+    };
     if (p->kind->n_history > 0) {
         keep_history(now, next, p);
     }
@@ -60,9 +59,8 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
 static void open_others(const struct state *now, struct state *next) {
     for (int i = 0; i < next->n_live; i++) {
         int k = next->live[i];
-        if (!now->closed[k]) {
-            next->is_live[k] = next->closed[k] = false;
-            next->force[k] = 0.0;
+        if (!now->link[k].closed) {
+            next->link[k] = (struct link_state){0};
         }
     }
     next->n_live = 0;
@@ -72,7 +70,7 @@ void contact_begin(struct work *w, const struct state *now, struct state *next) 
     open_others(now, next);
     gaps_forget(&w->gaps, now);
     for (int i = 0; i < now->n_live; i++) {
-        if (now->closed[now->live[i]]) {
+        if (now->link[now->live[i]].closed) {
             carry_on(w, now, next, now->live[i]);
         }
     }
@@ -97,10 +95,10 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
     struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
                         line.v_free, w->h};
     double rate;
-    next->t_close[k] = now->time + crossing_find(&path, &rate);
-    next->v_close[k] = number_max(rate, 0.0);
+    next->link[k].t_close = now->time + crossing_find(&path, &rate);
+    next->link[k].v_close = number_max(rate, 0.0);
     if (l->law->close) {
-        l->law->close(l->constant, next->v_close[k], next->link_history + l->history);
+        l->law->close(l->constant, next->link[k].v_close, next->link_history + l->history);
     }
 }
 
@@ -108,7 +106,7 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
 // it closes only if it goes deeper. Rigid contacts close by an event.
 static inline bool closes(const struct work *w, const struct state *now, const struct state *next,
                           int k) {
-    return next->delta[k] > 0.0 && next->delta[k] > now->delta[k] && !next->is_live[k] &&
+    return next->delta[k] > 0.0 && next->delta[k] > now->delta[k] && !next->link[k].is_live &&
            k != w->held && !w->model->link[k].law->rebound;
 }
 
@@ -148,11 +146,11 @@ void contact_finish(struct work *w, const struct state *now, struct state *next)
     for (int i = 0; i < next->n_live; i++) {
         int k = next->live[i];
         const struct quick *p = &w->quick[k];
-        next->closed[k] = p->branch != BRANCH_OPEN;
-        if (next->closed[k] != now->closed[k]) {
+        next->link[k].closed = p->branch != BRANCH_OPEN;
+        if (next->link[k].closed != now->link[k].closed) {
             w->toggled[w->n_toggled++] = k;
         }
-        if (next->closed[k] && p->kind->commit) {
+        if (next->link[k].closed && p->kind->commit) {
             const struct link *l = p->link;
             l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
                            state_rate(next, m, k));

@@ -96,19 +96,16 @@ void dormand_prince_start(struct dp *p, const struct state *start,
     const struct model *m = p->model;
     struct state *now = &p->now;
     size_t n_dof = (size_t)m->n_dof * sizeof(double);
-    size_t n_link = (size_t)m->n_link * sizeof(double);
     now->time = start->time;
     memcpy(now->u, start->u, n_dof);
     memcpy(now->v, start->v, n_dof);
     memcpy(now->drift, start->drift, n_dof);
-    memcpy(now->delta, start->delta, n_link);
-    memcpy(now->t_close, start->t_close, n_link);
-    memcpy(now->v_close, start->v_close, n_link);
-    memcpy(now->ground_v, start->ground_v, (size_t)m->n_ground * sizeof *now->ground_v);
-    memcpy(now->closed, start->closed, (size_t)m->n_link * sizeof *now->closed);
+    memcpy(now->delta, start->delta, (size_t)m->n_link * sizeof *now->delta);
     for (int i = 0; i < start->n_live; i++) {
         state_enliven(now, start->live[i]);
     }
+    memcpy(now->link, start->link, (size_t)m->n_link * sizeof *now->link);
+    memcpy(now->ground_v, start->ground_v, (size_t)m->n_ground * sizeof *now->ground_v);
     memcpy(now->storey_history, start->storey_history,
            (size_t)m->n_storey_history * sizeof(double));
     memcpy(now->link_history, start->link_history, (size_t)m->n_link_history * sizeof(double));
@@ -137,11 +134,10 @@ static void swap(double **x, double **y) {
 static void swap_ends(struct dp *p) {
     struct state *now = &p->now;
     struct state *next = &p->next;
-    double **of_now[] = {&now->u,     &now->v,        &now->a,        &now->drift,   &now->delta,
-                         &now->force, &now->ground_a, &now->ground_v, &now->ground_u};
-    double **of_next[] = {&next->u,        &next->v,        &next->a,
-                          &next->drift,    &next->delta,    &next->force,
-                          &next->ground_a, &next->ground_v, &next->ground_u};
+    double **of_now[] = {&now->u,     &now->v,        &now->a,        &now->drift,
+                         &now->delta, &now->ground_a, &now->ground_v, &now->ground_u};
+    double **of_next[] = {&next->u,     &next->v,        &next->a,        &next->drift,
+                          &next->delta, &next->ground_a, &next->ground_v, &next->ground_u};
     for (size_t i = 0; i < sizeof of_now / sizeof of_now[0]; i++) {
         swap(of_now[i], of_next[i]);
     }

@@ -79,7 +79,7 @@ double dp_stages_error(const struct dp *p);
 void dp_stages_weights(double x, double *weight);
 extern const double dp_stages_whole[DP_STAGES];
 
-// Fills what `next` has besides its motion: drifts, penetrations and forces of links.
+// Fills what `next` has besides its motion: drifts and penetrations.
 void dp_stages_ends(struct dp *p);
 
 // Penetrations of all links of state `s` and their rates.

@@ -125,11 +125,11 @@ static void row_links(const struct dp *p, const struct dp_rates *rates, struct s
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         row->delta[k] = state_gap(l, m, rates->u, rates->ground.u) - l->gap;
-        row->closed[k] = p->now.closed[k];
-        row->force[k] = 0.0;
+        row->link[k].closed = p->now.link[k].closed;
+        row->link[k].force = 0.0;
     }
     for (int i = 0; i < p->now.n_live; i++) {
-        row->force[p->now.live[i]] = rates->force[i];
+        row->link[p->now.live[i]].force = rates->force[i];
     }
 }
 

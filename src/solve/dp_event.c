@@ -159,7 +159,7 @@ static struct dp_event leaving(const struct dp *p, int k, const struct motion *m
 
 static struct dp_event link_event(const struct dp *p, int k) {
     struct motion m = dp_event_link(p, k);
-    return p->now.closed[k] ? leaving(p, k, &m) : closing(p, k, &m);
+    return p->now.link[k].closed ? leaving(p, k, &m) : closing(p, k, &m);
 }
 
 // The drift between low and high at which the law leaves the tangent of its branch.
@@ -247,7 +247,7 @@ struct dp_event dp_event_first(struct dp *p) {
     struct dp_event first = nothing;
     find_reach(p, p->model->n_contact);
     for (int k = 0, n = p->closes ? p->model->n_contact : 0; k < n; k++) {
-        if (p->reach[k] > 0.0 || p->now.closed[k]) {
+        if (p->reach[k] > 0.0 || p->now.link[k].closed) {
             struct dp_event event = link_event(p, k);
             first = event.place < first.place ? event : first;
         }
@@ -314,7 +314,7 @@ void dp_event_locate(struct dp *p) {
 
 static int toggle(struct dp *p, int k, struct error *e) {
     struct state *now = &p->now;
-    if (now->closed[k]) {
+    if (now->link[k].closed) {
         state_open_link(now, k);
     } else {
         p->system.phase[k] = PHASE_APPROACH;
@@ -330,7 +330,7 @@ static int part(struct dp *p, struct error *e) {
     struct state *now = &p->now;
     for (int i = now->n_live - 1; i >= 0; i--) {
         int k = now->live[i];
-        if (m->link[k].law->rebound && now->closed[k]) {
+        if (m->link[k].law->rebound && now->link[k].closed) {
             return error_set(e, STATUS_FAILED,
                              "at t = %.9g %s contact %s comes to rest, which dormand-prince does "
                              "not follow; use integrator newmark or step fixed DT",

@@ -310,7 +310,7 @@ void dp_peaks_link(struct dp *p, int i, struct impact_share *share) {
     double time;
     double force = inner_force(p, i, &m, &time);
     share->penetration = link_penetration(p, k, &m);
-    share->force = p->next.force[k];
+    share->force = p->stage[DP_STAGES - 1].force[i];
     note_force(&p->results->link[k], both ? fabs(share->force) : share->force, p->next.time);
     note_force(&p->results->link[k], both ? fabs(force) : force, time);
     share->force = number_max(share->force, force);
@@ -319,7 +319,7 @@ void dp_peaks_link(struct dp *p, int i, struct impact_share *share) {
 void dp_peaks_step(struct dp *p) {
     floors_step(p);
     for (int k = 0, n = p->deepens ? p->model->n_contact : 0; k < n; k++) {
-        if (p->reach[k] > p->results->deepest[k] && !p->now.closed[k]) {
+        if (p->reach[k] > p->results->deepest[k] && !p->now.link[k].closed) {
             open_step(p, k);
         }
     }

@@ -152,10 +152,6 @@ void dp_stages_ends(struct dp *p) {
     struct state *next = &p->next;
     drifts(&p->model->chain, next->u, next->drift);
     dp_stages_gaps(p, next, p->rate[1]);
-    memset(next->force, 0, (size_t)p->model->n_link * sizeof *next->force);
-    for (int i = 0; i < p->now.n_live; i++) {
-        next->force[p->now.live[i]] = p->stage[DP_STAGES - 1].force[i];
-    }
 }
 
 enum { ENDS = 6 };

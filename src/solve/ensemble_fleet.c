@@ -96,7 +96,7 @@ static unsigned find_pressed(struct ensemble_lanes *e) {
     unsigned runs = 0;
     ensemble_press(e);
     for (int i = 0; i < e->n_pressed; i++) {
-        runs |= e->pressed[i].lanes;
+        runs |= e->pressed[i].closed;
     }
     return runs;
 }
@@ -120,7 +120,7 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
 }
 
 // Solves for the links of all runs aboard, which may close others.
-static void meet(struct fleet *f, long n) {
+static void meet(struct fleet *f, long n, const wide *base) {
     for (bool again = true; again;) {
         again = false;
         const unsigned pressed = find_pressed(&f->lanes);
@@ -128,9 +128,13 @@ static void meet(struct fleet *f, long n) {
         for (int k = 0; asked && k < f->n; k++) {
             again |= has(asked, k) && solve_links(f, k, n, has(pressed, k));
         }
+        if (again) {
+            ensemble_move_pushed(&f->lanes, base);
+        }
     }
     for (int k = 0; f->acting && k < f->n; k++) {
-        if (has(f->acting, k) && ensemble_links_finish(&f->boat[k].run) != STATUS_OK) {
+        if (has(f->acting, k) &&
+            ensemble_links_finish(&f->lanes, k, &f->boat[k].run) != STATUS_OK) {
             give_up(f, k, n);
         }
     }
@@ -182,8 +186,8 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
     if (live) {
         begin_links(f, n, base);
     }
-    meet(f, n);
-    if (ensemble_exceeds(e, base)) {
+    meet(f, n, base);
+    if (ensemble_exceeds(e)) {
         look(f, n, base);
     }
     commit(f, base);

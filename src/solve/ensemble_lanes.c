@@ -9,16 +9,17 @@
 
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
+    e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
-    for (int k = 0; e->contact && e->end && k < m->n_contact; k++) {
+    for (int k = 0; e->nearest && e->end && k < m->n_contact; k++) {
         const int *dof = m->link[k].dof;
         for (int i = 0; i < 2; i++) {
             e->end[k][i] = dof[i] == WALL ? m->n_dof : dof[i];
         }
-        e->contact[k].deepest = -INFINITY - (wide){0.0};  // of runs that never come aboard too
+        e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->end && e->pressed;
+    return e->contact && e->nearest && e->end && e->pressed;
 }
 
 static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
@@ -53,15 +54,15 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
         .h = m->dt,
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
+        .motion = lanes_wide_array(a, n, sizeof *e->motion),
+        .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
-        .residual = lanes_wide_array(a, n, sizeof *e->residual),
-        .correction = lanes_wide_array(a, n, sizeof *e->correction),
         .peak = lanes_wide_array(a, n, sizeof *e->peak),
         .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
-    return e->now && e->next && e->works && e->residual && e->correction && e->peak &&
-           e->peak_time && e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
+    return e->now && e->next && e->motion && e->beyond && e->works && e->peak && e->peak_time &&
+           e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
 }
 
 static bool is_small(double x) {
@@ -177,6 +178,7 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
     const struct state *s = r->now;
     bool small = true;
+    ensemble_settle(e);
     for (int i = 0; i < e->n_floor; i++) {
         struct ensemble_state *f = &e->now[i];
         small &= put(&f->u, lane, s->u[i]);
@@ -190,12 +192,13 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
     e->works->ground[lane] = s->ground_a[0];
     e->works->speed[lane] = r->results->totals.speed;
     for (int k = 0; k < e->n_contact; k++) {
-        struct ensemble_contact *c = &e->contact[k];
-        const double nearest = fmin(r->work.gaps.nearest[k], 0.0);
-        if (c->deepest[lane] < nearest) {
-            c->deepest[lane] = nearest;
-            c->deepest_time[lane] = r->work.gaps.time[k];
+        struct ensemble_nearest *p = &e->nearest[k];
+        const double depth = fmin(r->work.gaps.nearest[k], 0.0);
+        if (p->depth[lane] < depth) {
+            p->depth[lane] = depth;
+            p->time[lane] = r->work.gaps.time[k];
         }
+        e->contact[k].limit[lane] = p->depth[lane];
     }
     e->aboard[lane] = small ? -1 : 0;
     return small;
@@ -204,6 +207,7 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
 void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double time, long n_step) {
     struct state *s = r->now;
     struct totals *t = &r->results->totals;
+    ensemble_settle(e);
     for (int i = 0; i < e->n_floor; i++) {
         const struct ensemble_state *f = &e->now[i];
         s->u[i] = f->u[lane];
@@ -242,8 +246,8 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
     }
     for (int k = 0; k < e->n_contact; k++) {
         struct link_peak *p = &r->link[k];
-        const struct ensemble_contact *c = &e->contact[k];
-        merge(&p->penetration, &p->penetration_time, c->deepest[lane], c->deepest_time[lane]);
+        const struct ensemble_nearest *n = &e->nearest[k];
+        merge(&p->penetration, &p->penetration_time, n->depth[lane], n->time[lane]);
         r->deepest[k] = p->penetration;
     }
 }

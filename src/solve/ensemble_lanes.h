@@ -19,6 +19,13 @@ struct ensemble_state {
     wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
 };
 
+// How it moves in the step under way.
+struct ensemble_motion {
+    wide u, v;        // where it would be at the end if the acceleration stayed
+    wide residual;    // [F] what it lacks then
+    wide correction;  // [L/T^2] of the acceleration
+};
+
 // What a step needs of a floor besides, with the storey below it.
 enum ensemble_number {
     NUMBER_INERTIA,    // [M] minus the mass
@@ -49,7 +56,8 @@ struct ensemble_building {
     double *number;   // (n_floor, NUMBER_COUNT)
     double *factor;   // (n_floor, FACTOR_COUNT)
     double *inverse;  // (n_floor, n_floor) A^-1; NULL: solves go through the factors
-    bool exceeds;     // a floor exceeds a peak in the step under way
+    bool exceeds;     // a run aboard exceeds a peak of it in the step under way
+    bool pushed;      // links have changed its corrections since it was moved
 };
 
 // Largest values since the runs came aboard, or before: never above those of the runs.
@@ -62,23 +70,30 @@ struct ensemble_peak_times {
 };
 
 struct ensemble_contact {
-    wide gap;           // [L]
-    wide limit;         // [L] 0, and infinite in lanes whose runs have taken it up in this step
-    wide deepest;       // [L] as the peaks, but while it is open
-    wide deepest_time;  // [T]
+    wide gap;    // [L]
+    wide limit;  // [L] a contact beyond this closes or is nearer than ever: its nearest, or
+                 // infinite in lanes whose runs have taken it up in this step
 };
 
-// A contact that is closed in some lanes.
+// Largest penetrations of a contact while it is open, as the peaks.
+struct ensemble_nearest {
+    wide depth;  // [L]
+    wide time;   // [T]
+};
+
+// A contact that is beyond its limit in some lanes, a bit each:
 struct ensemble_pressed {
     int contact;
-    unsigned lanes;  // a bit each
+    unsigned closed;  // those in which it is closed,
+    unsigned nearer;  // and those in which it is open
 };
 
 // As of struct energy_account, and of the runs besides.
 struct ensemble_works {
     wide input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
-    wide ground;  // [L/T^2] acceleration of `now`
-    wide speed;   // [L/T] largest velocity of any floor so far
+    wide ground;     // [L/T^2] acceleration of `now`
+    wide ground_2x;  // and of the step before, together
+    wide speed;      // [L/T] largest velocity of any floor so far
 };
 
 struct ensemble_lanes {
@@ -86,17 +101,19 @@ struct ensemble_lanes {
     int n_building, n_floor, n_contact;
     double b, g, h;  // beta h^2, gamma h and h
 
-    long long aboard[WIDE_RUNS];            // all bits of the lanes whose runs are aboard
-    struct ensemble_building *building;     // (n_building)
-    struct ensemble_state *now, *next;      // (n_floor) of all buildings
-    struct ensemble_peaks *peak;            // (n_floor)
+    long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
+    struct ensemble_building *building;  // (n_building)
+    struct ensemble_state *now, *next;   // (n_floor) of all buildings
+    struct ensemble_motion *motion;      // (n_floor)
+    wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
+    struct ensemble_peaks *peak;         // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
-    struct ensemble_works *works;           // so far
-    wide *residual, *correction;            // [F] [L/T^2] (n_floor) of the step under way
+    struct ensemble_works *works;           // up to `now`, or if
+    bool owing;                             // up to the step before, which is `next` then
     struct ensemble_contact *contact;       // (n_contact)
+    struct ensemble_nearest *nearest;       // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
-    bool nearer;    // an open one exceeds its peak in the step under way
-    struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits
+    struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits, as last looked at
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
@@ -130,8 +147,11 @@ void ensemble_unbalance(struct ensemble_lanes *e, const wide *base);
 // what they lead to,
 void ensemble_move(struct ensemble_lanes *e, const wide *base);
 
-// and whether one of those aboard exceeds a peak, and where.
-bool ensemble_exceeds(struct ensemble_lanes *e, const wide *base);
+// and that again for buildings that links have pushed.
+void ensemble_move_pushed(struct ensemble_lanes *e, const wide *base);
+
+// Whether one of those aboard exceeds a peak in the step that has been computed and pressed.
+bool ensemble_exceeds(struct ensemble_lanes *e);
 
 // The lanes aboard whose numbers have grown too large in the step that has been computed, one bit
 // each. `base` is its ground acceleration here and below.
@@ -144,10 +164,13 @@ void ensemble_press(struct ensemble_lanes *e);
 // ensemble_exceeds has found to be exceeded.
 void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
 
-// Takes its works into account and commits it.
+// Commits it, and owes its works.
 void ensemble_commit(struct ensemble_lanes *e, const wide *base);
 
+// Takes the works of the last step into account, where that is still owing.
+void ensemble_settle(struct ensemble_lanes *e);
+
 // The energies of all lanes (WIDE_RUNS).
-void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums);
+void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums);
 
 #endif

@@ -6,31 +6,31 @@
 #include "solve/contact.h"
 #include "solve/event.h"
 
-// The committed state of building k, its trial, and the corrections that it has so far.
+// The trial of building k, and the corrections that it has so far.
 static void gather_building(const struct ensemble_lanes *e, int lane, struct run *r, int k) {
     const struct building *g = &r->model->building[k];
+    struct work *w = &r->work;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
-        const struct ensemble_state *s = &e->now[i];
-        r->now->u[i] = s->u[lane];
-        r->now->v[i] = s->v[lane];
-        r->now->a[i] = s->a[lane];
-        r->work.correction[i] = e->correction[i][lane];
+        w->u_trial[i] = e->motion[i].u[lane];
+        w->v_trial[i] = e->motion[i].v[lane];
+        w->correction[i] = e->motion[i].correction[lane];
     }
-    floors_trial(&r->work, r->now, k);
 }
 
-// The state that they lead to now.
-static void scatter_building(struct ensemble_lanes *e, int lane, struct run *r, int k) {
+// The corrections that it has now.
+static void scatter_building(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct building *g = &r->model->building[k];
-    const struct work *w = &r->work;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
-        const double q = w->correction[i];
-        const double u = w->u_trial[i] + w->b * q;
-        const double v = w->v_trial[i] + w->g * q;
-        r->next->v[i] = v;
-        e->next[i].u[lane] = u;
-        e->next[i].v[lane] = v;
-        e->next[i].a[lane] = r->now->a[i] + q;
+        e->motion[i].correction[lane] = r->work.correction[i];
+    }
+    e->building[k].pushed = true;
+}
+
+// The velocities of both ends of contact k.
+static void gather_velocities(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
+                              int lane, double *v) {
+    for (int i = 0; i < 2; i++) {
+        v[e->end[k][i]] = s[e->end[k][i]].v[lane];
     }
 }
 
@@ -49,8 +49,8 @@ void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, dou
     for (int i = 0; i < next->n_live; i++) {
         const int k = next->live[i];
         e->contact[k].limit[lane] = INFINITY;
-        e->residual[e->end[k][0]][lane] -= next->force[k];
-        e->residual[e->end[k][1]][lane] += next->force[k];
+        e->motion[e->end[k][0]].residual[lane] -= next->link[k].force;
+        e->motion[e->end[k][1]].residual[lane] += next->link[k].force;
     }
 }
 
@@ -59,11 +59,15 @@ void ensemble_links_gather(const struct ensemble_lanes *e, int lane, struct run 
     for (int i = 0; i < g->n_touched; i++) {
         gather_building(e, lane, r, g->touched[i]);
     }
+    for (int i = 0; i < r->next->n_live; i++) {
+        gather_velocities(e, r->next->live[i], e->now, lane, r->now->v);
+    }
 }
 
-// Those of a link that no other has touched.
-static void gather_ends(const struct ensemble_lanes *e, int lane, struct run *r,
-                        const struct link *l) {
+// The same of the ends of a link that no other has touched.
+static void gather_ends(const struct ensemble_lanes *e, int lane, struct run *r, int contact) {
+    const struct link *l = &r->model->link[contact];
+    gather_velocities(e, contact, e->now, lane, r->now->v);
     for (int side = 0; side < 2; side++) {
         const int k = l->building[side];
         if (k != WALL && !r->work.gaps.is_touched[k]) {
@@ -76,11 +80,12 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
     int n = 0;
     for (int i = 0; i < e->n_pressed; i++) {
         const int k = e->pressed[i].contact;
-        if (!(e->pressed[i].lanes >> lane & 1U)) {
+        if (!(e->pressed[i].closed >> lane & 1U)) {
             continue;
         }
-        gather_ends(e, lane, r, &r->model->link[k]);
-        r->now->delta[k] = penetration(e, k, e->now, lane);
+        gather_ends(e, lane, r, k);
+        r->now->delta[k] =
+            e->now[e->end[k][0]].u[lane] - e->now[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
         r->next->delta[k] = penetration(e, k, e->next, lane);
         if (contact_close(&r->work, r->now, r->next, k)) {
             e->contact[k].limit[lane] = INFINITY;
@@ -98,15 +103,16 @@ int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r) {
     for (int i = 0; i < g->n_touched; i++) {
         scatter_building(e, lane, r, g->touched[i]);
     }
-    for (int i = 0; i < r->next->n_live; i++) {
-        const int k = r->next->live[i];
-        r->next->delta[k] = penetration(e, k, e->next, lane);
-    }
     return STATUS_OK;
 }
 
-int ensemble_links_finish(struct run *r) {
+int ensemble_links_finish(const struct ensemble_lanes *e, int lane, struct run *r) {
     struct work *w = &r->work;
+    for (int i = 0; i < r->next->n_live; i++) {
+        const int k = r->next->live[i];
+        r->next->delta[k] = penetration(e, k, e->next, lane);
+        gather_velocities(e, k, e->next, lane, r->next->v);
+    }
     contact_finish(w, r->now, r->next);
     return event_first(w, r->now, r->next, w->h, r->events, -1).link < 0 ? STATUS_OK : STATUS_RETRY;
 }
@@ -115,7 +121,7 @@ int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r) {
     struct state *next = r->next;
     for (int i = 0; i < e->n_pressed; i++) {
         const int k = e->pressed[i].contact;
-        if (e->pressed[i].lanes >> lane & 1U) {
+        if (e->pressed[i].closed >> lane & 1U) {
             peaks_penetration(r->results, k, next->delta[k], next->time);
         }
     }
@@ -130,6 +136,6 @@ int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r) {
 void ensemble_links_release(struct ensemble_lanes *e, int lane, const struct run *r) {
     const struct gaps *g = &r->work.gaps;
     for (int i = 0; i < g->n_acting; i++) {
-        e->contact[g->acting[i]].limit[lane] = 0.0;
+        e->contact[g->acting[i]].limit[lane] = e->nearest[g->acting[i]].depth[lane];
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The links of a run whose floors are in a lane: a step in which some act is taken by all floors
 // aboard at once, and then by the links of each such run as they would be if it were alone. In
-// struct run only the arrays of links, and those of floors that they feel, are up to date then.
+// struct run only the arrays of links, and what they feel of their floors, are up to date then.
 #ifndef JOSTLE_ENSEMBLE_LINKS_H
 #define JOSTLE_ENSEMBLE_LINKS_H
 
@@ -18,12 +18,13 @@ void ensemble_links_gather(const struct ensemble_lanes *e, int lane, struct run 
 // Closes pressed contacts of the lane where they do close; returns how many.
 int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r);
 
-// Solves for the forces of live links, and takes what they do into the step of the lane.
+// Solves for the forces of live links, which push their buildings in the lane.
 // STATUS_RETRY: the run has to take this step alone.
 int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r);
 
-// Ends a step that is solved. STATUS_RETRY: a force has jumped in it, as above.
-int ensemble_links_finish(struct run *r);
+// Ends a step that is solved, when the lane has taken over what links have done. STATUS_RETRY: a
+// force has jumped in it, as above.
+int ensemble_links_finish(const struct ensemble_lanes *e, int lane, struct run *r);
 
 // Takes it into the account of the run and commits it, before the lane does. Errors: STATUS_SYSTEM.
 int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r);

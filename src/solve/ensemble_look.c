@@ -44,11 +44,18 @@ LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *ba
     return lanes_aboard(e, &flags);
 }
 
-// Negative in lanes where a contact is beyond its limit.
-INLINE void press(const struct ensemble_lanes *e, int k, wide_bits *flags) {
-    const struct ensemble_contact *c = &e->contact[k];
-    wide delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - c->gap;
-    *flags |= LESS(c->limit, delta);
+INLINE void find_penetration(const struct ensemble_lanes *e, int k, wide *delta) {
+    *delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - e->contact[k].gap;
+}
+
+// Lists a contact that may be beyond its limit in some lanes.
+INLINE void list(struct ensemble_lanes *e, int k) {
+    wide delta;
+    find_penetration(e, k, &delta);
+    const wide_bits flags = LESS(e->contact[k].limit, delta), inside = LESS(0.0, delta);
+    const unsigned beyond = lanes_aboard(e, &flags), closed = beyond & lanes_aboard(e, &inside);
+    e->pressed[e->n_pressed] = (struct ensemble_pressed){k, closed, beyond & ~closed};
+    e->n_pressed += beyond != 0;
 }
 
 LANES void ensemble_press(struct ensemble_lanes *e) {
@@ -57,16 +64,26 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
         const int end = first + TOGETHER < e->n_contact ? first + TOGETHER : e->n_contact;
         wide_bits any = {0};
         for (int k = first; k < end; k++) {
-            press(e, k, &any);
+            wide delta;
+            find_penetration(e, k, &delta);
+            any |= LESS(e->contact[k].limit, delta);
         }
         for (int k = first; lanes_aboard(e, &any) && k < end; k++) {
-            wide_bits flags = {0};
-            press(e, k, &flags);
-            const unsigned lanes_set = lanes_aboard(e, &flags);
-            e->pressed[e->n_pressed] = (struct ensemble_pressed){k, lanes_set};
-            e->n_pressed += lanes_set != 0;
+            list(e, k);
         }
     }
+}
+
+LANES bool ensemble_exceeds(struct ensemble_lanes *e) {
+    bool any = false;
+    for (int k = 0; k < e->n_building; k++) {
+        e->building[k].exceeds = lanes_aboard(e, &e->beyond[k]) != 0;
+        any |= e->building[k].exceeds;
+    }
+    for (int i = 0; !any && i < e->n_pressed; i++) {
+        any = e->pressed[i].nearer != 0;
+    }
+    return any;
 }
 
 // Where `size` is greater than the peak of a run aboard, the peak and its time.
@@ -107,21 +124,32 @@ INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble_build
     }
 }
 
+// The same of a contact, where it is open.
+INLINE void draw_near(struct ensemble_lanes *e, int k, const wide_bits *aboard, const wide *time) {
+    struct ensemble_contact *c = &e->contact[k];
+    struct ensemble_nearest *p = &e->nearest[k];
+    wide delta;
+    find_penetration(e, k, &delta);
+    const wide_bits nearer =
+        (LESS(c->limit, delta) >> SIGN) & ~(LESS(0.0, delta) >> SIGN) & *aboard;
+    c->limit = CHOOSE(nearer, delta, c->limit);
+    p->depth = CHOOSE(nearer, delta, p->depth);
+    p->time = CHOOSE(nearer, *time, p->time);
+}
+
 LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time) {
     wide_bits aboard;
     memcpy(&aboard, e->aboard, sizeof aboard);
     const wide now = time - (wide){0.0};
-    const struct ensemble_state *s = e->next;
     for (int k = 0; k < e->n_building; k++) {
         if (e->building[k].exceeds) {
             raise_building(e, &e->building[k], &aboard, base, &now);
         }
     }
-    for (int k = 0; e->nearer && k < e->n_contact; k++) {
-        struct ensemble_contact *c = &e->contact[k];
-        wide delta = s[e->end[k][0]].u - s[e->end[k][1]].u - c->gap;
-        wide_bits open = aboard & ~(LESS(0.0, delta) >> SIGN);
-        raise(&open, &delta, &now, &c->deepest, &c->deepest_time);
+    for (int i = 0; i < e->n_pressed; i++) {
+        if (e->pressed[i].nearer) {
+            draw_near(e, e->pressed[i].contact, &aboard, &now);
+        }
     }
 }
 
@@ -139,7 +167,7 @@ INLINE void add_building(const struct ensemble_lanes *e, const struct ensemble_b
     }
 }
 
-LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
+LANES static void add_sums(const struct ensemble_lanes *e, struct energy_sums *sums) {
     wide kinetic = {0.0}, elastic = {0.0}, input = {0.0}, damping = {0.0};
     for (int k = 0; k < e->n_building; k++) {
         add_building(e, &e->building[k], &kinetic, &elastic);
@@ -154,4 +182,9 @@ LANES void ensemble_sums(const struct ensemble_lanes *e, struct energy_sums *sum
                                           .input_2x = input[lane],
                                           .damping_2x = damping[lane]};
     }
+}
+
+void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums) {
+    ensemble_settle(e);
+    add_sums(e, sums);
 }

@@ -15,8 +15,9 @@ static double snap(double time, double h) {
 // Has contact k closed or opened in the step, in a way that steps are split at?
 static bool splits(const struct work *w, const struct state *now, const struct state *next, int k) {
     const struct contact_law *law = w->model->link[k].law;
-    bool jumps = (law->traits & CONTACT_JUMPS) && (now->force[k] != 0.0 || next->force[k] != 0.0);
-    return now->closed[k] != next->closed[k] && !law->rebound &&
+    bool jumps =
+        (law->traits & CONTACT_JUMPS) && (now->link[k].force != 0.0 || next->link[k].force != 0.0);
+    return now->link[k].closed != next->link[k].closed && !law->rebound &&
            (jumps || w->splitting == SPLIT_ALWAYS);
 }
 
@@ -29,8 +30,8 @@ static struct path path_of(const struct model *m, const struct state *now, const
 // Time from the start of the step at which the force of link k jumps.
 static double jump_time(const struct model *m, const struct state *now, const struct state *next,
                         double h, int k) {
-    if (next->closed[k]) {
-        return next->t_close[k] - now->time;
+    if (next->link[k].closed) {
+        return next->link[k].t_close - now->time;
     }
     struct path path = path_of(m, now, next, h, k);
     path.d0 = fmax(path.d0, 0.0);
@@ -79,7 +80,7 @@ struct event event_first(const struct work *w, const struct state *now, const st
     }
     for (int i = 0; i < w->n_rigid; i++) {
         int k = w->rigid[i];
-        if (k != except && !now->closed[k]) {
+        if (k != except && !now->link[k].closed) {
             take_earlier(&first, k, meeting_time(m, now, next, h, k), h);
         }
     }
@@ -87,9 +88,9 @@ struct event event_first(const struct work *w, const struct state *now, const st
 }
 
 void event_apply(struct state *s, const struct model *m, int link) {
-    if (s->closed[link]) {
-        s->closed[link] = false;
-        s->force[link] = 0.0;
+    if (s->link[link].closed) {
+        s->link[link].closed = false;
+        s->link[link].force = 0.0;
     } else {
         state_close_link(s, m, link);
     }

@@ -1,32 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Free flight of models with few floors, all on one ground: what floors.c does, but from step to
-// step, with the state in registers.
+// Steps of models with few floors, all on one ground: what floors.c does, but on vectors that hold
+// all floors, and in free flight from step to step, with the state in registers.
 #ifndef JOSTLE_FEW_H
 #define JOSTLE_FEW_H
 
 #include "solve/account.h"
-#include "solve/work.h"
+#include "solve/effective.h"
+#include "solve/state.h"
 
 enum { FEW_MAX = 2 * LANES_WIDTH };
 
+// What a step reads besides the state, side by side in memory; each (FEW_MAX), by floor.
+struct few_table {
+    double mass[FEW_MAX], stiffness[FEW_MAX], joint[FEW_MAX], joint_above[FEW_MAX];
+    double damping_below[FEW_MAX], damping[FEW_MAX], damping_above[FEW_MAX];
+    double back[FEW_MAX], spring[FEW_MAX], rest[FEW_MAX], limit[FEW_MAX];  // struct storey_branch
+    double peak[PEAK_COUNT][FEW_MAX];
+    double inverse[FEW_MAX][FEW_MAX];  // A^-1 of all buildings
+};
+
 struct few {
-    bool possible;  // with this model
-    long factors;   // work.factors that the rest is of
-    // A^-1 of all buildings, (FEW_MAX, FEW_MAX), and for each four columns the rows that they have,
-    // in fours too.
-    double *inverse;
+    bool possible;            // with this model
+    long factors;             // work.factors that the inverse is of
+    struct few_table *table;  // from where a line of the cache begins
+    // For LANES_WIDTH columns each, the rows of the inverse that they have, in fours.
     struct few_rows {
         int from, to;
-    } rows[FEW_MAX / LANES_VECTOR];
+    } rows[FEW_MAX / LANES_WIDTH];
 };
 
 struct flight;
+struct work;
 
-// Room for the model of a flight; false: no memory.
-bool few_alloc(struct few *few, const struct flight *f, struct arena *a);
+// Room for a model; false: no memory.
+bool few_alloc(struct few *few, const struct model *m, struct arena *a);
 
 // Takes the inverses of the buildings, which must be there, unless that has been done.
 void few_factor(struct few *few, const struct work *w);
+
+// May a step in which links act be one of few_move? All is linear but for the links, and it has the
+// model's size.
+bool few_serves(const struct work *w);
+
+// floors_move,
+bool few_move(struct work *w, const struct state *now, struct state *next);
+
+// what the corrections in `w` lead to,
+void few_correct(const struct work *w, const struct state *now, struct state *next);
+
+// and account_step of such a step.
+void few_account(const struct few *few, struct energy_account *a, struct results *r,
+                 const struct model *m, const struct state *now, const struct state *next);
 
 // Takes steps from number `n`, whose state is `s`, as far as `end`, but stops before one in which a
 // contact closes or a storey leaves its line. What is computed ahead for the flight must reach that

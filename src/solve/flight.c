@@ -134,29 +134,21 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
         group_contacts(f, m);
         assign_groups(f);
     }
-    return few_alloc(&f->few, f, a);
-}
-
-static void raise_penetrations(const struct flight *f, enum nearness near, struct state *s) {
-    if (near == NEARNESS_DEEPEST) {
-        gaps_update(&f->work->gaps, s);
-        gaps_peaks(&f->work->gaps, s);
-    }
-}
-
-bool flight_raise(const struct flight *f, enum nearness near, struct state *s) {
-    if (!floors_raise(f, s)) {
-        return false;
-    }
-    raise_penetrations(f, near, s);
     return true;
+}
+
+void flight_deepen(const struct flight *f, struct state *s) {
+    gaps_update(&f->work->gaps, s);
+    gaps_peaks(&f->work->gaps, s);
 }
 
 // Takes a step as it has been found into the account, or sees to it that the next one does.
 static void take(const struct flight *f, const struct state *now, struct state *next,
                  enum nearness near) {
-    raise_penetrations(f, near, next);
-    if (!f->uniform || f->few.possible) {
+    if (near == NEARNESS_DEEPEST) {
+        flight_deepen(f, next);
+    }
+    if (!f->work->floors.late.possible) {
         floors_account(f->energy, f->results, f->model, now, next);
         return;
     }
@@ -181,10 +173,8 @@ static void complete(const struct flight *f, struct state *s) {
 // Times from step n on, and the ground accelerations then.
 static void look_ahead(struct flight *f, long n) {
     f->ahead_from = n;
-    for (int i = 0; i < FLIGHT_AHEAD; i++) {
-        f->time[i] = model_time(f->model, n + i);
-        f->ground[i] = 0.0;
-    }
+    model_times(f->model, n, FLIGHT_AHEAD, f->time);
+    memset(f->ground, 0, sizeof f->ground);
     const struct ground *g = &f->model->ground[0];
     for (int i = 0; f->uniform && i < g->n_signal; i++) {
         signal_add_values(&g->signal[i], FLIGHT_AHEAD, f->time, f->ground);
@@ -201,7 +191,7 @@ static void ensure_ahead(struct flight *f, long n) {
 // Steps from n towards `end` that bring no news; returns the one reached.
 static long glide(struct flight *f, struct state *now, long n, long end) {
     long reached = n;
-    while (f->few.possible && reached < end) {
+    while (f->work->few.possible && reached < end) {
         ensure_ahead(f, reached + 1);
         long known = number_least(end, f->ahead_from + FLIGHT_AHEAD - 1);
         reached = few_take(f, now, reached, known);
@@ -243,9 +233,8 @@ static void start(struct flight *f, const struct state *now, struct state *next)
     state_open_links(next);
     gaps_forget(&f->work->gaps, now);
     memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
-    if (f->few.possible) {
-        floors_settle(&f->work->floors.late, m, next, now);
-        few_factor(&f->few, f->work);
+    if (f->work->few.possible) {
+        few_factor(&f->work->few, f->work);
     }
     if (f->yields) {
         memcpy(next->storey_history, now->storey_history,

@@ -6,7 +6,6 @@
 #define JOSTLE_FLIGHT_H
 
 #include "solve/account.h"
-#include "solve/few.h"
 #include "solve/work.h"
 
 // Contacts that follow each other, as do the floors at both their ends: LANES_WIDTH at most.
@@ -34,7 +33,6 @@ struct flight {
     struct gap_group *group;  // (n_group)
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
     int *group_end;           // by block of floors: after it the groups before this can be seen to
-    struct few few;           // what models with few floors need
 
     long ahead_from;              // step of the first of what is computed ahead:
     double time[FLIGHT_AHEAD];    // [T]
@@ -49,8 +47,7 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
-// Takes a step in flight into the peaks; `near` is how near contacts have come. False: it is none,
-// as it is not finite.
-bool flight_raise(const struct flight *f, enum nearness near, struct state *s);
+// Takes note of the penetrations of a step in flight in which contacts are nearer than ever.
+void flight_deepen(const struct flight *f, struct state *s);
 
 #endif

@@ -176,13 +176,6 @@ LANES_INLINE int64_t floors_correct(const struct floors_correction *k, int first
     return floors_any_wide(&sign);
 }
 
-// Which of the quantities of floors may have peaks. The shear of an elastic storey has one only
-// with its drift: k |drift| is rounded to no less for a greater drift.
-enum floors_higher {
-    FLOORS_MOTION = 1,  // displacements, velocities, total accelerations
-    FLOORS_DRIFT = 2,   // drifts, shears
-};
-
 // What there is of the floors at one time. `base` NULL: the acceleration of the ground is that of
 // all floors; `shear` NULL: all storeys are elastic.
 struct floors_moment {
@@ -200,69 +193,18 @@ LANES_INLINE struct floors_moment floors_moment_of(const struct model *m, const 
                                   .shear = m->n_storey_history > 0 ? s->shear : NULL};
 }
 
-LANES_INLINE void floors_total(const struct floors_moment *s, int i, lanes_wide *total) {
-    *total = LANES_AT(s->a, i) + s->ground;
-    if (s->base) {
-        *total = LANES_AT(s->a, i) + LANES_AT(s->base, i);
-    }
-}
+// The largest values so far, and when.
+struct floors_peaks {
+    double *const *peak, *const *time;  // by enum peak
+};
 
-LANES_INLINE void floors_drift(const struct chain *c, const double *u, int i, lanes_wide *drift) {
-    *drift = LANES_AT(u, i) - LANES_AT(c->joint, i) * LANES_AT(u, i - 1);
-}
+#define CHOOSE_WIDE(mask, x, y)                                                                    \
+    ((lanes_wide)(((mask) & (lanes_wide_bits)(x)) | (~(mask) & (lanes_wide_bits)(y))))
 
-// A peak is the last of values that grow, so that it is stored once: negative where |x0| > peak and
-// then |x1| <= |x0|.
-#define TURNED_WIDE(x0, x1, peak)                                                                  \
-    (BEYOND_WIDE(x0, peak) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
-
-// *motion gets negative where a displacement, velocity or total acceleration was highest at the
-// start of a step from s0 to s1, under one ground.
-LANES_INLINE void floors_turned(const struct floors_moment *s0, const struct floors_moment *s1,
-                                double *const peak[PEAK_COUNT], int first, int end,
-                                lanes_wide_bits *motion) {
-    const double *peak_u = peak[PEAK_DISPLACEMENT], *peak_v = peak[PEAK_VELOCITY];
-    const double *peak_a = peak[PEAK_ACCELERATION];
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground;
-        *motion |= TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i), LANES_AT(peak_u, i)) |
-                   TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(peak_v, i)) |
-                   TURNED_WIDE(a0, a1, LANES_AT(peak_a, i));
-    }
-}
-
-// The same of shears of storeys that may yield.
-LANES_INLINE void floors_turned_shears(const double *s0, const double *s1, const double *peak,
-                                       int first, int end, lanes_wide_bits *drift) {
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        *drift |= TURNED_WIDE(LANES_AT(s0, i), LANES_AT(s1, i), LANES_AT(peak, i));
-    }
-}
-
-// Adds the works of the floors from `first` to `end` in a step from s0 to s1, under one ground. The
-// same of drifts.
-LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
-                                   const struct floors_moment *s0, const struct floors_moment *s1,
-                                   const double *peak, struct energy_account *account,
-                                   lanes_wide_bits *drift) {
-    const double ground_2x = s0->ground + s1->ground;
-    lanes_wide input = LANES_AT(account->input_2x, 0), damping = LANES_AT(account->damping_2x, 0);
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        floors_input(c, i, ground_2x, s0->u, s1->u, &input);
-        floors_damped(c, i, s0->u, s1->u, s0->v, s1->v, &damping);
-        lanes_wide d0, d1;
-        floors_drift(c, s0->u, i, &d0);
-        floors_drift(c, s1->u, i, &d1);
-        *drift |= TURNED_WIDE(d0, d1, LANES_AT(peak, i));
-    }
-    *(lanes_wide *)account->input_2x = input;
-    *(lanes_wide *)account->damping_2x = damping;
-}
-
-#define CHOOSE_WIDE(mask, x, y) ((lanes_wide)(((mask) & (lanes_wide_bits)(x)) | (~(mask) & (lanes_wide_bits)(y))))
-
-// Where |x| of eight values is beyond its peak, the peak and its time.
-LANES_INLINE void floors_raise_eight(const lanes_wide *x, double time, double *peak, double *when) {
+// Where |x| of eight values from i on is beyond its peak, the peak and its time.
+LANES_INLINE void floors_raise(const struct floors_peaks *p, int quantity, int i, double time,
+                               const lanes_wide *x) {
+    double *peak = p->peak[quantity] + i, *when = p->time[quantity] + i;
     lanes_wide_bits beyond = BEYOND_WIDE(*x, LANES_AT(peak, 0)) >> 63;
     if (floors_any_wide(&beyond) < 0) {
         *(lanes_wide *)peak = CHOOSE_WIDE(beyond, ABSOLUTE_WIDE(*x), LANES_AT(peak, 0));
@@ -270,14 +212,92 @@ LANES_INLINE void floors_raise_eight(const lanes_wide *x, double time, double *p
     }
 }
 
-// Which peaks there may be.
-LANES_INLINE unsigned floors_which(const lanes_wide_bits *motion, const lanes_wide_bits *drift) {
-    lanes_wide_bits either = *motion | *drift;
-    if (floors_any_wide(&either) >= 0) {
-        return 0;
+// Takes the motion of eight floors into the peaks.
+LANES_INLINE void floors_raise_motion(const struct floors_peaks *p, const struct floors_moment *s,
+                                      int i) {
+    lanes_wide u = LANES_AT(s->u, i), v = LANES_AT(s->v, i);
+    lanes_wide total = LANES_AT(s->a, i) + s->ground;
+    if (s->base) {
+        total = LANES_AT(s->a, i) + LANES_AT(s->base, i);
     }
-    return (floors_any_wide(motion) < 0 ? FLOORS_MOTION : 0U) |
-           (floors_any_wide(drift) < 0 ? FLOORS_DRIFT : 0U);
+    floors_raise(p, PEAK_DISPLACEMENT, i, s->time, &u);
+    floors_raise(p, PEAK_VELOCITY, i, s->time, &v);
+    floors_raise(p, PEAK_ACCELERATION, i, s->time, &total);
+}
+
+LANES_INLINE void floors_drift(const struct chain *c, const double *u, int i, lanes_wide *drift) {
+    *drift = LANES_AT(u, i) - LANES_AT(c->joint, i) * LANES_AT(u, i - 1);
+}
+
+// The same of drifts and shears. An elastic shear is beyond its peak only with its drift: k |drift|
+// is rounded to no less for a greater drift.
+LANES_INLINE void floors_raise_drifts(const struct floors_peaks *p, const struct chain *c,
+                                      const struct floors_moment *s, int i) {
+    lanes_wide drift;
+    floors_drift(c, s->u, i, &drift);
+    lanes_wide shear = LANES_AT(c->stiffness, i) * drift;
+    if (s->shear) {
+        shear = LANES_AT(s->shear, i);
+    }
+    floors_raise(p, PEAK_DRIFT, i, s->time, &drift);
+    floors_raise(p, PEAK_SHEAR, i, s->time, &shear);
+}
+
+// A peak is the last of values that grow, so that it is stored once: negative where |x0| > peak and
+// then |x1| <= |x0|.
+#define TURNED_WIDE(x0, x1, peak)                                                                  \
+    (BEYOND_WIDE(x0, peak) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
+
+// Takes displacements, velocities and total accelerations that were highest at the start of a step
+// from s0 to s1, under one ground, into the peaks.
+LANES_INLINE void floors_add_peaks(int first, int end, const struct floors_moment *s0,
+                                   const struct floors_moment *s1, const struct floors_peaks *p) {
+    const double *peak_u = p->peak[PEAK_DISPLACEMENT], *peak_v = p->peak[PEAK_VELOCITY];
+    const double *peak_a = p->peak[PEAK_ACCELERATION];
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground;
+        lanes_wide_bits turned =
+            TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i), LANES_AT(peak_u, i)) |
+            TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(peak_v, i)) |
+            TURNED_WIDE(a0, a1, LANES_AT(peak_a, i));
+        if (floors_any_wide(&turned) < 0) {
+            floors_raise_motion(p, s0, i);
+        }
+    }
+}
+
+// The same of shears of storeys that may yield.
+LANES_INLINE void floors_add_shears(int first, int end, const struct floors_moment *s0,
+                                    const struct floors_moment *s1, const struct floors_peaks *p) {
+    const double *peak = p->peak[PEAK_SHEAR];
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        lanes_wide shear = LANES_AT(s0->shear, i);
+        lanes_wide_bits turned = TURNED_WIDE(shear, LANES_AT(s1->shear, i), LANES_AT(peak, i));
+        if (floors_any_wide(&turned) < 0) {
+            floors_raise(p, PEAK_SHEAR, i, s0->time, &shear);
+        }
+    }
+}
+
+// Adds the works of the floors from `first` to `end`. The same of drifts.
+LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
+                                   const struct floors_moment *s0, const struct floors_moment *s1,
+                                   const struct floors_peaks *p, struct energy_account *account) {
+    const double ground_2x = s0->ground + s1->ground, *peak = p->peak[PEAK_DRIFT];
+    lanes_wide input = LANES_AT(account->input_2x, 0), damping = LANES_AT(account->damping_2x, 0);
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        lanes_wide d0, d1;
+        floors_input(c, i, ground_2x, s0->u, s1->u, &input);
+        floors_damped(c, i, s0->u, s1->u, s0->v, s1->v, &damping);
+        floors_drift(c, s0->u, i, &d0);
+        floors_drift(c, s1->u, i, &d1);
+        lanes_wide_bits turned = TURNED_WIDE(d0, d1, LANES_AT(peak, i));
+        if (floors_any_wide(&turned) < 0) {
+            floors_raise_drifts(p, c, s0, i);
+        }
+    }
+    *(lanes_wide *)account->input_2x = input;
+    *(lanes_wide *)account->damping_2x = damping;
 }
 
 // Drifts and shears at the end of the step of storeys that follow lines. *beyond gets negative if

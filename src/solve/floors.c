@@ -89,7 +89,7 @@ static void push(struct work *w, const struct state *now, const struct state *ne
             floors_trial(w, now, k);
         }
         for (int end = f->first_end[k]; end >= 0; end = f->following_end[end]) {
-            double force = next->force[end / 2];
+            double force = next->link[end / 2].force;
             f->residual[m->link[end / 2].dof[end % 2] - b->first] += end % 2 == 0 ? -force : force;
         }
         f->first_end[k] = -1;
@@ -164,59 +164,15 @@ void floors_trial(struct work *w, const struct state *now, int k) {
     chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
 }
 
-// Takes the motion of the floors from `first` to `end` into their peaks.
-LANES_INLINE void raise_motion(int first, int end, const struct floors_moment *s,
-                               const struct results *r) {
-    double *const *peak = r->peak, *const *when = r->peak_time;
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        lanes_wide u = LANES_AT(s->u, i), v = LANES_AT(s->v, i), a;
-        floors_total(s, i, &a);
-        floors_raise_eight(&u, s->time, peak[PEAK_DISPLACEMENT] + i, when[PEAK_DISPLACEMENT] + i);
-        floors_raise_eight(&v, s->time, peak[PEAK_VELOCITY] + i, when[PEAK_VELOCITY] + i);
-        floors_raise_eight(&a, s->time, peak[PEAK_ACCELERATION] + i, when[PEAK_ACCELERATION] + i);
+// Takes a state into the peaks.
+LANES static void raise(const struct chain *chain, const struct results *r,
+                        const struct floors_moment *s) {
+    const struct chain c = *chain;
+    const struct floors_peaks p = {r->peak, r->peak_time};
+    for (int i = 0; i < c.n; i += LANES_WIDTH) {
+        floors_raise_motion(&p, s, i);
+        floors_raise_drifts(&p, &c, s, i);
     }
-}
-
-// The same of drifts and shears.
-LANES_INLINE void raise_drifts(const struct chain *c, int first, int end,
-                               const struct floors_moment *s, const struct results *r) {
-    double *const *peak = r->peak, *const *when = r->peak_time;
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        lanes_wide drift;
-        floors_drift(c, s->u, i, &drift);
-        lanes_wide shear = LANES_AT(c->stiffness, i) * drift;
-        if (s->shear) {
-            shear = LANES_AT(s->shear, i);
-        }
-        floors_raise_eight(&drift, s->time, peak[PEAK_DRIFT] + i, when[PEAK_DRIFT] + i);
-        floors_raise_eight(&shear, s->time, peak[PEAK_SHEAR] + i, when[PEAK_SHEAR] + i);
-    }
-}
-
-// Takes what may be higher of the floors from `first` to `end` into the peaks.
-LANES static void raise(const struct chain *c, unsigned which, int first, int end,
-                        const struct results *r, const struct floors_moment *s) {
-    if (which & FLOORS_DRIFT) {
-        raise_drifts(c, first, end, s, r);
-    }
-    if (which & FLOORS_MOTION) {
-        raise_motion(first, end, s, r);
-    }
-}
-
-LANES static bool is_finite(int n, const struct floors_moment *s) {
-    int64_t sign = 0;
-    for (int i = 0, end = floors_whole(n); i < end; i++) {
-        sign |= number_beyond(fabs(s->u[i]) + fabs(s->v[i]) + fabs(s->a[i]), DBL_MAX);
-    }
-    return sign >= 0;
-}
-
-bool floors_raise(const struct flight *f, const struct state *s) {
-    const struct floors_moment moment = floors_moment_of(f->model, s);
-    const struct chain *c = &f->model->chain;
-    raise(c, FLOORS_MOTION | FLOORS_DRIFT, 0, c->n, f->results, &moment);
-    return is_finite(c->n, &moment);
 }
 
 // The account of a step from s0 to s1 under one ground, taken from floor `done` on.
@@ -231,20 +187,16 @@ struct account {
 // Takes it as far as floor `end`.
 LANES_INLINE void account_to(struct account *a, int end) {
     const struct chain c = *a->chain;
+    const struct floors_moment s0 = a->s0, s1 = a->s1;
+    const struct floors_peaks p = {a->results->peak, a->results->peak_time};
     const int first = a->done;
-    lanes_wide_bits motion = {0}, drift = {0};
     if (first >= end) {
         return;
     }
-    double *const *peak = a->results->peak;
-    floors_turned(&a->s0, &a->s1, peak, first, end, &motion);
-    floors_add_works(&c, first, end, &a->s0, &a->s1, peak[PEAK_DRIFT], a->energy, &drift);
-    if (a->s0.shear) {
-        floors_turned_shears(a->s0.shear, a->s1.shear, peak[PEAK_SHEAR], first, end, &drift);
-    }
-    unsigned which = floors_which(&motion, &drift);
-    if (which) {
-        raise(&c, which, first, end, a->results, &a->s0);
+    floors_add_peaks(first, end, &s0, &s1, &p);
+    floors_add_works(&c, first, end, &s0, &s1, &p, a->energy);
+    if (s0.shear) {
+        floors_add_shears(first, end, &s0, &s1, &p);
     }
     a->done = end;
 }
@@ -278,10 +230,9 @@ LANES static void account_rest(struct account *a) {
     account_to(a, a->chain->n);
 }
 
-// Takes a state into the peaks.
 static void raise_all(struct results *r, const struct model *m, const struct state *s) {
     const struct floors_moment moment = floors_moment_of(m, s);
-    raise(&m->chain, FLOORS_MOTION | FLOORS_DRIFT, 0, m->chain.n, r, &moment);
+    raise(&m->chain, r, &moment);
     peaks_speed(r, 0, m->n_dof);
 }
 

@@ -20,6 +20,7 @@ struct floor_block {
 struct floors_late {
     struct energy_account *energy;  // borrowed
     struct results *results;        // borrowed
+    bool possible;                  // with this model
     bool due;         // the step to the committed state is in no works, and that state in no peaks
     double time;      // [T] of the state that the step began with,
     double ground_a;  // [L/T^2] and the acceleration of the ground then
@@ -74,8 +75,5 @@ enum nearness floors_fly(const struct flight *f, const struct state *now, struct
 // The same where storeys follow straight lines; nor may one leave its line.
 enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
                                   struct state *next);
-
-// Takes a state in free flight into the peaks of its floors. False: it is not finite.
-bool floors_raise(const struct flight *f, const struct state *s);
 
 #endif

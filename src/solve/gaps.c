@@ -70,7 +70,7 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
     *g = (struct gaps){
         .model = m,
         .gap = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->gap),
-        .limit = arena_alloc(a, n_link, sizeof *g->limit),
+        .limit = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->limit),
         .nearest = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->nearest),
         .time = arena_alloc(a, n_link, sizeof *g->time),
         .run_of = arena_alloc(a, n_link, sizeof *g->run_of),
@@ -215,7 +215,7 @@ void gaps_finish(const struct gaps *g, struct results *r) {
 void gaps_forget(struct gaps *g, const struct state *s) {
     for (int i = 0; i < g->n_acting; i++) {
         int k = g->acting[i];
-        g->limit[k] = s->closed[k] ? INFINITY : number_min(g->nearest[k], 0.0);
+        g->limit[k] = s->link[k].closed ? INFINITY : number_min(g->nearest[k], 0.0);
     }
     for (int i = 0; i < g->n_touched; i++) {
         g->is_touched[g->touched[i]] = false;

@@ -30,9 +30,9 @@ static int open_impact(struct impact_log *log, struct results *r, int k, const s
     log->open[k] = r->n_impact;
     r->impact[r->n_impact++] = (struct impact){
         .contact = k,
-        .t_start = s->t_close[k],
-        .v_approach = s->v_close[k],
-        .peak_force = fmax(s->force[k], 0.0),
+        .t_start = s->link[k].t_close,
+        .v_approach = s->link[k].v_close,
+        .peak_force = fmax(s->link[k].force, 0.0),
         .max_penetration = fmax(s->delta[k], 0.0),
     };
     r->link[k].impacts++;
@@ -42,7 +42,7 @@ static int open_impact(struct impact_log *log, struct results *r, int k, const s
 int impacts_start(struct impact_log *log, struct results *r, const struct model *m,
                   const struct state *s, struct error *e) {
     for (int k = 0; k < m->n_contact; k++) {
-        if (!s->closed[k]) {
+        if (!s->link[k].closed) {
             continue;
         }
         if (open_impact(log, r, k, s, e) != STATUS_OK) {
@@ -96,26 +96,26 @@ int impacts_step(struct impact_log *log, struct energy_account *a, struct result
     for (int j = 0; j < next->n_live; j++) {
         int k = next->live[j];
         peaks_link(r, m, next, k);
-        if (!now->closed[k] && !next->closed[k]) {
+        if (!now->link[k].closed && !next->link[k].closed) {
             continue;
         }
-        if (!now->closed[k] && open_impact(log, r, k, next, e) != STATUS_OK) {
+        if (!now->link[k].closed && open_impact(log, r, k, next, e) != STATUS_OK) {
             return e->status;
         }
-        double mean = (now->force[k] + next->force[k]) / 2.0;  // by the trapezoidal rule
+        double mean = (now->link[k].force + next->link[k].force) / 2.0;  // by the trapezoidal rule
         struct impact_share share = {
             .impulse = mean * h,
             .work = mean * (next->delta[k] - now->delta[k]),
-            .force = next->force[k],
+            .force = next->link[k].force,
             .penetration = next->delta[k],
-            .steps = next->closed[k],
+            .steps = next->link[k].closed,
         };
         impacts_add(log, r, m, k, &share);
         contact += share.work;
         if (m->n_ground > 1 && m->link[k].moving_ground) {
             a->input += ground_work(&m->link[k], m, mean, now, next);
         }
-        if (!next->closed[k]) {
+        if (!next->link[k].closed) {
             close_impact(log, m, &r->impact[log->open[k]], now, next);
         }
     }
@@ -135,7 +135,7 @@ static void end_impact(struct impact_log *log, struct results *r, const struct m
 
 int impacts_toggle(struct impact_log *log, struct results *r, const struct model *m,
                    const struct state *s, int k, struct error *e) {
-    if (s->closed[k]) {
+    if (s->link[k].closed) {
         return open_impact(log, r, k, s, e);
     }
     end_impact(log, r, m, s, k);
@@ -159,7 +159,7 @@ int impacts_meet(struct impact_log *log, struct results *r, const struct model *
             struct impact_share share = {.impulse = met->impulse, .work = met->work};
             impacts_add(log, r, m, k, &share);
         }
-        if (m->link[k].law->rebound && log->open[k] >= 0 && !s->closed[k]) {
+        if (m->link[k].law->rebound && log->open[k] >= 0 && !s->link[k].closed) {
             end_impact(log, r, m, s, k);
         }
     }

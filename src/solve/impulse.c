@@ -28,7 +28,7 @@ static double rounding(const struct state *s, const struct model *m, int k) {
 static double slowest_rebound(const struct state *s, const struct model *m, int k,
                               const struct least_bounce *least) {
     const struct link *l = &m->link[k];
-    double pressing = state_gap(l, m, s->a, s->ground_a) + s->force[k] / l->mass;
+    double pressing = state_gap(l, m, s->a, s->ground_a) + s->link[k].force / l->mass;
     return fmax(fmax(least->time * pressing / 2.0, least->velocity), rounding(s, m, k));
 }
 
@@ -76,8 +76,8 @@ static void settle(struct state *s, const struct model *m, const struct least_bo
 static void part(struct state *s, const struct model *m, const struct least_bounce *least) {
     for (int k = 0; k < m->n_contact; k++) {
         if (state_rests(s, m, k) && state_rate(s, m, k) < -slowest_rebound(s, m, k, least)) {
-            s->closed[k] = false;
-            s->force[k] = 0.0;
+            s->link[k].closed = false;
+            s->link[k].force = 0.0;
         }
     }
 }
@@ -87,8 +87,8 @@ static void follow(struct state *s, const struct model *m) {
     state_complete(s, m);
     state_internal_forces(s, m, s->u, s->v);
     for (int k = 0; k < m->n_link; k++) {
-        if (s->closed[k] && m->link[k].law->force) {
-            s->force[k] = state_link_force(s, m, k);
+        if (s->link[k].closed && m->link[k].law->force) {
+            s->link[k].force = state_link_force(s, m, k);
         }
     }
     state_equilibrium(s, m);
@@ -100,9 +100,9 @@ void impulse_meet(struct state *s, const struct model *m, int k, enum rebound re
     double approached = fmax(state_rate(s, m, k), 0.0);
     if (approached == 0.0 || strike(s, m, k, rebound, least, &meeting[k]) == 0.0) {
         state_enliven(s, k);
-        s->closed[k] = true;
-        s->t_close[k] = s->time;
-        s->v_close[k] = approached;
+        s->link[k].closed = true;
+        s->link[k].t_close = s->time;
+        s->link[k].v_close = approached;
     }
     settle(s, m, least, meeting);
     part(s, m, least);

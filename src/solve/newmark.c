@@ -85,7 +85,10 @@ static bool correct(const struct work *w, const struct state *now, struct state 
 
 // The same where only the corrections of buildings with live links have changed since.
 static void correct_touched(struct work *w, const struct state *now, struct state *next) {
-    for (int i = 0; i < w->gaps.n_touched; i++) {
+    if (few_serves(w)) {
+        few_correct(w, now, next);
+    }
+    for (int i = 0; !few_serves(w) && i < w->gaps.n_touched; i++) {
         const struct building *g = &w->model->building[w->gaps.touched[i]];
         correct(w, now, next, g->first, lanes_whole(g->n_floor));
     }
@@ -212,7 +215,7 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
 static int solve_linear(struct work *w, const struct state *now, struct state *next,
                         struct error *e) {
     w->totals->iterations++;
-    if (!floors_move(w, now, next)) {
+    if (!(few_serves(w) ? few_move : floors_move)(w, now, next)) {
         return not_finite(w->model, next, e);
     }
     contact_penetrations(w, next);

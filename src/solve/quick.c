@@ -85,7 +85,8 @@ static void find_columns(const struct work *w, struct quick *p) {
             p->lanes[i] = reach->to - reach->from;
         }
     }
-    p->others = w->crowd * sum / p->flexibility - 1.0;
+    p->others = number_max(w->crowd * sum / p->flexibility - 1.0, 0.0);
+    p->unmoved = 1.0 / (p->flexibility * p->others + DBL_MIN);
 }
 
 // Asks the law of a link that sees x, and draws its line from there. False: a Newton step is not
@@ -105,12 +106,13 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
     }
     p->ask = false;
     p->asked = x;
-    p->damped = 1.0 / (1.0 + share);
+    double steep = fabs(w->b * p->law.dfdd) + fabs(w->g * p->law.dfdv) + DBL_MIN;
+    double inverse = 1.0 / ((1.0 + share) * steep);  // one division for both
+    p->damped = inverse * steep;
     p->rate = slope * p->damped;
     p->base = (p->law.force - p->force) * p->damped;
     p->near = p->bilateral ? INFINITY : NEAR * d * w->per_b;
-    double steep = fabs(w->b * p->law.dfdd) + fabs(w->g * p->law.dfdv);
-    double straight = sqrt(STRAIGHT * s->enough * fabs(p->law.force)) / steep;
+    double straight = sqrt(STRAIGHT * s->enough * fabs(p->law.force)) * inverse * (1.0 + share);
     double turn = fabs(v) * w->per_g;
     p->reach = p->smooth ? number_min(number_min(p->near, turn), straight) : -1.0;
     s->echo = number_max(s->echo, share * p->others);
@@ -141,7 +143,7 @@ void quick_gather(struct work *w, const struct state *next, struct progress *s) 
     for (int i = 0; i < w->n_acting; i++) {
         struct quick *p = &w->quick[next->live[i]];
         w->acting[i] = p;
-        p->force = next->force[p->index];
+        p->force = next->link[p->index].force;
         s->largest = number_max(s->largest, fabs(p->force));
         gather(w, next, p);
     }
@@ -207,7 +209,7 @@ static inline bool is_known(const struct quick *p, double x) {
 // Changes of others up to this leave a link within the reach of its line that is `far` from where
 // that was drawn.
 static inline double room(const struct quick *p, double far) {
-    return number_max(p->reach - far, 0.0) / (p->flexibility * p->others);
+    return number_max(p->reach - far, 0.0) * p->unmoved;
 }
 
 // A Newton step of a link that sees x; false: not safe.
@@ -238,19 +240,22 @@ static inline bool stays_open(const struct work *w, const struct quick *p, doubl
     if (!(p->open && d <= 0.0)) {
         return false;
     }
-    s->clear = number_min(s->clear, -d / (w->b * p->flexibility * p->others));
+    s->clear = number_min(s->clear, -d * w->per_b * p->unmoved);
     return true;
 }
 
-LANES int quick_sweep(struct work *w, int first, struct progress *s) {
-    for (int i = first, n = w->n_acting; i < n; i++) {
+LANES int quick_sweep(struct work *w, int first, struct progress *progress) {
+    struct progress found = *progress, *s = &found;
+    int i = first;
+    for (int n = w->n_acting; i < n; i++) {
         struct quick *p = w->acting[i];
         double x = w->correction[p->end[0]] - w->correction[p->end[1]];
         bool known = !p->ask && (is_known(p, x) || ask(w, p, x, s));
         if (known ? !step(w, p, x, s) : !stays_open(w, p, x, s)) {
-            return i;
+            break;
         }
         s->largest = number_max(s->largest, fabs(p->force));
     }
-    return w->n_acting;
+    *progress = found;
+    return i;
 }

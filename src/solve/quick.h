@@ -4,50 +4,51 @@
 #ifndef JOSTLE_QUICK_H
 #define JOSTLE_QUICK_H
 
+#include <stdalign.h>
+
+#include "core/lanes.h"
 #include "solve/work.h"
 
-// One link. What a sweep looks at comes first, as it is to be in few lines of the cache.
+// One link, in four lines of the cache: what every visit of a sweep looks at, what a step needs
+// too, what asking the law needs, and the rest.
 struct quick {
-    int end[2];    // among the arrays of struct chain
-    bool ask;      // the law must be asked again, if it is trusted
-    bool trusted;  // it is on the closed branch: a Newton step may start there
-    bool open;     // its force is 0 as long as d <= 0
-
+    alignas(LANES_LINE) int end[2];  // among the arrays of struct chain
+    int index;                       // of the link
+    bool ask;                        // the law must be asked again, if it is trusted
+    bool trusted;                    // it is on the closed branch: a Newton step may start there
+    bool open;                       // its force is 0 as long as d <= 0
+    bool smooth;                     // its law is CONTACT_SMOOTH
     // The force, and what the law said when it was asked, with the correction x = asked.
     double force;       // [F]
     double base, rate;  // a Newton step from asked + dx changes the force by base + rate dx
     double asked;       // [L/T^2] difference of the corrections of its ends
     double reach;       // [L/T^2] how far from there until the law must be asked again,
-    double near;        // [L/T^2] and how far a step may lead
-    double damped;      // 1 / (1 + S_ll t)
+    double unmoved;     // 1 / the sum of |S_lm| over all other links, which is this at least
 
-    // What does not change but with the factors.
+    double near;              // [L/T^2] how far a step may lead
+    double damped;            // 1 / (1 + S_ll t)
     double flexibility;       // S_ll
     int first[2];             // of the floors that feel its force, at either end
     int lanes[2];             // how many they are, in whole lanes; 0 for a wall
     const double *column[2];  // what they feel: of A^-1, from `first` on
-    double others;            // the sum of |S_lm| over all other links, as a share of S_ll, at most
-    long factors;             // work.factors that these are of
-    double fits_to;           // [L] penetration up to which steps are short enough for its spring
-    double checked;           // [T] step with which its end was last resolved
+    double others;            // the sum of |S_lm| as a share of S_ll, at most
 
-    // What is gathered where it is live.
-    double d_trial, v_trial;      // [L] [L/T] without corrections
-    const double *history;        // of the law
-    struct contact_response law;  // what it said
-    enum branch branch;           // that its force is on
-    bool clamped;                 // its law may pull, but is not let
-    double kept;                  // [F] to step back to
-
-    // What does not change.
-    const struct link *link;
+    double d_trial, v_trial;         // [L] [L/T] without corrections
     const struct contact_law *kind;  // of its law,
     const double *constant;          // with these
-    double gap;                      // [L]
-    int index;                       // of the link
+    const double *history;           // and this
+    struct contact_response law;     // what it said
+
+    const struct link *link;
+    double gap;          // [L]
+    long factors;        // work.factors that flexibility and columns are of
+    double fits_to;      // [L] penetration up to which steps are short enough for its spring
+    double checked;      // [T] step with which its end was last resolved
+    double kept;         // [F] to step back to
+    enum branch branch;  // that its force is on
+    bool clamped;        // its law may pull, but is not let
     bool bilateral;
     bool moving_ground;
-    bool smooth;  // its law is CONTACT_SMOOTH
 };
 
 // What a sweep found.

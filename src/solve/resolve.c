@@ -60,8 +60,8 @@ static bool at_rest(const struct work *w, const struct path *p) {
 // resolved with a step as long.
 static bool starts_resolved(const struct work *w, const struct state *now, struct quick *p) {
     int k = p->index;
-    bool seen = w->quick[k].checked >= w->h && now->t_close[k] < now->time;
-    return !now->closed[k] || seen ||
+    bool seen = w->quick[k].checked >= w->h && now->link[k].t_close < now->time;
+    return !now->link[k].closed || seen ||
            resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
 }
 
@@ -77,7 +77,7 @@ static inline bool seen_before(const struct work *w, const struct state *now, co
                                double d) {
     return p->checked >= w->h && !p->ask && d <= p->fits_to &&
            w->g * p->flexibility * p->law.dfdv <= COARSEST_DASHPOT &&
-           now->t_close[p->index] < now->time && now->closed[p->index];
+           now->link[p->index].t_close < now->time && now->link[p->index].closed;
 }
 
 static bool resolved(struct work *w, const struct state *now, const struct state *next,
@@ -90,11 +90,11 @@ static bool resolved(struct work *w, const struct state *now, const struct state
     }
     p->checked = 0.0;
     path.v0 = state_rate(now, w->model, k);
-    if (now->closed[k] && p->branch == BRANCH_CLOSED) {
+    if (now->link[k].closed && p->branch == BRANCH_CLOSED) {
         return at_rest(w, &path);
     }
     return resolve_negligible(w, path.v1) &&
-           resolve_negligible(w, now->closed[k] ? path.v0 : next->v_close[k]);
+           resolve_negligible(w, now->link[k].closed ? path.v0 : next->link[k].v_close);
 }
 
 bool resolve_suffices(struct work *w, const struct state *now, const struct state *next) {

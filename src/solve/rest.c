@@ -13,7 +13,7 @@ static const double TOLERANCE = 1e-13;  // relative change of the forces in a sw
 
 static void push(struct state *s, const struct model *m, int k, double df) {
     const int *dof = m->link[k].dof;
-    s->force[k] += df;
+    s->link[k].force += df;
     if (dof[0] != WALL) {
         s->a[dof[0]] -= df / m->mass[dof[0]];
     }
@@ -32,10 +32,10 @@ static bool sweep(struct state *s, const struct model *m) {
     double change = 0.0;
     for (int k = 0; k < m->n_contact; k++) {
         if (state_rests(s, m, k)) {
-            double wanted = fmax(s->force[k] + approach(s, m, k) * m->link[k].mass, 0.0);
-            change = fmax(change, fabs(wanted - s->force[k]));
+            double wanted = fmax(s->link[k].force + approach(s, m, k) * m->link[k].mass, 0.0);
+            change = fmax(change, fabs(wanted - s->link[k].force));
             largest = fmax(largest, wanted);
-            push(s, m, k, wanted - s->force[k]);
+            push(s, m, k, wanted - s->link[k].force);
         }
     }
     return change <= TOLERANCE * largest;
@@ -45,9 +45,9 @@ void rest_forces(struct state *s, const struct model *m) {
     for (int i = 0; i < SWEEPS_MAX && !sweep(s, m); i++) {
     }
     for (int k = 0; k < m->n_contact; k++) {
-        if (state_rests(s, m, k) && s->force[k] == 0.0 &&
+        if (state_rests(s, m, k) && s->link[k].force == 0.0 &&
             approach(s, m, k) < -state_rounding(&m->link[k], s->a)) {
-            s->closed[k] = false;
+            s->link[k].closed = false;
         }
     }
 }

@@ -28,7 +28,8 @@ struct run {
     struct meeting *meeting;  // (n_contact) scratch of rigid impacts
     struct results *results;
     struct error *error;
-    double start;  // [s] of the wall clock
+    double *row_force;  // [F] (n_link) scratch of a row
+    double start;       // [s] of the wall clock
 };
 
 // Everything up to the state at t = 0 and its row. Not 0: as of analysis_run; analysis_end must be

@@ -34,7 +34,11 @@ int run_poll(struct run *r, double time) {
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
     struct results *out = r->results;
-    account_step(&r->energy, out, &r->work.floors.late, r->model, r->now, r->next);
+    if (few_serves(&r->work)) {
+        few_account(&r->work.few, &r->energy, out, r->model, r->now, r->next);
+    } else {
+        account_step(&r->energy, out, &r->work.floors.late, r->model, r->now, r->next);
+    }
     gaps_peaks(&r->work.gaps, r->next);
     int status = impacts_step(&r->impacts, &r->energy, out, r->model, r->now, r->next, r->error);
     struct state *old = r->now;
@@ -71,7 +75,7 @@ static int spend_cut(struct run *r, double h, int cuts) {
 // is only an estimate: it is mended until the link stands near d = 0, or where it stood before if
 // it was inside by an error. STATUS_RETRY: not found.
 static int step_to_event(struct run *r, struct event *event, double end, double h) {
-    bool opens = r->now->closed[event->link];
+    bool opens = r->now->link[event->link].closed;
     double sign = opens ? -1.0 : 1.0;
     double start = opens ? 0.0 : fmax(r->now->delta[event->link], 0.0);
     double located = r->model->link[event->link].law->rebound ? LOCATED_RIGID : LOCATED_JUMP;

@@ -32,10 +32,7 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
         size_t n;
     } part[] = {
         {&s->storey_history, (size_t)m->n_storey_history},
-        {&s->force, n_link},
         {&s->delta, n_link + LANES_WIDTH},
-        {&s->t_close, n_link},
-        {&s->v_close, n_link},
         {&s->link_history, (size_t)m->n_link_history},
         {&s->ground_a, n_ground},
         {&s->ground_v, n_ground},
@@ -48,18 +45,14 @@ bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
         }
     }
     s->live = arena_alloc(a, n_link, sizeof *s->live);
-    s->past = arena_alloc(a, n_link, sizeof *s->past);
-    s->n_past = arena_alloc(a, n_link, sizeof *s->n_past);
-    s->is_live = arena_alloc(a, n_link, sizeof *s->is_live);
-    s->closed = arena_alloc(a, n_link, sizeof *s->closed);
-    return s->live && s->past && s->n_past && s->is_live && s->closed && alloc_floors(s, m, a);
+    s->link = lanes_lines(a, n_link, sizeof *s->link);
+    return s->live && s->link && alloc_floors(s, m, a);
 }
 
 void state_open_links(struct state *s) {
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
-        s->is_live[k] = s->closed[k] = false;
-        s->force[k] = 0.0;
+        s->link[k] = (struct link_state){0};
     }
     s->n_live = 0;
 }
@@ -71,8 +64,7 @@ void state_open_link(struct state *s, int k) {
     }
     s->n_live--;
     memmove(s->live + i, s->live + i + 1, (size_t)(s->n_live - i) * sizeof *s->live);
-    s->is_live[k] = s->closed[k] = false;
-    s->force[k] = 0.0;
+    s->link[k] = (struct link_state){0};
 }
 
 static void inelastic_shears(struct state *s, const struct model *m) {
@@ -154,14 +146,14 @@ double state_rate(const struct state *s, const struct model *m, int k) {
 void state_close_link(struct state *s, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     state_enliven(s, k);
-    s->closed[k] = true;
-    s->n_past[k] = 0;
-    s->t_close[k] = s->time;
-    s->v_close[k] = fmax(state_rate(s, m, k), 0.0);
+    s->link[k].closed = true;
+    s->link[k].n_past = 0;
+    s->link[k].t_close = s->time;
+    s->link[k].v_close = fmax(state_rate(s, m, k), 0.0);
     if (l->law->close) {
-        l->law->close(l->constant, s->v_close[k], s->link_history + l->history);
+        l->law->close(l->constant, s->link[k].v_close, s->link_history + l->history);
     }
-    s->force[k] = state_link_force(s, m, k);
+    s->link[k].force = state_link_force(s, m, k);
 }
 
 static bool starts_closed(const struct link *l, double delta, double rate) {
@@ -180,7 +172,7 @@ static void start_links(struct state *s, const struct model *m) {
 }
 
 bool state_rests(const struct state *s, const struct model *m, int k) {
-    return s->closed[k] && m->link[k].law->rebound;
+    return s->link[k].closed && m->link[k].law->rebound;
 }
 
 void state_add_link_forces(const struct state *s, const struct model *m, double *floor) {
@@ -188,10 +180,10 @@ void state_add_link_forces(const struct state *s, const struct model *m, double 
         int k = s->live[i];
         const int *dof = m->link[k].dof;
         if (dof[0] != WALL) {
-            floor[dof[0]] -= s->force[k];
+            floor[dof[0]] -= s->link[k].force;
         }
         if (dof[1] != WALL) {
-            floor[dof[1]] += s->force[k];
+            floor[dof[1]] += s->link[k].force;
         }
     }
 }

@@ -4,10 +4,24 @@
 #ifndef JOSTLE_STATE_H
 #define JOSTLE_STATE_H
 
+#include <stdalign.h>
+
+#include "core/lanes.h"
 #include "jostle/analysis.h"
 
 // Steps before the last one whose forces a guess is drawn from.
 enum { PAST_STEPS = 3 };
+
+// One link.
+struct link_state {
+    alignas(LANES_LINE) double force;  // [F]
+    double past[PAST_STEPS];           // [F] of a live link one step before, two and three
+    double t_close;                    // [T] instant of closure of a closed link
+    double v_close;                    // [L/T] closing velocity then
+    int n_past;                        // in how many past steps it was closed
+    bool is_live;                      // it is in `live`
+    bool closed;                       // in contact; bilateral links always are
+};
 
 struct state {
     double time;  // [T]
@@ -21,16 +35,10 @@ struct state {
     double *storey_history;  // (model.n_storey_history)
 
     // Links. Those not in `live` are open, with force 0.
-    int n_live, *live;  // links that were closed in the step to this state, or are; ascending
-    bool *is_live;      // (n_link)
-    bool *closed;       // (n_link) in contact; bilateral links always are
-    double *force;      // [F] (n_link)
-    double (*past)[PAST_STEPS];  // [F] (n_link) of a live link one step before, two and three
-    int *n_past;                 // (n_link) in how many of those it was closed
-    double *delta;               // [L] (n_link) penetration
-    double *t_close;             // [T] (n_link) instant of closure of a closed link
-    double *v_close;             // [L/T] (n_link) closing velocity then
-    double *link_history;        // (model.n_link_history)
+    int n_live, *live;        // links that were closed in the step to this state, or are; ascending
+    struct link_state *link;  // (n_link) a line of the cache each
+    double *delta;            // [L] (n_link) penetration
+    double *link_history;     // (model.n_link_history)
 
     // Ground motions, all (n_ground)
     double *ground_a, *ground_v, *ground_u;  // [L/T^2] [L/T] [L]
@@ -44,9 +52,9 @@ void state_open_links(struct state *s);
 
 // Takes link k into `live`, if it is not there. In line, as each step does it anew.
 static inline void state_enliven(struct state *s, int k) {
-    if (!s->is_live[k]) {
-        s->is_live[k] = true;
-        s->n_past[k] = 0;
+    if (!s->link[k].is_live) {
+        s->link[k].is_live = true;
+        s->link[k].n_past = 0;
         int i = s->n_live++;
         for (; i > 0 && s->live[i - 1] > k; i--) {
             s->live[i] = s->live[i - 1];

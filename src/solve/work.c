@@ -26,7 +26,7 @@ static bool alloc_floors(struct work *w, const struct model *m, struct arena *a)
 static bool alloc_links(struct work *w, const struct model *m, struct arena *a) {
     size_t n_link = (size_t)m->n_link;
     size_t n_block = (size_t)w->block_max;
-    w->quick = arena_alloc(a, n_link, sizeof *w->quick);
+    w->quick = lanes_lines(a, n_link, sizeof *w->quick);
     w->acting = arena_alloc(a, n_link, sizeof(void *));
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->toggled = arena_alloc(a, n_link, sizeof *w->toggled);
@@ -82,7 +82,7 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
     w->nearest = arena_alloc(a, n, sizeof *w->nearest);
     if (!w->nearest || !w->home || !w->other || !w->settled || !w->parent || !w->start ||
         !w->cluster || !alloc_floors(w, m, a) || !floors_alloc(&w->floors, m, a) ||
-        !alloc_links(w, m, a)) {
+        !few_alloc(&w->few, m, a) || !alloc_links(w, m, a)) {
         return false;
     }
     fill_links(w, m);

@@ -6,6 +6,7 @@
 
 #include "solve/chain.h"
 #include "solve/effective.h"
+#include "solve/few.h"
 #include "solve/floors.h"
 #include "solve/gaps.h"
 #include "solve/line.h"
@@ -41,6 +42,7 @@ struct work {
     int held;        // link that stays open or closed in this step; -1: none
 
     struct floors floors;
+    struct few few;             // what models with few floors need
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
                                 // linear models, for buildings that gaps.touched lists
     double *residual;           // (n_dof) [F] not of linear models

@@ -6,6 +6,7 @@
 #include <gsl/gsl_statistics.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 // The first mode of the building alone.
 static int first_mode(const struct model *m, int building, double *period, double *damping,
@@ -53,6 +54,42 @@ static int read_run(void *context, const struct model *m, const struct model *de
     return status;
 }
 
+// Whether two runs differ in nothing but their gaps.
+static bool same_run(const struct apart *a, long one, long other) {
+    bool same = a->outcome[one].status == a->outcome[other].status;
+    for (int i = 0; i < a->n_contact && same; i++) {
+        const double *x = apart_values(a, one, i), *y = apart_values(a, other, i);
+        same = memcmp(x + APART_CLOSING, y + APART_CLOSING,
+                      (APART_VALUES - APART_CLOSING) * sizeof *x) == 0;
+    }
+    return same;
+}
+
+// Finds the sweeps that change nothing; of their values the first counts. `later` is how many runs
+// each value of a sweep has in a row.
+static void find_idle(const struct plan *plan, struct apart *a) {
+    long later = a->n_run;
+    int k = 0;
+    for (const struct sweep *s = plan->first->deck->sweeps; s; s = s->next, k++) {
+        later /= s->n;
+        a->idle[k] = s->n > 1;
+        for (long run = 0; run < a->n_run && a->idle[k]; run++) {
+            a->idle[k] = same_run(a, run, run - run / later % s->n * later);
+        }
+        for (long run = 0; run < a->n_run; run++) {
+            a->counts[run] = a->counts[run] && !(a->idle[k] && run / later % s->n > 0);
+        }
+    }
+}
+
+static void count_runs(const struct plan *plan, struct apart *a) {
+    for (long run = 0; run < a->n_run; run++) {
+        a->counts[run] = true;
+        a->n_failed += a->outcome[run].status == STUDY_FAILED;
+    }
+    find_idle(plan, a);
+}
+
 int apart_run(const struct plan *plan, const struct gap_runs *how, struct apart *out,
               struct error *e) {
     const struct gap_runs_case which = {.plan = plan, .gap = INFINITY};
@@ -65,12 +102,13 @@ int apart_run(const struct plan *plan, const struct gap_runs *how, struct apart 
     *out = (struct apart){.n_run = plan->n_run, .n_contact = plan->first->n_contact};
     s.outcome = out->outcome = calloc(n_run, sizeof *out->outcome);
     s.value = out->value = calloc(n_run * s.n_value + 1, sizeof *out->value);
-    if (!s.outcome || !s.value) {
+    out->counts = calloc(n_run, sizeof *out->counts);
+    if (!s.outcome || !s.value || !out->counts) {
         return error_no_memory(e);
     }
     int status = gap_runs_run(&s, e);
-    for (long i = 0; i < out->n_run && status == STATUS_OK; i++) {
-        out->n_failed += s.outcome[i].status == STUDY_FAILED;
+    if (status == STATUS_OK) {
+        count_runs(plan, out);
     }
     return status;
 }
@@ -78,6 +116,7 @@ int apart_run(const struct plan *plan, const struct gap_runs *how, struct apart 
 void apart_close(struct apart *a) {
     free(a->outcome);
     free(a->value);
+    free(a->counts);
     *a = (struct apart){.n_run = 0};
 }
 
@@ -94,7 +133,7 @@ struct apart_summary apart_summarise(const struct apart *a, int contact, int val
         const double x = below == APART_VALUES ? v[value]
                          : v[below] > 0.0      ? v[value] / v[below]
                                                : NAN;
-        if (!isnan(x)) {
+        if (!isnan(x) && (a->counts[run] || value == APART_GAP)) {
             s.run = n == 0 || x > s.largest ? run : s.run;
             s.largest = n == 0 || x > s.largest ? x : s.largest;
             scratch[n++] = x;

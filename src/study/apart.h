@@ -27,6 +27,8 @@ struct apart {
     int n_contact;
     struct study_outcome *outcome;  // (n_run)
     double *value;                  // (n_run, n_contact, APART_VALUES)
+    bool idle[STUDY_SWEEPS_MAX];    // sweeps that change nothing but the gaps: a swept gap, say
+    bool *counts;                   // (n_run) false: the same as another run, but for these
 };
 
 // Runs all runs of the plan with its contacts open; bilateral links act. *out must be given to
@@ -38,7 +40,7 @@ void apart_close(struct apart *a);
 // The values (APART_VALUES) of a contact in a run.
 const double *apart_values(const struct apart *a, long run, int contact);
 
-// Of the runs that did not fail; NAN if all have.
+// Of the runs that count and did not fail; NAN if all have.
 struct apart_summary {
     double mean, low, median, high;  // percentiles 16, 50, 84
     double least, largest;
@@ -50,7 +52,7 @@ struct apart_summary {
 struct apart_summary apart_summarise(const struct apart *a, int contact, int value, int below,
                                      double *scratch);
 
-// Runs in which the closing displacement is beyond the deck's gap.
+// Runs, all of them, in which the closing displacement is beyond the deck's gap.
 long apart_hits(const struct apart *a, int contact);
 
 #endif

@@ -105,8 +105,8 @@ static int add_floors(struct reading *r, const struct study_item *item, long flo
                          q->divisor, item->owner);
     }
     if (floor > (long)item->n) {
-        return error_set(e, STATUS_INPUT, "%s: building %s has %zu floors", r->text, item->owner,
-                         item->n);
+        return error_set(e, STATUS_INPUT, "%s: building %s has %zu floor%s", r->text, item->owner,
+                         item->n, item->n > 1 ? "s" : "");
     }
     for (size_t i = 0; i < item->n; i++) {
         if (floor > 0 && i + 1 != (size_t)floor) {
@@ -165,7 +165,7 @@ static int add_buildings(struct reading *r, struct error *e) {
     }
     return r->out->n_term > 0
                ? STATUS_OK
-               : error_set(e, STATUS_INPUT, "%s: unknown building; there are %s", r->text, known);
+               : error_set(e, STATUS_INPUT, "%s: unknown building; known: %s", r->text, known);
 }
 
 static int add_links(struct reading *r, const struct study_item *item, struct error *e) {
@@ -181,16 +181,16 @@ static int add_links(struct reading *r, const struct study_item *item, struct er
         return STATUS_OK;
     }
     const char *what = contact ? "contact" : "link";
-    return n == 0 ? error_set(e, STATUS_INPUT, "%s: the study has no %s", r->text, what)
-                  : error_set(e, STATUS_INPUT, "%s: unknown %s; there are %d: %s%s%s", r->text,
-                              what, n, name[0], n > 1 ? " ... " : "", n > 1 ? name[n - 1] : "");
+    return n == 0 ? error_set(e, STATUS_INPUT, "%s: there is no %s", r->text, what)
+                  : error_set(e, STATUS_INPUT, "%s: unknown %s; %d known: %s%s%s", r->text, what, n,
+                              name[0], n > 1 ? " ... " : "", n > 1 ? name[n - 1] : "");
 }
 
 static int add_terms(struct reading *r, struct error *e) {
     const struct edp_quantity *q = r->quantity;
     const int i = find_item(r->view, q, NULL, q->item);
     if (i < 0) {
-        return error_set(e, STATUS_INPUT, "%s: the study has no %s", r->text,
+        return error_set(e, STATUS_INPUT, "%s: there is no %s", r->text,
                          q->owner == EDP_OF_LINK ? "link" : q->name);
     }
     const struct study_item *item = &r->view->table.item[i];

@@ -26,10 +26,18 @@ struct search {
 
 static int read_run(void *context, const struct model *m, const struct model *deck,
                     const struct results *r, double *value, struct error *e) {
-    (void)deck, (void)e;
-    const struct search *s = context;
-    *value = gap_measure_value(&s->request->edp, m, r);
-    return STATUS_OK;
+    (void)deck;
+    const struct gap_search_request *q = ((const struct search *)context)->request;
+    double *all = malloc(q->plan->table->n_value * sizeof *all);
+    int at, status = all ? trial_values(m, r, all, e) : error_no_memory(e);
+    if (status == STATUS_OK) {
+        *value = edp_value(&q->edp, all, &at);
+    }
+    free(all);
+    return status == STATUS_OK && isnan(*value)
+               ? error_set(e, STATUS_INPUT, "%s has no value; storeys of the deck have no height",
+                           q->edp.text)
+               : status;
 }
 
 static int poll_search(void *context, long n_done, struct error *e) {
@@ -81,6 +89,9 @@ static int open_case(struct search *s, int i, double gap, struct error *e) {
     }
     int status = open_plan(s, gap, &s->plan[i], e);
     s->which[i] = (struct gap_runs_case){.plan = &s->plan[i], .gap = NAN};
+    if (status == STATUS_OK) {
+        status = plan_check_shape(s->request->plan, 0, s->plan[i].first, e);
+    }
     if (status == STATUS_OK && i == 0) {
         s->n_run = s->plan[0].n_run;
     }

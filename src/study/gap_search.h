@@ -3,20 +3,20 @@
 #ifndef JOSTLE_GAP_SEARCH_H
 #define JOSTLE_GAP_SEARCH_H
 
-#include "study/gap_measure.h"
+#include "study/edp.h"
 #include "study/gap_runs.h"
 
 enum { GAP_POINTS_MAX = 10000 };
 
 struct gap_search_request {
-    const struct plan *plan;
-    const char *parameter;  // of the deck that is the gap; NULL: the gaps of all contacts
-    struct gap_measure edp;
-    double limit;
-    double percentile;  // of the runs that must keep it, 0 ... 100; 100: all
-    double from, to;    // [L] gaps scanned
-    int n;              // of them, >= 2
-    double tolerance;   // [L] of the gap found
+    const struct plan *plan;  // made by plan_init
+    const char *parameter;    // of the deck that is the gap; NULL: the gaps of all contacts
+    struct edp edp;           // of the values of the plan
+    double limit;             // in its units
+    double percentile;        // of the runs that must keep it, 0 ... 100; 100: all
+    double from, to;          // [L] gaps scanned
+    int n;                    // of them, >= 2
+    double tolerance;         // [L] of the gap found
 };
 
 enum gap_stage { GAP_SCAN, GAP_BISECTION };
@@ -42,7 +42,7 @@ struct gap_search {
 
 // `how` says how the suites are run; what they read is set here. *out must be given to
 // gap_search_close, whatever happens. Errors: those of gap_runs_run, STATUS_INPUT (the deck has no
-// such parameter).
+// such parameter, or another shape for its values; runs without a value of the EDP).
 int gap_search_run(const struct gap_search_request *q, const struct gap_runs *how,
                    struct gap_search *out, struct error *e);
 void gap_search_close(struct gap_search *s);

@@ -132,13 +132,51 @@ static int check_links(const struct plan *p, long run, const struct model *m, st
 }
 
 int plan_check(const struct plan *p, long run, const struct model *m, struct error *e) {
+    return same_sweeps(p->first->deck->sweeps, m->deck->sweeps) ? plan_check_shape(p, run, m, e)
+                                                                : differs(p, run, e, "sweeps");
+}
+
+int plan_check_shape(const struct plan *p, long run, const struct model *m, struct error *e) {
     const struct unit_system *a = &p->first->deck->units, *b = &m->deck->units;
-    if (!same_sweeps(p->first->deck->sweeps, m->deck->sweeps)) {
-        return differs(p, run, e, "sweeps");
-    }
     if (a->force != b->force || a->length != b->length || a->time != b->time) {
         return differs(p, run, e, "units");
     }
     int status = check_buildings(p, run, m, e);
     return status == STATUS_OK ? check_links(p, run, m, e) : status;
+}
+
+static const char **link_names(struct arena *a, const struct report_link *link, int n) {
+    const char **name = arena_alloc(a, (size_t)n + 1, sizeof *name);
+    for (int i = 0; name && i < n; i++) {
+        name[i] = link[i].name;
+    }
+    return name;
+}
+
+int plan_view(const struct plan *p, struct study_view *out, struct error *e) {
+    const struct report *r = p->report;
+    struct arena *a = p->table->arena;
+    struct study_item *item = arena_alloc(a, (size_t)p->table->n_item, sizeof *item);
+    *out = (struct study_view){.units = r->units,
+                               .table = *p->table,
+                               .n_contact = r->n_contact,
+                               .n_link = r->n_link,
+                               .contact = link_names(a, r->contact, r->n_contact),
+                               .link = link_names(a, r->link, r->n_link)};
+    if (!item || !out->contact || !out->link) {
+        return error_no_memory(e);
+    }
+    for (int i = 0; i < p->table->n_item; i++) {
+        char units[64] = "1";
+        item[i] = p->table->item[i];
+        if (item[i].dimension) {
+            unit_text(&r->units, *item[i].dimension, units, sizeof units);
+        }
+        item[i].units = arena_text(a, units, strlen(units));
+        if (!item[i].units) {
+            return error_no_memory(e);
+        }
+    }
+    out->table.item = item;
+    return STATUS_OK;
 }

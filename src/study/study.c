@@ -96,14 +96,10 @@ static int record(void *context, const struct model *m, struct study_outcome *ou
         return status;
     }
     (void)outcome;
-    const struct observer observer = result_observer(writer);
-    status = analysis_run(m, &observer, &results, e);
-    if (status != STATUS_OK) {
-        result_abort(writer);
-        return status;
+    status = result_analyse(writer, NULL, &results, e);
+    if (status == STATUS_OK) {
+        results_free(results);
     }
-    status = result_finish(writer, results, e);
-    results_free(results);
     return status;
 }
 

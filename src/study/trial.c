@@ -89,8 +89,18 @@ static void start(const struct plan *p, struct trial *t) {
     }
 }
 
+int trial_values(const struct model *m, const struct results *r, double *value, struct error *e) {
+    struct report *report;
+    int status = report_create(m, r, NULL, "", &report, e);
+    if (status == STATUS_OK) {
+        study_table_read(report, value);
+        report_free(report);
+    }
+    return status;
+}
+
 // What the run of a model came to.
-static int conclude(const struct plan *p, struct trial *t, struct ensemble_member *member) {
+static int conclude(struct trial *t, struct ensemble_member *member) {
     if (member->status == STATUS_FAILED) {
         fail(&t->outcome, member->error.message);
         return STATUS_OK;
@@ -99,13 +109,7 @@ static int conclude(const struct plan *p, struct trial *t, struct ensemble_membe
         t->error = member->error;
         return member->status;
     }
-    struct report *report;
-    int status =
-        report_create(member->model, member->results, NULL, p->report->version, &report, &t->error);
-    if (status == STATUS_OK) {
-        study_table_read(report, t->value);
-        report_free(report);
-    }
+    int status = trial_values(member->model, member->results, t->value, &t->error);
     results_free(member->results);
     return status;
 }
@@ -136,7 +140,7 @@ void trial_run(const struct plan *p, struct trial *trial, int n, const struct tr
     }
     ensemble_run(member, n_built, &observer);
     for (int i = 0; i < n_built; i++) {
-        built[i]->status = conclude(p, built[i], &member[i]);
+        built[i]->status = conclude(built[i], &member[i]);
     }
     for (int i = 0; i < n; i++) {
         deck_free(deck[i]);  // and its model

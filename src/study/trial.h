@@ -30,6 +30,9 @@ int trial_build(const struct plan *p, long run, const struct trial_watch *watch,
 int trial_analyse(const struct model *m, const struct trial_watch *watch,
                   struct study_outcome *outcome, struct results **out, struct error *e);
 
+// The values of a run as its table has them. Errors: STATUS_SYSTEM (no memory).
+int trial_values(const struct model *m, const struct results *r, double *value, struct error *e);
+
 struct trial {
     long run;       // of the study, from 0
     long entry;     // its place in the journal; not used here

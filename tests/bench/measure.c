@@ -98,17 +98,13 @@ int bench_histories(const struct bench_case *c, const struct model *m,
     if (status != STATUS_OK) {
         return status;
     }
-    struct observer observer = result_observer(writer);
     struct results *results;
-    status = analysis_run(m, &observer, &results, e);
-    if (status != STATUS_OK) {
-        result_abort(writer);
-        return status;
-    }
-    status = result_finish(writer, results, e);
+    status = result_analyse(writer, NULL, &results, e);
     *seconds = clock_read(CLOCK_THREAD_CPUTIME_ID) - start;
-    results_free(results);
-    remove(path);
+    if (status == STATUS_OK) {
+        results_free(results);
+        remove(path);
+    }
     return status;
 }
 

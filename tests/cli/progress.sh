@@ -3,8 +3,8 @@
 # What takes more than a second says on a terminal how far it is; piped it says nothing.
 . tests/support/cli.sh
 
-if ! command -v script >/dev/null; then
-    skip "progress is shown on a terminal" "no script(1)"
+if ! has_terminal; then
+    skip "progress is shown on a terminal" "no terminal, or no script(1)"
     exit 0
 fi
 

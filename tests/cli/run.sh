@@ -78,13 +78,13 @@ expect "an error in the deck ends with 2 and leaves nothing" '[ $status -eq 2 ] 
 two_buildings pair.deck
 NO_COLOR=1 run "$jostle" check pair.deck
 expect "NO_COLOR is accepted" '[ $status -eq 0 ] && ! grep -q $'"'\033'"' "$err"'
-if command -v script >/dev/null; then
+if has_terminal; then
     script -qec "'$jostle' check pair.deck" /dev/null >"$out" 2>"$err" </dev/null
     expect "a terminal shows colours" 'grep -q $'"'\033'"' "$out"'
     NO_COLOR=1 script -qec "'$jostle' check pair.deck" /dev/null >"$out" 2>"$err" </dev/null
     expect "NO_COLOR takes them away" '! grep -q $'"'\033'"' "$out" && grep -q "warning:" "$out"'
 else
-    skip "a terminal shows colours" "no script(1)"
+    skip "a terminal shows colours" "no terminal, or no script(1)"
 fi
 run "$jostle" run -q pair.deck -o one.h5
 comma=$(locale -a 2>/dev/null | grep -iE '^(de|fr|it|es|nl)_.*utf-?8$' | head -n 1)

@@ -44,6 +44,11 @@ skip() {
     echo "ok $1 # SKIP $2"
 }
 
+# Whether there are pseudo-terminals, and script(1) to run commands on one; some containers have none.
+has_terminal() {
+    script -qec true /dev/null >"$out" 2>&1 </dev/null
+}
+
 # Nothing in this folder but these files.
 only() {
     [ "$(find . -mindepth 1 -type f -printf '%P\n' | sort)" = "$(printf '%s\n' "$@" | sort)" ]

@@ -25,10 +25,8 @@ static void run(const struct model *m, const char *path) {
     struct results *results;
     struct error e;
     assert_int_equal(result_create(m, &options, &writer, &e), STATUS_OK);
-    const struct observer observer = result_observer(writer);
-    assert_int_equal(analysis_run(m, &observer, &results, &e), STATUS_OK);
+    assert_int_equal(result_analyse(writer, NULL, &results, &e), STATUS_OK);
     assert_true(results->n_impact > 0);
-    assert_int_equal(result_finish(writer, results, &e), STATUS_OK);
     results_free(results);
 }
 

@@ -15,19 +15,39 @@ static const char text[] = "param gap 1mm\n"
                            "duration 0.5\n";
 
 static int run_search(const struct plan *p, struct error *e) {
-    const struct gap_search_request q = {.plan = p,
-                                         .parameter = "gap",
-                                         .edp = {.kind = &gap_measure_kinds[0], .owner = -1},
-                                         .limit = 1.0,
-                                         .percentile = 100.0,
-                                         .from = 0.0,
-                                         .to = 0.01,
-                                         .n = 2,
-                                         .tolerance = 0.004};
+    struct gap_search_request q = {.plan = p,
+                                   .parameter = "gap",
+                                   .limit = 1.0,
+                                   .percentile = 100.0,
+                                   .from = 0.0,
+                                   .to = 0.01,
+                                   .n = 2,
+                                   .tolerance = 0.004};
+    struct study_view view;
+    if (plan_view(p, &view, e) != STATUS_OK ||
+        edp_parse(&view, "force", p->table->arena, &q.edp, e) != STATUS_OK) {
+        return e->status;
+    }
     const struct gap_runs how = {.n_thread = 1};
     struct gap_search s;
     int status = gap_search_run(&q, &how, &s, e);
     gap_search_close(&s);
+    return status;
+}
+
+static int run_plan(const struct model *m, struct error *e) {
+    const struct study_request study = {.first = m, .result = {.version = ""}};
+    const struct gap_runs how = {.n_thread = 1};
+    struct plan p;
+    struct apart a;
+    int status = plan_init(&p, &study, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    status = apart_run(&p, &how, &a, e);
+    apart_close(&a);
+    status = status == STATUS_OK ? run_search(&p, e) : status;
+    plan_close(&p);
     return status;
 }
 
@@ -39,12 +59,7 @@ static int run_all(const char *path, struct error *e) {
         status = model_build(d, &m, e);
     }
     if (status == STATUS_OK) {
-        const struct plan p = {.first = m, .n_run = d->n_run};
-        const struct gap_runs how = {.n_thread = 1};
-        struct apart a;
-        status = apart_run(&p, &how, &a, e);
-        apart_close(&a);
-        status = status == STATUS_OK ? run_search(&p, e) : status;
+        status = run_plan(m, e);
     }
     deck_free(d);
     return status;

@@ -106,27 +106,57 @@ static void percentiles_are_over_the_runs(void **state) {
     model_free(m);
 }
 
-static struct gap_search search(const struct model *m, struct gap_search_request q) {
+// Without contact the gap is nothing; each run counts as often as it differs.
+static void sweeps_that_change_nothing_count_once(void **state) {
+    (void)state;
+    struct model *m = analysis_model("sweep a values 0.1 0.2 0.4\n"
+                                     "sweep gap values 0.11 0.15 0.3 0.5\n"
+                                     "building A -floors 1 -mass 1 -stiffness ${4 * pi^2}\n"
+                                     "initial A -displacement ${-a}\n"
+                                     "contact A wall -gap $gap -law linear -k 1e4\n" STEPS);
+    struct apart a;
+    double scratch[12];
+    run_apart(m, 1, &a);
+    assert_int_equal(a.n_run, 12);
+    assert_true(a.counts[4] && !a.counts[5]);
+    assert_false(a.idle[0]);
+    assert_true(a.idle[1]);
+    const struct apart_summary s = apart_summarise(&a, 0, APART_CLOSING, APART_VALUES, scratch);
+    assert_close(s.mean, 0.7 / 3, RTOL);
+    assert_close(s.low, 0.1 + 0.32 * 0.1, RTOL);
+    assert_int_equal(s.run, 8);
+    assert_close(apart_summarise(&a, 0, APART_GAP, APART_VALUES, scratch).mean, 1.06 / 4, 1e-14);
+    // 0.2 is beyond 0.11 and 0.15, 0.4 beyond 0.3, too
+    assert_int_equal(apart_hits(&a, 0), 5);
+    apart_close(&a);
+    model_free(m);
+}
+
+static int try_search(const struct model *m, const char *edp, struct gap_search_request q,
+                      struct gap_search *out, struct error *e) {
+    const struct gap_runs how = {.n_thread = 2};
+    const struct study_request study = {.first = m, .result = {.version = ""}};
+    struct study_view view;
+    struct plan p;
+    assert_int_equal(plan_init(&p, &study, e), STATUS_OK);
+    assert_int_equal(plan_view(&p, &view, e), STATUS_OK);
+    assert_int_equal(edp_parse(&view, edp, p.table->arena, &q.edp, e), STATUS_OK);
+    q.plan = &p;
+    const int status = gap_search_run(&q, &how, out, e);
+    plan_close(&p);
+    return status;
+}
+
+static struct gap_search search(const struct model *m, const char *edp,
+                                struct gap_search_request q) {
     struct gap_search s;
     struct error e;
-    const struct plan p = plan_of(m);
-    const struct gap_runs how = {.n_thread = 2};
-    q.plan = &p;
-    assert_int_equal(gap_search_run(&q, &how, &s, &e), STATUS_OK);
+    assert_int_equal(try_search(m, edp, q, &s, &e), STATUS_OK);
     return s;
 }
 
-static const struct gap_measure_kind *kind(const char *name) {
-    int i = 0;
-    while (strcmp(gap_measure_kinds[i].name, name) != 0) {
-        i++;
-    }
-    return &gap_measure_kinds[i];
-}
-
-static struct gap_search_request no_impacts(double percentile, const char *parameter) {
+static struct gap_search_request up_to_zero(double percentile, const char *parameter) {
     return (struct gap_search_request){.parameter = parameter,
-                                       .edp = {.kind = kind("impacts"), .owner = -1},
                                        .limit = 0.0,
                                        .percentile = percentile,
                                        .from = 0.0,
@@ -139,13 +169,13 @@ static struct gap_search_request no_impacts(double percentile, const char *param
 static void bisection_finds_a_threshold_that_is_known(void **state) {
     (void)state;
     struct model *m = analysis_model("%s", five);
-    struct gap_search s = search(m, no_impacts(100.0, NULL));
+    struct gap_search s = search(m, "impacts", up_to_zero(100.0, NULL));
     assert_true(s.found);
     assert_true(s.gap >= 0.5 - 1e-6 && s.below <= 0.5 + 1e-6 && s.gap - s.below <= 1e-4);
     assert_int_equal(s.point[0].stage, GAP_SCAN);
     assert_true(s.point[7].gap == 0.6 && s.point[7].kept && !s.point[0].kept);
     gap_search_close(&s);
-    s = search(m, no_impacts(50.0, NULL));
+    s = search(m, "impacts", up_to_zero(50.0, NULL));
     assert_true(s.gap >= 0.3 - 1e-6 && s.below <= 0.3 + 1e-6 && s.gap - s.below <= 1e-4);
     gap_search_close(&s);
     model_free(m);
@@ -157,14 +187,11 @@ static void a_parameter_of_the_deck_can_be_the_gap(void **state) {
                                      "building A -floors 1 -mass 1 -stiffness ${4 * pi^2}\n"
                                      "initial A -displacement -0.5\n"
                                      "contact A wall -gap ${2 * half} -law linear -k 1e4\n" STEPS);
-    struct gap_search s = search(m, no_impacts(100.0, "half"));
+    struct gap_search s = search(m, "impacts", up_to_zero(100.0, "half"));
     assert_true(s.gap >= 0.25 - 1e-6 && s.below <= 0.25 + 1e-6);
     gap_search_close(&s);
-    const struct plan p = plan_of(m);
-    struct gap_search_request q = no_impacts(100.0, "gap");
     struct error e;
-    q.plan = &p;
-    assert_int_equal(gap_search_run(&q, &(struct gap_runs){.n_thread = 1}, &s, &e), STATUS_INPUT);
+    assert_int_equal(try_search(m, "impacts", up_to_zero(100.0, "gap"), &s, &e), STATUS_INPUT);
     assert_non_null(strstr(e.message, "gap"));
     gap_search_close(&s);
     model_free(m);
@@ -173,15 +200,14 @@ static void a_parameter_of_the_deck_can_be_the_gap(void **state) {
 static void a_limit_that_no_gap_keeps_is_not_found(void **state) {
     (void)state;
     struct model *m = analysis_model("%s", five);
-    struct gap_search_request q = no_impacts(100.0, NULL);
-    q.edp.kind = kind("displacement");
+    struct gap_search_request q = up_to_zero(100.0, NULL);
     q.limit = 0.45;
-    struct gap_search s = search(m, q);
+    struct gap_search s = search(m, "displacement:A:1", q);
     assert_false(s.found);
     assert_int_equal(s.n_point, q.n);
     gap_search_close(&s);
     q.limit = 10.0;
-    s = search(m, q);
+    s = search(m, "displacement", q);
     assert_true(s.found && s.gap == 0.0 && isnan(s.below));
     gap_search_close(&s);
     model_free(m);
@@ -191,11 +217,40 @@ static void a_limit_that_no_gap_keeps_is_not_found(void **state) {
 static void gaps_that_are_closed_at_the_start_fail(void **state) {
     (void)state;
     struct model *m = analysis_model(TWO "contact A B -gap 0.06 -law linear -k 1e4\n" STEPS);
-    struct gap_search s = search(m, no_impacts(100.0, NULL));
+    struct gap_search s = search(m, "impacts", up_to_zero(100.0, NULL));
     assert_int_equal(s.point[0].n_failed, 1);
     assert_false(s.point[0].kept);
     assert_non_null(strstr(s.point[0].message, "closed at t = 0"));
     assert_true(s.gap >= 0.075 - 1e-6 && s.below <= 0.075 + 1e-6);
+    gap_search_close(&s);
+    model_free(m);
+}
+
+static void demands_without_a_value_are_refused(void **state) {
+    (void)state;
+    struct model *m = analysis_model("%s", five);
+    struct gap_search s;
+    struct error e;
+    assert_int_equal(try_search(m, "drift-ratio", up_to_zero(100.0, NULL), &s, &e), STATUS_INPUT);
+    assert_string_equal(e.message, "drift-ratio has no value; storeys of the deck have no height");
+    gap_search_close(&s);
+    model_free(m);
+}
+
+// The values of a run stand where those of the first one do.
+static void a_parameter_must_not_change_the_shape_of_the_model(void **state) {
+    (void)state;
+    struct model *m = analysis_model("param gap 0m\n"
+                                     "building A -floors ${1 + gap / 1m} -mass 1 -stiffness 40\n"
+                                     "initial A -velocity 0.1\n"
+                                     "contact A:1 wall -gap $gap -law linear -k 1e4\n" STEPS);
+    struct gap_search_request q = up_to_zero(100.0, "gap");
+    struct gap_search s;
+    struct error e;
+    q.to = 1.0;
+    q.n = 2;
+    assert_int_equal(try_search(m, "impacts", q, &s, &e), STATUS_INPUT);
+    assert_non_null(strstr(e.message, "floors in building A, the first run has 1"));
     gap_search_close(&s);
     model_free(m);
 }
@@ -205,10 +260,13 @@ int main(void) {
         cmocka_unit_test(closing_displacements_are_those_of_the_closed_form),
         cmocka_unit_test(links_act_although_contacts_do_not),
         cmocka_unit_test(percentiles_are_over_the_runs),
+        cmocka_unit_test(sweeps_that_change_nothing_count_once),
         cmocka_unit_test(bisection_finds_a_threshold_that_is_known),
         cmocka_unit_test(a_parameter_of_the_deck_can_be_the_gap),
         cmocka_unit_test(a_limit_that_no_gap_keeps_is_not_found),
         cmocka_unit_test(gaps_that_are_closed_at_the_start_fail),
+        cmocka_unit_test(demands_without_a_value_are_refused),
+        cmocka_unit_test(a_parameter_must_not_change_the_shape_of_the_model),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -157,15 +157,15 @@ static void demands_that_are_not_there_say_what_is(void **state) {
         {"drfit", "unknown EDP 'drfit'; did you mean 'drift'?"},
         {"", "unknown EDP ''"},
         {"nothing:A", "unknown EDP 'nothing'; jostle fragility --help lists them"},
-        {"drift:", "unknown building; there are A, B"},
-        {"drift:C:1", "unknown building; there are A, B"},
-        {"drift:AB", "unknown building; there are A, B"},
+        {"drift:", "unknown building; known: A, B"},
+        {"drift:C:1", "unknown building; known: A, B"},
+        {"drift:AB", "unknown building; known: A, B"},
         {"drift:A:3", "building A has 2 floors"},
         {"drift:A:0", "a floor is a number from 1"},
         {"drift:A:1x", "a floor is a number from 1"},
         {"drift:A:99999999999999999999", "building A has 2 floors"},
-        {"force:A", "unknown contact; there are 2: A:1-B:1 ... A:2-B:2"},
-        {"link-force:A", "unknown link; there are 1: damper"},
+        {"force:A", "unknown contact; 2 known: A:1-B:1 ... A:2-B:2"},
+        {"link-force:A", "unknown link; 1 known: damper"},
         {"hysteretic:A", "one number for the whole"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -174,7 +174,7 @@ static void demands_that_are_not_there_say_what_is(void **state) {
     study_file_close(f);
     f = suite_ran(suite_oscillators);
     refused(f, (struct suite_request){.edp = "drift-ratio"}, "gives no storey heights");
-    refused(f, (struct suite_request){.edp = "link-force"}, "the study has no link");
+    refused(f, (struct suite_request){.edp = "link-force"}, "there is no link");
     study_file_close(f);
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The oscillator: what the methods give with steps of 0.1 s, the exact solution and the book.
-set xlabel 'time, s'
-set ylabel 'displacement, in'
+set xlabel 'time [s]'
+set ylabel 'displacement [in]'
 set key outside right center Left reverse samplen 2 spacing 1.3
 set xrange [0:1.02]
 array run[4] = ['central', 'average', 'linear', 'plastic']

@@ -5,7 +5,7 @@ set format y '10^{%T}'
 set format x '%g'
 set ytics 100
 set yrange [1e-7:0.1]
-set xlabel 'step, ms'
+set xlabel 'step [ms]'
 set ylabel 'error'
 set multiplot layout 1, 2 margins 0.12, 0.98, 0.35, 0.88 spacing 0.1
 set key at screen 0.98, 0.135 right maxrows 2 Left reverse samplen 2

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Residual over time, 8 and 5 storeys with steps of 1 ms.
-set xlabel 'time, s'
+set xlabel 'time [s]'
 set ylabel '|residual| / input'
 set logscale y
 set format y '10^{%T}'

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Peak forces against those that the paper prints.
-set xlabel 'peak force against the paper, %'
+set xlabel 'peak force against the paper [%]'
 set xrange [-30:5]
 set datafile separator '\t'
 set yrange [8.7:-0.7]

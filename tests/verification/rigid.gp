@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Velocities of the bouncing body, dots, on their closed forms e^n.
 set xlabel 'rebound'
-set ylabel 'velocity, m/s'
+set ylabel 'velocity [m/s]'
 set logscale y
 set format y '10^{%T}'
 set ytics 10

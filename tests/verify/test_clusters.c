@@ -71,15 +71,15 @@ static void remember(struct bench *b, int k) {
     const struct link *l = &b->model->link[k];
     double *history = s->link_history + l->history;
     if (l->law->close) {
-        s->v_close[k] = random_logarithmic(&b->random, 1e-6, 5.0);
-        l->law->close(l->constant, s->v_close[k], history);
+        s->link[k].v_close = random_logarithmic(&b->random, 1e-6, 5.0);
+        l->law->close(l->constant, s->link[k].v_close, history);
     }
     if (l->law->commit && random_below(&b->random, 2)) {
         double deepest = s->delta[k] * random_logarithmic(&b->random, 1.0, 10.0);
         l->law->commit(l->constant, history, deepest, 1.0);
         l->law->commit(l->constant, history, s->delta[k], -1.0);
     }
-    s->force[k] = random_below(&b->random, 2) ? state_link_force(s, b->model, k) : 0.0;
+    s->link[k].force = random_below(&b->random, 2) ? state_link_force(s, b->model, k) : 0.0;
 }
 
 static void close_pressed(struct bench *b) {
@@ -89,7 +89,7 @@ static void close_pressed(struct bench *b) {
         s->delta[k] = state_gap(l, b->model, s->u, s->ground_u) - l->gap;
         if (l->law->rebound && random_below(&b->random, 2)) {
             state_enliven(s, k);
-            s->closed[k] = true;
+            s->link[k].closed = true;
         } else if (!l->law->rebound && s->delta[k] > 0.0) {
             state_close_link(s, b->model, k);
             remember(b, k);
@@ -103,7 +103,7 @@ static void begin(struct bench *b) {
     const struct model *m = b->model;
     struct state *s = &b->now;
     state_open_links(s);
-    memset(s->closed, 0, (size_t)m->n_link * sizeof *s->closed);
+    memset(s->link, 0, (size_t)m->n_link * sizeof *s->link);
     state_start(s, m);
     displace(b);
     state_internal_forces(s, m, s->u, s->v);
@@ -137,8 +137,8 @@ static struct span graph(const struct bench *b, int k, double moved) {
     const struct link *l = &b->model->link[k];
     double history[CONTACT_HISTORY_MAX];
     memcpy(history, b->now.link_history + l->history, (size_t)l->law->n_history * sizeof *history);
-    if (!b->now.closed[k] && l->law->close) {
-        l->law->close(l->constant, b->next.v_close[k], history);
+    if (!b->now.link[k].closed && l->law->close) {
+        l->law->close(l->constant, b->next.link[k].v_close, history);
     }
     double around_d = rounding(b, b->work.u_trial, b->next.u) + b->work.b * moved;
     double around_v = rounding(b, b->work.v_trial, b->next.v) + b->work.g * moved;
@@ -159,7 +159,7 @@ static struct span graph(const struct bench *b, int k, double moved) {
 static double largest_force(const struct bench *b) {
     double largest = 0.0;
     for (int i = 0; i < b->next.n_live; i++) {
-        largest = fmax(largest, fabs(b->next.force[b->next.live[i]]));
+        largest = fmax(largest, fabs(b->next.link[b->next.live[i]].force));
     }
     return largest;
 }
@@ -169,14 +169,14 @@ static bool rests(const struct bench *b, int k) {
     double v = state_rate(&b->next, b->model, k) + 0.5 * b->now.delta[k] / b->work.h;
     double around = rounding(b, b->work.v_trial, b->next.v) +
                     b->work.g * b->work.quick[k].flexibility * LARGEST_TOLERANCE * largest_force(b);
-    double f = b->next.force[k];
+    double f = b->next.link[k].force;
     return f > 0.0 ? fabs(v) <= around : f == 0.0 && v <= around;
 }
 
 static bool obeys(const struct bench *b, int k) {
     const struct link *l = &b->model->link[k];
-    double f = b->next.force[k];
-    if (!b->next.is_live[k]) {
+    double f = b->next.link[k].force;
+    if (!b->next.link[k].is_live) {
         return f == 0.0 && (l->law->rebound || b->next.delta[k] <= 0.0);
     }
     if (l->law->rebound) {
@@ -218,9 +218,9 @@ static void report(const struct bench *b, uint64_t seed, int step, const char *w
                 b->work.h, b->next.n_live, what);
     for (int k = 0; getenv("JOSTLE_VERBOSE") && k < b->model->n_contact; k++) {
         print_error("%s %s closed %d branch %d f %.17g d %.17g v %.17g %s\n",
-                    b->model->link[k].name, b->model->link[k].law->name, b->now.closed[k],
-                    b->next.is_live[k] ? (int)b->work.quick[k].branch : -1, b->next.force[k],
-                    b->next.delta[k], state_rate(&b->next, b->model, k),
+                    b->model->link[k].name, b->model->link[k].law->name, b->now.link[k].closed,
+                    b->next.link[k].is_live ? (int)b->work.quick[k].branch : -1,
+                    b->next.link[k].force, b->next.delta[k], state_rate(&b->next, b->model, k),
                     obeys(b, k) ? "" : "WRONG");
     }
 }
