@@ -143,11 +143,7 @@ void flight_deepen(const struct flight *f, struct state *s) {
 }
 
 // Takes a step as it has been found into the account, or sees to it that the next one does.
-static void take(const struct flight *f, const struct state *now, struct state *next,
-                 enum nearness near) {
-    if (near == NEARNESS_DEEPEST) {
-        flight_deepen(f, next);
-    }
+static void take(const struct flight *f, const struct state *now, const struct state *next) {
     if (!f->work->floors.late.possible) {
         floors_account(f->energy, f->results, f->model, now, next);
         return;
@@ -162,7 +158,7 @@ static void take(const struct flight *f, const struct state *now, struct state *
 // What steps in flight leave out.
 static void complete(const struct flight *f, struct state *s) {
     const struct model *m = f->model;
-    contact_penetrations(f->work, s);
+    flight_deepen(f, s);
     if (f->yields) {
         excitation_floors(s, m, s->time);
         state_internal_forces(s, m, s->u, s->v);
@@ -211,11 +207,11 @@ static bool step_to(struct flight *f, const struct state *now, struct state *nex
     } else {
         excitation_at(next, f->model, next->time);
     }
-    enum nearness near = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
-    if (near != NEARNESS_CLOSED) {
-        take(f, now, next, near);
+    bool free = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
+    if (free) {
+        take(f, now, next);
     }
-    return near != NEARNESS_CLOSED;
+    return free;
 }
 
 static bool may_start(struct flight *f, const struct state *s) {

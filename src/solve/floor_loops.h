@@ -337,4 +337,34 @@ LANES_INLINE enum nearness floors_look(const struct flight *f, int from, int to,
     return floors_any(&closed) < 0 ? NEARNESS_CLOSED : NEARNESS_DEEPEST;
 }
 
+// Penetrations of four contacts of a group, from number i on.
+LANES_INLINE void floors_delta(const struct gap_group *g, int i, const double *gap, const double *u,
+                               const double *ground, lanes *delta) {
+    *delta = FOUR(u + g->dof[0], i) - FOUR(u + g->dof[1], i) - FOUR(gap, i) +
+             (ground[g->ground[0]] - ground[g->ground[1]]);
+}
+
+// Negative if one of some groups of contacts is closed at the end of a step. Those that were
+// nearest at its start are noted, as peaks are.
+LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to, const struct state *now,
+                                 const struct state *next) {
+    struct gaps *gaps = &f->work->gaps;
+    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *nearest = gaps->nearest;
+    const double *u0 = now->u, *u1 = next->u;
+    lanes_bits closed = {0};
+    for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
+        for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR) {
+            lanes d0, d1;
+            floors_delta(g, i, gap, u0, now->ground_u, &d0);
+            floors_delta(g, i, gap, u1, next->ground_u, &d1);
+            closed |= (lanes_bits)(0.0 - d1);
+            lanes_bits turned = (lanes_bits)(FOUR(nearest + g->contact, i) - d0) & ~(lanes_bits)(d0 - d1);
+            for (int lane = 0; floors_any(&turned) < 0 && lane < LANES_VECTOR; lane++) {
+                gaps_note(gaps, g->contact + i + lane, d0[lane], now->time);
+            }
+        }
+    }
+    return floors_any(&closed);
+}
+
 #endif

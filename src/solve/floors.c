@@ -267,46 +267,45 @@ LANES bool floors_move(struct work *w, const struct state *now, struct state *ne
 }
 
 // A step as far as it is known to be one in free flight. `lines` NULL: all storeys are elastic.
-LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines *lines,
+LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
                                const struct state *now, struct state *next) {
     struct work *w = f->work;
     const struct move move = move_of(w, now, next);
     struct account due = account_due(&w->floors.late, f->model, next, now);
-    enum nearness all = NEARNESS_FAR;
+    bool free = true;
     lanes_bits beyond = {0};
-    for (int i = 0, group = 0; i < w->floors.n_block && all != NEARNESS_CLOSED; i++) {
+    for (int i = 0, group = 0; i < w->floors.n_block && free; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
         int64_t sign = move_block(&move, lines, b);
         if (lines) {
             floors_follow(&move.chain, lines, b->first, b->end, next->u, &beyond);
         }
-        enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
+        sign |= floors_any(&beyond) | floors_approach(f, group, f->group_end[i], now, next);
         group = f->group_end[i];
-        own = sign < 0 || floors_any(&beyond) < 0 ? NEARNESS_CLOSED : own;
-        all = own > all ? own : all;
+        free = sign >= 0;
     }
     account_to(&due, move.chain.n);
     w->floors.late.due = false;
-    return all;
+    return free;
 }
 
-LANES static enum nearness fly_elastic(const struct flight *f, const struct state *now,
+LANES static bool fly_elastic(const struct flight *f, const struct state *now,
                                        struct state *next) {
     return fly(f, NULL, now, next);
 }
 
-enum nearness floors_fly(const struct flight *f, const struct state *now, struct state *next) {
+bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
     return fly_elastic(f, now, next);
 }
 
-LANES static enum nearness fly_on_lines(const struct flight *f, const struct state *now,
+LANES static bool fly_on_lines(const struct flight *f, const struct state *now,
                                         struct state *next) {
     const struct floors_lines lines = floors_lines_of(f, next);
     return fly(f, &lines, now, next);
 }
 
-enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
+bool floors_fly_on_lines(const struct flight *f, const struct state *now,
                                   struct state *next) {
     return fly_on_lines(f, now, next);
 }

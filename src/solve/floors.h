@@ -68,12 +68,11 @@ enum nearness {
 };
 
 // A step in free flight to the time and under the ground accelerations, or where these are not
-// uniform the base and external forces of `next`, and what account is due. NEARNESS_CLOSED: it is
-// none; a contact would close, or the state is not finite.
-enum nearness floors_fly(const struct flight *f, const struct state *now, struct state *next);
+// uniform the base and external forces of `next`, and what account is due. Contacts that were
+// nearest in `now` are noted. False: it is none; a contact would close, or it is not finite.
+bool floors_fly(const struct flight *f, const struct state *now, struct state *next);
 
 // The same where storeys follow straight lines; nor may one leave its line.
-enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
-                                  struct state *next);
+bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next);
 
 #endif
