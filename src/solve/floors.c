@@ -67,13 +67,16 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
 }
 
 // Lists the ends of live links by building, in the order of the links.
-static void list_ends(struct floors *f, const struct model *m, const struct state *s) {
-    for (int i = 2 * s->n_live - 1; i >= 0; i--) {
-        int end = 2 * s->live[i / 2] + i % 2;
-        int k = m->link[end / 2].building[end % 2];
-        if (k != WALL) {
-            f->following_end[end] = f->first_end[k];
-            f->first_end[k] = end;
+static void list_ends(struct floors *f, const struct gaps *gaps, const struct state *s) {
+    for (int i = s->n_live - 1; i >= 0; i--) {
+        const struct gap_run *run = &gaps->run[gaps->run_of[s->live[i]]];
+        for (int side = 1; side >= 0; side--) {
+            int end = 2 * s->live[i] + side;
+            int k = run->building[side];
+            if (k != WALL) {
+                f->following_end[end] = f->first_end[k];
+                f->first_end[k] = end;
+            }
         }
     }
 }
@@ -256,7 +259,7 @@ LANES bool floors_move(struct work *w, const struct state *now, struct state *ne
     const struct move move = move_of(w, now, next);
     struct account due = account_due(&w->floors.late, w->model, next, now);
     int64_t sign = 0;
-    list_ends(&w->floors, w->model, next);
+    list_ends(&w->floors, &w->gaps, next);
     for (int i = 0; i < w->floors.n_block; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
