@@ -123,8 +123,7 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
     f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
     f->ahead_from = -FLIGHT_AHEAD;
-    if (!f->group || !f->gap || !f->group_end ||
-        !branches_alloc(f, m, a)) {
+    if (!f->group || !f->gap || !f->group_end || !branches_alloc(f, m, a)) {
         return false;
     }
     for (size_t i = 0; i < n * LANES_WIDTH; i++) {

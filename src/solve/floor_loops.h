@@ -2,9 +2,8 @@
 // The loops over floors of which steps are made, for functions compiled by LANES. Arrays are those
 // of core/lanes.h; first, n and `end` are whole lanes.
 //
-// Neighbours' values are taken from registers, not from memory: a load that spans two stores made
-// just before waits until both are in the cache. And what is cheap is computed twice rather than
-// written and read.
+// A load that spans two stores made just before waits until both are in the cache, so neighbours'
+// values are read by another loop than the one that writes them.
 #ifndef JOSTLE_FLOOR_LOOPS_H
 #define JOSTLE_FLOOR_LOOPS_H
 
@@ -27,10 +26,6 @@
 #define BELOW(under, own) ((lanes){(under)[3], (own)[0], (own)[1], (own)[2]})
 #define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
 #endif
-
-LANES_INLINE int floors_whole(int n) {
-    return n & ~(LANES_WIDTH - 1);
-}
 
 // Negative where |x| > limit >= 0, as number_beyond.
 #define BEYOND(x, limit) ((lanes_bits)(limit) - ((lanes_bits)(x)&INT64_MAX))
@@ -245,8 +240,7 @@ LANES_INLINE void floors_raise_drifts(const struct floors_peaks *p, const struct
 
 // A peak is the last of values that grow, so that it is stored once: negative where |x0| > peak and
 // then |x1| <= |x0|.
-#define TURNED_WIDE(x0, x1, peak)                                                                  \
-    (BEYOND_WIDE(x0, peak) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
+#define TURNED_WIDE(x0, x1, peak) (BEYOND_WIDE(x0, peak) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
 
 // Takes displacements, velocities and total accelerations that were highest at the start of a step
 // from s0 to s1, under one ground, into the peaks.
@@ -346,8 +340,8 @@ LANES_INLINE void floors_delta(const struct gap_group *g, int i, const double *g
 
 // Negative if one of some groups of contacts is closed at the end of a step. Those that were
 // nearest at its start are noted, as peaks are.
-LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to, const struct state *now,
-                                 const struct state *next) {
+LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to,
+                                     const struct state *now, const struct state *next) {
     struct gaps *gaps = &f->work->gaps;
     const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *nearest = gaps->nearest;
     const double *u0 = now->u, *u1 = next->u;
@@ -358,7 +352,8 @@ LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to, c
             floors_delta(g, i, gap, u0, now->ground_u, &d0);
             floors_delta(g, i, gap, u1, next->ground_u, &d1);
             closed |= (lanes_bits)(0.0 - d1);
-            lanes_bits turned = (lanes_bits)(FOUR(nearest + g->contact, i) - d0) & ~(lanes_bits)(d0 - d1);
+            lanes_bits turned =
+                (lanes_bits)(FOUR(nearest + g->contact, i) - d0) & ~(lanes_bits)(d0 - d1);
             for (int lane = 0; floors_any(&turned) < 0 && lane < LANES_VECTOR; lane++) {
                 gaps_note(gaps, g->contact + i + lane, d0[lane], now->time);
             }

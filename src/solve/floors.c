@@ -3,8 +3,8 @@
 //     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
 //     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
 //     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
-// and the works of the step and the tests for peaks. A block of buildings goes through all of it
-// before the next one does. Lanes do not begin where buildings do: what a block computes of a
+// and the works of the step before and the tests for peaks. A block of buildings goes through all
+// of it before the next one does. Lanes do not begin where buildings do: what a block computes of a
 // neighbour's floors is computed by that one anew.
 #include "solve/floors.h"
 
@@ -271,7 +271,7 @@ LANES bool floors_move(struct work *w, const struct state *now, struct state *ne
 
 // A step as far as it is known to be one in free flight. `lines` NULL: all storeys are elastic.
 LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
-                               const struct state *now, struct state *next) {
+                      const struct state *now, struct state *next) {
     struct work *w = f->work;
     const struct move move = move_of(w, now, next);
     struct account due = account_due(&w->floors.late, f->model, next, now);
@@ -293,22 +293,12 @@ LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
     return free;
 }
 
-LANES static bool fly_elastic(const struct flight *f, const struct state *now,
-                                       struct state *next) {
+LANES bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
     return fly(f, NULL, now, next);
 }
 
-bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
-    return fly_elastic(f, now, next);
-}
-
-LANES static bool fly_on_lines(const struct flight *f, const struct state *now,
-                                        struct state *next) {
+LANES bool floors_fly_on_lines(const struct flight *f, const struct state *now,
+                               struct state *next) {
     const struct floors_lines lines = floors_lines_of(f, next);
     return fly(f, &lines, now, next);
-}
-
-bool floors_fly_on_lines(const struct flight *f, const struct state *now,
-                                  struct state *next) {
-    return fly_on_lines(f, now, next);
 }
