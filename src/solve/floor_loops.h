@@ -338,26 +338,38 @@ LANES_INLINE void floors_delta(const struct gap_group *g, int i, const double *g
              (ground[g->ground[0]] - ground[g->ground[1]]);
 }
 
+// Notes the penetrations of some groups that are larger than ever.
+LANES_INLINE void floors_note(const struct flight *f, int from, int to, const struct state *s) {
+    for (int j = from; j < to; j++) {
+        const double *gap = f->gap + (ptrdiff_t)j * LANES_WIDTH;
+        for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR) {
+            lanes d;
+            floors_delta(&f->group[j], i, gap, s->u, s->ground_u, &d);
+            for (int lane = 0; lane < LANES_VECTOR; lane++) {
+                gaps_note(&f->work->gaps, f->group[j].contact + i + lane, d[lane], s->time);
+            }
+        }
+    }
+}
+
 // Negative if one of some groups of contacts is closed at the end of a step. Those that were
 // nearest at its start are noted, as peaks are.
 LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to,
                                      const struct state *now, const struct state *next) {
-    struct gaps *gaps = &f->work->gaps;
-    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *nearest = gaps->nearest;
+    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *nearest = f->work->gaps.nearest;
     const double *u0 = now->u, *u1 = next->u;
-    lanes_bits closed = {0};
+    lanes_bits closed = {0}, turned = {0};
     for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
         for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR) {
             lanes d0, d1;
             floors_delta(g, i, gap, u0, now->ground_u, &d0);
             floors_delta(g, i, gap, u1, next->ground_u, &d1);
             closed |= (lanes_bits)(0.0 - d1);
-            lanes_bits turned =
-                (lanes_bits)(FOUR(nearest + g->contact, i) - d0) & ~(lanes_bits)(d0 - d1);
-            for (int lane = 0; floors_any(&turned) < 0 && lane < LANES_VECTOR; lane++) {
-                gaps_note(gaps, g->contact + i + lane, d0[lane], now->time);
-            }
+            turned |= (lanes_bits)(FOUR(nearest + g->contact, i) - d0) & ~(lanes_bits)(d0 - d1);
         }
+    }
+    if (floors_any(&turned) < 0) {
+        floors_note(f, from, to, now);
     }
     return floors_any(&closed);
 }
