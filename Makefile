@@ -31,9 +31,9 @@ CMOCKA    := $(shell pkg-config --cflags --libs cmocka 2>/dev/null || echo -lcmo
 SYSTEM     = $(patsubst -I%,-isystem %,$(filter -I%,$(FOUND)))
 LIBS       = $(filter-out -I%,$(FOUND)) -lm
 # The shared HDF5 of Debian loads forty others, by curl, which is half the time of a short run; its
-# archives need none of them. Only where they are there and want nothing but what is named here.
-ARCHIVES   = $(patsubst -l%,-l:lib%.a,$(filter -L% -lhdf5% -lgsl%,$(LIBS))) -Wl,--as-needed \
-             -lsz -lz -ldl -lm
+# archives need none of them, and finding the few others at start takes longer than 2000 steps. So
+# nothing is shared where archives are there and want nothing but what is named here.
+ARCHIVES   = -static $(LIBS) -lsz -laec -lz -ldl -lm
 TRY        = $(filter 1,$(STATIC)$(strip $(SANITIZE)))
 WARNINGS   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes \
              -Wmissing-prototypes $(if $(filter 1,$(WERROR)),-Werror)

@@ -26,8 +26,10 @@ struct word {
     struct place place;
 };
 
-// A statement: word[0] is the command, then plain words up to n_plain, then options. An unquoted
-// `-` followed by a letter starts an option.
+// True for an option: an unquoted `-` followed by a letter.
+bool deck_is_option(const struct word *w);
+
+// A statement: word[0] is the command, then plain words up to n_plain, then options.
 struct statement {
     struct word *word;
     int n_word;
@@ -129,6 +131,9 @@ const struct word *deck_option(const struct statement *s, const char *key, int *
 
 // The text of one word with parameters replaced; NULL after having reported an error.
 const char *deck_text(struct deck *d, const struct word *w);
+
+// A zeroed array from the deck's arena; NULL: no memory, which diagnostics.out_of_memory remembers.
+void *deck_array(struct deck *d, size_t n, size_t size);
 
 // The acceleration of gravity [m/s^2] for what a statement reads in units of g. From then on a
 // gravity statement is an error, as it would come too late.

@@ -21,6 +21,10 @@ struct ensemble_member {
 // not so many floors that the state of all lanes would not stay near the processor.
 bool ensemble_suits(const struct model *m);
 
+// Whether lockstep is faster on this processor than one run after the other, which it is where the
+// registers that this library is compiled for hold ENSEMBLE_MAX numbers.
+bool ensemble_pays(void);
+
 // Whether `b` can go in lockstep with `a`, which suits: the same floors, contacts, step and rows;
 // all else may differ, the duration too.
 bool ensemble_alike(const struct model *a, const struct model *b);

@@ -171,8 +171,9 @@ double model_time(const struct model *m, long n);
 void model_times(const struct model *m, long first, int n, double *time);
 
 // The model at a step 2^level times shorter, with the rows of output at the same times. It borrows
-// everything from `m` and is not given to model_free. Adaptive: at a tolerance 32^level times
-// tighter, which makes the steps of Dormand & Prince's method as much shorter.
+// everything from `m` and is not given to model_free. Adaptive: at a tolerance so much
+// tighter that steps are about 2^level times shorter, 32^level with Dormand & Prince's method and
+// 8^level with Newmark's.
 struct model model_refined(const struct model *m, int level);
 
 // Options that a statement has only in one of its forms, as `ground record` has others than `ground

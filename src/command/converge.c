@@ -37,11 +37,6 @@ struct options {
     bool tsv;
 };
 
-static int show_nothing(void *context, const struct row_view *row, struct error *e) {
-    (void)context, (void)row, (void)e;
-    return STATUS_OK;
-}
-
 static int show_progress(void *context, double time, struct error *e) {
     (void)e;
     progress_show(context, time);
@@ -53,8 +48,7 @@ static int converge(void *options, const struct model *m) {
     struct progress progress;
     struct refinement *r;
     struct error e;
-    const struct observer observer = {
-        .row = show_nothing, .poll = show_progress, .context = &progress};
+    const struct observer observer = {.poll = show_progress, .context = &progress};
     progress_start(&progress, m->duration, m->deck->units.time_name);
     int status = refinement_run(m, o->n_level, o->rtol, &observer, &r, &e);
     progress_end(&progress);

@@ -58,8 +58,7 @@ struct options {
 
 static int show_progress(void *context, long n_done, struct error *e) {
     progress_show(context, (double)n_done);
-    const int signal = interrupt_number();
-    return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", signal) : STATUS_OK;
+    return interrupt_check(e);
 }
 
 // EXIT_DONE, or the status of what ended the runs.
@@ -238,13 +237,15 @@ static int run_deck(void *options, const struct model *m) {
                                           .result = {.version = JOSTLE_VERSION}};
     struct plan plan;
     struct error e;
-    int status = m->n_contact > 0 ? plan_init(&plan, &request, &e)
-                                  : error_set(&e, STATUS_INPUT, "the deck has no contact");
-    if (status != STATUS_OK) {
+    if (m->n_contact == 0) {
+        error_set(&e, STATUS_INPUT, "the deck has no contact");
+        return command_fail(&e);
+    }
+    if (plan_init(&plan, &request, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     interrupt_catch();
-    status = o->limit ? run_search(&plan, o) : print_apart(&plan, o);
+    const int status = o->limit ? run_search(&plan, o) : print_apart(&plan, o);
     plan_close(&plan);
     return status;
 }

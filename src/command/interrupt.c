@@ -22,3 +22,8 @@ void interrupt_catch(void) {
 int interrupt_number(void) {
     return interrupted;
 }
+
+int interrupt_check(struct error *e) {
+    return interrupted ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", (int)interrupted)
+                       : STATUS_OK;
+}

@@ -3,10 +3,15 @@
 #ifndef JOSTLE_INTERRUPT_H
 #define JOSTLE_INTERRUPT_H
 
+#include "jostle/error.h"
+
 // From now on SIGINT, SIGTERM and SIGHUP are noted; the second one ends the program at once.
 void interrupt_catch(void);
 
 // The signal noted; 0: none.
 int interrupt_number(void);
+
+// STATUS_SYSTEM, "interrupted by signal N", if one was noted.
+int interrupt_check(struct error *e);
 
 #endif

@@ -3,7 +3,6 @@
 // they are read, and messages point at them, as in a deck.
 #include "command/law_impacts.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <string.h>
 
@@ -84,15 +83,6 @@ static int make_text(const struct law_words *words, struct text *t, struct error
                    : STATUS_OK;
 }
 
-// A zeroed array from the deck's arena; NULL after having noted that there is no memory.
-static void *array(struct deck *d, size_t n, size_t size) {
-    void *a = arena_alloc(d->arena, n, size);
-    if (!a) {
-        diagnostics_no_memory(&d->diagnostics);
-    }
-    return a;
-}
-
 // A statement `law NAME ...` without its first word, so that messages name the law.
 static bool take_name(struct deck *d, struct statement *s) {
     if (s->n_plain != 2) {
@@ -128,7 +118,7 @@ static bool has_key(const struct contact_law *law, const struct word *option) {
 // Gives a law without options those of the first that it has too.
 static bool lend_options(struct deck *d, const struct statement *first,
                          const struct contact_law *law, struct statement *s) {
-    struct word *word = array(d, (size_t)first->n_word, sizeof *word);
+    struct word *word = deck_array(d, (size_t)first->n_word, sizeof *word);
     if (!word) {
         return false;
     }
@@ -136,26 +126,13 @@ static bool lend_options(struct deck *d, const struct statement *first,
     int n = 1;
     bool taken = false;
     for (int i = first->n_plain; i < first->n_word; i++) {
-        const char *text = first->word[i].text;
-        const bool option =
-            !first->word[i].quoted && text[0] == '-' && isalpha((unsigned char)text[1]);
-        taken = option ? has_key(law, &first->word[i]) : taken;
+        taken = deck_is_option(&first->word[i]) ? has_key(law, &first->word[i]) : taken;
         if (taken) {
             word[n++] = first->word[i];
         }
     }
     *s = (struct statement){.word = word, .n_word = n, .n_plain = 1};
     return true;
-}
-
-// The exponent that dimensions of the law's rows depend on.
-static double power_of(const struct law_choice *c) {
-    for (int r = 0; r < c->law->n_row; r++) {
-        if (c->law->row[r].flags & ROW_POWER) {
-            return c->given[r].number[0];
-        }
-    }
-    return 0.0;
 }
 
 // Numbers that were lent must mean the same to both laws.
@@ -166,8 +143,8 @@ static bool check_lent(struct deck *d, const struct law_choice *first, const str
         if (!c->given[r].given || at < 0) {
             continue;
         }
-        const struct dimension wanted = row_dimension(row, power_of(c));
-        const struct dimension got = row_dimension(&first->law->row[at], power_of(first));
+        const struct dimension wanted = row_dimension(row, law_choice_power(c));
+        const struct dimension got = row_dimension(&first->law->row[at], law_choice_power(first));
         if (!dimension_equal(wanted, got)) {
             char has[64], needs[64];
             unit_text(&d->units, got, has, sizeof has);
@@ -206,8 +183,8 @@ static bool check_absent(struct deck *d, const struct statement *s, const char *
 // The law with the rows that a fit finds taken out of what must be given.
 static const struct contact_law *law_to_fit(struct deck *d, const struct statement *s,
                                             const struct contact_law *law) {
-    struct row *row = array(d, (size_t)law->n_row, sizeof *row);
-    struct contact_law *copy = array(d, 1, sizeof *copy);
+    struct row *row = deck_array(d, (size_t)law->n_row, sizeof *row);
+    struct contact_law *copy = deck_array(d, 1, sizeof *copy);
     if (!row || !copy) {
         return NULL;
     }
@@ -227,7 +204,7 @@ static const struct contact_law *law_to_fit(struct deck *d, const struct stateme
 // A number in place of what was not given.
 static bool put(struct deck *d, struct law_choice *c, const char *key, double value) {
     const int row = contact_law_row(c->law, key);
-    double *number = array(d, 1, sizeof *number);
+    double *number = deck_array(d, 1, sizeof *number);
     if (row >= 0 && number) {
         *number = value;
         c->given[row].number = number;
@@ -375,11 +352,11 @@ int law_impacts_run(const struct law_words *words, struct law_impacts *out) {
         lines += *at == '\n';
     }
     const struct diagnostics *d = &out->deck->diagnostics;
-    out->impact = array(out->deck, lines, sizeof *out->impact);
+    out->impact = deck_array(out->deck, lines, sizeof *out->impact);
     if (out->impact) {
         read_laws(out, words);
     }
-    if (d->n_error > 0) {
+    if (!out->impact || d->n_error > 0) {
         diagnostics_print(d, stderr, command_colour());
         error_set(&e, d->out_of_memory ? STATUS_SYSTEM : STATUS_INPUT,
                   "the command line has %d error%s", d->n_error, d->n_error == 1 ? "" : "s");

@@ -6,6 +6,8 @@
 #include "core/arena.h"
 #include "jostle/study_file.h"
 
+struct model;
+
 // The deck's name with .h5 for its ending, without its folder. NULL: no memory.
 const char *output_name(struct arena *a, const char *deck);
 
@@ -15,7 +17,6 @@ const char *output_part_name(struct arena *a, const char *path, const struct stu
 
 // The name that the user gave, else the deck, else that of the deck file; parts have theirs. NULL:
 // no memory.
-struct model;
 const char *output_choose(const struct model *m, const char *given, const struct study_shard *s);
 
 // True if both are there and one file.

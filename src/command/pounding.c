@@ -53,8 +53,7 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
 
 static int watch(void *context, long n_done, struct error *e) {
     progress_show(context, (double)n_done);
-    const int signal = interrupt_number();
-    return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", signal) : STATUS_OK;
+    return interrupt_check(e);
 }
 
 static int run_all(struct pounding *p, struct arena *a) {

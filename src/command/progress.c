@@ -2,25 +2,22 @@
 #include "command/progress.h"
 
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "core/wall.h"
 
 static const double FIRST = 1.0, INTERVAL = 0.2;  // [s]
 
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 void progress_start(struct progress *p, double duration, const char *unit) {
-    *p = (struct progress){
-        .duration = duration, .unit = unit, .enabled = isatty(STDERR_FILENO) != 0, .start = now()};
+    *p = (struct progress){.duration = duration,
+                           .unit = unit,
+                           .enabled = isatty(STDERR_FILENO) != 0,
+                           .start = wall_seconds()};
     p->last = p->start;
 }
 
 void progress_show(struct progress *p, double time) {
-    double wall = now();
+    double wall = wall_seconds();
     if (!p->enabled || wall - p->start < FIRST || wall - p->last < INTERVAL || time <= 0.0) {
         return;
     }

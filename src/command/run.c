@@ -10,7 +10,7 @@
 #include "command/progress.h"
 #include "command/run.h"
 #include "command/threads.h"
-#include "core/arena.h"
+#include "core/heap.h"
 #include "jostle/result.h"
 
 static int run_command(int argc, char **argv);
@@ -212,6 +212,7 @@ static int run_model(void *options, const struct model *m) {
 }
 
 static int run_command(int argc, char **argv) {
+    enum { SHORT_RUN = 2 << 20 };  // bytes that the library takes for the smallest of files
     static const struct option option[] = {{"output", required_argument, NULL, 'o'},
                                            {"threads", required_argument, NULL, 'j'},
                                            {"quiet", no_argument, NULL, 'q'},
@@ -223,5 +224,6 @@ static int run_command(int argc, char **argv) {
                                           take,         settle,  run_model};
     struct run_options o = {
         .existing = RESULT_KEEP, .journal = STUDY_RESUME, .n_word = argc, .word = argv};
+    heap_expect(SHORT_RUN);
     return deck_command_run(&c, argc, argv, &o.load, &o);
 }

@@ -11,8 +11,7 @@
 static int watch(void *context, const struct study_progress *p, struct error *e) {
     struct study_display *display = context;
     study_display_show(display, p);
-    const int signal = interrupt_number();
-    return signal ? error_set(e, STATUS_SYSTEM, "interrupted by signal %d", signal) : STATUS_OK;
+    return interrupt_check(e);
 }
 
 // Tells builds apart that have the same version; 0 where the system does not show the program.

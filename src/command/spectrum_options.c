@@ -10,7 +10,6 @@
 #include "command/spectrum.h"
 #include "command/threads.h"
 #include "core/arena.h"
-#include "core/text.h"
 #include "plot/figure.h"
 
 enum { DAMPING_MAX = 7, PERIODS_MAX = 100000 };

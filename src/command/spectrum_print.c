@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "command/cells.h"
 #include "command/spectrum.h"
 
 enum unit { UNIT_G, UNIT_SI };
@@ -52,13 +53,6 @@ static double response(const struct spectrum_request *q, const struct spectrum_s
     return in_unit(q, &responses[quantity], p->value[quantity]);
 }
 
-// Tabs and line ends would break a table.
-static void print_name(const char *name) {
-    for (; *name; name++) {
-        putchar((unsigned char)*name < ' ' ? ' ' : *name);
-    }
-}
-
 static void print_intensities(const struct spectrum_request *q, const struct spectrum_set *set) {
     for (int i = 0; i < SHOWN; i++) {
         printf("%9s ", intensities[i].name);
@@ -73,7 +67,7 @@ static void print_intensities(const struct spectrum_request *q, const struct spe
             printf("%9.4g ", intensity_value(q, set, r, &intensities[i]));
         }
         printf("%9.4g  ", set->ground[r].end);
-        print_name(set->name[r]);
+        cells_put_text(set->name[r], stdout);
         printf("\n");
     }
 }
@@ -130,7 +124,7 @@ static void print_intensities_tsv(const struct spectrum_request *q,
     }
     printf("\n");
     for (int r = 0; r < q->n_record; r++) {
-        print_name(set->name[r]);
+        cells_put_text(set->name[r], stdout);
         printf("\t%zu\t%.17g\t%.17g", set->ground[r].n, set->ground[r].dt, set->scale[r]);
         for (int i = 0; i < N_INTENSITY; i++) {
             printf("\t%.17g", intensity_value(q, set, r, &intensities[i]));
@@ -149,7 +143,7 @@ static void print_series_tsv(const struct spectrum_request *q, const struct spec
     for (int d = 0; d < q->n_damping; d++) {
         for (int p = 0; p < q->n_period; p++) {
             printf("%s\t", record ? "record" : "statistic");
-            print_name(record ? set->name[series] : statistic[series - q->n_record]);
+            cells_put_text(record ? set->name[series] : statistic[series - q->n_record], stdout);
             printf("\t%.17g\t%.17g", q->damping[d], q->period[p]);
             for (int k = 0; k < SPECTRUM_COUNT; k++) {
                 printf("\t%.17g", response(q, set, series, d, p, (enum spectrum_quantity)k));

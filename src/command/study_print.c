@@ -67,16 +67,13 @@ static void print_run(const struct study_view *v, long run, FILE *to) {
     fputs(")\n", to);
 }
 
-void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to) {
-    struct text_short t;
+static void print_head(const struct study_peaks *p, const struct study_view *v, FILE *to) {
+    const struct study_shard *part = &v->part.shard;
     fprintf(to, "%s%s", v->title, v->title[0] ? "\n" : "");
-    if (v->part.shard.n > 0) {
-        fprintf(to, "part %ld of %ld: %ld of the ", v->part.shard.number, v->part.shard.n,
-                v->n_run);
+    if (part->n > 0) {
+        fprintf(to, "part %ld of %ld: %ld of the ", part->number, part->n, v->n_run);
     }
-    fprintf(to,
-            v->part.shard.n > 0 ? "%ld runs of a study, %ld failed"
-                                : "study of %ld runs, %ld failed",
+    fprintf(to, part->n > 0 ? "%ld runs of a study, %ld failed" : "study of %ld runs, %ld failed",
             v->n_study, p->n_failed);
     if (p->n_missing > 0) {
         fprintf(to, ", %ld missing", p->n_missing);
@@ -86,15 +83,19 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
         sweeps_print_line(v->sweep[i], v->sweep_units[i], to);
         sweeps_print_along(v->sweep[i], NULL, to);
     }
+}
+
+static void print_peaks(const struct study_peaks *p, const struct study_view *v, FILE *to) {
     fprintf(to, "\nlargest values\n%-12s %-14s %5s %12s %-8s run\n", "", "quantity", "floor", "",
             "unit");
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
         const struct study_peak *peak = &p->peak[k];
+        struct text_short t;
+        char floor[24] = "";
         if (!peak->found) {
             continue;
         }
-        char floor[24] = "";
         if (item->owner) {
             snprintf(floor, sizeof floor, "%zu", peak->at + 1);
         }
@@ -103,6 +104,11 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
                 item->units);
         print_run(v, peak->run, to);
     }
+}
+
+void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to) {
+    print_head(p, v, to);
+    print_peaks(p, v, to);
     if (p->n_failed > 0) {
         fprintf(to, "\nthe first failed run: ");
         print_run(v, p->failed, to);

@@ -2,20 +2,15 @@
 #include "command/study_progress.h"
 
 #include <stdio.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "core/wall.h"
 
 static const double TERMINAL_INTERVAL = 0.5, INTERVAL = 10.0;  // [s]
 
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 void study_display_start(struct study_display *d, enum display display) {
     *d = (struct study_display){
-        .display = display, .terminal = isatty(STDERR_FILENO) != 0, .start = now()};
+        .display = display, .terminal = isatty(STDERR_FILENO) != 0, .start = wall_seconds()};
     d->last = d->start;
 }
 
@@ -32,7 +27,7 @@ static void print_time(double seconds) {
 }
 
 void study_display_show(struct study_display *d, const struct study_progress *p) {
-    const double wall = now();
+    const double wall = wall_seconds();
     if (d->display == DISPLAY_NOTHING ||
         wall - d->last < (d->terminal ? TERMINAL_INTERVAL : INTERVAL)) {
         return;

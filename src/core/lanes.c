@@ -25,3 +25,13 @@ void *lanes_wide_array(struct arena *a, int n, size_t size) {
     uintptr_t over = (uintptr_t)x % sizeof(wide);
     return x + (sizeof(wide) - over) + size;
 }
+
+bool lanes_hold_wide(void) {
+#if defined(__AVX512F__)
+    return true;
+#elif defined(LANES_WIDEST)
+    return __builtin_cpu_supports(LANES_WIDEST);
+#else
+    return false;
+#endif
+}

@@ -3,17 +3,19 @@
 #ifndef JOSTLE_LANES_H
 #define JOSTLE_LANES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>  // any header of the library says which library it is
 
 // In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
 // takes what the processor has. Each element sees the same operations in the same order either way,
 // so the bits are the same. Elsewhere, and under sanitizers, which run before such choices can be
-// made, it is compiled once.
+// made, it is compiled once. LANES_WIDEST is the processor that has lanes_wide in one register.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #if __GNUC__ >= 12
-#define LANES __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
+#define LANES_WIDEST "x86-64-v4"
+#define LANES __attribute__((target_clones("default", "avx2", "arch=" LANES_WIDEST)))
 #else
 #define LANES __attribute__((target_clones("default", "avx2")))
 #endif
@@ -66,6 +68,10 @@ typedef int64_t lanes_wide_bits __attribute__((vector_size(LANES_WIDTH * sizeof(
 enum { WIDE_RUNS = 8 };
 typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
 typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
+
+// Do functions marked LANES hold one in a register, on the processor at hand? Where they do not,
+// gcc passes it through memory in pieces, and eight runs one after the other are faster.
+bool lanes_hold_wide(void);
 
 // A zeroed array for n things of such values, `size` bytes each, with one in front and one behind;
 // NULL: no memory.

@@ -134,6 +134,14 @@ double deck_gravity(struct deck *d) {
     return d->units.gravity;
 }
 
+void *deck_array(struct deck *d, size_t n, size_t size) {
+    void *array = arena_alloc(d->arena, n, size);
+    if (!array) {
+        diagnostics_no_memory(&d->diagnostics);
+    }
+    return array;
+}
+
 const char *deck_file(struct deck *d, const struct word *w, const char *name) {
     const struct source *from = w->place.line > 0 ? w->place.source : NULL;
     const struct source top = {.name = d->path};

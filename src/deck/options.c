@@ -6,20 +6,14 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "core/text.h"
 #include "deck/reader.h"
 
 enum { SETS_MAX = 8 };  // of one statement
 
-static bool is_option(const struct word *w) {
-    char letter = w->text[0] == '-' ? w->text[1] : 0;
-    return !w->quoted && ((letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'));
-}
-
 // The number of words behind the option at s->word[at], up to the next option.
 static int count_behind(const struct statement *s, int at) {
     int n = 0;
-    while (at + 1 + n < s->n_word && !is_option(&s->word[at + 1 + n])) {
+    while (at + 1 + n < s->n_word && !deck_is_option(&s->word[at + 1 + n])) {
         n++;
     }
     return n;
@@ -28,7 +22,7 @@ static int count_behind(const struct statement *s, int at) {
 const struct word *deck_option(const struct statement *s, const char *key, int *n_word) {
     *n_word = 0;
     for (int i = s->n_plain; i < s->n_word; i++) {
-        if (is_option(&s->word[i]) && strcmp(s->word[i].text + 1, key) == 0) {
+        if (deck_is_option(&s->word[i]) && strcmp(s->word[i].text + 1, key) == 0) {
             *n_word = count_behind(s, i);
             return &s->word[i + 1];
         }
@@ -75,9 +69,8 @@ static bool clear(struct deck *d, const struct row_set *set, double power) {
             continue;
         }
         struct dimension dimension = row_dimension(row, power);
-        double *number = arena_alloc(d->arena, 1, sizeof *number);
+        double *number = deck_array(d, 1, sizeof *number);
         if (!number) {
-            diagnostics_no_memory(&d->diagnostics);
             return false;
         }
         *number = unit_convert(row->fallback, 1, unit_size(&d->units, dimension));

@@ -40,9 +40,8 @@ static void report_unknown(struct deck *d, const struct word *w) {
     const struct reader *r = d->reader;
     const char **known = NULL;
     if (d->diagnostics.n_item < DIAGNOSTICS_MAX) {
-        known = arena_alloc(d->arena, (size_t)r->n_parameter, sizeof *known);
+        known = deck_array(d, (size_t)r->n_parameter, sizeof *known);
         if (!known) {
-            diagnostics_no_memory(&d->diagnostics);
             return;
         }
     }
@@ -144,9 +143,8 @@ static void override(struct deck *d, struct define *define, struct parameter *p)
 
 static struct parameter *append(struct deck *d, const struct word *name) {
     struct reader *r = d->reader;
-    struct parameter *p = arena_alloc(d->arena, 1, sizeof *p);
+    struct parameter *p = deck_array(d, 1, sizeof *p);
     if (!p) {
-        diagnostics_no_memory(&d->diagnostics);
         return NULL;
     }
     p->name = name->text;

@@ -125,9 +125,8 @@ const char *deck_parameters(struct deck *d) {
     for (const struct parameter *p = d->reader->first; p; p = p->next) {
         size += (size_t)parameter_line(p, NULL, 0);
     }
-    char *text = arena_alloc(d->arena, size, 1);
+    char *text = deck_array(d, size, 1);
     if (!text) {
-        diagnostics_no_memory(&d->diagnostics);
         return "";
     }
     size_t used = 0;

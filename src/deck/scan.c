@@ -12,7 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/arena.h"
 #include "core/text.h"
 #include "deck/reader.h"
 
@@ -198,7 +197,7 @@ static void scan_line(struct scan *s, struct frame *f) {
     s->wrong = s->wrong || was_wrong;
 }
 
-static bool is_option(const struct word *w) {
+bool deck_is_option(const struct word *w) {
     char letter = w->text[0] == '-' ? w->text[1] : 0;
     return !w->quoted && ((letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'));
 }
@@ -207,16 +206,15 @@ static bool is_option(const struct word *w) {
 static bool build(struct deck *d, struct statement *out) {
     struct reader *r = d->reader;
     int n_plain = 0;
-    while (n_plain < r->n_word && !is_option(&r->word[n_plain])) {
+    while (n_plain < r->n_word && !deck_is_option(&r->word[n_plain])) {
         n_plain++;
     }
     if (n_plain == 0 || r->word[0].quoted) {
         deck_error(d, &r->word[0], "a statement must start with its name");
         return false;
     }
-    struct word *word = arena_alloc(d->arena, (size_t)r->n_word, sizeof *word);
+    struct word *word = deck_array(d, (size_t)r->n_word, sizeof *word);
     if (!word) {
-        diagnostics_no_memory(&d->diagnostics);
         return false;
     }
     memcpy(word, r->word, (size_t)r->n_word * sizeof *word);

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/arena.h"
 #include "core/text.h"
 #include "deck/reader.h"
 

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/arena.h"
 #include "core/text.h"
 #include "deck/reader.h"
 #include "deck/sweep_files.h"
@@ -18,14 +17,6 @@
 const char sweep_usage[] =
     "sweep NAME values LIST | range FROM TO N [-log] | files \"GLOB\" | random DISTRIBUTION A B "
     "-n N -seed S [-lhs] [-min X] [-max X] [-as SAMPLE]";
-
-static void *array(struct deck *d, size_t n, size_t size) {
-    void *p = arena_alloc(d->arena, n, size);
-    if (!p) {
-        diagnostics_no_memory(&d->diagnostics);
-    }
-    return p;
-}
 
 bool sweep_value(struct deck *d, const struct word *w, const struct parameter *first,
                  struct parameter *p) {
@@ -61,7 +52,7 @@ bool sweep_value(struct deck *d, const struct word *w, const struct parameter *f
 
 // Reads `n` words that must be alike into an array; NULL after having reported.
 static struct parameter *read_values(struct deck *d, const struct word *word, int n) {
-    struct parameter *p = array(d, (size_t)n, sizeof *p);
+    struct parameter *p = deck_array(d, (size_t)n, sizeof *p);
     bool good = p != NULL;
     for (int i = 0; p && i < n; i++) {
         good = sweep_value(d, &word[i], i > 0 ? &p[0] : NULL, &p[i]) && good;
@@ -73,7 +64,7 @@ static struct parameter *read_values(struct deck *d, const struct word *word, in
 static bool take(struct deck *d, struct sweep *s, const struct parameter *p, int n) {
     s->n = n;
     if (p[0].kind == PARAMETER_TEXT) {
-        const char **text = array(d, (size_t)n, sizeof *text);
+        const char **text = deck_array(d, (size_t)n, sizeof *text);
         for (int i = 0; text && i < n; i++) {
             text[i] = p[i].text;
         }
@@ -81,7 +72,7 @@ static bool take(struct deck *d, struct sweep *s, const struct parameter *p, int
         s->label = text;
         return text != NULL;
     }
-    double *number = array(d, (size_t)n, sizeof *number);
+    double *number = deck_array(d, (size_t)n, sizeof *number);
     for (int i = 0; number && i < n; i++) {
         number[i] = p[i].number.value;
     }
@@ -106,7 +97,7 @@ static int compare(const void *a, const void *b) {
 
 // False after having reported a value that stands twice: results are found by their values.
 static bool check_distinct(struct deck *d, const struct sweep *s, const struct word *word) {
-    struct key *key = array(d, (size_t)s->n, sizeof *key);
+    struct key *key = deck_array(d, (size_t)s->n, sizeof *key);
     for (int i = 0; key && i < s->n; i++) {
         key[i] = (struct key){s->number ? s->number[i] : 0.0, s->label ? s->label[i] : NULL, i};
     }
@@ -190,7 +181,7 @@ static bool read_range(struct deck *d, const struct statement *s, struct sweep *
         return false;
     }
     sweep->n = (int)n.number[0];
-    double *number = array(d, (size_t)sweep->n, sizeof *number);
+    double *number = deck_array(d, (size_t)sweep->n, sizeof *number);
     const double from = p[0].number.value, to = p[1].number.value;
     for (int i = 0; number && i < sweep->n; i++) {
         const double share = (double)i / (sweep->n - 1);
@@ -306,7 +297,7 @@ void sweep_run(struct deck *d, const struct statement *s) {
     if (s->n_plain < 2 || !parameter_is_free(d, &s->word[1])) {
         return;
     }
-    struct sweep *sweep = array(d, 1, sizeof *sweep);
+    struct sweep *sweep = deck_array(d, 1, sizeof *sweep);
     if (!sweep) {
         return;
     }

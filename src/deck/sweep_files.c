@@ -21,11 +21,10 @@ static const char *label_of(struct deck *d, const char *path, int form) {
                       form == 0 && dot > name ? (size_t)(dot - name) : strlen(name));
 }
 
-// True if the labels differ; *no_memory if they could not be compared.
+// True if the labels differ, or if there is no memory to compare them.
 static bool are_distinct(struct deck *d, const char *const *label, int n) {
-    const char **sorted = arena_alloc(d->arena, (size_t)n, sizeof *sorted);
+    const char **sorted = deck_array(d, (size_t)n, sizeof *sorted);
     if (!sorted) {
-        diagnostics_no_memory(&d->diagnostics);
         return true;
     }
     memcpy(sorted, label, (size_t)n * sizeof *sorted);
@@ -39,9 +38,8 @@ static bool are_distinct(struct deck *d, const char *const *label, int n) {
 }
 
 static void set_labels(struct deck *d, struct sweep *s) {
-    const char **label = arena_alloc(d->arena, (size_t)s->n, sizeof *label);
+    const char **label = deck_array(d, (size_t)s->n, sizeof *label);
     if (!label) {
-        diagnostics_no_memory(&d->diagnostics);
         return;
     }
     for (int form = 0; form < 3; form++) {

@@ -6,8 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/arena.h"
-#include "core/text.h"
 #include "deck/random.h"
 
 static const char default_sample[] = "sample";
@@ -52,14 +50,6 @@ struct request {
     struct word sample;      // its name, where messages about it point
     struct parameter first;  // a, whose unit is that of the values
 };
-
-static void *array(struct deck *d, size_t n, size_t size) {
-    void *p = arena_alloc(d->arena, n, size);
-    if (!p) {
-        diagnostics_no_memory(&d->diagnostics);
-    }
-    return p;
-}
 
 static const struct distribution *find_distribution(struct deck *d, const struct word *w) {
     const char *known[8];
@@ -210,9 +200,9 @@ static bool number_sample(struct deck *d, const struct request *q, struct sampli
 // Begins a sample, which stays in the list where it is wrong; NULL: no memory.
 static struct sampling *begin_sampling(struct deck *d, const struct request *q) {
     const int n = q->values.n;
-    struct sampling *of = array(d, 1, sizeof *of);
-    struct sweep *sweep = array(d, 1, sizeof *sweep);
-    double *number = array(d, (size_t)n, sizeof *number);
+    struct sampling *of = deck_array(d, 1, sizeof *of);
+    struct sweep *sweep = deck_array(d, 1, sizeof *sweep);
+    double *number = deck_array(d, (size_t)n, sizeof *number);
     if (!of || !sweep || !number) {
         return NULL;
     }
@@ -261,8 +251,8 @@ static const double *bound_values(const struct sampling *of, const struct random
 
 static const double *draw(struct deck *d, const struct request *q) {
     struct error e;
-    double *value = array(d, (size_t)q->values.n, sizeof *value);
-    int *order = array(d, (size_t)q->values.n, sizeof *order);
+    double *value = deck_array(d, (size_t)q->values.n, sizeof *value);
+    int *order = deck_array(d, (size_t)q->values.n, sizeof *order);
     if (!value || !order) {
         return NULL;
     }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words -> the values of a row: numbers with repeats, texts.
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "core/arena.h"
 #include "core/text.h"
 #include "deck/reader.h"
 
@@ -157,10 +155,9 @@ static bool read_numbers(struct deck *d, const struct row *row, double power,
     int n = count_values(d, row, word, n_word);
     bool ok = n >= 0;
     size_t room = ok ? (size_t)n : 0;
-    double *number = arena_alloc(d->arena, room, sizeof *number);
-    struct word *from = arena_alloc(d->arena, room, sizeof *from);
+    double *number = deck_array(d, room, sizeof *number);
+    struct word *from = deck_array(d, room, sizeof *from);
     if (!number || !from) {
-        diagnostics_no_memory(&d->diagnostics);
         return false;
     }
     int used = 0;
@@ -180,9 +177,8 @@ static bool read_numbers(struct deck *d, const struct row *row, double power,
 
 static bool read_texts(struct deck *d, const struct row *row, const struct word *word, int n_word,
                        struct argument *out) {
-    const char **text = arena_alloc(d->arena, (size_t)n_word, sizeof *text);
+    const char **text = deck_array(d, (size_t)n_word, sizeof *text);
     if (!text) {
-        diagnostics_no_memory(&d->diagnostics);
         return false;
     }
     bool ok = true;

@@ -22,14 +22,14 @@
 
 enum { DEPTH, SPEED, N_STATE };  // of the state, in units of L and v0
 
-// Tolerance of a step, and the longest one in units of L / v0.
+// Tolerance of a step, and the first and the longest one in units of L / v0.
 struct accuracy {
-    double tolerance, longest_step;
+    double tolerance, first_step, longest_step;
+    bool peaks;  // are they wanted?
 };
-static const struct accuracy full = {1e-13, 0.02}, rough = {1e-8, 0.2};
+static const struct accuracy full = {1e-13, 1e-12, 0.02, true}, rough = {1e-8, 1e-4, 0.2, false};
 
-static const double FIRST_STEP = 1e-12;  // in units of L / v0
-static const double JUMP = 1e-9;         // of the peak force: what is shown on both sides
+static const double JUMP = 1e-9;  // of the peak force: what is shown on both sides
 enum { STEPS_MAX = 200000 };
 
 enum phase { APPROACH, RELEASE };
@@ -152,7 +152,9 @@ static void show(const struct flight *f) {
 
 // Accepts the state: its peak, its history, and whoever looks.
 static void accept(struct flight *f) {
-    note_peak(f);
+    if (f->accuracy->peaks) {
+        note_peak(f);
+    }
     if (f->observer) {
         show_samples(f);
     }
@@ -293,7 +295,7 @@ static void rigid(const struct contact_law *law, const double *constant, double 
 // is to be followed.
 static int follow(struct flight *f, struct isolated_impact *out, struct error *e) {
     f->state[SPEED] = f->start[SPEED] = 1.0;
-    f->next_step = FIRST_STEP;
+    f->next_step = f->accuracy->first_step;
     if (f->law->close) {
         f->law->close(f->constant, f->velocity, f->history);
     }

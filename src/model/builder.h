@@ -126,7 +126,7 @@ struct selection {
     const int *floor;  // (n_floor) from 1, in the order written
 };
 
-// Parses `w`; walls only if `wall_allowed` is WALL. Reports and returns false if it is wrong.
+// Parses `w`; reports and returns false if it is wrong.
 enum wall_use { WALL_REFUSED, WALL_ALLOWED };
 bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
                     struct selection *out);

@@ -7,6 +7,10 @@ static const double ROUNDING = 1e-9;
 static const double STEPS_PER_CYCLE = 10.0;  // fewer do not follow a vibration
 static const double SAME_LEVEL = 0.01;       // relative difference of two floors' heights
 
+static bool same_statement(const struct word *a, const struct word *b) {
+    return a->place.line == b->place.line && a->place.source == b->place.source;
+}
+
 // True if the signal acts in the analysis; warns if it does not, or if the step skips it.
 static bool check_signal(struct builder *b, const struct model *m, const struct signal *s,
                          const struct word *w) {
@@ -42,9 +46,7 @@ static bool check_signals(struct builder *b, const struct model *m) {
     }
     for (int i = 0; i < b->loads.n; i++) {
         const struct load_draft *l = (const struct load_draft *)b->loads.item + i;
-        const struct load_draft *before = i > 0 ? l - 1 : NULL;
-        bool same = before && before->word.place.line == l->word.place.line &&
-                    before->word.place.source == l->word.place.source;
+        bool same = i > 0 && same_statement(&l[-1].word, &l->word);
         moves |= same || check_signal(b, m, &l->signal, &l->word);
     }
     return moves;
@@ -137,8 +139,7 @@ static void check_facing(struct builder *b, const struct model *m, const struct 
 static void check_contacts(struct builder *b, const struct model *m) {
     const struct link_draft *draft = b->links.item;
     for (int i = 0; i < b->links.n; i++) {
-        bool same = i > 0 && draft[i - 1].word.place.line == draft[i].word.place.line &&
-                    draft[i - 1].word.place.source == draft[i].word.place.source;
+        bool same = i > 0 && same_statement(&draft[i - 1].word, &draft[i].word);
         if (!same && !draft[i].link.bilateral) {
             check_facing(b, m, &draft[i]);
         }

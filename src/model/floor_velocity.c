@@ -2,7 +2,8 @@
 // Modes and excitations are put together by the root of the sum of their squares, as in response
 // spectrum analysis (Chopra, Dynamics of Structures, section 13.7). A mode phi of generalised mass
 // M = phi^T M phi answers with
-//     ground motion    phi^T M 1 / M times the velocity spectrum of the record, which is exact,
+//     ground motion    phi^T M 1 / M times the velocity spectrum of what of the record acts in
+//                      the analysis, which is exact,
 //     load on floor i  phi_i / M times the velocity spectrum of the load,
 //     initial state    hypot(q', omega q), q = phi^T M u / M, its free vibration undamped,
 // and moves floor i by phi_i times that. A rigid-body mode has the largest integral of the record
@@ -48,6 +49,14 @@ static int sample_sine(const struct mode *k, const struct signal *s, struct sign
     return signal_init_samples(out, k->scratch, value, n, dt, 1.0, 0.0, e);
 }
 
+// The samples that act in the analysis.
+static struct signal cut_samples(const struct mode *k, const struct signal *s) {
+    struct signal out = *s;
+    const double n = ceil((k->model->duration - s->start) / s->dt) + 1.0;
+    out.n = n < (double)s->n ? (size_t)n : s->n;
+    return out;
+}
+
 static double spectral_velocity(const struct mode *k, const struct signal *s) {
     if (k->omega == 0.0) {
         return intensity_of(s, 1.0).pgv;
@@ -63,7 +72,8 @@ static int excite(struct mode *k, const struct signal *s, double share, struct e
         return STATUS_OK;
     }
     if (s->value) {
-        velocity = spectral_velocity(k, s);
+        samples = cut_samples(k, s);
+        velocity = spectral_velocity(k, &samples);
     } else if (s->omega == 0.0) {
         double time = fmin(s->end, k->model->duration) - s->start;
         velocity = fabs(s->amplitude) * (k->omega > 0.0 ? fmin(1.0 / k->omega, time) : time);

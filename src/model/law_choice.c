@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "core/arena.h"
 #include "model/stiffness_estimate.h"
 #include "motion/curve_file.h"
 
@@ -24,19 +23,10 @@ const struct row law_choice_rows[LAW_CHOICE_ROWS] = {
                            "hertz or slab: -k from the bodies that meet, whose options go with it"},
 };
 
-// A zeroed array from the deck's arena; NULL after having noted that there is no memory.
-static void *array(struct deck *d, size_t n, size_t size) {
-    void *a = arena_alloc(d->arena, n, size);
-    if (!a) {
-        diagnostics_no_memory(&d->diagnostics);
-    }
-    return a;
-}
-
 const struct contact_law *law_choice_find(struct deck *d, const struct word *name) {
     const char *text = deck_text(d, name);
     const struct contact_law *law = text ? contact_law_find(text) : NULL;
-    const char **known = text && !law ? array(d, (size_t)n_contact_law, sizeof *known) : NULL;
+    const char **known = text && !law ? deck_array(d, (size_t)n_contact_law, sizeof *known) : NULL;
     for (int i = 0; known && i < n_contact_law; i++) {
         known[i] = contact_laws[i]->name;
     }
@@ -49,7 +39,7 @@ const struct contact_law *law_choice_find(struct deck *d, const struct word *nam
 // Puts the damping that delivers -e exactly in place of -e, where it depends on nothing else.
 static bool calibrate_now(struct deck *d, struct law_choice *c) {
     struct argument *restitution = &c->given[contact_law_row(c->law, "e")];
-    double *zeta = array(d, 1, sizeof *zeta);
+    double *zeta = deck_array(d, 1, sizeof *zeta);
     if (!zeta) {
         return false;
     }
@@ -104,8 +94,7 @@ static const struct stiffness_estimate *find_estimate(struct deck *d, const stru
     return estimate;
 }
 
-// Value of the row that dimensions depend on; 0: there is none.
-static double power(const struct law_choice *c) {
+double law_choice_power(const struct law_choice *c) {
     for (int r = 0; r < c->law->n_row; r++) {
         if (c->law->row[r].flags & ROW_POWER) {
             return c->given[r].number[0];
@@ -119,7 +108,7 @@ static bool estimate_stiffness(struct deck *d, const struct word *word, struct l
                                const struct stiffness_estimate *estimate,
                                const struct argument *given) {
     int row = stiffness_row(c->law);
-    struct dimension dimension = row_dimension(&c->law->row[row], power(c));
+    struct dimension dimension = row_dimension(&c->law->row[row], law_choice_power(c));
     if (c->given[row].given) {
         deck_error(d, &c->given[row].key, "-%s and -k-from cannot stand together",
                    c->law->row[row].key);
@@ -134,7 +123,7 @@ static bool estimate_stiffness(struct deck *d, const struct word *word, struct l
                    has, c->law->row[row].key, c->law->name, needs);
         return false;
     }
-    double *number = array(d, 1, sizeof *number);
+    double *number = deck_array(d, 1, sizeof *number);
     if (!number) {
         return false;
     }
@@ -222,7 +211,7 @@ bool law_choice_read(struct deck *d, const struct statement *s, const struct con
 static double *collect(struct deck *d, const struct law_choice *c) {
     int n_row = c->law->n_row;
     size_t n_point = (size_t)c->curve.n * CURVE_COLUMNS;
-    double *value = array(d, (size_t)n_row + n_point, sizeof *value);
+    double *value = deck_array(d, (size_t)n_row + n_point, sizeof *value);
     for (int r = 0; value && r < n_row; r++) {
         bool number = c->given[r].n > 0 && c->given[r].number;
         value[r] = number ? c->given[r].number[0] : NAN;
@@ -238,7 +227,7 @@ bool law_choice_prepare(struct deck *d, const struct law_choice *c, double mass,
                         const double **value, const double **constant) {
     const struct contact_law *law = c->law;
     double *v = collect(d, c);
-    double *k = v ? array(d, (size_t)contact_law_n_constant(law, v), sizeof *k) : NULL;
+    double *k = v ? deck_array(d, (size_t)contact_law_n_constant(law, v), sizeof *k) : NULL;
     if (!k) {
         return false;
     }

@@ -29,6 +29,9 @@ extern const struct row law_choice_rows[LAW_CHOICE_ROWS];
 bool law_choice_read(struct deck *d, const struct statement *s, const struct contact_law *law,
                      const struct word *name, const struct row_set *own, struct law_choice *out);
 
+// Value of the row that dimensions of others depend on; 0: there is none.
+double law_choice_power(const struct law_choice *c);
+
 // The values of the law's rows (contact_law_n_value) and the constants that follow from them and
 // the effective mass (contact_law_n_constant). Reports at the law's name what is wrong with them,
 // then false.

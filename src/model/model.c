@@ -96,7 +96,10 @@ double model_time(const struct model *m, long n) {
 
 void model_times(const struct model *m, long first, int n, double *time) {
     for (int i = 0; i < n; i++) {
-        time[i] = model_time(m, first + i);
+        time[i] = (double)(first + i) * m->dt;
+    }
+    for (long i = m->n_step > first ? m->n_step - first : 0; i < n; i++) {
+        time[i] = m->duration;
     }
 }
 

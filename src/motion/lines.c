@@ -8,8 +8,9 @@
 #include "core/text.h"
 #include "motion/record_format.h"
 
+// Tab, line feed, vertical tab, form feed and return are blanks too; most characters are none.
 static bool is_blank(char c) {
-    return c == ' ' || (c >= '\t' && c <= '\r');  // tab, line feed, vertical tab, form feed, return
+    return (unsigned char)c <= ' ' && (c == ' ' || (c >= '\t' && c <= '\r'));
 }
 
 static bool is_digit(char c) {
@@ -64,22 +65,26 @@ static bool is_separator(char c, const char *separators) {
     return *separators != '\0';
 }
 
+// The end of the blanks at `at`.
+static const char *skip_blanks(const char *at, const char *end) {
+    while (at < end && is_blank(*at)) {
+        at++;
+    }
+    return at;
+}
+
 bool lines_field(struct span *rest, const char *separators, struct span *field) {
-    *rest = trim(*rest);
-    if (rest->n == 0) {
-        return false;
+    const char *end = rest->text + rest->n;
+    const char *start = skip_blanks(rest->text, end);
+    const char *at = start;
+    while (at < end && !is_blank(*at) && !is_separator(*at, separators)) {
+        at++;
     }
-    size_t n = 0;
-    while (n < rest->n && !is_blank(rest->text[n]) && !is_separator(rest->text[n], separators)) {
-        n++;
-    }
-    *field = (struct span){rest->text, n};
-    *rest = trim((struct span){rest->text + n, rest->n - n});
-    if (rest->n > 0 && is_separator(rest->text[0], separators)) {
-        rest->text++;
-        rest->n--;
-    }
-    return true;
+    *field = (struct span){start, (size_t)(at - start)};
+    at = skip_blanks(at, end);
+    at += at < end && is_separator(*at, separators);
+    *rest = (struct span){at, (size_t)(end - at)};
+    return start < end;
 }
 
 size_t lines_count(struct span line, const char *separators) {

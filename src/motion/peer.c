@@ -183,16 +183,16 @@ static int read_titles(const struct record_request *request, const struct record
     return STATUS_OK;
 }
 
-// Fewer values than the header says: what comes last may be half a number.
-static int check_short(const struct record_text *t, const struct lines *l, double npts,
+// Counts the values. Fewer than the header says: what comes last may be half a number.
+static int check_short(const struct record_text *t, const struct lines *l, double npts, size_t *n,
                        struct error *e) {
     int last_line;
-    size_t n = values_count(*l, "", &last_line);
-    if ((double)n >= npts) {
+    *n = values_count(*l, "", &last_line);
+    if ((double)*n >= npts) {
         return STATUS_OK;
     }
     return lines_error(e, t->path, last_line ? last_line : l->number,
-                       "the file ends after %zu values; its header (line %d) says %.0f", n,
+                       "the file ends after %zu values; its header (line %d) says %.0f", *n,
                        l->number, npts);
 }
 
@@ -230,11 +230,12 @@ static int peer_read(struct arena *a, const struct record_request *request,
     if (!status) {
         status = read_titles(request, t, &titles, out, e);
     }
+    size_t n = 0;
     if (!status) {
-        status = check_short(t, &l, npts, e);
+        status = check_short(t, &l, npts, &n, e);
     }
     if (!status) {
-        status = values_read(a, t, l, "", out, e);
+        status = values_read(a, t, l, "", n, out, e);
     }
     return status ? status : check_long(t, &l, npts, out->n, e);
 }

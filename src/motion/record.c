@@ -79,6 +79,10 @@ static const struct record_format *find_format(const struct record_request *requ
     return f;
 }
 
+static bool is_control(char c) {
+    return c == 0x7f || ((unsigned char)c < 0x20 && (c < '\t' || c > '\r'));
+}
+
 // Refuses what is no text. Headers need not be UTF-8, but have no control characters.
 static int check_text(const struct record_text *t, struct error *e) {
     if (t->size == 0) {
@@ -88,10 +92,14 @@ static int check_text(const struct record_text *t, struct error *e) {
     if (what) {
         return lines_error(e, t->path, 0, "this is %s, not a record", what);
     }
+    unsigned found = 0;
     for (size_t i = 0; i < t->size; i++) {
-        unsigned c = (unsigned char)t->text[i];
-        if (c == 0x7f || (c < 0x20 && (c < '\t' || c > '\r'))) {
-            return lines_error(e, t->path, 0, "this is not text: byte 0x%02x at offset %zu", c, i);
+        found |= is_control(t->text[i]);
+    }
+    for (size_t i = 0; found && i < t->size; i++) {
+        if (is_control(t->text[i])) {
+            return lines_error(e, t->path, 0, "this is not text: byte 0x%02x at offset %zu",
+                               (unsigned)(unsigned char)t->text[i], i);
         }
     }
     return STATUS_OK;

@@ -21,7 +21,12 @@ static int series_read(struct arena *a, const struct record_request *request,
         return lines_error(e, t->path, 0, "there is no line of numbers");
     }
     int status = table_check(t, &table, e);
-    return status ? status : values_read(a, t, table.rows, table_separators, out, e);
+    if (status) {
+        return status;
+    }
+    int last_line;
+    const size_t n = values_count(table.rows, table_separators, &last_line);
+    return values_read(a, t, table.rows, table_separators, n, out, e);
 }
 
 const struct record_format record_series = {

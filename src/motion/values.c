@@ -27,24 +27,23 @@ void values_note_peak(struct record_content *out, const double *value, size_t in
 }
 
 int values_read(struct arena *a, const struct record_text *t, struct lines from,
-                const char *separators, struct record_content *out, struct error *e) {
-    int last_line;
-    double *value = arena_alloc(a, values_count(from, separators, &last_line), sizeof *value);
+                const char *separators, size_t n, struct record_content *out, struct error *e) {
+    double *value = arena_alloc(a, n, sizeof *value);
     if (!value) {
         return error_no_memory(e);
     }
-    size_t n = 0;
+    size_t i = 0;
     while (lines_next(&from)) {
-        struct span rest = from.line;
+        struct span rest = lines_is_comment(from.line) ? (struct span){0} : from.line;
         struct span field;
-        while (!lines_is_comment(from.line) && lines_field(&rest, separators, &field)) {
-            struct number_field f = {t->path, from.number, "value", n + 1, field};
-            int status = lines_read_number(&f, &value[n], e);
+        while (lines_field(&rest, separators, &field)) {
+            struct number_field f = {t->path, from.number, "value", i + 1, field};
+            int status = lines_read_number(&f, &value[i], e);
             if (status) {
                 return status;
             }
-            values_note_peak(out, value, n, from.number);
-            n++;
+            values_note_peak(out, value, i, from.number);
+            i++;
         }
     }
     out->value = value;

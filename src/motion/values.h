@@ -12,9 +12,9 @@ struct arena;
 // line that holds one; 0: none does.
 size_t values_count(struct lines from, const char *separators, int *last_line);
 
-// Reads them: sets value, n, peak and peak_line of `out`.
+// Reads them, as many as values_count has found: sets value, n, peak and peak_line of `out`.
 int values_read(struct arena *a, const struct record_text *t, struct lines from,
-                const char *separators, struct record_content *out, struct error *e);
+                const char *separators, size_t n, struct record_content *out, struct error *e);
 
 // Keeps `peak` and `peak_line` when value `index`, read from `line`, is larger than all before it.
 void values_note_peak(struct record_content *out, const double *value, size_t index, int line);

@@ -194,7 +194,8 @@ static void write_facing(const struct view *v, struct canvas *c, struct area a) 
     }
     fprintf(c->to, "  $rows0 using 1:2 with lines lc rgb '%s'", script_colour[0]);
     if (v->contact[0] >= 0) {
-        fprintf(c->to, ", \\\n  $marks0 using 1:2 with points pt 7 ps 0.8*point lc rgb '#000000'");
+        fprintf(c->to, ", \\\n  $marks0 using 1:2 with points pt %d ps 0.8*point lc rgb '#000000'",
+                POINT_DISC);
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);

@@ -171,9 +171,9 @@ static void write_contact(const struct view *v, struct canvas *c, struct area a)
                     "%s \\\n  $loops%d using 1:2 with lines lc rgb '%s' lw 0.5, \\\n"
                     "  $hardest%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s' lw "
                     "1.3, \\\n"
-                    "  $largest%d using 1:2 with points pt 2 ps 1.3*point lc rgb '%s'",
+                    "  $largest%d using 1:2 with points pt %d ps 1.3*point lc rgb '%s'",
                     before, k, script_colour[k], k, k > 0 ? POINT_RING : POINT_DISC,
-                    script_colour[k], k, k > 0 ? script_colour[k] : "#404040");
+                    script_colour[k], k, POINT_CROSS, k > 0 ? script_colour[k] : "#404040");
             before = ",";
         }
     }

@@ -129,8 +129,8 @@ static struct axis axis_of(const char *name, const struct scale *s, struct span 
 static void write_plot(const struct impact_figure *f, int column, FILE *to) {
     fprintf(to, "set xzeroaxis lc rgb '#808080' lt 1 lw 0.6\nplot \\\n");
     if (f->n_sample > 0 && column == 1) {
-        fprintf(to, "  $measured using 1:2 with points pt 7 ps 0.8*point lc rgb '%s', \\\n",
-                sample_colour);
+        fprintf(to, "  $measured using 1:2 with points pt %d ps 0.8*point lc rgb '%s', \\\n",
+                POINT_DISC, sample_colour);
     }
     for (int c = 0; c < f->n_curve; c++) {
         fprintf(to, "  $curve%d using %d:2 with lines lc rgb '%s'%s\n", c, column, script_colour[c],

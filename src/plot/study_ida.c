@@ -130,7 +130,8 @@ static void write_panel(const struct view *v, const struct study_picture *p, str
                 curve_colour[i], curve_dash[i]);
     }
     if (v->crosses) {
-        fprintf(c->to, ", \\\n  $failures using 1:2 with points pt 2 ps point lc rgb '#000000'");
+        fprintf(c->to, ", \\\n  $failures using 1:2 with points pt %d ps point lc rgb '#000000'",
+                POINT_CROSS);
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);

@@ -2,7 +2,6 @@
 // A demand against any swept parameter: the median over the samples with the band from 16 to 84 %,
 // or a line for each value of the other sweeps. Against texts and random parameters, points:
 // nothing lies between them.
-#include <math.h>
 #include <stdlib.h>
 
 #include "plot/script.h"

@@ -83,14 +83,20 @@ static void open_lists(struct h5 *h) {
     h5_failed(h, H5Pset_buffer(h->transfer, CONVERSION_BUFFER, NULL, NULL));
 }
 
+// Datasets are written whole or in large blocks: no buffer of the library's between.
 void h5_create(struct h5 *h, const char *path) {
-    hid_t list = H5Pcreate(H5P_FILE_CREATE);
-    if (!h5_failed(h, list) && !h5_failed(h, H5Pset_obj_track_times(list, false))) {
-        h->file = H5Fcreate(path, H5F_ACC_TRUNC, list, H5P_DEFAULT);
+    hid_t list = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
+    if (!h5_failed(h, list) && !h5_failed(h, access) &&
+        !h5_failed(h, H5Pset_obj_track_times(list, false)) &&
+        !h5_failed(h, H5Pset_sieve_buf_size(access, 0))) {
+        h->file = H5Fcreate(path, H5F_ACC_TRUNC, list, access);
         h5_failed(h, h->file);
     }
     if (list >= 0) {
         H5Pclose(list);
+    }
+    if (access >= 0) {
+        H5Pclose(access);
     }
     if (!h->failed) {
         h5_open_types(h);

@@ -104,8 +104,9 @@ static hid_t create_with(struct h5 *h, hid_t parent, const struct h5_dataset *d,
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     const hsize_t values = d->n_dim == 2 ? d->dim[0] * d->dim[1] : d->dim[0];
     const struct h5_chunk chunk = {d->n_dim, d->chunk_rows, d->dim[1], d->compress};
-    hid_t list = d->chunk_rows > 0 && values > 0 ? chunked_list(h, &chunk) : h->plain;
-    hid_t access = d->chunk_rows > 0 ? h->access : H5P_DEFAULT;
+    const bool in_chunks = d->chunk_rows > 0 && values > 0;
+    hid_t list = in_chunks ? chunked_list(h, &chunk) : h->plain;
+    hid_t access = in_chunks ? h->access : H5P_DEFAULT;
     if (h->failed || !d->many_users) {
         return h->failed ? -1 : create_with(h, parent, d, list, access);
     }

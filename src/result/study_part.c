@@ -8,6 +8,7 @@
 
 #include "core/arena.h"
 #include "result/study_reader.h"
+#include "result/study_samples.h"
 #include "result/study_writer.h"
 
 enum { SOURCES_LIMIT = 1 << 26, SUM_DIGITS = 16 };
@@ -34,10 +35,8 @@ static void put_sweeps(struct study_writer *w, hid_t part) {
         }
         hid_t scale = study_tree_sweep(w, group, s);
         h5_put_long(&w->h, scale, "position", position++);
-        if (s->number && s->known) {
-            h5_put_double(&w->h, scale, "exponent_force", s->dimension.force);
-            h5_put_double(&w->h, scale, "exponent_length", s->dimension.length);
-            h5_put_double(&w->h, scale, "exponent_time", s->dimension.time);
+        if (s->number) {
+            study_samples_put_dimension(&w->h, scale, s);
         }
         h5_close(&w->h, scale);
     }
@@ -105,11 +104,8 @@ static herr_t visit_sweep(hid_t group, const char *name, const H5L_info_t *info,
     }
     if (!f->h.failed) {
         struct sweep *s = study_reader_sweep(f, group, scale, name, &v->sweep_units[position]);
-        if (s && s->number && H5Aexists(scale, "exponent_force") > 0) {
-            s->known = true;
-            s->dimension.force = h5_get_double(&f->h, scale, "exponent_force");
-            s->dimension.length = h5_get_double(&f->h, scale, "exponent_length");
-            s->dimension.time = h5_get_double(&f->h, scale, "exponent_time");
+        if (s && s->number) {
+            study_samples_get_dimension(&f->h, scale, s);
         }
         v->sweep[position] = s;
         v->n_sweep++;

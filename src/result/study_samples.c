@@ -45,7 +45,7 @@ void study_samples_put_dimension(struct h5 *h, hid_t values, const struct sweep 
     }
 }
 
-static void get_dimension(struct h5 *h, hid_t values, struct sweep *s) {
+void study_samples_get_dimension(struct h5 *h, hid_t values, struct sweep *s) {
     double *const power[] = {&s->dimension.force, &s->dimension.length, &s->dimension.time};
     s->known = !h->failed && H5Aexists(values, exponents[0]) > 0;
     for (int i = 0; i < 3 && s->known; i++) {
@@ -85,7 +85,7 @@ static struct sweep *get_values(struct h5 *h, struct arena *a, hid_t group, cons
     s->number = h5_get_doubles(h, a, group, name, (size_t)n);
     hid_t values = h5_open_object(h, group, name);
     s->units = h5_get_text(h, a, values, "units");
-    get_dimension(h, values, s);
+    study_samples_get_dimension(h, values, s);
     h5_close(h, values);
     return h->failed ? NULL : s;
 }

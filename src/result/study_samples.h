@@ -15,6 +15,7 @@ void study_samples_name(struct h5 *h, hid_t object, const struct sweep *const *s
 
 // Writes the dimension of the values, if it is known, so that a file can be made of this one.
 void study_samples_put_dimension(struct h5 *h, hid_t values, const struct sweep *s);
+void study_samples_get_dimension(struct h5 *h, hid_t values, struct sweep *s);
 
 // Links the values along `s` from /sweep into a group.
 void study_samples_link(struct study_writer *w, hid_t group, const struct sweep *s);

@@ -67,13 +67,18 @@ int writer_alloc(struct result_writer *w, const struct result_options *o, struct
     return w->report->command_line && allocate(w) ? STATUS_OK : error_no_memory(e);
 }
 
-// A file of its own is flushed after each block, so that it can be read if the run is killed.
+bool writer_in_blocks(const struct result_writer *w) {
+    return (size_t)w->report->n_row > w->capacity;
+}
+
+// Of a file of its own.
 static void synchronise(struct result_writer *w) {
     if (!w->h->failed && w->h == &w->own) {
         h5_failed(w->h, H5Fflush(w->h->file, H5F_SCOPE_LOCAL));
     }
 }
 
+// A file in blocks can be read if the run is killed.
 static int flush(struct result_writer *w, struct error *e) {
     for (int i = 0; i < w->n_stream && w->pending > 0; i++) {
         const struct stream *s = &w->stream[i];
@@ -82,7 +87,9 @@ static int flush(struct result_writer *w, struct error *e) {
                         s->n_dim == 2 ? s->width : 0, s->row);
         }
     }
-    synchronise(w);
+    if (writer_in_blocks(w)) {
+        synchronise(w);
+    }
     w->n_written += (long)w->pending;
     w->pending = 0;
     return w->h->failed ? writer_failed(w, e) : STATUS_OK;

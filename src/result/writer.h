@@ -70,6 +70,9 @@ void writer_layout(struct result_writer *w);
 // Writes everything that is known only after the run.
 void writer_results(struct result_writer *w, const struct report *r);
 
+// Do the rows come in several blocks? If not, all are written at the end.
+bool writer_in_blocks(const struct result_writer *w);
+
 // Creates a history and its stream.
 void writer_stream(struct result_writer *w, hid_t parent, const struct h5_dataset *d,
                    struct stream s);

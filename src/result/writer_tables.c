@@ -7,6 +7,11 @@
 #include "result/part.h"
 #include "result/writer.h"
 
+// Rows of a chunk of the histories; 0: contiguous, as all rows are written at once.
+static hsize_t chunk_rows(const struct result_writer *w) {
+    return writer_in_blocks(w) || w->model->output.compress > 0 ? w->capacity : 0;
+}
+
 // A history of `width` values a row; width_scale 0: one value, one dimension.
 static void put_history(struct result_writer *w, hid_t parent, const char *name,
                         struct quantity quantity, struct stream s, hid_t width_scale) {
@@ -17,21 +22,22 @@ static void put_history(struct result_writer *w, hid_t parent, const char *name,
         .n_dim = width_scale > 0 ? 2 : 1,
         .dim = {(hsize_t)w->report->n_row, s.width},
         .scale = {w->time, width_scale},
-        .chunk_rows = w->capacity,
+        .chunk_rows = chunk_rows(w),
         .compress = w->model->output.compress,
     };
     writer_stream(w, parent, &d, s);
 }
 
 static void put_time(struct result_writer *w) {
+    enum { USERS_FEW = 1000 };
     const struct h5_dataset d = {
         .name = "time",
         .quantity = {"time", &dimension_time},
         .file_type = H5T_IEEE_F64LE,
         .n_dim = 1,
         .dim = {(hsize_t)w->report->n_row},
-        .chunk_rows = w->capacity,
-        .many_users = true,
+        .chunk_rows = chunk_rows(w),
+        .many_users = w->stream_capacity > USERS_FEW,
     };
     writer_stream(w, w->root, &d, (struct stream){.source = SOURCE_TIME, .width = 1});
     w->time = w->n_stream > 0 ? w->stream[0].dataset : -1;

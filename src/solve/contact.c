@@ -25,14 +25,18 @@
 #include "solve/resolve.h"
 
 // A rigid contact at rest is held by its velocity, as holding d = 0 would make the force oscillate;
-// in each step it gives back this share of what rounding and the ground motion let it stray from
-// d = 0. That is stable for every share up to 1 where 2 beta <= gamma, and else for none if gamma
-// is 1/2 (eigenvalues of the recursion for d, v and a); then nothing is given back.
+// in each step of the deck it gives back this share of what rounding and the ground motion let it
+// stray from d = 0. That is stable for every share up to 1 where 2 beta <= gamma, and else for none
+// if gamma is 1/2 (eigenvalues of the recursion for d, v and a); then nothing is given back. In
+// steps that events have made short, the share is as much smaller: the velocity does not jump.
 static const double RECOVERY = 0.5;
 
 // Quick sweeps end, and block steps are tried, after so many sweeps, where the last one brought the
 // change of the forces down by less than the factor SLOW.
 enum { PLAIN_SWEEPS = 4 };
+
+// Links that are gathered, asked and visited together.
+enum { GROUP = 16 };
 static const double SLOW = 0.2;
 
 // After so many, laws are no longer let pull.
@@ -45,8 +49,17 @@ static double ends_difference(const struct quick *p, const double *x) {
     return x[p->end[0]] - x[p->end[1]];
 }
 
-static double recovery(const struct model *m) {
-    return 2.0 * m->beta <= m->gamma ? RECOVERY : 0.0;
+// The velocity that rigid contact k at rest is brought to. After a step that began with the bodies
+// accelerated apart, a velocity of zero leaves them inside where 2 beta > gamma, by h^2 |a|
+// (beta / gamma - 1/2): there d = 0 counts too, and what asks for the larger force prevails.
+static double rest_velocity(const struct work *w, const struct state *now, const struct line *l,
+                            int k) {
+    const struct model *m = w->model;
+    if (2.0 * m->beta <= m->gamma) {
+        return -RECOVERY * now->delta[k] / m->dt;
+    }
+    double enters = l->d_free - fmax(now->delta[k], 0.0);
+    return fmin(l->v_free - enters * l->v_force / l->d_force, 0.0);
 }
 
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
@@ -54,7 +67,7 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
     const struct link *l = p->link;
     double s = p->flexibility;
     double corrected = ends_difference(p, w->correction) + s * p->force;
-    return (struct line){
+    struct line line = {
         .link = l,
         .history = next->link_history + l->history,
         .d_free = ends_difference(p, w->u_trial) - l->gap + w->b * corrected +
@@ -63,12 +76,13 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
                   state_ground_gap(l, w->model, next->ground_v),
         .d_force = w->b * s,
         .v_force = w->g * s,
-        .v_rest = -recovery(w->model) * now->delta[k] / w->h,
         .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
         .closed = now->link[k].closed,
         .clamped = p->clamped,
         .held = now->link[k].closed && k == w->held,
     };
+    line.v_rest = l->law->rebound ? rest_velocity(w, now, &line, k) : 0.0;
+    return line;
 }
 
 void contact_apply(struct work *w, struct quick *p, double df) {
@@ -157,30 +171,55 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
 // How a sweep answers: exactly, or by Newton steps where they are safe.
 enum answers { ANSWERS_EXACT, ANSWERS_NEWTON };
 
-// `last` is the sweep before.
-static struct progress sweep(struct work *w, const struct state *now, struct state *next,
-                             enum answers answers, const struct progress *last) {
-    struct progress s = {.enough = w->model->tolerance * last->largest,
-                         .loosest = last->loosest,
-                         .echo = last->echo,
-                         .clear = INFINITY};
-    if (answers == ANSWERS_NEWTON) {
-        quick_ask(w, &s);
-    }
-    for (int i = 0;; i++) {
-        i = answers == ANSWERS_NEWTON ? quick_sweep(w, i, &s) : i;
-        if (i == w->n_acting) {
-            w->totals->iterations++;
-            return s;
+// Goes over acting links `first` to end - 1.
+static void visit(struct work *w, const struct state *now, struct state *next, enum answers answers,
+                  int first, int end, struct progress *s) {
+    for (int i = first;; i++) {
+        i = answers == ANSWERS_NEWTON ? quick_sweep(w, i, end, s) : i;
+        if (i == end) {
+            return;
         }
-        answer(w, now, next, w->acting[i], &s);
+        answer(w, now, next, w->acting[i], s);
     }
 }
 
-// Is it worth going on? Asked when the answer is there, and early, so that a hopeless step costs
-// little.
-static bool suffices(struct work *w, const struct state *now, const struct state *next) {
-    return w->strictness == STEP_ACCEPT || resolve_suffices(w, now, next);
+// Makes the progress of the last sweep, or of the guess, that of the next one before it has begun.
+static void renew(const struct work *w, struct progress *s) {
+    s->enough = w->model->tolerance * s->largest;
+    s->largest = s->change = s->moved = 0.0;
+    s->clear = INFINITY;
+    s->answered = false;
+}
+
+// The first sweep, by groups of links that the cache holds until they have been visited.
+static void first_sweep(struct work *w, const struct state *now, struct state *next,
+                        struct progress *s) {
+    quick_gather(w, next, s);
+    renew(w, s);
+    for (int first = 0, end; first < w->n_acting; first = end) {
+        end = first + GROUP < w->n_acting ? first + GROUP : w->n_acting;
+        quick_take(w, next, first, end, s);
+        visit(w, now, next, ANSWERS_NEWTON, first, end, s);
+    }
+}
+
+static void sweep(struct work *w, const struct state *now, struct state *next, enum answers answers,
+                  struct progress *s) {
+    renew(w, s);
+    if (answers == ANSWERS_NEWTON) {
+        quick_ask(w, s);
+    }
+    visit(w, now, next, answers, 0, w->n_acting, s);
+}
+
+// Is it worth going on? Asked early, so that a hopeless step costs little.
+static bool is_hopeful(struct work *w, const struct state *now, const struct state *next) {
+    for (int i = 0; i < w->n_acting && w->strictness == STEP_STRICT; i++) {
+        if (!resolve_suffices(w, now, next, w->acting[i])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // With laws that pull there may be no solution, or several between which sweeps go to and fro.
@@ -220,23 +259,27 @@ static bool converged(const struct work *w, enum answers answers, const struct p
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
 // for what it took.
 static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
-    struct progress last;
-    quick_gather(w, next, &last);
+    struct progress s;
+    double before = INFINITY;
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->nearest[i] = INFINITY;
     }
     enum answers answers = ANSWERS_NEWTON;
     for (int i = 0; i < w->model->iterations; i++) {
-        struct progress s = sweep(w, now, next, answers, &last);
-        bool done = converged(w, answers, &s);
-        if ((done || i == PLAIN_SWEEPS) && !suffices(w, now, next)) {
-            return STATUS_RETRY;
+        if (i == 0) {
+            first_sweep(w, now, next, &s);
+        } else {
+            sweep(w, now, next, answers, &s);
         }
-        if (done) {
+        w->totals->iterations++;
+        if (converged(w, answers, &s)) {
             return STATUS_OK;
         }
         if (i == PLAIN_SWEEPS) {
+            if (!is_hopeful(w, now, next)) {
+                return STATUS_RETRY;
+            }
             w->others_d = rounding_of_others(w, w->u_trial);
             w->others_v = rounding_of_others(w, w->v_trial);
         }
@@ -244,12 +287,12 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
             clamp(w);
             answers = ANSWERS_EXACT;
         }
-        if (i + 1 >= PLAIN_SWEEPS && changed(&s) > SLOW * changed(&last)) {
+        if (i + 1 >= PLAIN_SWEEPS && changed(&s) > SLOW * before) {
             answers = ANSWERS_EXACT;
             bool blocked = block_steps(w, now, next) || *counter == &w->totals->block;
             *counter = blocked ? &w->totals->block : &w->totals->scalar;
         }
-        last = s;
+        before = changed(&s);
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
@@ -266,30 +309,39 @@ static enum branch judge_clamped(struct work *w, const struct state *now, const 
     return line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
 }
 
-// Takes the forces that were found. A link that found neither an open nor a closed solution opens
-// inside the step, unless it has bounced to rest; then false.
-static bool decided(struct work *w, const struct state *now, struct state *next) {
-    bool all = true;
+// Takes what was found for a link. One that found neither an open nor a closed solution opens
+// inside the step, unless it has bounced to rest; then false, as where the step is not short
+// enough.
+static bool take(struct work *w, const struct state *now, struct state *next, struct quick *p) {
+    int k = p->index;
+    bool strict = w->strictness == STEP_STRICT;
+    if (strict && !resolve_suffices(w, now, next, p)) {
+        return false;
+    }
+    p->branch = judge_clamped(w, now, next, p);
+    next->link[k].force = p->force;
+    next->link[k].closed = p->branch != BRANCH_OPEN;
+    if (next->link[k].closed != now->link[k].closed) {
+        w->toggled[w->n_toggled++] = k;
+    }
+    return !strict || p->branch != BRANCH_NONE ||
+           resolve_negligible(w, state_rate(now, w->model, k));
+}
+
+static int take_all(struct work *w, const struct state *now, struct state *next) {
+    w->n_toggled = 0;
     for (int i = 0; i < w->n_acting; i++) {
-        struct quick *p = w->acting[i];
-        next->link[p->index].force = p->force;
-        p->branch = judge_clamped(w, now, next, p);
-        if (p->branch == BRANCH_NONE && w->strictness == STEP_STRICT) {
-            all &= resolve_negligible(w, state_rate(now, w->model, p->index));
+        if (!take(w, now, next, w->acting[i])) {
+            return STATUS_RETRY;
         }
     }
-    return all;
+    return STATUS_OK;
 }
 
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
     long *counter = &w->totals->fast;
     int status = iterate(w, now, next, &counter);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    if (!decided(w, now, next)) {
-        return STATUS_RETRY;
-    }
-    *counter += 1;
-    return STATUS_OK;
+    status = status == STATUS_OK ? take_all(w, now, next) : status;
+    *counter += status == STATUS_OK;
+    return status;
 }

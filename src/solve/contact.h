@@ -5,6 +5,8 @@
 
 #include "solve/work.h"
 
+struct quick;
+
 // Makes the links that are closed in `now` live in `next`, with a guess of their forces; the others
 // are open.
 void contact_begin(struct work *w, const struct state *now, struct state *next);
@@ -24,14 +26,13 @@ bool contact_close(struct work *w, const struct state *now, struct state *next, 
 // committed state. STATUS_RETRY: not solved to the model's tolerance.
 int contact_solve(struct work *w, const struct state *now, struct state *next);
 
-// What belongs to the end of a step that is solved: which links are closed, and their histories.
-void contact_finish(struct work *w, const struct state *now, struct state *next);
+// What belongs to the end of a step that is solved: the histories of closed links.
+void contact_finish(const struct work *w, struct state *next);
 
 // The line of link k at the trial state of `next`.
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k);
 
 // Changes the force of a live link by df, and the correction of its buildings with it.
-struct quick;
 void contact_apply(struct work *w, struct quick *p, double df);
 
 // Gives link k its exact answer while the other forces are held; returns the change of its force.

@@ -52,6 +52,9 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
     }
     p->branch = BRANCH_CLOSED;
     p->clamped = false;
+    if (!(from->t_close < now->time)) {
+        p->checked = 0.0;
+    }
     gaps_touch(&w->gaps, k);
 }
 
@@ -69,6 +72,7 @@ static void open_others(const struct state *now, struct state *next) {
 void contact_begin(struct work *w, const struct state *now, struct state *next) {
     open_others(now, next);
     gaps_forget(&w->gaps, now);
+    w->n_toggled = 0;
     for (int i = 0; i < now->n_live; i++) {
         if (now->link[now->live[i]].closed) {
             carry_on(w, now, next, now->live[i]);
@@ -140,18 +144,12 @@ int contact_search(struct work *w, const struct state *now, struct state *next) 
     return next->n_live - before;
 }
 
-void contact_finish(struct work *w, const struct state *now, struct state *next) {
+void contact_finish(const struct work *w, struct state *next) {
     const struct model *m = w->model;
-    w->n_toggled = 0;
-    for (int i = 0; i < next->n_live; i++) {
+    for (int i = 0, n = w->commits ? next->n_live : 0; i < n; i++) {
         int k = next->live[i];
-        const struct quick *p = &w->quick[k];
-        next->link[k].closed = p->branch != BRANCH_OPEN;
-        if (next->link[k].closed != now->link[k].closed) {
-            w->toggled[w->n_toggled++] = k;
-        }
-        if (next->link[k].closed && p->kind->commit) {
-            const struct link *l = p->link;
+        const struct link *l = &m->link[k];
+        if (next->link[k].closed && l->law->commit) {
             l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
                            state_rate(next, m, k));
         }

@@ -31,6 +31,10 @@ bool ensemble_suits(const struct model *m) {
     return suits;
 }
 
+bool ensemble_pays(void) {
+    return lanes_hold_wide();
+}
+
 bool ensemble_alike(const struct model *a, const struct model *b) {
     bool alike = ensemble_suits(b) && a->n_building == b->n_building && a->n_dof == b->n_dof &&
                  a->n_link == b->n_link && a->beta == b->beta && a->gamma == b->gamma &&

@@ -4,6 +4,8 @@
 #ifndef JOSTLE_ENSEMBLE_LANES_H
 #define JOSTLE_ENSEMBLE_LANES_H
 
+#include <string.h>
+
 #include "core/lanes.h"
 #include "solve/run.h"
 
@@ -104,12 +106,12 @@ struct ensemble_lanes {
     long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
     struct ensemble_building *building;  // (n_building)
     struct ensemble_state *now, *next;   // (n_floor) of all buildings
-    struct ensemble_motion *motion;      // (n_floor)
+    struct ensemble_motion *motion;      // (n_floor) in the step under way
     wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
     struct ensemble_peaks *peak;         // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
-    struct ensemble_works *works;           // up to `now`, or if
-    bool owing;                             // up to the step before, which is `next` then
+    struct ensemble_works *works;           // up to `now`, or the step before where that is owing,
+    bool owing;                             // which is in `next` then
     struct ensemble_contact *contact;       // (n_contact)
     struct ensemble_nearest *nearest;       // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
@@ -117,6 +119,16 @@ struct ensemble_lanes {
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
 };
+
+// Is a flag negative in a lane whose run is aboard? By halves: compilers take lanes apart one by
+// one.
+LANES_INLINE bool ensemble_any(const struct ensemble_lanes *e, const wide_bits *flags) {
+    lanes_bits flag[2], aboard[2];
+    memcpy(flag, flags, sizeof flag);
+    memcpy(aboard, e->aboard, sizeof aboard);
+    const lanes_bits any = (flag[0] & aboard[0]) | (flag[1] & aboard[1]);
+    return (any[0] | any[1] | any[2] | any[3]) < 0;
+}
 
 // Room for the runs of models like `m`; false: no memory.
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a);

@@ -59,12 +59,10 @@ void ensemble_links_gather(const struct ensemble_lanes *e, int lane, struct run 
     for (int i = 0; i < g->n_touched; i++) {
         gather_building(e, lane, r, g->touched[i]);
     }
-    for (int i = 0; i < r->next->n_live; i++) {
-        gather_velocities(e, r->next->live[i], e->now, lane, r->now->v);
-    }
 }
 
-// The same of the ends of a link that no other has touched.
+// The same of the ends of a link that no other has touched. Those that were live before have their
+// velocities from the last step.
 static void gather_ends(const struct ensemble_lanes *e, int lane, struct run *r, int contact) {
     const struct link *l = &r->model->link[contact];
     gather_velocities(e, contact, e->now, lane, r->now->v);
@@ -113,7 +111,7 @@ int ensemble_links_finish(const struct ensemble_lanes *e, int lane, struct run *
         r->next->delta[k] = penetration(e, k, e->next, lane);
         gather_velocities(e, k, e->next, lane, r->next->v);
     }
-    contact_finish(w, r->now, r->next);
+    contact_finish(w, r->next);
     return event_first(w, r->now, r->next, w->h, r->events, -1).link < 0 ? STATUS_OK : STATUS_RETRY;
 }
 

@@ -68,7 +68,8 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
             find_penetration(e, k, &delta);
             any |= LESS(e->contact[k].limit, delta);
         }
-        for (int k = first; lanes_aboard(e, &any) && k < end; k++) {
+        const bool pressed = ensemble_any(e, &any);
+        for (int k = first; pressed && k < end; k++) {
             list(e, k);
         }
     }
@@ -77,7 +78,7 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
 LANES bool ensemble_exceeds(struct ensemble_lanes *e) {
     bool any = false;
     for (int k = 0; k < e->n_building; k++) {
-        e->building[k].exceeds = lanes_aboard(e, &e->beyond[k]) != 0;
+        e->building[k].exceeds = ensemble_any(e, &e->beyond[k]);
         any |= e->building[k].exceeds;
     }
     for (int i = 0; !any && i < e->n_pressed; i++) {

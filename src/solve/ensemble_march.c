@@ -210,16 +210,7 @@ INLINE void commit(struct ensemble_lanes *e, const wide *ground) {
     e->owing = true;
 }
 
-// Any of the flags of those aboard?
-INLINE bool any_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
-    long long any = 0;
-    for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        any |= (*flags)[lane] & e->aboard[lane];
-    }
-    return any < 0;
-}
-
-// Computes `next`. What moves a few buildings stays near the processor.
+// Computes `next`.
 INLINE void step(struct ensemble_lanes *e, const wide *ground, wide_bits *flags) {
     const struct ensemble_building *b = e->building;
     for (int first = 0; first < e->n_building; first += TOGETHER) {
@@ -244,7 +235,7 @@ LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
     for (int i = 0; i < n; i++) {
         wide_bits flags = {0};
         step(e, base + i, &flags);
-        if (any_aboard(e, &flags)) {
+        if (ensemble_any(e, &flags)) {
             return i;
         }
         commit(e, base + i);

@@ -8,6 +8,13 @@
 // An event this close to an end of the step, relative to it, is at that end.
 static const double AT_END = 1e-9;
 
+// Velocities, or accelerations, of two bodies that differ by so many roundings are the same.
+static const double ROUNDINGS = 16.0;
+
+// Energy that the opening of a contact may bring, over the kinetic energy at the largest velocity
+// so far, or that it would have reached after a step of the deck at this rate.
+static const double ABRUPT = 1e-4;
+
 static double snap(double time, double h) {
     return time <= AT_END * h ? 0.0 : time >= (1.0 - AT_END) * h ? h : time;
 }
@@ -62,6 +69,15 @@ static double meeting_time(const struct model *m, const struct state *now, const
     return INFINITY;
 }
 
+bool event_is_idle(const struct state *s, const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    double rate = state_rate(s, m, k);
+    double rounding = ROUNDINGS * state_rounding(l, s->v);
+    double pressing = state_gap(l, m, s->a, s->ground_a);
+    return rate < -rounding ||
+           (rate <= rounding && pressing <= ROUNDINGS * state_rounding(l, s->a));
+}
+
 static void take_earlier(struct event *first, int k, double time, double h) {
     if (time < first->time) {
         *first = (struct event){.link = k, .time = snap(time, h)};
@@ -85,6 +101,22 @@ struct event event_first(const struct work *w, const struct state *now, const st
         }
     }
     return first;
+}
+
+bool event_is_abrupt(struct work *w, const struct state *now, const struct state *next) {
+    for (int i = 0; i < w->n_toggled; i++) {
+        int k = w->toggled[i];
+        const struct link *l = &w->model->link[k];
+        double way = now->delta[k] - next->delta[k];
+        double parting = fabs(state_rate(next, w->model, k));
+        double speed = fmax(w->totals->speed, parting * w->model->dt / w->h);
+        bool opens = l->law->rebound && !next->link[k].closed;
+        if (opens && now->link[k].force * way > ABRUPT * l->mass * speed * speed) {
+            w->unresolved = k;
+            return true;
+        }
+    }
+    return false;
 }
 
 void event_apply(struct state *s, const struct model *m, int link) {

@@ -24,6 +24,15 @@ enum { EVENTS_JUMP_MAX = 50, EVENTS_RIGID_MAX = 500, EVENTS_ENDLESS = 100000 };
 struct event event_first(const struct work *w, const struct state *now, const struct state *next,
                          double h, const int *count, int except);
 
+// Do the bodies of rigid contact k, which meet at the instant of `s`, neither approach nor press?
+// Such a meeting changes nothing: it is the step that is long.
+bool event_is_idle(const struct state *s, const struct model *m, int k);
+
+// Has a rigid contact at rest opened in the step just taken while its force was large? The force,
+// taken to fall evenly over the step, then pushes bodies that already part, which makes energy of
+// nothing: f d / 2, which is small where the step is short. *w says which contact it is.
+bool event_is_abrupt(struct work *w, const struct state *now, const struct state *next);
+
 // Closes or opens the link of a jump of force at the instant of `s`, with the accelerations that
 // follow.
 void event_apply(struct state *s, const struct model *m, int link);

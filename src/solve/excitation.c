@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/excitation.h"
 
+#include <string.h>
+
 #include "solve/chain.h"
 
 // With one ground under all, nothing depends on its velocity and displacement.
@@ -45,4 +47,31 @@ void excitation_floors(struct state *s, const struct model *m, double t) {
 void excitation_at(struct state *s, const struct model *m, double t) {
     excitation_grounds(s, m, t);
     excitation_floors(s, m, t);
+}
+
+static void look_ahead(struct excitation_ahead *x, const struct model *m, long n) {
+    x->from = n;
+    model_times(m, n, EXCITATION_AHEAD, x->time);
+    memset(x->ground, 0, sizeof x->ground);
+    const struct ground *g = &m->ground[0];
+    for (int i = 0; state_is_uniform(m) && i < g->n_signal; i++) {
+        signal_add_values(&g->signal[i], EXCITATION_AHEAD, x->time, x->ground);
+    }
+}
+
+void excitation_foresee(struct excitation_ahead *x, const struct model *m, long n) {
+    if (n < x->from || n >= x->from + EXCITATION_AHEAD) {
+        look_ahead(x, m, n);
+    }
+}
+
+void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
+                              const struct model *m, double t) {
+    double i = (t - x->time[0]) / m->dt + 0.5;
+    if (state_is_uniform(m) && x->from >= 0 && i >= 0.0 && i < EXCITATION_AHEAD &&
+        x->time[(int)i] == t) {
+        s->ground_a[0] = x->ground[(int)i];
+    } else {
+        excitation_grounds(s, m, t);
+    }
 }

@@ -13,4 +13,20 @@ void excitation_at(struct state *s, const struct model *m, double t);
 void excitation_grounds(struct state *s, const struct model *m, double t);
 void excitation_floors(struct state *s, const struct model *m, double t);
 
+// Ends of fixed steps, and where one ground moves all the ground's accelerations then, computed for
+// many steps at a time.
+enum { EXCITATION_AHEAD = 64 };
+struct excitation_ahead {
+    long from;                      // step of the first; before anything is known -EXCITATION_AHEAD
+    double time[EXCITATION_AHEAD];  // [T]
+    double ground[EXCITATION_AHEAD];  // [L/T^2]
+};
+
+// Sees to it that what is known begins with step n or before, and goes as far as n or beyond.
+void excitation_foresee(struct excitation_ahead *x, const struct model *m, long n);
+
+// excitation_grounds, for any t, but at once where the end of a step is known.
+void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
+                              const struct model *m, double t);
+
 #endif

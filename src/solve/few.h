@@ -12,25 +12,40 @@ enum { FEW_MAX = 2 * LANES_WIDTH };
 
 // What a step reads besides the state, side by side in memory; each (FEW_MAX), by floor.
 struct few_table {
-    double mass[FEW_MAX], stiffness[FEW_MAX], joint[FEW_MAX], joint_above[FEW_MAX];
+    double mass[FEW_MAX], stiffness[FEW_MAX];
+    double joint[FEW_MAX], joint_above[FEW_MAX];  // all bits are 1 where there is one
     double damping_below[FEW_MAX], damping[FEW_MAX], damping_above[FEW_MAX];
     double back[FEW_MAX], spring[FEW_MAX], rest[FEW_MAX], limit[FEW_MAX];  // struct storey_branch
     double peak[PEAK_COUNT][FEW_MAX];
     double inverse[FEW_MAX][FEW_MAX];  // A^-1 of all buildings
 };
 
+struct flight;
+struct work;
+
+// How steps are taken.
+struct few_steps {
+    // few_take where all storeys are elastic, and where they follow lines.
+    long (*fly)(const struct flight *f, struct state *s, long n, long end);
+    long (*fly_on_lines)(const struct flight *f, struct state *s, long n, long end);
+    // floors_move, what the corrections in `w` lead to, and floors_account, where few_serves.
+    bool (*move)(struct work *w, const struct state *now, struct state *next);
+    void (*correct)(const struct work *w, const struct state *now, struct state *next);
+    void (*account)(const struct few_table *t, struct energy_account *a, struct results *r,
+                    const struct model *m, const struct state *now, const struct state *next);
+};
+extern const struct few_steps few_narrow, few_wide;
+
 struct few {
-    bool possible;            // with this model
+    bool possible;  // with this model
+    const struct few_steps *steps;
     long factors;             // work.factors that the inverse is of
     struct few_table *table;  // from where a line of the cache begins
-    // For LANES_WIDTH columns each, the rows of the inverse that they have, in fours.
+    // For LANES_WIDTH columns each, the rows of the inverse that they have.
     struct few_rows {
         int from, to;
     } rows[FEW_MAX / LANES_WIDTH];
 };
-
-struct flight;
-struct work;
 
 // Room for a model; false: no memory.
 bool few_alloc(struct few *few, const struct model *m, struct arena *a);
@@ -38,19 +53,8 @@ bool few_alloc(struct few *few, const struct model *m, struct arena *a);
 // Takes the inverses of the buildings, which must be there, unless that has been done.
 void few_factor(struct few *few, const struct work *w);
 
-// May a step in which links act be one of few_move? All is linear but for the links, and it has the
-// model's size.
+// Is the step in hand one for few_steps: of the model's size, and all linear but for the links?
 bool few_serves(const struct work *w);
-
-// floors_move,
-bool few_move(struct work *w, const struct state *now, struct state *next);
-
-// what the corrections in `w` lead to,
-void few_correct(const struct work *w, const struct state *now, struct state *next);
-
-// and account_step of such a step.
-void few_account(const struct few *few, struct energy_account *a, struct results *r,
-                 const struct model *m, const struct state *now, const struct state *next);
 
 // Takes steps from number `n`, whose state is `s`, as far as `end`, but stops before one in which a
 // contact closes or a storey leaves its line. What is computed ahead for the flight must reach that

@@ -122,7 +122,6 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
     f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
-    f->ahead_from = -FLIGHT_AHEAD;
     if (!f->group || !f->gap || !f->group_end || !branches_alloc(f, m, a)) {
         return false;
     }
@@ -165,30 +164,13 @@ static void complete(const struct flight *f, struct state *s) {
     }
 }
 
-// Times from step n on, and the ground accelerations then.
-static void look_ahead(struct flight *f, long n) {
-    f->ahead_from = n;
-    model_times(f->model, n, FLIGHT_AHEAD, f->time);
-    memset(f->ground, 0, sizeof f->ground);
-    const struct ground *g = &f->model->ground[0];
-    for (int i = 0; f->uniform && i < g->n_signal; i++) {
-        signal_add_values(&g->signal[i], FLIGHT_AHEAD, f->time, f->ground);
-    }
-}
-
-// What is known ahead begins with step n, or with one before.
-static void ensure_ahead(struct flight *f, long n) {
-    if (n < f->ahead_from || n >= f->ahead_from + FLIGHT_AHEAD) {
-        look_ahead(f, n);
-    }
-}
-
 // Steps from n towards `end` that bring no news; returns the one reached.
 static long glide(struct flight *f, struct state *now, long n, long end) {
     long reached = n;
     while (f->work->few.possible && reached < end) {
-        ensure_ahead(f, reached + 1);
-        long known = number_least(end, f->ahead_from + FLIGHT_AHEAD - 1);
+        struct excitation_ahead *ahead = &f->work->ahead;
+        excitation_foresee(ahead, f->model, reached + 1);
+        long known = number_least(end, ahead->from + EXCITATION_AHEAD - 1);
         reached = few_take(f, now, reached, known);
         if (reached < known) {
             break;
@@ -199,10 +181,11 @@ static long glide(struct flight *f, struct state *now, long n, long end) {
 
 // False: step n is not one in free flight.
 static bool step_to(struct flight *f, const struct state *now, struct state *next, long n) {
-    ensure_ahead(f, n);
-    next->time = f->time[n - f->ahead_from];
+    struct excitation_ahead *ahead = &f->work->ahead;
+    excitation_foresee(ahead, f->model, n);
+    next->time = ahead->time[n - ahead->from];
     if (f->uniform) {
-        next->ground_a[0] = f->ground[n - f->ahead_from];
+        next->ground_a[0] = ahead->ground[n - ahead->from];
     } else {
         excitation_at(next, f->model, next->time);
     }
@@ -250,6 +233,9 @@ static void finish(const struct flight *f, const struct state *old, struct state
 }
 
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end) {
+    if (f->uniform) {
+        excitation_foresee(&f->work->ahead, f->model, n + 1);
+    }
     if (!may_start(f, *now)) {
         return n;
     }

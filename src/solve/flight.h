@@ -15,9 +15,6 @@ struct gap_group {
     int ground[2];  // that move them apart; the same where none does
 };
 
-// Steps whose ground acceleration is computed at a time.
-enum { FLIGHT_AHEAD = 64 };
-
 struct flight {
     const struct model *model;  // borrowed, as are the next three
     struct work *work;
@@ -33,10 +30,6 @@ struct flight {
     struct gap_group *group;  // (n_group)
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
     int *group_end;           // by block of floors: after it the groups before this can be seen to
-
-    long ahead_from;              // step of the first of what is computed ahead:
-    double time[FLIGHT_AHEAD];    // [T]
-    double ground[FLIGHT_AHEAD];  // [L/T^2] acceleration; uniform
 };
 
 // Room for the flights of a model; false: no memory.

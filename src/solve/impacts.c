@@ -65,8 +65,8 @@ static void close_impact(struct impact_log *log, const struct model *m, struct i
     log->open[k] = -1;
 }
 
-void impacts_add(struct impact_log *log, struct results *r, const struct model *m, int k,
-                 const struct impact_share *share) {
+static inline void add(const struct impact_log *log, struct results *r, const struct model *m,
+                       int k, const struct impact_share *share) {
     r->link[k].impulse += share->impulse;
     r->link[k].dissipated += share->work;
     if (k < m->n_contact && log->open[k] >= 0) {
@@ -77,6 +77,11 @@ void impacts_add(struct impact_log *log, struct results *r, const struct model *
         i->max_penetration = number_max(i->max_penetration, share->penetration);
         i->steps += share->steps;
     }
+}
+
+void impacts_add(struct impact_log *log, struct results *r, const struct model *m, int k,
+                 const struct impact_share *share) {
+    add(log, r, m, k, share);
 }
 
 // Where the grounds of a link's ends move differently, its force works on them too.
@@ -110,7 +115,7 @@ int impacts_step(struct impact_log *log, struct energy_account *a, struct result
             .penetration = next->delta[k],
             .steps = next->link[k].closed,
         };
-        impacts_add(log, r, m, k, &share);
+        add(log, r, m, k, &share);
         contact += share.work;
         if (m->n_ground > 1 && m->link[k].moving_ground) {
             a->input += ground_work(&m->link[k], m, mean, now, next);

@@ -94,15 +94,25 @@ static void follow(struct state *s, const struct model *m) {
     state_equilibrium(s, m);
 }
 
+static void come_to_rest(struct state *s, int k, double approached) {
+    state_enliven(s, k);
+    s->link[k].closed = true;
+    s->link[k].t_close = s->time;
+    s->link[k].v_close = approached;
+}
+
+void impulse_hold(struct state *s, const struct model *m, int k, struct meeting *meeting) {
+    memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
+    come_to_rest(s, k, 0.0);
+    state_complete(s, m);
+}
+
 void impulse_meet(struct state *s, const struct model *m, int k, enum rebound rebound,
                   const struct least_bounce *least, struct meeting *meeting) {
     memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
     double approached = fmax(state_rate(s, m, k), 0.0);
     if (approached == 0.0 || strike(s, m, k, rebound, least, &meeting[k]) == 0.0) {
-        state_enliven(s, k);
-        s->link[k].closed = true;
-        s->link[k].t_close = s->time;
-        s->link[k].v_close = approached;
+        come_to_rest(s, k, approached);
     }
     settle(s, m, least, meeting);
     part(s, m, least);

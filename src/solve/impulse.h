@@ -28,4 +28,8 @@ struct least_bounce {
 void impulse_meet(struct state *s, const struct model *m, int k, enum rebound rebound,
                   const struct least_bounce *least, struct meeting *meeting);
 
+// Takes rigid contact k as at rest without a force, although nothing presses its bodies together at
+// the instant of `s`: the step that follows finds its force, or opens it.
+void impulse_hold(struct state *s, const struct model *m, int k, struct meeting *meeting);
+
 #endif

@@ -28,11 +28,11 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     const struct model *m = w->model;
     contact_begin(w, now, next);
     next->time = end;
+    excitation_grounds_known(&w->ahead, next, m, end);
     if (state_is_linear(m) && state_is_uniform(m) && !m->adaptive) {
-        excitation_grounds(next, m, end);
         return;
     }
-    excitation_at(next, m, end);
+    excitation_floors(next, m, end);
     memcpy(next->storey_history, now->storey_history,
            (size_t)m->n_storey_history * sizeof *next->storey_history);
     memset(w->settled, 0, (size_t)m->n_building * sizeof *w->settled);
@@ -85,10 +85,11 @@ static bool correct(const struct work *w, const struct state *now, struct state 
 
 // The same where only the corrections of buildings with live links have changed since.
 static void correct_touched(struct work *w, const struct state *now, struct state *next) {
-    if (few_serves(w)) {
-        few_correct(w, now, next);
+    bool few = few_serves(w);
+    if (few) {
+        w->few.steps->correct(w, now, next);
     }
-    for (int i = 0; !few_serves(w) && i < w->gaps.n_touched; i++) {
+    for (int i = 0; !few && i < w->gaps.n_touched; i++) {
         const struct building *g = &w->model->building[w->gaps.touched[i]];
         correct(w, now, next, g->first, lanes_whole(g->n_floor));
     }
@@ -211,11 +212,20 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
+// The state under the forces that live links have. False: not finite.
+static bool move(struct work *w, const struct state *now, struct state *next) {
+    if (!few_serves(w)) {
+        return floors_move(w, now, next);
+    }
+    few_factor(&w->few, w);
+    return w->few.steps->move(w, now, next);
+}
+
 // The same where the floors are linear.
 static int solve_linear(struct work *w, const struct state *now, struct state *next,
                         struct error *e) {
     w->totals->iterations++;
-    if (!(few_serves(w) ? few_move : floors_move)(w, now, next)) {
+    if (!move(w, now, next)) {
         return not_finite(w->model, next, e);
     }
     contact_penetrations(w, next);
@@ -223,7 +233,7 @@ static int solve_linear(struct work *w, const struct state *now, struct state *n
 }
 
 // Everything else that belongs to the end of the step: forces, and the histories of the laws.
-static void finish(struct work *w, const struct state *now, struct state *next) {
+static void finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {
         state_internal_forces(next, m, next->u, next->v);
@@ -235,7 +245,7 @@ static void finish(struct work *w, const struct state *now, struct state *next) 
             s->law->commit(s->constant, next->storey_history + s->history, next->drift[i]);
         }
     }
-    contact_finish(w, now, next);
+    contact_finish(w, next);
 }
 
 int newmark_step(struct work *w, const struct state *now, struct state *next, double end, double h,
@@ -246,7 +256,7 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
     begin(w, now, next, end);
     int status = state_is_linear(w->model) ? solve_linear(w, now, next, e) : solve(w, now, next, e);
     if (status == STATUS_OK) {
-        finish(w, now, next);
+        finish(w, next);
     }
     return status;
 }

@@ -6,8 +6,9 @@
 // and q changes by df times the columns of A^-1 of both ends. A^-1 is almost diagonal, for
 // beta h^2 K << M: links disturb each other where they share a floor, and little else.
 //
-// Laws are asked between sweeps, where they need not wait for each other, and a law is taken for
-// the line df = base + rate dx from there, which costs little. It must be asked again, at once,
+// Laws are asked before the first sweep, some links at a time so that the cache holds them until
+// they are visited; there laws need not wait for each other. From then on a law is taken for the
+// line df = base + rate dx from there, which costs little. It must be asked again, at once,
 // where that is not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f
 // more than the line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4
 // are taken, and both parts of t by their size, as they may cancel where a law pulls. A link of a
@@ -50,7 +51,6 @@ void quick_init(struct quick *p, const struct model *m, int k) {
         .gap = l->gap,
         .bilateral = l->bilateral,
         .moving_ground = l->moving_ground,
-        .smooth = l->law->traits & CONTACT_SMOOTH,
     };
     for (int i = 0; i < 2; i++) {
         p->end[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
@@ -98,23 +98,26 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
         return false;
     }
     p->ask = true;
-    p->law = p->kind->force(p->constant, p->history, d, v);
-    double slope = w->b * p->law.dfdd + w->g * p->law.dfdv;
+    struct contact_response law = p->kind->force(p->constant, p->history, d, v);
+    double slope = w->b * law.dfdd + w->g * law.dfdv;
     double share = p->flexibility * slope;
     if (!(share >= 0.0 && share <= STEEPEST)) {
         return false;
     }
     p->ask = false;
     p->asked = x;
-    double steep = fabs(w->b * p->law.dfdd) + fabs(w->g * p->law.dfdv) + DBL_MIN;
+    p->dfdd = law.dfdd;
+    p->dfdv = law.dfdv;
+    double steep = fabs(w->b * law.dfdd) + fabs(w->g * law.dfdv) + DBL_MIN;
     double inverse = 1.0 / ((1.0 + share) * steep);  // one division for both
     p->damped = inverse * steep;
     p->rate = slope * p->damped;
-    p->base = (p->law.force - p->force) * p->damped;
+    p->base = (law.force - p->force) * p->damped;
     p->near = p->bilateral ? INFINITY : NEAR * d * w->per_b;
-    double straight = sqrt(STRAIGHT * s->enough * fabs(p->law.force)) * inverse * (1.0 + share);
+    double straight = sqrt(STRAIGHT * s->enough * fabs(law.force)) * inverse * (1.0 + share);
     double turn = fabs(v) * w->per_g;
-    p->reach = p->smooth ? number_min(number_min(p->near, turn), straight) : -1.0;
+    p->reach =
+        p->kind->traits & CONTACT_SMOOTH ? number_min(number_min(p->near, turn), straight) : -1.0;
     s->echo = number_max(s->echo, share * p->others);
     return true;
 }
@@ -138,25 +141,36 @@ static inline void gather(struct work *w, const struct state *next, struct quick
 }
 
 void quick_gather(struct work *w, const struct state *next, struct progress *s) {
-    *s = (struct progress){.change = INFINITY};
+    *s = (struct progress){0};
     w->n_acting = next->n_live;
     for (int i = 0; i < w->n_acting; i++) {
-        struct quick *p = &w->quick[next->live[i]];
-        w->acting[i] = p;
-        p->force = next->link[p->index].force;
-        s->largest = number_max(s->largest, fabs(p->force));
-        gather(w, next, p);
+        int k = next->live[i];
+        w->acting[i] = &w->quick[k];
+        w->quick[k].force = next->link[k].force;
+        s->largest = number_max(s->largest, fabs(next->link[k].force));
     }
+}
+
+// What a link sees.
+static inline double sees(const struct work *w, const struct quick *p) {
+    return w->correction[p->end[0]] - w->correction[p->end[1]];
+}
+
+void quick_take(struct work *w, const struct state *next, int first, int end, struct progress *s) {
+    for (int i = first; i < end; i++) {
+        struct quick *p = w->acting[i];
+        gather(w, next, p);
+        ask(w, p, sees(w, p), s);
+    }
+    s->loosest = s->enough;
 }
 
 void quick_ask(struct work *w, struct progress *s) {
     bool looser = s->loosest > LOOSER * s->enough;
-    for (int i = 0; i < w->n_acting; i++) {
+    for (int i = 0, n = looser ? w->n_acting : 0; i < n; i++) {
         struct quick *p = w->acting[i];
-        if (p->ask || looser) {
-            p->ask = true;
-            ask(w, p, w->correction[p->end[0]] - w->correction[p->end[1]], s);
-        }
+        p->ask = true;
+        ask(w, p, sees(w, p), s);
     }
     s->loosest = looser ? s->enough : number_max(s->loosest, s->enough);
 }
@@ -187,7 +201,7 @@ static inline bool negligible(const struct work *w, const struct quick *p, doubl
     double q = fabs(w->correction[left]) + fabs(w->correction[right]);
     double d = fabs(w->u_trial[left]) + fabs(w->u_trial[right]) + p->gap + w->b * q;
     double v = fabs(w->v_trial[left]) + fabs(w->v_trial[right]) + w->g * q;
-    double change = 4.0 * DBL_EPSILON * (fabs(p->law.dfdd) * d + fabs(p->law.dfdv) * v);
+    double change = 4.0 * DBL_EPSILON * (fabs(p->dfdd) * d + fabs(p->dfdv) * v);
     return fabs(df) <= change * p->damped;
 }
 
@@ -244,18 +258,16 @@ static inline bool stays_open(const struct work *w, const struct quick *p, doubl
     return true;
 }
 
-LANES int quick_sweep(struct work *w, int first, struct progress *progress) {
-    struct progress found = *progress, *s = &found;
+LANES int quick_sweep(struct work *w, int first, int end, struct progress *s) {
     int i = first;
-    for (int n = w->n_acting; i < n; i++) {
+    for (; i < end; i++) {
         struct quick *p = w->acting[i];
-        double x = w->correction[p->end[0]] - w->correction[p->end[1]];
-        bool known = !p->ask && (is_known(p, x) || ask(w, p, x, s));
+        double x = sees(w, p);
+        bool known = (!p->ask && is_known(p, x)) || ask(w, p, x, s);
         if (known ? !step(w, p, x, s) : !stays_open(w, p, x, s)) {
             break;
         }
         s->largest = number_max(s->largest, fabs(p->force));
     }
-    *progress = found;
     return i;
 }

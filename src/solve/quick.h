@@ -13,40 +13,40 @@
 // too, what asking the law needs, and the rest.
 struct quick {
     alignas(LANES_LINE) int end[2];  // among the arrays of struct chain
-    int index;                       // of the link
+    enum branch branch;              // that its force is on
     bool ask;                        // the law must be asked again, if it is trusted
     bool trusted;                    // it is on the closed branch: a Newton step may start there
     bool open;                       // its force is 0 as long as d <= 0
-    bool smooth;                     // its law is CONTACT_SMOOTH
+    bool clamped;                    // its law may pull, but is not let
     // The force, and what the law said when it was asked, with the correction x = asked.
     double force;       // [F]
     double base, rate;  // a Newton step from asked + dx changes the force by base + rate dx
     double asked;       // [L/T^2] difference of the corrections of its ends
-    double reach;       // [L/T^2] how far from there until the law must be asked again,
-    double unmoved;     // 1 / the sum of |S_lm| over all other links, which is this at least
+    double reach;       // [L/T^2] how far from there until the law must be asked again
+    double unmoved;     // 1 / the most that |S_lm| of all other links may add up to
 
-    double near;              // [L/T^2] how far a step may lead
+    double near;              // [L/T^2] how far a step may lead from there
     double damped;            // 1 / (1 + S_ll t)
     double flexibility;       // S_ll
-    int first[2];             // of the floors that feel its force, at either end
+    double others;            // the sum of |S_lm| as a share of that, at most
+    const double *column[2];  // what floors feel of its force: of A^-1,
+    int first[2];             // from these on, at either end
     int lanes[2];             // how many they are, in whole lanes; 0 for a wall
-    const double *column[2];  // what they feel: of A^-1, from `first` on
-    double others;            // the sum of |S_lm| as a share of S_ll, at most
 
     double d_trial, v_trial;         // [L] [L/T] without corrections
+    double dfdd;                     // [F/L] what the law said,
     const struct contact_law *kind;  // of its law,
     const double *constant;          // with these
     const double *history;           // and this
-    struct contact_response law;     // what it said
+    double dfdv;                     // [F T/L] and this
+    double gap;                      // [L]
 
+    long factors;    // work.factors that flexibility and columns are of
+    double fits_to;  // [L] penetration up to which steps are short enough for its spring
+    double checked;  // [T] step with which its start or end was last resolved; 0: none
+    double kept;     // [F] to step back to
     const struct link *link;
-    double gap;          // [L]
-    long factors;        // work.factors that flexibility and columns are of
-    double fits_to;      // [L] penetration up to which steps are short enough for its spring
-    double checked;      // [T] step with which its end was last resolved
-    double kept;         // [F] to step back to
-    enum branch branch;  // that its force is on
-    bool clamped;        // its law may pull, but is not let
+    int index;  // of the link
     bool bilateral;
     bool moving_ground;
 };
@@ -68,18 +68,21 @@ struct progress {
 // What does not change of link k.
 void quick_init(struct quick *p, const struct model *m, int k);
 
-// The rest for the live links of `next`, which act from then on; *progress is that before the first
-// sweep.
+// The live links of `next` act from now on; *progress is that of a guess.
 void quick_gather(struct work *w, const struct state *next, struct progress *progress);
 
-// Asks the laws that must be asked before a sweep.
+// Gathers what changes from step to step of acting links `first` to end - 1, and asks their laws.
+void quick_take(struct work *w, const struct state *next, int first, int end,
+                struct progress *progress);
+
+// Asks all laws again if what is enough has become much less.
 void quick_ask(struct work *w, struct progress *progress);
 
 // Moves the ends of the link by what a change df of its force does to them.
 void quick_push(const struct work *w, const struct quick *p, double df);
 
-// Takes Newton steps on the acting links from number `first` on, until one that is not safe;
-// returns its number, or w->n_acting.
-int quick_sweep(struct work *w, int first, struct progress *progress);
+// Takes Newton steps on acting links `first` to end - 1, until one that is not safe; returns its
+// number, or `end`.
+int quick_sweep(struct work *w, int first, int end, struct progress *progress);
 
 #endif

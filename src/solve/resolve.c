@@ -37,7 +37,8 @@ static bool fits_spring(const struct work *w, struct quick *p, struct contact_re
                            ? r.dfdd
                            : p->kind->force(p->constant, p->history, d, 0.0).dfdd;
     double coarse = stiffness * p->flexibility * w->h * w->h;
-    p->fits_to = p->smooth && 4.0 * coarse <= COARSEST_SPRING ? 2.0 * d : 0.0;
+    p->fits_to =
+        (p->kind->traits & CONTACT_SMOOTH) && 4.0 * coarse <= COARSEST_SPRING ? 2.0 * d : 0.0;
     return coarse <= COARSEST_SPRING;
 }
 
@@ -60,24 +61,23 @@ static bool at_rest(const struct work *w, const struct path *p) {
 // resolved with a step as long.
 static bool starts_resolved(const struct work *w, const struct state *now, struct quick *p) {
     int k = p->index;
-    bool seen = w->quick[k].checked >= w->h && now->link[k].t_close < now->time;
-    return !now->link[k].closed || seen ||
+    return !now->link[k].closed || p->checked >= w->h ||
            resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
 }
 
 // A settled link has its tangents already, so near to the end of the step that it does not matter.
 static bool ends_resolved(const struct work *w, struct quick *p, const struct path *path) {
     return p->branch != BRANCH_CLOSED ||
-           (!p->ask ? fits(w, p, p->law, path->d1) : resolved_at(w, p, path->d1, path->v1));
+           (!p->ask
+                ? fits(w, p, (struct contact_response){.dfdd = p->dfdd, .dfdv = p->dfdv}, path->d1)
+                : resolved_at(w, p, path->d1, path->v1));
 }
 
 // Is what usually holds enough: the start has been looked at, the end has its tangents, and its
 // spring is no stiffer than has been looked at?
-static inline bool seen_before(const struct work *w, const struct state *now, const struct quick *p,
-                               double d) {
+static inline bool seen_before(const struct work *w, const struct quick *p, double d) {
     return p->checked >= w->h && !p->ask && d <= p->fits_to &&
-           w->g * p->flexibility * p->law.dfdv <= COARSEST_DASHPOT &&
-           now->link[p->index].t_close < now->time && now->link[p->index].closed;
+           w->g * p->flexibility * p->dfdv <= COARSEST_DASHPOT;
 }
 
 static bool resolved(struct work *w, const struct state *now, const struct state *next,
@@ -97,17 +97,17 @@ static bool resolved(struct work *w, const struct state *now, const struct state
            resolve_negligible(w, now->link[k].closed ? path.v0 : next->link[k].v_close);
 }
 
-bool resolve_suffices(struct work *w, const struct state *now, const struct state *next) {
-    for (int i = 0; i < w->n_acting; i++) {
-        struct quick *p = w->acting[i];
-        double x = w->correction[p->end[0]] - w->correction[p->end[1]];
-        double d = p->d_trial + w->b * x;
-        if (seen_before(w, now, p, d)) {
-            p->checked = w->h;
-        } else if (!p->bilateral && !p->kind->rebound && !resolved(w, now, next, p, x, d)) {
-            w->unresolved = p->index;
-            return false;
-        }
+bool resolve_suffices(struct work *w, const struct state *now, const struct state *next,
+                      struct quick *p) {
+    double x = w->correction[p->end[0]] - w->correction[p->end[1]];
+    double d = p->d_trial + w->b * x;
+    if (seen_before(w, p, d)) {
+        p->checked = w->h;
+        return true;
     }
-    return true;
+    if (p->bilateral || p->kind->rebound || resolved(w, now, next, p, x, d)) {
+        return true;
+    }
+    w->unresolved = p->index;
+    return false;
 }

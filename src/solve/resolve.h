@@ -5,12 +5,15 @@
 
 #include "solve/work.h"
 
+struct quick;
+
 // A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
 // gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
-// impacts make nonsense of a run. True if the trial step from `now` to `next` resolves every active
-// contact, or if there is nothing to resolve because it is pressed together and hardly moves; else
-// w->unresolved is the contact that needs a shorter step.
-bool resolve_suffices(struct work *w, const struct state *now, const struct state *next);
+// impacts make nonsense of a run. True if the trial step from `now` to `next` resolves the contact,
+// or if there is nothing to resolve because it is pressed together and hardly moves; else
+// w->unresolved says that it needs a shorter step.
+bool resolve_suffices(struct work *w, const struct state *now, const struct state *next,
+                      struct quick *p);
 
 // A contact this slow is at rest, whatever the step does to it: its energy is 1e-10 of the floors'.
 // Without that a body that bounces to rest would ask for ever shorter steps.

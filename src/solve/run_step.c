@@ -35,7 +35,7 @@ int run_poll(struct run *r, double time) {
 static int commit(struct run *r) {
     struct results *out = r->results;
     if (few_serves(&r->work)) {
-        few_account(&r->work.few, &r->energy, out, r->model, r->now, r->next);
+        r->work.few.steps->account(r->work.few.table, &r->energy, out, r->model, r->now, r->next);
     } else {
         account_step(&r->energy, out, &r->work.floors.late, r->model, r->now, r->next);
     }
@@ -73,7 +73,8 @@ static int spend_cut(struct run *r, double h, int cuts) {
 
 // Steps to the instant of an event with its link held as it was. Where the step is long the instant
 // is only an estimate: it is mended until the link stands near d = 0, or where it stood before if
-// it was inside by an error. STATUS_RETRY: not found.
+// it was inside by an error; where other contacts make it jump past that, the instant before is
+// taken. STATUS_RETRY: not found.
 static int step_to_event(struct run *r, struct event *event, double end, double h) {
     bool opens = r->now->link[event->link].closed;
     double sign = opens ? -1.0 : 1.0;
@@ -89,12 +90,13 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
         double d = r->next->delta[event->link] - start;
         double v = state_rate(r->next, r->model, event->link);
         *(sign * d < 0.0 ? &low : &high) = event->time;
-        bool near = fabs(d) <= located * fabs(v) * h || high - low <= 1e-9 * h;
-        if (status != STATUS_OK || near) {
+        bool near = fabs(d) <= located * fabs(v) * h;
+        bool narrow = high - low <= 1e-9 * h;
+        if (status != STATUS_OK || near || (narrow && (sign * d <= 0.0 || low == 0.0))) {
             return status;
         }
         double time = event->time - d / v;
-        event->time = time > low && time < high ? time : 0.5 * (low + high);
+        event->time = narrow ? low : time > low && time < high ? time : 0.5 * (low + high);
     }
     return r->work.strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
@@ -108,6 +110,10 @@ static int jump(struct run *r, const struct event *event) {
 // Lets the bodies of a rigid contact meet.
 static int meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
+    if (event_is_idle(r->now, m, event->link)) {
+        impulse_hold(r->now, m, event->link, r->meeting);
+        return impacts_meet(&r->impacts, r->results, m, r->now, r->meeting, r->error);
+    }
     bool chatters = r->events[event->link] > EVENTS_RIGID_MAX;
     enum rebound rebound = chatters ? REBOUND_NONE : REBOUND_BY_LAW;
     const struct least_bounce least = {
@@ -173,6 +179,10 @@ int run_step(struct run *r, double end, double h, int cuts, double *rest) {
     }
     if (r->model->adaptive && step_length_judge(&r->length, r->now, r->next, h) != STATUS_OK) {
         r->work.unresolved = -1;
+        return STATUS_RETRY;
+    }
+    if (r->work.strictness == STEP_STRICT && !r->model->adaptive &&
+        event_is_abrupt(&r->work, r->now, r->next)) {
         return STATUS_RETRY;
     }
     struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);

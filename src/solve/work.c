@@ -56,6 +56,7 @@ static double crowd_of(const struct work *w, const struct model *m) {
 static void fill_links(struct work *w, const struct model *m) {
     for (int k = 0; k < m->n_link; k++) {
         quick_init(&w->quick[k], m, k);
+        w->commits |= m->link[k].law->commit != NULL;
         if (m->link[k].law->rebound) {
             w->rigid[w->n_rigid++] = k;
         }
@@ -67,6 +68,7 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
         .model = m,
         .totals = totals,
         .splitting = m->adaptive ? SPLIT_ALWAYS : SPLIT_JUMPS,
+        .ahead.from = -EXCITATION_AHEAD,
         .unresolved = -1,
         .held = -1,
         .block_max = m->n_link < BLOCK_MAX ? m->n_link : BLOCK_MAX,

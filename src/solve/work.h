@@ -6,6 +6,7 @@
 
 #include "solve/chain.h"
 #include "solve/effective.h"
+#include "solve/excitation.h"
 #include "solve/few.h"
 #include "solve/floors.h"
 #include "solve/gaps.h"
@@ -34,13 +35,14 @@ struct work {
     struct effective *other;      // (n_building) for those that were cut
     double h;                     // [T] step of the factors; 0: none yet
     long factors;                 // counts the factorisations of the step in hand
-    double b, g;                  // beta h^2 and gamma h
-    double per_b, per_g;          // 1 / b and 1 / g; b may be 0
+    double b, per_b;              // beta h^2, which may be 0, and 1 / b
+    double g, per_g;              // gamma h and 1 / g
     enum strictness strictness;
     enum splitting splitting;
     int unresolved;  // link that last asked for a shorter step; -1: none did
     int held;        // link that stays open or closed in this step; -1: none
 
+    struct excitation_ahead ahead;  // of steps of the model's size
     struct floors floors;
     struct few few;             // what models with few floors need
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
@@ -55,6 +57,7 @@ struct work {
     int n_acting;                   // live links whose forces are being solved for,
     struct quick **acting;          // (n_link) in ascending order
     double crowd;                   // most links with a force law that any floor has
+    bool commits;                   // some law remembers what happens in contact
     int n_toggled, *toggled;        // links that have closed or opened in the step in hand
     int n_rigid, *rigid;            // contacts of laws without a force
     double *kept_q;                 // (n_dof) to step back to

@@ -16,23 +16,18 @@ static const double FAR = 1024.0;  // [m]
 
 // All jobs.
 struct work {
-    const struct gap_runs *suite;
+    const struct gap_runs *runs;
     struct shelf *records;
     long n, next, n_done;  // the last two are guarded by the lock
 };
 
 // One run of one case.
 struct job {
-    const struct gap_runs *suite;
+    const struct gap_runs *runs;
     const struct gap_runs_case *which;
     struct workers *workers;
     double *value;
 };
-
-static void fail(struct study_outcome *outcome, const char *text) {
-    outcome->status = STUDY_FAILED;
-    snprintf(outcome->message, sizeof outcome->message, "%s", text);
-}
 
 // The contacts of `m` with the gap; NULL: no memory.
 static struct link *links_at(const struct model *m, double gap) {
@@ -84,9 +79,9 @@ static int analyse(struct job *job, const struct model *m, const struct model *d
         return status;
     }
     if (isinf(job->which->gap) && any_closed(m, results)) {
-        fail(outcome, "a contact would close a gap of 1024 m");
+        trial_fail(outcome, "a contact would close a gap of 1024 m");
     } else {
-        status = job->suite->read(job->suite->context, m, deck, results, job->value, e);
+        status = job->runs->read(job->runs->context, m, deck, results, job->value, e);
     }
     results_free(results);
     return status;
@@ -107,7 +102,7 @@ static int use_model(void *context, const struct model *m, struct study_outcome 
         char text[STUDY_MESSAGE_MAX];
         snprintf(text, sizeof text, "contact %s is closed at t = 0 with a gap of %.6g",
                  closed->name, closed->gap);
-        fail(outcome, text);
+        trial_fail(outcome, text);
     } else {
         status = analyse(job, &changed, m, outcome, e);
     }
@@ -124,9 +119,9 @@ static long take(void *context, void *scratch) {
 static int do_job(void *context, struct workers *workers, long number, void *scratch,
                   struct error *e) {
     const struct work *w = context;
-    const struct gap_runs *s = w->suite;
+    const struct gap_runs *s = w->runs;
     const long n_run = s->which[0].plan->n_run;
-    struct job job = {.suite = s,
+    struct job job = {.runs = s,
                       .which = &s->which[number / n_run],
                       .workers = workers,
                       .value = s->value + (size_t)number * s->n_value};
@@ -151,12 +146,12 @@ static int poll_runs(void *context, struct workers *workers, struct error *e) {
     workers_lock(workers);
     const long n_done = w->n_done;
     workers_unlock(workers);
-    return w->suite->poll ? w->suite->poll(w->suite->context, n_done, e) : STATUS_OK;
+    return w->runs->poll ? w->runs->poll(w->runs->context, n_done, e) : STATUS_OK;
 }
 
 int gap_runs_run(const struct gap_runs *s, struct error *e) {
     struct work w = {
-        .suite = s, .records = shelf_create(SHELF_BYTES), .n = s->n_case * s->which[0].plan->n_run};
+        .runs = s, .records = shelf_create(SHELF_BYTES), .n = s->n_case * s->which[0].plan->n_run};
     const struct workers_request request = {
         .n_thread = w.n < s->n_thread ? (int)w.n : s->n_thread,
         .scratch = 1,  // none is needed: each job has its place in the results

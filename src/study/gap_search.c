@@ -16,7 +16,7 @@ enum { BISECTIONS_MAX = 200 };  // more than a double has digits
 
 struct search {
     const struct gap_search_request *request;
-    struct gap_runs suite;
+    struct gap_runs runs;
     struct gap_search *out;
     struct gap_runs_case *which;  // (n)
     struct plan *plan;            // (n) of decks with the parameter set
@@ -35,14 +35,13 @@ static int read_run(void *context, const struct model *m, const struct model *de
     }
     free(all);
     return status == STATUS_OK && isnan(*value)
-               ? error_set(e, STATUS_INPUT, "%s has no value; storeys of the deck have no height",
-                           q->edp.text)
+               ? error_set(e, STATUS_INPUT, "%s: the deck gives no storey heights", q->edp.text)
                : status;
 }
 
 static int poll_search(void *context, long n_done, struct error *e) {
     const struct search *s = context;
-    return s->suite.poll ? s->suite.poll(s->suite.context, n_done, e) : STATUS_OK;
+    return s->runs.poll ? s->runs.poll(s->runs.context, n_done, e) : STATUS_OK;
 }
 
 // Opens the deck with the parameter at `gap` as the plan of a case, to be given to close_plan.
@@ -106,8 +105,8 @@ static int open_case(struct search *s, int i, double gap, struct error *e) {
 // What the runs of a case say of its gap.
 static void judge(struct search *s, int i, struct gap_point *p) {
     const long n_run = s->n_run;
-    const double *value = s->suite.value + (size_t)i * (size_t)n_run;
-    const struct study_outcome *outcome = s->suite.outcome + (size_t)i * (size_t)n_run;
+    const double *value = s->runs.value + (size_t)i * (size_t)n_run;
+    const struct study_outcome *outcome = s->runs.outcome + (size_t)i * (size_t)n_run;
     for (long run = 0; run < n_run; run++) {
         if (outcome[run].status == STUDY_FAILED && p->n_failed++ == 0) {
             p->run = run;
@@ -127,20 +126,20 @@ static void judge(struct search *s, int i, struct gap_point *p) {
 
 static int run_cases(struct search *s, int n, struct error *e) {
     const size_t n_job = (size_t)n * (size_t)s->n_run;
-    struct gap_runs suite = s->suite;
-    suite.which = s->which;
-    suite.n_case = n;
-    suite.n_value = 1;
-    suite.read = read_run;
-    suite.poll = poll_search;
-    suite.context = s;
-    suite.outcome = calloc(n_job, sizeof *suite.outcome);
-    suite.value = calloc(n_job, sizeof *suite.value);
-    free(s->suite.outcome);
-    free(s->suite.value);
-    s->suite.outcome = suite.outcome;
-    s->suite.value = suite.value;
-    return suite.outcome && suite.value ? gap_runs_run(&suite, e) : error_no_memory(e);
+    struct gap_runs runs = s->runs;
+    runs.which = s->which;
+    runs.n_case = n;
+    runs.n_value = 1;
+    runs.read = read_run;
+    runs.poll = poll_search;
+    runs.context = s;
+    runs.outcome = calloc(n_job, sizeof *runs.outcome);
+    runs.value = calloc(n_job, sizeof *runs.value);
+    free(s->runs.outcome);
+    free(s->runs.value);
+    s->runs.outcome = runs.outcome;
+    s->runs.value = runs.value;
+    return runs.outcome && runs.value ? gap_runs_run(&runs, e) : error_no_memory(e);
 }
 
 // Runs n gaps and adds their points, in the order given.
@@ -212,18 +211,18 @@ static int search(struct search *s, struct error *e) {
 int gap_search_run(const struct gap_search_request *q, const struct gap_runs *how,
                    struct gap_search *out, struct error *e) {
     const size_t n = (size_t)q->n, capacity = n + BISECTIONS_MAX;
-    struct search s = {.request = q, .suite = *how, .out = out, .n_run = q->plan->n_run};
+    struct search s = {.request = q, .runs = *how, .out = out, .n_run = q->plan->n_run};
     *out = (struct gap_search){.gap = NAN, .below = NAN};
-    s.suite.outcome = NULL;
-    s.suite.value = NULL;
+    s.runs.outcome = NULL;
+    s.runs.value = NULL;
     out->point = calloc(capacity, sizeof *out->point);
     s.which = calloc(n, sizeof *s.which);
     s.plan = calloc(n, sizeof *s.plan);
     s.scratch = calloc((size_t)q->plan->n_run, sizeof *s.scratch);
     int status = out->point && s.which && s.plan && s.scratch ? search(&s, e) : error_no_memory(e);
     out->n_run = s.n_run;
-    free(s.suite.outcome);
-    free(s.suite.value);
+    free(s.runs.outcome);
+    free(s.runs.value);
     free(s.which);
     free(s.plan);
     free(s.scratch);

@@ -40,7 +40,7 @@ struct gap_search {
     double below;  // [L] not kept here; NAN: kept from request.from on
 };
 
-// `how` says how the suites are run; what they read is set here. *out must be given to
+// `how` says how runs are made; what they read is set here. *out must be given to
 // gap_search_close, whatever happens. Errors: those of gap_runs_run, STATUS_INPUT (the deck has no
 // such parameter, or another shape for its values; runs without a value of the EDP).
 int gap_search_run(const struct gap_search_request *q, const struct gap_runs *how,

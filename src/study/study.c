@@ -3,8 +3,8 @@
 #include "jostle/study.h"
 
 #include <string.h>
-#include <time.h>
 
+#include "core/wall.h"
 #include "jostle/study_merge.h"
 #include "motion/shelf.h"
 #include "study/identity.h"
@@ -26,12 +26,6 @@ struct study {
     struct shelf *records;           // for those that are run again
     double start;                    // wall time [s]
 };
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static int expect_file(void *context, const char *path, uint64_t sum, struct error *e) {
     struct study *s = context;
@@ -144,7 +138,7 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
     }
     content->n_kept = p->n_kept;
     content->n_thread = p->n_thread;
-    content->seconds = now() - s->start;
+    content->seconds = wall_seconds() - s->start;
     if (s->request->shard.n > 0) {
         status = portion_describe(&s->plan, &s->ledger, s->identity, &s->part, e);
         s->part.n_failed = p->n_failed;
@@ -209,7 +203,7 @@ static int find_or_run(struct study *s, struct study_progress *p, struct error *
 }
 
 int study_run(const struct study_request *q, struct study_progress *p, struct error *e) {
-    struct study s = {.request = q, .start = now()};
+    struct study s = {.request = q, .start = wall_seconds()};
     *p = (struct study_progress){.n_run = study_shard_size(&q->shard, q->first->deck->n_run)};
     int status = plan_init(&s.plan, q, e);
     if (status != STATUS_OK) {

@@ -6,7 +6,7 @@
 
 #include "jostle/ensemble.h"
 
-static void fail(struct study_outcome *outcome, const char *message) {
+void trial_fail(struct study_outcome *outcome, const char *message) {
     outcome->status = STUDY_FAILED;
     snprintf(outcome->message, sizeof outcome->message, "%s", message);
 }
@@ -16,7 +16,7 @@ static int fail_deck(struct study_outcome *outcome, const struct deck *deck, str
     if (diagnostics_cause(&deck->diagnostics, e) == STATUS_SYSTEM) {
         return STATUS_SYSTEM;
     }
-    fail(outcome, e->message);
+    trial_fail(outcome, e->message);
     return STATUS_OK;
 }
 
@@ -37,7 +37,7 @@ int trial_analyse(const struct model *m, const struct trial_watch *watch,
     *out = NULL;
     int status = analysis_run(m, &observer, out, e);
     if (status == STATUS_FAILED) {
-        fail(outcome, e->message);
+        trial_fail(outcome, e->message);
         *out = NULL;
         return STATUS_OK;
     }
@@ -102,7 +102,7 @@ int trial_values(const struct model *m, const struct results *r, double *value, 
 // What the run of a model came to.
 static int conclude(struct trial *t, struct ensemble_member *member) {
     if (member->status == STATUS_FAILED) {
-        fail(&t->outcome, member->error.message);
+        trial_fail(&t->outcome, member->error.message);
         return STATUS_OK;
     }
     if (member->status != STATUS_OK) {
@@ -115,7 +115,7 @@ static int conclude(struct trial *t, struct ensemble_member *member) {
 }
 
 int trial_most(const struct plan *p) {
-    return ensemble_suits(p->first) ? ENSEMBLE_MAX : 1;
+    return ensemble_pays() && ensemble_suits(p->first) ? ENSEMBLE_MAX : 1;
 }
 
 void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch) {

@@ -16,6 +16,9 @@ struct trial_watch {
     struct shelf *records;  // that all trials share
 };
 
+// Notes that a run failed, and why.
+void trial_fail(struct study_outcome *outcome, const char *message);
+
 // What is done with the model of a run. Errors as of trial_run.
 typedef int trial_use(void *context, const struct model *m, struct study_outcome *outcome,
                       struct error *e);

@@ -3,6 +3,8 @@
 #ifndef JOSTLE_BENCH_H
 #define JOSTLE_BENCH_H
 
+#include <time.h>
+
 #include "jostle/model.h"
 
 #define BENCH_TOLERANCE "3e-6"  // within 1e-6 m on the pair: docs/performance.md
@@ -62,6 +64,9 @@ bench_measure bench_build;
 
 // The clock of the processor [GHz]; 0: not known.
 double bench_clock(void);
+
+// Time [s] of a clock of the system.
+double bench_seconds(clockid_t clock);
 
 enum layout { LAYOUT_TABLE, LAYOUT_TABS };
 

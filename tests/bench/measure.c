@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "bench/bench.h"
@@ -16,19 +15,13 @@
 
 enum { PATH_SIZE = 4096 };
 
-static double clock_read(clockid_t clock) {
-    struct timespec t;
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 int bench_analysis(const struct bench_case *c, const struct model *m,
                    const struct bench_place *place, double *seconds, struct error *e) {
     (void)c, (void)place;
     struct results *results;
-    double start = clock_read(CLOCK_THREAD_CPUTIME_ID);
+    double start = bench_seconds(CLOCK_THREAD_CPUTIME_ID);
     int status = analysis_run(m, NULL, &results, e);
-    *seconds = clock_read(CLOCK_THREAD_CPUTIME_ID) - start;
+    *seconds = bench_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
     if (status == STATUS_OK) {
         results_free(results);
     }
@@ -57,9 +50,9 @@ int bench_ensemble(const struct bench_case *c, const struct model *m,
         model[k].link = link[k] ? link[k] : m->link;
         member[k].model = &model[k];
     }
-    double start = clock_read(CLOCK_THREAD_CPUTIME_ID);
+    double start = bench_seconds(CLOCK_THREAD_CPUTIME_ID);
     ensemble_run(member, ENSEMBLE_MAX, NULL);
-    *seconds = (clock_read(CLOCK_THREAD_CPUTIME_ID) - start) / ENSEMBLE_MAX;
+    *seconds = (bench_seconds(CLOCK_THREAD_CPUTIME_ID) - start) / ENSEMBLE_MAX;
     int status = STATUS_OK;
     for (int k = 0; k < ENSEMBLE_MAX; k++) {
         if (member[k].status != STATUS_OK) {
@@ -76,9 +69,9 @@ int bench_build(const struct bench_case *c, const struct model *m, const struct 
                 double *seconds, struct error *e) {
     (void)m, (void)place;
     struct model *built;
-    double start = clock_read(CLOCK_THREAD_CPUTIME_ID);
+    double start = bench_seconds(CLOCK_THREAD_CPUTIME_ID);
     int status = bench_model(c, &built, e);
-    *seconds = clock_read(CLOCK_THREAD_CPUTIME_ID) - start;
+    *seconds = bench_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
     if (status == STATUS_OK) {
         model_free(built);
     }
@@ -93,14 +86,14 @@ int bench_histories(const struct bench_case *c, const struct model *m,
     struct result_options options = {
         .path = path, .existing = RESULT_REPLACE, .command_line = "", .version = ""};
     struct result_writer *writer;
-    double start = clock_read(CLOCK_THREAD_CPUTIME_ID);
+    double start = bench_seconds(CLOCK_THREAD_CPUTIME_ID);
     int status = result_create(m, &options, &writer, e);
     if (status != STATUS_OK) {
         return status;
     }
     struct results *results;
     status = result_analyse(writer, NULL, &results, e);
-    *seconds = clock_read(CLOCK_THREAD_CPUTIME_ID) - start;
+    *seconds = bench_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
     if (status == STATUS_OK) {
         results_free(results);
         remove(path);
@@ -152,14 +145,14 @@ static int time_program(const char *program, const char *deck, const char *resul
     if (define_record(record, e) != STATUS_OK) {
         return e->status;
     }
-    double start = clock_read(CLOCK_MONOTONIC);
+    double start = bench_seconds(CLOCK_MONOTONIC);
     pid_t child = fork();
     if (child == 0) {
         run_program(program, deck, record, result);
     }
     int status = child < 0 ? error_set(e, STATUS_SYSTEM, "cannot fork: %s", strerror(errno))
                            : wait_for(child, program, e);
-    *seconds = clock_read(CLOCK_MONOTONIC) - start;
+    *seconds = bench_seconds(CLOCK_MONOTONIC) - start;
     return status;
 }
 

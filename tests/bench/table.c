@@ -81,7 +81,7 @@ void bench_head(enum layout layout) {
 static void print_columns(enum layout layout) {
     const char *format = layout == LAYOUT_TABS
                              ? "%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n"
-                             : "\n%-24s %7s %7s %10s %8s %7s %5s %8s %8s %6s %8s\n";
+                             : "\n%-28s %7s %7s %10s %8s %7s %5s %8s %8s %6s %8s\n";
     printf(format, "model", "dt s", "steps", "ns/step", "ns/dof", "spread", "runs", "limit",
            "target", "ratio", "by clock");
 }
@@ -116,7 +116,7 @@ static void print_row(const struct bench_case *c, const struct model *m, const s
     format_number(by_clock, sizeof by_clock, "%.2f", over * bench_clock() / TARGET_CLOCK);
     const char *format = layout == LAYOUT_TABS
                              ? "%s\t%g\t%ld\t%.4g\t%.3g\t%.0f\t%d\t%s\t%s\t%s\t%s\n"
-                             : "%-24s %7g %7ld %10.4g %8.3g %5.0f %% %5d %8s %8s %6s %8s\n";
+                             : "%-28s %7g %7ld %10.4g %8.3g %5.0f %% %5d %8s %8s %6s %8s\n";
     printf(format, c->name, c->dt, m->n_step, step, step / m->n_dof, spread, t->n, limit, target,
            ratio, by_clock);
     fflush(stdout);
@@ -131,7 +131,7 @@ static double memory(void) {
 static void print_built(const struct bench_case *c, const struct model *m, const struct times *t,
                         enum layout layout) {
     const char *format = layout == LAYOUT_TABS ? "%s\t%d\t%d\t%.4g\t%.3g\t%.0f\n"
-                                               : "%-24s %7d %7d %10.4g %8.3g %7.0f\n";
+                                               : "%-28s %7d %7d %10.4g %8.3g %7.0f\n";
     double seconds = median(t);
     printf(format, c->name, m->n_dof, m->n_link, 1e3 * seconds, 1e6 * seconds / m->n_dof, memory());
     fflush(stdout);
@@ -171,7 +171,7 @@ int bench_table(const struct bench_place *place, const char *filter, enum layout
 
 int bench_table_built(const struct bench_place *place, enum layout layout, struct error *e) {
     const char *format =
-        layout == LAYOUT_TABS ? "%s\t%s\t%s\t%s\t%s\t%s\n" : "\n%-24s %7s %7s %10s %8s %7s\n";
+        layout == LAYOUT_TABS ? "%s\t%s\t%s\t%s\t%s\t%s\n" : "\n%-28s %7s %7s %10s %8s %7s\n";
     printf(format, "built", "dofs", "links", "ms", "us/dof", "MiB");
     int status = STATUS_OK;
     for (int i = 0; status == STATUS_OK && i < n_bench_built; i++) {

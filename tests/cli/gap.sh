@@ -87,7 +87,7 @@ refuses "limit 1mm is a length; force needs a force (kN)" swing.deck --limit for
 refuses "force:X: unknown contact; 1 known: A:1-wall" swing.deck --limit force:X=1
 refuses "drift:X: unknown building; known: A" swing.deck --limit drift:X=1
 refuses "drift:A:2: building A has 1 floor" swing.deck --limit drift:A:2=1
-refuses "drift-ratio has no value; storeys of the deck have no height" swing.deck --limit drift-ratio=1%
+refuses "drift-ratio: the deck gives no storey heights" swing.deck --limit drift-ratio=1%
 refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 1:0:3
 refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 0:1:1
 refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 0kN:1:3

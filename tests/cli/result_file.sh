@@ -39,7 +39,9 @@ two_buildings packed.deck 'output -every 1 -compress 6'
 run "$jostle" run -q packed.deck
 two_buildings loose.deck 'output -every 1'
 run "$jostle" run -q loose.deck
-expect "decks with few fields and without contacts run" '[ $status -eq 0 ] && only {pair,lean,alone,packed,loose}.{deck,h5}'
+two_buildings long.deck 'output -every 1 -fields displacement' 'duration 5'
+run "$jostle" run -q long.deck
+expect "decks with few fields and without contacts run" '[ $status -eq 0 ] && only {pair,lean,alone,packed,loose,long}.{deck,h5}'
 expect "compressed histories take less room" '[ "$(wc -c <packed.h5)" -lt "$(wc -c <loose.h5)" ]'
 if command -v h5diff >/dev/null; then
     run h5diff packed.h5 loose.h5 /buildings/A/displacement /buildings/A/displacement
@@ -47,8 +49,14 @@ if command -v h5diff >/dev/null; then
 else
     skip "and are the same to the last bit" "no h5diff"
 fi
+if command -v h5dump >/dev/null; then
+    expect "histories that fit in one block are contiguous" 'h5dump -p -H -d /energy/input loose.h5 | grep -q CONTIGUOUS'
+    expect "longer ones are written in chunks" 'h5dump -p -H -d /energy/input long.h5 | grep -q CHUNKED'
+else
+    skip "histories that fit in one block are contiguous" "no h5dump"
+fi
 if python3 -c 'import h5py' 2>/dev/null; then
-    run python3 "$root/tests/support/check_result.py" pair.h5 lean.h5 alone.h5 packed.h5
+    run python3 "$root/tests/support/check_result.py" {pair,lean,alone,packed,long}.h5
     expect "names, units and dimension scales are right" '[ $status -eq 0 ]'
 else
     skip "names, units and dimension scales are right" "no h5py"

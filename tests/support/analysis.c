@@ -123,6 +123,27 @@ void analysis_free(struct analysis *a) {
     *a = (struct analysis){0};
 }
 
+static struct analysis storeys(const char *law, const char *step) {
+    return analysis_of("building A -floors 3 -mass 100t -stiffness 90MN/m\n"
+                       "damping A rayleigh 5%%\n"
+                       "storey A:all %s -yield 300kN -hardening 0.05\n"
+                       "ground record input/records/ELCENTRO_1940_NS.AT2 -scale 2\n"
+                       "duration 8\n%s\n",
+                       law, step);
+}
+
+void analysis_storey_laws_agree(const char *step, const char *other, double rtol) {
+    static const char *const law[] = {"bilinear", "bouc-wen", "clough", "takeda"};
+    for (size_t k = 0; k < sizeof law / sizeof law[0]; k++) {
+        struct analysis a = storeys(law[k], step), b = storeys(law[k], other);
+        for (int i = 0; i < 3; i++) {
+            assert_close(b.results->peak[PEAK_DRIFT][i], a.results->peak[PEAK_DRIFT][i], rtol);
+        }
+        analysis_free(&a);
+        analysis_free(&b);
+    }
+}
+
 long analysis_row(const struct analysis *a, double t) {
     for (long i = 0; i < a->rows.n; i++) {
         if (fabs(a->rows.time[i] - t) < 1e-9) {

@@ -3,6 +3,7 @@
 #include "model/guidance.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "jostle/spectrum.h"
 #include "model/floor_velocity.h"
@@ -99,6 +100,28 @@ static void a_storey_moves_as_the_spectrum_says(void **state) {
     model_free(m);
 }
 
+// A pulse of 0.04 s at 1 s acts in an analysis of 1.1 s, but not in one of 0.5 s.
+static void what_comes_after_the_end_moves_nothing(void **state) {
+    (void)state;
+    char text[1024] = "";
+    for (int i = 0; i < 60; i++) {
+        strcat(text, i == 51 ? "0.5\n" : "0\n");
+    }
+    const char *record = support_write("late.txt", text);
+    double velocity[2];
+    for (int i = 0; i < 2; i++) {
+        struct model *m =
+            analysis_model("building A -floors 1 -mass 100t -stiffness 20MN/m\n"
+                           "ground record %s -unit g -dt 0.02\nstep fixed 0.001\nduration %g\n",
+                           record, i == 0 ? 0.5 : 1.1);
+        struct error e;
+        assert_int_equal(floor_velocity(m, 0, &velocity[i], &e), STATUS_OK);
+        model_free(m);
+    }
+    assert_near(velocity[0], 0.0, 0.0);
+    assert_true(velocity[1] > 0.0);
+}
+
 // In resonance the velocity of an oscillator of damping z tends to a / (2 z omega).
 static void a_sine_in_resonance_is_amplified(void **state) {
     (void)state;
@@ -193,6 +216,7 @@ int main(void) {
         cmocka_unit_test(bodies_that_never_part_have_no_duration),
         cmocka_unit_test(a_model_at_rest_has_no_duration),
         cmocka_unit_test(a_storey_moves_as_the_spectrum_says),
+        cmocka_unit_test(what_comes_after_the_end_moves_nothing),
         cmocka_unit_test(a_sine_in_resonance_is_amplified),
         cmocka_unit_test(an_initial_velocity_of_a_mode_stays),
         cmocka_unit_test(a_spring_between_buildings_shortens_the_period),

@@ -107,6 +107,28 @@ static void a_pga_scales_the_largest_absolute_value_and_keeps_the_sign(void **st
     model_free(m);
 }
 
+// Before, at, between and after samples.
+static void values_at_many_times_are_those_at_each(void **state) {
+    (void)state;
+    struct model *m = analysis_model(TWO "ground record " RECORD " -delay 0.37\n" STEP);
+    const struct signal *s = &m->ground[0].signal[0];
+    enum { TIMES = 203 };
+    double time[TIMES], sum[TIMES] = {0.0};
+    for (int i = 0; i < TIMES; i++) {
+        time[i] = s->start + (i - 20) * (s->end - s->start) / 160.0;
+    }
+    time[0] = s->end + 2e-7 * s->dt;
+    time[1] = s->end + 2e-6 * s->dt;
+    signal_add_values(s, TIMES, time, sum);
+    double largest = 0.0;
+    for (int i = 0; i < TIMES; i++) {
+        assert_true(sum[i] == signal_value(s, time[i]));
+        largest = fmax(largest, fabs(sum[i]));
+    }
+    assert_true(largest > 0.0);
+    model_free(m);
+}
+
 static void gravity_sets_the_unit_g_of_records(void **state) {
     (void)state;
     struct model *m =
@@ -165,6 +187,13 @@ static void the_last_step_ends_at_the_duration(void **state) {
     assert_int_equal(m->n_step, 4);
     assert_close(model_time(m, 3), 0.9, 1e-14);
     assert_true(model_time(m, 4) == 1.0);
+    double time[4];
+    model_times(m, 2, 4, time);
+    for (int i = 0; i < 4; i++) {
+        assert_true(time[i] == model_time(m, 2 + i));
+    }
+    model_times(m, 7, 1, time);
+    assert_true(time[0] == 1.0);
     model_free(m);
     // 0.3 is 3 times 0.1 but for rounding: no fourth step of 4e-17 s.
     m = analysis_model(TWO "initial A:1 -velocity 1\nstep fixed 0.1\nduration 0.3\n");
@@ -317,6 +346,7 @@ int main(void) {
         cmocka_unit_test(a_sine_has_amplitude_frequency_phase_delay_and_cycles),
         cmocka_unit_test(a_record_is_scaled_delayed_and_converted),
         cmocka_unit_test(a_pga_scales_the_largest_absolute_value_and_keeps_the_sign),
+        cmocka_unit_test(values_at_many_times_are_those_at_each),
         cmocka_unit_test(gravity_sets_the_unit_g_of_records),
         cmocka_unit_test(the_longest_motion_sets_the_duration),
         cmocka_unit_test(loads_act_on_the_floors_named),

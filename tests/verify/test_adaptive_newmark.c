@@ -86,26 +86,9 @@ static void it_converges_to_what_dormand_prince_gives(void **state) {
 
 static void every_storey_law_agrees_with_dormand_prince(void **state) {
     (void)state;
-    const char *const law[] = {"bilinear", "bouc-wen", "clough", "takeda"};
-    const char *const step[] = {"step adaptive -tolerance 1e-8",
-                                "integrator newmark\nstep adaptive -tolerance 1e-9"};
-    for (size_t k = 0; k < sizeof law / sizeof law[0]; k++) {
-        struct analysis a[2];
-        for (int i = 0; i < 2; i++) {
-            a[i] = analysis_of("building A -floors 3 -mass 100t -stiffness 90MN/m\n"
-                               "damping A rayleigh 5%%\n"
-                               "storey A:all %s -yield 300kN -hardening 0.05\n"
-                               "ground record input/records/ELCENTRO_1940_NS.AT2 -scale 2\n"
-                               "duration 8\n%s\n",
-                               law[k], step[i]);
-        }
-        for (int i = 0; i < 3; i++) {
-            assert_close(a[1].results->peak[PEAK_DRIFT][i], a[0].results->peak[PEAK_DRIFT][i],
-                         1e-4);
-        }
-        analysis_free(&a[0]);
-        analysis_free(&a[1]);
-    }
+    // An error of 1e-9 a step, of second order, is some 1e-5 at the end; see the orders above.
+    analysis_storey_laws_agree("step adaptive -tolerance 1e-8",
+                               "integrator newmark\nstep adaptive -tolerance 1e-9", 1e-5);
 }
 
 static void the_longest_step_is_kept_and_the_shortest_ends_the_run(void **state) {

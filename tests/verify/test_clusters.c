@@ -27,7 +27,7 @@ static const double LARGEST_TOLERANCE = 1e-11;
 // Displacements and velocities are sums over all corrections: some roundings.
 static const double ROUNDINGS = 64.0;
 
-enum class { MONOTONE, PULLING, N_CLASS };
+enum kind { MONOTONE, PULLING, N_KIND };
 
 // What came of the clusters of a class.
 struct tally {
@@ -164,9 +164,10 @@ static double largest_force(const struct bench *b) {
     return largest;
 }
 
-// The force of a rigid contact at rest keeps a velocity, unless it would have to pull.
+// The force of a rigid contact at rest keeps a velocity, unless it would have to pull: that which
+// brings half of d back in a step of the deck.
 static bool rests(const struct bench *b, int k) {
-    double v = state_rate(&b->next, b->model, k) + 0.5 * b->now.delta[k] / b->work.h;
+    double v = state_rate(&b->next, b->model, k) + 0.5 * b->now.delta[k] / b->model->dt;
     double around = rounding(b, b->work.v_trial, b->next.v) +
                     b->work.g * b->work.quick[k].flexibility * LARGEST_TOLERANCE * largest_force(b);
     double f = b->next.link[k].force;
@@ -188,11 +189,13 @@ static bool obeys(const struct bench *b, int k) {
     return f >= span.low - allowed && f <= span.high + allowed;
 }
 
-static enum class class_of(const struct model *m) {
-    for (int k = 0; k < m->n_contact;
-         k++){if (m->link[k].law->traits & CONTACT_MAY_PULL){return PULLING;}
-}
-return MONOTONE;
+static enum kind kind_of(const struct model *m) {
+    for (int k = 0; k < m->n_contact; k++) {
+        if (m->link[k].law->traits & CONTACT_MAY_PULL) {
+            return PULLING;
+        }
+    }
+    return MONOTONE;
 }
 
 static bool undecided(const struct bench *b) {
@@ -255,7 +258,7 @@ static void take_cluster(uint64_t seed, struct tally *tally) {
                 work_alloc(&b.work, b.model, &b.totals, b.arena));
     b.work.strictness = STEP_ACCEPT;
     for (int i = 0; i < STEPS_EACH; i++) {
-        take(&b, &tally[class_of(b.model)], seed, i);
+        take(&b, &tally[kind_of(b.model)], seed, i);
     }
     arena_free(b.arena);
     model_free(b.model);
@@ -266,8 +269,8 @@ static const uint64_t hard[] = {5000, 7838, 16965, 25771, 29864, 77429, 81545, 8
 
 static void every_step_of_a_random_cluster_is_solved_and_obeys_the_laws(void **state) {
     (void)state;
-    static const char *const name[N_CLASS] = {"monotone", "pulling"};
-    struct tally tally[N_CLASS] = {0};
+    static const char *const name[N_KIND] = {"monotone", "pulling"};
+    struct tally tally[N_KIND] = {0};
     uint64_t n = getenv("JOSTLE_LONG") ? 100000 : 1000;
     for (uint64_t seed = 1; seed <= n; seed++) {
         take_cluster(seed, tally);
@@ -275,14 +278,14 @@ static void every_step_of_a_random_cluster_is_solved_and_obeys_the_laws(void **s
     for (size_t i = 0; i < sizeof hard / sizeof hard[0]; i++) {
         take_cluster(hard[i], tally);
     }
-    for (int i = 0; i < N_CLASS; i++) {
+    for (int i = 0; i < N_KIND; i++) {
         const struct tally *t = &tally[i];
         print_message("%s: %ld steps, %ld links, %ld sweeps, at most %ld; %ld unsolved, %ld wrong, "
                       "%ld without a solution\n",
                       name[i], t->n, t->links, t->iterations, t->worst, t->unsolved, t->wrong,
                       t->undecided);
     }
-    for (int i = 0; i < N_CLASS; i++) {
+    for (int i = 0; i < N_KIND; i++) {
         assert_int_equal(tally[i].unsolved + tally[i].wrong, 0);
     }
     assert_int_equal(tally[MONOTONE].undecided, 0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Clough's storey: bilinear backbone, unloading with the initial stiffness, and reloading towards
 // the largest drift so far (law/peak_oriented.h with alpha = beta = 0).
-#include <math.h>
 
 #include "law/peak_oriented.h"
 #include "law/storey_list.h"

@@ -2,7 +2,6 @@
 // Takeda's storey with a bilinear backbone, for reinforced concrete that is cracked from the start:
 // unloading softens with the drift reached, reloading aims short of it (law/peak_oriented.h).
 // Takeda, Sozen & Nielsen's own backbone has a third line, from cracking to yield.
-#include <math.h>
 
 #include "law/peak_oriented.h"
 #include "law/storey_list.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string.h>
 
-#include "core/arena.h"
 #include "model/signals.h"
 #include "model/statement.h"
 #include "motion/shelf.h"

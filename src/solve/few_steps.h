@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The steps of few.h, for vectors of one width: see few_loops.h. FEW_CLONES stands in front of the
+// functions, and FEW_STEPS is the name of what they make up. In free flight all is in registers
+// between steps but for the displacements, which the gaps want.
+#ifndef JOSTLE_FEW_STEPS_H
+#define JOSTLE_FEW_STEPS_H
+
+#include "solve/few_loops.h"
+
+// *sign gets negative where a contact closes or is nearer than ever.
+LANES_INLINE void few_look(const struct flight *f, const double *u, few_bits *sign) {
+    const double *gap = f->gap;
+    for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++) {
+        const double *left = u + g->dof[0], *right = u + g->dof[1];
+        const double *limit = f->work->gaps.limit + g->contact;
+        EACH_VECTOR(i, PER_EIGHT) {
+            few_lanes delta = PART(left, i) - PART(right, i) - PART(gap, i);
+            *sign |= (few_bits)(PART(limit, i) - delta);
+        }
+        gap += LANES_WIDTH;
+    }
+}
+
+// The state after a step, with its displacements in `shown` too.
+LANES_INLINE void few_step(const struct work *w, const struct floors_lines *lines, int n,
+                           const struct few_floors *now, double ground, double *shown,
+                           struct few_floors *next, few_bits *beyond) {
+    alignas(LINE) double residual[FEW_MAX];
+    struct few_floors trial;
+    few_lanes q[VECTORS];
+    few_try(w, lines, n, now, ground, &trial, residual, beyond);
+    few_solve(&w->few, n, residual, q);
+    few_reach(w, n, now, &trial, q, next);
+    few_put(next->u, n, shown);
+    few_strain(w->few.table, lines, n, next, beyond);
+}
+
+LANES_INLINE void few_add_storey_works(int n, const struct few_floors *now,
+                                       const struct few_floors *next, double *work) {
+    EACH_VECTOR(j, n) {
+        *(few_lanes *)(work + j * WIDTH) +=
+            (now->shear[j] + next->shear[j]) * (next->drift[j] - now->drift[j]);
+    }
+}
+
+LANES_INLINE void few_get(double *x, const double *from, int n) {
+    EACH_VECTOR(j, n) {
+        *(few_lanes *)(x + j * WIDTH) = PART(from, j);
+    }
+}
+
+LANES_INLINE void few_get_peaks(struct few_table *t, const struct results *r, int n) {
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        few_get(t->peak[q], r->peak[q], n);
+    }
+}
+
+LANES_INLINE void few_get_lines(struct few_table *t, const struct floors_lines *lines, int n) {
+    few_get(t->back, lines->back, n);
+    few_get(t->spring, lines->spring, n);
+    few_get(t->rest, lines->rest, n);
+    few_get(t->limit, lines->limit, n);
+}
+
+// Takes a step in flight to `time` into the peaks. False: it is none.
+LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_lines *lines, int n,
+                                const struct few_floors *next, const double *shown, double time,
+                                double ground, struct state *s) {
+    enum nearness near = floors_look(f, 0, f->n_group, shown, s->ground_u);
+    if (near == NEARNESS_CLOSED || !few_raise(f->results, n, next, time, ground)) {
+        return false;
+    }
+    few_get_peaks(f->work->few.table, f->results, n);
+    if (near == NEARNESS_DEEPEST) {
+        few_store(next, lines, n, s);
+        s->time = time;
+        flight_deepen(f, s);
+    }
+    return true;
+}
+
+// Takes steps of a model of n vectors from number `from` to number `end`, or until one is none in
+// free flight; returns the one reached. Between steps all is in registers.
+LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lines, int n,
+                          struct state *s, long from, long end) {
+    const struct work *w = f->work;
+    struct few_table *t = w->few.table;
+    double *const peak[PEAK_COUNT] = {t->peak[0], t->peak[1], t->peak[2], t->peak[3], t->peak[4]};
+    alignas(LINE) double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
+    struct few_floors now;
+    struct few_works works;
+    double time = s->time, ground = s->ground_a[0];
+    few_load(s, lines, n, &now);
+    few_load_works(f->energy, &works);
+    few_get_peaks(t, f->results, n);
+    if (lines) {
+        few_get_lines(t, lines, n);
+    }
+    long step = from;
+    for (; step < end; step++) {
+        struct few_floors next;
+        few_bits beyond = {0}, news = {0};
+        const long ahead = step + 1 - w->ahead.from;
+        few_step(w, lines, n, &now, w->ahead.ground[ahead], shown, &next, &beyond);
+        few_compare(peak, lines, n, &next, w->ahead.ground[ahead], &news);
+        few_look(f, shown, &news);
+        news |= beyond;
+        if (few_any(&news) < 0 &&
+            (few_any(&beyond) < 0 || !few_take_note(f, lines, n, &next, shown, w->ahead.time[ahead],
+                                                    w->ahead.ground[ahead], s))) {
+            break;
+        }
+        few_add_works(t, n, &now, &next, ground + w->ahead.ground[ahead], &works);
+        if (lines) {
+            few_add_storey_works(n, &now, &next, f->energy->storey_2x);
+        }
+        now = next;
+        time = w->ahead.time[ahead];
+        ground = w->ahead.ground[ahead];
+    }
+    few_store(&now, lines, n, s);
+    few_store_works(&works, f->energy);
+    s->time = time;
+    s->ground_a[0] = ground;
+    return step;
+}
+
+FEW_CLONES static long fly(const struct flight *f, struct state *s, long n, long end) {
+    return is_low(f->model) ? few_fly(f, NULL, VECTORS / 2, s, n, end)
+                            : few_fly(f, NULL, VECTORS, s, n, end);
+}
+
+FEW_CLONES static long fly_on_lines(const struct flight *f, struct state *s, long n, long end) {
+    const struct floors_lines lines = floors_lines_of(f, s);
+    return is_low(f->model) ? few_fly(f, &lines, VECTORS / 2, s, n, end)
+                            : few_fly(f, &lines, VECTORS, s, n, end);
+}
+
+LANES_INLINE bool move(struct work *w, const struct state *now, struct state *next, int n) {
+    alignas(LINE) double residual[FEW_MAX];
+    struct few_floors start, trial, end;
+    few_lanes q[VECTORS];
+    few_bits sign = {0};
+    few_load(now, NULL, n, &start);
+    few_try(w, NULL, n, &start, next->ground_a[0], &trial, residual, &sign);
+    state_add_link_forces(next, w->model, residual);
+    few_solve(&w->few, n, residual, q);
+    few_reach(w, n, &start, &trial, q, &end);
+    few_put(trial.u, n, w->u_trial);
+    few_put(trial.v, n, w->v_trial);
+    few_put(q, n, w->correction);
+    few_store(&end, NULL, n, next);
+    few_weigh(n, &end, &sign);
+    return few_any(&sign) >= 0;
+}
+
+FEW_CLONES static bool take_step(struct work *w, const struct state *now, struct state *next) {
+    return is_low(w->model) ? move(w, now, next, VECTORS / 2) : move(w, now, next, VECTORS);
+}
+
+LANES_INLINE void correct(const struct work *w, const struct state *now, struct state *next,
+                          int n) {
+    struct few_floors start, trial, end;
+    few_lanes q[VECTORS];
+    EACH_VECTOR(j, n) {
+        start.a[j] = PART(now->a, j);
+        trial.u[j] = PART(w->u_trial, j);
+        trial.v[j] = PART(w->v_trial, j);
+        q[j] = PART(w->correction, j);
+    }
+    few_reach(w, n, &start, &trial, q, &end);
+    few_store(&end, NULL, n, next);
+}
+
+FEW_CLONES static void take_corrections(const struct work *w, const struct state *now,
+                                        struct state *next) {
+    is_low(w->model) ? correct(w, now, next, VECTORS / 2) : correct(w, now, next, VECTORS);
+}
+
+LANES_INLINE void account(const struct few_table *t, struct energy_account *a, struct results *r,
+                          const struct state *now, const struct state *next, int n) {
+    struct few_floors start, end;
+    struct few_works works;
+    few_bits sign = {0};
+    few_load(now, NULL, n, &start);
+    few_load(next, NULL, n, &end);
+    few_strain(t, NULL, n, &end, &sign);
+    few_load_works(a, &works);
+    few_add_works(t, n, &start, &end, now->ground_a[0] + next->ground_a[0], &works);
+    few_store_works(&works, a);
+    few_compare(r->peak, NULL, n, &end, next->ground_a[0], &sign);
+    if (few_any(&sign) < 0) {
+        (void)few_raise(r, n, &end, next->time, next->ground_a[0]);
+        peaks_speed(r, 0, n * WIDTH);
+    }
+}
+
+FEW_CLONES static void take_account(const struct few_table *t, struct energy_account *a,
+                                    struct results *r, const struct model *m,
+                                    const struct state *now, const struct state *next) {
+    is_low(m) ? account(t, a, r, now, next, VECTORS / 2) : account(t, a, r, now, next, VECTORS);
+}
+
+const struct few_steps FEW_STEPS = {
+    .fly = fly,
+    .fly_on_lines = fly_on_lines,
+    .move = take_step,
+    .correct = take_corrections,
+    .account = take_account,
+};
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps of few floors in vectors of eight, for processors with such registers: elsewhere what is
+// carried from one step to the next would be in memory, and neighbours be taken one by one.
+#include "solve/floor_loops.h"
+
+#ifdef LANES_WIDEST
+
+typedef lanes_wide few_lanes;
+typedef lanes_wide_bits few_bits;
+#define FEW_BELOW(under, own) __builtin_shufflevector(under, own, 7, 8, 9, 10, 11, 12, 13, 14)
+#define FEW_ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4, 5, 6, 7, 8)
+#define FEW_CLONES __attribute__((target("arch=" LANES_WIDEST)))
+#define FEW_STEPS few_wide
+
+LANES_INLINE int64_t few_any(const few_bits *sign) {
+    const lanes_bits either = __builtin_shufflevector(*sign, *sign, 0, 1, 2, 3) |
+                              __builtin_shufflevector(*sign, *sign, 4, 5, 6, 7);
+    return floors_any(&either);
+}
+
+#include "solve/few_steps.h"
+
+#endif
