@@ -3,12 +3,14 @@
 
 #include "solve/floors.h"
 
-void account_step(struct energy_account *a, struct results *r, const struct model *m,
-                  const struct state *now, struct state *next) {
+void account_step(struct energy_account *a, struct results *r, struct floors_late *late,
+                  const struct model *m, const struct state *now, struct state *next) {
     if (!state_is_linear(m)) {
         energy_step(a, m, now, next);
         peaks_all_floors(r, m, next);
-        return;
+    } else if (late->possible) {
+        floors_defer(late, now);
+    } else {
+        floors_account(a, r, m, now, next);
     }
-    floors_account(a, r, m, now, next);
 }

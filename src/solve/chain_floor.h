@@ -31,7 +31,7 @@ LANES_INLINE void floors_damped(const struct chain *c, int i, const double *u0, 
     lanes_wide above = LANES_AT(v0, i + 1) + LANES_AT(v1, i + 1);
     *work += (LANES_AT(u1, i) - LANES_AT(u0, i)) *
              (LANES_AT(c->damping_below, i) * below + LANES_AT(c->damping, i) * own +
-              LANES_AT(c->damping_above, i) * above);
+              LANES_AT(c->damping_below, i + 1) * above);
 }
 
 #endif

@@ -70,9 +70,9 @@ LANES_INLINE void effective_multiply_low(const double *inverse, const double *r,
 // rows and columns beyond is 0.
 LANES_INLINE void effective_multiply_high(const double *inverse, int n, int most, const double *r,
                                           double *q) {
-    enum { VECTORS = 2 * LANES_WIDTH / LANES_VECTOR };
+    enum { STRIDE = 2 * LANES_WIDTH, VECTORS = STRIDE / LANES_VECTOR };
     lanes sum[VECTORS] = {{0.0}};
-    for (int i = 0; i < n; i++, inverse += 2 * LANES_WIDTH) {
+    for (int i = 0; i < n; i++, inverse += STRIDE) {
         for (int j = 0; j < most / LANES_VECTOR; j++) {
             sum[j] += r[i] * *(const lanes *)(inverse + (ptrdiff_t)j * LANES_VECTOR);
         }

@@ -122,10 +122,7 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
     f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
-    f->higher = arena_alloc(a, (size_t)m->n_building, sizeof *f->higher);
-    f->any_higher = arena_alloc(a, 1, sizeof *f->any_higher);
-    if (!f->group || !f->gap || !f->group_end || !f->higher || !f->any_higher ||
-        !branches_alloc(f, m, a)) {
+    if (!f->group || !f->gap || !f->group_end || !branches_alloc(f, m, a)) {
         return false;
     }
     for (size_t i = 0; i < n * LANES_WIDTH; i++) {
@@ -143,26 +140,23 @@ void flight_deepen(const struct flight *f, struct state *s) {
     gaps_peaks(&f->work->gaps, s);
 }
 
-// Takes a step as it has been found, or takes back what has been added for it.
-static bool take(const struct flight *f, const struct state *now, struct state *next,
-                 enum nearness near, const struct energy_account *before) {
-    if (near == NEARNESS_CLOSED) {
-        *f->energy = *before;
-        return false;
+// Takes a step as it has been found into the account, or sees to it that the next one does.
+static void take(const struct flight *f, const struct state *now, const struct state *next) {
+    if (!f->work->floors.late.possible) {
+        floors_account(f->energy, f->results, f->model, now, next);
+        return;
     }
-    if (near == NEARNESS_DEEPEST) {
-        flight_deepen(f, next);
+    floors_defer(&f->work->floors.late, now);
+    if (f->yields) {
+        chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
+                           f->energy->storey_2x);
     }
-    if (!f->uniform) {
-        energy_input(f->energy, f->model, now, next);
-    }
-    return true;
 }
 
 // What steps in flight leave out.
 static void complete(const struct flight *f, struct state *s) {
     const struct model *m = f->model;
-    contact_penetrations(f->work, s);
+    flight_deepen(f, s);
     if (f->yields) {
         excitation_floors(s, m, s->time);
         state_internal_forces(s, m, s->u, s->v);
@@ -195,9 +189,11 @@ static bool step_to(struct flight *f, const struct state *now, struct state *nex
     } else {
         excitation_at(next, f->model, next->time);
     }
-    const struct energy_account before = *f->energy;
-    enum nearness near = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
-    return take(f, now, next, near, &before);
+    bool free = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
+    if (free) {
+        take(f, now, next);
+    }
+    return free;
 }
 
 static bool may_start(struct flight *f, const struct state *s) {
@@ -224,9 +220,12 @@ static void start(struct flight *f, const struct state *now, struct state *next)
     }
 }
 
-// Takes the account of n steps to the state s.
-static void finish(const struct flight *f, struct state *s, long n) {
+// Takes the account of n steps to the state s; what storeys that yield bear is found anew for it.
+static void finish(const struct flight *f, const struct state *old, struct state *s, long n) {
     struct totals *t = &f->results->totals;
+    if (f->yields) {
+        floors_settle(&f->work->floors.late, f->model, old, s);
+    }
     complete(f, s);
     peaks_speed(f->results, 0, f->model->n_dof);
     t->steps += n;
@@ -249,7 +248,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
         *next = old;
     }
     if (n > first) {
-        finish(f, *now, n - first);
+        finish(f, *next, *now, n - first);
     }
     return n;
 }

@@ -30,8 +30,6 @@ struct flight {
     struct gap_group *group;  // (n_group)
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
     int *group_end;           // by block of floors: after it the groups before this can be seen to
-    bool *any_higher;         // one of these is not 0:
-    unsigned char *higher;    // which peaks a block may have: enum floors_higher
 };
 
 // Room for the flights of a model; false: no memory.

@@ -2,9 +2,8 @@
 // The loops over floors of which steps are made, for functions compiled by LANES. Arrays are those
 // of core/lanes.h; first, n and `end` are whole lanes.
 //
-// Neighbours' values are taken from registers, not from memory: a load that spans two stores made
-// just before waits until both are in the cache. And what is cheap is computed twice rather than
-// written and read.
+// A load that spans two stores made just before waits until both are in the cache, so neighbours'
+// values are read by another loop than the one that writes them.
 #ifndef JOSTLE_FLOOR_LOOPS_H
 #define JOSTLE_FLOOR_LOOPS_H
 
@@ -27,10 +26,6 @@
 #define BELOW(under, own) ((lanes){(under)[3], (own)[0], (own)[1], (own)[2]})
 #define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
 #endif
-
-LANES_INLINE int floors_whole(int n) {
-    return n & ~(LANES_WIDTH - 1);
-}
 
 // Negative where |x| > limit >= 0, as number_beyond.
 #define BEYOND(x, limit) ((lanes_bits)(limit) - ((lanes_bits)(x)&INT64_MAX))
@@ -73,76 +68,69 @@ LANES_INLINE void floors_shear(const struct chain *c, const struct floors_lines 
     *shear = FOUR(lines->back, i) * *drift + force;
 }
 
-// Four floors at the end of the step if the accelerations stay.
+// What a block of floors has at hand during a step: its arrays begin LANES_WIDTH floors before it.
 struct floors_trial {
-    lanes u, v, shear;
+    double *u, *v;      // [L] [L/T] the end of the step if the accelerations stay
+    double *shear;      // [F] of the storey below, then
+    double *unbalance;  // [F] p - M a - C v - storey shears, then
 };
 
-LANES_INLINE void floors_predict(const struct floors_of *now, double h, int i, lanes *u, lanes *v) {
-    double half = h * h / 2.0;
-    *u = FOUR(now->u, i) + (h * FOUR(now->v, i) + half * FOUR(now->a, i));
-    *v = FOUR(now->v, i) + h * FOUR(now->a, i);
+// u and v of n floors, and of LANES_WIDTH on both sides of them.
+LANES_INLINE void floors_predict(const struct floors_of *now, double h, int first, int n,
+                                 const struct floors_trial *t) {
+    const double half = h * h / 2.0;
+    const double *u = now->u + first, *v = now->v + first, *a = now->a + first;
+    double *u_t = t->u, *v_t = t->v;
+    for (int i = -LANES_WIDTH; i < n + LANES_WIDTH; i += LANES_WIDTH) {
+        lanes_wide v0 = LANES_AT(v, i), a0 = LANES_AT(a, i);
+        *(lanes_wide *)(u_t + i) = LANES_AT(u, i) + (h * v0 + half * a0);
+        *(lanes_wide *)(v_t + i) = v0 + h * a0;
+    }
 }
 
-LANES_INLINE void floors_try(const struct chain *c, const struct floors_lines *lines,
-                             const struct floors_of *now, double h, int i, const lanes *under,
-                             struct floors_trial *t, lanes_bits *beyond) {
-    floors_predict(now, h, i, &t->u, &t->v);
-    lanes drift = t->u - FOUR(c->joint, i) * BELOW(*under, t->u);
-    floors_shear(c, lines, i, &drift, &t->shear, beyond);
+// Their shears, and of LANES_WIDTH above them.
+LANES_INLINE void floors_bear(const struct chain *c, int first, int n,
+                              const struct floors_trial *t) {
+    const double *stiffness = c->stiffness + first, *joint = c->joint + first, *u = t->u;
+    double *shear = t->shear;
+    for (int i = 0; i < n + LANES_WIDTH; i += LANES_WIDTH) {
+        *(lanes_wide *)(shear + i) =
+            LANES_AT(stiffness, i) * (LANES_AT(u, i) - LANES_AT(joint, i) * LANES_AT(u, i - 1));
+    }
 }
 
-// residual (n) = p - M a - C v - storey shears of n floors, at the trial. Negative if a storey is
-// beyond its line. `external` NULL: p is that of the acceleration of the ground.
-LANES_INLINE int64_t floors_unbalance(const struct chain *c, const struct floors_lines *lines,
-                                      double h, int first, int n, const struct floors_of *now,
-                                      double ground, const double *external, double *residual) {
+// The same of storeys that follow lines. Negative if one is beyond its line.
+LANES_INLINE int64_t floors_bear_on_lines(const struct chain *c, const struct floors_lines *lines,
+                                          int first, int n, const struct floors_trial *t) {
     lanes_bits beyond = {0};
-    struct floors_trial under, own, over;
-    floors_predict(now, h, first - LANES_VECTOR, &under.u, &under.v);
-    floors_try(c, lines, now, h, first, &under.u, &own, &beyond);
-    for (int i = first; i < first + n; i += LANES_VECTOR) {
-        floors_try(c, lines, now, h, i + LANES_VECTOR, &own.u, &over, &beyond);
-        lanes mass = FOUR(c->mass, i);
-        lanes p = mass * -ground;
-        if (external) {
-            p = FOUR(external, i);
-        }
-        lanes damping = FOUR(c->damping_below, i) * BELOW(under.v, own.v) +
-                        FOUR(c->damping, i) * own.v +
-                        FOUR(c->damping_below, i + 1) * ABOVE(own.v, over.v);
-        *(lanes *)(residual + (i - first)) = p - mass * FOUR(now->a, i) - damping - own.shear +
-                                             FOUR(c->joint, i + 1) * ABOVE(own.shear, over.shear);
-        under = own;
-        own = over;
+    for (int i = 0; i < n + LANES_WIDTH; i += LANES_VECTOR) {
+        lanes shear, drift = FOUR(t->u, i) - FOUR(c->joint, first + i) * FOUR(t->u, i - 1);
+        floors_shear(c, lines, first + i, &drift, &shear, &beyond);
+        *(lanes *)(t->shear + i) = shear;
     }
     return floors_any(&beyond);
 }
 
-// How corrections lead to a state: q (n_dof), beta h^2, gamma h and h.
-struct floors_correction {
-    const double *q;
-    double b, g, h;
-};
-
-// Eight floors at the end of the step, from the corrections.
-struct floors_end {
-    lanes_wide u, v, a;
-};
-
-LANES_INLINE void floors_reach(const struct floors_correction *k, const struct floors_of *now,
-                               int i, struct floors_end *e) {
-    const double half = k->h * k->h / 2.0;
-    lanes_wide q = LANES_AT(k->q, i), v0 = LANES_AT(now->v, i), a0 = LANES_AT(now->a, i);
-    e->u = LANES_AT(now->u, i) + (k->h * v0 + half * a0) + k->b * q;
-    e->v = v0 + k->h * a0 + k->g * q;
-    e->a = a0 + q;
-}
-
-LANES_INLINE void floors_put(const struct floors_end *e, const struct floors_of *next, int i) {
-    *(lanes_wide *)(next->u + i) = e->u;
-    *(lanes_wide *)(next->v + i) = e->v;
-    *(lanes_wide *)(next->a + i) = e->a;
+// The unbalance of n floors. `external` NULL: p is that of the acceleration of the ground.
+LANES_INLINE void floors_unbalance(const struct chain *c, int first, int n,
+                                   const struct floors_of *now, double ground,
+                                   const double *external, const struct floors_trial *t) {
+    const double *own = c->damping + first, *below = c->damping_below + first;
+    const double *mass = c->mass + first, *joint = c->joint + first, *a = now->a + first;
+    const double *v = t->v, *shear = t->shear;
+    double *r = t->unbalance;
+    for (int i = 0; i < n; i += LANES_WIDTH) {
+        lanes_wide m = LANES_AT(mass, i);
+        lanes_wide p = m * -ground;
+        if (external) {
+            p = LANES_AT(external, first + i);
+        }
+        lanes_wide damping = LANES_AT(below, i) * LANES_AT(v, i - 1) +
+                             LANES_AT(own, i) * LANES_AT(v, i) +
+                             LANES_AT(below, i + 1) * LANES_AT(v, i + 1);
+        *(lanes_wide *)(r + i) = p - m * LANES_AT(a, i) - damping - LANES_AT(shear, i) +
+                                 LANES_AT(joint, i + 1) * LANES_AT(shear, i + 1);
+    }
 }
 
 LANES_INLINE int64_t floors_any_wide(const lanes_wide_bits *sign) {
@@ -156,119 +144,169 @@ LANES_INLINE int64_t floors_any_wide(const lanes_wide_bits *sign) {
 #define ABSOLUTE_WIDE(x) ((lanes_wide)((lanes_wide_bits)(x)&INT64_MAX))
 #define BEYOND_WIDE(x, limit) ((lanes_wide_bits)(limit) - ((lanes_wide_bits)(x)&INT64_MAX))
 
+// How corrections lead to a state: q (n_dof), beta h^2 and gamma h.
+struct floors_correction {
+    const double *q;
+    double b, g;
+};
+
 // Stores what corrections lead to. Negative if that is not finite.
 LANES_INLINE int64_t floors_correct(const struct floors_correction *k, int first, int end,
-                                    const struct floors_of *now, const struct floors_of *next) {
+                                    const struct floors_trial *t, const struct floors_of *now,
+                                    const struct floors_of *next) {
     const lanes_wide most = DBL_MAX - (lanes_wide){0.0};
+    const double *q = k->q, *u_t = t->u - first, *v_t = t->v - first, *a_0 = now->a;
+    double *next_u = next->u, *next_v = next->v, *next_a = next->a;
     lanes_wide_bits sign = {0};
     for (int i = first; i < end; i += LANES_WIDTH) {
-        struct floors_end e;
-        floors_reach(k, now, i, &e);
-        floors_put(&e, next, i);
-        lanes_wide size = ABSOLUTE_WIDE(e.u) + ABSOLUTE_WIDE(e.v) + ABSOLUTE_WIDE(e.a);
+        lanes_wide u = LANES_AT(u_t, i) + k->b * LANES_AT(q, i);
+        lanes_wide v = LANES_AT(v_t, i) + k->g * LANES_AT(q, i);
+        lanes_wide a = LANES_AT(a_0, i) + LANES_AT(q, i);
+        *(lanes_wide *)(next_u + i) = u;
+        *(lanes_wide *)(next_v + i) = v;
+        *(lanes_wide *)(next_a + i) = a;
+        lanes_wide size = ABSOLUTE_WIDE(u) + ABSOLUTE_WIDE(v) + ABSOLUTE_WIDE(a);
         sign |= BEYOND_WIDE(size, most);
     }
     return floors_any_wide(&sign);
 }
 
-// Which of the quantities of floors may have peaks. The shear of an elastic storey has one only
-// with its drift: k |drift| is rounded to no less for a greater drift.
-enum floors_higher {
-    FLOORS_MOTION = 1,  // displacements, velocities, total accelerations
-    FLOORS_DRIFT = 2,   // drifts, shears
+// What there is of the floors at one time. `base` NULL: the acceleration of the ground is that of
+// all floors; `shear` NULL: all storeys are elastic.
+struct floors_moment {
+    double time, ground;
+    const double *u, *v, *a, *base, *shear;
 };
 
-// The peaks of motion. `base` NULL: the acceleration of the ground is that of all floors.
+LANES_INLINE struct floors_moment floors_moment_of(const struct model *m, const struct state *s) {
+    return (struct floors_moment){.time = s->time,
+                                  .ground = s->ground_a[0],
+                                  .u = s->u,
+                                  .v = s->v,
+                                  .a = s->a,
+                                  .base = state_is_uniform(m) ? NULL : s->base,
+                                  .shear = m->n_storey_history > 0 ? s->shear : NULL};
+}
+
+// The largest values so far, and when.
 struct floors_peaks {
-    const double *u, *v, *a;
-    double ground;
-    const double *base;
+    double *const *peak, *const *time;  // by enum peak
 };
 
-LANES_INLINE void floors_compare(const struct floors_peaks *peak, const struct floors_end *e, int i,
-                                 lanes_wide_bits *sign) {
-    lanes_wide base = peak->ground - (lanes_wide){0.0};
-    if (peak->base) {
-        base = LANES_AT(peak->base, i);
+#define CHOOSE_WIDE(mask, x, y)                                                                    \
+    ((lanes_wide)(((mask) & (lanes_wide_bits)(x)) | (~(mask) & (lanes_wide_bits)(y))))
+
+// Where |x| of eight values from i on is beyond its peak, the peak and its time.
+LANES_INLINE void floors_raise(const struct floors_peaks *p, int quantity, int i, double time,
+                               const lanes_wide *x) {
+    double *peak = p->peak[quantity] + i, *when = p->time[quantity] + i;
+    lanes_wide_bits beyond = BEYOND_WIDE(*x, LANES_AT(peak, 0)) >> 63;
+    if (floors_any_wide(&beyond) < 0) {
+        *(lanes_wide *)peak = CHOOSE_WIDE(beyond, ABSOLUTE_WIDE(*x), LANES_AT(peak, 0));
+        *(lanes_wide *)when = CHOOSE_WIDE(beyond, time - (lanes_wide){0.0}, LANES_AT(when, 0));
     }
-    *sign |= BEYOND_WIDE(e->u, LANES_AT(peak->u, i)) | BEYOND_WIDE(e->v, LANES_AT(peak->v, i)) |
-             BEYOND_WIDE(e->a + base, LANES_AT(peak->a, i));
 }
 
-// *motion gets negative where a displacement, velocity or total acceleration of a state is greater
-// than ever.
-LANES_INLINE void floors_look_up(const struct floors_peaks *peak, int first, int end,
-                                 const struct floors_of *s, lanes_wide_bits *motion) {
+// Takes the motion of eight floors into the peaks.
+LANES_INLINE void floors_raise_motion(const struct floors_peaks *p, const struct floors_moment *s,
+                                      int i) {
+    lanes_wide u = LANES_AT(s->u, i), v = LANES_AT(s->v, i);
+    lanes_wide total = LANES_AT(s->a, i) + s->ground;
+    if (s->base) {
+        total = LANES_AT(s->a, i) + LANES_AT(s->base, i);
+    }
+    floors_raise(p, PEAK_DISPLACEMENT, i, s->time, &u);
+    floors_raise(p, PEAK_VELOCITY, i, s->time, &v);
+    floors_raise(p, PEAK_ACCELERATION, i, s->time, &total);
+}
+
+LANES_INLINE void floors_drift(const struct chain *c, const double *u, int i, lanes_wide *drift) {
+    *drift = LANES_AT(u, i) - LANES_AT(c->joint, i) * LANES_AT(u, i - 1);
+}
+
+// The same of drifts and shears. An elastic shear is beyond its peak only with its drift: k |drift|
+// is rounded to no less for a greater drift.
+LANES_INLINE void floors_raise_drifts(const struct floors_peaks *p, const struct chain *c,
+                                      const struct floors_moment *s, int i) {
+    lanes_wide drift;
+    floors_drift(c, s->u, i, &drift);
+    lanes_wide shear = LANES_AT(c->stiffness, i) * drift;
+    if (s->shear) {
+        shear = LANES_AT(s->shear, i);
+    }
+    floors_raise(p, PEAK_DRIFT, i, s->time, &drift);
+    floors_raise(p, PEAK_SHEAR, i, s->time, &shear);
+}
+
+// A peak is the last of values that grow, so that it is stored once: negative where |x0| > peak and
+// then |x1| <= |x0|.
+#define TURNED_WIDE(x0, x1, peak) (BEYOND_WIDE(x0, peak) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
+
+// Takes displacements, velocities and total accelerations that were highest at the start of a step
+// from s0 to s1, under one ground, into the peaks.
+LANES_INLINE void floors_add_peaks(int first, int end, const struct floors_moment *s0,
+                                   const struct floors_moment *s1, const struct floors_peaks *p) {
+    const double *peak_u = p->peak[PEAK_DISPLACEMENT], *peak_v = p->peak[PEAK_VELOCITY];
+    const double *peak_a = p->peak[PEAK_ACCELERATION];
     for (int i = first; i < end; i += LANES_WIDTH) {
-        struct floors_end e = {LANES_AT(s->u, i), LANES_AT(s->v, i), LANES_AT(s->a, i)};
-        floors_compare(peak, &e, i, motion);
+        lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground;
+        lanes_wide_bits turned =
+            TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i), LANES_AT(peak_u, i)) |
+            TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(peak_v, i)) |
+            TURNED_WIDE(a0, a1, LANES_AT(peak_a, i));
+        if (floors_any_wide(&turned) < 0) {
+            floors_raise_motion(p, s0, i);
+        }
     }
 }
 
-// The same of what corrections lead to, which is stored.
-LANES_INLINE void floors_correct_and_compare(const struct floors_correction *k,
-                                             const struct floors_peaks *peak, int first, int end,
-                                             const struct floors_of *now,
-                                             const struct floors_of *next,
-                                             lanes_wide_bits *motion) {
+// The same of shears of storeys that may yield.
+LANES_INLINE void floors_add_shears(int first, int end, const struct floors_moment *s0,
+                                    const struct floors_moment *s1, const struct floors_peaks *p) {
+    const double *peak = p->peak[PEAK_SHEAR];
     for (int i = first; i < end; i += LANES_WIDTH) {
-        struct floors_end e;
-        floors_reach(k, now, i, &e);
-        floors_put(&e, next, i);
-        floors_compare(peak, &e, i, motion);
+        lanes_wide shear = LANES_AT(s0->shear, i);
+        lanes_wide_bits turned = TURNED_WIDE(shear, LANES_AT(s1->shear, i), LANES_AT(peak, i));
+        if (floors_any_wide(&turned) < 0) {
+            floors_raise(p, PEAK_SHEAR, i, s0->time, &shear);
+        }
     }
 }
 
-LANES_INLINE struct floors_peaks
-floors_peaks_of(const struct model *m, double *const peak[PEAK_COUNT], const struct state *next) {
-    return (struct floors_peaks){peak[PEAK_DISPLACEMENT], peak[PEAK_VELOCITY],
-                                 peak[PEAK_ACCELERATION], next->ground_a[0],
-                                 state_is_uniform(m) ? NULL : next->base};
-}
-
-// Adds the works of the floors from `first` to `end` under ground accelerations whose sum is
-// ground_2x. *higher gets negative where a drift is greater than ever.
+// Adds the works of the floors from `first` to `end`. The same of drifts.
 LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
-                                   const struct floors_of *now, const struct floors_of *next,
-                                   double ground_2x, const double *peak,
-                                   struct energy_account *account, lanes_wide_bits *higher) {
+                                   const struct floors_moment *s0, const struct floors_moment *s1,
+                                   const struct floors_peaks *p, struct energy_account *account) {
+    const double ground_2x = s0->ground + s1->ground, *peak = p->peak[PEAK_DRIFT];
     lanes_wide input = LANES_AT(account->input_2x, 0), damping = LANES_AT(account->damping_2x, 0);
     for (int i = first; i < end; i += LANES_WIDTH) {
-        floors_input(c, i, ground_2x, now->u, next->u, &input);
-        floors_damped(c, i, now->u, next->u, now->v, next->v, &damping);
-        lanes_wide drift = LANES_AT(next->u, i) - LANES_AT(c->joint, i) * LANES_AT(next->u, i - 1);
-        *higher |= BEYOND_WIDE(drift, LANES_AT(peak, i));
+        lanes_wide d0, d1;
+        floors_input(c, i, ground_2x, s0->u, s1->u, &input);
+        floors_damped(c, i, s0->u, s1->u, s0->v, s1->v, &damping);
+        floors_drift(c, s0->u, i, &d0);
+        floors_drift(c, s1->u, i, &d1);
+        lanes_wide_bits turned = TURNED_WIDE(d0, d1, LANES_AT(peak, i));
+        if (floors_any_wide(&turned) < 0) {
+            floors_raise_drifts(p, c, s0, i);
+        }
     }
     *(lanes_wide *)account->input_2x = input;
     *(lanes_wide *)account->damping_2x = damping;
 }
 
-// Which peaks there may be.
-LANES_INLINE unsigned floors_which(const lanes_wide_bits *motion, const lanes_wide_bits *drift) {
-    lanes_wide_bits either = *motion | *drift;
-    if (floors_any_wide(&either) >= 0) {
-        return 0;
-    }
-    return (floors_any_wide(motion) < 0 ? FLOORS_MOTION : 0U) |
-           (floors_any_wide(drift) < 0 ? FLOORS_DRIFT : 0U);
-}
-
 // Drifts and shears at the end of the step of storeys that follow lines. *beyond gets negative if
-// one is beyond its line. Is a shear greater than ever?
-LANES_INLINE unsigned floors_follow(const struct chain *c, const struct floors_lines *lines,
-                                    int first, int end, const double *u, lanes_bits *beyond) {
-    lanes_bits higher = {0};
+// one is beyond its line.
+LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines *lines, int first,
+                                int end, const double *u, lanes_bits *beyond) {
     lanes under = FOUR(u, first - LANES_VECTOR);
     for (int i = first; i < end; i += LANES_VECTOR) {
         lanes own = FOUR(u, i), shear;
         lanes drift = own - FOUR(c->joint, i) * BELOW(under, own);
         floors_shear(c, lines, i, &drift, &shear, beyond);
-        higher |= BEYOND(shear, FOUR(lines->peak, i));
         *(lanes *)(lines->drift + i) = drift;
         *(lanes *)(lines->shear + i) = shear;
         under = own;
     }
-    return floors_any(&higher) < 0 ? FLOORS_DRIFT : 0;
 }
 
 // How near have the contacts of some groups come: closed, or nearer than ever?
@@ -291,6 +329,49 @@ LANES_INLINE enum nearness floors_look(const struct flight *f, int from, int to,
         return NEARNESS_FAR;
     }
     return floors_any(&closed) < 0 ? NEARNESS_CLOSED : NEARNESS_DEEPEST;
+}
+
+// Penetrations of four contacts of a group, from number i on.
+LANES_INLINE void floors_delta(const struct gap_group *g, int i, const double *gap, const double *u,
+                               const double *ground, lanes *delta) {
+    *delta = FOUR(u + g->dof[0], i) - FOUR(u + g->dof[1], i) - FOUR(gap, i) +
+             (ground[g->ground[0]] - ground[g->ground[1]]);
+}
+
+// Notes the penetrations of some groups that are larger than ever.
+LANES_INLINE void floors_note(const struct flight *f, int from, int to, const struct state *s) {
+    for (int j = from; j < to; j++) {
+        const double *gap = f->gap + (ptrdiff_t)j * LANES_WIDTH;
+        for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR) {
+            lanes d;
+            floors_delta(&f->group[j], i, gap, s->u, s->ground_u, &d);
+            for (int lane = 0; lane < LANES_VECTOR; lane++) {
+                gaps_note(&f->work->gaps, f->group[j].contact + i + lane, d[lane], s->time);
+            }
+        }
+    }
+}
+
+// Negative if one of some groups of contacts is closed at the end of a step. Those that were
+// nearest at its start are noted, as peaks are.
+LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to,
+                                     const struct state *now, const struct state *next) {
+    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *nearest = f->work->gaps.nearest;
+    const double *u0 = now->u, *u1 = next->u;
+    lanes_bits closed = {0}, turned = {0};
+    for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
+        for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR) {
+            lanes d0, d1;
+            floors_delta(g, i, gap, u0, now->ground_u, &d0);
+            floors_delta(g, i, gap, u1, next->ground_u, &d1);
+            closed |= (lanes_bits)(0.0 - d1);
+            turned |= (lanes_bits)(FOUR(nearest + g->contact, i) - d0) & ~(lanes_bits)(d0 - d1);
+        }
+    }
+    if (floors_any(&turned) < 0) {
+        floors_note(f, from, to, now);
+    }
+    return floors_any(&closed);
 }
 
 #endif

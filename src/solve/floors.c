@@ -3,8 +3,8 @@
 //     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
 //     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
 //     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
-// and the works of the step and the tests for peaks. A block of buildings goes through all of it
-// before the next one does. Lanes do not begin where buildings do: what a block computes of a
+// and the works of the step before and the tests for peaks. A block of buildings goes through all
+// of it before the next one does. Lanes do not begin where buildings do: what a block computes of a
 // neighbour's floors is computed by that one anew.
 #include "solve/floors.h"
 
@@ -56,18 +56,27 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
     for (int k = 0; k < m->n_building; k++) {
         f->first_end[k] = -1;
     }
-    f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
-    return f->residual != NULL;
+    double **const part[] = {&f->u, &f->v, &f->shear, &f->residual};
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        *part[i] = lanes_array(a, most + 2 * LANES_WIDTH);
+        if (!*part[i]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // Lists the ends of live links by building, in the order of the links.
-static void list_ends(struct floors *f, const struct model *m, const struct state *s) {
-    for (int i = 2 * s->n_live - 1; i >= 0; i--) {
-        int end = 2 * s->live[i / 2] + i % 2;
-        int k = m->link[end / 2].building[end % 2];
-        if (k != WALL) {
-            f->following_end[end] = f->first_end[k];
-            f->first_end[k] = end;
+static void list_ends(struct floors *f, const struct gaps *gaps, const struct state *s) {
+    for (int i = s->n_live - 1; i >= 0; i--) {
+        const struct gap_run *run = &gaps->run[gaps->run_of[s->live[i]]];
+        for (int side = 1; side >= 0; side--) {
+            int end = 2 * s->live[i] + side;
+            int k = run->building[side];
+            if (k != WALL) {
+                f->following_end[end] = f->first_end[k];
+                f->first_end[k] = end;
+            }
         }
     }
 }
@@ -103,35 +112,52 @@ LANES_INLINE void solve_row(struct effective *e, int n, double *r, double *q) {
     }
 }
 
-// The corrections that the floors of a block want. Negative if a storey is beyond its line.
-LANES_INLINE int64_t solve(struct work *w, const struct floors_lines *lines,
-                           const struct state *now, const struct state *next,
-                           const struct floor_block *b) {
-    const struct chain c = w->model->chain;
-    const struct floors_of from = floors_of(now);
-    const double *external = state_is_uniform(w->model) ? NULL : next->external;
-    double *r = w->floors.residual, *q = w->correction;
-    int first = w->model->building[b->building].first;
-    int64_t sign =
-        floors_unbalance(&c, lines, w->h, b->first, b->n, &from, next->ground_a[0], external, r);
-    if (next->n_live > 0) {
-        push(w, now, next, b);
-    }
-    solve_row(&w->effective[b->building], b->n_building, r + (first - b->first), q + first);
-    return sign;
+// A step under way.
+struct move {
+    struct work *work;
+    const struct state *now;
+    const struct state *next;
+    struct chain chain;
+    struct floors_of from, to;
+    struct floors_trial trial;
+    struct floors_correction correction;
+};
+
+LANES_INLINE struct move move_of(struct work *w, const struct state *now,
+                                 const struct state *next) {
+    const struct floors *f = &w->floors;
+    return (struct move){.work = w,
+                         .now = now,
+                         .next = next,
+                         .chain = w->model->chain,
+                         .from = floors_of(now),
+                         .to = floors_of(next),
+                         .trial = {f->u, f->v, f->shear, f->residual},
+                         .correction = {w->correction, w->b, w->g}};
 }
 
-LANES bool floors_move(struct work *w, const struct state *now, struct state *next) {
-    const struct floors_correction k = {w->correction, w->b, w->g, w->h};
-    const struct floors_of from = floors_of(now), to = floors_of(next);
+// The next state of a block. `lines` NULL: all storeys are elastic. Negative if a storey is beyond
+// its line, or what is found is not finite.
+LANES_INLINE int64_t move_block(const struct move *s, const struct floors_lines *lines,
+                                const struct floor_block *b) {
+    struct work *w = s->work;
+    const double *external = state_is_uniform(w->model) ? NULL : s->next->external;
+    int first = w->model->building[b->building].first;
     int64_t sign = 0;
-    list_ends(&w->floors, w->model, next);
-    for (int i = 0; i < w->floors.n_block; i++) {
-        const struct floor_block *b = &w->floors.block[i];
-        (void)solve(w, NULL, now, next, b);
-        sign |= floors_correct(&k, b->first, b->end, &from, &to);
+    floors_predict(&s->from, w->h, b->first, b->n, &s->trial);
+    if (lines) {
+        sign = floors_bear_on_lines(&s->chain, lines, b->first, b->n, &s->trial);
+    } else {
+        floors_bear(&s->chain, b->first, b->n, &s->trial);
     }
-    return sign >= 0;
+    floors_unbalance(&s->chain, b->first, b->n, &s->from, s->next->ground_a[0], external,
+                     &s->trial);
+    if (s->next->n_live > 0) {
+        push(w, s->now, s->next, b);
+    }
+    solve_row(&w->effective[b->building], b->n_building, w->floors.residual + (first - b->first),
+              w->correction + first);
+    return sign | floors_correct(&s->correction, b->first, b->end, &s->trial, &s->from, &s->to);
 }
 
 void floors_trial(struct work *w, const struct state *now, int k) {
@@ -141,159 +167,138 @@ void floors_trial(struct work *w, const struct state *now, int k) {
     chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
 }
 
-// Takes the motion of the floors from `first` to `end` into their peaks. False: not finite. `base`
-// NULL: the acceleration of the ground is that of all floors.
-LANES_INLINE bool raise_motion(int first, int end, const struct state *s, const double *base,
-                               const struct results *r) {
-    double *const *peak = r->peak, *const *when = r->peak_time;
-    double *peak_u = peak[PEAK_DISPLACEMENT], *when_u = when[PEAK_DISPLACEMENT];
-    double *peak_v = peak[PEAK_VELOCITY], *when_v = when[PEAK_VELOCITY];
-    double *peak_a = peak[PEAK_ACCELERATION], *when_a = when[PEAK_ACCELERATION];
-    const double *u = s->u, *v = s->v, *a = s->a;
-    const double ground = s->ground_a[0], time = s->time;
-    int64_t sign = 0;
-    LANES_LOOP
-    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        sign |= number_beyond(fabs(u[i]) + fabs(v[i]) + fabs(a[i]), DBL_MAX);
-        peak_raise(u[i], time, &peak_u[i], &when_u[i]);
-        peak_raise(v[i], time, &peak_v[i], &when_v[i]);
-        peak_raise(a[i] + (base ? base[i] : ground), time, &peak_a[i], &when_a[i]);
-    }
-    return sign >= 0;
-}
-
-// The same of drifts and shears; `shear` NULL: all storeys are elastic.
-LANES_INLINE void raise_drifts(const struct chain *c, int first, int end, const struct state *s,
-                               const double *shear, const struct results *r) {
-    double *const *peak = r->peak, *const *when = r->peak_time;
-    double *peak_d = peak[PEAK_DRIFT], *when_d = when[PEAK_DRIFT];
-    double *peak_s = peak[PEAK_SHEAR], *when_s = when[PEAK_SHEAR];
-    const double *u = s->u, *k = c->stiffness, *joint = c->joint;
-    const double time = s->time;
-    LANES_LOOP
-    for (int i = first, n = first + floors_whole(end - first); i < n; i++) {
-        double drift = u[i] - joint[i] * u[i - 1];
-        peak_raise(drift, time, &peak_d[i], &when_d[i]);
-        peak_raise(shear ? shear[i] : k[i] * drift, time, &peak_s[i], &when_s[i]);
+// Takes a state into the peaks.
+LANES static void raise(const struct chain *chain, const struct results *r,
+                        const struct floors_moment *s) {
+    const struct chain c = *chain;
+    const struct floors_peaks p = {r->peak, r->peak_time};
+    for (int i = 0; i < c.n; i += LANES_WIDTH) {
+        floors_raise_motion(&p, s, i);
+        floors_raise_drifts(&p, &c, s, i);
     }
 }
 
-// Takes what may be higher of the floors from `first` to `end` into the peaks. False: not finite.
-LANES static bool raise(const struct model *m, unsigned which, int first, int end,
-                        const double *shear, const struct results *r, const struct state *s) {
-    if (which & FLOORS_DRIFT && shear) {
-        raise_drifts(&m->chain, first, end, s, shear, r);
-    } else if (which & FLOORS_DRIFT) {
-        raise_drifts(&m->chain, first, end, s, NULL, r);
+// The account of a step from s0 to s1 under one ground, taken from floor `done` on.
+struct account {
+    const struct chain *chain;
+    struct energy_account *energy;
+    const struct results *results;
+    struct floors_moment s0, s1;
+    int done;
+};
+
+// Takes it as far as floor `end`.
+LANES_INLINE void account_to(struct account *a, int end) {
+    const struct chain c = *a->chain;
+    const struct floors_moment s0 = a->s0, s1 = a->s1;
+    const struct floors_peaks p = {a->results->peak, a->results->peak_time};
+    const int first = a->done;
+    if (first >= end) {
+        return;
     }
-    if (!(which & FLOORS_MOTION)) {
-        return true;
+    floors_add_peaks(first, end, &s0, &s1, &p);
+    floors_add_works(&c, first, end, &s0, &s1, &p, a->energy);
+    if (s0.shear) {
+        floors_add_shears(first, end, &s0, &s1, &p);
     }
-    return state_is_uniform(m) ? raise_motion(first, end, s, NULL, r)
-                               : raise_motion(first, end, s, s->base, r);
+    a->done = end;
 }
 
-LANES static unsigned account_block(struct energy_account *e, struct results *r,
-                                    const struct model *m, int first, int end,
-                                    const struct state *now, const struct state *next) {
-    const struct chain c = m->chain;
-    const struct floors_of from = floors_of(now), to = floors_of(next);
-    const struct floors_peaks peaks = floors_peaks_of(m, r->peak, next);
-    const double ground_2x = state_is_uniform(m) ? now->ground_a[0] + next->ground_a[0] : 0.0;
-    lanes_wide_bits motion = {0}, drift = {0};
-    floors_look_up(&peaks, first, end, &to, &motion);
-    floors_add_works(&c, first, end, &from, &to, ground_2x, r->peak[PEAK_DRIFT], e, &drift);
-    return floors_which(&motion, &drift);
+// What is due of the step from `old` to `now`.
+LANES_INLINE struct account account_due(const struct floors_late *late, const struct model *m,
+                                        const struct state *old, const struct state *now) {
+    struct account a = {&m->chain,
+                        late->energy,
+                        late->results,
+                        floors_moment_of(m, old),
+                        floors_moment_of(m, now),
+                        late->due ? 0 : m->chain.n};
+    a.s0.time = late->time;
+    a.s0.ground = late->ground_a;
+    return a;
+}
+
+// Takes what is due as far as the floors that see what the next block overwrites.
+LANES_INLINE void account_ahead(struct account *a, const struct floor_block *next) {
+    account_to(a, next->end + LANES_WIDTH < a->chain->n ? next->end + LANES_WIDTH : a->chain->n);
+}
+
+void floors_defer(struct floors_late *late, const struct state *now) {
+    late->due = true;
+    late->time = now->time;
+    late->ground_a = now->ground_a[0];
+}
+
+LANES static void account_rest(struct account *a) {
+    account_to(a, a->chain->n);
+}
+
+static void raise_all(struct results *r, const struct model *m, const struct state *s) {
+    const struct floors_moment moment = floors_moment_of(m, s);
+    raise(&m->chain, r, &moment);
+    peaks_speed(r, 0, m->n_dof);
+}
+
+void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
+                   const struct state *now) {
+    if (late->due) {
+        struct account due = account_due(late, m, old, now);
+        account_rest(&due);
+        raise_all(late->results, m, now);
+        late->due = false;
+    }
 }
 
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,
                     const struct state *now, const struct state *next) {
-    for (int first = 0; first < m->chain.n; first += CHAIN_BLOCK) {
-        int end = first + CHAIN_BLOCK < m->chain.n ? first + CHAIN_BLOCK : m->chain.n;
-        unsigned which = account_block(a, r, m, first, end, now, next);
-        if (which) {
-            (void)raise(m, which, first, end, NULL, r, next);
-        }
-        if (which & FLOORS_MOTION) {
-            peaks_speed(r, first, end - first);
-        }
+    energy_step(a, m, now, next);
+    raise_all(r, m, next);
+}
+
+LANES bool floors_move(struct work *w, const struct state *now, struct state *next) {
+    const struct move move = move_of(w, now, next);
+    struct account due = account_due(&w->floors.late, w->model, next, now);
+    int64_t sign = 0;
+    list_ends(&w->floors, &w->gaps, next);
+    for (int i = 0; i < w->floors.n_block; i++) {
+        const struct floor_block *b = &w->floors.block[i];
+        account_ahead(&due, b);
+        sign |= move_block(&move, NULL, b);
     }
-    if (!state_is_uniform(m)) {
-        energy_input(a, m, now, next);
-    }
+    w->floors.late.due = false;
+    return sign >= 0;
 }
 
 // A step as far as it is known to be one in free flight. `lines` NULL: all storeys are elastic.
-LANES_INLINE enum nearness fly(const struct flight *f, const struct floors_lines *lines,
-                               const struct state *now, struct state *next) {
+LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
+                      const struct state *now, struct state *next) {
     struct work *w = f->work;
-    double *const *peak = f->results->peak;
-    const struct chain c = f->model->chain;
-    const struct floors_correction k = {w->correction, w->b, w->g, w->h};
-    const struct floors_of from = floors_of(now), to = floors_of(next);
-    const struct floors_peaks peaks = floors_peaks_of(f->model, peak, next);
-    const double ground_2x = f->uniform ? now->ground_a[0] + next->ground_a[0] : 0.0;
-    enum nearness all = NEARNESS_FAR;
-    unsigned any = 0;
+    const struct move move = move_of(w, now, next);
+    struct account due = account_due(&w->floors.late, f->model, next, now);
+    bool free = true;
     lanes_bits beyond = {0};
-    for (int i = 0, group = 0; i < w->floors.n_block && all != NEARNESS_CLOSED; i++) {
+    for (int i = 0, group = 0; i < w->floors.n_block && free; i++) {
         const struct floor_block *b = &w->floors.block[i];
-        if (solve(w, lines, now, next, b) < 0) {
-            return NEARNESS_CLOSED;
-        }
-        lanes_wide_bits motion = {0}, drift = {0};
-        floors_correct_and_compare(&k, &peaks, b->first, b->end, &from, &to, &motion);
-        floors_add_works(&c, b->first, b->end, &from, &to, ground_2x, peak[PEAK_DRIFT], f->energy,
-                         &drift);
-        unsigned higher = floors_which(&motion, &drift);
+        account_ahead(&due, b);
+        int64_t sign = move_block(&move, lines, b);
         if (lines) {
-            higher |= floors_follow(&c, lines, b->first, b->end, next->u, &beyond);
+            floors_follow(&move.chain, lines, b->first, b->end, next->u, &beyond);
         }
-        f->higher[i] = (unsigned char)higher;
-        any |= higher;
-        enum nearness own = floors_look(f, group, f->group_end[i], next->u, next->ground_u);
+        sign |= floors_any(&beyond) | floors_approach(f, group, f->group_end[i], now, next);
         group = f->group_end[i];
-        all = own > all ? own : all;
+        free = sign >= 0;
     }
-    *f->any_higher = any != 0;
-    return floors_any(&beyond) < 0 ? NEARNESS_CLOSED : all;
+    account_to(&due, move.chain.n);
+    w->floors.late.due = false;
+    return free;
 }
 
-// Takes a step into the peaks. False: not finite.
-static bool fly_higher(const struct flight *f, const double *shear, const struct state *next) {
-    bool finite = true;
-    for (int i = 0; *f->any_higher && i < f->work->floors.n_block; i++) {
-        const struct floor_block *b = &f->work->floors.block[i];
-        if (f->higher[i]) {
-            finite &= raise(f->model, f->higher[i], b->first, b->end, shear, f->results, next);
-        }
-    }
-    return finite;
-}
-
-LANES static enum nearness fly_elastic(const struct flight *f, const struct state *now,
-                                       struct state *next) {
+LANES bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
     return fly(f, NULL, now, next);
 }
 
-enum nearness floors_fly(const struct flight *f, const struct state *now, struct state *next) {
-    enum nearness near = fly_elastic(f, now, next);
-    return near != NEARNESS_CLOSED && fly_higher(f, NULL, next) ? near : NEARNESS_CLOSED;
-}
-
-LANES static enum nearness fly_on_lines(const struct flight *f, const struct state *now,
-                                        struct state *next) {
+LANES bool floors_fly_on_lines(const struct flight *f, const struct state *now,
+                               struct state *next) {
     const struct floors_lines lines = floors_lines_of(f, next);
     return fly(f, &lines, now, next);
-}
-
-enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
-                                  struct state *next) {
-    enum nearness near = fly_on_lines(f, now, next);
-    if (near == NEARNESS_CLOSED || !fly_higher(f, next->shear, next)) {
-        return NEARNESS_CLOSED;
-    }
-    chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
-                       f->energy->storey_2x);
-    return near;
 }

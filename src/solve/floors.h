@@ -15,12 +15,24 @@ struct floor_block {
     int end;  // where the next block begins: below this all is done
 };
 
+// The account of a step is put off, where one ground moves all floors, until the next step goes
+// over them and overwrites the state that it began with: so each array comes from memory once.
+struct floors_late {
+    struct energy_account *energy;  // borrowed
+    struct results *results;        // borrowed
+    bool possible;                  // with this model
+    bool due;         // the step to the committed state is in no works, and that state in no peaks
+    double time;      // [T] of the state that the step began with,
+    double ground_a;  // [L/T^2] and the acceleration of the ground then
+};
+
 struct floors {
     int n_block;
-    struct floor_block *block;       // (n_block)
-    double *residual;                // [F] of a block
-    int *first_end, *following_end;  // (n_building), (2 n_link) live links by building: end i % 2
-                                     // of link i / 2; -1: none
+    struct floor_block *block;         // (n_block)
+    double *u, *v, *shear, *residual;  // [L] [L/T] [F] [F] of a block: struct floors_trial
+    int *first_end, *following_end;    // (n_building), (2 n_link) live links by building: end i % 2
+                                       // of link i / 2; -1: none
+    struct floors_late late;
 };
 
 bool floors_alloc(struct floors *f, const struct model *m, struct arena *a);
@@ -29,7 +41,8 @@ struct work;
 struct flight;
 
 // Displacements, velocities and accelerations of `next` under the forces that its live links have,
-// with the trial of their buildings and the correction of all in `w`. False: not finite.
+// with the trial of their buildings and the correction of all in `w`; and what account is due.
+// False: not finite.
 bool floors_move(struct work *w, const struct state *now, struct state *next);
 
 // The trial of building k.
@@ -39,6 +52,14 @@ void floors_trial(struct work *w, const struct state *now, int k);
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,
                     const struct state *now, const struct state *next);
 
+// Puts that off until the next step, or until it is asked for: `next` is about to be committed, and
+// the next step will be written to `now`.
+void floors_defer(struct floors_late *late, const struct state *now);
+
+// Takes what account is due: of the step that began with what is in `old`, to the committed `now`.
+void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
+                   const struct state *now);
+
 // How near contacts have come.
 enum nearness {
     NEARNESS_FAR,
@@ -47,12 +68,11 @@ enum nearness {
 };
 
 // A step in free flight to the time and under the ground accelerations, or where these are not
-// uniform the base and external forces of `next`, with its works and peaks. NEARNESS_CLOSED: it is
-// none; a contact would close, or the state is not finite. Then works may have been added.
-enum nearness floors_fly(const struct flight *f, const struct state *now, struct state *next);
+// uniform the base and external forces of `next`, and what account is due. Contacts that were
+// nearest in `now` are noted. False: it is none; a contact would close, or it is not finite.
+bool floors_fly(const struct flight *f, const struct state *now, struct state *next);
 
 // The same where storeys follow straight lines; nor may one leave its line.
-enum nearness floors_fly_on_lines(const struct flight *f, const struct state *now,
-                                  struct state *next);
+bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next);
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "core/number.h"
 #include "solve/state.h"
 
 struct results;
@@ -46,6 +47,15 @@ void gaps_update_touched(struct gaps *g, struct state *s);
 
 // Takes note of penetrations that are larger than ever.
 void gaps_peaks(struct gaps *g, const struct state *s);
+
+// The same of link k with penetration d.
+static inline void gaps_note(struct gaps *g, int k, double d, double time) {
+    if (d > g->nearest[k]) {
+        g->nearest[k] = d;
+        g->time[k] = time;
+        g->limit[k] = g->limit[k] > 0.0 ? g->limit[k] : number_min(d, 0.0);
+    }
+}
 
 // Takes those of contacts into the peaks; nothing where `g` was never allocated and is all zero.
 void gaps_finish(const struct gaps *g, struct results *r);

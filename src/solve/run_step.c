@@ -37,7 +37,7 @@ static int commit(struct run *r) {
     if (few_serves(&r->work)) {
         r->work.few.steps->account(r->work.few.table, &r->energy, out, r->model, r->now, r->next);
     } else {
-        account_step(&r->energy, out, r->model, r->now, r->next);
+        account_step(&r->energy, out, &r->work.floors.late, r->model, r->now, r->next);
     }
     gaps_peaks(&r->work.gaps, r->next);
     int status = impacts_step(&r->impacts, &r->energy, out, r->model, r->now, r->next, r->error);
@@ -161,6 +161,7 @@ static int pass(struct run *r, struct event *event, double end, double h) {
         status = status == STATUS_OK && event->time > 0.0 ? commit(r) : status;
     }
     if (status == STATUS_OK) {
+        floors_settle(&r->work.floors.late, r->model, r->next, r->now);
         r->results->totals.events++;
         r->events[event->link]++;
         status = r->model->link[event->link].law->rebound ? meet(r, event) : jump(r, event);
