@@ -68,69 +68,50 @@ LANES_INLINE void floors_shear(const struct chain *c, const struct floors_lines 
     *shear = FOUR(lines->back, i) * *drift + force;
 }
 
-// What a block of floors has at hand during a step: its arrays begin LANES_WIDTH floors before it.
+// Four floors at the end of the step if the accelerations stay.
 struct floors_trial {
-    double *u, *v;      // [L] [L/T] the end of the step if the accelerations stay
-    double *shear;      // [F] of the storey below, then
-    double *unbalance;  // [F] p - M a - C v - storey shears, then
+    lanes u, v, shear;
 };
 
-// u and v of n floors, and of LANES_WIDTH on both sides of them.
-LANES_INLINE void floors_predict(const struct floors_of *now, double h, int first, int n,
-                                 const struct floors_trial *t) {
-    const double half = h * h / 2.0;
-    const double *u = now->u + first, *v = now->v + first, *a = now->a + first;
-    double *u_t = t->u, *v_t = t->v;
-    for (int i = -LANES_WIDTH; i < n + LANES_WIDTH; i += LANES_WIDTH) {
-        lanes_wide v0 = LANES_AT(v, i), a0 = LANES_AT(a, i);
-        *(lanes_wide *)(u_t + i) = LANES_AT(u, i) + (h * v0 + half * a0);
-        *(lanes_wide *)(v_t + i) = v0 + h * a0;
-    }
+LANES_INLINE void floors_predict(const struct floors_of *now, double h, int i, lanes *u, lanes *v) {
+    double half = h * h / 2.0;
+    *u = FOUR(now->u, i) + (h * FOUR(now->v, i) + half * FOUR(now->a, i));
+    *v = FOUR(now->v, i) + h * FOUR(now->a, i);
 }
 
-// Their shears, and of LANES_WIDTH above them.
-LANES_INLINE void floors_bear(const struct chain *c, int first, int n,
-                              const struct floors_trial *t) {
-    const double *stiffness = c->stiffness + first, *joint = c->joint + first, *u = t->u;
-    double *shear = t->shear;
-    for (int i = 0; i < n + LANES_WIDTH; i += LANES_WIDTH) {
-        *(lanes_wide *)(shear + i) =
-            LANES_AT(stiffness, i) * (LANES_AT(u, i) - LANES_AT(joint, i) * LANES_AT(u, i - 1));
-    }
+LANES_INLINE void floors_try(const struct chain *c, const struct floors_lines *lines,
+                             const struct floors_of *now, double h, int i, const lanes *under,
+                             struct floors_trial *t, lanes_bits *beyond) {
+    floors_predict(now, h, i, &t->u, &t->v);
+    lanes drift = t->u - FOUR(c->joint, i) * BELOW(*under, t->u);
+    floors_shear(c, lines, i, &drift, &t->shear, beyond);
 }
 
-// The same of storeys that follow lines. Negative if one is beyond its line.
-LANES_INLINE int64_t floors_bear_on_lines(const struct chain *c, const struct floors_lines *lines,
-                                          int first, int n, const struct floors_trial *t) {
+// residual (n) = p - M a - C v - storey shears of n floors, at the trial. Negative if a storey is
+// beyond its line. `external` NULL: p is that of the acceleration of the ground.
+LANES_INLINE int64_t floors_unbalance(const struct chain *c, const struct floors_lines *lines,
+                                      double h, int first, int n, const struct floors_of *now,
+                                      double ground, const double *external, double *residual) {
     lanes_bits beyond = {0};
-    for (int i = 0; i < n + LANES_WIDTH; i += LANES_VECTOR) {
-        lanes shear, drift = FOUR(t->u, i) - FOUR(c->joint, first + i) * FOUR(t->u, i - 1);
-        floors_shear(c, lines, first + i, &drift, &shear, &beyond);
-        *(lanes *)(t->shear + i) = shear;
+    struct floors_trial under, own, over;
+    floors_predict(now, h, first - LANES_VECTOR, &under.u, &under.v);
+    floors_try(c, lines, now, h, first, &under.u, &own, &beyond);
+    for (int i = first; i < first + n; i += LANES_VECTOR) {
+        floors_try(c, lines, now, h, i + LANES_VECTOR, &own.u, &over, &beyond);
+        lanes mass = FOUR(c->mass, i);
+        lanes p = mass * -ground;
+        if (external) {
+            p = FOUR(external, i);
+        }
+        lanes damping = FOUR(c->damping_below, i) * BELOW(under.v, own.v) +
+                        FOUR(c->damping, i) * own.v +
+                        FOUR(c->damping_below, i + 1) * ABOVE(own.v, over.v);
+        *(lanes *)(residual + (i - first)) = p - mass * FOUR(now->a, i) - damping - own.shear +
+                                             FOUR(c->joint, i + 1) * ABOVE(own.shear, over.shear);
+        under = own;
+        own = over;
     }
     return floors_any(&beyond);
-}
-
-// The unbalance of n floors. `external` NULL: p is that of the acceleration of the ground.
-LANES_INLINE void floors_unbalance(const struct chain *c, int first, int n,
-                                   const struct floors_of *now, double ground,
-                                   const double *external, const struct floors_trial *t) {
-    const double *own = c->damping + first, *below = c->damping_below + first;
-    const double *mass = c->mass + first, *joint = c->joint + first, *a = now->a + first;
-    const double *v = t->v, *shear = t->shear;
-    double *r = t->unbalance;
-    for (int i = 0; i < n; i += LANES_WIDTH) {
-        lanes_wide m = LANES_AT(mass, i);
-        lanes_wide p = m * -ground;
-        if (external) {
-            p = LANES_AT(external, first + i);
-        }
-        lanes_wide damping = LANES_AT(below, i) * LANES_AT(v, i - 1) +
-                             LANES_AT(own, i) * LANES_AT(v, i) +
-                             LANES_AT(below, i + 1) * LANES_AT(v, i + 1);
-        *(lanes_wide *)(r + i) = p - m * LANES_AT(a, i) - damping - LANES_AT(shear, i) +
-                                 LANES_AT(joint, i + 1) * LANES_AT(shear, i + 1);
-    }
 }
 
 LANES_INLINE int64_t floors_any_wide(const lanes_wide_bits *sign) {
@@ -144,24 +125,25 @@ LANES_INLINE int64_t floors_any_wide(const lanes_wide_bits *sign) {
 #define ABSOLUTE_WIDE(x) ((lanes_wide)((lanes_wide_bits)(x)&INT64_MAX))
 #define BEYOND_WIDE(x, limit) ((lanes_wide_bits)(limit) - ((lanes_wide_bits)(x)&INT64_MAX))
 
-// How corrections lead to a state: q (n_dof), beta h^2 and gamma h.
+// How corrections lead to a state: q (n_dof), beta h^2, gamma h and h.
 struct floors_correction {
     const double *q;
-    double b, g;
+    double b, g, h;
 };
 
 // Stores what corrections lead to. Negative if that is not finite.
 LANES_INLINE int64_t floors_correct(const struct floors_correction *k, int first, int end,
-                                    const struct floors_trial *t, const struct floors_of *now,
-                                    const struct floors_of *next) {
+                                    const struct floors_of *now, const struct floors_of *next) {
     const lanes_wide most = DBL_MAX - (lanes_wide){0.0};
-    const double *q = k->q, *u_t = t->u - first, *v_t = t->v - first, *a_0 = now->a;
+    const double *q = k->q, *u0 = now->u, *v0 = now->v, *a0 = now->a;
     double *next_u = next->u, *next_v = next->v, *next_a = next->a;
+    const double b = k->b, g = k->g, h = k->h, half = k->h * k->h / 2.0;
     lanes_wide_bits sign = {0};
     for (int i = first; i < end; i += LANES_WIDTH) {
-        lanes_wide u = LANES_AT(u_t, i) + k->b * LANES_AT(q, i);
-        lanes_wide v = LANES_AT(v_t, i) + k->g * LANES_AT(q, i);
-        lanes_wide a = LANES_AT(a_0, i) + LANES_AT(q, i);
+        lanes_wide u = LANES_AT(u0, i) + (h * LANES_AT(v0, i) + half * LANES_AT(a0, i)) +
+                       b * LANES_AT(q, i);
+        lanes_wide v = LANES_AT(v0, i) + h * LANES_AT(a0, i) + g * LANES_AT(q, i);
+        lanes_wide a = LANES_AT(a0, i) + LANES_AT(q, i);
         *(lanes_wide *)(next_u + i) = u;
         *(lanes_wide *)(next_v + i) = v;
         *(lanes_wide *)(next_a + i) = a;

@@ -56,14 +56,8 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
     for (int k = 0; k < m->n_building; k++) {
         f->first_end[k] = -1;
     }
-    double **const part[] = {&f->u, &f->v, &f->shear, &f->residual};
-    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        *part[i] = lanes_array(a, most + 2 * LANES_WIDTH);
-        if (!*part[i]) {
-            return false;
-        }
-    }
-    return true;
+    f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
+    return f->residual != NULL;
 }
 
 // Lists the ends of live links by building, in the order of the links.
@@ -119,21 +113,18 @@ struct move {
     const struct state *next;
     struct chain chain;
     struct floors_of from, to;
-    struct floors_trial trial;
     struct floors_correction correction;
 };
 
 LANES_INLINE struct move move_of(struct work *w, const struct state *now,
                                  const struct state *next) {
-    const struct floors *f = &w->floors;
     return (struct move){.work = w,
                          .now = now,
                          .next = next,
                          .chain = w->model->chain,
                          .from = floors_of(now),
                          .to = floors_of(next),
-                         .trial = {f->u, f->v, f->shear, f->residual},
-                         .correction = {w->correction, w->b, w->g}};
+                         .correction = {w->correction, w->b, w->g, w->h}};
 }
 
 // The next state of a block. `lines` NULL: all storeys are elastic. Negative if a storey is beyond
@@ -143,21 +134,15 @@ LANES_INLINE int64_t move_block(const struct move *s, const struct floors_lines 
     struct work *w = s->work;
     const double *external = state_is_uniform(w->model) ? NULL : s->next->external;
     int first = w->model->building[b->building].first;
-    int64_t sign = 0;
-    floors_predict(&s->from, w->h, b->first, b->n, &s->trial);
-    if (lines) {
-        sign = floors_bear_on_lines(&s->chain, lines, b->first, b->n, &s->trial);
-    } else {
-        floors_bear(&s->chain, b->first, b->n, &s->trial);
-    }
-    floors_unbalance(&s->chain, b->first, b->n, &s->from, s->next->ground_a[0], external,
-                     &s->trial);
+    double *r = w->floors.residual;
+    int64_t sign = floors_unbalance(&s->chain, lines, w->h, b->first, b->n, &s->from,
+                                    s->next->ground_a[0], external, r);
     if (s->next->n_live > 0) {
         push(w, s->now, s->next, b);
     }
-    solve_row(&w->effective[b->building], b->n_building, w->floors.residual + (first - b->first),
+    solve_row(&w->effective[b->building], b->n_building, r + (first - b->first),
               w->correction + first);
-    return sign | floors_correct(&s->correction, b->first, b->end, &s->trial, &s->from, &s->to);
+    return sign | floors_correct(&s->correction, b->first, b->end, &s->from, &s->to);
 }
 
 void floors_trial(struct work *w, const struct state *now, int k) {

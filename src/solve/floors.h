@@ -28,10 +28,10 @@ struct floors_late {
 
 struct floors {
     int n_block;
-    struct floor_block *block;         // (n_block)
-    double *u, *v, *shear, *residual;  // [L] [L/T] [F] [F] of a block: struct floors_trial
-    int *first_end, *following_end;    // (n_building), (2 n_link) live links by building: end i % 2
-                                       // of link i / 2; -1: none
+    struct floor_block *block;       // (n_block)
+    double *residual;                // [F] of a block
+    int *first_end, *following_end;  // (n_building), (2 n_link) live links by building: end i % 2
+                                     // of link i / 2; -1: none
     struct floors_late late;
 };
 
