@@ -9,14 +9,9 @@ typedef lanes_wide few_lanes;
 typedef lanes_wide_bits few_bits;
 #define FEW_BELOW(under, own) __builtin_shufflevector(under, own, 7, 8, 9, 10, 11, 12, 13, 14)
 #define FEW_ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4, 5, 6, 7, 8)
+#define few_any floors_any_wide
 #define FEW_CLONES __attribute__((target("arch=" LANES_WIDEST)))
 #define FEW_STEPS few_wide
-
-LANES_INLINE int64_t few_any(const few_bits *sign) {
-    const lanes_bits either = __builtin_shufflevector(*sign, *sign, 0, 1, 2, 3) |
-                              __builtin_shufflevector(*sign, *sign, 4, 5, 6, 7);
-    return floors_any(&either);
-}
 
 #include "solve/few_steps.h"
 

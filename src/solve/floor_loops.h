@@ -22,9 +22,13 @@
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
 #define BELOW(under, own) __builtin_shufflevector(under, own, 3, 4, 5, 6)
 #define ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4)
+#define LOWER_HALF(x) __builtin_shufflevector(x, x, 0, 1, 2, 3)
+#define UPPER_HALF(x) __builtin_shufflevector(x, x, 4, 5, 6, 7)
 #else
 #define BELOW(under, own) ((lanes){(under)[3], (own)[0], (own)[1], (own)[2]})
 #define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
+#define LOWER_HALF(x) ((lanes_bits){(x)[0], (x)[1], (x)[2], (x)[3]})
+#define UPPER_HALF(x) ((lanes_bits){(x)[4], (x)[5], (x)[6], (x)[7]})
 #endif
 
 // Negative where |x| > limit >= 0, as number_beyond.
@@ -115,11 +119,8 @@ LANES_INLINE int64_t floors_unbalance(const struct chain *c, const struct floors
 }
 
 LANES_INLINE int64_t floors_any_wide(const lanes_wide_bits *sign) {
-    int64_t any = 0;
-    for (int lane = 0; lane < LANES_WIDTH; lane++) {
-        any |= (*sign)[lane];
-    }
-    return any;
+    const lanes_bits either = LOWER_HALF(*sign) | UPPER_HALF(*sign);
+    return floors_any(&either);
 }
 
 #define ABSOLUTE_WIDE(x) ((lanes_wide)((lanes_wide_bits)(x)&INT64_MAX))
@@ -140,8 +141,8 @@ LANES_INLINE int64_t floors_correct(const struct floors_correction *k, int first
     const double b = k->b, g = k->g, h = k->h, half = k->h * k->h / 2.0;
     lanes_wide_bits sign = {0};
     for (int i = first; i < end; i += LANES_WIDTH) {
-        lanes_wide u = LANES_AT(u0, i) + (h * LANES_AT(v0, i) + half * LANES_AT(a0, i)) +
-                       b * LANES_AT(q, i);
+        lanes_wide u =
+            LANES_AT(u0, i) + (h * LANES_AT(v0, i) + half * LANES_AT(a0, i)) + b * LANES_AT(q, i);
         lanes_wide v = LANES_AT(v0, i) + h * LANES_AT(a0, i) + g * LANES_AT(q, i);
         lanes_wide a = LANES_AT(a0, i) + LANES_AT(q, i);
         *(lanes_wide *)(next_u + i) = u;
@@ -224,20 +225,31 @@ LANES_INLINE void floors_raise_drifts(const struct floors_peaks *p, const struct
 // then |x1| <= |x0|.
 #define TURNED_WIDE(x0, x1, peak) (BEYOND_WIDE(x0, peak) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
 
+// What is highest in so many floors at the start of a step is asked for at once.
+enum { FLOORS_ASKED = 64 };
+
+LANES_INLINE int floors_asked(int i, int end) {
+    return i + FLOORS_ASKED < end ? i + FLOORS_ASKED : end;
+}
+
 // Takes displacements, velocities and total accelerations that were highest at the start of a step
 // from s0 to s1, under one ground, into the peaks.
 LANES_INLINE void floors_add_peaks(int first, int end, const struct floors_moment *s0,
                                    const struct floors_moment *s1, const struct floors_peaks *p) {
     const double *peak_u = p->peak[PEAK_DISPLACEMENT], *peak_v = p->peak[PEAK_VELOCITY];
     const double *peak_a = p->peak[PEAK_ACCELERATION];
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground;
-        lanes_wide_bits turned =
-            TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i), LANES_AT(peak_u, i)) |
-            TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(peak_v, i)) |
-            TURNED_WIDE(a0, a1, LANES_AT(peak_a, i));
+    for (int part = first; part < end; part = floors_asked(part, end)) {
+        lanes_wide_bits turned = {0};
+        for (int i = part; i < floors_asked(part, end); i += LANES_WIDTH) {
+            lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground;
+            turned |= TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i), LANES_AT(peak_u, i)) |
+                      TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(peak_v, i)) |
+                      TURNED_WIDE(a0, a1, LANES_AT(peak_a, i));
+        }
         if (floors_any_wide(&turned) < 0) {
-            floors_raise_motion(p, s0, i);
+            for (int i = part; i < floors_asked(part, end); i += LANES_WIDTH) {
+                floors_raise_motion(p, s0, i);
+            }
         }
     }
 }
@@ -261,15 +273,20 @@ LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
                                    const struct floors_peaks *p, struct energy_account *account) {
     const double ground_2x = s0->ground + s1->ground, *peak = p->peak[PEAK_DRIFT];
     lanes_wide input = LANES_AT(account->input_2x, 0), damping = LANES_AT(account->damping_2x, 0);
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        lanes_wide d0, d1;
-        floors_input(c, i, ground_2x, s0->u, s1->u, &input);
-        floors_damped(c, i, s0->u, s1->u, s0->v, s1->v, &damping);
-        floors_drift(c, s0->u, i, &d0);
-        floors_drift(c, s1->u, i, &d1);
-        lanes_wide_bits turned = TURNED_WIDE(d0, d1, LANES_AT(peak, i));
+    for (int part = first; part < end; part = floors_asked(part, end)) {
+        lanes_wide_bits turned = {0};
+        for (int i = part; i < floors_asked(part, end); i += LANES_WIDTH) {
+            lanes_wide d0, d1;
+            floors_input(c, i, ground_2x, s0->u, s1->u, &input);
+            floors_damped(c, i, s0->u, s1->u, s0->v, s1->v, &damping);
+            floors_drift(c, s0->u, i, &d0);
+            floors_drift(c, s1->u, i, &d1);
+            turned |= TURNED_WIDE(d0, d1, LANES_AT(peak, i));
+        }
         if (floors_any_wide(&turned) < 0) {
-            floors_raise_drifts(p, c, s0, i);
+            for (int i = part; i < floors_asked(part, end); i += LANES_WIDTH) {
+                floors_raise_drifts(p, c, s0, i);
+            }
         }
     }
     *(lanes_wide *)account->input_2x = input;
