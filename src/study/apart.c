@@ -6,7 +6,8 @@
 #include <gsl/gsl_statistics.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
+
+#include "core/number.h"
 
 // The first mode of the building alone.
 static int first_mode(const struct model *m, int building, double *period, double *damping,
@@ -59,8 +60,9 @@ static bool same_run(const struct apart *a, long one, long other) {
     bool same = a->outcome[one].status == a->outcome[other].status;
     for (int i = 0; i < a->n_contact && same; i++) {
         const double *x = apart_values(a, one, i), *y = apart_values(a, other, i);
-        same = memcmp(x + APART_CLOSING, y + APART_CLOSING,
-                      (APART_VALUES - APART_CLOSING) * sizeof *x) == 0;
+        for (int j = APART_CLOSING; j < APART_VALUES; j++) {
+            same = same && number_bits(x[j]) == number_bits(y[j]);
+        }
     }
     return same;
 }

@@ -103,10 +103,9 @@ static void a_storey_moves_as_the_spectrum_says(void **state) {
 // A pulse of 0.04 s at 1 s acts in an analysis of 1.1 s, but not in one of 0.5 s.
 static void what_comes_after_the_end_moves_nothing(void **state) {
     (void)state;
-    char text[1024] = "";
-    for (int i = 0; i < 60; i++) {
-        strcat(text, i == 51 ? "0.5\n" : "0\n");
-    }
+    const char text[] = "0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n"
+                        "0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n"
+                        "0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0.5\n0\n";
     const char *record = support_write("late.txt", text);
     double velocity[2];
     for (int i = 0; i < 2; i++) {
