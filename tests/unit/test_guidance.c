@@ -3,7 +3,6 @@
 #include "model/guidance.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "jostle/spectrum.h"
 #include "model/floor_velocity.h"
