@@ -14,7 +14,7 @@ static void print_aim(const struct gap_search_request *q, const struct gap_searc
     const struct deck *d = q->plan->first->deck;
     const bool counts = dimension_equal(q->edp.dimension, dimension_none);
     printf("%s%s%s%s at most %.6g%s%s", d->title, d->title[0] ? "\n" : "",
-           q->edp.quantity->reduction == EDP_LARGEST ? "largest " : "", q->edp.text, q->limit,
+           q->edp.quantity->reduction != EDP_SUM ? "largest " : "", q->edp.text, q->limit,
            counts ? "" : " ", counts ? "" : q->edp.units);
     if (s->n_run == 1) {
         printf("\n");

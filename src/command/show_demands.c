@@ -46,7 +46,7 @@ static void take(void *context, const struct study_run *r) {
         int at;
         const double value = edp_value(edp, r->value, &at);
         const bool placed = r->outcome.status == STUDY_DONE &&
-                            (edp->quantity->reduction == EDP_LARGEST || edp->n_term == 1);
+                            (edp->quantity->reduction != EDP_SUM || edp->n_term == 1);
         print_line(p, r, edp, placed ? edp->term[at].location : "", value);
     }
 }

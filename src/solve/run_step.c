@@ -25,10 +25,14 @@ static const double TOGETHER = 1e-6;
 // end in a reasonable time.
 enum { CUTS_BUDGET = 2000000, CUTS_BUDGET_PER_STEP = 100 };
 
-int run_poll(struct run *r, double time) {
+static int poll_now(struct run *r, double time) {
     const struct observer *o = r->observer;
-    bool due = o && o->poll && r->results->totals.steps % RUN_POLL_STEPS == 0;
-    return due ? o->poll(o->context, time, r->error) : STATUS_OK;
+    return o && o->poll ? o->poll(o->context, time, r->error) : STATUS_OK;
+}
+
+int run_poll(struct run *r, double time) {
+    bool due = r->results->totals.steps % RUN_POLL_STEPS == 0;
+    return due ? poll_now(r, time) : STATUS_OK;
 }
 
 // Takes `next` as the new committed state.
@@ -68,7 +72,7 @@ static int spend_cut(struct run *r, double h, int cuts) {
             r->now->time);
     }
     long budget = CUTS_BUDGET + CUTS_BUDGET_PER_STEP * r->model->n_step;
-    return r->results->totals.cuts++ < budget ? STATUS_OK : give_up(r, h);
+    return r->results->totals.cuts++ < budget ? poll_now(r, r->now->time) : give_up(r, h);
 }
 
 // Steps to the instant of an event with its link held as it was. Where the step is long the instant
@@ -167,7 +171,7 @@ static int pass(struct run *r, struct event *event, double end, double h) {
         status = r->model->link[event->link].law->rebound ? meet(r, event) : jump(r, event);
         peaks_update(r->results, r->model, r->now);
     }
-    return status;
+    return status == STATUS_OK ? poll_now(r, r->now->time) : status;
 }
 
 int run_step(struct run *r, double end, double h, int cuts, double *rest) {

@@ -22,7 +22,7 @@ const struct edp_quantity edp_quantities[] = {
     {"storey-shear", EDP_OF_BUILDING, "buildings", "storey_shear", NULL, EDP_LARGEST,
      "restoring force of a storey"},
     {"force", EDP_OF_CONTACT, "contacts", "force", NULL, EDP_LARGEST, "contact force"},
-    {"penetration", EDP_OF_CONTACT, "contacts", "penetration", NULL, EDP_LARGEST,
+    {"penetration", EDP_OF_CONTACT, "contacts", "penetration", NULL, EDP_HIGHEST,
      "penetration of a contact, negative if it stays open"},
     {"impacts", EDP_OF_CONTACT, "contacts", "impacts", NULL, EDP_SUM, "number of impacts"},
     {"impulse", EDP_OF_CONTACT, "contacts", "impulse", NULL, EDP_SUM, "impulse of all impacts"},
@@ -274,8 +274,9 @@ double edp_value(const struct edp *p, const double *value, int *at) {
     return p->quantity->reduction == EDP_SUM && !isnan(largest) ? sum : largest;
 }
 
-int edp_limit(const struct edp *p, const struct unit_system *units, const char *text, double *limit,
-              struct error *e) {
+// A limit with its unit, or without.
+static int read_limit(const struct edp *p, const struct unit_system *units, const char *text,
+                      double *limit, struct error *e) {
     const char *end, *behind;
     struct dimension dimension;
     struct text_short t;
@@ -299,4 +300,13 @@ int edp_limit(const struct edp *p, const struct unit_system *units, const char *
     *limit = unit_convert(*limit, size, own);
     return isfinite(*limit) ? STATUS_OK
                             : error_set(e, STATUS_INPUT, "limit '%s' is too large", text);
+}
+
+int edp_limit(const struct edp *p, const struct unit_system *units, const char *text, double *limit,
+              struct error *e) {
+    int status = read_limit(p, units, text, limit, e);
+    if (status == STATUS_OK && *limit < 0.0 && p->quantity->reduction != EDP_HIGHEST) {
+        return error_set(e, STATUS_INPUT, "limit %s is below 0, where %s never is", text, p->text);
+    }
+    return status;
 }

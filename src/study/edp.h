@@ -7,7 +7,11 @@
 
 #include "jostle/study_file.h"
 
-enum edp_reduction { EDP_LARGEST, EDP_SUM };
+enum edp_reduction {
+    EDP_LARGEST,  // of sizes
+    EDP_HIGHEST,  // of values that may be negative
+    EDP_SUM,
+};
 
 // A quantity that can be asked for. `owner` is what stands behind the first colon.
 enum edp_owner { EDP_OF_BUILDING, EDP_OF_CONTACT, EDP_OF_LINK, EDP_OF_ALL };
@@ -51,7 +55,7 @@ double edp_value(const struct edp *p, const double *value, int *at);
 double edp_term_value(const struct edp *p, int term, const double *value);
 
 // "20mm" in the units of `p`; a bare number is in them already. Errors: STATUS_INPUT (no number,
-// another dimension, not finite).
+// another dimension, not finite, below 0 where values never are).
 int edp_limit(const struct edp *p, const struct unit_system *units, const char *text, double *limit,
               struct error *e);
 

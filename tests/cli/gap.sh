@@ -83,6 +83,7 @@ done
 refuses "--range goes with --limit" swing.deck --range 0:1:3
 refuses "unknown EDP 'forc'; did you mean 'force'?" swing.deck --limit forc=1
 refuses "--limit takes EDP=VALUE" swing.deck --limit force
+refuses "limit -1 is below 0, where impacts never is" swing.deck --limit impacts=-1
 refuses "limit 1mm is a length; force needs a force (kN)" swing.deck --limit force=1mm
 refuses "force:X: unknown contact; 1 known: A:1-wall" swing.deck --limit force:X=1
 refuses "drift:X: unknown building; known: A" swing.deck --limit drift:X=1

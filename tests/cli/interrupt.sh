@@ -22,6 +22,35 @@ for signal in INT TERM HUP; do
     expect "SIG$signal leaves no file" 'only long.deck'
 done
 
+# timeout(1) signals twice at once.
+run timeout 1 "$jostle" run -q long.deck
+expect "a run that timeout ends tells of it, and leaves no file" '[ $status -eq 124 ] && said "interrupted by signal 15" && only long.deck'
+
+# Bodies that touch and rattle: a step takes many impacts, and an impact long.
+cat >rattle.deck <<END
+building B0 -floors 5 -mass 187214 -stiffness 1.2348e+08 -height 3
+damping B0 rayleigh 0.07486
+storey B0:all bouc-wen -yield 3.16113e+06 -hardening 0.1
+building B1 -floors 8 -mass 59422.1 -stiffness 3.36876e+07 -height 3
+building B2 -floors 10 -mass 11562.9 16679.3 18328.4 10929.3 10655.8 10311.3 10378.5 13245.5 13176 13389.9 -stiffness 1.08202e+07 -height 3
+damping B2 rayleigh 0.06998
+building B3 -floors 6 -mass 609533 -stiffness 4.30095e+08 -height 3
+building B4 -floors 6 -mass 111480 130068 155399 130518 190438 139337 -stiffness 3.51474e+07 -height 3
+damping B4 modal 0.04569
+storey B4:all bouc-wen -yield 644007 -hardening 0.02
+contact B0 B1 -gap 0.0067111 -law stereomechanical -e 0.14
+contact B1 B2 -gap 0 -law stereomechanical -e 0.575
+contact B2 B3 -gap 0.0021123 -law stereomechanical -e 0.243
+contact B3 B4 -gap 0 -law stereomechanical -e 0.593
+contact B4 wall -gap 0 -law stereomechanical -e 0.681
+ground record $root/input/records/ELCENTRO_1940_NS.AT2 -pga 0.498g
+step fixed 0.00453779
+duration 0.9
+END
+run timeout -k 4 1 "$jostle" run -q rattle.deck
+expect "so does one between two of many impacts" '[ $status -eq 124 ] && said "interrupted by signal 15" && only long.deck rattle.deck'
+rm rattle.deck
+
 echo 'kept' >long.h5
 "$jostle" run long.deck --force >"$out" 2>"$err" </dev/null &
 child=$!
