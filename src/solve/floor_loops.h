@@ -225,11 +225,29 @@ LANES_INLINE void floors_raise_drifts(const struct floors_peaks *p, const struct
 // then |x1| <= |x0|.
 #define TURNED_WIDE(x0, x1, peak) (BEYOND_WIDE(x0, peak) & ~BEYOND_WIDE(x1, ABSOLUTE_WIDE(x0)))
 
-// What is highest in so many floors at the start of a step is asked for at once.
+// Whether anything is beyond its peak is asked for so many floors at once, and what turns there
+// only if something is.
 enum { FLOORS_ASKED = 64 };
 
 LANES_INLINE int floors_asked(int i, int end) {
     return i + FLOORS_ASKED < end ? i + FLOORS_ASKED : end;
+}
+
+// Takes what turned in a step from s0 to s1 into the peaks of motion.
+LANES_INLINE void floors_turn_motion(int first, int end, const struct floors_moment *s0,
+                                     const struct floors_moment *s1, const struct floors_peaks *p) {
+    const double *peak_u = p->peak[PEAK_DISPLACEMENT], *peak_v = p->peak[PEAK_VELOCITY];
+    const double *peak_a = p->peak[PEAK_ACCELERATION];
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground;
+        lanes_wide_bits turned =
+            TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i), LANES_AT(peak_u, i)) |
+            TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(peak_v, i)) |
+            TURNED_WIDE(a0, a1, LANES_AT(peak_a, i));
+        if (floors_any_wide(&turned) < 0) {
+            floors_raise_motion(p, s0, i);
+        }
+    }
 }
 
 // Takes displacements, velocities and total accelerations that were highest at the start of a step
@@ -239,17 +257,14 @@ LANES_INLINE void floors_add_peaks(int first, int end, const struct floors_momen
     const double *peak_u = p->peak[PEAK_DISPLACEMENT], *peak_v = p->peak[PEAK_VELOCITY];
     const double *peak_a = p->peak[PEAK_ACCELERATION];
     for (int part = first; part < end; part = floors_asked(part, end)) {
-        lanes_wide_bits turned = {0};
+        lanes_wide_bits higher = {0};
         for (int i = part; i < floors_asked(part, end); i += LANES_WIDTH) {
-            lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground;
-            turned |= TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i), LANES_AT(peak_u, i)) |
-                      TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(peak_v, i)) |
-                      TURNED_WIDE(a0, a1, LANES_AT(peak_a, i));
+            higher |= BEYOND_WIDE(LANES_AT(s0->u, i), LANES_AT(peak_u, i)) |
+                      BEYOND_WIDE(LANES_AT(s0->v, i), LANES_AT(peak_v, i)) |
+                      BEYOND_WIDE(LANES_AT(s0->a, i) + s0->ground, LANES_AT(peak_a, i));
         }
-        if (floors_any_wide(&turned) < 0) {
-            for (int i = part; i < floors_asked(part, end); i += LANES_WIDTH) {
-                floors_raise_motion(p, s0, i);
-            }
+        if (floors_any_wide(&higher) < 0) {
+            floors_turn_motion(part, floors_asked(part, end), s0, s1, p);
         }
     }
 }
@@ -267,6 +282,22 @@ LANES_INLINE void floors_add_shears(int first, int end, const struct floors_mome
     }
 }
 
+// Takes what turned into the peaks of drifts and shears.
+LANES_INLINE void floors_turn_drifts(const struct chain *c, int first, int end,
+                                     const struct floors_moment *s0, const struct floors_moment *s1,
+                                     const struct floors_peaks *p) {
+    const double *peak = p->peak[PEAK_DRIFT];
+    for (int i = first; i < end; i += LANES_WIDTH) {
+        lanes_wide d0, d1;
+        floors_drift(c, s0->u, i, &d0);
+        floors_drift(c, s1->u, i, &d1);
+        lanes_wide_bits turned = TURNED_WIDE(d0, d1, LANES_AT(peak, i));
+        if (floors_any_wide(&turned) < 0) {
+            floors_raise_drifts(p, c, s0, i);
+        }
+    }
+}
+
 // Adds the works of the floors from `first` to `end`. The same of drifts.
 LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
                                    const struct floors_moment *s0, const struct floors_moment *s1,
@@ -274,19 +305,16 @@ LANES_INLINE void floors_add_works(const struct chain *c, int first, int end,
     const double ground_2x = s0->ground + s1->ground, *peak = p->peak[PEAK_DRIFT];
     lanes_wide input = LANES_AT(account->input_2x, 0), damping = LANES_AT(account->damping_2x, 0);
     for (int part = first; part < end; part = floors_asked(part, end)) {
-        lanes_wide_bits turned = {0};
+        lanes_wide_bits higher = {0};
         for (int i = part; i < floors_asked(part, end); i += LANES_WIDTH) {
-            lanes_wide d0, d1;
+            lanes_wide drift;
             floors_input(c, i, ground_2x, s0->u, s1->u, &input);
             floors_damped(c, i, s0->u, s1->u, s0->v, s1->v, &damping);
-            floors_drift(c, s0->u, i, &d0);
-            floors_drift(c, s1->u, i, &d1);
-            turned |= TURNED_WIDE(d0, d1, LANES_AT(peak, i));
+            floors_drift(c, s0->u, i, &drift);
+            higher |= BEYOND_WIDE(drift, LANES_AT(peak, i));
         }
-        if (floors_any_wide(&turned) < 0) {
-            for (int i = part; i < floors_asked(part, end); i += LANES_WIDTH) {
-                floors_raise_drifts(p, c, s0, i);
-            }
+        if (floors_any_wide(&higher) < 0) {
+            floors_turn_drifts(c, part, floors_asked(part, end), s0, s1, p);
         }
     }
     *(lanes_wide *)account->input_2x = input;
