@@ -236,4 +236,32 @@ LANES_INLINE bool few_raise(const struct results *r, int n, const struct few_flo
     return few_any(&sign) >= 0;
 }
 
+// How near contacts have come.
+enum nearness {
+    NEARNESS_FAR,
+    NEARNESS_DEEPEST,  // nearer than ever
+    NEARNESS_CLOSED,
+};
+
+// That of the contacts of all groups at the displacements u.
+LANES_INLINE enum nearness few_nearness(const struct flight *f, const double *u,
+                                        const double *ground) {
+    const double *gap = f->gap;
+    lanes_bits closed = {0}, nearer = {0};
+    for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++, gap += LANES_WIDTH) {
+        const double *nearest = f->work->gaps.nearest + g->contact;
+        for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR) {
+            lanes delta;
+            floors_delta(g, i, gap, u, ground, &delta);
+            closed |= (lanes_bits)(0.0 - delta);
+            nearer |= (lanes_bits)(FOUR(nearest, i) - delta);
+        }
+    }
+    lanes_bits near = closed | nearer;
+    if (floors_any(&near) >= 0) {
+        return NEARNESS_FAR;
+    }
+    return floors_any(&closed) < 0 ? NEARNESS_CLOSED : NEARNESS_DEEPEST;
+}
+
 #endif

@@ -66,7 +66,7 @@ LANES_INLINE void few_get_lines(struct few_table *t, const struct floors_lines *
 LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_lines *lines, int n,
                                 const struct few_floors *next, const double *shown, double time,
                                 double ground, struct state *s) {
-    enum nearness near = floors_look(f, 0, f->n_group, shown, s->ground_u);
+    enum nearness near = few_nearness(f, shown, s->ground_u);
     if (near == NEARNESS_CLOSED || !few_raise(f->results, n, next, time, ground)) {
         return false;
     }

@@ -336,28 +336,6 @@ LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines
     }
 }
 
-// How near have the contacts of some groups come: closed, or nearer than ever?
-LANES_INLINE enum nearness floors_look(const struct flight *f, int from, int to, const double *u,
-                                       const double *ground) {
-    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH;
-    lanes_bits closed = {0}, nearer = {0};
-    for (const struct gap_group *g = f->group + from; g < f->group + to; g++) {
-        const double *left = u + g->dof[0], *right = u + g->dof[1];
-        const double *deepest = f->work->gaps.nearest + g->contact;
-        double apart = ground[g->ground[0]] - ground[g->ground[1]];
-        for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR, gap += LANES_VECTOR) {
-            lanes delta = FOUR(left, i) - FOUR(right, i) - FOUR(gap, 0) + apart;
-            closed |= (lanes_bits)(0.0 - delta);
-            nearer |= (lanes_bits)(FOUR(deepest, i) - delta);
-        }
-    }
-    lanes_bits near = closed | nearer;
-    if (floors_any(&near) >= 0) {
-        return NEARNESS_FAR;
-    }
-    return floors_any(&closed) < 0 ? NEARNESS_CLOSED : NEARNESS_DEEPEST;
-}
-
 // Penetrations of four contacts of a group, from number i on.
 LANES_INLINE void floors_delta(const struct gap_group *g, int i, const double *gap, const double *u,
                                const double *ground, lanes *delta) {

@@ -60,13 +60,6 @@ void floors_defer(struct floors_late *late, const struct state *now);
 void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
                    const struct state *now);
 
-// How near contacts have come.
-enum nearness {
-    NEARNESS_FAR,
-    NEARNESS_DEEPEST,  // nearer than ever
-    NEARNESS_CLOSED,
-};
-
 // A step in free flight to the time and under the ground accelerations, or where these are not
 // uniform the base and external forces of `next`, and what account is due. Contacts that were
 // nearest in `now` are noted. False: it is none; a contact would close, or it is not finite.
