@@ -174,13 +174,13 @@ struct account {
 
 // Takes it as far as floor `end`.
 LANES_INLINE void account_to(struct account *a, int end) {
-    const struct chain c = *a->chain;
-    const struct floors_moment s0 = a->s0, s1 = a->s1;
-    const struct floors_peaks p = {a->results->peak, a->results->peak_time};
     const int first = a->done;
     if (first >= end) {
         return;
     }
+    const struct chain c = *a->chain;
+    const struct floors_moment s0 = a->s0, s1 = a->s1;
+    const struct floors_peaks p = {a->results->peak, a->results->peak_time};
     floors_add_peaks(first, end, &s0, &s1, &p);
     floors_add_works(&c, first, end, &s0, &s1, &p, a->energy);
     if (s0.shear) {
