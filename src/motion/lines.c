@@ -74,6 +74,10 @@ static const char *skip_blanks(const char *at, const char *end) {
 }
 
 bool lines_field(struct span *rest, const char *separators, struct span *field) {
+    if (rest->n == 0) {
+        *field = *rest;  // which may be nowhere
+        return false;
+    }
     const char *end = rest->text + rest->n;
     const char *start = skip_blanks(rest->text, end);
     const char *at = start;
