@@ -11,7 +11,6 @@
 #include "solve/floor_loops.h"
 
 enum {
-    LINE = 64,
     WIDTH = sizeof(few_lanes) / sizeof(double),
     VECTORS = FEW_MAX / WIDTH,
     PER_EIGHT = LANES_WIDTH / WIDTH,

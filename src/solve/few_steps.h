@@ -25,7 +25,7 @@ LANES_INLINE void few_look(const struct flight *f, const double *u, few_bits *si
 LANES_INLINE void few_step(const struct work *w, const struct floors_lines *lines, int n,
                            const struct few_floors *now, double ground, double *shown,
                            struct few_floors *next, few_bits *beyond) {
-    alignas(LINE) double residual[FEW_MAX];
+    alignas(LANES_LINE) double residual[FEW_MAX];
     struct few_floors trial;
     few_lanes q[VECTORS];
     few_try(w, lines, n, now, ground, &trial, residual, beyond);
@@ -86,7 +86,7 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     const struct work *w = f->work;
     struct few_table *t = w->few.table;
     double *const peak[PEAK_COUNT] = {t->peak[0], t->peak[1], t->peak[2], t->peak[3], t->peak[4]};
-    alignas(LINE) double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
+    alignas(LANES_LINE) double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
     struct few_floors now;
     struct few_works works;
     double time = s->time, ground = s->ground_a[0];
@@ -137,7 +137,7 @@ FEW_CLONES static long fly_on_lines(const struct flight *f, struct state *s, lon
 }
 
 LANES_INLINE bool move(struct work *w, const struct state *now, struct state *next, int n) {
-    alignas(LINE) double residual[FEW_MAX];
+    alignas(LANES_LINE) double residual[FEW_MAX];
     struct few_floors start, trial, end;
     few_lanes q[VECTORS];
     few_bits sign = {0};
