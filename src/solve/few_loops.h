@@ -43,6 +43,15 @@ struct few_works {
 
 static const few_lanes none = {0.0};
 
+// Numbers of Newmark's method, in a copy that no store to memory can change: struct work.
+struct few_scheme {
+    double h, half, b, g;
+};
+
+LANES_INLINE struct few_scheme few_scheme_of(const struct work *w) {
+    return (struct few_scheme){.h = w->h, .half = w->h * w->h / 2.0, .b = w->b, .g = w->g};
+}
+
 // Drifts and shears at the displacements of s. `lines` NULL: storeys are elastic. *beyond gets
 // negative where one is beyond its line.
 LANES_INLINE void few_strain(const struct few_table *t, const struct floors_lines *lines, int n,
@@ -87,7 +96,7 @@ LANES_INLINE void few_solve(const struct few *few, int n, const double *residual
             sum[part] = residual[rows->from] * PART(row, part);
         }
         row += FEW_MAX;
-        _Pragma("GCC unroll 4") for (int k = rows->from + 1; k < rows->to; k++, row += FEW_MAX) {
+        _Pragma("GCC unroll 2") for (int k = rows->from + 1; k < rows->to; k++, row += FEW_MAX) {
             EACH_VECTOR(part, PER_EIGHT) {
                 sum[part] += residual[k] * PART(row, part);
             }
@@ -132,25 +141,25 @@ LANES_INLINE void few_add_works(const struct few_table *t, int n, const struct f
 }
 
 // The trial and its residuals.
-LANES_INLINE void few_try(const struct work *w, const struct floors_lines *lines, int n,
-                          const struct few_floors *now, double ground, struct few_floors *trial,
-                          double *residual, few_bits *beyond) {
-    const double h = w->h, half = h * h / 2.0;
+LANES_INLINE void few_try(const struct few_table *t, const struct few_scheme *c,
+                          const struct floors_lines *lines, int n, const struct few_floors *now,
+                          double ground, struct few_floors *trial, double *residual,
+                          few_bits *beyond) {
     EACH_VECTOR(j, n) {
-        trial->u[j] = now->u[j] + (h * now->v[j] + half * now->a[j]);
-        trial->v[j] = now->v[j] + h * now->a[j];
+        trial->u[j] = now->u[j] + (c->h * now->v[j] + c->half * now->a[j]);
+        trial->v[j] = now->v[j] + c->h * now->a[j];
     }
-    few_strain(w->few.table, lines, n, trial, beyond);
-    few_unbalance(w->few.table, n, now, trial, ground, residual);
+    few_strain(t, lines, n, trial, beyond);
+    few_unbalance(t, n, now, trial, ground, residual);
 }
 
 // What the corrections q of the accelerations lead to.
-LANES_INLINE void few_reach(const struct work *w, int n, const struct few_floors *now,
+LANES_INLINE void few_reach(const struct few_scheme *c, int n, const struct few_floors *now,
                             const struct few_floors *trial, const few_lanes *q,
                             struct few_floors *next) {
     EACH_VECTOR(j, n) {
-        next->u[j] = trial->u[j] + w->b * q[j];
-        next->v[j] = trial->v[j] + w->g * q[j];
+        next->u[j] = trial->u[j] + c->b * q[j];
+        next->v[j] = trial->v[j] + c->g * q[j];
         next->a[j] = now->a[j] + q[j];
     }
 }

@@ -21,20 +21,6 @@ LANES_INLINE void few_look(const struct flight *f, const double *u, few_bits *si
     }
 }
 
-// The state after a step, with its displacements in `shown` too.
-LANES_INLINE void few_step(const struct work *w, const struct floors_lines *lines, int n,
-                           const struct few_floors *now, double ground, double *shown,
-                           struct few_floors *next, few_bits *beyond) {
-    alignas(LANES_LINE) double residual[FEW_MAX];
-    struct few_floors trial;
-    few_lanes q[VECTORS];
-    few_try(w, lines, n, now, ground, &trial, residual, beyond);
-    few_solve(&w->few, n, residual, q);
-    few_reach(w, n, now, &trial, q, next);
-    few_put(next->u, n, shown);
-    few_strain(w->few.table, lines, n, next, beyond);
-}
-
 LANES_INLINE void few_add_storey_works(int n, const struct few_floors *now,
                                        const struct few_floors *next, double *work) {
     EACH_VECTOR(j, n) {
@@ -62,66 +48,118 @@ LANES_INLINE void few_get_lines(struct few_table *t, const struct floors_lines *
     few_get(t->limit, lines->limit, n);
 }
 
-// Takes a step in flight to `time` into the peaks. False: it is none.
+// An end of a step.
+struct few_instant {
+    double time, ground;
+};
+
+LANES_INLINE double few_ground(const struct work *w, long step) {
+    return w->ahead.ground[step - w->ahead.from];
+}
+
+LANES_INLINE struct few_instant few_instant_of(const struct work *w, long step) {
+    return (struct few_instant){w->ahead.time[step - w->ahead.from], few_ground(w, step)};
+}
+
+// Takes a step in flight into the peaks. False: it is none.
 LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_lines *lines, int n,
-                                const struct few_floors *next, const double *shown, double time,
-                                double ground, struct state *s) {
+                                const struct few_floors *next, const double *shown,
+                                const struct few_instant *then, struct state *s) {
     enum nearness near = few_nearness(f, shown, s->ground_u);
-    if (near == NEARNESS_CLOSED || !few_raise(f->results, n, next, time, ground)) {
+    if (near == NEARNESS_CLOSED || !few_raise(f->results, n, next, then->time, then->ground)) {
         return false;
     }
     few_get_peaks(f->work->few.table, f->results, n);
     if (near == NEARNESS_DEEPEST) {
         few_store(next, lines, n, s);
-        s->time = time;
+        s->time = then->time;
         flight_deepen(f, s);
     }
     return true;
 }
 
+// Is the step to `next` one in free flight? Then it is taken into the peaks. *end becomes that step
+// if `ahead`, of the trial from there, is negative.
+LANES_INLINE bool few_confirm(const struct flight *f, const struct floors_lines *lines, int n,
+                              struct few_floors *next, const double *shown,
+                              const struct few_instant *then, struct state *s,
+                              const few_bits *ahead, long step, long *end) {
+    struct few_table *t = f->work->few.table;
+    double *const peak[PEAK_COUNT] = {t->peak[0], t->peak[1], t->peak[2], t->peak[3], t->peak[4]};
+    few_bits beyond = {0}, news = *ahead;
+    few_strain(t, lines, n, next, &beyond);
+    few_compare(peak, lines, n, next, then->ground, &news);
+    few_look(f, shown, &news);
+    news |= beyond;
+    if (few_any(&news) >= 0) {
+        return true;
+    }
+    *end = few_any(ahead) < 0 ? step : *end;
+    return few_any(&beyond) >= 0 && few_take_note(f, lines, n, next, shown, then, s);
+}
+
+// The works of the step from `before` to `now`.
+LANES_INLINE void few_work(const struct flight *f, const struct floors_lines *lines, int n,
+                           const struct few_floors *before, const struct few_floors *now,
+                           double ground_2x, struct few_works *works) {
+    few_add_works(f->work->few.table, n, before, now, ground_2x, works);
+    if (lines) {
+        few_add_storey_works(n, before, now, f->energy->storey_2x);
+    }
+}
+
 // Takes steps of a model of n vectors from number `from` to number `end`, or until one is none in
-// free flight; returns the one reached. Between steps all is in registers.
+// free flight; returns the one reached. Between steps all is in registers. Each number on the way
+// from one trial to the next waits for the one before it, and the processor does meanwhile what
+// stands near: so a step is looked at after the next trial, and its works wait one step more.
 LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lines, int n,
                           struct state *s, long from, long end) {
     const struct work *w = f->work;
     struct few_table *t = w->few.table;
-    double *const peak[PEAK_COUNT] = {t->peak[0], t->peak[1], t->peak[2], t->peak[3], t->peak[4]};
+    const struct few_scheme scheme = few_scheme_of(w);
     alignas(LANES_LINE) double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
-    struct few_floors now;
+    alignas(LANES_LINE) double residual[FEW_MAX];
+    struct few_floors before, now, trial;
     struct few_works works;
-    double time = s->time, ground = s->ground_a[0];
+    struct few_instant instant = {s->time, s->ground_a[0]};
+    double ground_2x = 0.0;
+    few_bits beyond = {0};
     few_load(s, lines, n, &now);
     few_load_works(f->energy, &works);
     few_get_peaks(t, f->results, n);
     if (lines) {
         few_get_lines(t, lines, n);
     }
+    before = now;
+    few_try(t, &scheme, lines, n, &now, few_ground(w, from + 1), &trial, residual, &beyond);
+    end = few_any(&beyond) < 0 ? from : end;
     long step = from;
-    for (; step < end; step++) {
-        struct few_floors next;
-        few_bits beyond = {0}, news = {0};
-        const long ahead = step + 1 - w->ahead.from;
-        few_step(w, lines, n, &now, w->ahead.ground[ahead], shown, &next, &beyond);
-        few_compare(peak, lines, n, &next, w->ahead.ground[ahead], &news);
-        few_look(f, shown, &news);
-        news |= beyond;
-        if (few_any(&news) < 0 &&
-            (few_any(&beyond) < 0 || !few_take_note(f, lines, n, &next, shown, w->ahead.time[ahead],
-                                                    w->ahead.ground[ahead], s))) {
+    while (step < end) {
+        struct few_floors next, ahead;
+        few_lanes q[VECTORS];
+        const struct few_instant then = few_instant_of(w, step + 1);
+        few_solve(&w->few, n, residual, q);
+        few_work(f, lines, n, &before, &now, ground_2x, &works);
+        before = now;
+        few_reach(&scheme, n, &now, &trial, q, &next);
+        few_put(next.u, n, shown);
+        beyond = (few_bits){0};
+        few_try(t, &scheme, lines, n, &next, few_ground(w, step + 2 < end ? step + 2 : end), &ahead,
+                residual, &beyond);
+        if (!few_confirm(f, lines, n, &next, shown, &then, s, &beyond, step + 1, &end)) {
             break;
         }
-        few_add_works(t, n, &now, &next, ground + w->ahead.ground[ahead], &works);
-        if (lines) {
-            few_add_storey_works(n, &now, &next, f->energy->storey_2x);
-        }
+        ground_2x = instant.ground + then.ground;
         now = next;
-        time = w->ahead.time[ahead];
-        ground = w->ahead.ground[ahead];
+        trial = ahead;
+        instant = then;
+        step++;
     }
+    few_work(f, lines, n, &before, &now, ground_2x, &works);
     few_store(&now, lines, n, s);
     few_store_works(&works, f->energy);
-    s->time = time;
-    s->ground_a[0] = ground;
+    s->time = instant.time;
+    s->ground_a[0] = instant.ground;
     return step;
 }
 
@@ -141,11 +179,12 @@ LANES_INLINE bool move(struct work *w, const struct state *now, struct state *ne
     struct few_floors start, trial, end;
     few_lanes q[VECTORS];
     few_bits sign = {0};
+    const struct few_scheme scheme = few_scheme_of(w);
     few_load(now, NULL, n, &start);
-    few_try(w, NULL, n, &start, next->ground_a[0], &trial, residual, &sign);
+    few_try(w->few.table, &scheme, NULL, n, &start, next->ground_a[0], &trial, residual, &sign);
     state_add_link_forces(next, w->model, residual);
     few_solve(&w->few, n, residual, q);
-    few_reach(w, n, &start, &trial, q, &end);
+    few_reach(&scheme, n, &start, &trial, q, &end);
     few_put(trial.u, n, w->u_trial);
     few_put(trial.v, n, w->v_trial);
     few_put(q, n, w->correction);
@@ -160,6 +199,7 @@ FEW_CLONES static bool take_step(struct work *w, const struct state *now, struct
 
 LANES_INLINE void correct(const struct work *w, const struct state *now, struct state *next,
                           int n) {
+    const struct few_scheme scheme = few_scheme_of(w);
     struct few_floors start, trial, end;
     few_lanes q[VECTORS];
     EACH_VECTOR(j, n) {
@@ -168,7 +208,7 @@ LANES_INLINE void correct(const struct work *w, const struct state *now, struct 
         trial.v[j] = PART(w->v_trial, j);
         q[j] = PART(w->correction, j);
     }
-    few_reach(w, n, &start, &trial, q, &end);
+    few_reach(&scheme, n, &start, &trial, q, &end);
     few_store(&end, NULL, n, next);
 }
 
