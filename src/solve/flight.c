@@ -196,8 +196,15 @@ static bool step_to(struct flight *f, const struct state *now, struct state *nex
     return free;
 }
 
-static bool may_start(struct flight *f, const struct state *s) {
-    if (!f->possible || s->n_live > 0 || f->work->h != f->model->dt) {
+// Has a storey left its line in the step from `before`? Then it most likely will in the next.
+static bool has_yielded(const struct model *m, const struct state *before, const struct state *s) {
+    return memcmp(before->storey_history, s->storey_history,
+                  (size_t)m->n_storey_history * sizeof *s->storey_history) != 0;
+}
+
+static bool may_start(struct flight *f, const struct state *before, const struct state *s) {
+    if (!f->possible || s->n_live > 0 || f->work->h != f->model->dt ||
+        has_yielded(f->model, before, s)) {
         return false;
     }
     if (f->yields) {
@@ -236,7 +243,7 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     if (f->uniform) {
         excitation_foresee(&f->work->ahead, f->model, n + 1);
     }
-    if (!may_start(f, *now)) {
+    if (!may_start(f, *next, *now)) {
         return n;
     }
     end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter

@@ -39,11 +39,10 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
 }
 
-// residual = external - M a - C v - storey shears - link forces, at u, v and a.
-static void residuals(struct work *w, struct state *next, const double *u, const double *v,
-                      const double *a) {
+// residual = external - M a - C v - storey shears - link forces, with the internal forces of
+// `next`.
+static void residuals(struct work *w, struct state *next, const double *a) {
     const struct model *m = w->model;
-    state_internal_forces(next, m, u, v);
     chain_residual(&m->chain, next->external, a, next->damping_force, next->shear, w->residual);
     state_add_link_forces(next, m, w->residual);
 }
@@ -97,24 +96,22 @@ static void correct_touched(struct work *w, const struct state *now, struct stat
 }
 
 // Do the storeys of building k bear, at the drifts that the solution found, the shears that their
-// linearisation predicted?
-static bool agrees(const struct work *w, const struct state *next, int k) {
+// linearisation predicted? Displacements below are known from those above and the drifts.
+LANES static bool agrees(const struct work *w, const struct state *next, int k) {
     const struct building *g = &w->model->building[k];
-    const double *tangent = w->effective[k].tangent;
-    double below = 0.0;
-    for (int i = 0; i < g->n_floor; i++) {
-        int j = g->first + i;
-        const struct storey *s = &w->model->storey[j];
-        double drift = next->u[j] - below;
-        double predicted = next->shear[j] + tangent[i] * (drift - next->drift[j]);
-        double shear = s->law->shear(s->constant, next->storey_history + s->history, drift).shear;
-        double rounding = 8.0 * DBL_EPSILON * g->stiffness[i] * (fabs(below) + fabs(next->u[j]));
-        if (!(fabs(shear - predicted) <= w->model->tolerance * fabs(shear) + rounding)) {
-            return false;
-        }
-        below = next->u[j];
+    const double *tangent = w->effective[k].tangent, *stiffness = g->stiffness;
+    const double *u = next->u + g->first;
+    const double *drift = next->drift + g->first, *drift_0 = w->drift + g->first;
+    const double *shear = next->shear + g->first, *shear_0 = w->shear + g->first;
+    const double tolerance = w->model->tolerance;
+    long beyond = 0;
+    for (int i = 0, n = g->n_floor; i < n; i++) {
+        double predicted = shear_0[i] + tangent[i] * (drift[i] - drift_0[i]);
+        double size = fabs(u[i] - drift[i]) + fabs(u[i]);
+        double allowed = tolerance * fabs(shear[i]) + 8.0 * DBL_EPSILON * stiffness[i] * size;
+        beyond |= !(fabs(shear[i] - predicted) <= allowed);
     }
-    return true;
+    return beyond == 0;
 }
 
 static bool settle(struct work *w, const struct state *next) {
@@ -129,7 +126,7 @@ static bool settle(struct work *w, const struct state *next) {
     return all;
 }
 
-// Takes the tangents at the trial drifts of the buildings that are not settled, and factorises
+// Takes the tangents at the drifts reached of the buildings that are not settled, and factorises
 // again.
 static int relinearise(struct work *w, const struct state *next) {
     const struct model *m = w->model;
@@ -184,11 +181,20 @@ static int not_finite(const struct model *m, const struct state *s, struct error
     return error_set(e, STATUS_FAILED, "the state is not finite at t = %.9g", s->time);
 }
 
-// Newton's iteration on storeys and links.
+// Keeps where the storeys were linearised, and takes the forces at the state reached.
+static void reach(struct work *w, struct state *next) {
+    const struct model *m = w->model;
+    memcpy(w->drift, next->drift, (size_t)m->n_dof * sizeof *w->drift);
+    memcpy(w->shear, next->shear, (size_t)m->n_dof * sizeof *w->shear);
+    state_internal_forces(next, m, next->u, next->v);
+}
+
+// Newton's iteration on storeys and links. Leaves the internal forces of the state it finds.
 static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
     const struct model *m = w->model;
     chain_trial(&m->chain, w->h, now->u, now->v, now->a, w->u_trial, w->v_trial);
-    residuals(w, next, w->u_trial, w->v_trial, now->a);
+    state_internal_forces(next, m, w->u_trial, w->v_trial);
+    residuals(w, next, now->a);
     for (int i = 0; i < m->iterations; i++) {
         w->totals->iterations++;
         solve_residuals(w);
@@ -200,10 +206,11 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
         if (status != STATUS_OK) {
             return status;
         }
+        reach(w, next);
         if (settle(w, next)) {
             return STATUS_OK;
         }
-        residuals(w, next, next->u, next->v, next->a);
+        residuals(w, next, next->a);
         if (relinearise(w, next) != STATUS_OK) {
             return STATUS_RETRY;
         }
@@ -232,11 +239,11 @@ static int solve_linear(struct work *w, const struct state *now, struct state *n
     return solve_links(w, now, next);
 }
 
-// Everything else that belongs to the end of the step: forces, and the histories of the laws.
+// Everything else that belongs to the end of the step: what follows from accelerations, and the
+// histories of the laws.
 static void finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {
-        state_internal_forces(next, m, next->u, next->v);
         state_totals(next, m);
     }
     for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {

@@ -12,8 +12,8 @@
 enum { BLOCK_MAX = 400 };
 
 static bool alloc_floors(struct work *w, const struct model *m, struct arena *a) {
-    double **const part[] = {&w->u_trial,    &w->v_trial, &w->residual,
-                             &w->correction, &w->change,  &w->kept_q};
+    double **const part[] = {&w->u_trial,  &w->v_trial,    &w->drift,  &w->shear,
+                             &w->residual, &w->correction, &w->change, &w->kept_q};
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         *part[i] = lanes_array(a, m->n_dof);
         if (!*part[i]) {

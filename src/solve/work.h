@@ -47,6 +47,7 @@ struct work {
     struct few few;             // what models with few floors need
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
                                 // linear models, for buildings that gaps.touched lists
+    double *drift, *shear;      // (n_dof) [L] [F] of storeys where they were linearised
     double *residual;           // (n_dof) [F] not of linear models
     double *correction;         // (n_dof) [L/T^2] of the accelerations
     double *change;             // (n_dof) of the correction
