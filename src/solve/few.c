@@ -10,9 +10,9 @@
 static void fill_table(struct few_table *t, const struct model *m) {
     const struct chain *c = &m->chain;
     size_t n = (size_t)m->n_dof * sizeof(double);
-    memcpy(t->mass, c->mass, n);
     memcpy(t->stiffness, c->stiffness, n);
     for (int i = 0; i < m->n_dof; i++) {
+        t->inertia[i] = -c->mass[i];
         memset(&t->joint[i], c->joint[i] != 0.0 ? UCHAR_MAX : 0, sizeof t->joint[i]);
         memset(&t->joint_above[i], c->joint[i + 1] != 0.0 ? UCHAR_MAX : 0, sizeof t->joint[i]);
     }

@@ -12,7 +12,7 @@ enum { FEW_MAX = 2 * LANES_WIDTH };
 
 // What a step reads besides the state, side by side in memory; each (FEW_MAX), by floor.
 struct few_table {
-    double mass[FEW_MAX], stiffness[FEW_MAX];
+    double inertia[FEW_MAX], stiffness[FEW_MAX];  // minus the mass
     double joint[FEW_MAX], joint_above[FEW_MAX];  // all bits are 1 where there is one
     double damping_below[FEW_MAX], damping[FEW_MAX], damping_above[FEW_MAX];
     double back[FEW_MAX], spring[FEW_MAX], rest[FEW_MAX], limit[FEW_MAX];  // struct storey_branch

@@ -76,12 +76,12 @@ LANES_INLINE void few_unbalance(const struct few_table *t, int n, const struct f
         few_lanes v_below = j > 0 ? trial->v[j - 1] : none;
         few_lanes v_above = j + 1 < n ? trial->v[j + 1] : none;
         few_lanes shear_above = j + 1 < n ? trial->shear[j + 1] : none;
-        few_lanes mass = PART(t->mass, j);
+        few_lanes inertia = PART(t->inertia, j);
         few_lanes damping = PART(t->damping_below, j) * FEW_BELOW(v_below, trial->v[j]) +
                             PART(t->damping, j) * trial->v[j] +
                             PART(t->damping_above, j) * FEW_ABOVE(trial->v[j], v_above);
         *(few_lanes *)(residual + j * WIDTH) =
-            mass * -ground - mass * now->a[j] - damping - trial->shear[j] +
+            inertia * ground + inertia * now->a[j] - damping - trial->shear[j] +
             JOINED(t->joint_above, j, FEW_ABOVE(trial->shear[j], shear_above));
     }
 }
@@ -133,7 +133,7 @@ LANES_INLINE void few_add_works(const struct few_table *t, int n, const struct f
         few_lanes du = next->u[j] - now->u[j];
         few_lanes below = FEW_BELOW(j > 0 ? sum[j - 1] : none, sum[j]);
         few_lanes above = FEW_ABOVE(sum[j], j + 1 < n ? sum[j + 1] : none);
-        w->input[j % PER_EIGHT] -= ground_2x * (PART(t->mass, j) * du);
+        w->input[j % PER_EIGHT] += ground_2x * (PART(t->inertia, j) * du);
         w->damping[j % PER_EIGHT] +=
             du * (PART(t->damping_below, j) * below + PART(t->damping, j) * sum[j] +
                   PART(t->damping_above, j) * above);

@@ -48,31 +48,22 @@ LANES_INLINE void few_get_lines(struct few_table *t, const struct floors_lines *
     few_get(t->limit, lines->limit, n);
 }
 
-// An end of a step.
-struct few_instant {
-    double time, ground;
-};
-
 LANES_INLINE double few_ground(const struct work *w, long step) {
     return w->ahead.ground[step - w->ahead.from];
 }
 
-LANES_INLINE struct few_instant few_instant_of(const struct work *w, long step) {
-    return (struct few_instant){w->ahead.time[step - w->ahead.from], few_ground(w, step)};
-}
-
 // Takes a step in flight into the peaks. False: it is none.
 LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_lines *lines, int n,
-                                const struct few_floors *next, const double *shown,
-                                const struct few_instant *then, struct state *s) {
+                                const struct few_floors *next, const double *shown, double time,
+                                double ground, struct state *s) {
     enum nearness near = few_nearness(f, shown, s->ground_u);
-    if (near == NEARNESS_CLOSED || !few_raise(f->results, n, next, then->time, then->ground)) {
+    if (near == NEARNESS_CLOSED || !few_raise(f->results, n, next, time, ground)) {
         return false;
     }
     few_get_peaks(f->work->few.table, f->results, n);
     if (near == NEARNESS_DEEPEST) {
         few_store(next, lines, n, s);
-        s->time = then->time;
+        s->time = time;
         flight_deepen(f, s);
     }
     return true;
@@ -81,21 +72,22 @@ LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_line
 // Is the step to `next` one in free flight? Then it is taken into the peaks. *end becomes that step
 // if `ahead`, of the trial from there, is negative.
 LANES_INLINE bool few_confirm(const struct flight *f, const struct floors_lines *lines, int n,
-                              struct few_floors *next, const double *shown,
-                              const struct few_instant *then, struct state *s,
-                              const few_bits *ahead, long step, long *end) {
-    struct few_table *t = f->work->few.table;
+                              struct few_floors *next, const double *shown, double ground,
+                              struct state *s, const few_bits *ahead, long step, long *end) {
+    const struct work *w = f->work;
+    struct few_table *t = w->few.table;
     double *const peak[PEAK_COUNT] = {t->peak[0], t->peak[1], t->peak[2], t->peak[3], t->peak[4]};
     few_bits beyond = {0}, news = *ahead;
     few_strain(t, lines, n, next, &beyond);
-    few_compare(peak, lines, n, next, then->ground, &news);
+    few_compare(peak, lines, n, next, ground, &news);
     few_look(f, shown, &news);
     news |= beyond;
     if (few_any(&news) >= 0) {
         return true;
     }
     *end = few_any(ahead) < 0 ? step : *end;
-    return few_any(&beyond) >= 0 && few_take_note(f, lines, n, next, shown, then, s);
+    return few_any(&beyond) >= 0 &&
+           few_take_note(f, lines, n, next, shown, w->ahead.time[step - w->ahead.from], ground, s);
 }
 
 // The works of the step from `before` to `now`.
@@ -121,8 +113,7 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     alignas(LANES_LINE) double residual[FEW_MAX];
     struct few_floors before, now, trial;
     struct few_works works;
-    struct few_instant instant = {s->time, s->ground_a[0]};
-    double ground_2x = 0.0;
+    double ground = s->ground_a[0], then = few_ground(w, from + 1), ground_2x = 0.0;
     few_bits beyond = {0};
     few_load(s, lines, n, &now);
     few_load_works(f->energy, &works);
@@ -131,35 +122,37 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
         few_get_lines(t, lines, n);
     }
     before = now;
-    few_try(t, &scheme, lines, n, &now, few_ground(w, from + 1), &trial, residual, &beyond);
+    few_try(t, &scheme, lines, n, &now, then, &trial, residual, &beyond);
     end = few_any(&beyond) < 0 ? from : end;
     long step = from;
     while (step < end) {
         struct few_floors next, ahead;
         few_lanes q[VECTORS];
-        const struct few_instant then = few_instant_of(w, step + 1);
+        const double later = few_ground(w, step + 2 < end ? step + 2 : end);
         few_solve(&w->few, n, residual, q);
         few_work(f, lines, n, &before, &now, ground_2x, &works);
         before = now;
         few_reach(&scheme, n, &now, &trial, q, &next);
         few_put(next.u, n, shown);
         beyond = (few_bits){0};
-        few_try(t, &scheme, lines, n, &next, few_ground(w, step + 2 < end ? step + 2 : end), &ahead,
-                residual, &beyond);
-        if (!few_confirm(f, lines, n, &next, shown, &then, s, &beyond, step + 1, &end)) {
+        few_try(t, &scheme, lines, n, &next, later, &ahead, residual, &beyond);
+        if (!few_confirm(f, lines, n, &next, shown, then, s, &beyond, step + 1, &end)) {
             break;
         }
-        ground_2x = instant.ground + then.ground;
+        ground_2x = ground + then;
         now = next;
         trial = ahead;
-        instant = then;
+        ground = then;
+        then = later;
         step++;
     }
     few_work(f, lines, n, &before, &now, ground_2x, &works);
     few_store(&now, lines, n, s);
     few_store_works(&works, f->energy);
-    s->time = instant.time;
-    s->ground_a[0] = instant.ground;
+    if (step > from) {
+        s->time = w->ahead.time[step - w->ahead.from];
+        s->ground_a[0] = w->ahead.ground[step - w->ahead.from];
+    }
     return step;
 }
 
@@ -181,7 +174,8 @@ LANES_INLINE bool move(struct work *w, const struct state *now, struct state *ne
     few_bits sign = {0};
     const struct few_scheme scheme = few_scheme_of(w);
     few_load(now, NULL, n, &start);
-    few_try(w->few.table, &scheme, NULL, n, &start, next->ground_a[0], &trial, residual, &sign);
+    const double ground = next->ground_a[0];
+    few_try(w->few.table, &scheme, NULL, n, &start, ground, &trial, residual, &sign);
     state_add_link_forces(next, w->model, residual);
     few_solve(&w->few, n, residual, q);
     few_reach(&scheme, n, &start, &trial, q, &end);
@@ -226,11 +220,12 @@ LANES_INLINE void account(const struct few_table *t, struct energy_account *a, s
     few_load(next, NULL, n, &end);
     few_strain(t, NULL, n, &end, &sign);
     few_load_works(a, &works);
-    few_add_works(t, n, &start, &end, now->ground_a[0] + next->ground_a[0], &works);
+    const double ground = next->ground_a[0], ground_2x = ground + now->ground_a[0];
+    few_add_works(t, n, &start, &end, ground_2x, &works);
     few_store_works(&works, a);
-    few_compare(r->peak, NULL, n, &end, next->ground_a[0], &sign);
+    few_compare(r->peak, NULL, n, &end, ground, &sign);
     if (few_any(&sign) < 0) {
-        (void)few_raise(r, n, &end, next->time, next->ground_a[0]);
+        (void)few_raise(r, n, &end, next->time, ground);
         peaks_speed(r, 0, n * WIDTH);
     }
 }
