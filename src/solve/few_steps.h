@@ -71,11 +71,11 @@ LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_line
 
 // Is the step to `next` one in free flight? Then it is taken into the peaks. *end becomes that step
 // if `ahead`, of the trial from there, is negative.
-LANES_INLINE bool few_confirm(const struct flight *f, const struct floors_lines *lines, int n,
-                              struct few_floors *next, const double *shown, double ground,
-                              struct state *s, const few_bits *ahead, long step, long *end) {
+LANES_INLINE bool few_confirm(const struct flight *f, struct few_table *t,
+                              const struct floors_lines *lines, int n, struct few_floors *next,
+                              const double *shown, double ground, struct state *s,
+                              const few_bits *ahead, long step, long *end) {
     const struct work *w = f->work;
-    struct few_table *t = w->few.table;
     double *const peak[PEAK_COUNT] = {t->peak[0], t->peak[1], t->peak[2], t->peak[3], t->peak[4]};
     few_bits beyond = {0}, news = *ahead;
     few_strain(t, lines, n, next, &beyond);
@@ -91,10 +91,11 @@ LANES_INLINE bool few_confirm(const struct flight *f, const struct floors_lines 
 }
 
 // The works of the step from `before` to `now`.
-LANES_INLINE void few_work(const struct flight *f, const struct floors_lines *lines, int n,
-                           const struct few_floors *before, const struct few_floors *now,
-                           double ground_2x, struct few_works *works) {
-    few_add_works(f->work->few.table, n, before, now, ground_2x, works);
+LANES_INLINE void few_work(const struct flight *f, const struct few_table *t,
+                           const struct floors_lines *lines, int n, const struct few_floors *before,
+                           const struct few_floors *now, double ground_2x,
+                           struct few_works *works) {
+    few_add_works(t, n, before, now, ground_2x, works);
     if (lines) {
         few_add_storey_works(n, before, now, f->energy->storey_2x);
     }
@@ -107,7 +108,9 @@ LANES_INLINE void few_work(const struct flight *f, const struct floors_lines *li
 LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lines, int n,
                           struct state *s, long from, long end) {
     const struct work *w = f->work;
-    struct few_table *t = w->few.table;
+    // Read anew for each step, so that its numbers are operands where they stand; the compiler
+    // would carry as many as it can from step to step, most of them on the stack.
+    struct few_table *volatile table = w->few.table;
     const struct few_scheme scheme = few_scheme_of(w);
     alignas(LANES_LINE) double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
     alignas(LANES_LINE) double residual[FEW_MAX];
@@ -117,26 +120,27 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     few_bits beyond = {0};
     few_load(s, lines, n, &now);
     few_load_works(f->energy, &works);
-    few_get_peaks(t, f->results, n);
+    few_get_peaks(table, f->results, n);
     if (lines) {
-        few_get_lines(t, lines, n);
+        few_get_lines(table, lines, n);
     }
     before = now;
-    few_try(t, &scheme, lines, n, &now, then, &trial, residual, &beyond);
+    few_try(table, &scheme, lines, n, &now, then, &trial, residual, &beyond);
     end = few_any(&beyond) < 0 ? from : end;
     long step = from;
     while (step < end) {
+        struct few_table *t = table;
         struct few_floors next, ahead;
         few_lanes q[VECTORS];
         const double later = few_ground(w, step + 2 < end ? step + 2 : end);
         few_solve(&w->few, n, residual, q);
-        few_work(f, lines, n, &before, &now, ground_2x, &works);
+        few_work(f, t, lines, n, &before, &now, ground_2x, &works);
         before = now;
         few_reach(&scheme, n, &now, &trial, q, &next);
         few_put(next.u, n, shown);
         beyond = (few_bits){0};
         few_try(t, &scheme, lines, n, &next, later, &ahead, residual, &beyond);
-        if (!few_confirm(f, lines, n, &next, shown, then, s, &beyond, step + 1, &end)) {
+        if (!few_confirm(f, t, lines, n, &next, shown, then, s, &beyond, step + 1, &end)) {
             break;
         }
         ground_2x = ground + then;
@@ -146,7 +150,7 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
         then = later;
         step++;
     }
-    few_work(f, lines, n, &before, &now, ground_2x, &works);
+    few_work(f, table, lines, n, &before, &now, ground_2x, &works);
     few_store(&now, lines, n, s);
     few_store_works(&works, f->energy);
     if (step > from) {
