@@ -51,7 +51,7 @@ void ensemble_fleet_end(struct fleet *f, int k, int status) {
     struct boat *b = &f->boat[k];
     *(b->berth == BERTH_ABOARD ? &f->n_aboard : &f->n_ashore) -= 1;
     b->berth = BERTH_ENDED;
-    f->lanes.aboard[k] = 0;
+    ensemble_clear(&f->lanes, k);
     forget(f, k);
     b->member->status = analysis_end(&b->run, status, &b->member->results);
 }
@@ -78,18 +78,12 @@ static void give_up(struct fleet *f, int k, long n) {
 
 // The step n of all floors aboard, with the forces that live links begin it with.
 static void begin_links(struct fleet *f, long n, const wide *base) {
-    ensemble_unbalance(&f->lanes, base);
     for (int k = 0; k < f->n; k++) {
         if (has(f->live, k)) {
             act(f, k, n);
         }
     }
     ensemble_move(&f->lanes, base);
-    for (int k = 0; k < f->n; k++) {
-        if (has(f->acting, k)) {
-            ensemble_links_gather(&f->lanes, k, &f->boat[k].run);
-        }
-    }
 }
 
 static unsigned find_pressed(struct ensemble_lanes *e) {
@@ -113,7 +107,7 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
         return false;
     }
     put(&f->wanted, k, false);
-    if (ensemble_links_solve(&f->lanes, k, r) != STATUS_OK) {
+    if (ensemble_links_solve(&f->lanes, r) != STATUS_OK) {
         give_up(f, k, n);
     }
     return true;
@@ -121,10 +115,15 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
 
 // Solves for the links of all runs aboard, which may close others.
 static void meet(struct fleet *f, long n, const wide *base) {
+    bool shown = false;
     for (bool again = true; again;) {
         again = false;
         const unsigned pressed = find_pressed(&f->lanes);
         const unsigned asked = pressed | f->wanted;
+        if (asked && !shown) {
+            ensemble_show(&f->lanes);
+            shown = true;
+        }
         for (int k = 0; asked && k < f->n; k++) {
             again |= has(asked, k) && solve_links(f, k, n, has(pressed, k));
         }

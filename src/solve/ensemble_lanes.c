@@ -10,6 +10,8 @@
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
     e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
+    e->force = lanes_wide_array(a, m->n_contact, sizeof *e->force);
+    e->acts = arena_alloc(a, (size_t)m->n_contact, sizeof *e->acts);
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
     for (int k = 0; e->nearest && e->end && k < m->n_contact; k++) {
@@ -19,7 +21,7 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
         }
         e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->nearest && e->end && e->pressed;
+    return e->contact && e->nearest && e->force && e->acts && e->end && e->pressed;
 }
 
 static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
@@ -54,14 +56,19 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
         .h = m->dt,
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
-        .motion = lanes_wide_array(a, n, sizeof *e->motion),
+        .trial = lanes_wide_array(a, n, sizeof *e->trial),
+        .correction = lanes_wide_array(a, n, sizeof *e->correction),
+        .hidden = lanes_array(a, n),
         .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
         .peak = lanes_wide_array(a, n, sizeof *e->peak),
         .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
-    return e->now && e->next && e->motion && e->beyond && e->works && e->peak && e->peak_time &&
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        ensemble_clear(e, lane);
+    }
+    return e->now && e->next && e->trial && e->correction && e->hidden && e->beyond && e->works && e->peak && e->peak_time &&
            e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
 }
 
@@ -92,7 +99,7 @@ static bool fill_inverse(double *inverse, int lane, struct effective *home) {
     for (int i = 0; i < n; i++) {
         const double *column = effective_column(home, i);
         for (int j = 0; j < n; j++) {
-            small &= put_at(inverse, j * n + i, lane, column[j]);
+            small &= put_at(inverse, i * n + j, lane, column[j]);
         }
     }
     return small;
@@ -200,7 +207,12 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         }
         e->contact[k].limit[lane] = p->depth[lane];
     }
-    e->aboard[lane] = small ? -1 : 0;
+    if (small) {
+        e->aboard[lane] = -1;
+        e->show.u_trial[lane] = r->work.u_trial;
+        e->show.v_trial[lane] = r->work.v_trial;
+        e->show.correction[lane] = r->work.correction;
+    }
     return small;
 }
 
@@ -226,7 +238,12 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
     s->time = time;
     t->steps += n_step;
     t->iterations += n_step;
+    ensemble_clear(e, lane);
+}
+
+void ensemble_clear(struct ensemble_lanes *e, int lane) {
     e->aboard[lane] = 0;
+    e->show.u_trial[lane] = e->show.v_trial[lane] = e->show.correction[lane] = e->hidden;
 }
 
 // The larger of two peaks, and of equal ones the earlier.

@@ -21,11 +21,15 @@ struct ensemble_state {
     wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
 };
 
-// How it moves in the step under way.
-struct ensemble_motion {
-    wide u, v;        // where it would be at the end if the acceleration stayed
-    wide residual;    // [F] what it lacks then
-    wide correction;  // [L/T^2] of the acceleration
+// Where it would be at the end of the step under way if the acceleration stayed.
+struct ensemble_trial {
+    wide u, v;
+    wide residual;  // [F] what it lacks then
+};
+
+// What the contact iteration of a run reads of its floors, and changes: arrays of its struct work.
+struct ensemble_shown {
+    double *u_trial[WIDE_RUNS], *v_trial[WIDE_RUNS], *correction[WIDE_RUNS];
 };
 
 // What a step needs of a floor besides, with the storey below it.
@@ -106,7 +110,11 @@ struct ensemble_lanes {
     long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
     struct ensemble_building *building;  // (n_building)
     struct ensemble_state *now, *next;   // (n_floor) of all buildings
-    struct ensemble_motion *motion;      // (n_floor) in the step under way
+    struct ensemble_trial *trial;        // (n_floor) scratch of the step under way
+    wide *correction;                    // [L/T^2] (n_floor) of the accelerations in it, before
+                                         // links have changed them
+    struct ensemble_shown show;          // by lanes, of runs that are aboard
+    double *hidden;                      // (n_floor) stands there for the others
     wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
     struct ensemble_peaks *peak;         // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
@@ -115,6 +123,8 @@ struct ensemble_lanes {
     struct ensemble_contact *contact;       // (n_contact)
     struct ensemble_nearest *nearest;       // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
+    wide *force;                       // [F] (n_contact) that a step begins with, else 0,
+    bool *acts;                        // (n_contact) of contacts that are live in some lane
     struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits, as last looked at
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
@@ -146,6 +156,9 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r);
 // Gives a run the state of its lane, at time `time`, after `n_step` steps aboard.
 void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double time, long n_step);
 
+// The lane takes no part any more.
+void ensemble_clear(struct ensemble_lanes *e, int lane);
+
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
 
@@ -153,13 +166,14 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
 // for a closer look: that one is computed, but not committed. Returns the number committed.
 int ensemble_march(struct ensemble_lanes *e, const wide *base, int n);
 
-// The same in parts, for a step in which links act: the residuals without their forces,
-void ensemble_unbalance(struct ensemble_lanes *e, const wide *base);
-
-// what they lead to,
+// Computes one step with the forces that live links begin it with.
 void ensemble_move(struct ensemble_lanes *e, const wide *base);
 
-// and that again for buildings that links have pushed.
+// Shows the runs aboard the trial and the corrections of that step, or of the one that
+// ensemble_march has stopped at.
+void ensemble_show(struct ensemble_lanes *e);
+
+// Computes it again for buildings that links have pushed, from what they have made of that.
 void ensemble_move_pushed(struct ensemble_lanes *e, const wide *base);
 
 // Whether one of those aboard exceeds a peak in the step that has been computed and pressed.
