@@ -45,15 +45,21 @@ static bool alloc_buildings(struct ensemble_lanes *e, const struct model *m, str
     return all;
 }
 
+static void fill_factors(struct ensemble_factors *f, const struct model *m) {
+    const wide none = {0.0};
+    const double h = m->dt;
+    *f = (struct ensemble_factors){
+        h - none, h * h / 2.0 - none, m->beta * h * h - none, m->gamma * h - none};
+}
+
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     const int n = m->n_dof;
     *e = (struct ensemble_lanes){
         .n_building = m->n_building,
         .n_floor = n,
         .n_contact = m->n_contact,
-        .b = m->beta * m->dt * m->dt,
-        .g = m->gamma * m->dt,
         .h = m->dt,
+        .factors = lanes_wide_array(a, 1, sizeof *e->factors),
         .now = lanes_wide_array(a, n, sizeof *e->now),
         .next = lanes_wide_array(a, n, sizeof *e->next),
         .trial = lanes_wide_array(a, n, sizeof *e->trial),
@@ -68,7 +74,10 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
         ensemble_clear(e, lane);
     }
-    return e->now && e->next && e->trial && e->correction && e->hidden && e->beyond && e->works && e->peak && e->peak_time &&
+    if (e->factors) {
+        fill_factors(e->factors, m);
+    }
+    return e->factors && e->now && e->next && e->trial && e->correction && e->hidden && e->beyond && e->works && e->peak && e->peak_time &&
            e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
 }
 

@@ -27,6 +27,12 @@ struct ensemble_trial {
     wide residual;  // [F] what it lacks then
 };
 
+// The same in all lanes; in memory, from where they cost least.
+struct ensemble_factors {
+    wide h, half;  // h and h^2 / 2
+    wide b, g;     // beta h^2 and gamma h
+};
+
 // What the contact iteration of a run reads of its floors, and changes: arrays of its struct work.
 struct ensemble_shown {
     double *u_trial[WIDE_RUNS], *v_trial[WIDE_RUNS], *correction[WIDE_RUNS];
@@ -105,7 +111,8 @@ struct ensemble_works {
 struct ensemble_lanes {
     // The shape, and the steps: those of the first model.
     int n_building, n_floor, n_contact;
-    double b, g, h;  // beta h^2, gamma h and h
+    double h;
+    struct ensemble_factors *factors;
 
     long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
     struct ensemble_building *building;  // (n_building)

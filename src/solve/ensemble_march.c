@@ -103,7 +103,6 @@ INLINE void begin_floors(const struct begun *g, enum ensemble_held held, enum ow
 
 INLINE struct begun begun(const struct ensemble_lanes *e, const struct ensemble_building *b,
                           const wide *ground, struct ensemble_trial *t) {
-    const wide none = {0.0};
     const int first = b->shape->first;
     return (struct begun){
         .shape = b->shape,
@@ -114,24 +113,45 @@ INLINE struct begun begun(const struct ensemble_lanes *e, const struct ensemble_
         .works = e->works,
         .ground = *ground,
         .ground_2x = e->works->ground_2x,
-        .h = e->h - none,
-        .half = e->h * e->h / 2.0 - none,
+        .h = e->factors->h,
+        .half = e->factors->half,
     };
 }
 
 // The trial of a building, with its residuals. Its last step is accounted for while its numbers are
-// at hand.
+// at hand. Functions of their own, as compilers mix up what is in one.
+LANES static void begin_once_owing(const struct ensemble_lanes *e,
+                                   const struct ensemble_building *b, const wide *ground,
+                                   struct ensemble_trial *t) {
+    const struct begun g = begun(e, b, ground, t);
+    begin_floors(&g, HELD_ONCE, OWED_WORKS);
+}
+
+LANES static void begin_once(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                             const wide *ground, struct ensemble_trial *t) {
+    const struct begun g = begun(e, b, ground, t);
+    begin_floors(&g, HELD_ONCE, OWED_NOTHING);
+}
+
+LANES static void begin_each_owing(const struct ensemble_lanes *e,
+                                   const struct ensemble_building *b, const wide *ground,
+                                   struct ensemble_trial *t) {
+    const struct begun g = begun(e, b, ground, t);
+    begin_floors(&g, HELD_BY_EACH, OWED_WORKS);
+}
+
+LANES static void begin_each(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                             const wide *ground, struct ensemble_trial *t) {
+    const struct begun g = begun(e, b, ground, t);
+    begin_floors(&g, HELD_BY_EACH, OWED_NOTHING);
+}
+
 INLINE void begin(const struct ensemble_lanes *e, const struct ensemble_building *b,
                   const wide *ground, struct ensemble_trial *t) {
-    const struct begun g = begun(e, b, ground, t);
-    if (b->held == HELD_ONCE && e->owing) {
-        begin_floors(&g, HELD_ONCE, OWED_WORKS);
-    } else if (b->held == HELD_ONCE) {
-        begin_floors(&g, HELD_ONCE, OWED_NOTHING);
-    } else if (e->owing) {
-        begin_floors(&g, HELD_BY_EACH, OWED_WORKS);
+    if (b->held == HELD_ONCE) {
+        e->owing ? begin_once_owing(e, b, ground, t) : begin_once(e, b, ground, t);
     } else {
-        begin_floors(&g, HELD_BY_EACH, OWED_NOTHING);
+        e->owing ? begin_each_owing(e, b, ground, t) : begin_each(e, b, ground, t);
     }
 }
 
@@ -151,7 +171,6 @@ struct ended {
 
 INLINE struct ended ended(const struct ensemble_lanes *e, const struct ensemble_building *b,
                           const wide *ground, const struct ensemble_trial *t) {
-    const wide none = {0.0};
     const int first = b->shape->first;
     return (struct ended){
         .inverse = b->inverse,
@@ -163,8 +182,8 @@ INLINE struct ended ended(const struct ensemble_lanes *e, const struct ensemble_
         .correction = e->correction + first,
         .n = b->shape->n_floor,
         .ground = *ground,
-        .b = e->b - none,
-        .g = e->g - none,
+        .b = e->factors->b,
+        .g = e->factors->g,
     };
 }
 
@@ -263,16 +282,29 @@ INLINE void end_held(struct ended *g, enum ensemble_held held) {
     }
 }
 
-// The state that the residuals of building k lead to, and whether it exceeds a peak.
+// The state that the residuals of a building lead to. Returns... *beyond: lanes in which a floor
+// exceeds a peak.
+LANES static void end_once(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                           const wide *ground, const struct ensemble_trial *t,
+                           wide_bits *beyond) {
+    struct ended g = ended(e, b, ground, t);
+    end_held(&g, HELD_ONCE);
+    *beyond = g.beyond;
+}
+
+LANES static void end_each(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                           const wide *ground, const struct ensemble_trial *t,
+                           wide_bits *beyond) {
+    struct ended g = ended(e, b, ground, t);
+    end_held(&g, HELD_BY_EACH);
+    *beyond = g.beyond;
+}
+
 INLINE void end(const struct ensemble_lanes *e, int k, const wide *ground,
                 const struct ensemble_trial *t) {
-    struct ended g = ended(e, &e->building[k], ground, t);
-    if (e->building[k].held == HELD_ONCE) {
-        end_held(&g, HELD_ONCE);
-    } else {
-        end_held(&g, HELD_BY_EACH);
-    }
-    e->beyond[k] = g.beyond;
+    const struct ensemble_building *b = &e->building[k];
+    b->held == HELD_ONCE ? end_once(e, b, ground, t, &e->beyond[k])
+                         : end_each(e, b, ground, t, &e->beyond[k]);
 }
 
 // Negative in lanes where a contact is nearer than ever or closed.
@@ -380,8 +412,7 @@ INLINE void show(wide *x, double *const *array, int i) {
 }
 
 LANES void ensemble_show(struct ensemble_lanes *e) {
-    const wide none = {0.0};
-    const wide h = e->h - none, half = e->h * e->h / 2.0 - none;
+    const wide h = e->factors->h, half = e->factors->half;
     for (int first = 0; first < e->n_floor; first += WIDE_RUNS) {
         wide u[WIDE_RUNS] = {{0.0}}, v[WIDE_RUNS] = {{0.0}}, q[WIDE_RUNS] = {{0.0}};
         for (int i = 0; i < WIDE_RUNS && first + i < e->n_floor; i++) {
@@ -398,8 +429,7 @@ LANES void ensemble_show(struct ensemble_lanes *e) {
 
 // Building k with the corrections that links have changed.
 INLINE void move_pushed(struct ensemble_lanes *e, int k, const wide *ground) {
-    const wide none = {0.0};
-    const wide h = e->h - none, half = e->h * e->h / 2.0 - none;
+    const wide h = e->factors->h, half = e->factors->half;
     const struct building *shape = e->building[k].shape;
     struct ended g = ended(e, &e->building[k], ground, NULL);
     for (int first = 0; first < shape->n_floor; first += WIDE_RUNS) {
