@@ -115,15 +115,10 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
 
 // Solves for the links of all runs aboard, which may close others.
 static void meet(struct fleet *f, long n, const wide *base) {
-    bool shown = false;
     for (bool again = true; again;) {
         again = false;
         const unsigned pressed = find_pressed(&f->lanes);
         const unsigned asked = pressed | f->wanted;
-        if (asked && !shown) {
-            ensemble_show(&f->lanes);
-            shown = true;
-        }
         for (int k = 0; asked && k < f->n; k++) {
             again |= has(asked, k) && solve_links(f, k, n, has(pressed, k));
         }

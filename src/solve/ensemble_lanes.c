@@ -53,18 +53,19 @@ static void fill_factors(struct ensemble_factors *f, const struct model *m) {
 }
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
-    const int n = m->n_dof;
+    const int n = m->n_dof, room = lanes_whole(n);
     *e = (struct ensemble_lanes){
         .n_building = m->n_building,
         .n_floor = n,
         .n_contact = m->n_contact,
         .h = m->dt,
         .factors = lanes_wide_array(a, 1, sizeof *e->factors),
-        .now = lanes_wide_array(a, n, sizeof *e->now),
-        .next = lanes_wide_array(a, n, sizeof *e->next),
+        .now = lanes_wide_array(a, room, sizeof *e->now),
+        .next = lanes_wide_array(a, room, sizeof *e->next),
         .trial = lanes_wide_array(a, n, sizeof *e->trial),
-        .correction = lanes_wide_array(a, n, sizeof *e->correction),
+        .correction = lanes_wide_array(a, room, sizeof *e->correction),
         .hidden = lanes_array(a, n),
+        .shown = arena_alloc(a, (size_t)(n / WIDE_RUNS) + 1, sizeof *e->shown),
         .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
         .peak = lanes_wide_array(a, n, sizeof *e->peak),
@@ -77,7 +78,7 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
     if (e->factors) {
         fill_factors(e->factors, m);
     }
-    return e->factors && e->now && e->next && e->trial && e->correction && e->hidden && e->beyond && e->works && e->peak && e->peak_time &&
+    return e->factors && e->now && e->next && e->trial && e->correction && e->hidden && e->shown && e->beyond && e->works && e->peak && e->peak_time &&
            e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
 }
 

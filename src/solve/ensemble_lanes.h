@@ -116,12 +116,13 @@ struct ensemble_lanes {
 
     long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
     struct ensemble_building *building;  // (n_building)
-    struct ensemble_state *now, *next;   // (n_floor) of all buildings
+    struct ensemble_state *now, *next;   // (n_floor) of all buildings, with zeros beyond
     struct ensemble_trial *trial;        // (n_floor) scratch of the step under way
     wide *correction;                    // [L/T^2] (n_floor) of the accelerations in it, before
                                          // links have changed them
     struct ensemble_shown show;          // by lanes, of runs that are aboard
     double *hidden;                      // (n_floor) stands there for the others
+    bool *shown;                         // (n_floor / WIDE_RUNS) floors that runs know in this step
     wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
     struct ensemble_peaks *peak;         // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
@@ -177,8 +178,8 @@ int ensemble_march(struct ensemble_lanes *e, const wide *base, int n);
 void ensemble_move(struct ensemble_lanes *e, const wide *base);
 
 // Shows the runs aboard the trial and the corrections of that step, or of the one that
-// ensemble_march has stopped at.
-void ensemble_show(struct ensemble_lanes *e);
+// ensemble_march has stopped at, of WIDE_RUNS floors.
+void ensemble_show(struct ensemble_lanes *e, int part);
 
 // Computes it again for buildings that links have pushed, from what they have made of that.
 void ensemble_move_pushed(struct ensemble_lanes *e, const wide *base);

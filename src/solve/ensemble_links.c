@@ -6,6 +6,26 @@
 #include "solve/contact.h"
 #include "solve/event.h"
 
+// Lets runs know the floors of building k.
+static void show_building(struct ensemble_lanes *e, int k) {
+    const struct building *g = e->building[k].shape;
+    for (int i = g->first / WIDE_RUNS; i <= (g->first + g->n_floor - 1) / WIDE_RUNS; i++) {
+        if (!e->shown[i]) {
+            ensemble_show(e, i);
+        }
+    }
+}
+
+// And those of the buildings that contact k of run r touches.
+static void show_ends(struct ensemble_lanes *e, const struct run *r, int k) {
+    for (int side = 0; side < 2; side++) {
+        const int b = r->model->link[k].building[side];
+        if (b != WALL) {
+            show_building(e, b);
+        }
+    }
+}
+
 // The velocities of both ends of contact k.
 static void gather_velocities(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
                               int lane, double *v) {
@@ -41,6 +61,7 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
         if (!(e->pressed[i].closed >> lane & 1U)) {
             continue;
         }
+        show_ends(e, r, k);
         gather_velocities(e, k, e->now, lane, r->now->v);
         r->now->delta[k] =
             e->now[e->end[k][0]].u[lane] - e->now[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
@@ -55,6 +76,9 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
 
 int ensemble_links_solve(struct ensemble_lanes *e, struct run *r) {
     const struct gaps *g = &r->work.gaps;
+    for (int i = 0; i < g->n_touched; i++) {
+        show_building(e, g->touched[i]);
+    }
     if (contact_solve(&r->work, r->now, r->next) != STATUS_OK) {
         return STATUS_RETRY;
     }

@@ -411,20 +411,20 @@ INLINE void show(wide *x, double *const *array, int i) {
     }
 }
 
-LANES void ensemble_show(struct ensemble_lanes *e) {
+LANES void ensemble_show(struct ensemble_lanes *e, int part) {
     const wide h = e->factors->h, half = e->factors->half;
-    for (int first = 0; first < e->n_floor; first += WIDE_RUNS) {
-        wide u[WIDE_RUNS] = {{0.0}}, v[WIDE_RUNS] = {{0.0}}, q[WIDE_RUNS] = {{0.0}};
-        for (int i = 0; i < WIDE_RUNS && first + i < e->n_floor; i++) {
-            const struct ensemble_state *s = &e->now[first + i];
-            u[i] = s->u + (h * s->v + half * s->a);
-            v[i] = s->v + h * s->a;
-            q[i] = e->correction[first + i];
-        }
-        show(u, e->show.u_trial, first);
-        show(v, e->show.v_trial, first);
-        show(q, e->show.correction, first);
+    const int first = part * WIDE_RUNS;
+    wide u[WIDE_RUNS], v[WIDE_RUNS], q[WIDE_RUNS];
+    for (int i = 0; i < WIDE_RUNS; i++) {
+        const struct ensemble_state *s = &e->now[first + i];
+        u[i] = s->u + (h * s->v + half * s->a);
+        v[i] = s->v + h * s->a;
+        q[i] = e->correction[first + i];
     }
+    show(u, e->show.u_trial, first);
+    show(v, e->show.v_trial, first);
+    show(q, e->show.correction, first);
+    e->shown[part] = true;
 }
 
 // Building k with the corrections that links have changed.
@@ -461,6 +461,7 @@ LANES void ensemble_move_pushed(struct ensemble_lanes *e, const wide *base) {
 
 LANES void ensemble_commit(struct ensemble_lanes *e, const wide *base) {
     commit(e, base);
+    memset(e->shown, false, (size_t)(e->n_floor / WIDE_RUNS) + 1);
 }
 
 INLINE void account(const struct begun *g, enum ensemble_held held) {
