@@ -171,7 +171,8 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
         return last;
     }
     const wide *base = e->base + (n + ENSEMBLE_STRETCH - 1 - f->known);
-    const int taken = live ? 0 : ensemble_march(e, base, (int)(last - n + 1));
+    bool presses = live;
+    const int taken = live ? 0 : ensemble_march(e, base, (int)(last - n + 1), &presses);
     n += taken;
     base += taken;
     if (n > last) {
@@ -180,7 +181,10 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
     if (live) {
         begin_links(f, n, base);
     }
-    meet(f, n, base);
+    e->n_pressed = 0;
+    if (presses) {
+        meet(f, n, base);
+    }
     if (ensemble_exceeds(e)) {
         look(f, n, base);
     }

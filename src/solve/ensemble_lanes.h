@@ -172,7 +172,8 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
 
 // Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them asks
 // for a closer look: that one is computed, but not committed. Returns the number committed.
-int ensemble_march(struct ensemble_lanes *e, const wide *base, int n);
+// *presses: that one presses contacts beyond their limits.
+int ensemble_march(struct ensemble_lanes *e, const wide *base, int n, bool *presses);
 
 // Computes one step with the forces that live links begin it with.
 void ensemble_move(struct ensemble_lanes *e, const wide *base);

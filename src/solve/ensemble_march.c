@@ -325,8 +325,8 @@ INLINE void commit(struct ensemble_lanes *e, const wide *ground) {
     e->owing = true;
 }
 
-// Computes `next`.
-INLINE void step(struct ensemble_lanes *e, const wide *ground, wide_bits *flags) {
+// Computes `next`. Negative in lanes where it is beyond a peak.
+INLINE void step(struct ensemble_lanes *e, const wide *ground, wide_bits *beyond) {
     const struct ensemble_building *b = e->building;
     for (int first = 0; first < e->n_building; first += TOGETHER) {
         const int last = first + TOGETHER < e->n_building ? first + TOGETHER : e->n_building;
@@ -336,18 +336,20 @@ INLINE void step(struct ensemble_lanes *e, const wide *ground, wide_bits *flags)
         }
         for (int k = first; k < last; k++) {
             end(e, k, ground, t + b[k].shape->first);
-            *flags |= e->beyond[k];
+            *beyond |= e->beyond[k];
         }
     }
     e->owing = false;
-    penetrate(e, flags);
 }
 
-LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n) {
+LANES int ensemble_march(struct ensemble_lanes *e, const wide *base, int n, bool *presses) {
     for (int i = 0; i < n; i++) {
-        wide_bits flags = {0};
-        step(e, base + i, &flags);
+        wide_bits beyond = {0}, pressed = {0};
+        step(e, base + i, &beyond);
+        penetrate(e, &pressed);
+        const wide_bits flags = beyond | pressed;
         if (ensemble_any(e, &flags)) {
+            *presses = ensemble_any(e, &pressed);
             return i;
         }
         commit(e, base + i);
