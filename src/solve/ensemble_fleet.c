@@ -83,7 +83,7 @@ static void begin_links(struct fleet *f, long n, const wide *base) {
             act(f, k, n);
         }
     }
-    ensemble_move(&f->lanes, base);
+    f->lanes.steps->move(&f->lanes, base);
 }
 
 static unsigned find_pressed(struct ensemble_lanes *e) {
@@ -123,7 +123,7 @@ static void meet(struct fleet *f, long n, const wide *base) {
             again |= has(asked, k) && solve_links(f, k, n, has(pressed, k));
         }
         if (again) {
-            ensemble_move_pushed(&f->lanes, base);
+            f->lanes.steps->move_pushed(&f->lanes, base);
         }
     }
     for (int k = 0; f->acting && k < f->n; k++) {
@@ -158,7 +158,7 @@ static void commit(struct fleet *f, const wide *base) {
             ensemble_fleet_end(f, k, status);
         }
     }
-    ensemble_commit(&f->lanes, base);
+    f->lanes.steps->commit(&f->lanes, base);
 }
 
 long ensemble_fleet_cruise(struct fleet *f, long n) {
@@ -172,7 +172,7 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
     }
     const wide *base = e->base + (n + ENSEMBLE_STRETCH - 1 - f->known);
     bool presses = live;
-    const int taken = live ? 0 : ensemble_march(e, base, (int)(last - n + 1), &presses);
+    const int taken = live ? 0 : e->steps->march(e, base, (int)(last - n + 1), &presses);
     n += taken;
     base += taken;
     if (n > last) {

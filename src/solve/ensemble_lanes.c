@@ -48,13 +48,15 @@ static bool alloc_buildings(struct ensemble_lanes *e, const struct model *m, str
 static void fill_factors(struct ensemble_factors *f, const struct model *m) {
     const wide none = {0.0};
     const double h = m->dt;
-    *f = (struct ensemble_factors){
-        h - none, h * h / 2.0 - none, m->beta * h * h - none, m->gamma * h - none};
+    *f = (struct ensemble_factors){h - none, h * h / 2.0 - none, m->beta * h * h - none,
+                                   m->gamma * h - none};
 }
 
-bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
+bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
+                          const struct ensemble_steps *steps, struct arena *a) {
     const int n = m->n_dof, room = lanes_whole(n);
     *e = (struct ensemble_lanes){
+        .steps = steps,
         .n_building = m->n_building,
         .n_floor = n,
         .n_contact = m->n_contact,
@@ -78,8 +80,9 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struc
     if (e->factors) {
         fill_factors(e->factors, m);
     }
-    return e->factors && e->now && e->next && e->trial && e->correction && e->hidden && e->shown && e->beyond && e->works && e->peak && e->peak_time &&
-           e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
+    return e->factors && e->now && e->next && e->trial && e->correction && e->hidden && e->shown &&
+           e->beyond && e->works && e->peak && e->peak_time && e->base && alloc_contacts(e, m, a) &&
+           alloc_buildings(e, m, a);
 }
 
 static bool is_small(double x) {
@@ -195,7 +198,7 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
     const struct state *s = r->now;
     bool small = true;
-    ensemble_settle(e);
+    e->steps->settle(e);
     for (int i = 0; i < e->n_floor; i++) {
         struct ensemble_state *f = &e->now[i];
         small &= put(&f->u, lane, s->u[i]);
@@ -229,7 +232,7 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
 void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double time, long n_step) {
     struct state *s = r->now;
     struct totals *t = &r->results->totals;
-    ensemble_settle(e);
+    e->steps->settle(e);
     for (int i = 0; i < e->n_floor; i++) {
         const struct ensemble_state *f = &e->now[i];
         s->u[i] = f->u[lane];

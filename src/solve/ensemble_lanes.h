@@ -108,6 +108,34 @@ struct ensemble_works {
     wide speed;      // [L/T] largest velocity of any floor so far
 };
 
+struct ensemble_lanes;
+
+// Steps of the floors of all runs aboard at once; `base` is the ground acceleration at its end.
+struct ensemble_steps {
+    // Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them
+    // asks for a closer look: that one is computed, but not committed. Returns the number
+    // committed. *presses: that one presses contacts beyond their limits.
+    int (*march)(struct ensemble_lanes *e, const wide *base, int n, bool *presses);
+
+    // Computes one step with the forces that live links begin it with.
+    void (*move)(struct ensemble_lanes *e, const wide *base);
+
+    // Shows the runs aboard the trial and the corrections of that step, or of the one that the
+    // march has stopped at: of floors WIDE_RUNS * eight to WIDE_RUNS * eight + WIDE_RUNS - 1.
+    void (*show)(struct ensemble_lanes *e, int eight);
+
+    // Computes it again for buildings that links have pushed, from what they have made of that.
+    void (*move_pushed)(struct ensemble_lanes *e, const wide *base);
+
+    // Commits the step that has been computed, and owes its works.
+    void (*commit)(struct ensemble_lanes *e, const wide *base);
+
+    // Takes the works of the last step into account, where that is still owing.
+    void (*settle)(struct ensemble_lanes *e);
+};
+extern const struct ensemble_steps ensemble_whole;  // for registers that hold all lanes
+extern const struct ensemble_steps ensemble_half;   // for those that hold half of them
+
 struct ensemble_lanes {
     // The shape, and the steps: those of the first model.
     int n_building, n_floor, n_contact;
@@ -131,11 +159,12 @@ struct ensemble_lanes {
     struct ensemble_contact *contact;       // (n_contact)
     struct ensemble_nearest *nearest;       // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
-    wide *force;                       // [F] (n_contact) that a step begins with, else 0,
-    bool *acts;                        // (n_contact) of contacts that are live in some lane
+    wide *force;    // [F] (n_contact) that a step begins with, else 0,
+    bool *acts;     // (n_contact) of contacts that are live in some lane
     struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits, as last looked at
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
+    const struct ensemble_steps *steps;  // borrowed
 };
 
 // Is a flag negative in a lane whose run is aboard? By halves: compilers take lanes apart one by
@@ -149,7 +178,8 @@ LANES_INLINE bool ensemble_any(const struct ensemble_lanes *e, const wide_bits *
 }
 
 // Room for the runs of models like `m`; false: no memory.
-bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a);
+bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
+                          const struct ensemble_steps *steps, struct arena *a);
 
 // Gives a lane the numbers of a run, whose home factors are there. False: one is so large that
 // steps in lanes might overflow.
@@ -170,21 +200,6 @@ void ensemble_clear(struct ensemble_lanes *e, int lane);
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
 
-// Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them asks
-// for a closer look: that one is computed, but not committed. Returns the number committed.
-// *presses: that one presses contacts beyond their limits.
-int ensemble_march(struct ensemble_lanes *e, const wide *base, int n, bool *presses);
-
-// Computes one step with the forces that live links begin it with.
-void ensemble_move(struct ensemble_lanes *e, const wide *base);
-
-// Shows the runs aboard the trial and the corrections of that step, or of the one that
-// ensemble_march has stopped at, of WIDE_RUNS floors.
-void ensemble_show(struct ensemble_lanes *e, int part);
-
-// Computes it again for buildings that links have pushed, from what they have made of that.
-void ensemble_move_pushed(struct ensemble_lanes *e, const wide *base);
-
 // Whether one of those aboard exceeds a peak in the step that has been computed and pressed.
 bool ensemble_exceeds(struct ensemble_lanes *e);
 
@@ -198,12 +213,6 @@ void ensemble_press(struct ensemble_lanes *e);
 // Takes the step that has been computed, to `time`, into the peaks of those aboard that
 // ensemble_exceeds has found to be exceeded.
 void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
-
-// Commits it, and owes its works.
-void ensemble_commit(struct ensemble_lanes *e, const wide *base);
-
-// Takes the works of the last step into account, where that is still owing.
-void ensemble_settle(struct ensemble_lanes *e);
 
 // The energies of all lanes (WIDE_RUNS).
 void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums);

@@ -11,7 +11,7 @@ static void show_building(struct ensemble_lanes *e, int k) {
     const struct building *g = e->building[k].shape;
     for (int i = g->first / WIDE_RUNS; i <= (g->first + g->n_floor - 1) / WIDE_RUNS; i++) {
         if (!e->shown[i]) {
-            ensemble_show(e, i);
+            e->steps->show(e, i);
         }
     }
 }

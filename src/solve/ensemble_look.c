@@ -191,6 +191,6 @@ LANES static void add_sums(const struct ensemble_lanes *e, struct energy_sums *s
 }
 
 void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums) {
-    ensemble_settle(e);
+    e->steps->settle(e);
     add_sums(e, sums);
 }
