@@ -100,12 +100,11 @@ LANES_INLINE void step(struct ensemble_lanes *e, int p, const wide *ground, part
     const struct ensemble_building *b = e->building;
     for (int first = 0; first < e->n_building; first += TOGETHER) {
         const int last = first + TOGETHER < e->n_building ? first + TOGETHER : e->n_building;
-        struct ensemble_trial *t = e->trial - b[first].shape->first;
         for (int k = first; k < last; k++) {
-            begin(e, &b[k], p, ground, t + b[k].shape->first);
+            begin(e, &b[k], p, ground, e->trial + b[k].shape->first - b[first].shape->first);
         }
         for (int k = first; k < last; k++) {
-            end(e, k, p, ground, t + b[k].shape->first);
+            end(e, k, p, ground, e->trial + b[k].shape->first - b[first].shape->first);
             *beyond |= FLAGS(e->beyond[k]);
         }
     }
