@@ -22,7 +22,7 @@ struct ensemble_member {
 bool ensemble_suits(const struct model *m);
 
 // Whether lockstep is faster on this processor than one run after the other, which it is where the
-// registers that this library is compiled for hold ENSEMBLE_MAX numbers.
+// registers that this library is compiled for hold ENSEMBLE_MAX numbers, or half as many.
 bool ensemble_pays(void);
 
 // Whether `b` can go in lockstep with `a`, which suits: the same floors, contacts, step and rows;

@@ -35,3 +35,13 @@ bool lanes_hold_wide(void) {
     return false;
 #endif
 }
+
+bool lanes_hold_half(void) {
+#if defined(__AVX2__)
+    return true;
+#elif defined(LANES_HALF)
+    return __builtin_cpu_supports(LANES_HALF);
+#else
+    return false;
+#endif
+}

@@ -10,14 +10,16 @@
 // In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
 // takes what the processor has. Each element sees the same operations in the same order either way,
 // so the bits are the same. Elsewhere, and under sanitizers, which run before such choices can be
-// made, it is compiled once. LANES_WIDEST is the processor that has lanes_wide in one register.
+// made, it is compiled once. LANES_WIDEST is the processor that has lanes_wide in one register, and
+// LANES_HALF one that has lanes.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define LANES_HALF "avx2"
 #if __GNUC__ >= 12
 #define LANES_WIDEST "x86-64-v4"
-#define LANES __attribute__((target_clones("default", "avx2", "arch=" LANES_WIDEST)))
+#define LANES __attribute__((target_clones("default", LANES_HALF, "arch=" LANES_WIDEST)))
 #else
-#define LANES __attribute__((target_clones("default", "avx2")))
+#define LANES __attribute__((target_clones("default", LANES_HALF)))
 #endif
 #else
 #define LANES
@@ -63,15 +65,15 @@ typedef int64_t lanes_wide_bits __attribute__((vector_size(LANES_WIDTH * sizeof(
 // Elements i to i + LANES_WIDTH - 1 of an array.
 #define LANES_AT(x, i) (*(const lanes_wide *)((x) + (i)))
 
-// One value of each of eight runs that are computed in lockstep. The compiler splits it where the
-// processor's lanes are narrower.
+// One value of each of eight runs that are computed in lockstep.
 enum { WIDE_RUNS = 8 };
 typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
 typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
 
-// Do functions marked LANES hold one in a register, on the processor at hand? Where they do not,
-// gcc passes it through memory in pieces, and eight runs one after the other are faster.
+// Does a register of the processor at hand hold it, or half of it? Where it is split further, gcc
+// passes it through memory in pieces, and eight runs one after the other are faster.
 bool lanes_hold_wide(void);
+bool lanes_hold_half(void);
 
 // A zeroed array for n things of such values, `size` bytes each, with one in front and one behind;
 // NULL: no memory.

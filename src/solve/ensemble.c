@@ -32,7 +32,7 @@ bool ensemble_suits(const struct model *m) {
 }
 
 bool ensemble_pays(void) {
-    return lanes_hold_wide();
+    return lanes_hold_wide() || lanes_hold_half();
 }
 
 bool ensemble_alike(const struct model *a, const struct model *b) {
@@ -217,11 +217,11 @@ static void start(struct fleet *f, struct ensemble_member *member) {
 }
 
 // Runs the `n` members of models alike in lockstep. STATUS_SYSTEM: no memory.
-static int run_alike(struct ensemble_member **member, int n, const struct observer *observer,
-                     struct arena *a, struct error *e) {
+static int run_alike(const struct ensemble_steps *steps, struct ensemble_member **member, int n,
+                     const struct observer *observer, struct arena *a, struct error *e) {
     const struct model *m = member[0]->model;
     struct fleet *f = a ? arena_alloc(a, 1, sizeof *f) : NULL;
-    if (!f || !ensemble_lanes_alloc(&f->lanes, m, a)) {
+    if (!f || !ensemble_lanes_alloc(&f->lanes, m, steps, a)) {
         return error_no_memory(e);
     }
     f->observer = observer;
@@ -234,10 +234,11 @@ static int run_alike(struct ensemble_member **member, int n, const struct observ
     return STATUS_OK;
 }
 
-static void run_together(struct ensemble_member **member, int n, const struct observer *observer) {
+static void run_together(const struct ensemble_steps *steps, struct ensemble_member **member, int n,
+                         const struct observer *observer) {
     struct error e;
     struct arena *a = arena_create();
-    int status = run_alike(member, n, observer, a, &e);
+    int status = run_alike(steps, member, n, observer, a, &e);
     for (int k = 0; status != STATUS_OK && k < n; k++) {
         member[k]->status = status;
         member[k]->error = e;
@@ -258,7 +259,8 @@ static int take_alike(struct ensemble_member *member, int n, int k, bool *left,
     return n_alike;
 }
 
-void ensemble_run(struct ensemble_member *member, int n, const struct observer *observer) {
+void ensemble_run_by(const struct ensemble_steps *steps, struct ensemble_member *member, int n,
+                     const struct observer *observer) {
     bool left[ENSEMBLE_MAX];
     memset(left, true, sizeof left);
     for (int k = 0; k < n; k++) {
@@ -266,7 +268,7 @@ void ensemble_run(struct ensemble_member *member, int n, const struct observer *
         const bool alone = (observer && observer->row) || !ensemble_suits(member[k].model);
         const int n_alike = left[k] ? take_alike(member, alone ? k + 1 : n, k, left, alike) : 0;
         if (n_alike >= RUNS_LEAST) {
-            run_together(alike, n_alike, observer);
+            run_together(steps, alike, n_alike, observer);
             continue;
         }
         for (int i = 0; i < n_alike; i++) {
@@ -275,4 +277,8 @@ void ensemble_run(struct ensemble_member *member, int n, const struct observer *
             m->status = analysis_run(m->model, observer, &m->results, &m->error);
         }
     }
+}
+
+void ensemble_run(struct ensemble_member *member, int n, const struct observer *observer) {
+    ensemble_run_by(lanes_hold_wide() ? &ensemble_whole : &ensemble_half, member, n, observer);
 }

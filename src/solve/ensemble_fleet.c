@@ -51,7 +51,7 @@ void ensemble_fleet_end(struct fleet *f, int k, int status) {
     struct boat *b = &f->boat[k];
     *(b->berth == BERTH_ABOARD ? &f->n_aboard : &f->n_ashore) -= 1;
     b->berth = BERTH_ENDED;
-    f->lanes.aboard[k] = 0;
+    ensemble_clear(&f->lanes, k);
     forget(f, k);
     b->member->status = analysis_end(&b->run, status, &b->member->results);
 }
@@ -78,18 +78,12 @@ static void give_up(struct fleet *f, int k, long n) {
 
 // The step n of all floors aboard, with the forces that live links begin it with.
 static void begin_links(struct fleet *f, long n, const wide *base) {
-    ensemble_unbalance(&f->lanes, base);
     for (int k = 0; k < f->n; k++) {
         if (has(f->live, k)) {
             act(f, k, n);
         }
     }
-    ensemble_move(&f->lanes, base);
-    for (int k = 0; k < f->n; k++) {
-        if (has(f->acting, k)) {
-            ensemble_links_gather(&f->lanes, k, &f->boat[k].run);
-        }
-    }
+    f->lanes.steps->move(&f->lanes, base);
 }
 
 static unsigned find_pressed(struct ensemble_lanes *e) {
@@ -113,7 +107,7 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
         return false;
     }
     put(&f->wanted, k, false);
-    if (ensemble_links_solve(&f->lanes, k, r) != STATUS_OK) {
+    if (ensemble_links_solve(&f->lanes, r) != STATUS_OK) {
         give_up(f, k, n);
     }
     return true;
@@ -129,7 +123,7 @@ static void meet(struct fleet *f, long n, const wide *base) {
             again |= has(asked, k) && solve_links(f, k, n, has(pressed, k));
         }
         if (again) {
-            ensemble_move_pushed(&f->lanes, base);
+            f->lanes.steps->move_pushed(&f->lanes, base);
         }
     }
     for (int k = 0; f->acting && k < f->n; k++) {
@@ -164,7 +158,7 @@ static void commit(struct fleet *f, const wide *base) {
             ensemble_fleet_end(f, k, status);
         }
     }
-    ensemble_commit(&f->lanes, base);
+    f->lanes.steps->commit(&f->lanes, base);
 }
 
 long ensemble_fleet_cruise(struct fleet *f, long n) {
@@ -177,7 +171,8 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
         return last;
     }
     const wide *base = e->base + (n + ENSEMBLE_STRETCH - 1 - f->known);
-    const int taken = live ? 0 : ensemble_march(e, base, (int)(last - n + 1));
+    bool presses = live;
+    const int taken = live ? 0 : e->steps->march(e, base, (int)(last - n + 1), &presses);
     n += taken;
     base += taken;
     if (n > last) {
@@ -186,7 +181,10 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
     if (live) {
         begin_links(f, n, base);
     }
-    meet(f, n, base);
+    e->n_pressed = 0;
+    if (presses) {
+        meet(f, n, base);
+    }
     if (ensemble_exceeds(e)) {
         look(f, n, base);
     }

@@ -40,6 +40,10 @@ struct fleet {
     int every;        // steps between two rows
 };
 
+// ensemble_run by steps of one kind, which the processor must have.
+void ensemble_run_by(const struct ensemble_steps *steps, struct ensemble_member *member, int n,
+                     const struct observer *observer);
+
 // Takes a run aboard after step n, if it may.
 void ensemble_fleet_board(struct fleet *f, int k, long n);
 

@@ -10,6 +10,8 @@
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
     e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
+    e->force = lanes_wide_array(a, m->n_contact, sizeof *e->force);
+    e->acts = arena_alloc(a, (size_t)m->n_contact, sizeof *e->acts);
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
     for (int k = 0; e->nearest && e->end && k < m->n_contact; k++) {
@@ -19,7 +21,7 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
         }
         e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->nearest && e->end && e->pressed;
+    return e->contact && e->nearest && e->force && e->acts && e->end && e->pressed;
 }
 
 static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
@@ -43,26 +45,44 @@ static bool alloc_buildings(struct ensemble_lanes *e, const struct model *m, str
     return all;
 }
 
-bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
-    const int n = m->n_dof;
+static void fill_factors(struct ensemble_factors *f, const struct model *m) {
+    const wide none = {0.0};
+    const double h = m->dt;
+    *f = (struct ensemble_factors){h - none, h * h / 2.0 - none, m->beta * h * h - none,
+                                   m->gamma * h - none};
+}
+
+bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
+                          const struct ensemble_steps *steps, struct arena *a) {
+    const int n = m->n_dof, room = lanes_whole(n);
     *e = (struct ensemble_lanes){
+        .steps = steps,
         .n_building = m->n_building,
         .n_floor = n,
         .n_contact = m->n_contact,
-        .b = m->beta * m->dt * m->dt,
-        .g = m->gamma * m->dt,
         .h = m->dt,
-        .now = lanes_wide_array(a, n, sizeof *e->now),
-        .next = lanes_wide_array(a, n, sizeof *e->next),
-        .motion = lanes_wide_array(a, n, sizeof *e->motion),
+        .factors = lanes_wide_array(a, 1, sizeof *e->factors),
+        .now = lanes_wide_array(a, room, sizeof *e->now),
+        .next = lanes_wide_array(a, room, sizeof *e->next),
+        .trial = lanes_wide_array(a, n, sizeof *e->trial),
+        .correction = lanes_wide_array(a, room, sizeof *e->correction),
+        .hidden = lanes_array(a, n),
+        .shown = arena_alloc(a, (size_t)(n / WIDE_RUNS) + 1, sizeof *e->shown),
         .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
         .peak = lanes_wide_array(a, n, sizeof *e->peak),
         .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
-    return e->now && e->next && e->motion && e->beyond && e->works && e->peak && e->peak_time &&
-           e->base && alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        ensemble_clear(e, lane);
+    }
+    if (e->factors) {
+        fill_factors(e->factors, m);
+    }
+    return e->factors && e->now && e->next && e->trial && e->correction && e->hidden && e->shown &&
+           e->beyond && e->works && e->peak && e->peak_time && e->base && alloc_contacts(e, m, a) &&
+           alloc_buildings(e, m, a);
 }
 
 static bool is_small(double x) {
@@ -92,7 +112,7 @@ static bool fill_inverse(double *inverse, int lane, struct effective *home) {
     for (int i = 0; i < n; i++) {
         const double *column = effective_column(home, i);
         for (int j = 0; j < n; j++) {
-            small &= put_at(inverse, j * n + i, lane, column[j]);
+            small &= put_at(inverse, i * n + j, lane, column[j]);
         }
     }
     return small;
@@ -178,7 +198,7 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
     const struct state *s = r->now;
     bool small = true;
-    ensemble_settle(e);
+    e->steps->settle(e);
     for (int i = 0; i < e->n_floor; i++) {
         struct ensemble_state *f = &e->now[i];
         small &= put(&f->u, lane, s->u[i]);
@@ -200,14 +220,19 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         }
         e->contact[k].limit[lane] = p->depth[lane];
     }
-    e->aboard[lane] = small ? -1 : 0;
+    if (small) {
+        e->aboard[lane] = -1;
+        e->show.u_trial[lane] = r->work.u_trial;
+        e->show.v_trial[lane] = r->work.v_trial;
+        e->show.correction[lane] = r->work.correction;
+    }
     return small;
 }
 
 void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double time, long n_step) {
     struct state *s = r->now;
     struct totals *t = &r->results->totals;
-    ensemble_settle(e);
+    e->steps->settle(e);
     for (int i = 0; i < e->n_floor; i++) {
         const struct ensemble_state *f = &e->now[i];
         s->u[i] = f->u[lane];
@@ -226,7 +251,12 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
     s->time = time;
     t->steps += n_step;
     t->iterations += n_step;
+    ensemble_clear(e, lane);
+}
+
+void ensemble_clear(struct ensemble_lanes *e, int lane) {
     e->aboard[lane] = 0;
+    e->show.u_trial[lane] = e->show.v_trial[lane] = e->show.correction[lane] = e->hidden;
 }
 
 // The larger of two peaks, and of equal ones the earlier.

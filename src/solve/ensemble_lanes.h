@@ -21,11 +21,21 @@ struct ensemble_state {
     wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
 };
 
-// How it moves in the step under way.
-struct ensemble_motion {
-    wide u, v;        // where it would be at the end if the acceleration stayed
-    wide residual;    // [F] what it lacks then
-    wide correction;  // [L/T^2] of the acceleration
+// Where it would be at the end of the step under way if the acceleration stayed.
+struct ensemble_trial {
+    wide u, v;
+    wide residual;  // [F] what it lacks then
+};
+
+// The same in all lanes; in memory, from where they cost least.
+struct ensemble_factors {
+    wide h, half;  // h and h^2 / 2
+    wide b, g;     // beta h^2 and gamma h
+};
+
+// What the contact iteration of a run reads of its floors, and changes: arrays of its struct work.
+struct ensemble_shown {
+    double *u_trial[WIDE_RUNS], *v_trial[WIDE_RUNS], *correction[WIDE_RUNS];
 };
 
 // What a step needs of a floor besides, with the storey below it.
@@ -98,15 +108,49 @@ struct ensemble_works {
     wide speed;      // [L/T] largest velocity of any floor so far
 };
 
+struct ensemble_lanes;
+
+// Steps of the floors of all runs aboard at once; `base` is the ground acceleration at its end.
+struct ensemble_steps {
+    // Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them
+    // asks for a closer look: that one is computed, but not committed. Returns the number
+    // committed. *presses: that one presses contacts beyond their limits.
+    int (*march)(struct ensemble_lanes *e, const wide *base, int n, bool *presses);
+
+    // Computes one step with the forces that live links begin it with.
+    void (*move)(struct ensemble_lanes *e, const wide *base);
+
+    // Shows the runs aboard the trial and the corrections of that step, or of the one that the
+    // march has stopped at: of floors WIDE_RUNS * eight to WIDE_RUNS * eight + WIDE_RUNS - 1.
+    void (*show)(struct ensemble_lanes *e, int eight);
+
+    // Computes it again for buildings that links have pushed, from what they have made of that.
+    void (*move_pushed)(struct ensemble_lanes *e, const wide *base);
+
+    // Commits the step that has been computed, and owes its works.
+    void (*commit)(struct ensemble_lanes *e, const wide *base);
+
+    // Takes the works of the last step into account, where that is still owing.
+    void (*settle)(struct ensemble_lanes *e);
+};
+extern const struct ensemble_steps ensemble_whole;  // for registers that hold all lanes
+extern const struct ensemble_steps ensemble_half;   // for those that hold half of them
+
 struct ensemble_lanes {
     // The shape, and the steps: those of the first model.
     int n_building, n_floor, n_contact;
-    double b, g, h;  // beta h^2, gamma h and h
+    double h;
+    struct ensemble_factors *factors;
 
     long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
     struct ensemble_building *building;  // (n_building)
-    struct ensemble_state *now, *next;   // (n_floor) of all buildings
-    struct ensemble_motion *motion;      // (n_floor) in the step under way
+    struct ensemble_state *now, *next;   // (n_floor) of all buildings, with zeros beyond
+    struct ensemble_trial *trial;        // (n_floor) scratch of the step under way
+    wide *correction;                    // [L/T^2] (n_floor) of the accelerations in it, before
+                                         // links have changed them
+    struct ensemble_shown show;          // by lanes, of runs that are aboard
+    double *hidden;                      // (n_floor) stands there for the others
+    bool *shown;                         // (n_floor / WIDE_RUNS) floors that runs know in this step
     wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
     struct ensemble_peaks *peak;         // (n_floor)
     struct ensemble_peak_times *peak_time;  // (n_floor)
@@ -115,9 +159,12 @@ struct ensemble_lanes {
     struct ensemble_contact *contact;       // (n_contact)
     struct ensemble_nearest *nearest;       // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
+    wide *force;    // [F] (n_contact) that a step begins with, else 0,
+    bool *acts;     // (n_contact) of contacts that are live in some lane
     struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits, as last looked at
     int n_pressed;
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
+    const struct ensemble_steps *steps;  // borrowed
 };
 
 // Is a flag negative in a lane whose run is aboard? By halves: compilers take lanes apart one by
@@ -131,7 +178,8 @@ LANES_INLINE bool ensemble_any(const struct ensemble_lanes *e, const wide_bits *
 }
 
 // Room for the runs of models like `m`; false: no memory.
-bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m, struct arena *a);
+bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
+                          const struct ensemble_steps *steps, struct arena *a);
 
 // Gives a lane the numbers of a run, whose home factors are there. False: one is so large that
 // steps in lanes might overflow.
@@ -146,21 +194,11 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r);
 // Gives a run the state of its lane, at time `time`, after `n_step` steps aboard.
 void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double time, long n_step);
 
+// The lane takes no part any more.
+void ensemble_clear(struct ensemble_lanes *e, int lane);
+
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
-
-// Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them asks
-// for a closer look: that one is computed, but not committed. Returns the number committed.
-int ensemble_march(struct ensemble_lanes *e, const wide *base, int n);
-
-// The same in parts, for a step in which links act: the residuals without their forces,
-void ensemble_unbalance(struct ensemble_lanes *e, const wide *base);
-
-// what they lead to,
-void ensemble_move(struct ensemble_lanes *e, const wide *base);
-
-// and that again for buildings that links have pushed.
-void ensemble_move_pushed(struct ensemble_lanes *e, const wide *base);
 
 // Whether one of those aboard exceeds a peak in the step that has been computed and pressed.
 bool ensemble_exceeds(struct ensemble_lanes *e);
@@ -175,12 +213,6 @@ void ensemble_press(struct ensemble_lanes *e);
 // Takes the step that has been computed, to `time`, into the peaks of those aboard that
 // ensemble_exceeds has found to be exceeded.
 void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
-
-// Commits it, and owes its works.
-void ensemble_commit(struct ensemble_lanes *e, const wide *base);
-
-// Takes the works of the last step into account, where that is still owing.
-void ensemble_settle(struct ensemble_lanes *e);
 
 // The energies of all lanes (WIDE_RUNS).
 void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums);

@@ -6,24 +6,24 @@
 #include "solve/contact.h"
 #include "solve/event.h"
 
-// The trial of building k, and the corrections that it has so far.
-static void gather_building(const struct ensemble_lanes *e, int lane, struct run *r, int k) {
-    const struct building *g = &r->model->building[k];
-    struct work *w = &r->work;
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        w->u_trial[i] = e->motion[i].u[lane];
-        w->v_trial[i] = e->motion[i].v[lane];
-        w->correction[i] = e->motion[i].correction[lane];
+// Lets runs know the floors of building k.
+static void show_building(struct ensemble_lanes *e, int k) {
+    const struct building *g = e->building[k].shape;
+    for (int i = g->first / WIDE_RUNS; i <= (g->first + g->n_floor - 1) / WIDE_RUNS; i++) {
+        if (!e->shown[i]) {
+            e->steps->show(e, i);
+        }
     }
 }
 
-// The corrections that it has now.
-static void scatter_building(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
-    const struct building *g = &r->model->building[k];
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        e->motion[i].correction[lane] = r->work.correction[i];
+// And those of the buildings that contact k of run r touches.
+static void show_ends(struct ensemble_lanes *e, const struct run *r, int k) {
+    for (int side = 0; side < 2; side++) {
+        const int b = r->model->link[k].building[side];
+        if (b != WALL) {
+            show_building(e, b);
+        }
     }
-    e->building[k].pushed = true;
 }
 
 // The velocities of both ends of contact k.
@@ -49,28 +49,8 @@ void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, dou
     for (int i = 0; i < next->n_live; i++) {
         const int k = next->live[i];
         e->contact[k].limit[lane] = INFINITY;
-        e->motion[e->end[k][0]].residual[lane] -= next->link[k].force;
-        e->motion[e->end[k][1]].residual[lane] += next->link[k].force;
-    }
-}
-
-void ensemble_links_gather(const struct ensemble_lanes *e, int lane, struct run *r) {
-    const struct gaps *g = &r->work.gaps;
-    for (int i = 0; i < g->n_touched; i++) {
-        gather_building(e, lane, r, g->touched[i]);
-    }
-}
-
-// The same of the ends of a link that no other has touched. Those that were live before have their
-// velocities from the last step.
-static void gather_ends(const struct ensemble_lanes *e, int lane, struct run *r, int contact) {
-    const struct link *l = &r->model->link[contact];
-    gather_velocities(e, contact, e->now, lane, r->now->v);
-    for (int side = 0; side < 2; side++) {
-        const int k = l->building[side];
-        if (k != WALL && !r->work.gaps.is_touched[k]) {
-            gather_building(e, lane, r, k);
-        }
+        e->acts[k] = true;
+        e->force[k][lane] = next->link[k].force;
     }
 }
 
@@ -81,7 +61,8 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
         if (!(e->pressed[i].closed >> lane & 1U)) {
             continue;
         }
-        gather_ends(e, lane, r, k);
+        show_ends(e, r, k);
+        gather_velocities(e, k, e->now, lane, r->now->v);
         r->now->delta[k] =
             e->now[e->end[k][0]].u[lane] - e->now[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
         r->next->delta[k] = penetration(e, k, e->next, lane);
@@ -93,13 +74,16 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
     return n;
 }
 
-int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r) {
+int ensemble_links_solve(struct ensemble_lanes *e, struct run *r) {
     const struct gaps *g = &r->work.gaps;
+    for (int i = 0; i < g->n_touched; i++) {
+        show_building(e, g->touched[i]);
+    }
     if (contact_solve(&r->work, r->now, r->next) != STATUS_OK) {
         return STATUS_RETRY;
     }
     for (int i = 0; i < g->n_touched; i++) {
-        scatter_building(e, lane, r, g->touched[i]);
+        e->building[g->touched[i]].pushed = true;
     }
     return STATUS_OK;
 }

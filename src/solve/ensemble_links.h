@@ -8,19 +8,16 @@
 #include "solve/ensemble_lanes.h"
 
 // Begins the step from time `start` to `end` for a run with live links, or with a contact that is
-// pressed in it: links that were closed act, and their forces are taken from the residuals.
+// pressed in it: links that were closed act, and the lanes begin with their forces.
 void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, double start,
                           double end);
-
-// Takes over what the lane has made of the buildings of those links.
-void ensemble_links_gather(const struct ensemble_lanes *e, int lane, struct run *r);
 
 // Closes pressed contacts of the lane where they do close; returns how many.
 int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r);
 
 // Solves for the forces of live links, which push their buildings in the lane.
 // STATUS_RETRY: the run has to take this step alone.
-int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r);
+int ensemble_links_solve(struct ensemble_lanes *e, struct run *r);
 
 // Ends a step that is solved, when the lane has taken over what links have done. STATUS_RETRY: a
 // force has jumped in it, as above.

@@ -17,12 +17,15 @@ enum { TOGETHER = 8 };
 #define LESS(a, b) ((wide_bits)((a) - (b)))  // negative where a < b
 #define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
+// The bits of lanes aboard in which flags are negative.
 INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
-    unsigned lanes_set = 0;
-    for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        lanes_set |= (unsigned)((e->aboard[lane] & (*flags)[lane]) < 0) << lane;
-    }
-    return lanes_set;
+    static const wide_bits bit = {1, 2, 4, 8, 16, 32, 64, 128};
+    const wide_bits own = (*flags >> SIGN) & bit;
+    lanes_bits part[2], aboard[2];
+    memcpy(part, &own, sizeof part);
+    memcpy(aboard, e->aboard, sizeof aboard);
+    const lanes_bits set = (part[0] & aboard[0]) | (part[1] & aboard[1]);
+    return (unsigned)(set[0] | set[1] | set[2] | set[3]);
 }
 
 // Negative in lanes where floor i has a number that is too large.
@@ -53,9 +56,11 @@ INLINE void list(struct ensemble_lanes *e, int k) {
     wide delta;
     find_penetration(e, k, &delta);
     const wide_bits flags = LESS(e->contact[k].limit, delta), inside = LESS(0.0, delta);
-    const unsigned beyond = lanes_aboard(e, &flags), closed = beyond & lanes_aboard(e, &inside);
-    e->pressed[e->n_pressed] = (struct ensemble_pressed){k, closed, beyond & ~closed};
-    e->n_pressed += beyond != 0;
+    const unsigned beyond = lanes_aboard(e, &flags);
+    if (beyond != 0) {
+        const unsigned closed = beyond & lanes_aboard(e, &inside);
+        e->pressed[e->n_pressed++] = (struct ensemble_pressed){k, closed, beyond & ~closed};
+    }
 }
 
 LANES void ensemble_press(struct ensemble_lanes *e) {
@@ -186,6 +191,6 @@ LANES static void add_sums(const struct ensemble_lanes *e, struct energy_sums *s
 }
 
 void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums) {
-    ensemble_settle(e);
+    e->steps->settle(e);
     add_sums(e, sums);
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "jostle/ensemble.h"
+#include "solve/ensemble_fleet.h"
 #include "support/analysis.h"
 #include "support/random_deck.h"
 #include "support/support.h"
@@ -44,12 +45,12 @@ static void assert_same_results(const struct model *m, const struct results *got
     assert_same(&got->totals, &want->totals, offsetof(struct totals, seconds), "totals");
 }
 
-// Runs the members together, compares each with its run alone, and frees both. Returns the number
-// of impacts.
-static long compare(struct ensemble_member *member, int n) {
+// Runs the members together by some steps, compares each with its run alone, and frees both.
+// Returns the number of impacts.
+static long compare_by(const struct ensemble_steps *steps, struct ensemble_member *member, int n) {
     long n_impact = 0;
     const struct observer observer = {0};  // the energies of rows are taken, nobody sees them
-    ensemble_run(member, n, &observer);
+    ensemble_run_by(steps, member, n, &observer);
     for (int k = 0; k < n; k++) {
         struct results *alone = NULL;
         struct error e = {0};
@@ -66,6 +67,14 @@ static long compare(struct ensemble_member *member, int n) {
         results_free(alone);
     }
     return n_impact;
+}
+
+// By all steps that the processor has.
+static long compare(struct ensemble_member *member, int n) {
+    if (lanes_hold_wide()) {
+        compare_by(&ensemble_whole, member, n);
+    }
+    return compare_by(&ensemble_half, member, n);
 }
 
 static void free_models(struct ensemble_member *member, int n) {
