@@ -118,9 +118,9 @@ CLONES static int march(struct ensemble_lanes *e, const wide *base, int n, bool 
             step(e, p, base + i, &beyond);
             penetrate(e, p, &pressed);
             const part_bits flags = beyond | pressed;
-            if (part_any(e->aboard + p * WIDTH, &flags)) {
+            if (part_any(&e->aboard[p * WIDTH], &flags)) {
                 any = true;
-                near |= part_any(e->aboard + p * WIDTH, &pressed);
+                near |= part_any(&e->aboard[p * WIDTH], &pressed);
             }
         }
         e->owing = false;
