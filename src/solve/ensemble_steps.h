@@ -7,6 +7,8 @@
 #ifndef JOSTLE_ENSEMBLE_STEPS_H
 #define JOSTLE_ENSEMBLE_STEPS_H
 
+#include <stddef.h>
+
 #include "solve/ensemble_floors.h"
 
 // Buildings that are taken through a step together. While the processor waits in the substitution
@@ -114,13 +116,14 @@ CLONES static int march(struct ensemble_lanes *e, const wide *base, int n, bool 
     for (int i = 0; i < n; i++) {
         bool any = false, near = false;
         for (int p = 0; p < PARTS; p++) {
+            const long long *aboard = e->aboard + (ptrdiff_t)p * WIDTH;
             part_bits beyond = {0}, pressed = {0};
             step(e, p, base + i, &beyond);
             penetrate(e, p, &pressed);
             const part_bits flags = beyond | pressed;
-            if (part_any(e->aboard + p * WIDTH, &flags)) {
+            if (part_any(aboard, &flags)) {
                 any = true;
-                near |= part_any(e->aboard + p * WIDTH, &pressed);
+                near |= part_any(aboard, &pressed);
             }
         }
         e->owing = false;
