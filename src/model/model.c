@@ -58,7 +58,7 @@ int model_build(struct deck *deck, struct model **out, struct error *e) {
 
 int model_build_shared(struct deck *deck, struct shelf *records, struct model **out,
                        struct error *e) {
-    struct builder b = {
+    const struct builder empty = {
         .deck = deck,
         .arena = deck->arena,
         .records = records,
@@ -68,11 +68,16 @@ int model_build_shared(struct deck *deck, struct shelf *records, struct model **
         .iterations = 100,
         .out = {.fields = FIELD_ALL},
     };
+    struct builder b;
     struct model *m = arena_alloc(deck->arena, 1, sizeof *m);
     if (!m) {
         return error_no_memory(e);
     }
-    int status = build_all(&b, e);
+    int status;
+    do {
+        b = empty;
+        status = build_all(&b, e);
+    } while (status == STATUS_OK && deck_rewind(deck));
     if (status == STATUS_OK) {
         status = builder_finish(&b, m, e);
     }
