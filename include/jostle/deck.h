@@ -71,6 +71,7 @@ struct deck {
     const struct deck_path *files;  // included files, records and histories; not the deck itself
     const struct sweep *sweeps;     // in the order of the deck
     long n_run;                     // of the study; 1 without sweeps
+    bool torn;  // a statement, or a file of them, could not be read: others may seem to be missing
     struct reader *reader;
 };
 

@@ -40,6 +40,7 @@ static void begin(struct deck *d, struct source *top) {
     d->files = NULL;
     d->sweeps = NULL;
     d->n_run = 1;
+    d->torn = false;
     diagnostics_init(&d->diagnostics, d->arena);
     unit_system_init(&d->units);
     parameter_check(d);

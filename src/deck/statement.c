@@ -199,15 +199,14 @@ static bool check_include(struct deck *d, const struct word *w, const struct sou
 }
 
 static void run_include(struct deck *d, const struct statement *s) {
-    if (!check_words(d, s, 2, "include FILE")) {
-        return;
-    }
     const struct word *w = &s->word[1];
-    const char *name = deck_text(d, w);
+    const char *name = check_words(d, s, 2, "include FILE") ? deck_text(d, w) : NULL;
     const char *path = name ? deck_file(d, w, name) : NULL;
     struct source *source = path ? load(d, w, path) : NULL;
     if (source && check_include(d, w, source)) {
         source_enter(d, source);
+    } else {
+        d->torn = true;
     }
 }
 

@@ -20,6 +20,7 @@ static const double STEP_ROUNDING = 1e-9;  // of a step, in counting steps
 enum { EVERY_MAX = 1000000000 };
 
 static void report_unknown(struct builder *b, const struct word *w) {
+    b->deck->torn = true;
     int n = n_statement_kind + n_deck_statement;
     const char **known = builder_array(b, (size_t)n, sizeof *known);
     for (int i = 0; known && i < n; i++) {
