@@ -20,7 +20,7 @@ static void print_help(FILE *to) {
     }
     fprintf(
         to,
-        "\n  --version prints the version; COMMAND --help, or help COMMAND, explains a command\n\n"
+        "\n  --version prints the version; COMMAND --help or help COMMAND explains a command\n\n"
         "Exit status: 0 done, 1 the analysis failed, 2 wrong usage, deck or record,\n"
         "3 the system failed.\n");
 }
