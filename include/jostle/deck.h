@@ -99,9 +99,9 @@ bool deck_is_study(const struct deck *d);
 // too. Words live as long as the deck.
 bool deck_next(struct deck *d, struct statement *out);
 
-// To be asked at the end of the deck. True where a sweep gives values to a param that was used above
-// the sweep: then the deck stands before its first statement again, what was read and reported is
-// void, and the param gives the value of the first run.
+// To be asked at the end of the deck. True where a sweep gives values to a param that was used
+// above the sweep: then the deck stands before its first statement again, what was read and
+// reported is void, and the param gives the value of the first run.
 bool deck_rewind(struct deck *d);
 
 // What the user gave for one row.
