@@ -43,7 +43,7 @@ static void begin(struct deck *d, struct source *top) {
     d->torn = false;
     diagnostics_init(&d->diagnostics, d->arena);
     unit_system_init(&d->units);
-    parameter_check(d);
+    define_check(d);
     source_enter(d, top);
 }
 
@@ -56,7 +56,7 @@ static int deck_start(struct deck *d, const char *text, size_t size, const char 
     }
     d->text = text;
     struct source *source = source_add(d, d->path, text, size);
-    if (!source || !parameter_open(d, define, n_define)) {
+    if (!source || !define_open(d, define, n_define)) {
         return error_no_memory(e);
     }
     begin(d, source);

@@ -6,7 +6,7 @@
 #include "core/text.h"
 #include "deck/reader.h"
 
-struct define *parameter_definition(const struct deck *d, const char *name) {
+struct define *define_find(const struct deck *d, const char *name) {
     for (int i = 0; i < d->reader->n_define; i++) {
         if (strcmp(d->reader->define[i].name, name) == 0) {
             return &d->reader->define[i];
@@ -65,7 +65,7 @@ static bool split(struct deck *d, const char *text, struct define *define) {
     return true;
 }
 
-bool parameter_open(struct deck *d, const char *const *define, int n_define) {
+bool define_open(struct deck *d, const char *const *define, int n_define) {
     d->reader->define = arena_alloc(d->arena, (size_t)n_define, sizeof *d->reader->define);
     if (!d->reader->define) {
         return false;
@@ -79,7 +79,7 @@ bool parameter_open(struct deck *d, const char *const *define, int n_define) {
     return true;
 }
 
-void parameter_check(struct deck *d) {
+void define_check(struct deck *d) {
     for (int i = 0; i < d->reader->n_define; i++) {
         check(d, &d->reader->define[i]);
     }

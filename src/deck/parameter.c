@@ -215,7 +215,7 @@ bool parameter_is_free(struct deck *d, const struct word *name, enum definition 
 // The value of a new parameter is that of a -D, or of a sweep below its param that another reading
 // has found, which says there if it does not fit. True if it is that of a -D.
 static bool replace(struct deck *d, enum definition by, struct parameter *p) {
-    struct define *define = parameter_definition(d, p->name);
+    struct define *define = define_find(d, p->name);
     int choice;
     const struct sweep *s = by == BY_PARAM ? sweep_bound(d, p->name, &choice) : NULL;
     if (define) {
@@ -243,7 +243,7 @@ static void take_value(struct parameter *to, const struct parameter *from) {
 static bool join(struct deck *d, const struct word *name, enum definition by, struct parameter *p,
                  struct parameter *value) {
     const struct place *first = by == BY_PARAM ? &p->sweep : &p->param;
-    const bool defined = parameter_definition(d, p->name);
+    const bool defined = define_find(d, p->name);
     value->name = p->name;
     if (p->derived || value->derived) {
         deck_error(d, name, "the param of a swept parameter cannot depend on a sweep");
@@ -289,7 +289,7 @@ void parameter_define(struct deck *d, const struct word *name, const struct word
 }
 
 static void report_unused(struct deck *d, const struct parameter *p) {
-    const struct define *define = parameter_definition(d, p->name);
+    const struct define *define = define_find(d, p->name);
     if (define) {
         struct word value = define->value;
         deck_error(d, &value, "nothing in the deck uses parameter '%s'", p->name);

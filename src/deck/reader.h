@@ -145,11 +145,11 @@ void sweep_choose(const struct sweep *s, int choice, struct parameter *p);
 // define.c
 
 // Splits the texts NAME=VALUE; false: no memory.
-bool parameter_open(struct deck *d, const char *const *define, int n_define);
+bool define_open(struct deck *d, const char *const *define, int n_define);
 // Reports what is wrong with them.
-void parameter_check(struct deck *d);
+void define_check(struct deck *d);
 // What -D gives for the parameter; NULL: nothing.
-struct define *parameter_definition(const struct deck *d, const char *name);
+struct define *define_find(const struct deck *d, const char *name);
 
 // parameter.c
 

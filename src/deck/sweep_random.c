@@ -175,7 +175,7 @@ static bool read_request(struct deck *d, struct request *q) {
 
 // Defines the parameter that numbers the sample and decides which number it has in this run.
 static bool number_sample(struct deck *d, const struct request *q, struct sampling *of) {
-    const struct define *define = parameter_definition(d, q->sample.text);
+    const struct define *define = define_find(d, q->sample.text);
     of->bound = sweep_bound(d, q->sample.text, &of->choice);
     struct parameter p = {.kind = PARAMETER_NUMBER, .swept = true, .used = true};
     p.number = (struct quantity){of->choice + 1, true, dimension_none};
@@ -281,7 +281,7 @@ static bool join(struct deck *d, const struct request *q, struct sweep *own, dou
 void sweep_random(struct deck *d, const struct statement *s, struct sweep *own) {
     struct request q = {.statement = s, .values = {.name = own->name}};
     struct parameter p = {.kind = PARAMETER_WRONG, .swept = true};
-    const bool fixed = parameter_definition(d, own->name) != NULL;
+    const bool fixed = define_find(d, own->name) != NULL;
     if (read_request(d, &q)) {
         own->known = q.first.number.known;
         own->dimension = q.first.number.dimension;

@@ -89,7 +89,7 @@ static void nobody_approaches_and_pushes_only_push(void **state) {
         struct random r = {seed};
         struct together t;
         struct line line;
-        double before[BODIES_MAX], after[BODIES_MAX];
+        double before[BODIES_MAX] = {0.0}, after[BODIES_MAX] = {0.0};
         make_up(&r, &line, &t);
         for (int i = 0; i < line.model.n_dof; i++) {
             before[i] = after[i] = random_uniform(&r, -1.0, 1.0);
