@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <gsl/gsl_errno.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,9 +18,11 @@ static void print_help(FILE *to) {
     for (int i = 0; i < n_command; i++) {
         fprintf(to, "  %-10s %s\n", commands[i]->name, commands[i]->summary);
     }
-    fprintf(to, "\n  --version prints the version; COMMAND --help explains a command\n\n"
-                "Exit status: 0 done, 1 the analysis failed, 2 wrong usage, deck or record,\n"
-                "3 the system failed.\n");
+    fprintf(
+        to,
+        "\n  --version prints the version; COMMAND --help or help COMMAND explains a command\n\n"
+        "Exit status: 0 done, 1 the analysis failed, 2 wrong usage, deck or record,\n"
+        "3 the system failed.\n");
 }
 
 static int unknown(const char *word) {
@@ -38,26 +41,43 @@ static int unknown(const char *word) {
     return EXIT_INPUT;
 }
 
+static int dispatch_command(int argc, char **argv) {
+    for (int i = 0; i < n_command; i++) {
+        if (strcmp(argv[0], commands[i]->name) == 0) {
+            return commands[i]->run(argc, argv);
+        }
+    }
+    return unknown(argv[0]);
+}
+
+// `help`, alone or with a command.
+static int help(int argc, char **argv) {
+    static char option[] = "--help";
+    if (argc == 1) {
+        print_help(stdout);
+        return EXIT_DONE;
+    }
+    return dispatch_command(2, (char *[]){argv[1], option, NULL});
+}
+
 static int dispatch(int argc, char **argv) {
     if (argc < 2) {
         print_help(stderr);
         return EXIT_INPUT;
     }
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
-        strcmp(argv[1], "help") == 0) {
-        print_help(stdout);
-        return EXIT_DONE;
+    const bool asks = strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
+                      strcmp(argv[1], "help") == 0;
+    const bool version = strcmp(argv[1], "--version") == 0;
+    if (argc > (asks ? 3 : 2) && (asks || version)) {
+        fprintf(stderr, "jostle: error: '%s' is not expected behind %s\ntry 'jostle --help'\n",
+                argv[argc - 1], argv[1]);
+        return EXIT_INPUT;
     }
-    if (strcmp(argv[1], "--version") == 0) {
+    if (version) {
         printf("jostle %s\n", JOSTLE_VERSION);
         return EXIT_DONE;
     }
-    for (int i = 0; i < n_command; i++) {
-        if (strcmp(argv[1], commands[i]->name) == 0) {
-            return commands[i]->run(argc - 1, argv + 1);
-        }
-    }
-    return unknown(argv[1]);
+    return asks ? help(argc - 1, argv + 1) : dispatch_command(argc - 1, argv + 1);
 }
 
 int main(int argc, char **argv) {

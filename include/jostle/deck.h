@@ -71,6 +71,7 @@ struct deck {
     const struct deck_path *files;  // included files, records and histories; not the deck itself
     const struct sweep *sweeps;     // in the order of the deck
     long n_run;                     // of the study; 1 without sweeps
+    bool torn;  // a statement, or a file of them, could not be read: others may seem to be missing
     struct reader *reader;
 };
 
@@ -97,6 +98,11 @@ bool deck_is_study(const struct deck *d);
 // The next statement; false at the end of the deck, when -D names that no param took are reported
 // too. Words live as long as the deck.
 bool deck_next(struct deck *d, struct statement *out);
+
+// To be asked at the end of the deck. True where a sweep gives values to a param that was used
+// above the sweep: then the deck stands before its first statement again, what was read and
+// reported is void, and the param gives the value of the first run.
+bool deck_rewind(struct deck *d);
 
 // What the user gave for one row.
 struct argument {

@@ -30,11 +30,21 @@ static struct deck *deck_create(const char *path) {
         arena_free(a);
         return NULL;
     }
-    *d = (struct deck){
-        .arena = a, .path = name, .title = "", .text = "", .n_run = 1, .reader = reader};
-    diagnostics_init(&d->diagnostics, a);
-    unit_system_init(&d->units);
+    *d = (struct deck){.arena = a, .path = name, .text = "", .reader = reader};
     return d;
+}
+
+// Puts the deck before its first statement.
+static void begin(struct deck *d, struct source *top) {
+    d->title = "";
+    d->files = NULL;
+    d->sweeps = NULL;
+    d->n_run = 1;
+    d->torn = false;
+    diagnostics_init(&d->diagnostics, d->arena);
+    unit_system_init(&d->units);
+    define_check(d);
+    source_enter(d, top);
 }
 
 // Takes `text` as the top file.
@@ -46,11 +56,11 @@ static int deck_start(struct deck *d, const char *text, size_t size, const char 
     }
     d->text = text;
     struct source *source = source_add(d, d->path, text, size);
-    if (!source || !parameter_open(d, define, n_define) || d->diagnostics.out_of_memory) {
+    if (!source || !define_open(d, define, n_define)) {
         return error_no_memory(e);
     }
-    source_enter(d, source);
-    return STATUS_OK;
+    begin(d, source);
+    return d->diagnostics.out_of_memory ? error_no_memory(e) : STATUS_OK;
 }
 
 static int read_top(struct deck *d, char **text, size_t *size, struct error *e) {
@@ -119,6 +129,25 @@ bool deck_next(struct deck *d, struct statement *out) {
         parameter_close(d);
     }
     return false;
+}
+
+bool deck_rewind(struct deck *d) {
+    static const int first[STUDY_SWEEPS_MAX] = {0};
+    struct reader *r = d->reader;
+    struct source *top = r->frame[0].source;
+    const bool failed = d->diagnostics.system || d->diagnostics.out_of_memory;
+    if (!r->late || r->bound || !d->sweeps || failed) {
+        return false;
+    }
+    *r = (struct reader){.source = r->source,
+                         .word = r->word,
+                         .word_capacity = r->word_capacity,
+                         .define = r->define,
+                         .n_define = r->n_define,
+                         .bound = d->sweeps,
+                         .choice = first};
+    begin(d, top);
+    return true;
 }
 
 bool deck_is_study(const struct deck *d) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters: param NAME VALUE, -D NAME=VALUE, and their use in texts.
+// Parameters: param NAME VALUE, and their use in texts. The value of a -D or of a sweep goes before
+// that of the param, whose kind and dimension it must have.
 //
 // VALUE is a number if it is not quoted and starts like one (a digit, a point and a digit, either
 // of them behind a sign) or is a $name or ${expression} as a whole; everything else is a text. So a
@@ -99,6 +100,15 @@ static const struct parameter *whole_text(const struct deck *d, const struct wor
                : NULL;
 }
 
+static const char *const kind_name[] = {[PARAMETER_NUMBER] = "number", [PARAMETER_TEXT] = "text"};
+
+// Whether one value may stand in the place of the other: numbers without a unit fit all numbers.
+static bool fits(const struct parameter *a, const struct parameter *b) {
+    return a->kind == b->kind &&
+           (a->kind == PARAMETER_TEXT || !a->number.known || !b->number.known ||
+            dimension_equal(a->number.dimension, b->number.dimension));
+}
+
 static void read_text(struct deck *d, const struct word *w, struct parameter *p) {
     p->text = deck_text(d, w);
     p->kind = p->text ? PARAMETER_TEXT : PARAMETER_WRONG;
@@ -113,42 +123,46 @@ void parameter_read(struct deck *d, const struct word *w, struct parameter *p) {
     p->kind = ok ? PARAMETER_NUMBER : PARAMETER_WRONG;
 }
 
+// Reports that `got`, at `w`, is of another kind than `given`, which stands in `where`.
+static bool check_kind(struct deck *d, const struct word *w, const struct parameter *given,
+                       const char *where, const struct parameter *got) {
+    struct text_short name;
+    struct quantity_text is, needed;
+    if (got->kind == PARAMETER_WRONG || given->kind == PARAMETER_WRONG || fits(given, got)) {
+        return true;
+    }
+    text_short(&name, got->name);
+    if (got->kind != given->kind) {
+        deck_error(d, w, "'%s' is a %s in %s; this is a %s", name.text, kind_name[given->kind],
+                   where, kind_name[got->kind]);
+    } else {
+        deck_error(d, w, "'%s' is %s in %s; this is %s", name.text,
+                   quantity_describe(&d->units, given->number.dimension, &needed), where,
+                   quantity_describe(&d->units, got->number.dimension, &is));
+    }
+    return false;
+}
+
 // Puts the value of a -D in the place of the deck's; the kind stays.
 static void override(struct deck *d, struct define *define, struct parameter *p) {
     struct parameter deck_value = *p;
-    define->taken = true;
     if (deck_value.kind == PARAMETER_TEXT) {
         read_text(d, &define->value, p);
         return;
     }
     parameter_read(d, &define->value, p);
-    if (deck_value.kind != PARAMETER_NUMBER || p->kind == PARAMETER_WRONG) {
-        return;
-    }
-    struct text_short name;
-    struct quantity_text got, needed;
-    if (p->kind == PARAMETER_TEXT) {
-        deck_error(d, &define->value, "'%s' is a number in the deck; this is a text",
-                   text_short(&name, p->name));
-        p->kind = PARAMETER_WRONG;
-    } else if (p->number.known && deck_value.number.known &&
-               !dimension_equal(p->number.dimension, deck_value.number.dimension)) {
-        deck_error(d, &define->value, "'%s' is %s in the deck; this is %s",
-                   text_short(&name, p->name),
-                   quantity_describe(&d->units, deck_value.number.dimension, &needed),
-                   quantity_describe(&d->units, p->number.dimension, &got));
+    if (!check_kind(d, &define->value, &deck_value, "the deck", p)) {
         p->kind = PARAMETER_WRONG;
     }
 }
 
-static struct parameter *append(struct deck *d, const struct word *name) {
+static struct parameter *append(struct deck *d, const struct parameter *value) {
     struct reader *r = d->reader;
     struct parameter *p = deck_array(d, 1, sizeof *p);
     if (!p) {
         return NULL;
     }
-    p->name = name->text;
-    p->place = name->place;
+    *p = *value;
     struct parameter **bucket = &r->bucket[bucket_of(p->name, strlen(p->name))];
     p->next_in_bucket = *bucket;
     *bucket = p;
@@ -162,8 +176,7 @@ static struct parameter *append(struct deck *d, const struct word *name) {
     return p;
 }
 
-// False after having reported that `w` cannot name a parameter.
-static bool check_name(struct deck *d, const struct word *w) {
+bool parameter_check_name(struct deck *d, const struct word *w) {
     struct text_short t;
     text_short(&t, w->text);
     const char *end = parameter_name_end(w->text);
@@ -178,136 +191,113 @@ static bool check_name(struct deck *d, const struct word *w) {
     return true;
 }
 
-const struct define *parameter_definition(const struct deck *d, const char *name) {
-    for (int i = 0; i < d->reader->n_define; i++) {
-        if (strcmp(d->reader->define[i].name, name) == 0) {
-            return &d->reader->define[i];
-        }
-    }
-    return NULL;
+// Where `p` is defined by one of the kinds that `by` names; NULL: nowhere.
+static const struct place *defined_at(const struct parameter *p, enum definition by) {
+    return by & BY_PARAM && p->param.source   ? &p->param
+           : by & BY_SWEEP && p->sweep.source ? &p->sweep
+                                              : NULL;
 }
 
-bool parameter_is_free(struct deck *d, const struct word *name) {
-    if (!check_name(d, name)) {
+bool parameter_is_free(struct deck *d, const struct word *name, enum definition by) {
+    if (!parameter_check_name(d, name)) {
         return false;
     }
     struct text_short t;
     const struct parameter *other = parameter_find(d, name->text, strlen(name->text));
-    if (other) {
-        deck_error(d, name, "parameter '%s' is already defined in %s", text_short(&t, name->text),
-                   source_mention(d, &other->place, &name->place));
+    const struct place *at = other ? defined_at(other, by) : NULL;
+    if (at) {
+        deck_error(d, name, "parameter '%s' is already %s in %s", text_short(&t, name->text),
+                   at == &other->param ? "defined" : "swept", source_mention(d, at, &name->place));
     }
-    return !other;
+    return !at;
 }
 
-bool parameter_keep(struct deck *d, const struct word *name, struct parameter *value) {
-    bool overridden = false;
-    for (int i = 0; i < d->reader->n_define; i++) {
-        struct define *define = &d->reader->define[i];
-        if (!define->taken && strcmp(define->name, name->text) == 0) {
-            value->name = name->text;
-            override(d, define, value);
-            overridden = true;
+// The value of a new parameter is that of a -D, or of a sweep below its param that another reading
+// has found, which says there if it does not fit. True if it is that of a -D.
+static bool replace(struct deck *d, enum definition by, struct parameter *p) {
+    struct define *define = define_find(d, p->name);
+    int choice;
+    const struct sweep *s = by == BY_PARAM ? sweep_bound(d, p->name, &choice) : NULL;
+    if (define) {
+        if (!define->taken) {
+            define->taken = true;
+            override(d, define, p);
+        }
+        p->swept = false;
+    } else if (s) {
+        struct parameter chosen = *p;
+        sweep_choose(s, choice, &chosen);
+        *p = fits(p, &chosen) ? chosen : *p;
+    }
+    return define;
+}
+
+static void take_value(struct parameter *to, const struct parameter *from) {
+    to->kind = from->kind;
+    to->number = from->number;
+    to->text = from->text;
+}
+
+// The second definition of `p`, where param and sweep both stand: the sweep gives the values. True
+// if a -D gives it.
+static bool join(struct deck *d, const struct word *name, enum definition by, struct parameter *p,
+                 struct parameter *value) {
+    const struct place *first = by == BY_PARAM ? &p->sweep : &p->param;
+    const bool defined = define_find(d, p->name);
+    value->name = p->name;
+    if (p->derived || value->derived) {
+        deck_error(d, name, "the param of a swept parameter cannot depend on a sweep");
+    } else if (check_kind(d, name, p, source_mention(d, first, &name->place), value)) {
+        if (defined) {
+            take_value(value, p);
+        } else if (by == BY_SWEEP) {
+            take_value(p, value);
+            p->swept = true;
+            d->reader->late = d->reader->late || (p->used && p->kind != PARAMETER_WRONG);
         }
     }
-    struct parameter *kept = append(d, name);
+    return defined;
+}
+
+bool parameter_keep(struct deck *d, const struct word *name, enum definition by,
+                    struct parameter *value) {
+    struct parameter *kept = parameter_find(d, name->text, strlen(name->text));
+    bool defined = false;
     if (kept) {
-        kept->kind = value->kind;
-        kept->number = value->number;
-        kept->text = value->text;
-        kept->sweep = value->sweep && !overridden;
-        kept->swept = value->swept && !overridden;
-        kept->used = value->used;
+        defined = join(d, name, by, kept, value);
+    } else {
+        value->name = name->text;
+        defined = replace(d, by, value);
+        kept = append(d, value);
     }
-    return overridden;
+    if (kept) {
+        kept->derived = kept->derived || value->derived;
+        kept->param = by & BY_PARAM ? name->place : kept->param;
+        kept->sweep = by & BY_SWEEP ? name->place : kept->sweep;
+    }
+    return defined;
 }
 
 void parameter_define(struct deck *d, const struct word *name, const struct word *value) {
-    if (parameter_is_free(d, name)) {
+    if (parameter_is_free(d, name, BY_PARAM)) {
         struct parameter p = {0};  // not in the list yet: a value cannot name its own parameter
         d->reader->swept = false;
         parameter_read(d, value, &p);
-        p.swept = d->reader->swept;
-        parameter_keep(d, name, &p);
+        p.swept = p.derived = d->reader->swept;
+        parameter_keep(d, name, BY_PARAM, &p);
     }
-}
-
-// True if the text can be shown and kept: UTF-8 without control characters.
-static bool is_plain_text(const char *text) {
-    size_t size = strlen(text);
-    for (size_t i = 0; i < size;) {
-        size_t bytes = text_character(text + i, size - i);
-        if (bytes == 0 || text_is_control(text + i, bytes)) {
-            return false;
-        }
-        i += bytes;
-    }
-    return true;
-}
-
-static void check_define(struct deck *d, struct define *define, bool has_value) {
-    struct word name = define->value;
-    name.text = define->name;
-    define->taken = true;
-    if (!is_plain_text(define->name) || !is_plain_text(define->value.text)) {
-        deck_error(d, &name, "this is not UTF-8 text without control characters");
-    } else if (!has_value || !define->value.text[0]) {
-        deck_error(d, &name, "it must be -D NAME=VALUE");
-    } else if (check_name(d, &name)) {
-        define->taken = false;
-        for (struct define *other = d->reader->define; other < define; other++) {
-            if (strcmp(other->name, define->name) == 0) {
-                deck_error(d, &name, "'%s' is given twice", define->name);
-                define->taken = true;
-                return;
-            }
-        }
-    }
-}
-
-static bool split(struct deck *d, const char *text, struct define *define) {
-    size_t n = strcspn(text, "=");
-    bool has_value = text[n] == '=';
-    const char *value = text + n + (has_value ? 1 : 0);
-    size_t size = strlen(value);
-    bool quoted = size >= 2 && value[0] == '"' && value[size - 1] == '"';
-    define->name = arena_text(d->arena, text, n);
-    define->value.text =
-        quoted ? arena_text(d->arena, value + 1, size - 2) : arena_text(d->arena, value, size);
-    define->source.name = arena_format(d->arena, "-D %s", text);
-    if (!define->name || !define->value.text || !define->source.name) {
-        return false;
-    }
-    define->value.quoted = quoted;
-    define->value.place.source = &define->source;
-    check_define(d, define, has_value);
-    return true;
-}
-
-bool parameter_open(struct deck *d, const char *const *define, int n_define) {
-    d->reader->define = arena_alloc(d->arena, (size_t)n_define, sizeof *d->reader->define);
-    if (!d->reader->define) {
-        return false;
-    }
-    for (int i = 0; i < n_define; i++) {
-        d->reader->n_define = i + 1;
-        if (!split(d, define[i], &d->reader->define[i])) {
-            return false;
-        }
-    }
-    return true;
 }
 
 static void report_unused(struct deck *d, const struct parameter *p) {
-    const struct define *define = parameter_definition(d, p->name);
+    const struct define *define = define_find(d, p->name);
     if (define) {
         struct word value = define->value;
         deck_error(d, &value, "nothing in the deck uses parameter '%s'", p->name);
-    } else if (p->sweep) {
-        struct word name = {.text = p->name, .place = p->place};
+    } else if (p->sweep.source) {
+        struct word name = {.text = p->name, .place = p->sweep};
         deck_error(d, &name, "nothing uses the swept parameter '%s'", p->name);
     } else {
-        struct word name = {.text = p->name, .place = p->place};
+        struct word name = {.text = p->name, .place = p->param};
         deck_warning(d, &name, "nothing uses parameter '%s'", p->name);
     }
 }

@@ -53,10 +53,10 @@ struct parameter {
     enum parameter_kind kind;
     struct quantity number;
     const char *text;
-    struct place place;
+    struct place param, sweep;  // its statements; source NULL: there is none of that kind
     bool used;
-    bool sweep;  // defined by one
-    bool swept;  // its value depends on one
+    bool swept;    // its value depends on a sweep
+    bool derived;  // that of its param does
     struct parameter *next_in_bucket;
     struct parameter *next;  // in the order of the deck
 };
@@ -95,6 +95,7 @@ struct reader {
     struct sampling *sampling;  // of random sweeps; NULL: none
     int n_sweep;
     bool swept;  // a parameter was read whose value depends on a sweep
+    bool late;   // a sweep gives values to a parameter that was used above it
     bool ended;
     size_t n_repeated;  // values from repeats so far
     size_t n_replaced;  // bytes of words with replaced parameters so far
@@ -135,19 +136,36 @@ bool sweep_value(struct deck *d, const struct word *w, const struct parameter *f
 bool sweep_append(struct deck *d, const struct word *w, struct sweep *s);
 // What -D gives in place of the values.
 void sweep_fix(struct deck *d, const struct parameter *p, struct sweep *s);
+// The sweep over `name` of the reading that this one is bound to, and in *choice which of its
+// values this run takes; NULL: there is none.
+const struct sweep *sweep_bound(const struct deck *d, const char *name, int *choice);
+// Sets the value of `p` to number `choice` of `s`.
+void sweep_choose(const struct sweep *s, int choice, struct parameter *p);
+
+// define.c
+
+// Splits the texts NAME=VALUE; false: no memory.
+bool define_open(struct deck *d, const char *const *define, int n_define);
+// Reports what is wrong with them.
+void define_check(struct deck *d);
+// What -D gives for the parameter; NULL: nothing.
+struct define *define_find(const struct deck *d, const char *name);
 
 // parameter.c
 
-// Splits the texts NAME=VALUE; what is wrong with them is reported. False: no memory.
-bool parameter_open(struct deck *d, const char *const *define, int n_define);
+// param NAME VALUE. A sweep over the same parameter, above or below, or a -D, gives its values in
+// place of this one.
 void parameter_define(struct deck *d, const struct word *name, const struct word *value);
-// The steps of parameter_define: false after having reported that `name` cannot be defined; reads
-// `w`; adds the parameter with `value` or that of a -D, in which case it returns true.
-bool parameter_is_free(struct deck *d, const struct word *name);
+// What defines a parameter: a param, a sweep, or both; the number of a sample is neither's to take.
+enum definition { BY_PARAM = 1, BY_SWEEP = 2, BY_SAMPLE = BY_PARAM | BY_SWEEP };
+// The steps of a definition: false after having reported that `name` cannot be defined `by` this;
+// reads `w`; adds the parameter with `value` or that of a -D, in which case it returns true.
+bool parameter_is_free(struct deck *d, const struct word *name, enum definition by);
 void parameter_read(struct deck *d, const struct word *w, struct parameter *p);
-bool parameter_keep(struct deck *d, const struct word *name, struct parameter *value);
-// What -D gives for the parameter; NULL: nothing.
-const struct define *parameter_definition(const struct deck *d, const char *name);
+bool parameter_keep(struct deck *d, const struct word *name, enum definition by,
+                    struct parameter *value);
+// False after having reported that `w` cannot name a parameter.
+bool parameter_check_name(struct deck *d, const struct word *w);
 struct parameter *parameter_find(const struct deck *d, const char *name, size_t n);
 // The parameter called from `from` to `to` in `w`; NULL after having reported an error.
 struct parameter *parameter_get(struct deck *d, const struct word *w, const char *from,

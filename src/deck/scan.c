@@ -3,10 +3,11 @@
 //
 // A statement is one line, or several that `\` as the very last character joins; the `\` parts
 // words like a blank. Words are parted by blanks and tabs. `"` at the start of a word quotes it up
-// to the next `"` on the same line; there are no escapes. Between `${` and `}` blanks belong to the
-// word. `#` at the start of a word starts a comment up to the end of the line, which it never
-// joins; inside a word `#` is a character like others, as in file names. Lines end with LF or CR
-// LF. Other control characters and bytes that are not UTF-8 are errors, also in comments.
+// to the next `"` on the same line, where `\` is a character like others; there are no escapes.
+// Between `${` and `}` blanks belong to the word. `#` at the start of a word starts a comment up to
+// the end of the line, which it never joins; inside a word `#` is a character like others, as in
+// file names. Lines end with LF or CR LF. Other control characters and bytes that are not UTF-8 are
+// errors, also in comments.
 //
 // A wrong line spoils its statement: the statement is left out, and reading goes on behind it.
 #include <stdlib.h>
@@ -23,6 +24,7 @@ struct scan {
     int column;            // of `at`
     bool wrong;            // something was reported
     bool joined;           // the next line belongs to the statement
+    bool torn;             // and the end of a quoted text, which is not looked for there
 };
 
 static void fail(struct scan *s, int column, int width, const char *message) {
@@ -83,7 +85,10 @@ static void scan_quoted(struct scan *s) {
         advance(s);
     }
     if (s->at == s->end) {
-        fail(s, column, 1, "the quoted text does not end on its line");
+        s->torn = s->end[-1] == '\\';
+        fail(s, column, 1,
+             s->torn ? "the quoted text does not end on its line; '\\' joins no lines within quotes"
+                     : "the quoted text does not end on its line");
         return;
     }
     add_word(s, start, column, true);
@@ -188,7 +193,11 @@ static void scan_line(struct scan *s, struct frame *f) {
     bool was_wrong = s->wrong;
     s->wrong = false;
     check_characters(s);
-    scan_words(s);
+    if (s->torn) {
+        s->wrong = true;
+    } else {
+        scan_words(s);
+    }
     if (s->wrong) {  // the rest of the line is unread; guess where the statement ends
         s->joined = s->end > start && s->end[-1] == '\\';
     } else if (s->joined && f->offset == s->source->size) {
@@ -227,12 +236,14 @@ bool scan_statement(struct deck *d, struct frame *f, struct statement *out) {
     while (f->offset < f->source->size && !d->diagnostics.out_of_memory) {
         d->reader->n_word = 0;
         s.wrong = false;
+        s.torn = false;
         do {
             scan_line(&s, f);
         } while (s.joined && f->offset < f->source->size);
         if (!s.wrong && d->reader->n_word > 0 && build(d, out)) {
             return true;
         }
+        d->torn = d->torn || s.wrong || d->reader->n_word > 0;
     }
     return false;
 }

@@ -14,8 +14,10 @@ const struct deck_statement deck_statements[] = {
     {"gravity", "gravity G", "acceleration of gravity, 9.80665 m/s^2 if not given"},
     {"param", "param NAME VALUE", "a parameter; -D NAME=VALUE overrides it"},
     {"sweep", sweep_usage,
-     "a parameter that takes one value after another; sweeps multiply, but random ones are sampled "
-     "together: normal MEAN SD, lognormal MEDIAN DISPERSION or uniform LOW HIGH"},
+     "a parameter that takes one value after another, in place of that of its param if there is "
+     "one; "
+     "sweeps multiply, but random ones are sampled together: normal MEAN SD, lognormal MEDIAN "
+     "DISPERSION or uniform LOW HIGH"},
     {"include", "include FILE", "reads another deck here"},
 };
 const int n_deck_statement = sizeof deck_statements / sizeof deck_statements[0];
@@ -197,15 +199,14 @@ static bool check_include(struct deck *d, const struct word *w, const struct sou
 }
 
 static void run_include(struct deck *d, const struct statement *s) {
-    if (!check_words(d, s, 2, "include FILE")) {
-        return;
-    }
     const struct word *w = &s->word[1];
-    const char *name = deck_text(d, w);
+    const char *name = check_words(d, s, 2, "include FILE") ? deck_text(d, w) : NULL;
     const char *path = name ? deck_file(d, w, name) : NULL;
     struct source *source = path ? load(d, w, path) : NULL;
     if (source && check_include(d, w, source)) {
         source_enter(d, source);
+    } else {
+        d->torn = true;
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sweep NAME values|range|files|random ...: a parameter that takes one value after another, run by
-// run.
+// run. A param of the same name may stand above or below it: its value is that of the deck without
+// the sweep.
 //
 // range gives FROM + i (TO - FROM) / (N - 1), or with -log FROM (TO / FROM)^(i / (N - 1)), i = 0 ..
 // N - 1; the last is TO itself. The values of a sweep do not depend on other sweeps, so that the
@@ -223,25 +224,38 @@ static bool read_values_of(struct deck *d, const struct statement *s, struct swe
     return false;
 }
 
+const struct sweep *sweep_bound(const struct deck *d, const char *name, int *choice) {
+    int i = 0;
+    for (const struct sweep *s = d->reader->bound; s; s = s->next, i++) {
+        for (const struct sweep *p = s; p; p = p->along) {
+            if (strcmp(p->name, name) == 0) {
+                *choice = s->fixed ? 0 : d->reader->choice[i];
+                return p;
+            }
+        }
+    }
+    return NULL;
+}
+
+void sweep_choose(const struct sweep *s, int choice, struct parameter *p) {
+    p->kind = s->number ? PARAMETER_NUMBER : PARAMETER_TEXT;
+    p->swept = true;
+    if (s->number) {
+        p->number = (struct quantity){s->number[choice], s->known, s->dimension};
+    } else {
+        p->text = s->text[choice];
+    }
+}
+
 // The value of this run as a parameter.
 static struct parameter chosen(const struct deck *d, const struct sweep *sweep) {
-    const struct reader *r = d->reader;
-    const struct sweep *from = sweep;
     int choice = 0;
-    if (r->bound) {
-        from = r->bound;
-        for (int i = 0; from && i < r->n_sweep; i++) {
-            from = from->next;
-        }
-        choice = from && !from->fixed ? r->choice[r->n_sweep] : 0;
-        from = from && (from->number != NULL) == (sweep->number != NULL) ? from : sweep;
-    }
-    struct parameter p = {
-        .kind = from->number ? PARAMETER_NUMBER : PARAMETER_TEXT, .sweep = true, .swept = true};
-    if (from->number) {
-        p.number = (struct quantity){from->number[choice], from->known, from->dimension};
+    const struct sweep *from = sweep_bound(d, sweep->name, &choice);
+    struct parameter p = {0};
+    if (from && !from->number == !sweep->number) {
+        sweep_choose(from, choice, &p);
     } else {
-        p.text = from->text[choice];
+        sweep_choose(sweep, 0, &p);
     }
     return p;
 }
@@ -277,7 +291,7 @@ static bool read(struct deck *d, const struct statement *s, struct sweep *sweep)
         return false;
     }
     if (d->reader->swept) {
-        deck_error(d, &s->word[2], "the values of a sweep cannot depend on another sweep");
+        deck_error(d, &s->word[2], "the values of a sweep cannot depend on a swept parameter");
         return false;
     }
     return true;
@@ -290,13 +304,22 @@ void sweep_fix(struct deck *d, const struct parameter *p, struct sweep *s) {
     }
 }
 
+// The values of a sweep cannot be made from the param that they replace.
+static void mark_param(struct deck *d, const char *name) {
+    struct parameter *p = parameter_find(d, name, strlen(name));
+    if (p) {
+        p->swept = true;
+    }
+}
+
 void sweep_run(struct deck *d, const struct statement *s) {
     if (s->n_plain < 4) {
         deck_error(d, s->word, "a word is missing; the statement is %s", sweep_usage);
     }
-    if (s->n_plain < 2 || !parameter_is_free(d, &s->word[1])) {
+    if (s->n_plain < 2 || !parameter_is_free(d, &s->word[1], BY_SWEEP)) {
         return;
     }
+    mark_param(d, s->word[1].text);
     struct sweep *sweep = deck_array(d, 1, sizeof *sweep);
     if (!sweep) {
         return;
@@ -311,7 +334,7 @@ void sweep_run(struct deck *d, const struct statement *s) {
         p = chosen(d, sweep);
     }
     const bool good = p.kind != PARAMETER_WRONG;
-    if (parameter_keep(d, &s->word[1], &p) && good) {
+    if (parameter_keep(d, &s->word[1], BY_SWEEP, &p) && good) {
         sweep_fix(d, &p, sweep);
     }
     if (good) {

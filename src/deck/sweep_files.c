@@ -123,10 +123,8 @@ static bool search(struct deck *d, const struct word *w, const char *pattern, st
 }
 
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
-    const struct sweep *from = d->reader->bound;
-    for (int i = 0; from && i < d->reader->n_sweep; i++) {
-        from = from->next;
-    }
+    int choice;
+    const struct sweep *from = sweep_bound(d, out->name, &choice);
     if (!from || !from->text) {
         return search(d, w, pattern, out);
     }

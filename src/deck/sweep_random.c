@@ -164,7 +164,7 @@ static bool read_request(struct deck *d, struct request *q) {
     }
     if (d->reader->swept) {
         deck_error(d, &q->statement->word[2],
-                   "the values of a sweep cannot depend on another sweep");
+                   "the values of a sweep cannot depend on a swept parameter");
         return false;
     }
     q->values.n = (int)q->argument[N].number[0];
@@ -175,16 +175,11 @@ static bool read_request(struct deck *d, struct request *q) {
 
 // Defines the parameter that numbers the sample and decides which number it has in this run.
 static bool number_sample(struct deck *d, const struct request *q, struct sampling *of) {
-    const struct define *define = parameter_definition(d, q->sample.text);
-    const struct reader *r = d->reader;
-    of->bound = r->bound;
-    for (int i = 0; of->bound && i < r->n_sweep; i++) {
-        of->bound = of->bound->next;
-    }
-    of->choice = of->bound && !of->bound->fixed ? r->choice[r->n_sweep] : 0;
-    struct parameter p = {.kind = PARAMETER_NUMBER, .sweep = true, .swept = true, .used = true};
+    const struct define *define = define_find(d, q->sample.text);
+    of->bound = sweep_bound(d, q->sample.text, &of->choice);
+    struct parameter p = {.kind = PARAMETER_NUMBER, .swept = true, .used = true};
     p.number = (struct quantity){of->choice + 1, true, dimension_none};
-    if (!parameter_keep(d, &q->sample, &p)) {
+    if (!parameter_keep(d, &q->sample, BY_SAMPLE, &p)) {
         return true;
     }
     const double x = p.kind == PARAMETER_NUMBER ? p.number.value : 1.0;
@@ -217,7 +212,7 @@ static struct sampling *begin_sampling(struct deck *d, const struct request *q) 
     *of = (struct sampling){
         .sweep = sweep, .n = n, .place = q->statement->word[0].place, .next = d->reader->sampling};
     d->reader->sampling = of;
-    of->sound = parameter_is_free(d, &q->sample) && number_sample(d, q, of) &&
+    of->sound = parameter_is_free(d, &q->sample, BY_SAMPLE) && number_sample(d, q, of) &&
                 sweep_append(d, &q->sample, sweep);
     return of;
 }
@@ -285,8 +280,8 @@ static bool join(struct deck *d, const struct request *q, struct sweep *own, dou
 
 void sweep_random(struct deck *d, const struct statement *s, struct sweep *own) {
     struct request q = {.statement = s, .values = {.name = own->name}};
-    struct parameter p = {.kind = PARAMETER_WRONG, .sweep = true, .swept = true};
-    const bool fixed = parameter_definition(d, own->name) != NULL;
+    struct parameter p = {.kind = PARAMETER_WRONG, .swept = true};
+    const bool fixed = define_find(d, own->name) != NULL;
     if (read_request(d, &q)) {
         own->known = q.first.number.known;
         own->dimension = q.first.number.dimension;
@@ -296,7 +291,7 @@ void sweep_random(struct deck *d, const struct statement *s, struct sweep *own) 
         p.swept = !own->fixed;
     }
     const bool good = p.kind != PARAMETER_WRONG;
-    if (parameter_keep(d, &s->word[1], &p) && good) {
+    if (parameter_keep(d, &s->word[1], BY_SWEEP, &p) && good) {
         sweep_fix(d, &p, own);
         sweep_append(d, &s->word[1], own);
     }

@@ -4,6 +4,9 @@
 
 static void check_deck(struct builder *b) {
     struct deck *d = b->deck;
+    if (d->torn) {
+        return;
+    }
     if (!b->any_building) {
         deck_error(d, NULL, "the deck has no building");
     }

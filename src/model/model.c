@@ -20,6 +20,7 @@ static const double STEP_ROUNDING = 1e-9;  // of a step, in counting steps
 enum { EVERY_MAX = 1000000000 };
 
 static void report_unknown(struct builder *b, const struct word *w) {
+    b->deck->torn = true;
     int n = n_statement_kind + n_deck_statement;
     const char **known = builder_array(b, (size_t)n, sizeof *known);
     for (int i = 0; known && i < n; i++) {
@@ -58,7 +59,7 @@ int model_build(struct deck *deck, struct model **out, struct error *e) {
 
 int model_build_shared(struct deck *deck, struct shelf *records, struct model **out,
                        struct error *e) {
-    struct builder b = {
+    const struct builder empty = {
         .deck = deck,
         .arena = deck->arena,
         .records = records,
@@ -68,11 +69,16 @@ int model_build_shared(struct deck *deck, struct shelf *records, struct model **
         .iterations = 100,
         .out = {.fields = FIELD_ALL},
     };
+    struct builder b;
     struct model *m = arena_alloc(deck->arena, 1, sizeof *m);
     if (!m) {
         return error_no_memory(e);
     }
-    int status = build_all(&b, e);
+    int status;
+    do {
+        b = empty;
+        status = build_all(&b, e);
+    } while (status == STATUS_OK && deck_rewind(deck));
     if (status == STATUS_OK) {
         status = builder_finish(&b, m, e);
     }

@@ -23,8 +23,9 @@ static bool columns_matches(const struct record_text *t) {
     return table_find(t, &table);
 }
 
-static int check_time_unit(const struct record_text *t, const struct table *table, struct span unit,
-                           struct dimension dimension, double si, struct error *e) {
+static int check_time_unit(const struct record_text *t, const struct table *table,
+                           struct piece unit, struct dimension dimension, double si,
+                           struct error *e) {
     if (dimension_equal(dimension, dimension_time) && si != 1) {
         struct excerpt shown = lines_excerpt(unit);
         return lines_error(e, t->path, table->caption_line, "times are in '%s'; they must be in s",
@@ -36,8 +37,8 @@ static int check_time_unit(const struct record_text *t, const struct table *tabl
 // Takes the unit of the values from the caption. Brackets that hold no unit are text.
 static int read_caption(const struct record_request *request, const struct record_text *t,
                         const struct table *table, struct record_content *out, struct error *e) {
-    struct span rest = table->caption;
-    struct span unit;
+    struct piece rest = table->caption;
+    struct piece unit;
     int status = STATUS_OK;
     while (!status && lines_bracket(&rest, &unit)) {
         struct dimension dimension;
@@ -103,7 +104,7 @@ static int read_row(const struct columns *c, const struct lines *l, size_t i,
                            "has %zu",
                            n, c->table->first_line, c->table->n_column);
     }
-    struct span rest = l->line;
+    struct piece rest = l->line;
     struct number_field f = {c->text->path, l->number, "time", i + 1, {0}};
     int status = STATUS_OK;
     if (c->time) {

@@ -27,7 +27,7 @@ static const double ROUNDING = 1e-9;
 struct curve_row {
     const struct record_text *text;
     int line;
-    struct span field[CURVE_COLUMNS];
+    struct piece field[CURVE_COLUMNS];
     double *value;         // (CURVE_COLUMNS)
     const double *before;  // (CURVE_COLUMNS) the row above; NULL: the first row
 };
@@ -115,7 +115,7 @@ static int check_last(const struct curve_row *r, struct error *e) {
 }
 
 // Reads the line; with two columns the branches are the same.
-static int read_row(struct curve_row *r, struct span line, size_t n_column, size_t index,
+static int read_row(struct curve_row *r, struct piece line, size_t n_column, size_t index,
                     struct error *e) {
     if (lines_count(line, table_separators) != n_column) {
         return lines_error(e, r->text->path, r->line, "row of %zu values; the first has %zu",
@@ -168,7 +168,7 @@ static int check_table(const struct record_text *t, const struct table *table, s
 }
 
 // Sets *size to the unit that the caption gives, unless it is known and the same.
-static int take_unit(const struct record_text *t, const struct table *table, struct span unit,
+static int take_unit(const struct record_text *t, const struct table *table, struct piece unit,
                      double si, double *size, struct error *e) {
     if (*size > 0.0 && *size != si) {
         return lines_error(e, t->path, table->caption_line,
@@ -182,8 +182,8 @@ static int take_unit(const struct record_text *t, const struct table *table, str
 // Units of length and force in brackets; other brackets are text.
 static int read_caption(const struct record_text *t, const struct table *table, double gravity,
                         double *length, double *force, struct error *e) {
-    struct span rest = table->caption;
-    struct span unit;
+    struct piece rest = table->caption;
+    struct piece unit;
     int status = STATUS_OK;
     while (!status && lines_bracket(&rest, &unit)) {
         struct dimension dimension;

@@ -25,7 +25,7 @@ static bool is_word(char c) {
     return is_digit(c) || (upper(c) >= 'A' && upper(c) <= 'Z') || c == '_';
 }
 
-static struct span trim(struct span s) {
+static struct piece trim(struct piece s) {
     while (s.n > 0 && is_blank(s.text[0])) {
         s.text++;
         s.n--;
@@ -52,7 +52,7 @@ bool lines_next(struct lines *l) {
     }
     const char *stop = memchr(l->at, l->terminator, (size_t)(l->end - l->at));
     const char *line_end = stop ? stop : l->end;
-    l->line = trim((struct span){l->at, (size_t)(line_end - l->at)});
+    l->line = trim((struct piece){l->at, (size_t)(line_end - l->at)});
     l->at = stop ? stop + 1 : l->end;
     l->number++;
     return true;
@@ -73,7 +73,7 @@ static const char *skip_blanks(const char *at, const char *end) {
     return at;
 }
 
-bool lines_field(struct span *rest, const char *separators, struct span *field) {
+bool lines_field(struct piece *rest, const char *separators, struct piece *field) {
     if (rest->n == 0) {
         *field = *rest;  // which may be nowhere
         return false;
@@ -84,23 +84,23 @@ bool lines_field(struct span *rest, const char *separators, struct span *field) 
     while (at < end && !is_blank(*at) && !is_separator(*at, separators)) {
         at++;
     }
-    *field = (struct span){start, (size_t)(at - start)};
+    *field = (struct piece){start, (size_t)(at - start)};
     at = skip_blanks(at, end);
     at += at < end && is_separator(*at, separators);
-    *rest = (struct span){at, (size_t)(end - at)};
+    *rest = (struct piece){at, (size_t)(end - at)};
     return start < end;
 }
 
-size_t lines_count(struct span line, const char *separators) {
+size_t lines_count(struct piece line, const char *separators) {
     size_t n = 0;
-    struct span field;
+    struct piece field;
     while (lines_field(&line, separators, &field)) {
         n++;
     }
     return n;
 }
 
-bool lines_is_comment(struct span line) {
+bool lines_is_comment(struct piece line) {
     if (line.n == 0) {
         return false;
     }
@@ -108,7 +108,7 @@ bool lines_is_comment(struct span line) {
            (line.n > 1 && line.text[0] == '/' && line.text[1] == '/');
 }
 
-static const char *find(struct span line, const char *text, size_t from) {
+static const char *find(struct piece line, const char *text, size_t from) {
     size_t n = strlen(text);
     for (size_t i = from; i + n <= line.n; i++) {
         size_t k = 0;
@@ -122,7 +122,7 @@ static const char *find(struct span line, const char *text, size_t from) {
     return NULL;
 }
 
-const char *lines_word(struct span line, const char *word) {
+const char *lines_word(struct piece line, const char *word) {
     size_t n = strlen(word);
     const char *end = line.text + line.n;
     const char *at = find(line, word, 0);
@@ -132,7 +132,7 @@ const char *lines_word(struct span line, const char *word) {
     return at;
 }
 
-bool lines_contain(struct span line, const char *text) {
+bool lines_contain(struct piece line, const char *text) {
     return find(line, text, 0) != NULL;
 }
 
@@ -147,7 +147,7 @@ static enum number read_plain(const char *text, size_t n, double *value) {
 
 // Where the exponent of a number in Fortran's ways begins: at its D, or at the sign of a
 // three-digit exponent without a letter. n: there is none.
-static size_t fortran_exponent(struct span s) {
+static size_t fortran_exponent(struct piece s) {
     for (size_t i = 1; i < s.n; i++) {
         if (upper(s.text[i]) == 'D') {
             return i;
@@ -160,7 +160,7 @@ static size_t fortran_exponent(struct span s) {
     return s.n;
 }
 
-enum number lines_number(struct span field, double *value) {
+enum number lines_number(struct piece field, double *value) {
     enum { LONGEST = 60 };
     enum number how = read_plain(field.text, field.n, value);
     if (how != NUMBER_BAD || field.n > LONGEST) {
@@ -180,7 +180,7 @@ enum number lines_number(struct span field, double *value) {
     return read_plain(copy, n, value);
 }
 
-bool lines_number_like(struct span field) {
+bool lines_number_like(struct piece field) {
     static const char *const words[] = {"NAN", "INF", "INFINITY"};
     if (field.n > 0 && (field.text[0] == '+' || field.text[0] == '-')) {
         field.text++;
@@ -198,7 +198,7 @@ bool lines_number_like(struct span field) {
 }
 
 // Bytes of the character at `s` if it can be shown as it is; 0: not.
-static size_t shown_as_is(struct span s) {
+static size_t shown_as_is(struct piece s) {
     unsigned char c = (unsigned char)s.text[0];
     if (c < 0x80) {
         return c >= 0x20 && c != 0x7f;
@@ -209,13 +209,13 @@ static size_t shown_as_is(struct span s) {
     return !is_control && n <= s.n && text_is_utf8(s.text, n, &at) ? n : 0;
 }
 
-struct excerpt lines_excerpt(struct span field) {
+struct excerpt lines_excerpt(struct piece field) {
     enum { SHOWN = 40 };
     struct excerpt e = {.text = ""};
     size_t out = 0;
     size_t i = 0;
     while (i < field.n && i < SHOWN) {
-        struct span rest = {field.text + i, field.n - i};
+        struct piece rest = {field.text + i, field.n - i};
         size_t n = shown_as_is(rest);
         if (n == 0) {
             unsigned byte = (unsigned char)rest.text[0];
@@ -277,7 +277,7 @@ int lines_read_number(const struct number_field *f, double *value, struct error 
                        reason);
 }
 
-bool lines_bracket(struct span *rest, struct span *inside) {
+bool lines_bracket(struct piece *rest, struct piece *inside) {
     while (rest->n > 0 && rest->text[0] != '(' && rest->text[0] != '[') {
         rest->text++;
         rest->n--;
@@ -289,7 +289,7 @@ bool lines_bracket(struct span *rest, struct span *inside) {
     if (n >= rest->n) {
         return false;
     }
-    *inside = (struct span){rest->text + 1, n - 1};
+    *inside = (struct piece){rest->text + 1, n - 1};
     rest->text += n + 1;
     rest->n -= n + 1;
     return true;

@@ -11,7 +11,7 @@
 struct record_text;
 
 // A piece of the text; not 0-terminated.
-struct span {
+struct piece {
     const char *text;
     size_t n;
 };
@@ -20,7 +20,7 @@ struct span {
 struct lines {
     const char *at, *end;  // what is still to come
     char terminator;       // '\n', or '\r' in a file that has no '\n'
-    struct span line;
+    struct piece line;
     int number;  // of the line, from 1; 0 before the first
 };
 
@@ -32,40 +32,40 @@ bool lines_next(struct lines *l);
 // Takes the first field off `rest`. Fields are separated by blanks, or by one character of
 // `separators` ("" or ",;") with blanks around it; a separator at the end of the line is allowed,
 // two in a row make an empty field. False: none is left.
-bool lines_field(struct span *rest, const char *separators, struct span *field);
+bool lines_field(struct piece *rest, const char *separators, struct piece *field);
 
 // Fields of the whole line.
-size_t lines_count(struct span line, const char *separators);
+size_t lines_count(struct piece line, const char *separators);
 
 // Takes the text in the next brackets, round or square, off `rest`; false: none is left.
-bool lines_bracket(struct span *rest, struct span *inside);
+bool lines_bracket(struct piece *rest, struct piece *inside);
 
 // True for a line that begins with # % ! * or //.
-bool lines_is_comment(struct span line);
+bool lines_is_comment(struct piece line);
 
 // The character at which `word` (upper case) stands in the line, whatever its case and not as part
 // of a longer word; NULL: nowhere.
-const char *lines_word(struct span line, const char *word);
+const char *lines_word(struct piece line, const char *word);
 
 // True if `text` (upper case) stands anywhere in the line, whatever its case.
-bool lines_contain(struct span line, const char *text);
+bool lines_contain(struct piece line, const char *text);
 
 // How reading a field as a number ended.
 enum number { NUMBER_OK, NUMBER_BAD, NUMBER_RANGE };
 
 // A decimal number as C or Fortran writes it, and nothing else: also 1.5D-3, .5E+00, 1.234567-105
 // (an exponent of three digits has driven out its E).
-enum number lines_number(struct span field, double *value);
+enum number lines_number(struct piece field, double *value);
 
 // True if the field begins like a number, or is one of the words nan and inf: a typing error in a
 // number must not make it a word.
-bool lines_number_like(struct span field);
+bool lines_number_like(struct piece field);
 
 // `field` for a message: at most 40 bytes, control characters and stray bytes as \xNN.
 struct excerpt {
     char text[4 * 40 + 4];
 };
-struct excerpt lines_excerpt(struct span field);
+struct excerpt lines_excerpt(struct piece field);
 
 // error_set with STATUS_INPUT and "path:line: " in front; no line if it is 0.
 int lines_error(struct error *e, const char *path, int line, const char *format, ...)
@@ -84,7 +84,7 @@ struct number_field {
     int line;
     const char *what;
     size_t index;
-    struct span field;
+    struct piece field;
 };
 
 // lines_number, with STATUS_INPUT and the reason if it is none.

@@ -29,7 +29,7 @@ static bool find_npts(struct lines *l) {
     return false;
 }
 
-static bool is_series_title(struct span line) {
+static bool is_series_title(struct piece line) {
     return lines_contain(line, "TIME SERIES") || lines_contain(line, "TIME HISTORY");
 }
 
@@ -46,7 +46,7 @@ static bool peer_matches(const struct record_text *t) {
 }
 
 // What stands behind `word` and an equals sign; false: there is no such thing.
-static bool find_value(struct span line, const char *word, struct span *value) {
+static bool find_value(struct piece line, const char *word, struct piece *value) {
     const char *at = lines_word(line, word);
     if (!at) {
         return false;
@@ -59,27 +59,27 @@ static bool find_value(struct span line, const char *word, struct span *value) {
     if (at == end || *at != '=') {
         return false;
     }
-    struct span rest = {at + 1, (size_t)(end - at - 1)};
+    struct piece rest = {at + 1, (size_t)(end - at - 1)};
     if (!lines_field(&rest, ",", value)) {
-        *value = (struct span){end, 0};
+        *value = (struct piece){end, 0};
     }
     return true;
 }
 
 // The texts of both values of the header's last line. dt->n = 0 and dt->text = NULL: not there.
-static bool find_sizes(struct span line, struct span *npts, struct span *dt) {
-    *dt = (struct span){0};
+static bool find_sizes(struct piece line, struct piece *npts, struct piece *dt) {
+    *dt = (struct piece){0};
     if (find_value(line, "NPTS", npts)) {
         find_value(line, "DT", dt);
         return true;
     }
-    struct span rest = line;
+    struct piece rest = line;
     return lines_field(&rest, ",", npts) && lines_field(&rest, ",", dt) &&
            lines_number_like(*npts) && lines_number_like(*dt) && lines_word(rest, "NPTS") &&
            lines_word(rest, "DT");
 }
 
-static int check_npts(const struct record_text *t, int line, struct span text, double *npts,
+static int check_npts(const struct record_text *t, int line, struct piece text, double *npts,
                       struct error *e) {
     struct excerpt shown = lines_excerpt(text);
     if (lines_number(text, npts) != NUMBER_OK) {
@@ -95,14 +95,14 @@ static int check_npts(const struct record_text *t, int line, struct span text, d
 }
 
 // True if a time step in milliseconds is meant: a word like MSEC follows it.
-static bool is_milliseconds(struct span line, struct span dt) {
+static bool is_milliseconds(struct piece line, struct piece dt) {
     const char *end = dt.text + dt.n;
-    struct span rest = {end, (size_t)(line.text + line.n - end)};
-    struct span word;
+    struct piece rest = {end, (size_t)(line.text + line.n - end)};
+    struct piece word;
     return lines_field(&rest, ",", &word) && (word.text[0] == 'M' || word.text[0] == 'm');
 }
 
-static int check_dt(const struct record_text *t, const struct lines *l, struct span text,
+static int check_dt(const struct record_text *t, const struct lines *l, struct piece text,
                     double *dt, struct error *e) {
     struct excerpt shown = lines_excerpt(text);
     if (lines_number(text, dt) != NUMBER_OK) {
@@ -118,7 +118,7 @@ static int check_dt(const struct record_text *t, const struct lines *l, struct s
 }
 
 // True for the words between UNITS and the unit.
-static bool is_filler(struct span field) {
+static bool is_filler(struct piece field) {
     static const char *const words[] = {"OF", "ARE", "IS", "IN"};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         if (field.n == strlen(words[i]) && lines_contain(field, words[i])) {
@@ -129,15 +129,15 @@ static bool is_filler(struct span field) {
 }
 
 // The unit of `UNITS OF G.`, `units are (g)`, `UNITS: CM/SEC/SEC`, `Acceleration in g`.
-static bool find_unit(struct span line, struct span *unit) {
+static bool find_unit(struct piece line, struct piece *unit) {
     const char *key = lines_word(line, "UNITS") ? "UNITS" : "ACCELERATION IN";
     const char *at = lines_word(line, key);
     if (!at) {
         return false;
     }
     at += strlen(key);
-    struct span rest = {at, (size_t)(line.text + line.n - at)};
-    struct span field;
+    struct piece rest = {at, (size_t)(line.text + line.n - at)};
+    struct piece field;
     while (lines_field(&rest, ",:=()[]", &field)) {
         if (!is_filler(field)) {
             field.n -= field.text[field.n - 1] == '.';
@@ -157,7 +157,7 @@ static int read_unit(const struct record_request *request, const struct record_t
         struct excerpt shown = lines_excerpt(l->line);
         return lines_error(e, t->path, l->number, "this is no acceleration: '%s'", shown.text);
     }
-    struct span unit;
+    struct piece unit;
     struct dimension dimension;
     double si;
     if (out->unit == 0 && find_unit(l->line, &unit)) {
@@ -210,7 +210,7 @@ static int peer_read(struct arena *a, const struct record_request *request,
     struct lines l;
     lines_init(&l, t);
     struct lines titles = l;
-    struct span npts_text, dt_text;
+    struct piece npts_text, dt_text;
     if (!find_npts(&l)) {
         return lines_error(e, t->path, 0,
                            "no NPTS in the first %d lines; a PEER header says "

@@ -40,7 +40,7 @@ static const struct record_format *find_by_name(const struct record_text *t, con
         }
     }
     const char *near = text_nearest(name, names, N_FORMAT);
-    struct excerpt shown = lines_excerpt((struct span){name, strlen(name)});
+    struct excerpt shown = lines_excerpt((struct piece){name, strlen(name)});
     lines_error(e, t->path, 0, "unknown record format '%s'%s%s%s; there are %s", shown.text,
                 near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "", list);
     return NULL;

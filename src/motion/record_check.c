@@ -84,11 +84,11 @@ static int check_dt(const struct check *c, struct error *e) {
 
 static int read_given_unit(const struct check *c, double *unit, struct error *e) {
     const char *text = c->request->unit;
-    struct span span = {text, strlen(text)};
+    struct piece piece = {text, strlen(text)};
     struct dimension dimension;
-    if (!record_unit(span, c->request->gravity, &dimension, unit) ||
+    if (!record_unit(piece, c->request->gravity, &dimension, unit) ||
         !dimension_equal(dimension, dimension_acceleration)) {
-        struct excerpt shown = lines_excerpt(span);
+        struct excerpt shown = lines_excerpt(piece);
         c->out->wrong = RECORD_UNIT;
         return lines_error(e, c->path, 0,
                            "-unit '%s' is no unit of acceleration (g, m/s2, cm/s2, "

@@ -12,7 +12,7 @@ static bool parse_whole(const char *text, double gravity, struct dimension *dime
 }
 
 // Writes `text` with small letters, s for sec, ^ for **, and without blanks.
-static void normalise(struct span text, char *out) {
+static void normalise(struct piece text, char *out) {
     size_t n = 0;
     for (size_t i = 0; i < text.n; i++) {
         char c = text.text[i];
@@ -31,7 +31,7 @@ static void normalise(struct span text, char *out) {
     out[n] = '\0';
 }
 
-bool record_unit(struct span text, double gravity, struct dimension *dimension, double *si) {
+bool record_unit(struct piece text, double gravity, struct dimension *dimension, double *si) {
     if (text.n == 0 || text.n > UNIT_LONGEST || memchr(text.text, '\0', text.n)) {
         return false;
     }

@@ -8,6 +8,6 @@
 
 // Reads the whole of `text` as a unit: those of unit_parse, and also G, CM/S/S, cm/sec/sec,
 // cm/sec**2. False: it is none.
-bool record_unit(struct span text, double gravity, struct dimension *dimension, double *si);
+bool record_unit(struct piece text, double gravity, struct dimension *dimension, double *si);
 
 #endif

@@ -6,9 +6,9 @@
 
 const char table_separators[] = ",;";
 
-static bool is_row(struct span line) {
+static bool is_row(struct piece line) {
     size_t n = 0;
-    struct span field;
+    struct piece field;
     while (lines_field(&line, table_separators, &field)) {
         if (!lines_number_like(field)) {
             return false;
@@ -28,7 +28,7 @@ bool table_next(struct lines *rows) {
 }
 
 static void note_caption(struct table *table, const struct lines *l) {
-    struct span text = l->line;
+    struct piece text = l->line;
     while (text.n > 0 && strchr("#%!*/ \t", text.text[0])) {
         text.text++;
         text.n--;
@@ -75,10 +75,10 @@ bool table_find(const struct record_text *t, struct table *out) {
 }
 
 // True if commas separate some values of the line and something else separates others.
-static bool has_decimal_commas(struct span line) {
+static bool has_decimal_commas(struct piece line) {
     size_t n_comma = 0;
     size_t n_other = 0;
-    struct span field;
+    struct piece field;
     while (lines_field(&line, table_separators, &field) && line.n > 0) {
         const char *gap = field.text + field.n;
         size_t n = (size_t)(line.text - gap);
@@ -92,8 +92,8 @@ static bool has_decimal_commas(struct span line) {
 }
 
 int table_check(const struct record_text *t, const struct table *table, struct error *e) {
-    struct span rest = table->caption;
-    struct span first;
+    struct piece rest = table->caption;
+    struct piece first;
     if (lines_field(&rest, table_separators, &first) && lines_number_like(first) &&
         lines_count(table->caption, table_separators) == table->n_column) {
         struct excerpt shown = lines_excerpt(table->caption);

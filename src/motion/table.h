@@ -11,14 +11,14 @@ extern const char table_separators[];
 // The rows are the lines from the first on in which every field begins like a number; blank lines
 // and comments do not count.
 struct table {
-    struct lines rows;    // stands on the line before the first row
-    int first_line;       // of the first row
-    struct span caption;  // last line above it that is not blank, without comment signs
-    int caption_line;     // 0: there is none, the caption is empty
-    size_t n_column;      // fields of the first row
-    size_t n_row;         // all rows
-    size_t n_last;        // fields of the last row
-    size_t n_ragged;      // rows other than the last with another number of fields
+    struct lines rows;     // stands on the line before the first row
+    int first_line;        // of the first row
+    struct piece caption;  // last line above it that is not blank, without comment signs
+    int caption_line;      // 0: there is none, the caption is empty
+    size_t n_column;       // fields of the first row
+    size_t n_row;          // all rows
+    size_t n_last;         // fields of the last row
+    size_t n_ragged;       // rows other than the last with another number of fields
 };
 
 // False: no line of numbers.

@@ -19,8 +19,8 @@ struct file {
 // Takes the units from the caption, by their dimensions.
 static int read_caption(struct file *f, struct dimension dimension, struct error *e) {
     struct unit_system si;
-    struct span rest = f->table.caption;
-    struct span text;
+    struct piece rest = f->table.caption;
+    struct piece text;
     unit_system_init(&si);
     f->unit[0] = f->unit[1] = 1.0;
     while (lines_bracket(&rest, &text)) {
@@ -53,7 +53,7 @@ static int check_columns(const struct file *f, int line, size_t n, struct error 
 // Reads row `i`, on which `l` stands.
 static int read_row(struct file *f, const struct lines *l, size_t i, struct error *e) {
     static const char *const names[N_COLUMN] = {"time", "value"};
-    struct span rest = l->line;
+    struct piece rest = l->line;
     int status = check_columns(f, l->number, lines_count(l->line, table_separators), e);
     if (status != STATUS_OK) {
         return status;

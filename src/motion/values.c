@@ -34,8 +34,8 @@ int values_read(struct arena *a, const struct record_text *t, struct lines from,
     }
     size_t i = 0;
     while (lines_next(&from)) {
-        struct span rest = lines_is_comment(from.line) ? (struct span){0} : from.line;
-        struct span field;
+        struct piece rest = lines_is_comment(from.line) ? (struct piece){0} : from.line;
+        struct piece field;
         while (lines_field(&rest, separators, &field)) {
             struct number_field f = {t->path, from.number, "value", i + 1, field};
             int status = lines_read_number(&f, &value[i], e);

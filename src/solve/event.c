@@ -4,12 +4,10 @@
 #include <math.h>
 
 #include "solve/crossing.h"
+#include "solve/rest.h"
 
 // An event this close to an end of the step, relative to it, is at that end.
 static const double AT_END = 1e-9;
-
-// Velocities, or accelerations, of two bodies that differ by so many roundings are the same.
-static const double ROUNDINGS = 16.0;
 
 // Energy that the opening of a contact may bring, over the kinetic energy at the largest velocity
 // so far, or that it would have reached after a step of the deck at this rate.
@@ -72,10 +70,9 @@ static double meeting_time(const struct model *m, const struct state *now, const
 bool event_is_idle(const struct state *s, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     double rate = state_rate(s, m, k);
-    double rounding = ROUNDINGS * state_rounding(l, s->v);
+    double rounding = rest_rounding(l, s->v);
     double pressing = state_gap(l, m, s->a, s->ground_a);
-    return rate < -rounding ||
-           (rate <= rounding && pressing <= ROUNDINGS * state_rounding(l, s->a));
+    return rate < -rounding || (rate <= rounding && pressing <= rest_rounding(l, s->a));
 }
 
 static void take_earlier(struct event *first, int k, double time, double h) {

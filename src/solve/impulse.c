@@ -6,7 +6,7 @@
 // wherever the bodies now approach, until none do: so an impulse travels through a row that
 // touches, as through the balls of Newton's cradle. (Contacts that close at the same instant from
 // apart come as events of their own, no time later.) Where that takes too long, as between a light
-// body and two heavy ones, the rest is settled without rebound.
+// body and two heavy ones, the rest is settled at once without rebound (together.c).
 //
 // A body that bounces under a constant pressing acceleration comes to rest after infinitely many
 // bounces in a finite time. A bounce with rebound w under the acceleration a lasts 2 w / a; one
@@ -17,10 +17,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "solve/rest.h"
+#include "solve/together.h"
+
 enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
 
 static double rounding(const struct state *s, const struct model *m, int k) {
-    return 16.0 * state_rounding(&m->link[k], s->v);
+    return rest_rounding(&m->link[k], s->v);
 }
 
 // The rebound below which contact k rests. Its bodies are pressed together by what accelerates
@@ -56,18 +59,44 @@ static double strike(struct state *s, const struct model *m, int k, enum rebound
     return w;
 }
 
-// Strikes contacts at rest whose bodies approach, until none do.
+// Strikes the contacts at rest whose bodies approach; false: none do.
+static bool sweep(struct state *s, const struct model *m, enum rebound rebound,
+                  const struct least_bounce *least, struct meeting *meeting) {
+    bool struck = false;
+    for (int k = 0; k < m->n_contact; k++) {
+        if (state_rests(s, m, k) && state_rate(s, m, k) > rounding(s, m, k)) {
+            strike(s, m, k, rebound, least, &meeting[k]);
+            struck = true;
+        }
+    }
+    return struck;
+}
+
+static void note(void *context, int k, const struct passage *p) {
+    struct meeting *meeting = (struct meeting *)context + k;
+    if (!meeting->struck) {
+        *meeting = (struct meeting){.struck = true, .approach = fmax(p->approach, 0.0)};
+    }
+    meeting->impulse += p->push;
+    meeting->work += p->lost;
+}
+
+// Strikes contacts at rest until the bodies of none approach.
 static void settle(struct state *s, const struct model *m, const struct least_bounce *least,
                    struct meeting *meeting) {
-    bool struck = true;
-    for (int i = 0; i < SWEEPS_MAX && struck; i++) {
-        struck = false;
-        for (int k = 0; k < m->n_contact; k++) {
-            if (state_rests(s, m, k) && state_rate(s, m, k) > rounding(s, m, k)) {
-                enum rebound rebound = i < SWEEPS_BY_LAW ? REBOUND_BY_LAW : REBOUND_NONE;
-                strike(s, m, k, rebound, least, &meeting[k]);
-                struck = true;
-            }
+    struct together t;
+    for (int i = 0; i < SWEEPS_BY_LAW; i++) {
+        if (!sweep(s, m, REBOUND_BY_LAW, least, meeting)) {
+            return;
+        }
+    }
+    if (together_find(s, m, &t)) {
+        together_move(&t, m, s->v, s->ground_v, note, meeting);
+        return;
+    }
+    for (int i = SWEEPS_BY_LAW; i < SWEEPS_MAX; i++) {
+        if (!sweep(s, m, REBOUND_NONE, least, meeting)) {
+            return;
         }
     }
 }

@@ -4,11 +4,14 @@
 // positive definite unless contacts are redundant, which facing floors cannot be, so the projected
 // Gauss-Seidel iteration converges (Cottle, Pang & Stone (2009), The Linear Complementarity
 // Problem, section 5.2). Buildings touch at floors, whose masses are lumped: rows are short chains.
+// Where masses differ much that takes long, and rows are solved at once (together.c).
 #include "solve/rest.h"
 
 #include <math.h>
 
-enum { SWEEPS_MAX = 20000 };
+#include "solve/together.h"
+
+enum { SWEEPS_FEW = 100, SWEEPS_MAX = 20000 };
 static const double TOLERANCE = 1e-13;  // relative change of the forces in a sweep
 
 static void push(struct state *s, const struct model *m, int k, double df) {
@@ -41,9 +44,38 @@ static bool sweep(struct state *s, const struct model *m) {
     return change <= TOLERANCE * largest;
 }
 
-void rest_forces(struct state *s, const struct model *m) {
-    for (int i = 0; i < SWEEPS_MAX && !sweep(s, m); i++) {
+double rest_rounding(const struct link *l, const double *x) {
+    return 16.0 * state_rounding(l, x);
+}
+
+static void set_force(void *context, int k, const struct passage *p) {
+    struct state *s = context;
+    s->link[k].force = p->push;
+}
+
+// Finds the forces of rows at once; false: the contacts are no rows.
+static bool solve(struct state *s, const struct model *m) {
+    struct together t;
+    if (!together_find(s, m, &t)) {
+        return false;
     }
+    for (int i = 0; i < t.n; i++) {
+        push(s, m, t.contact[i], -s->link[t.contact[i]].force);
+    }
+    together_move(&t, m, s->a, s->ground_a, set_force, s);
+    return true;
+}
+
+static void find_forces(struct state *s, const struct model *m) {
+    for (int i = 0; i < SWEEPS_MAX; i++) {
+        if (sweep(s, m) || (i == SWEEPS_FEW && solve(s, m))) {
+            return;
+        }
+    }
+}
+
+void rest_forces(struct state *s, const struct model *m) {
+    find_forces(s, m);
     for (int k = 0; k < m->n_contact; k++) {
         if (state_rests(s, m, k) && s->link[k].force == 0.0 &&
             approach(s, m, k) < -state_rounding(&m->link[k], s->a)) {

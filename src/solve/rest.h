@@ -10,4 +10,8 @@
 // forces and s->force. Contacts whose bodies part under f = 0 open.
 void rest_forces(struct state *s, const struct model *m);
 
+// Motions `x` (n_dof), velocities or accelerations, of both bodies that differ by no more are the
+// same.
+double rest_rounding(const struct link *l, const double *x);
+
 #endif

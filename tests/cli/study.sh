@@ -85,6 +85,12 @@ awk -F '\t' '$1 == 12' <<<"$table" | values 6 >twelfth.tsv
 expect "a run of a study is the single run with its values, to the last digit" '[ $(wc -l <single.tsv) -gt 40 ] && cmp single.tsv twelfth.tsv'
 run "$jostle" show one.h5
 expect "show prints where each quantity is largest" '[ $status -eq 0 ] && grep -qE "^A +drift +[0-9] .* m +[0-9]+ \(gap " "$out"'
+(sed 's/^sweep gap/# sweep gap/; s/^building A/param gap 30mm\nparam all ${2 * gap}\n&/; s/-gap $gap/-gap ${all \/ 2}/' grid.deck && grep '^sweep gap' grid.deck) >below.deck
+run "$jostle" run below.deck -q -D k=1e7 -D record=records/two.txt
+expect "a sweep below the deck takes over its param" '[ $status -eq 0 ]'
+"$jostle" show --tsv below.h5 | awk -F '\t' '$1 == 2' | values 4 >below.tsv
+expect "with the same numbers" 'cmp single.tsv below.tsv'
+rm below.*
 run "$jostle" show --json one.h5
 expect "--json is refused for a study" '[ $status -eq 2 ] && said "is a study"'
 run "$jostle" check grid.deck -D k=2e6

@@ -9,6 +9,13 @@ for word in --help -h help; do
     run "$jostle" $word
     expect "$word explains the program" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^usage: jostle" "$out"'
 done
+run "$jostle" help check
+expect "help COMMAND explains the command" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^usage: jostle check" "$out"'
+run "$jostle" help chekc
+expect "help of an unknown command is wrong usage" '[ $status -eq 2 ] && said "did you mean '"'check'"'"'
+run "$jostle" --version now
+expect "a word behind --version is wrong usage" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "'"'now' is not expected"'"'
+run "$jostle" --help
 commands=$(sed -n 's/^  \([a-z]*\)  .*/\1/p' "$out")
 expect "the help names the commands" '[ "$(wc -w <<<"$commands")" -ge 5 ]'
 

@@ -57,9 +57,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     struct error e;
     if (deck_open_text("fuzz/a.deck", text, define, first < size ? 1 : 0, &d, &e) == STATUS_OK) {
         struct statement s;
-        while (deck_next(d, &s)) {
-            read_all(d, &s);
-        }
+        do {
+            while (deck_next(d, &s)) {
+                read_all(d, &s);
+            }
+        } while (deck_rewind(d));
         deck_parameters(d);
         FILE *null = fopen("/dev/null", "w");
         if (null) {

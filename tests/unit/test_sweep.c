@@ -20,9 +20,11 @@ static struct deck *read_deck(const char *text, const char *define, const struct
         deck_bind(d, bound->sweeps, choice);
     }
     struct statement s;
-    while (deck_next(d, &s)) {
-        *shown = s.n_word > 1 ? deck_text(d, &s.word[1]) : NULL;
-    }
+    do {
+        while (deck_next(d, &s)) {
+            *shown = s.n_word > 1 ? deck_text(d, &s.word[1]) : NULL;
+        }
+    } while (deck_rewind(d));
     return d;
 }
 
@@ -92,6 +94,64 @@ static void a_define_fixes_a_sweep(void **state) {
     assert_true(d->sweeps->fixed && d->sweeps->n == 1 && d->sweeps->number[0] == 7.0);
     assert_int_equal(d->n_run, 1);
     assert_false(deck_is_study(d));
+    deck_free(d);
+}
+
+// A param is what the deck has without the sweep; where it is used above the sweep, the runs have
+// the values of the sweep there too, and so has what is made of it.
+static void a_sweep_takes_over_the_param_above_or_below_it(void **state) {
+    (void)state;
+    static const char *const order[] = {
+        "param k 9\nparam twice ${2*k}\nshow $k/$twice\nsweep k values 1 3\n",
+        "param k 9\nsweep k values 1 3\nparam twice ${2*k}\nshow $k/$twice\n",
+        "sweep k values 1 3\nparam k 9\nparam twice ${2*k}\nshow $k/$twice\n",
+        "sweep k values 1 3\nparam twice ${2*k}\nshow $k/$twice\nparam k 9\n",
+    };
+    const char *shown = NULL;
+    for (int i = 0; i < 4; i++) {
+        struct deck *first = read_deck(order[i], NULL, NULL, NULL, &shown);
+        assert_int_equal(first->diagnostics.n_error, 0);
+        assert_int_equal(first->n_run, 2);
+        assert_string_equal(shown, "1/2");
+        struct deck *d = read_deck(order[i], NULL, first, (const int[]){1}, &shown);
+        assert_int_equal(d->diagnostics.n_error, 0);
+        assert_string_equal(shown, "3/6");
+        deck_free(d);
+        deck_free(first);
+        d = read_deck(order[i], "k=7", NULL, NULL, &shown);
+        assert_int_equal(d->diagnostics.n_error, 0);
+        assert_string_equal(shown, "7/14");
+        assert_true(d->sweeps->fixed && d->sweeps->number[0] == 7.0);
+        deck_free(d);
+    }
+}
+
+static void a_random_sweep_takes_over_its_param_too(void **state) {
+    (void)state;
+    static const char text[] = "param k 9\nparam f x.txt\nshow $k/$f\nsweep f values a b\n"
+                               "sweep k random uniform 1 2 -n 3 -seed 1\n";
+    const char *shown = NULL;
+    struct deck *first = read_deck(text, NULL, NULL, NULL, &shown);
+    assert_int_equal(first->n_run, 6);
+    const double *k = first->sweeps->next->along->number;
+    for (int run = 0; run < 6; run++) {
+        struct deck *d = read_deck(text, NULL, first, (const int[]){run / 3, run % 3}, &shown);
+        assert_int_equal(d->diagnostics.n_error, 0);
+        char *rest;
+        assert_close(strtod(shown, &rest), k[run % 3], 1e-14);  // texts have 15 digits
+        assert_string_equal(rest, run / 3 ? "/b" : "/a");
+        deck_free(d);
+    }
+    deck_free(first);
+}
+
+// Nothing is left to be found by another reading, which would end no sooner.
+static void a_wrong_sweep_over_a_param_is_read_once(void **state) {
+    (void)state;
+    const char *shown = NULL;
+    struct deck *d =
+        read_deck("param k 9\nshow $k\nsweep k values 1 two\n", NULL, NULL, NULL, &shown);
+    assert_int_equal(d->diagnostics.n_error, 1);
     deck_free(d);
 }
 
@@ -222,6 +282,9 @@ int main(void) {
         cmocka_unit_test(ranges_hold_both_ends_exactly),
         cmocka_unit_test(a_bound_deck_takes_the_values_of_its_run),
         cmocka_unit_test(a_define_fixes_a_sweep),
+        cmocka_unit_test(a_sweep_takes_over_the_param_above_or_below_it),
+        cmocka_unit_test(a_random_sweep_takes_over_its_param_too),
+        cmocka_unit_test(a_wrong_sweep_over_a_param_is_read_once),
         cmocka_unit_test(random_sweeps_are_sampled_together),
         cmocka_unit_test(a_bound_deck_takes_the_values_of_its_sample),
         cmocka_unit_test(a_define_fixes_a_sample_or_a_parameter_of_it),

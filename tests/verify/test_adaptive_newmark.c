@@ -107,8 +107,6 @@ static void the_longest_step_is_kept_and_the_shortest_ends_the_run(void **state)
     analysis_free(&a);
 }
 
-// Central differences are stable up to omega h = 2, and the error control alone would go beyond it
-// once the fast mode has died out.
 // Of ways a little longer than the longest step, the equal parts are shorter, not longer: 10 rows
 // of 10.9 ms, and one way of 10.9 ms.
 static void equal_parts_are_no_longer_than_the_longest_step(void **state) {
@@ -124,6 +122,8 @@ static void equal_parts_are_no_longer_than_the_longest_step(void **state) {
     analysis_free(&a);
 }
 
+// Central differences are stable up to omega h = 2, and the error control alone would go beyond it
+// once the fast mode has died out.
 static void an_explicit_method_stays_below_its_limit(void **state) {
     (void)state;
     struct analysis a = analysis_of("building A -floors 2 -mass 1 1 -stiffness 10 1e4\n"
