@@ -14,26 +14,68 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/four.h"
+#include "solve/eight.h"
 
-bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
-                     struct arena *a) {
+static bool alloc_one(struct effective *e, const struct building *building, enum effective_use use,
+                      struct arena *a) {
     size_t n = (size_t)building->n_floor;
     e->building = building;
     e->use = building->damping_full ? EFFECTIVE_LONG : use;
     e->b = e->g = NAN;
     e->tangent = arena_alloc(a, n, sizeof *e->tangent);
-    e->pivot = arena_alloc(a, n, sizeof *e->pivot);
-    e->factor = arena_alloc(a, n, sizeof *e->factor);
     e->stride = lanes_whole(building->n_floor);
     e->inverse = lanes_array(a, e->stride * e->stride);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
     e->reach = arena_alloc(a, n, sizeof *e->reach);
-    if (!e->tangent || !e->pivot || !e->factor || !e->inverse || !e->ready || !e->reach) {
+    if (!e->tangent || !e->inverse || !e->ready || !e->reach) {
         return false;
     }
     memcpy(e->tangent, building->stiffness, n * sizeof *e->tangent);
     return true;
+}
+
+// Fewer take less time one after the other.
+enum { ABREAST_LEAST = 3 };
+
+// The factors of n buildings of one height.
+static bool alloc_factors(struct effective *e, int n, struct arena *a) {
+    const int pitch = n >= ABREAST_LEAST ? EFFECTIVE_ABREAST : 1;
+    const size_t floors = (size_t)e->building->n_floor;
+    bool together = n >= ABREAST_LEAST;
+    for (int k = 0; k < n; k++) {
+        const bool shares = k > 0 && pitch > 1;
+        e[k].pitch = pitch;
+        e[k].pivot = shares ? e->pivot + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
+        e[k].factor =
+            shares ? e->factor + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
+        if (!e[k].pivot || !e[k].factor) {
+            return false;
+        }
+        together = together && !effective_prefers_inverse(&e[k]);
+    }
+    e->abreast = together ? n : 0;
+    return true;
+}
+
+int effective_alike(const struct building *building, int n) {
+    int k = 1;
+    while (k < n && k < EFFECTIVE_ABREAST && building[k].n_floor == building->n_floor) {
+        k++;
+    }
+    return k;
+}
+
+bool effective_alloc(struct effective *e, const struct building *building, int n,
+                     enum effective_use use, struct arena *a) {
+    bool done = true;
+    for (int k = 0; done && k < n; k++) {
+        done = alloc_one(&e[k], &building[k], use, a);
+    }
+    for (int k = 0, alike; done && k < n; k += alike) {
+        alike = effective_alike(&building[k], n - k);
+        done = alloc_factors(&e[k], alike, a);
+    }
+    return done;
 }
 
 // Diagonal entry i of M + b K; the entry to its right is -b tangent[i + 1].
@@ -48,6 +90,7 @@ static double right_of(const struct effective *e, double b, int i) {
 
 static int factor_tridiagonal(struct effective *e, double b, double g) {
     const struct building *building = e->building;
+    const ptrdiff_t pitch = e->pitch;
     double carried = 0.0;
     for (int i = 0; i < building->n_floor; i++) {
         double d = diagonal(e, b, i) + g * building->damping_diagonal[i] - carried;
@@ -55,9 +98,10 @@ static int factor_tridiagonal(struct effective *e, double b, double g) {
         if (!(d > 0.0)) {
             return STATUS_RETRY;
         }
-        e->pivot[i] = 1.0 / d;
-        e->factor[i] = off * e->pivot[i];
-        carried = off * e->factor[i];
+        double pivot = 1.0 / d, factor = off * pivot;
+        e->pivot[i * pitch] = pivot;
+        e->factor[i * pitch] = factor;
+        carried = off * factor;
     }
     memset(e->ready, 0, (size_t)building->n_floor * sizeof *e->ready);
     e->n_ready = 0;
@@ -106,13 +150,17 @@ int effective_factor(struct effective *e, double b, double g) {
 
 static void solve_tridiagonal(const struct effective *e, double *r) {
     int n = e->building->n_floor;
-    const double *l = e->factor;
-    for (int i = 1; i < n; i++) {
-        r[i] -= l[i - 1] * r[i - 1];
+    const ptrdiff_t pitch = e->pitch;
+    const double *l = e->factor, *p = e->pivot;
+    for (int i = 1; i < n; i++, l += pitch) {
+        r[i] -= *l * r[i - 1];
     }
-    r[n - 1] *= e->pivot[n - 1];
+    p += (n - 1) * pitch;
+    r[n - 1] *= *p;
     for (int i = n - 2; i >= 0; i--) {
-        r[i] = r[i] * e->pivot[i] - l[i] * r[i + 1];
+        p -= pitch;
+        l -= pitch;
+        r[i] = r[i] * *p - *l * r[i + 1];
     }
 }
 
@@ -149,22 +197,6 @@ void effective_solve(struct effective *e, double *r, double *q) {
     }
 }
 
-// Are the first n buildings of a row four tridiagonal ones of one height?
-static bool are_alike(const struct effective *e, int n) {
-    bool alike = n >= 4;
-    for (int k = 0; alike && k < 4; k++) {
-        alike = e[k].building->n_floor == e->building->n_floor && !effective_prefers_inverse(&e[k]);
-    }
-    return alike;
-}
-
-static void solve_four(const struct effective *e, double *r, double *q) {
-    ptrdiff_t n = e->building->n_floor;
-    double *const rs[] = {r, r + n, r + 2 * n, r + 3 * n};
-    double *const qs[] = {q, q + n, q + 2 * n, q + 3 * n};
-    four_solve(e, rs, qs);
-}
-
 LANES void effective_solve_row(struct effective *e, int n, double *r, double *q) {
     for (int k = 0; k < n;) {
         struct effective *first = &e[k];
@@ -172,9 +204,9 @@ LANES void effective_solve_row(struct effective *e, int n, double *r, double *q)
         int solved = 1;
         if (effective_is_low(first)) {
             effective_multiply(first, r, q);
-        } else if (are_alike(first, n - k)) {
-            solve_four(first, r, q);
-            solved = 4;
+        } else if (first->abreast > 0 && first->abreast <= n - k) {
+            eight_solve(first, r, q);
+            solved = first->abreast;
         } else {
             effective_solve(first, r, q);
         }

@@ -18,14 +18,16 @@ enum effective_use {
     EFFECTIVE_LONG,     // solves of low buildings multiply by the inverse
 };
 
-enum { INVERSE_FLOORS_MAX = 16 };
+enum { INVERSE_FLOORS_MAX = 16, EFFECTIVE_ABREAST = LANES_WIDTH };
 
 struct effective {
     const struct building *building;  // borrowed
     enum effective_use use;
     double b, g;             // beta h^2 and gamma h of the factors; NAN: none
     double *tangent;         // [F/L] (n_floor) storey tangents it was factorised with
-    double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T; tridiagonal
+    double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T, `pitch` apart; tridiagonal
+    int pitch;               // those of neighbours of one height lie side by side
+    int abreast;             // so many from this one on are solved together; 0: none
     int stride;              // of the rows of `inverse`: n_floor in whole lanes
     double *inverse;         // (stride, stride) A^-1, rows ready where marked, and zeros
     bool *ready;             // (n_floor) row of `inverse` is valid
@@ -35,9 +37,12 @@ struct effective {
     } * reach;         // (n_floor) of ready rows: entries outside are below rounding
 };
 
-// Room for the factors of `building`, with the initial tangents; false: no memory.
-bool effective_alloc(struct effective *e, const struct building *building, enum effective_use use,
-                     struct arena *a);
+// Room for the factors of n buildings of a row, with the initial tangents; false: no memory.
+bool effective_alloc(struct effective *e, const struct building *building, int n,
+                     enum effective_use use, struct arena *a);
+
+// How many of n buildings, from the first on, have one height, so that they may be solved together.
+int effective_alike(const struct building *building, int n);
 
 // Factorises A for beta h^2 = `b`, gamma h = `g` and the tangents of `e`. STATUS_RETRY: A is not
 // positive definite to working accuracy.
@@ -101,7 +106,7 @@ void effective_solve(struct effective *e, double *r, double *q);
 
 // The same for n buildings whose floors stand one behind the other in r and q, arrays of
 // core/lanes.h: what r has behind them must be finite, and q may be written there. Takes much less
-// time than one after the other where they are low, or where four are of the same height.
+// time than one after the other where they are low, or where several are of the same height.
 void effective_solve_row(struct effective *e, int n, double *r, double *q);
 
 // Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on

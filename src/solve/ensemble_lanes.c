@@ -123,6 +123,7 @@ static bool fill_building(struct ensemble_building *b, int lane, const struct ch
     bool small = true;
     for (int i = 0; i < b->shape->n_floor; i++) {
         const int j = b->shape->first + i;
+        const ptrdiff_t at = (ptrdiff_t)i * home->pitch;
         const double number[NUMBER_COUNT] = {
             [NUMBER_INERTIA] = -c->mass[j],       [NUMBER_STIFFNESS] = c->stiffness[j],
             [NUMBER_BELOW] = c->damping_below[j], [NUMBER_OWN] = c->damping[j],
@@ -131,8 +132,8 @@ static bool fill_building(struct ensemble_building *b, int lane, const struct ch
         for (int q = 0; q < NUMBER_COUNT; q++) {
             small &= put_at(b->number, i * NUMBER_COUNT + q, lane, number[q]);
         }
-        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_PIVOT, lane, home->pivot[i]);
-        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_OFF, lane, home->factor[i]);
+        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_PIVOT, lane, home->pivot[at]);
+        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_OFF, lane, home->factor[at]);
     }
     return (!b->inverse || fill_inverse(b->inverse, lane, home)) && small;
 }

@@ -14,15 +14,18 @@
 #include "solve/contact.h"
 #include "solve/floor_loops.h"
 
-// Buildings of one height are solved by fours, and so many floors make a block.
-enum { TOGETHER = 4, FLOORS_LEAST = 192 };
+// So many floors make a block, and what is solved together.
+enum { FLOORS_LEAST = 192 };
 
 // Buildings from k on that make up a block.
 static int block_size(const struct model *m, int k) {
     int n = 0;
     int floors = 0;
-    while (k + n < m->n_building && (n % TOGETHER != 0 || floors < FLOORS_LEAST)) {
-        floors += m->building[k + n++].n_floor;
+    while (k + n < m->n_building && floors < FLOORS_LEAST) {
+        const struct building *b = &m->building[k + n];
+        int alike = effective_alike(b, m->n_building - k - n);
+        floors += alike * b->n_floor;
+        n += alike;
     }
     return n;
 }

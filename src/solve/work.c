@@ -89,14 +89,8 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
     }
     fill_links(w, m);
     w->crowd = crowd_of(w, m);
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        if (!effective_alloc(&w->home[k], g, EFFECTIVE_LONG, a) ||
-            !effective_alloc(&w->other[k], g, EFFECTIVE_BRIEFLY, a)) {
-            return false;
-        }
-    }
-    return true;
+    return effective_alloc(w->home, m->building, m->n_building, EFFECTIVE_LONG, a) &&
+           effective_alloc(w->other, m->building, m->n_building, EFFECTIVE_BRIEFLY, a);
 }
 
 // Factorises building k of `e` unless it is there for b, g and the tangents last used.
