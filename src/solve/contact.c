@@ -325,7 +325,7 @@ static bool take(struct work *w, const struct state *now, struct state *next, st
         w->toggled[w->n_toggled++] = k;
     }
     return !strict || p->branch != BRANCH_NONE ||
-           resolve_negligible(w, state_rate(now, w->model, k));
+           resolve_negligible(w, now, state_rate(now, w->model, k));
 }
 
 static int take_all(struct work *w, const struct state *now, struct state *next) {

@@ -104,11 +104,13 @@ bool event_is_abrupt(struct work *w, const struct state *now, const struct state
     for (int i = 0; i < w->n_toggled; i++) {
         int k = w->toggled[i];
         const struct link *l = &w->model->link[k];
+        if (!l->law->rebound || next->link[k].closed) {
+            continue;
+        }
         double way = now->delta[k] - next->delta[k];
         double parting = fabs(state_rate(next, w->model, k));
-        double speed = fmax(w->totals->speed, parting * w->model->dt / w->h);
-        bool opens = l->law->rebound && !next->link[k].closed;
-        if (opens && now->link[k].force * way > ABRUPT * l->mass * speed * speed) {
+        double speed = fmax(floors_speed(w, now), parting * w->model->dt / w->h);
+        if (now->link[k].force * way > ABRUPT * l->mass * speed * speed) {
             w->unresolved = k;
             return true;
         }

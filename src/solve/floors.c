@@ -229,12 +229,22 @@ static void raise_all(struct results *r, const struct model *m, const struct sta
 
 void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
                    const struct state *now) {
-    if (late->due) {
+    if (late->possible) {
         struct account due = account_due(late, m, old, now);
         account_rest(&due);
         raise_all(late->results, m, now);
         late->due = false;
     }
+}
+
+double floors_speed(const struct work *w, const struct state *now) {
+    const struct floors_late *late = &w->floors.late;
+    double speed = w->totals->speed;
+    for (int i = 0, n = late->possible ? w->model->n_dof : 0; i < n; i++) {
+        double peak = late->results->peak[PEAK_VELOCITY][i];
+        speed = number_max(speed, number_max(peak, fabs(now->v[i])));
+    }
+    return speed;
 }
 
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,

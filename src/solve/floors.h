@@ -56,9 +56,14 @@ void floors_account(struct energy_account *a, struct results *r, const struct mo
 // the next step will be written to `now`.
 void floors_defer(struct floors_late *late, const struct state *now);
 
-// Takes what account is due: of the step that began with what is in `old`, to the committed `now`.
+// Takes what account is due: of the step that began with what is in `old`, to the committed `now`;
+// and where accounts are put off, `now` itself, which steps take into the peaks only when they go
+// on from it.
 void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
                    const struct state *now);
+
+// [L/T] Largest velocity of any floor so far, up to the committed `now`, whatever is put off.
+double floors_speed(const struct work *w, const struct state *now);
 
 // A step in free flight to the time and under the ground accelerations, or where these are not
 // uniform the base and external forces of `next`, and what account is due. Contacts that were

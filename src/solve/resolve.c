@@ -22,8 +22,8 @@ static const double AT_REST = 0.1;
 // Velocity relative to the largest of any floor so far.
 static const double NEGLIGIBLE = 1e-5;
 
-bool resolve_negligible(const struct work *w, double velocity) {
-    return fabs(velocity) <= NEGLIGIBLE * w->totals->speed;
+bool resolve_negligible(const struct work *w, const struct state *now, double velocity) {
+    return fabs(velocity) <= NEGLIGIBLE * floors_speed(w, now);
 }
 
 // Is a step short enough for the spring of a law that has the tangents `r` at (d, v)? That of a
@@ -93,8 +93,8 @@ static bool resolved(struct work *w, const struct state *now, const struct state
     if (now->link[k].closed && p->branch == BRANCH_CLOSED) {
         return at_rest(w, &path);
     }
-    return resolve_negligible(w, path.v1) &&
-           resolve_negligible(w, now->link[k].closed ? path.v0 : next->link[k].v_close);
+    return resolve_negligible(w, now, path.v1) &&
+           resolve_negligible(w, now, now->link[k].closed ? path.v0 : next->link[k].v_close);
 }
 
 bool resolve_suffices(struct work *w, const struct state *now, const struct state *next,

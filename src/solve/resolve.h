@@ -17,6 +17,6 @@ bool resolve_suffices(struct work *w, const struct state *now, const struct stat
 
 // A contact this slow is at rest, whatever the step does to it: its energy is 1e-10 of the floors'.
 // Without that a body that bounces to rest would ask for ever shorter steps.
-bool resolve_negligible(const struct work *w, double velocity);
+bool resolve_negligible(const struct work *w, const struct state *now, double velocity);
 
 #endif
