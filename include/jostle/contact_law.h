@@ -33,6 +33,12 @@ struct contact_response {
     double dfdv;   // [F T/L]
 };
 
+// The same of so many links at once.
+enum { CONTACT_LANES = 8 };
+struct contact_lanes {
+    double force[CONTACT_LANES], dfdd[CONTACT_LANES], dfdv[CONTACT_LANES];
+};
+
 struct contact_law {
     const char *name;
     const char *summary;  // one line
@@ -62,6 +68,11 @@ struct contact_law {
     // At d = 0 the limit d -> 0+ is meant.
     struct contact_response (*force)(const double *constant, const double *history, double d,
                                      double v);
+
+    // The same of links side by side, with the same bits, for a law without history: constants
+    // (n_constant, CONTACT_LANES), d and v; where d < 0 anything will do. NULL: one at a time.
+    void (*force_lanes)(const double *constant, const double *d, const double *v,
+                        struct contact_lanes *response);
 
     // Brings the history from the committed step to (d, v). NULL if it does not change in contact.
     void (*commit)(const double *constant, double *history, double d, double v);

@@ -69,6 +69,7 @@ typedef int64_t lanes_wide_bits __attribute__((vector_size(LANES_WIDTH * sizeof(
 enum { WIDE_RUNS = 8 };
 typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
 typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
+typedef signed char wide_bytes __attribute__((vector_size(WIDE_RUNS)));
 
 // Does a register of the processor at hand hold it, or half of it? Where it is split further, gcc
 // passes it through memory in pieces, and eight runs one after the other are faster.

@@ -9,6 +9,9 @@
 #include "core/number.h"
 #include "solve/ensemble_links.h"
 
+// Fewer runs than this are solved for as fast one by one.
+enum { TOGETHER_LEAST = 3 };
+
 static bool has(unsigned runs, int k) {
     return runs >> k & 1U;
 }
@@ -113,11 +116,26 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
     return true;
 }
 
+// Solves for the links of runs that can go together; returns whether there were any.
+static bool solve_together(struct fleet *f, unsigned pressed) {
+    const unsigned runs = f->wanted & ~pressed;
+    struct run *run[WIDE_RUNS];
+    if (!f->lanes.steps->solve || __builtin_popcount(runs) < TOGETHER_LEAST) {
+        return false;
+    }
+    for (int k = 0; k < f->n; k++) {
+        run[k] = &f->boat[k].run;
+    }
+    const unsigned solved = f->lanes.steps->solve(&f->lanes, run, runs);
+    f->wanted &= ~solved;
+    return solved != 0;
+}
+
 // Solves for the links of all runs aboard, which may close others.
 static void meet(struct fleet *f, long n, const wide *base) {
     for (bool again = true; again;) {
-        again = false;
         const unsigned pressed = find_pressed(&f->lanes);
+        again = solve_together(f, pressed);
         const unsigned asked = pressed | f->wanted;
         for (int k = 0; asked && k < f->n; k++) {
             again |= has(asked, k) && solve_links(f, k, n, has(pressed, k));

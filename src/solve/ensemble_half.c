@@ -10,6 +10,7 @@ typedef lanes unaligned;
 
 #define CLONES LANES
 #define STEPS ensemble_half
+#define SOLVE NULL
 
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
 #define SHUFFLE(x, y, ...) __builtin_shufflevector(x, y, __VA_ARGS__)

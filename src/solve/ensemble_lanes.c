@@ -10,6 +10,7 @@
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
     e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
+    e->grip = lanes_wide_array(a, m->n_contact, sizeof *e->grip);
     e->force = lanes_wide_array(a, m->n_contact, sizeof *e->force);
     e->acts = arena_alloc(a, (size_t)m->n_contact, sizeof *e->acts);
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
@@ -21,7 +22,7 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
         }
         e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->nearest && e->force && e->acts && e->end && e->pressed;
+    return e->contact && e->nearest && e->grip && e->force && e->acts && e->end && e->pressed;
 }
 
 static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
@@ -65,7 +66,8 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
         .now = lanes_wide_array(a, room, sizeof *e->now),
         .next = lanes_wide_array(a, room, sizeof *e->next),
         .trial = lanes_wide_array(a, n, sizeof *e->trial),
-        .correction = lanes_wide_array(a, room, sizeof *e->correction),
+        .correction = lanes_wide_array(a, room + LANES_WIDTH, sizeof *e->correction),
+        .kept = lanes_wide_array(a, n, sizeof *e->kept),
         .hidden = lanes_array(a, n),
         .shown = arena_alloc(a, (size_t)(n / WIDE_RUNS) + 1, sizeof *e->shown),
         .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
@@ -80,9 +82,9 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
     if (e->factors) {
         fill_factors(e->factors, m);
     }
-    return e->factors && e->now && e->next && e->trial && e->correction && e->hidden && e->shown &&
-           e->beyond && e->works && e->peak && e->peak_time && e->base && alloc_contacts(e, m, a) &&
-           alloc_buildings(e, m, a);
+    return e->factors && e->now && e->next && e->trial && e->correction && e->kept && e->hidden &&
+           e->shown && e->beyond && e->works && e->peak && e->peak_time && e->base &&
+           alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
 }
 
 static bool is_small(double x) {
@@ -138,12 +140,28 @@ static bool fill_building(struct ensemble_building *b, int lane, const struct ch
     return (!b->inverse || fill_inverse(b->inverse, lane, home)) && small;
 }
 
+// Contacts of low buildings go together where their law does: a push reaches all floors there.
+static void fill_grip(struct ensemble_grip *g, int lane, const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    g->apart |= (g->law && g->law != l->law) || !l->law->force_lanes ||
+                l->law->n_constant > ENSEMBLE_CONSTANTS;
+    g->law = l->law;
+    for (int i = 0; i < 2; i++) {
+        g->building[i] = l->building[i];
+        g->apart |= l->building[i] != WALL && m->building[l->building[i]].n_floor > LANES_WIDTH;
+    }
+    for (int i = 0; !g->apart && i < l->law->n_constant; i++) {
+        g->constant[i][lane] = l->constant[i];
+    }
+}
+
 bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
     const struct model *m = r->model;
     const struct ground *g = &m->ground[0];
     bool small = is_small(e->h);
     for (int k = 0; k < e->n_contact; k++) {
         small &= put(&e->contact[k].gap, lane, m->link[k].gap);
+        fill_grip(&e->grip[k], lane, m, k);
     }
     for (int i = 0; i < g->n_signal; i++) {
         small &= is_small(g->n_signal * signal_peak(&g->signal[i]));

@@ -69,7 +69,22 @@ struct ensemble_building {
     double *factor;   // (n_floor, FACTOR_COUNT)
     double *inverse;  // (n_floor, n_floor) A^-1; NULL: solves go through the factors
     bool exceeds;     // a run aboard exceeds a peak of it in the step under way
-    bool pushed;      // links have changed its corrections since it was moved
+    // Links have changed its corrections since it was moved:
+    bool pushed;  // those that have been shown,
+    bool swept;   // or else those in the lanes
+};
+
+// Constants of laws whose contacts are solved for in lanes.
+enum { ENSEMBLE_CONSTANTS = 2 };
+
+// What solving for the force of a contact in lanes needs to know of it; names as in struct quick.
+struct ensemble_grip {
+    wide flexibility, others, unmoved;
+    wide constant[ENSEMBLE_CONSTANTS];
+    const struct contact_law *law;  // in all lanes
+    long factors[WIDE_RUNS];        // work.factors of the run that flexibility is of; 0: none yet
+    int building[2];                // at its ends; WALL
+    bool apart;                     // solved for run by run
 };
 
 // Largest values since the runs came aboard, or before: never above those of the runs.
@@ -120,6 +135,9 @@ struct ensemble_steps {
     // Computes one step with the forces that live links begin it with.
     void (*move)(struct ensemble_lanes *e, const wide *base);
 
+    // Solves for forces of some runs together: see ensemble_contacts.h. NULL: does not pay.
+    unsigned (*solve)(struct ensemble_lanes *e, struct run *const *run, unsigned runs);
+
     // Shows the runs aboard the trial and the corrections of that step, or of the one that the
     // march has stopped at: of floors WIDE_RUNS * eight to WIDE_RUNS * eight + WIDE_RUNS - 1.
     void (*show)(struct ensemble_lanes *e, int eight);
@@ -147,7 +165,8 @@ struct ensemble_lanes {
     struct ensemble_state *now, *next;   // (n_floor) of all buildings, with zeros beyond
     struct ensemble_trial *trial;        // (n_floor) scratch of the step under way
     wide *correction;                    // [L/T^2] (n_floor) of the accelerations in it, before
-                                         // links have changed them
+                                         // links that are solved for run by run have changed them
+    wide *kept;                          // (n_floor) scratch: what they were before all links
     struct ensemble_shown show;          // by lanes, of runs that are aboard
     double *hidden;                      // (n_floor) stands there for the others
     bool *shown;                         // (n_floor / WIDE_RUNS) floors that runs know in this step
@@ -158,6 +177,7 @@ struct ensemble_lanes {
     bool owing;                             // which is in `next` then
     struct ensemble_contact *contact;       // (n_contact)
     struct ensemble_nearest *nearest;       // (n_contact)
+    struct ensemble_grip *grip;             // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
     wide *force;    // [F] (n_contact) that a step begins with, else 0,
     bool *acts;     // (n_contact) of contacts that are live in some lane

@@ -3,7 +3,7 @@
 // are taken through the whole step before the next ones, while their numbers are at hand.
 // part_any says whether a flag is negative in a lane that is aboard, and part_transpose makes the
 // numbers of WIDTH floors by lanes those of the lanes by floors, or back. CLONES stands in front of
-// functions, and STEPS is the name of what they make up.
+// functions; STEPS is the name of what they make up, and SOLVE its function for contacts.
 #ifndef JOSTLE_ENSEMBLE_STEPS_H
 #define JOSTLE_ENSEMBLE_STEPS_H
 
@@ -191,18 +191,29 @@ CLONES static void show(struct ensemble_lanes *e, int eight) {
     e->shown[eight] = true;
 }
 
-// Building k with the corrections that links have changed.
+// The corrections that links have changed, of up to WIDTH floors from floor i on.
+LANES_INLINE void load_changed(const struct ensemble_lanes *e, int k, int p, int i, part *q) {
+    const int first = e->building[k].shape->first + i;
+    if (!e->building[k].pushed) {
+        for (int lane = 0; lane < WIDTH; lane++) {
+            q[lane] = PART(e->correction[first + lane]);
+        }
+        return;
+    }
+    for (int lane = 0; lane < WIDTH; lane++) {
+        q[lane] = (part) * (const unaligned *)(e->show.correction[p * WIDTH + lane] + first);
+    }
+    part_transpose(q);
+}
+
+// Building k with those.
 LANES_INLINE void move_building(struct ensemble_lanes *e, int k, int p, const wide *ground) {
     const struct building *shape = e->building[k].shape;
     const struct begun s = begun(e, &e->building[k], p, ground, NULL);
     struct ended g = ended(e, &e->building[k], p, ground, NULL);
     for (int first = 0; first < shape->n_floor; first += WIDTH) {
         part q[WIDTH];
-        for (int lane = 0; lane < WIDTH; lane++) {
-            const double *of = e->show.correction[p * WIDTH + lane] + shape->first + first;
-            q[lane] = (part) * (const unaligned *)of;
-        }
-        part_transpose(q);
+        load_changed(e, k, p, first, q);
         for (int i = 0; i < WIDTH && first + i < shape->n_floor; i++) {
             part u, v;
             try_floor(&s, p, first + i, &u, &v);
@@ -214,10 +225,11 @@ LANES_INLINE void move_building(struct ensemble_lanes *e, int k, int p, const wi
 
 CLONES static void move_pushed(struct ensemble_lanes *e, const wide *base) {
     for (int k = 0; k < e->n_building; k++) {
-        for (int p = 0; e->building[k].pushed && p < PARTS; p++) {
+        struct ensemble_building *b = &e->building[k];
+        for (int p = 0; (b->pushed || b->swept) && p < PARTS; p++) {
             move_building(e, k, p, base);
         }
-        e->building[k].pushed = false;
+        b->pushed = b->swept = false;
     }
 }
 
@@ -244,6 +256,7 @@ CLONES static void commit_step(struct ensemble_lanes *e, const wide *base) {
 const struct ensemble_steps STEPS = {
     .march = march,
     .move = move,
+    .solve = SOLVE,
     .show = show,
     .move_pushed = move_pushed,
     .commit = commit_step,

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/lanes.h"
+#include "solve/ensemble_contacts.h"
 
 typedef wide part;
 typedef wide_bits part_bits;
@@ -14,6 +15,7 @@ typedef lanes_wide unaligned;
 #define CLONES
 #endif
 #define STEPS ensemble_whole
+#define SOLVE ensemble_contacts_solve
 
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
 #define SHUFFLE(x, y, ...) __builtin_shufflevector(x, y, __VA_ARGS__)

@@ -27,20 +27,6 @@
 #include "core/lanes.h"
 #include "core/number.h"
 
-// A Newton step is trusted if it changes force and penetration by no more than this share, and if
-// the law is no steeper than this against the flexibility of the link.
-static const double NEAR = 0.1;
-static const double STEEPEST = 0.1;
-
-// Changes of this share of what is enough are not made.
-static const double NEGLECTED = 0.1;
-
-// A force f may follow the slope of its law by a change c as long as 4 c^2 / f does not matter.
-static const double STRAIGHT = 0.1 / 4.0;
-
-// What was settled while forces were larger by this factor still is.
-static const double LOOSER = 4.0;
-
 void quick_init(struct quick *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     *p = (struct quick){
@@ -101,7 +87,7 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
     struct contact_response law = p->kind->force(p->constant, p->history, d, v);
     double slope = w->b * law.dfdd + w->g * law.dfdv;
     double share = p->flexibility * slope;
-    if (!(share >= 0.0 && share <= STEEPEST)) {
+    if (!(share >= 0.0 && share <= QUICK_STEEPEST)) {
         return false;
     }
     p->ask = false;
@@ -113,8 +99,8 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
     p->damped = inverse * steep;
     p->rate = slope * p->damped;
     p->base = (law.force - p->force) * p->damped;
-    p->near = p->bilateral ? INFINITY : NEAR * d * w->per_b;
-    double straight = sqrt(STRAIGHT * s->enough * fabs(law.force)) * inverse * (1.0 + share);
+    p->near = p->bilateral ? INFINITY : QUICK_NEAR * d * w->per_b;
+    double straight = sqrt(QUICK_STRAIGHT * s->enough * fabs(law.force)) * inverse * (1.0 + share);
     double turn = fabs(v) * w->per_g;
     p->reach =
         p->kind->traits & CONTACT_SMOOTH ? number_min(number_min(p->near, turn), straight) : -1.0;
@@ -166,7 +152,7 @@ void quick_take(struct work *w, const struct state *next, int first, int end, st
 }
 
 void quick_ask(struct work *w, struct progress *s) {
-    bool looser = s->loosest > LOOSER * s->enough;
+    bool looser = s->loosest > QUICK_LOOSER * s->enough;
     for (int i = 0, n = looser ? w->n_acting : 0; i < n; i++) {
         struct quick *p = w->acting[i];
         p->ask = true;
@@ -230,12 +216,12 @@ static inline double room(const struct quick *p, double far) {
 static inline bool step(const struct work *w, struct quick *p, double x, struct progress *s) {
     double dx = x - p->asked;
     double df = p->base + p->rate * dx;
-    if (fabs(df) <= NEGLECTED * s->enough && fabs(dx) <= p->reach) {
+    if (fabs(df) <= QUICK_NEGLECTED * s->enough && fabs(dx) <= p->reach) {
         s->clear = number_min(s->clear, room(p, fabs(dx)));
         return true;
     }
     double far = fabs(dx - p->flexibility * df);
-    if (!(far <= p->near && fabs(df) <= NEAR * fabs(p->force))) {
+    if (!(far <= p->near && fabs(df) <= QUICK_NEAR * fabs(p->force))) {
         return false;
     }
     p->force += df;

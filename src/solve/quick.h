@@ -9,6 +9,20 @@
 #include "core/lanes.h"
 #include "solve/work.h"
 
+// A Newton step is trusted if it changes force and penetration by no more than this share, and if
+// the law is no steeper than this against the flexibility of the link.
+static const double QUICK_NEAR = 0.1;
+static const double QUICK_STEEPEST = 0.1;
+
+// Changes of this share of what is enough are not made.
+static const double QUICK_NEGLECTED = 0.1;
+
+// A force f may follow the slope of its law by a change c as long as 4 c^2 / f does not matter.
+static const double QUICK_STRAIGHT = 0.1 / 4.0;
+
+// What was settled while forces were larger by this factor still is.
+static const double QUICK_LOOSER = 4.0;
+
 // One link, in four lines of the cache: what every visit of a sweep looks at, what a step needs
 // too, what asking the law needs, and the rest.
 struct quick {

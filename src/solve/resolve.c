@@ -12,7 +12,6 @@
 #include "solve/quick.h"
 
 static const double COARSEST_SPRING = 0.09869604401089358;  // (pi / 10)^2
-static const double COARSEST_DASHPOT = 0.5;
 
 // A pressed contact that moves by less than this share of its penetration, and would at its
 // velocity, is at rest: the law is linear over such a step, and average acceleration keeps its
@@ -43,7 +42,7 @@ static bool fits_spring(const struct work *w, struct quick *p, struct contact_re
 }
 
 static bool fits(const struct work *w, struct quick *p, struct contact_response r, double d) {
-    return w->g * p->flexibility * r.dfdv <= COARSEST_DASHPOT && fits_spring(w, p, r, d);
+    return w->g * p->flexibility * r.dfdv <= RESOLVE_COARSEST_DASHPOT && fits_spring(w, p, r, d);
 }
 
 static bool resolved_at(const struct work *w, struct quick *p, double d, double v) {
@@ -77,7 +76,7 @@ static bool ends_resolved(const struct work *w, struct quick *p, const struct pa
 // spring is no stiffer than has been looked at?
 static inline bool seen_before(const struct work *w, const struct quick *p, double d) {
     return p->checked >= w->h && !p->ask && d <= p->fits_to &&
-           w->g * p->flexibility * p->dfdv <= COARSEST_DASHPOT;
+           w->g * p->flexibility * p->dfdv <= RESOLVE_COARSEST_DASHPOT;
 }
 
 static bool resolved(struct work *w, const struct state *now, const struct state *next,

@@ -7,6 +7,9 @@
 
 struct quick;
 
+// The decay that the dashpot of a law may cause.
+static const double RESOLVE_COARSEST_DASHPOT = 0.5;
+
 // A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
 // gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
 // impacts make nonsense of a run. True if the trial step from `now` to `next` resolves the contact,

@@ -122,6 +122,32 @@ static void a_law_is_a_pure_function(void **state) {
     }
 }
 
+// At every penetration with all velocities, of which those left over stand still.
+static void links_side_by_side_have_the_bits_of_one(void **state) {
+    (void)state;
+    for (int k = first_with_force; k < n_contact_law; k++) {
+        struct bound_law b = bind(contact_laws[k], V0);
+        double constant[CONTACT_CONSTANTS_MAX * CONTACT_LANES];
+        for (int i = 0; i < CONTACT_CONSTANTS_MAX * CONTACT_LANES; i++) {
+            constant[i] = b.constant[i / CONTACT_LANES];
+        }
+        for (int i = 0; b.law->force_lanes && i < N_SAMPLE; i++) {
+            double d[CONTACT_LANES], v[CONTACT_LANES];
+            for (int j = 0; j < CONTACT_LANES; j++) {
+                d[j] = penetrations[i];
+                v[j] = j < N_SAMPLE ? velocities[j] : 0.0;
+            }
+            struct contact_lanes lanes;
+            b.law->force_lanes(constant, d, v, &lanes);
+            for (int j = 0; j < CONTACT_LANES; j++) {
+                const struct contact_response one = at(&b, d[j], v[j]);
+                assert_true(lanes.force[j] == one.force);
+                assert_true(lanes.dfdd[j] == one.dfdd && lanes.dfdv[j] == one.dfdv);
+            }
+        }
+    }
+}
+
 static void commit(struct bound_law *b, double d, double v) {
     if (b->law->commit) {
         b->law->commit(b->constant, b->history, d, v);
@@ -345,6 +371,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tangents_agree_with_central_differences),
         cmocka_unit_test(a_law_is_a_pure_function),
+        cmocka_unit_test(links_side_by_side_have_the_bits_of_one),
         cmocka_unit_test(no_energy_comes_out_of_a_cycle),
         cmocka_unit_test(no_energy_comes_out_of_any_cycle_within_a_contact),
         cmocka_unit_test(committing_is_idempotent_and_keeps_the_force),

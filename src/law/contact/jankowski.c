@@ -11,6 +11,7 @@
 
 #include "law/calibrate.h"
 #include "law/contact_list.h"
+#include "law/in_lanes.h"
 #include "law/power.h"
 #include "law/restitution.h"
 
@@ -35,17 +36,38 @@ static int jankowski_prepare(const double *value, double m_eff, double *constant
     return STATUS_OK;
 }
 
+// With the dashpot, for d > 0.
+LANES_INLINE struct contact_response damped(const double *c, double d, double v) {
+    struct contact_response r = power_spring(c[STIFFNESS], 1.5, d);
+    double dashpot = c[DASHPOT] * sqrt(sqrt(d));
+    r.force += dashpot * v;
+    r.dfdd += dashpot * v / (4.0 * d);
+    r.dfdv = dashpot;
+    return r;
+}
+
 static struct contact_response jankowski_force(const double *c, const double *h, double d,
                                                double v) {
     (void)h;
-    struct contact_response r = power_spring(c[STIFFNESS], 1.5, d);
-    if (v > 0.0 && d > 0.0) {
-        double dashpot = c[DASHPOT] * sqrt(sqrt(d));
-        r.force += dashpot * v;
-        r.dfdd += dashpot * v / (4.0 * d);
-        r.dfdv = dashpot;
-    }
-    return r;
+    return v > 0.0 && d > 0.0 ? damped(c, d, v) : power_spring(c[STIFFNESS], 1.5, d);
+}
+
+LANES_INLINE struct contact_response without_branches(const double *c, const double *h, double d,
+                                                      double v) {
+    (void)h;
+    const struct contact_response with = damped(c, d, v);
+    const struct contact_response without = power_spring(c[STIFFNESS], 1.5, d);
+    const bool damps = (v > 0.0) & (d > 0.0);
+    return (struct contact_response){
+        .force = damps ? with.force : without.force,
+        .dfdd = damps ? with.dfdd : without.dfdd,
+        .dfdv = damps ? with.dfdv : 0.0,
+    };
+}
+
+LANES static void jankowski_lanes(const double *constant, const double *d, const double *v,
+                                  struct contact_lanes *r) {
+    in_lanes(without_branches, N_CONSTANT, constant, d, v, r);
 }
 
 // Without a closed form; e does not depend on k, m or v0.
@@ -70,5 +92,6 @@ const struct contact_law contact_jankowski = {
     .traits = CONTACT_NEEDS_MASS | CONTACT_SMOOTH,
     .prepare = jankowski_prepare,
     .force = jankowski_force,
+    .force_lanes = jankowski_lanes,
     .exact = exact_zeta,
 };

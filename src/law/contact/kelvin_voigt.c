@@ -6,6 +6,7 @@
 // opening.
 #include "law/contact_list.h"
 #include "law/dashpot.h"
+#include "law/in_lanes.h"
 #include "law/restitution.h"
 
 static int kelvin_voigt_prepare(const double *value, double m_eff, double *constant,
@@ -15,14 +16,19 @@ static int kelvin_voigt_prepare(const double *value, double m_eff, double *const
     return STATUS_OK;
 }
 
-static struct contact_response kelvin_voigt_force(const double *c, const double *h, double d,
-                                                  double v) {
+LANES_INLINE struct contact_response kelvin_voigt_force(const double *c, const double *h, double d,
+                                                        double v) {
     (void)h;
     return (struct contact_response){
         .force = c[DASHPOT_STIFFNESS] * d + c[DASHPOT_COEFFICIENT] * v,
         .dfdd = c[DASHPOT_STIFFNESS],
         .dfdv = c[DASHPOT_COEFFICIENT],
     };
+}
+
+LANES static void kelvin_voigt_lanes(const double *constant, const double *d, const double *v,
+                                     struct contact_lanes *r) {
+    in_lanes(kelvin_voigt_force, DASHPOT_CONSTANTS, constant, d, v, r);
 }
 
 const struct contact_law contact_kelvin_voigt = {
@@ -40,5 +46,6 @@ const struct contact_law contact_kelvin_voigt = {
     .traits = CONTACT_JUMPS | CONTACT_MAY_PULL | CONTACT_NEEDS_MASS | CONTACT_SMOOTH,
     .prepare = kelvin_voigt_prepare,
     .force = kelvin_voigt_force,
+    .force_lanes = kelvin_voigt_lanes,
     .exact = restitution_kelvin_voigt,
 };

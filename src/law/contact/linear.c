@@ -4,6 +4,7 @@
 // An isolated impact with approach velocity v0 and effective mass m is half a period of an
 // oscillator: d_max = v0 sqrt(m/k), F_max = v0 sqrt(k m), duration pi sqrt(m/k).
 #include "law/contact_list.h"
+#include "law/in_lanes.h"
 
 enum { K, N_ROW };
 
@@ -17,9 +18,15 @@ static int linear_prepare(const double *value, double m_eff, double *constant, s
     return STATUS_OK;
 }
 
-static struct contact_response linear_force(const double *c, const double *h, double d, double v) {
+LANES_INLINE struct contact_response linear_force(const double *c, const double *h, double d,
+                                                  double v) {
     (void)h, (void)v;
     return (struct contact_response){.force = c[K] * d, .dfdd = c[K]};
+}
+
+LANES static void linear_lanes(const double *constant, const double *d, const double *v,
+                               struct contact_lanes *r) {
+    in_lanes(linear_force, N_ROW, constant, d, v, r);
 }
 
 const struct contact_law contact_linear = {
@@ -36,4 +43,5 @@ const struct contact_law contact_linear = {
     .traits = CONTACT_SMOOTH,
     .prepare = linear_prepare,
     .force = linear_force,
+    .force_lanes = linear_lanes,
 };
