@@ -65,11 +65,34 @@ typedef int64_t lanes_wide_bits __attribute__((vector_size(LANES_WIDTH * sizeof(
 // Elements i to i + LANES_WIDTH - 1 of an array.
 #define LANES_AT(x, i) (*(const lanes_wide *)((x) + (i)))
 
+// Rows of a square become its columns.
+LANES_INLINE void lanes_transpose(lanes x[LANES_VECTOR]) {
+    const lanes a = x[0], b = x[1], c = x[2], d = x[3];
+#if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
+    const lanes ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const lanes ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const lanes cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const lanes cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    x[0] = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+    x[1] = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+    x[2] = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+    x[3] = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+#else
+    for (int i = 0; i < LANES_VECTOR; i++) {
+        x[i] = (lanes){a[i], b[i], c[i], d[i]};
+    }
+#endif
+}
+
 // One value of each of eight runs that are computed in lockstep.
 enum { WIDE_RUNS = 8 };
 typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
 typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
 typedef signed char wide_bytes __attribute__((vector_size(WIDE_RUNS)));
+
+// |x|, and a where a mask has all bits of a lane and b where it has none.
+#define WIDE_ABSOLUTE(x) ((wide)((wide_bits)(x)&INT64_MAX))
+#define WIDE_CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
 // Does a register of the processor at hand hold it, or half of it? Where it is split further, gcc
 // passes it through memory in pieces, and eight runs one after the other are faster.

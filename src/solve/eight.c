@@ -8,31 +8,12 @@
 
 enum { FOUR = LANES_VECTOR, FOURS = EFFECTIVE_ABREAST / FOUR };
 
-// Rows become columns.
-LANES_INLINE void transpose(lanes x[FOUR]) {
-    lanes a = x[0], b = x[1], c = x[2], d = x[3];
-#if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
-    lanes ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-    lanes ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    lanes cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-    lanes cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-    x[0] = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
-    x[1] = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
-    x[2] = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
-    x[3] = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
-#else
-    for (int i = 0; i < FOUR; i++) {
-        x[i] = (lanes){a[i], b[i], c[i], d[i]};
-    }
-#endif
-}
-
 // Floors i to i + 3 of four arrays; lane k of row j is floor i + j of array k.
 LANES_INLINE void load(const double *const x[FOUR], int i, lanes row[FOUR]) {
     for (int k = 0; k < FOUR; k++) {
         row[k] = *(const lanes *)(x[k] + i);
     }
-    transpose(row);
+    lanes_transpose(row);
 }
 
 LANES_INLINE void load_floor(const double *const x[FOUR], int i, lanes *row) {
@@ -41,7 +22,7 @@ LANES_INLINE void load_floor(const double *const x[FOUR], int i, lanes *row) {
 
 // Backwards, as the last building stands in the lanes beyond it too.
 LANES_INLINE void store(double *const q[FOUR], int i, lanes row[FOUR]) {
-    transpose(row);
+    lanes_transpose(row);
     for (int k = FOUR - 1; k >= 0; k--) {
         *(lanes *)(q[k] + i) = 0.0 + row[k];
     }

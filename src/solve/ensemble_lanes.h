@@ -189,11 +189,11 @@ struct ensemble_lanes {
 
 // Is a flag negative in a lane whose run is aboard? By halves: compilers take lanes apart one by
 // one.
-LANES_INLINE bool ensemble_any(const struct ensemble_lanes *e, const wide_bits *flags) {
-    lanes_bits flag[2], aboard[2];
+LANES_INLINE bool ensemble_any(const long long *aboard, const wide_bits *flags) {
+    lanes_bits flag[2], in[2];
     memcpy(flag, flags, sizeof flag);
-    memcpy(aboard, e->aboard, sizeof aboard);
-    const lanes_bits any = (flag[0] & aboard[0]) | (flag[1] & aboard[1]);
+    memcpy(in, aboard, sizeof in);
+    const lanes_bits any = (flag[0] & in[0]) | (flag[1] & in[1]);
     return (any[0] | any[1] | any[2] | any[3]) < 0;
 }
 

@@ -6,19 +6,15 @@
 
 // Vectors are compared by the sign of a difference and chosen between by their bits: compilers take
 // apart what is said with < and ?:, and may not pass vectors by value between processors.
-static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 enum { SIGN = 63 };
 
 // Contacts looked at together, of which few are pressed.
 enum { TOGETHER = 8 };
 
-#define INLINE static inline __attribute__((always_inline))
-#define ABSOLUTE(x) ((wide)((wide_bits)(x)&SIZE))
 #define LESS(a, b) ((wide_bits)((a) - (b)))  // negative where a < b
-#define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
 
 // The bits of lanes aboard in which flags are negative.
-INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
+LANES_INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
     static const wide_bits bit = {1, 2, 4, 8, 16, 32, 64, 128};
     const wide_bits own = (*flags >> SIGN) & bit;
     lanes_bits part[2], aboard[2];
@@ -29,11 +25,13 @@ INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *fl
 }
 
 // Negative in lanes where floor i has a number that is too large.
-INLINE void overflow(const struct ensemble_lanes *e, int i, const wide *base, wide_bits *flags) {
+LANES_INLINE void overflow(const struct ensemble_lanes *e, int i, const wide *base,
+                           wide_bits *flags) {
     const struct ensemble_state *s = &e->next[i];
     const wide most = ENSEMBLE_LARGEST - (wide){0.0};
     const wide total = s->a + *base;
-    *flags |= LESS(most, ABSOLUTE(s->u)) | LESS(most, ABSOLUTE(s->v)) | LESS(most, ABSOLUTE(total));
+    *flags |= LESS(most, WIDE_ABSOLUTE(s->u)) | LESS(most, WIDE_ABSOLUTE(s->v)) |
+              LESS(most, WIDE_ABSOLUTE(total));
 }
 
 LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base) {
@@ -47,12 +45,12 @@ LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *ba
     return lanes_aboard(e, &flags);
 }
 
-INLINE void find_penetration(const struct ensemble_lanes *e, int k, wide *delta) {
+LANES_INLINE void find_penetration(const struct ensemble_lanes *e, int k, wide *delta) {
     *delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - e->contact[k].gap;
 }
 
 // Lists a contact that may be beyond its limit in some lanes.
-INLINE void list(struct ensemble_lanes *e, int k) {
+LANES_INLINE void list(struct ensemble_lanes *e, int k) {
     wide delta;
     find_penetration(e, k, &delta);
     const wide_bits flags = LESS(e->contact[k].limit, delta), inside = LESS(0.0, delta);
@@ -73,7 +71,7 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
             find_penetration(e, k, &delta);
             any |= LESS(e->contact[k].limit, delta);
         }
-        const bool pressed = ensemble_any(e, &any);
+        const bool pressed = ensemble_any(e->aboard, &any);
         for (int k = first; pressed && k < end; k++) {
             list(e, k);
         }
@@ -83,7 +81,7 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
 LANES bool ensemble_exceeds(struct ensemble_lanes *e) {
     bool any = false;
     for (int k = 0; k < e->n_building; k++) {
-        e->building[k].exceeds = ensemble_any(e, &e->beyond[k]);
+        e->building[k].exceeds = ensemble_any(e->aboard, &e->beyond[k]);
         any |= e->building[k].exceeds;
     }
     for (int i = 0; !any && i < e->n_pressed; i++) {
@@ -93,32 +91,33 @@ LANES bool ensemble_exceeds(struct ensemble_lanes *e) {
 }
 
 // Where `size` is greater than the peak of a run aboard, the peak and its time.
-INLINE void raise(const wide_bits *aboard, const wide *size, const wide *time, wide *peak,
-                  wide *peak_time) {
+LANES_INLINE void raise(const wide_bits *aboard, const wide *size, const wide *time, wide *peak,
+                        wide *peak_time) {
     wide_bits above = (LESS(*peak, *size) >> SIGN) & *aboard;
-    *peak = CHOOSE(above, *size, *peak);
-    *peak_time = CHOOSE(above, *time, *peak_time);
+    *peak = WIDE_CHOOSE(above, *size, *peak);
+    *peak_time = WIDE_CHOOSE(above, *time, *peak_time);
 }
 
-INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard, const wide *base,
-                        const wide *time, const wide *drift, const wide *shear) {
+LANES_INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard,
+                              const wide *base, const wide *time, const wide *drift,
+                              const wide *shear) {
     const wide total = e->next[i].a + *base;
     const wide value[PEAK_COUNT] = {
-        [PEAK_DISPLACEMENT] = ABSOLUTE(e->next[i].u),
-        [PEAK_VELOCITY] = ABSOLUTE(e->next[i].v),
-        [PEAK_ACCELERATION] = ABSOLUTE(total),
-        [PEAK_DRIFT] = ABSOLUTE(*drift),
-        [PEAK_SHEAR] = ABSOLUTE(*shear),
+        [PEAK_DISPLACEMENT] = WIDE_ABSOLUTE(e->next[i].u),
+        [PEAK_VELOCITY] = WIDE_ABSOLUTE(e->next[i].v),
+        [PEAK_ACCELERATION] = WIDE_ABSOLUTE(total),
+        [PEAK_DRIFT] = WIDE_ABSOLUTE(*drift),
+        [PEAK_SHEAR] = WIDE_ABSOLUTE(*shear),
     };
     for (int q = 0; q < PEAK_COUNT; q++) {
         raise(aboard, &value[q], time, &e->peak[i].of[q], &e->peak_time[i].of[q]);
     }
     const wide_bits faster = (LESS(e->works->speed, value[PEAK_VELOCITY]) >> SIGN) & *aboard;
-    e->works->speed = CHOOSE(faster, value[PEAK_VELOCITY], e->works->speed);
+    e->works->speed = WIDE_CHOOSE(faster, value[PEAK_VELOCITY], e->works->speed);
 }
 
-INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble_building *b,
-                           const wide_bits *aboard, const wide *base, const wide *time) {
+LANES_INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble_building *b,
+                                 const wide_bits *aboard, const wide *base, const wide *time) {
     const enum ensemble_held held = b->held;
     const struct ensemble_state *s = e->next + b->shape->first;
     wide u_below = {0.0};
@@ -131,16 +130,17 @@ INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble_build
 }
 
 // The same of a contact, where it is open.
-INLINE void draw_near(struct ensemble_lanes *e, int k, const wide_bits *aboard, const wide *time) {
+LANES_INLINE void draw_near(struct ensemble_lanes *e, int k, const wide_bits *aboard,
+                            const wide *time) {
     struct ensemble_contact *c = &e->contact[k];
     struct ensemble_nearest *p = &e->nearest[k];
     wide delta;
     find_penetration(e, k, &delta);
     const wide_bits nearer =
         (LESS(c->limit, delta) >> SIGN) & ~(LESS(0.0, delta) >> SIGN) & *aboard;
-    c->limit = CHOOSE(nearer, delta, c->limit);
-    p->depth = CHOOSE(nearer, delta, p->depth);
-    p->time = CHOOSE(nearer, *time, p->time);
+    c->limit = WIDE_CHOOSE(nearer, delta, c->limit);
+    p->depth = WIDE_CHOOSE(nearer, delta, p->depth);
+    p->time = WIDE_CHOOSE(nearer, *time, p->time);
 }
 
 LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time) {
@@ -159,8 +159,8 @@ LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double tim
     }
 }
 
-INLINE void add_building(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                         wide *kinetic, wide *elastic) {
+LANES_INLINE void add_building(const struct ensemble_lanes *e, const struct ensemble_building *b,
+                               wide *kinetic, wide *elastic) {
     const enum ensemble_held held = b->held;
     const struct ensemble_state *s = e->now + b->shape->first;
     wide u_below = {0.0};

@@ -8,6 +8,7 @@
 #define JOSTLE_ENSEMBLE_STEPS_H
 
 #include <stddef.h>
+#include <string.h>
 
 #include "solve/ensemble_floors.h"
 

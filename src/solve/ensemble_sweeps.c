@@ -27,14 +27,10 @@
 #endif
 #define INLINE WIDEST LANES_INLINE
 
-static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
-
-#define CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
-#define ABSOLUTE(x) ((wide)((wide_bits)(x)&SIZE))
 #define LESS(a, b) ((wide_bits)((a) < (b)))
 #define AT_MOST(a, b) ((wide_bits)((a) <= (b)))
-#define SMALLER(a, b) CHOOSE(LESS(a, b), a, b)
-#define LARGER(a, b) CHOOSE(LESS(b, a), a, b)
+#define SMALLER(a, b) WIDE_CHOOSE(LESS(a, b), a, b)
+#define LARGER(a, b) WIDE_CHOOSE(LESS(b, a), a, b)
 
 INLINE bool any(const wide_bits *flags) {
     const wide_bytes b = __builtin_convertvector(*flags, wide_bytes);
@@ -69,31 +65,31 @@ INLINE void ask(struct sweeps *s, struct joint *j, const wide *x, const wide_bit
     const wide slope = b * dfdd + g * dfdv;
     const wide share = grip->flexibility * slope;
     s->well &= ~*which | (LESS(0.0, d) & AT_MOST(0.0, share) & AT_MOST(share, QUICK_STEEPEST));
-    const wide steep = ABSOLUTE(b * dfdd) + ABSOLUTE(g * dfdv) + DBL_MIN;
+    const wide steep = WIDE_ABSOLUTE(b * dfdd) + WIDE_ABSOLUTE(g * dfdv) + DBL_MIN;
     const wide inverse = 1.0 / ((1.0 + share) * steep);
     const wide damped = inverse * steep;
     const wide near = QUICK_NEAR * d * s->per_b;
-    wide straight = QUICK_STRAIGHT * s->enough * ABSOLUTE(force), reach = -1.0 - (wide){0.0};
+    wide straight = QUICK_STRAIGHT * s->enough * WIDE_ABSOLUTE(force), reach = -1.0 - (wide){0.0};
     if (grip->law->traits & CONTACT_SMOOTH) {
         for (int lane = 0; lane < WIDE_RUNS; lane++) {
             straight[lane] = sqrt(straight[lane]);
         }
         straight = straight * inverse * (1.0 + share);
-        const wide turn = ABSOLUTE(v) * s->per_g;
+        const wide turn = WIDE_ABSOLUTE(v) * s->per_g;
         const wide nearer = SMALLER(near, turn);
         reach = SMALLER(nearer, straight);
     }
     const wide echo = share * grip->others;
-    j->asked = CHOOSE(*which, *x, j->asked);
-    j->dfdd = CHOOSE(*which, dfdd, j->dfdd);
-    j->dfdv = CHOOSE(*which, dfdv, j->dfdv);
-    j->damped = CHOOSE(*which, damped, j->damped);
-    j->rate = CHOOSE(*which, slope * damped, j->rate);
-    j->base = CHOOSE(*which, (force - j->force) * damped, j->base);
-    j->near = CHOOSE(*which, near, j->near);
-    j->reach = CHOOSE(*which, reach, j->reach);
+    j->asked = WIDE_CHOOSE(*which, *x, j->asked);
+    j->dfdd = WIDE_CHOOSE(*which, dfdd, j->dfdd);
+    j->dfdv = WIDE_CHOOSE(*which, dfdv, j->dfdv);
+    j->damped = WIDE_CHOOSE(*which, damped, j->damped);
+    j->rate = WIDE_CHOOSE(*which, slope * damped, j->rate);
+    j->base = WIDE_CHOOSE(*which, (force - j->force) * damped, j->base);
+    j->near = WIDE_CHOOSE(*which, near, j->near);
+    j->reach = WIDE_CHOOSE(*which, reach, j->reach);
     j->ask &= ~*which;
-    s->echo = CHOOSE(*which & LESS(s->echo, echo), echo, s->echo);
+    s->echo = WIDE_CHOOSE(*which & LESS(s->echo, echo), echo, s->echo);
 }
 
 // q += f times column `floor` of A^-1, on the side of a contact that has it.
@@ -121,15 +117,16 @@ INLINE void note(struct sweeps *s, const struct joint *j, const wide *df, const 
     const struct ensemble_lanes *e = s->e;
     const int *end = e->end[j->contact];
     const struct ensemble_trial *left = &e->trial[end[0]], *right = &e->trial[end[1]];
-    const wide q = ABSOLUTE(e->correction[end[0]]) + ABSOLUTE(e->correction[end[1]]);
-    const wide d =
-        ABSOLUTE(left->u) + ABSOLUTE(right->u) + e->contact[j->contact].gap + e->factors->b * q;
-    const wide v = ABSOLUTE(left->v) + ABSOLUTE(right->v) + e->factors->g * q;
-    const wide rounding = 4.0 * DBL_EPSILON * (ABSOLUTE(j->dfdd) * d + ABSOLUTE(j->dfdv) * v);
-    const wide size = ABSOLUTE(*df);
+    const wide q = WIDE_ABSOLUTE(e->correction[end[0]]) + WIDE_ABSOLUTE(e->correction[end[1]]);
+    const wide d = WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->contact[j->contact].gap +
+                   e->factors->b * q;
+    const wide v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v) + e->factors->g * q;
+    const wide rounding =
+        4.0 * DBL_EPSILON * (WIDE_ABSOLUTE(j->dfdd) * d + WIDE_ABSOLUTE(j->dfdv) * v);
+    const wide size = WIDE_ABSOLUTE(*df);
     const wide_bits matters = *move & LESS(s->enough, size) & ~AT_MOST(size, rounding * j->damped);
-    s->change = CHOOSE(matters & j->ask & LESS(s->change, size), size, s->change);
-    s->moved = CHOOSE(matters & ~j->ask & LESS(s->moved, size), size, s->moved);
+    s->change = WIDE_CHOOSE(matters & j->ask & LESS(s->change, size), size, s->change);
+    s->moved = WIDE_CHOOSE(matters & ~j->ask & LESS(s->moved, size), size, s->moved);
 }
 
 // A Newton step where x is seen.
@@ -137,33 +134,34 @@ INLINE void step(struct sweeps *s, struct joint *j, const wide *x) {
     const wide_bits here = j->live & s->busy & s->well;
     const wide dx = *x - j->asked;
     const wide df = j->base + j->rate * dx;
-    const wide_bits idle =
-        AT_MOST(ABSOLUTE(df), QUICK_NEGLECTED * s->enough) & AT_MOST(ABSOLUTE(dx), j->reach);
-    const wide led = ABSOLUTE(dx - j->grip->flexibility * df);
+    const wide_bits idle = AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEGLECTED * s->enough) &
+                           AT_MOST(WIDE_ABSOLUTE(dx), j->reach);
+    const wide led = WIDE_ABSOLUTE(dx - j->grip->flexibility * df);
     const wide_bits safe =
-        AT_MOST(led, j->near) & AT_MOST(ABSOLUTE(df), QUICK_NEAR * ABSOLUTE(j->force));
+        AT_MOST(led, j->near) & AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEAR * WIDE_ABSOLUTE(j->force));
     s->well &= ~here | idle | safe;
     const wide_bits move = here & ~idle & safe;
-    const wide far = CHOOSE(idle, ABSOLUTE(dx), led);
+    const wide far = WIDE_CHOOSE(idle, WIDE_ABSOLUTE(dx), led);
     const wide left = j->reach - far;
     const wide room = LARGER(left, (wide){0.0}) * j->grip->unmoved;
-    s->clear = CHOOSE(here & LESS(room, s->clear), room, s->clear);
+    s->clear = WIDE_CHOOSE(here & LESS(room, s->clear), room, s->clear);
     const wide done = (wide)((wide_bits)df & move), undone = -done;
-    j->force = CHOOSE(move, j->force + df, j->force);
+    j->force = WIDE_CHOOSE(move, j->force + df, j->force);
     j->base -= j->damped * done;
     j->ask = (move & ~AT_MOST(led, j->reach)) | (~move & j->ask);
     push(s, j, 0, &undone);
     push(s, j, 1, &done);
     note(s, j, &done, &move);
-    const wide size = ABSOLUTE(j->force);
-    s->largest = CHOOSE(here & LESS(s->largest, size), size, s->largest);
+    const wide size = WIDE_ABSOLUTE(j->force);
+    s->largest = WIDE_CHOOSE(here & LESS(s->largest, size), size, s->largest);
 }
 
 INLINE void visit(struct sweeps *s, struct joint *j) {
     wide x;
     see(s, j, &x);
     const wide dx = x - j->asked;
-    const wide_bits known = ~j->ask & (AT_MOST(ABSOLUTE(dx), j->reach) | (wide_bits)(dx == 0.0));
+    const wide_bits known =
+        ~j->ask & (AT_MOST(WIDE_ABSOLUTE(dx), j->reach) | (wide_bits)(dx == 0.0));
     const wide_bits unknown = j->live & s->busy & ~known;
     if (any(&unknown)) {
         ask(s, j, &x, &unknown);
@@ -194,7 +192,7 @@ INLINE void ask_again(struct sweeps *s) {
     if (any(&looser)) {
         ask_all(s, &looser);
     }
-    s->loosest = CHOOSE(looser | LESS(s->loosest, s->enough), s->enough, s->loosest);
+    s->loosest = WIDE_CHOOSE(looser | LESS(s->loosest, s->enough), s->enough, s->loosest);
 }
 
 // Where the contacts are without corrections.
@@ -212,8 +210,8 @@ INLINE void gather(struct sweeps *s) {
         j->base = j->rate = j->asked = j->reach = j->near = j->damped = j->dfdd = j->dfdv = none;
         j->d_trial = left->u - right->u - e->contact[j->contact].gap;
         j->v_trial = left->v - right->v;
-        const wide size = ABSOLUTE(j->force);
-        s->largest = CHOOSE(j->live & LESS(s->largest, size), size, s->largest);
+        const wide size = WIDE_ABSOLUTE(j->force);
+        s->largest = WIDE_CHOOSE(j->live & LESS(s->largest, size), size, s->largest);
     }
 }
 
@@ -256,7 +254,7 @@ INLINE void restore(const struct sweeps *s) {
     for (int i = 0; i < s->n_touched; i++) {
         const struct building *g = s->e->building[s->touched[i]].shape;
         for (int k = g->first; k < g->first + g->n_floor; k++) {
-            s->e->correction[k] = CHOOSE(s->well, s->e->correction[k], s->e->kept[k]);
+            s->e->correction[k] = WIDE_CHOOSE(s->well, s->e->correction[k], s->e->kept[k]);
         }
     }
 }

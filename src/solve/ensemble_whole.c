@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of an ensemble where a register holds all lanes.
-#include <string.h>
-
 #include "core/lanes.h"
 #include "solve/ensemble_contacts.h"
 
@@ -16,21 +14,13 @@ typedef lanes_wide unaligned;
 #endif
 #define STEPS ensemble_whole
 #define SOLVE ensemble_contacts_solve
+#define part_any ensemble_any
 
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
 #define SHUFFLE(x, y, ...) __builtin_shufflevector(x, y, __VA_ARGS__)
 #else
 #define SHUFFLE(x, y, ...) __builtin_shuffle(x, y, (wide_bits){__VA_ARGS__})
 #endif
-
-// By halves: compilers take lanes apart one by one.
-LANES_INLINE bool part_any(const long long *aboard, const wide_bits *flags) {
-    lanes_bits in[2], flag[2];
-    memcpy(in, aboard, sizeof in);
-    memcpy(flag, flags, sizeof flag);
-    const lanes_bits set = (flag[0] & in[0]) | (flag[1] & in[1]);
-    return (set[0] | set[1] | set[2] | set[3]) < 0;
-}
 
 LANES_INLINE void part_transpose(wide *x) {
     wide y[WIDE_RUNS];
