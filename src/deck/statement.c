@@ -15,8 +15,7 @@ const struct deck_statement deck_statements[] = {
     {"param", "param NAME VALUE", "a parameter; -D NAME=VALUE overrides it"},
     {"sweep", sweep_usage,
      "a parameter that takes one value after another, in place of that of its param if there is "
-     "one; "
-     "sweeps multiply, but random ones are sampled together: normal MEAN SD, lognormal MEDIAN "
+     "one; sweeps multiply, but random ones are sampled together: normal MEAN SD, lognormal MEDIAN "
      "DISPERSION or uniform LOW HIGH"},
     {"include", "include FILE", "reads another deck here"},
 };
