@@ -7,15 +7,19 @@
 
 #include "solve/few_loops.h"
 
-// *sign gets negative where a contact closes or is nearer than ever.
-LANES_INLINE void few_look(const struct flight *f, const double *u, few_bits *sign) {
+// Penetrations at the displacements u, into `delta` if that is not NULL; *sign gets negative where
+// a contact closes or is nearer than ever.
+LANES_INLINE void few_look(const struct flight *f, const double *u, double *delta, few_bits *sign) {
     const double *gap = f->gap;
     for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++) {
         const double *left = u + g->dof[0], *right = u + g->dof[1];
         const double *limit = f->work->gaps.limit + g->contact;
         EACH_VECTOR(i, PER_EIGHT) {
-            few_lanes delta = PART(left, i) - PART(right, i) - PART(gap, i);
-            *sign |= (few_bits)(PART(limit, i) - delta);
+            few_lanes d = PART(left, i) - PART(right, i) - PART(gap, i);
+            *sign |= (few_bits)(PART(limit, i) - d);
+            if (delta) {
+                *(few_lanes *)(delta + g->contact + i * WIDTH) = d;
+            }
         }
         gap += LANES_WIDTH;
     }
@@ -80,7 +84,7 @@ LANES_INLINE bool few_confirm(const struct flight *f, struct few_table *t,
     few_bits beyond = {0}, news = *ahead;
     few_strain(t, lines, n, next, &beyond);
     few_compare(peak, lines, n, next, ground, &news);
-    few_look(f, shown, &news);
+    few_look(f, shown, NULL, &news);
     news |= beyond;
     if (few_any(&news) >= 0) {
         return true;
@@ -171,7 +175,18 @@ FEW_CLONES static long fly_on_lines(const struct flight *f, struct state *s, lon
                             : few_fly(f, &lines, VECTORS, s, n, end);
 }
 
-LANES_INLINE bool move(struct work *w, const struct state *now, struct state *next, int n) {
+// What the contacts of a step to `next` make of it.
+LANES_INLINE enum few_news few_see(const struct work *w, struct state *next) {
+    few_bits near = {0};
+    if (!w->few.flight) {
+        return FEW_NEAR;
+    }
+    few_look(w->few.flight, next->u, next->delta, &near);
+    return few_any(&near) < 0 ? FEW_NEAR : FEW_NOTHING;
+}
+
+LANES_INLINE enum few_news move(struct work *w, const struct state *now, struct state *next,
+                                int n) {
     alignas(LANES_LINE) double residual[FEW_MAX];
     struct few_floors start, trial, end;
     few_lanes q[VECTORS];
@@ -188,15 +203,16 @@ LANES_INLINE bool move(struct work *w, const struct state *now, struct state *ne
     few_put(q, n, w->correction);
     few_store(&end, NULL, n, next);
     few_weigh(n, &end, &sign);
-    return few_any(&sign) >= 0;
+    return few_any(&sign) < 0 ? FEW_INFINITE : few_see(w, next);
 }
 
-FEW_CLONES static bool take_step(struct work *w, const struct state *now, struct state *next) {
+FEW_CLONES static enum few_news take_step(struct work *w, const struct state *now,
+                                          struct state *next) {
     return is_low(w->model) ? move(w, now, next, VECTORS / 2) : move(w, now, next, VECTORS);
 }
 
-LANES_INLINE void correct(const struct work *w, const struct state *now, struct state *next,
-                          int n) {
+LANES_INLINE enum few_news correct(const struct work *w, const struct state *now,
+                                   struct state *next, int n) {
     const struct few_scheme scheme = few_scheme_of(w);
     struct few_floors start, trial, end;
     few_lanes q[VECTORS];
@@ -208,11 +224,12 @@ LANES_INLINE void correct(const struct work *w, const struct state *now, struct 
     }
     few_reach(&scheme, n, &start, &trial, q, &end);
     few_store(&end, NULL, n, next);
+    return few_see(w, next);
 }
 
-FEW_CLONES static void take_corrections(const struct work *w, const struct state *now,
-                                        struct state *next) {
-    is_low(w->model) ? correct(w, now, next, VECTORS / 2) : correct(w, now, next, VECTORS);
+FEW_CLONES static enum few_news take_corrections(const struct work *w, const struct state *now,
+                                                 struct state *next) {
+    return is_low(w->model) ? correct(w, now, next, VECTORS / 2) : correct(w, now, next, VECTORS);
 }
 
 LANES_INLINE void account(const struct few_table *t, struct energy_account *a, struct results *r,

@@ -183,6 +183,13 @@ void gaps_update_touched(struct gaps *g, struct state *s) {
     visit(g, s, n, g->visited);
 }
 
+void gaps_keep(struct gaps *g) {
+    g->n_pressed = 0;
+    for (int i = 0; i < g->n_run; i++) {
+        g->beyond[i] = false;
+    }
+}
+
 LANES static void look(const struct gaps *g, const struct gap_run *r, const double *delta,
                        double now) {
     const double *restrict d = delta + r->first;

@@ -45,6 +45,9 @@ void gaps_update(struct gaps *g, struct state *s);
 // The same where only touched buildings have moved.
 void gaps_update_touched(struct gaps *g, struct state *s);
 
+// Takes note that penetrations have been found in another way, none beyond its limit.
+void gaps_keep(struct gaps *g);
+
 // Takes note of penetrations that are larger than ever.
 void gaps_peaks(struct gaps *g, const struct state *s);
 
