@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The loops of few_steps.h: those of floor_loops.h, operation by operation, so that the bits are
 // the same, over all floors at once. Only the residuals are stored, as each floor wants those of
-// its building. few_narrow.c and few_wide.c say what a vector is: few_lanes and few_bits, and
-// FEW_BELOW, FEW_ABOVE and few_any for BELOW, ABOVE and floors_any.
+// its building. few_narrow.c and few_wide.c say what a vector is: few_lanes and few_bits, 
 #ifndef JOSTLE_FEW_LOOPS_H
 #define JOSTLE_FEW_LOOPS_H
 
@@ -241,7 +240,7 @@ LANES_INLINE bool few_raise(const struct results *r, int n, const struct few_flo
     few_raise_peak(r, PEAK_ACCELERATION, n, total, time);
     few_raise_peak(r, PEAK_DRIFT, n, s->drift, time);
     few_raise_peak(r, PEAK_SHEAR, n, s->shear, time);
-    return few_any(&sign) >= 0;
+    return !few_any(&sign);
 }
 
 // How near contacts have come.

@@ -86,11 +86,11 @@ LANES_INLINE bool few_confirm(const struct flight *f, struct few_table *t,
     few_compare(peak, lines, n, next, ground, &news);
     few_look(f, shown, NULL, &news);
     news |= beyond;
-    if (few_any(&news) >= 0) {
+    if (!few_any(&news)) {
         return true;
     }
-    *end = few_any(ahead) < 0 ? step : *end;
-    return few_any(&beyond) >= 0 &&
+    *end = few_any(ahead) ? step : *end;
+    return !few_any(&beyond) &&
            few_take_note(f, lines, n, next, shown, w->ahead.time[step - w->ahead.from], ground, s);
 }
 
@@ -130,7 +130,7 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     }
     before = now;
     few_try(table, &scheme, lines, n, &now, then, &trial, residual, &beyond);
-    end = few_any(&beyond) < 0 ? from : end;
+    end = few_any(&beyond) ? from : end;
     long step = from;
     while (step < end) {
         struct few_table *t = table;
@@ -175,14 +175,17 @@ FEW_CLONES static long fly_on_lines(const struct flight *f, struct state *s, lon
                             : few_fly(f, &lines, VECTORS, s, n, end);
 }
 
-// What the contacts of a step to `next` make of it.
-LANES_INLINE enum few_news few_see(const struct work *w, struct state *next) {
-    few_bits near = {0};
-    if (!w->few.flight) {
-        return FEW_NEAR;
+// What is new in a step to `next`, the floors of which are not finite where *infinite is negative.
+LANES_INLINE enum few_news few_see(const struct work *w, struct state *next,
+                                   const few_bits *infinite) {
+    few_bits news = *infinite;
+    if (w->few.flight) {
+        few_look(w->few.flight, next->u, next->delta, &news);
+        if (!few_any(&news)) {
+            return FEW_NOTHING;
+        }
     }
-    few_look(w->few.flight, next->u, next->delta, &near);
-    return few_any(&near) < 0 ? FEW_NEAR : FEW_NOTHING;
+    return few_any(infinite) ? FEW_INFINITE : FEW_NEAR;
 }
 
 LANES_INLINE enum few_news move(struct work *w, const struct state *now, struct state *next,
@@ -203,7 +206,7 @@ LANES_INLINE enum few_news move(struct work *w, const struct state *now, struct 
     few_put(q, n, w->correction);
     few_store(&end, NULL, n, next);
     few_weigh(n, &end, &sign);
-    return few_any(&sign) < 0 ? FEW_INFINITE : few_see(w, next);
+    return few_see(w, next, &sign);
 }
 
 FEW_CLONES static enum few_news take_step(struct work *w, const struct state *now,
@@ -216,6 +219,7 @@ LANES_INLINE enum few_news correct(const struct work *w, const struct state *now
     const struct few_scheme scheme = few_scheme_of(w);
     struct few_floors start, trial, end;
     few_lanes q[VECTORS];
+    const few_bits sign = {0};
     EACH_VECTOR(j, n) {
         start.a[j] = PART(now->a, j);
         trial.u[j] = PART(w->u_trial, j);
@@ -224,7 +228,7 @@ LANES_INLINE enum few_news correct(const struct work *w, const struct state *now
     }
     few_reach(&scheme, n, &start, &trial, q, &end);
     few_store(&end, NULL, n, next);
-    return few_see(w, next);
+    return few_see(w, next, &sign);
 }
 
 FEW_CLONES static enum few_news take_corrections(const struct work *w, const struct state *now,
@@ -245,7 +249,7 @@ LANES_INLINE void account(const struct few_table *t, struct energy_account *a, s
     few_add_works(t, n, &start, &end, ground_2x, &works);
     few_store_works(&works, a);
     few_compare(r->peak, NULL, n, &end, ground, &sign);
-    if (few_any(&sign) < 0) {
+    if (few_any(&sign)) {
         (void)few_raise(r, n, &end, next->time, ground);
         peaks_speed(r, 0, n * WIDTH);
     }
