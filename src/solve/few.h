@@ -35,7 +35,7 @@ struct few_steps {
     // few_take where all storeys are elastic, and where they follow lines.
     long (*fly)(const struct flight *f, struct state *s, long n, long end);
     long (*fly_on_lines)(const struct flight *f, struct state *s, long n, long end);
-    // Where few_serves: floors_move, and what the corrections in `w` lead to, both with the
+    // Where it `serves`: floors_move, and what the corrections in `w` lead to, both with the
     // penetrations; and floors_account.
     enum few_news (*move)(struct work *w, const struct state *now, struct state *next);
     enum few_news (*correct)(const struct work *w, const struct state *now, struct state *next);
@@ -46,6 +46,7 @@ extern const struct few_steps few_narrow, few_wide;
 
 struct few {
     bool possible;  // with this model
+    bool serves;    // the step in hand: of the model's size, and all linear but for the links
     const struct few_steps *steps;
     const struct flight *flight;  // borrowed: groups of contacts; NULL: not all links are in one
     long factors;             // work.factors that the inverse is of
@@ -61,9 +62,6 @@ bool few_alloc(struct few *few, const struct model *m, struct arena *a);
 
 // Takes the inverses of the buildings, which must be there, unless that has been done.
 void few_factor(struct few *few, const struct work *w);
-
-// Is the step in hand one for few_steps: of the model's size, and all linear but for the links?
-bool few_serves(const struct work *w);
 
 // Takes steps from number `n`, whose state is `s`, as far as `end`, but stops before one in which a
 // contact closes or a storey leaves its line. What is computed ahead for the flight must reach that

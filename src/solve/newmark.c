@@ -94,7 +94,7 @@ static bool see(struct work *w, struct state *next, enum few_news news) {
 
 // The same where only the corrections of buildings with live links have changed since.
 static void correct_touched(struct work *w, const struct state *now, struct state *next) {
-    if (few_serves(w)) {
+    if (w->few.serves) {
         see(w, next, w->few.steps->correct(w, now, next));
         return;
     }
@@ -231,8 +231,10 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
 
 // The state under the forces that live links have, and its penetrations. False: not finite.
 static bool move(struct work *w, const struct state *now, struct state *next) {
-    if (few_serves(w)) {
-        few_factor(&w->few, w);
+    if (w->few.serves) {
+        if (w->few.factors == 0) {  // what is linear stays
+            few_factor(&w->few, w);
+        }
         return see(w, next, w->few.steps->move(w, now, next));
     }
     bool finite = floors_move(w, now, next);
