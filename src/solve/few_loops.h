@@ -20,7 +20,6 @@ enum {
 
 // Vector j of x where floors are joined, else 0.
 #define JOINED(joint, j, x) ((few_lanes)((few_bits)PART(joint, j) & (few_bits)(x)))
-#define ABSOLUTE(x) ((few_lanes)((few_bits)(x)&INT64_MAX))
 #define FEW_BEYOND(x, limit) ((few_bits)(limit) - ((few_bits)(x)&INT64_MAX))
 
 // For each vector of n, in loops that are unrolled, or they would not be in registers.
@@ -221,7 +220,7 @@ LANES_INLINE void few_raise_peak(const struct results *r, enum peak kind, int n,
 // *sign gets negative where floors are not finite.
 LANES_INLINE void few_weigh(int n, const struct few_floors *s, few_bits *sign) {
     EACH_VECTOR(j, n) {
-        few_lanes size = ABSOLUTE(s->u[j]) + ABSOLUTE(s->v[j]) + ABSOLUTE(s->a[j]);
+        few_lanes size = s->u[j] + s->v[j] + s->a[j];
         *sign |= FEW_BEYOND(size, DBL_MAX + none);
     }
 }
