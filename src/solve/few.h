@@ -49,8 +49,8 @@ struct few {
     bool serves;    // the step in hand: of the model's size, and all linear but for the links
     const struct few_steps *steps;
     const struct flight *flight;  // borrowed: groups of contacts; NULL: not all links are in one
-    long factors;             // work.factors that the inverse is of
-    struct few_table *table;  // from where a line of the cache begins
+    long factors;                 // work.factors that the inverse is of
+    struct few_table *table;      // from where a line of the cache begins
     // For LANES_WIDTH columns each, the rows of the inverse that they have.
     struct few_rows {
         int from, to;

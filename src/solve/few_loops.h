@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The loops of few_steps.h: those of floor_loops.h, operation by operation, so that the bits are
 // the same, over all floors at once. Only the residuals are stored, as each floor wants those of
-// its building. few_narrow.c and few_wide.c say what a vector is: few_lanes and few_bits, 
+// its building. few_narrow.c and few_wide.c say what a vector is: few_lanes and few_bits,
+// FEW_BELOW and FEW_ABOVE for BELOW and ABOVE, and few_any, whether one of few_bits is negative.
 #ifndef JOSTLE_FEW_LOOPS_H
 #define JOSTLE_FEW_LOOPS_H
 
