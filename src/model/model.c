@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/lanes.h"
 #include "model/statement.h"
 
 #define STATEMENT(descriptor) &descriptor,
@@ -100,7 +101,7 @@ double model_time(const struct model *m, long n) {
     return n >= m->n_step ? m->duration : (double)n * m->dt;
 }
 
-void model_times(const struct model *m, long first, int n, double *time) {
+LANES void model_times(const struct model *m, long first, int n, double *time) {
     for (int i = 0; i < n; i++) {
         time[i] = (double)(first + i) * m->dt;
     }

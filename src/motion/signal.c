@@ -77,7 +77,7 @@ static double value_at(const struct signal *s, double t) {
     }
     double x;
     size_t j = sample_before(s, t, &x);
-    return s->value[j] + (s->value[j + 1] - s->value[j]) * (x / s->dt);
+    return s->value[j] + (s->value[j + 1] - s->value[j]) * (x * (1.0 / s->dt));
 }
 
 double signal_value(const struct signal *s, double t) {
@@ -88,13 +88,13 @@ double signal_value(const struct signal *s, double t) {
 LANES static void add_samples(const struct signal *s, int n, const double *restrict t,
                               double *restrict sum) {
     const double *restrict value = s->value;
-    const double start = s->start, dt = s->dt, most = (double)(s->n - 2);
+    const double start = s->start, dt = s->dt, per_dt = 1.0 / dt, most = (double)(s->n - 2);
     const double from = start - slack(s), to = s->end + slack(s);
     for (int i = 0; i < n; i++) {
-        int j = (int)number_min(number_max((t[i] - start) / dt, 0.0), most);
+        int j = (int)number_min(number_max((t[i] - start) * per_dt, 0.0), most);
         double since = t[i] - start - (double)j * dt;
         double inside = (t[i] >= from) & (t[i] <= to);
-        sum[i] += inside * (value[j] + (value[j + 1] - value[j]) * (since / dt));
+        sum[i] += inside * (value[j] + (value[j + 1] - value[j]) * (since * per_dt));
     }
 }
 

@@ -33,11 +33,10 @@ static void keep_history(const struct state *now, struct state *next, struct qui
     p->history = history;
 }
 
-// Link k, closed so far, begins the step as it ended the last.
+// Link k, closed so far and live, begins the step as it ended the last.
 static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
     struct quick *p = &w->quick[k];
     const struct link_state *from = &now->link[k];
-    next->live[next->n_live++] = k;
     next->link[k] = (struct link_state){
         .force = guess(from->force, from->n_past, from->past),
         .past = {from->force, from->past[0], from->past[1]},
@@ -55,7 +54,6 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
     if (!(from->t_close < now->time)) {
         p->checked = 0.0;
     }
-    gaps_touch(&w->gaps, k);
 }
 
 // Opens the links that were live in `next`, when it was another state, and are not closed in `now`.
@@ -69,14 +67,36 @@ static void open_others(const struct state *now, struct state *next) {
     next->n_live = 0;
 }
 
-void contact_begin(struct work *w, const struct state *now, struct state *next) {
+// Do the same links act as in the last step and the one before?
+static bool is_steady(const struct gaps *g, const struct state *now, const struct state *next) {
+    bool same = now->n_live == g->n_acting && next->n_live == g->n_acting;
+    for (int i = 0; same && i < g->n_acting; i++) {
+        int k = g->acting[i];
+        same = now->live[i] == k && next->live[i] == k && now->link[k].closed;
+    }
+    return same;
+}
+
+// Makes the links that are closed in `now` live in `next`, and none else.
+static void enliven_closed(struct gaps *g, const struct state *now, struct state *next) {
     open_others(now, next);
-    gaps_forget(&w->gaps, now);
-    w->n_toggled = 0;
+    gaps_forget(g, now);
     for (int i = 0; i < now->n_live; i++) {
-        if (now->link[now->live[i]].closed) {
-            carry_on(w, now, next, now->live[i]);
+        int k = now->live[i];
+        if (now->link[k].closed) {
+            next->live[next->n_live++] = k;
+            gaps_touch(g, k);
         }
+    }
+}
+
+void contact_begin(struct work *w, const struct state *now, struct state *next) {
+    if (!is_steady(&w->gaps, now, next)) {
+        enliven_closed(&w->gaps, now, next);
+    }
+    w->n_toggled = 0;
+    for (int i = 0; i < next->n_live; i++) {
+        carry_on(w, now, next, next->live[i]);
     }
 }
 

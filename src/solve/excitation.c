@@ -63,14 +63,13 @@ void excitation_foresee(struct excitation_ahead *x, const struct model *m, long 
     if (n < x->from || n >= x->from + EXCITATION_AHEAD) {
         look_ahead(x, m, n);
     }
+    x->sought = n - x->from;
 }
 
 void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
                               const struct model *m, double t) {
-    double i = (t - x->time[0]) / m->dt + 0.5;
-    if (state_is_uniform(m) && x->from >= 0 && i >= 0.0 && i < EXCITATION_AHEAD &&
-        x->time[(int)i] == t) {
-        s->ground_a[0] = x->ground[(int)i];
+    if (state_is_uniform(m) && x->time[x->sought] == t) {
+        s->ground_a[0] = x->ground[x->sought];
     } else {
         excitation_grounds(s, m, t);
     }

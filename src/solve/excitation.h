@@ -15,9 +15,10 @@ void excitation_floors(struct state *s, const struct model *m, double t);
 
 // Ends of fixed steps, and where one ground moves all the ground's accelerations then, computed for
 // many steps at a time.
-enum { EXCITATION_AHEAD = 64 };
+enum { EXCITATION_AHEAD = 128 };
 struct excitation_ahead {
     long from;                      // step of the first; before anything is known -EXCITATION_AHEAD
+    long sought;                    // that asked for last, from there
     double time[EXCITATION_AHEAD];  // [T]
     double ground[EXCITATION_AHEAD];  // [L/T^2]
 };
@@ -25,7 +26,7 @@ struct excitation_ahead {
 // Sees to it that what is known begins with step n or before, and goes as far as n or beyond.
 void excitation_foresee(struct excitation_ahead *x, const struct model *m, long n);
 
-// excitation_grounds, for any t, but at once where the end of a step is known.
+// excitation_grounds, for any t, but at once where the step sought last ends.
 void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
                               const struct model *m, double t);
 

@@ -64,11 +64,6 @@ void few_factor(struct few *few, const struct work *w) {
     }
 }
 
-bool few_serves(const struct work *w) {
-    return w->few.possible && w->model->n_storey_history == 0 && w->effective == w->home &&
-           w->h == w->model->dt;
-}
-
 long few_take(const struct flight *f, struct state *s, long n, long end) {
     const struct few_steps *steps = f->work->few.steps;
     return (f->yields ? steps->fly_on_lines : steps->fly)(f, s, n, end);

@@ -23,14 +23,22 @@ struct few_table {
 struct flight;
 struct work;
 
+// What the end of a step brings besides the state.
+enum few_news {
+    FEW_NOTHING,
+    FEW_NEAR,      // a contact may close or be nearer than ever; penetrations are not right
+    FEW_INFINITE,  // what should be numbers
+};
+
 // How steps are taken.
 struct few_steps {
     // few_take where all storeys are elastic, and where they follow lines.
     long (*fly)(const struct flight *f, struct state *s, long n, long end);
     long (*fly_on_lines)(const struct flight *f, struct state *s, long n, long end);
-    // floors_move, what the corrections in `w` lead to, and floors_account, where few_serves.
-    bool (*move)(struct work *w, const struct state *now, struct state *next);
-    void (*correct)(const struct work *w, const struct state *now, struct state *next);
+    // Where it `serves`: floors_move, and what the corrections in `w` lead to, both with the
+    // penetrations; and floors_account.
+    enum few_news (*move)(struct work *w, const struct state *now, struct state *next);
+    enum few_news (*correct)(const struct work *w, const struct state *now, struct state *next);
     void (*account)(const struct few_table *t, struct energy_account *a, struct results *r,
                     const struct model *m, const struct state *now, const struct state *next);
 };
@@ -38,9 +46,11 @@ extern const struct few_steps few_narrow, few_wide;
 
 struct few {
     bool possible;  // with this model
+    bool serves;    // the step in hand: of the model's size, and all linear but for the links
     const struct few_steps *steps;
-    long factors;             // work.factors that the inverse is of
-    struct few_table *table;  // from where a line of the cache begins
+    const struct flight *flight;  // borrowed: groups of contacts; NULL: not all links are in one
+    long factors;                 // work.factors that the inverse is of
+    struct few_table *table;      // from where a line of the cache begins
     // For LANES_WIDTH columns each, the rows of the inverse that they have.
     struct few_rows {
         int from, to;
@@ -52,9 +62,6 @@ bool few_alloc(struct few *few, const struct model *m, struct arena *a);
 
 // Takes the inverses of the buildings, which must be there, unless that has been done.
 void few_factor(struct few *few, const struct work *w);
-
-// Is the step in hand one for few_steps: of the model's size, and all linear but for the links?
-bool few_serves(const struct work *w);
 
 // Takes steps from number `n`, whose state is `s`, as far as `end`, but stops before one in which a
 // contact closes or a storey leaves its line. What is computed ahead for the flight must reach that

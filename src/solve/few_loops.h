@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The loops of few_steps.h: those of floor_loops.h, operation by operation, so that the bits are
 // the same, over all floors at once. Only the residuals are stored, as each floor wants those of
-// its building. few_narrow.c and few_wide.c say what a vector is: few_lanes and few_bits, and
-// FEW_BELOW, FEW_ABOVE and few_any for BELOW, ABOVE and floors_any.
+// its building. few_narrow.c and few_wide.c say what a vector is: few_lanes and few_bits,
+// FEW_BELOW and FEW_ABOVE for BELOW and ABOVE, and few_any, whether one of few_bits is negative.
 #ifndef JOSTLE_FEW_LOOPS_H
 #define JOSTLE_FEW_LOOPS_H
 
@@ -21,7 +21,6 @@ enum {
 
 // Vector j of x where floors are joined, else 0.
 #define JOINED(joint, j, x) ((few_lanes)((few_bits)PART(joint, j) & (few_bits)(x)))
-#define ABSOLUTE(x) ((few_lanes)((few_bits)(x)&INT64_MAX))
 #define FEW_BEYOND(x, limit) ((few_bits)(limit) - ((few_bits)(x)&INT64_MAX))
 
 // For each vector of n, in loops that are unrolled, or they would not be in registers.
@@ -222,7 +221,7 @@ LANES_INLINE void few_raise_peak(const struct results *r, enum peak kind, int n,
 // *sign gets negative where floors are not finite.
 LANES_INLINE void few_weigh(int n, const struct few_floors *s, few_bits *sign) {
     EACH_VECTOR(j, n) {
-        few_lanes size = ABSOLUTE(s->u[j]) + ABSOLUTE(s->v[j]) + ABSOLUTE(s->a[j]);
+        few_lanes size = s->u[j] + s->v[j] + s->a[j];
         *sign |= FEW_BEYOND(size, DBL_MAX + none);
     }
 }
@@ -241,7 +240,7 @@ LANES_INLINE bool few_raise(const struct results *r, int n, const struct few_flo
     few_raise_peak(r, PEAK_ACCELERATION, n, total, time);
     few_raise_peak(r, PEAK_DRIFT, n, s->drift, time);
     few_raise_peak(r, PEAK_SHEAR, n, s->shear, time);
-    return few_any(&sign) >= 0;
+    return !few_any(&sign);
 }
 
 // How near contacts have come.

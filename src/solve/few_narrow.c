@@ -6,7 +6,11 @@ typedef lanes few_lanes;
 typedef lanes_bits few_bits;
 #define FEW_BELOW(under, own) BELOW(under, own)
 #define FEW_ABOVE(own, over) ABOVE(own, over)
-#define few_any floors_any
+
+LANES_INLINE bool few_any(const few_bits *sign) {
+    return floors_any(sign) < 0;
+}
+
 #define FEW_CLONES LANES
 #define FEW_STEPS few_narrow
 

@@ -7,15 +7,19 @@
 
 #include "solve/few_loops.h"
 
-// *sign gets negative where a contact closes or is nearer than ever.
-LANES_INLINE void few_look(const struct flight *f, const double *u, few_bits *sign) {
+// Penetrations at the displacements u, into `delta` if that is not NULL; *sign gets negative where
+// a contact closes or is nearer than ever.
+LANES_INLINE void few_look(const struct flight *f, const double *u, double *delta, few_bits *sign) {
     const double *gap = f->gap;
     for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++) {
         const double *left = u + g->dof[0], *right = u + g->dof[1];
         const double *limit = f->work->gaps.limit + g->contact;
         EACH_VECTOR(i, PER_EIGHT) {
-            few_lanes delta = PART(left, i) - PART(right, i) - PART(gap, i);
-            *sign |= (few_bits)(PART(limit, i) - delta);
+            few_lanes d = PART(left, i) - PART(right, i) - PART(gap, i);
+            *sign |= (few_bits)(PART(limit, i) - d);
+            if (delta) {
+                *(few_lanes *)(delta + g->contact + i * WIDTH) = d;
+            }
         }
         gap += LANES_WIDTH;
     }
@@ -80,13 +84,13 @@ LANES_INLINE bool few_confirm(const struct flight *f, struct few_table *t,
     few_bits beyond = {0}, news = *ahead;
     few_strain(t, lines, n, next, &beyond);
     few_compare(peak, lines, n, next, ground, &news);
-    few_look(f, shown, &news);
+    few_look(f, shown, NULL, &news);
     news |= beyond;
-    if (few_any(&news) >= 0) {
+    if (!few_any(&news)) {
         return true;
     }
-    *end = few_any(ahead) < 0 ? step : *end;
-    return few_any(&beyond) >= 0 &&
+    *end = few_any(ahead) ? step : *end;
+    return !few_any(&beyond) &&
            few_take_note(f, lines, n, next, shown, w->ahead.time[step - w->ahead.from], ground, s);
 }
 
@@ -126,7 +130,7 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     }
     before = now;
     few_try(table, &scheme, lines, n, &now, then, &trial, residual, &beyond);
-    end = few_any(&beyond) < 0 ? from : end;
+    end = few_any(&beyond) ? from : end;
     long step = from;
     while (step < end) {
         struct few_table *t = table;
@@ -171,7 +175,21 @@ FEW_CLONES static long fly_on_lines(const struct flight *f, struct state *s, lon
                             : few_fly(f, &lines, VECTORS, s, n, end);
 }
 
-LANES_INLINE bool move(struct work *w, const struct state *now, struct state *next, int n) {
+// What is new in a step to `next`, the floors of which are not finite where *infinite is negative.
+LANES_INLINE enum few_news few_see(const struct work *w, struct state *next,
+                                   const few_bits *infinite) {
+    few_bits news = *infinite;
+    if (w->few.flight) {
+        few_look(w->few.flight, next->u, next->delta, &news);
+        if (!few_any(&news)) {
+            return FEW_NOTHING;
+        }
+    }
+    return few_any(infinite) ? FEW_INFINITE : FEW_NEAR;
+}
+
+LANES_INLINE enum few_news move(struct work *w, const struct state *now, struct state *next,
+                                int n) {
     alignas(LANES_LINE) double residual[FEW_MAX];
     struct few_floors start, trial, end;
     few_lanes q[VECTORS];
@@ -188,18 +206,20 @@ LANES_INLINE bool move(struct work *w, const struct state *now, struct state *ne
     few_put(q, n, w->correction);
     few_store(&end, NULL, n, next);
     few_weigh(n, &end, &sign);
-    return few_any(&sign) >= 0;
+    return few_see(w, next, &sign);
 }
 
-FEW_CLONES static bool take_step(struct work *w, const struct state *now, struct state *next) {
+FEW_CLONES static enum few_news take_step(struct work *w, const struct state *now,
+                                          struct state *next) {
     return is_low(w->model) ? move(w, now, next, VECTORS / 2) : move(w, now, next, VECTORS);
 }
 
-LANES_INLINE void correct(const struct work *w, const struct state *now, struct state *next,
-                          int n) {
+LANES_INLINE enum few_news correct(const struct work *w, const struct state *now,
+                                   struct state *next, int n) {
     const struct few_scheme scheme = few_scheme_of(w);
     struct few_floors start, trial, end;
     few_lanes q[VECTORS];
+    const few_bits sign = {0};
     EACH_VECTOR(j, n) {
         start.a[j] = PART(now->a, j);
         trial.u[j] = PART(w->u_trial, j);
@@ -208,11 +228,12 @@ LANES_INLINE void correct(const struct work *w, const struct state *now, struct 
     }
     few_reach(&scheme, n, &start, &trial, q, &end);
     few_store(&end, NULL, n, next);
+    return few_see(w, next, &sign);
 }
 
-FEW_CLONES static void take_corrections(const struct work *w, const struct state *now,
-                                        struct state *next) {
-    is_low(w->model) ? correct(w, now, next, VECTORS / 2) : correct(w, now, next, VECTORS);
+FEW_CLONES static enum few_news take_corrections(const struct work *w, const struct state *now,
+                                                 struct state *next) {
+    return is_low(w->model) ? correct(w, now, next, VECTORS / 2) : correct(w, now, next, VECTORS);
 }
 
 LANES_INLINE void account(const struct few_table *t, struct energy_account *a, struct results *r,
@@ -228,7 +249,7 @@ LANES_INLINE void account(const struct few_table *t, struct energy_account *a, s
     few_add_works(t, n, &start, &end, ground_2x, &works);
     few_store_works(&works, a);
     few_compare(r->peak, NULL, n, &end, ground, &sign);
-    if (few_any(&sign) < 0) {
+    if (few_any(&sign)) {
         (void)few_raise(r, n, &end, next->time, ground);
         peaks_speed(r, 0, n * WIDTH);
     }

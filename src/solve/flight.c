@@ -131,6 +131,7 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     if (f->possible) {
         group_contacts(f, m);
         assign_groups(f);
+        f->work->few.flight = f;
     }
     return true;
 }

@@ -154,6 +154,10 @@ static void add_grounds(struct gaps *g, struct state *s, int n, const int *visit
 }
 
 static void visit(struct gaps *g, struct state *s, int n, const int *visited) {
+    for (int i = 0; g->kept && i < g->n_run; i++) {
+        g->beyond[i] = false;
+    }
+    g->kept = false;
     g->n_pressed = update(g, s->u, s->delta, n, visited, g->pressed);
     if (g->model->n_ground > 1) {
         add_grounds(g, s, n, visited);
@@ -198,7 +202,7 @@ LANES static void look(const struct gaps *g, const struct gap_run *r, const doub
 }
 
 void gaps_peaks(struct gaps *g, const struct state *s) {
-    for (int i = 0; i < g->n_run; i++) {
+    for (int i = 0; !g->kept && i < g->n_run; i++) {
         if (g->beyond[i]) {
             look(g, &g->run[i], s->delta, s->time);
         }

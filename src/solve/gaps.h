@@ -27,7 +27,8 @@ struct gaps {
     int n_run;
     struct gap_run *run;
     int *run_of;               // (n_link)
-    bool *beyond;              // (n_run) at last sight, one of its links was beyond its limit
+    bool *beyond;              // (n_run) at last sight, one of its links was beyond its limit,
+    bool kept;                 // unless none is, as was found in another way
     int *start, *of_building;  // (n_building + 1): runs at each building, one list behind another
     int *visited;              // (n_run) scratch: runs that an update goes over
     int *all;                  // (n_run) all runs
@@ -44,6 +45,12 @@ void gaps_update(struct gaps *g, struct state *s);
 
 // The same where only touched buildings have moved.
 void gaps_update_touched(struct gaps *g, struct state *s);
+
+// Takes note that penetrations have been found in another way, none beyond its limit.
+static inline void gaps_keep(struct gaps *g) {
+    g->n_pressed = 0;
+    g->kept = true;
+}
 
 // Takes note of penetrations that are larger than ever.
 void gaps_peaks(struct gaps *g, const struct state *s);

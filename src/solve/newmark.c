@@ -82,13 +82,23 @@ static bool correct(const struct work *w, const struct state *now, struct state 
                          now->a + j, next->u + j, next->v + j, next->a + j);
 }
 
+// Penetrations after a step of few floors; false: it is not finite.
+static bool see(struct work *w, struct state *next, enum few_news news) {
+    if (news == FEW_NEAR) {
+        contact_penetrations(w, next);
+    } else {
+        gaps_keep(&w->gaps);
+    }
+    return news != FEW_INFINITE;
+}
+
 // The same where only the corrections of buildings with live links have changed since.
 static void correct_touched(struct work *w, const struct state *now, struct state *next) {
-    bool few = few_serves(w);
-    if (few) {
-        w->few.steps->correct(w, now, next);
+    if (w->few.serves) {
+        see(w, next, w->few.steps->correct(w, now, next));
+        return;
     }
-    for (int i = 0; !few && i < w->gaps.n_touched; i++) {
+    for (int i = 0; i < w->gaps.n_touched; i++) {
         const struct building *g = &w->model->building[w->gaps.touched[i]];
         correct(w, now, next, g->first, lanes_whole(g->n_floor));
     }
@@ -219,13 +229,17 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-// The state under the forces that live links have. False: not finite.
+// The state under the forces that live links have, and its penetrations. False: not finite.
 static bool move(struct work *w, const struct state *now, struct state *next) {
-    if (!few_serves(w)) {
-        return floors_move(w, now, next);
+    if (w->few.serves) {
+        if (w->few.factors == 0) {  // what is linear stays
+            few_factor(&w->few, w);
+        }
+        return see(w, next, w->few.steps->move(w, now, next));
     }
-    few_factor(&w->few, w);
-    return w->few.steps->move(w, now, next);
+    bool finite = floors_move(w, now, next);
+    contact_penetrations(w, next);
+    return finite;
 }
 
 // The same where the floors are linear.
@@ -235,7 +249,6 @@ static int solve_linear(struct work *w, const struct state *now, struct state *n
     if (!move(w, now, next)) {
         return not_finite(w->model, next, e);
     }
-    contact_penetrations(w, next);
     return solve_links(w, now, next);
 }
 

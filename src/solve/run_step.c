@@ -38,7 +38,7 @@ int run_poll(struct run *r, double time) {
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
     struct results *out = r->results;
-    if (few_serves(&r->work)) {
+    if (r->work.few.serves) {
         r->work.few.steps->account(r->work.few.table, &r->energy, out, r->model, r->now, r->next);
     } else {
         account_step(&r->energy, out, &r->work.floors.late, r->model, r->now, r->next);
@@ -184,6 +184,9 @@ int run_step(struct run *r, double end, double h, int cuts, double *rest) {
     if (r->model->adaptive && step_length_judge(&r->length, r->now, r->next, h) != STATUS_OK) {
         r->work.unresolved = -1;
         return STATUS_RETRY;
+    }
+    if (r->work.n_toggled == 0 && r->work.n_rigid == 0) {
+        return commit(r);
     }
     if (r->work.strictness == STEP_STRICT && !r->model->adaptive &&
         event_is_abrupt(&r->work, r->now, r->next)) {

@@ -112,6 +112,7 @@ int work_factor(struct work *w, double h) {
     }
     struct effective *e = h == w->model->dt ? w->home : w->other;
     w->h = 0.0;
+    w->few.serves = false;
     w->factors++;
     w->b = w->model->beta * h * h;
     w->g = w->model->gamma * h;
@@ -125,5 +126,6 @@ int work_factor(struct work *w, double h) {
     }
     w->effective = e;
     w->h = h;
+    w->few.serves = w->few.possible && e == w->home && w->model->n_storey_history == 0;
     return STATUS_OK;
 }
