@@ -23,11 +23,11 @@ struct h5_chunk {
 
 struct h5 {
     hid_t file;
-    hid_t text;          // type of texts: UTF-8, any length
-    hid_t references;    // type of lists of references to objects
-    hid_t scalar;        // space of an attribute
-    hid_t plain, group;  // creation lists of contiguous datasets and of groups
-    hid_t chunked;       // of the last dataset in chunks, which was like `chunk`
+    hid_t text;                   // type of texts: UTF-8, any length
+    hid_t references;             // type of lists of references to objects
+    hid_t scalar;                 // space of an attribute
+    hid_t plain, compact, group;  // creation lists of contiguous datasets, of small ones, of groups
+    hid_t chunked;                // of the last dataset in chunks, which was like `chunk`
     struct h5_chunk chunk;
     hid_t access;                     // of datasets in chunks
     hid_t transfer;                   // for writing

@@ -96,11 +96,13 @@ static hid_t create_with(struct h5 *h, hid_t parent, const struct h5_dataset *d,
     return dataset;
 }
 
+// Few values stand in the header of their dataset, which takes less time than room of their own.
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
+    enum { FEW = 64 };
     const hsize_t values = d->n_dim == 2 ? d->dim[0] * d->dim[1] : d->dim[0];
     const struct h5_chunk chunk = {d->n_dim, d->chunk_rows, d->dim[1], d->compress};
     const bool in_chunks = d->chunk_rows > 0 && values > 0;
-    hid_t list = in_chunks ? chunked_list(h, &chunk) : h->plain;
+    hid_t list = in_chunks ? chunked_list(h, &chunk) : values <= FEW ? h->compact : h->plain;
     hid_t access = in_chunks ? h->access : H5P_DEFAULT;
     if (h->failed || !d->many_users) {
         return h->failed ? -1 : create_with(h, parent, d, list, access);
