@@ -14,7 +14,7 @@ static const uint64_t checksum_start = UINT64_C(14695981039346656037);
 // The checksum of what `sum` is of, followed by the `n` bytes at `data`.
 uint64_t checksum_add(uint64_t sum, const void *data, size_t n);
 
-// The checksum of a file. Errors: STATUS_INPUT (does not exist), STATUS_SYSTEM; they name the path.
+// A checksum of a file, of words and so not that of its bytes. Errors: STATUS_INPUT (does not exist), STATUS_SYSTEM; they name the path.
 int checksum_file(const char *path, uint64_t *sum, struct error *e);
 
 #endif
