@@ -17,6 +17,7 @@ struct signal {
     size_t n;
     double dt;
     const double *value;         // (n)
+    double peak;                 // the largest absolute value
     const double *velocity;      // (n) first integral at the samples
     const double *displacement;  // (n) second integral at the samples
 

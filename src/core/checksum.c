@@ -16,9 +16,39 @@ uint64_t checksum_add(uint64_t sum, const void *data, size_t n) {
     return sum;
 }
 
+uint64_t checksum_many(uint64_t sum, const void *data, size_t n) {
+    enum { SUMS = 4 };
+    const unsigned char *byte = data;
+    uint64_t part[SUMS] = {sum, sum, sum, sum}, word[SUMS];
+    for (; n >= sizeof word; n -= sizeof word, byte += sizeof word) {
+        memcpy(word, byte, sizeof word);
+        for (int k = 0; k < SUMS; k++) {
+            part[k] = (part[k] ^ word[k]) * prime;
+        }
+    }
+    for (int k = 0; k < SUMS; k++) {
+        sum = (sum ^ part[k]) * prime;
+    }
+    return checksum_add(sum, byte, n);
+}
+
+// Fills the block as far as the file goes; bytes read, negative: error.
+static ssize_t read_block(int file, char *block, size_t size) {
+    size_t n = 0;
+    ssize_t got;
+    do {
+        got = read(file, block + n, size - n);
+        if (got < 0 && errno != EINTR) {
+            return -1;
+        }
+        n += got > 0 ? (size_t)got : 0;
+    } while (got != 0 && n < size);
+    return (ssize_t)n;
+}
+
 int checksum_file(const char *path, uint64_t *sum, struct error *e) {
-    enum { BUFFER = 16384 };
-    unsigned char buffer[BUFFER];
+    enum { BLOCK = 65536 };
+    char block[BLOCK];
     int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) {
         bool missing = errno == ENOENT || errno == ENOTDIR;
@@ -27,8 +57,8 @@ int checksum_file(const char *path, uint64_t *sum, struct error *e) {
     }
     *sum = checksum_start;
     ssize_t n;
-    while ((n = read(file, buffer, sizeof buffer)) > 0 || (n < 0 && errno == EINTR)) {
-        *sum = checksum_add(*sum, buffer, n > 0 ? (size_t)n : 0);
+    while ((n = read_block(file, block, sizeof block)) > 0) {
+        *sum = checksum_many(*sum, block, (size_t)n);
     }
     int status = STATUS_OK;
     if (n < 0) {

@@ -4,7 +4,6 @@
 
 #include <float.h>
 #include <langinfo.h>
-#include <limits.h>
 #include <locale.h>
 #include <math.h>
 #include <stdlib.h>
@@ -14,83 +13,63 @@ static bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-static const char *skip_digits(const char *at) {
-    while (is_digit(*at)) {
-        at++;
+// A decimal number as it is written: whole * 10^scale. Numbers from LONG_NUMBER on stay there.
+struct decimal {
+    long long whole, scale;
+};
+static const long long LONG_NUMBER = 1000000000000000;  // of more than 15 digits
+
+// Appends the digits at `at` to *whole; their end.
+static const char *take_digits(const char *at, long long *whole) {
+    for (; is_digit(*at); at++) {
+        *whole = *whole < LONG_NUMBER ? 10 * *whole + (*at - '0') : LONG_NUMBER;
     }
     return at;
+}
+
+// The end of the exponent at `at`, where there is one; otherwise `at`.
+static const char *take_exponent(const char *at, struct decimal *d) {
+    if (*at != 'e' && *at != 'E') {
+        return at;
+    }
+    const char *digits = at + 1 + (at[1] == '+' || at[1] == '-');
+    long long power = 0;
+    const char *end = take_digits(digits, &power);
+    d->scale += at[1] == '-' ? -power : power;
+    return end > digits ? end : at;
 }
 
 // The end of the decimal number at `text`; NULL: none stands there.
-static const char *number_end(const char *text) {
-    const char *at = text + (*text == '+' || *text == '-');
-    const char *whole = at;
-    at = skip_digits(at);
-    bool digits = at > whole;
+static const char *take_decimal(const char *text, struct decimal *d) {
+    const char *start = text + (*text == '+' || *text == '-');
+    const char *at = take_digits(start, &d->whole);
+    long n_digit = at - start;
     if (*at == '.') {
         const char *fraction = at + 1;
-        at = skip_digits(fraction);
-        digits = digits || at > fraction;
+        at = take_digits(fraction, &d->whole);
+        d->scale = fraction - at;
+        n_digit += at - fraction;
     }
-    if (!digits) {
+    if (n_digit == 0) {
         return NULL;
     }
-    if (*at == 'e' || *at == 'E') {
-        const char *exponent = at + 1 + (at[1] == '+' || at[1] == '-');
-        if (is_digit(*exponent)) {
-            at = skip_digits(exponent);
-        }
-    }
-    return at;
+    return take_exponent(at, d);
 }
 
-// The exponent from `at` to `end`; beyond any range: INT_MAX.
-static int exponent_of(const char *at, const char *end) {
-    bool negative = *at == '-';
-    int exponent = 0;
-    for (at += *at == '+' || *at == '-'; at < end; at++) {
-        if (exponent > DBL_MAX_10_EXP) {
-            return INT_MAX;
-        }
-        exponent = 10 * exponent + (*at - '0');
-    }
-    return negative ? -exponent : exponent;
-}
-
-// The number from `text` to `end` where one operation gives it, and so the double nearest to it:
-// at most 15 digits are a whole number that doubles hold, and so are powers of ten up to 22
-// (Clinger 1990, How to read floating point numbers accurately, section 3). NAN: it takes more.
-static double short_number(const char *text, const char *end) {
+// The number where one operation gives it, and so the double nearest to it: at most 15 digits are a
+// whole number that doubles hold, and so are powers of ten up to 22 (Clinger 1990, How to read
+// floating point numbers accurately, section 3). NAN: it takes more.
+static double short_number(const struct decimal *d) {
     static const double power[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    enum { DIGITS_MAX = 15, POWER_MAX = sizeof power / sizeof power[0] - 1 };
-    long long whole = 0;
-    int n = 0, scale = 0;
-    bool fraction = false;
-    const char *at = text + (*text == '+' || *text == '-');
-    for (; at < end && *at != 'e' && *at != 'E'; at++) {
-        if (*at == '.') {
-            fraction = true;
-            continue;
-        }
-        whole = 10 * whole + (*at - '0');
-        n += whole > 0;
-        scale -= fraction;
-        if (n > DIGITS_MAX || scale < -POWER_MAX) {
-            return NAN;
-        }
-    }
-    int exponent = at < end ? exponent_of(at + 1, end) : 0;
-    if (FLT_EVAL_METHOD != 0 || exponent > POWER_MAX || exponent < -POWER_MAX) {
+    enum { POWER_MAX = sizeof power / sizeof power[0] - 1 };
+    if (FLT_EVAL_METHOD != 0 || d->whole >= LONG_NUMBER || d->scale > POWER_MAX ||
+        d->scale < -POWER_MAX) {
         return NAN;
     }
-    scale += exponent;
-    if (scale > POWER_MAX || scale < -POWER_MAX) {
-        return NAN;
-    }
-    double x = scale < 0 ? (double)whole / power[-scale] : (double)whole * power[scale];
-    return *text == '-' ? -x : x;
+    const double whole = (double)d->whole;
+    return d->scale < 0 ? whole / power[-d->scale] : whole * power[d->scale];
 }
 
 // strtod in the C locale, whatever the locale of the thread is.
@@ -113,13 +92,15 @@ static double number_value(const char *text, char **stop) {
 enum text_number text_number(const char *text, const char **end, double *value) {
     *end = text;
     *value = NAN;
-    const char *last = number_end(text);
+    struct decimal decimal = {0, 0};
+    const char *last = take_decimal(text, &decimal);
     if (!last) {
         return TEXT_NUMBER_NONE;
     }
     *end = last;
-    *value = short_number(text, last);
-    if (!isnan(*value)) {
+    const double size = short_number(&decimal);
+    if (!isnan(size)) {
+        *value = *text == '-' ? -size : size;
         return TEXT_NUMBER_OK;
     }
     char *stop;

@@ -194,6 +194,7 @@ int record_check(const struct record_request *request, const struct record_text 
     }
     out->n = content->n;
     out->value = content->value;
+    out->peak = fabs(content->value[content->peak]);
     int status = check_dt(&c, e);
     if (!status) {
         status = check_unit(&c, e);

@@ -36,8 +36,10 @@ int signal_init_samples(struct signal *s, struct arena *a, const double *value, 
     if (!y || !v || !u) {
         return error_no_memory(e);
     }
+    double peak = 0.0;
     for (size_t j = 0; j < n; j++) {
         y[j] = scale * value[j];
+        peak = fabs(y[j]) > peak ? fabs(y[j]) : peak;
     }
     integrate_samples(n, dt, y, v, u);
     *s = (struct signal){
@@ -46,6 +48,7 @@ int signal_init_samples(struct signal *s, struct arena *a, const double *value, 
         .n = n,
         .dt = dt,
         .value = y,
+        .peak = peak,
         .velocity = v,
         .displacement = u,
     };
@@ -145,12 +148,8 @@ void signal_integrals(const struct signal *s, double t, double *velocity, double
 }
 
 double signal_peak(const struct signal *s) {
-    if (!s->value) {
-        return s->omega > 0.0 ? fabs(s->amplitude) : fabs(s->amplitude * sin(s->phase));
+    if (s->value) {
+        return s->peak;
     }
-    double peak = 0.0;
-    for (size_t j = 0; j < s->n; j++) {
-        peak = fmax(peak, fabs(s->value[j]));
-    }
-    return peak;
+    return s->omega > 0.0 ? fabs(s->amplitude) : fabs(s->amplitude * sin(s->phase));
 }

@@ -79,6 +79,8 @@ static void open_lists(struct h5 *h) {
     }
     h5_failed(h, H5Pset_obj_track_times(h->plain, false));
     h5_failed(h, H5Pset_obj_track_times(h->group, false));
+    h->compact = H5Pcopy(h->plain);
+    h5_failed(h, H5Pset_layout(h->compact, H5D_COMPACT));
     h5_failed(h, H5Pset_chunk_cache(h->access, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT));
     h5_failed(h, H5Pset_buffer(h->transfer, CONVERSION_BUFFER, NULL, NULL));
 }
@@ -113,7 +115,7 @@ void h5_open_types(struct h5 *h) {
 }
 
 void h5_close_types(struct h5 *h) {
-    hid_t *const held[] = {&h->text,  &h->references, &h->scalar, &h->plain,
+    hid_t *const held[] = {&h->text,  &h->references, &h->scalar, &h->plain,   &h->compact,
                            &h->group, &h->chunked,    &h->access, &h->transfer};
     for (size_t i = 0; i < sizeof held / sizeof held[0]; i++) {
         if (*held[i] > 0) {

@@ -23,11 +23,11 @@ struct h5_chunk {
 
 struct h5 {
     hid_t file;
-    hid_t text;          // type of texts: UTF-8, any length
-    hid_t references;    // type of lists of references to objects
-    hid_t scalar;        // space of an attribute
-    hid_t plain, group;  // creation lists of contiguous datasets and of groups
-    hid_t chunked;       // of the last dataset in chunks, which was like `chunk`
+    hid_t text;                   // type of texts: UTF-8, any length
+    hid_t references;             // type of lists of references to objects
+    hid_t scalar;                 // space of an attribute
+    hid_t plain, compact, group;  // creation lists of contiguous datasets, of small ones, of groups
+    hid_t chunked;                // of the last dataset in chunks, which was like `chunk`
     struct h5_chunk chunk;
     hid_t access;                     // of datasets in chunks
     hid_t transfer;                   // for writing
@@ -65,6 +65,7 @@ hid_t h5_group(struct h5 *h, hid_t parent, const char *name);
 void h5_close(struct h5 *h, hid_t object);  // a group or dataset; negative is allowed
 void h5_hard_link(struct h5 *h, hid_t object, hid_t parent, const char *name);
 
+// Attributes. A text replaces one that is there.
 void h5_put_text(struct h5 *h, hid_t object, const char *name, const char *text);
 void h5_put_long(struct h5 *h, hid_t object, const char *name, long value);
 void h5_put_double(struct h5 *h, hid_t object, const char *name, double value);
@@ -80,6 +81,8 @@ void h5_list_uses(struct h5 *h);
 void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data);
 // Creates the dimension scale `name` with the numbers 1..n; open.
 hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *long_name, size_t n);
+// All values of an open dataset.
+void h5_put_all(struct h5 *h, hid_t dataset, hid_t memory_type, const void *data);
 // Rows [first, first + n) of an open dataset of doubles, `width` values each (0: one dimension).
 void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
                  const double *value);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Boxes of datasets with several dimensions.
+#include <stdlib.h>
+#include <string.h>
+
 #include "result/h5.h"
 
 // Selects the box in the file and in memory; false after a failure. Both are to be closed.
@@ -41,8 +44,22 @@ static void get(struct h5 *h, hid_t dataset, const struct h5_block *part, hid_t 
     close_spaces(file, memory);
 }
 
+// The columns go side by side first: from rows with others between, the library writes each row of
+// a dataset that is not in chunks by itself.
 void h5_put_block(struct h5 *h, hid_t dataset, const struct h5_block *part, const double *value) {
-    put(h, dataset, part, H5T_NATIVE_DOUBLE, value);
+    const size_t width = (size_t)part->width;
+    double *row = h->failed ? NULL : malloc(((size_t)part->n * width + 1) * sizeof *row);
+    if (!row) {
+        h5_fail(h, "out of memory");
+        return;
+    }
+    for (size_t i = 0; i < part->n; i++) {
+        memcpy(row + i * width, value + i * part->stride, width * sizeof *row);
+    }
+    struct h5_block packed = *part;
+    packed.stride = part->width;
+    put(h, dataset, &packed, H5T_NATIVE_DOUBLE, row);
+    free(row);
 }
 
 void h5_put_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, const int *value) {

@@ -25,26 +25,21 @@ static void add_attribute(struct h5 *h, hid_t object, const char *name, hid_t ty
     }
 }
 
-static void put_attribute(struct h5 *h, hid_t object, const char *name, hid_t type,
-                          const void *value) {
+void h5_put_text(struct h5 *h, hid_t object, const char *name, const char *text) {
     htri_t present = h->failed ? -1 : H5Aexists(object, name);
     if (present > 0) {
-        write_attribute(h, H5Aopen(object, name, H5P_DEFAULT), type, value);
+        write_attribute(h, H5Aopen(object, name, H5P_DEFAULT), h->text, &text);
     } else if (!h5_failed(h, present)) {
-        add_attribute(h, object, name, type, value);
+        add_attribute(h, object, name, h->text, &text);
     }
 }
 
-void h5_put_text(struct h5 *h, hid_t object, const char *name, const char *text) {
-    put_attribute(h, object, name, h->text, &text);
-}
-
 void h5_put_long(struct h5 *h, hid_t object, const char *name, long value) {
-    put_attribute(h, object, name, H5T_NATIVE_LONG, &value);
+    add_attribute(h, object, name, H5T_NATIVE_LONG, &value);
 }
 
 void h5_put_double(struct h5 *h, hid_t object, const char *name, double value) {
-    put_attribute(h, object, name, H5T_NATIVE_DOUBLE, &value);
+    add_attribute(h, object, name, H5T_NATIVE_DOUBLE, &value);
 }
 
 // Rows not yet written read as NaN.
@@ -101,11 +96,13 @@ static hid_t create_with(struct h5 *h, hid_t parent, const struct h5_dataset *d,
     return dataset;
 }
 
+// Few values stand in the header of their dataset, which takes less time than room of their own.
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
+    enum { FEW = 64 };
     const hsize_t values = d->n_dim == 2 ? d->dim[0] * d->dim[1] : d->dim[0];
     const struct h5_chunk chunk = {d->n_dim, d->chunk_rows, d->dim[1], d->compress};
     const bool in_chunks = d->chunk_rows > 0 && values > 0;
-    hid_t list = in_chunks ? chunked_list(h, &chunk) : h->plain;
+    hid_t list = in_chunks ? chunked_list(h, &chunk) : values <= FEW ? h->compact : h->plain;
     hid_t access = in_chunks ? h->access : H5P_DEFAULT;
     if (h->failed || !d->many_users) {
         return h->failed ? -1 : create_with(h, parent, d, list, access);
@@ -143,7 +140,7 @@ hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     return dataset;
 }
 
-static void write_all(struct h5 *h, hid_t dataset, hid_t memory_type, const void *data) {
+void h5_put_all(struct h5 *h, hid_t dataset, hid_t memory_type, const void *data) {
     if (!h->failed) {
         h5_failed(h, H5Dwrite(dataset, memory_type, H5S_ALL, H5S_ALL, h->transfer, data));
     }
@@ -155,7 +152,7 @@ void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *
         return;
     }
     if (d->dim[0] > 0) {
-        write_all(h, dataset, d->memory_type, data);
+        h5_put_all(h, dataset, d->memory_type, data);
     }
     h5_close(h, dataset);
 }
@@ -179,7 +176,7 @@ hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *lon
     };
     hid_t scale = h5_dataset(h, parent, &d);
     if (scale >= 0 && n > 0) {
-        write_all(h, scale, H5T_NATIVE_INT, number);
+        h5_put_all(h, scale, H5T_NATIVE_INT, number);
     }
     free(number);
     return scale;
@@ -273,5 +270,5 @@ void h5_put_column(struct h5 *h, hid_t parent, const struct column_table *t, int
 void h5_put_member(struct h5 *h, hid_t object, const struct column_table *t, int c,
                    const void *base) {
     const struct h5_dataset d = column_dataset(h, &t->column[c]);
-    put_attribute(h, object, t->column[c].name, d.memory_type, layout_at(t, c, base, 0));
+    add_attribute(h, object, t->column[c].name, d.memory_type, layout_at(t, c, base, 0));
 }

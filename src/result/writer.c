@@ -71,25 +71,29 @@ bool writer_in_blocks(const struct result_writer *w) {
     return (size_t)w->report->n_row > w->capacity;
 }
 
-// Of a file of its own.
+// A file of its own that comes in blocks can be read if the run is killed.
 static void synchronise(struct result_writer *w) {
-    if (!w->h->failed && w->h == &w->own) {
+    if (!w->h->failed && w->h == &w->own && writer_in_blocks(w)) {
         h5_failed(w->h, H5Fflush(w->h->file, H5F_SCOPE_LOCAL));
     }
 }
 
-// A file in blocks can be read if the run is killed.
+static void put_rows(struct result_writer *w, const struct stream *s) {
+    if (writer_in_blocks(w)) {
+        h5_put_rows(w->h, s->dataset, (hsize_t)w->n_written, w->pending,
+                    s->n_dim == 2 ? s->width : 0, s->row);
+    } else {
+        h5_put_all(w->h, s->dataset, H5T_NATIVE_DOUBLE, s->row);
+    }
+}
+
 static int flush(struct result_writer *w, struct error *e) {
     for (int i = 0; i < w->n_stream && w->pending > 0; i++) {
-        const struct stream *s = &w->stream[i];
-        if (s->width > 0) {
-            h5_put_rows(w->h, s->dataset, (hsize_t)w->n_written, w->pending,
-                        s->n_dim == 2 ? s->width : 0, s->row);
+        if (w->stream[i].width > 0) {
+            put_rows(w, &w->stream[i]);
         }
     }
-    if (writer_in_blocks(w)) {
-        synchronise(w);
-    }
+    synchronise(w);
     w->n_written += (long)w->pending;
     w->pending = 0;
     return w->h->failed ? writer_failed(w, e) : STATUS_OK;

@@ -68,13 +68,15 @@ static void put_impacts(struct h5 *h, hid_t root, const struct report *r) {
 }
 
 // The account at the end as attributes: histories may be of single precision.
-static void put_energy_end(struct h5 *h, hid_t root, const struct report *r) {
-    hid_t group = h5_open_object(h, root, "energy");
-    for (int i = 0; i < ENERGY_COUNT; i++) {
-        hid_t history = h5_open_object(h, group, energy_names[i]);
-        h5_put_double(h, history, "final", r->energy[i]);
-        h5_close(h, history);
+static void put_energy_end(struct result_writer *w, const struct report *r) {
+    struct h5 *h = w->h;
+    for (int i = 0; i < w->n_stream; i++) {
+        const struct stream *s = &w->stream[i];
+        if (s->source == SOURCE_ENERGY) {
+            h5_put_double(h, s->dataset, "final", r->energy[s->first]);
+        }
     }
+    hid_t group = h5_open_object(h, w->root, "energy");
     h5_put_double(h, group, "initial", r->initial_energy);
     h5_put_double(h, group, "residual_peak", r->residual_peak);
     h5_close(h, group);
@@ -94,7 +96,7 @@ void writer_results(struct result_writer *w, const struct report *r) {
                           (size_t)r->n_link);
     }
     put_impacts(h, w->root, r);
-    put_energy_end(h, w->root, r);
+    put_energy_end(w, r);
     for (int c = 0; c < layout_totals.n_column; c++) {
         h5_put_member(h, w->root, &layout_totals, c, &r->totals);
     }

@@ -23,7 +23,7 @@ size_t entry_seal(unsigned char *entry, enum entry_kind kind, size_t n) {
     const uint32_t head[2] = {(uint32_t)kind, (uint32_t)n};
     _Static_assert(sizeof head == ENTRY_HEAD, "as written");
     memcpy(entry, head, sizeof head);
-    const uint64_t sum = checksum_add(checksum_start, entry, ENTRY_HEAD + n);
+    const uint64_t sum = checksum_many(checksum_start, entry, ENTRY_HEAD + n);
     memcpy(entry + ENTRY_HEAD + n, &sum, sizeof sum);
     return ENTRY_HEAD + n + ENTRY_TAIL;
 }
@@ -40,7 +40,7 @@ bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
 bool entry_is_sound(const unsigned char *entry, size_t n) {
     uint64_t sum;
     memcpy(&sum, entry + ENTRY_HEAD + n, sizeof sum);
-    return sum == checksum_add(checksum_start, entry, ENTRY_HEAD + n);
+    return sum == checksum_many(checksum_start, entry, ENTRY_HEAD + n);
 }
 
 size_t entry_run_size(size_t n_value) {

@@ -12,7 +12,7 @@
 #include "core/checksum.h"
 #include "study/entry.h"
 
-static const char magic[8] = "jostle1\n";
+static const char magic[8] = "jostle2\n";
 
 static int cannot(const struct journal *j, const char *what, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot %s %s: %s", what, j->path, strerror(errno));
@@ -221,8 +221,7 @@ int journal_reset(struct journal *j, const char *head, struct error *e) {
         return cannot(j, "write", e);
     }
     memcpy(entry_content(j->buffer), head, n);
-    int status = append(j, ENTRY_HEAD_TEXT, n, e);
-    return status == STATUS_OK ? journal_sync(j, e) : status;
+    return append(j, ENTRY_HEAD_TEXT, n, e);
 }
 
 int journal_add_file(struct journal *j, const char *path, uint64_t sum, struct error *e) {

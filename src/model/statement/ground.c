@@ -159,17 +159,13 @@ static bool record_scale(struct builder *b, const struct argument *a, const stru
     if (!to->given) {
         return true;
     }
-    double peak = 0.0;
-    for (size_t j = 0; j < r->n; j++) {
-        peak = fmax(peak, fabs(r->value[j]));
-    }
     const char *key = a[R_SA].given ? "sa" : "pga";
     if (a[R_SCALE].given || (a[R_SA].given && a[R_PGA].given)) {
         deck_error(b->deck, &to->key, "give -%s or -%s, not both",
                    a[R_SCALE].given ? "scale" : "pga", key);
         return false;
     }
-    if (peak == 0.0) {
+    if (r->peak == 0.0) {
         deck_error(b->deck, file, "every value of the record is 0; it cannot be scaled to a %s",
                    a[R_SA].given ? "spectral acceleration" : "PGA");
         return false;
@@ -177,7 +173,7 @@ static bool record_scale(struct builder *b, const struct argument *a, const stru
     if (a[R_SA].given) {
         return true;
     }
-    *scale = a[R_PGA].number[0] / peak;
+    *scale = a[R_PGA].number[0] / r->peak;
     return true;
 }
 
