@@ -243,20 +243,24 @@ LANES static void find_reach(struct dp *p, int n) {
     p->deepens = deepens != 0;
 }
 
-struct dp_event dp_event_first(struct dp *p) {
-    struct dp_event first = nothing;
+static void take_earlier(struct dp *p, struct dp_event event) {
+    if (event.place < p->event.place) {
+        p->event = event;
+    }
+}
+
+void dp_event_first(struct dp *p) {
+    p->event.kind = DP_NONE;
+    p->event.place = INFINITY;
     find_reach(p, p->model->n_contact);
     for (int k = 0, n = p->closes ? p->model->n_contact : 0; k < n; k++) {
         if (p->reach[k] > 0.0 || p->now.link[k].closed) {
-            struct dp_event event = link_event(p, k);
-            first = event.place < first.place ? event : first;
+            take_earlier(p, link_event(p, k));
         }
     }
     for (int n = 0; n < p->system.n_inelastic; n++) {
-        struct dp_event event = storey_event(p, p->system.inelastic[n]);
-        first = event.place < first.place ? event : first;
+        take_earlier(p, storey_event(p, p->system.inelastic[n]));
     }
-    return first;
 }
 
 static bool is_of_storey(const struct dp_event *e) {

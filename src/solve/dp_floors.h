@@ -1,47 +1,224 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The right-hand side for every floor, for loops that are compiled in lanes.
+// What a step does with every floor, in vectors: dp_narrow.c and dp_wide.c say what a vector is
+// (dp_lanes, dp_bits), how the floors below and above those of a vector are taken from it and its
+// neighbour (DP_BELOW, DP_ABOVE), where functions run (DP_CLONES) and what they make up
+// (DP_FLOORS). Neighbours come from registers, as a load that spans two stores made just before
+// would wait until both are in the cache.
 #ifndef JOSTLE_DP_FLOORS_H
 #define JOSTLE_DP_FLOORS_H
 
-#include <assert.h>
+#include <string.h>
 
 #include "core/lanes.h"
-#include "solve/dp_system.h"
+#include "solve/dp.h"
 
-LANES_INLINE double dp_floors_sum(const double *x, int n) {
-    static_assert(LANES_WIDTH == 2 * LANES_VECTOR && LANES_VECTOR == 4, "all of them are summed");
-    const lanes *part = (const lanes *)x;
-    lanes even = {0.0}, odd = {0.0};
-    for (int j = 0, end = lanes_whole(n) / LANES_VECTOR; j < end; j += 2) {
-        even += part[j];
-        odd += part[j + 1];
+enum { WIDTH = sizeof(dp_lanes) / sizeof(double) };
+
+// The vector of an array from i on.
+#define PART(x, i) (*(const dp_lanes *)((x) + (i)))
+
+// The stages that sums go over: the first ones, or those that the solution is made of.
+enum terms { ALL_BEFORE, BUT_SECOND };
+
+// Weights of the accelerations of n stages in the sums for v and for u, in which the last one has
+// no share.
+enum { TERMS_MAX = 6 };
+struct sums {
+    int n;
+    enum terms terms;
+    double v[TERMS_MAX], u[TERMS_MAX];
+};
+
+static const double node[DP_STAGES] = {0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0};
+
+// Rows of A and of A A.
+static const struct sums stage_sums[DP_STAGES] = {
+    {0},
+    {1, ALL_BEFORE, {1.0 / 5.0}, {0.0}},
+    {2, ALL_BEFORE, {3.0 / 40.0, 9.0 / 40.0}, {9.0 / 200.0, 0.0}},
+    {3, ALL_BEFORE, {44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0}, {-12.0 / 25.0, 4.0 / 5.0, 0.0}},
+    {4,
+     ALL_BEFORE,
+     {19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0},
+     {-12248.0 / 6561.0, 7208.0 / 2187.0, -6784.0 / 6561.0, 0.0}},
+    {5,
+     ALL_BEFORE,
+     {9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0},
+     {-533.0 / 264.0, 91.0 / 22.0, -56.0 / 33.0, 7.0 / 88.0, 0.0}},
+    {5,
+     BUT_SECOND,
+     {35.0 / 384.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0},
+     {35.0 / 384.0, 50.0 / 159.0, 25.0 / 192.0, -243.0 / 6784.0, 0.0}},
+};
+
+// The difference of the solutions of order 5 and 4.
+static const struct sums error_sums = {
+    6,
+    BUT_SECOND,
+    {71.0 / 57600.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0,
+     -1.0 / 40.0},
+    {611.0 / 230400.0, -514.0 / 83475.0, 391.0 / 38400.0, -4617.0 / 1356800.0, -11.0 / 3360.0, 0.0},
+};
+
+// Their accelerations.
+LANES_INLINE void gather(const struct dp *p, const struct sums *s, const double **a) {
+    for (int j = 0; j < s->n; j++) {
+        a[j] = p->stage[s->terms == BUT_SECOND && j > 0 ? j + 1 : j]->a;
     }
-    even += odd;
-    return (even[0] + even[1]) + (even[2] + even[3]);
 }
 
-// Accelerations of all floors from r->u and r->v without links, loads and what is special, under
-// the ground acceleration `ground`, and what the ground and the dampers do.
-LANES_INLINE void dp_floors_rates(const struct dp_system *s, double ground, struct dp_rates *r) {
-    const double *k_below = s->row[DP_K_BELOW], *c_below = s->row[DP_C_BELOW];
-    const double *k_own = s->row[DP_K_OWN], *c_own = s->row[DP_C_OWN];
-    const double *k_above = s->row[DP_K_ABOVE], *c_above = s->row[DP_C_ABOVE];
-    const double *constant = s->row[DP_CONSTANT], *share = s->row[DP_GROUND];
-    const double *mass = s->model->chain.mass;
-    const double *u = r->u, *v = r->v;
-    double *a = r->a, *carried = s->carried, *damped = s->damped;
-    int n = s->model->n_dof;
-    LANES_LOOP
-    for (int i = 0, end = lanes_whole(n); i < end; i++) {
-        double spring = k_below[i] * u[i - 1] + k_own[i] * u[i] + k_above[i] * u[i + 1];
-        double damping = c_below[i] * v[i - 1] + c_own[i] * v[i] + c_above[i] * v[i + 1];
-        double momentum = mass[i] * v[i];
-        carried[i] = share[i] * momentum;
-        damped[i] = damping * momentum;
-        a[i] = constant[i] - ground * share[i] - (spring + damping);
+struct motion_part {
+    dp_lanes u, v;
+};
+
+// Those sums for the floors from i on. Where this is expanded n is a constant. The last
+// acceleration, for which all else waits, comes last.
+LANES_INLINE struct motion_part sum_part(int n, const struct sums *s, const double *const *a,
+                                         ptrdiff_t i) {
+    struct motion_part sum = {s->u[0] * PART(a[0], i), s->v[0] * PART(a[0], i)};
+    for (int j = 1; j < n; j++) {
+        if (j + 1 < n) {
+            sum.u += s->u[j] * PART(a[j], i);
+        }
+        sum.v += s->v[j] * PART(a[j], i);
     }
-    r->input = -ground * dp_floors_sum(carried, n);
-    r->damping = dp_floors_sum(damped, n);
+    return sum;
 }
+
+// A stage at `to` after the start (u0, v0) of a step of h.
+struct stage {
+    const struct sums *sums;
+    const double *const *a;  // accelerations of the stages before
+    const double *u0, *v0;
+    double to, h;
+};
+
+LANES_INLINE struct motion_part move_part(int n, const struct stage *s, ptrdiff_t i) {
+    const double h = s->h, h2 = h * h;
+    struct motion_part sum = sum_part(n, s->sums, s->a, i);
+    struct motion_part end = {PART(s->u0, i) + s->to * PART(s->v0, i), PART(s->v0, i) + h * sum.v};
+    if (n > 1) {
+        end.u += h2 * sum.u;
+    }
+    return end;
+}
+
+// Motion and accelerations of `count` floors, whole lanes, without links, loads and what is
+// special, under the ground acceleration `ground`.
+LANES_INLINE void take_floors(int n, const struct stage *s, double *const *row, double ground,
+                              ptrdiff_t count, const struct dp_rates *r) {
+    const double *k_below = row[DP_K_BELOW], *c_below = row[DP_C_BELOW];
+    const double *k_own = row[DP_K_OWN], *c_own = row[DP_C_OWN];
+    const double *k_above = row[DP_K_ABOVE], *c_above = row[DP_C_ABOVE];
+    const double *constant = row[DP_CONSTANT], *share = row[DP_GROUND];
+    double *u = r->u, *v = r->v, *a = r->a;
+    struct motion_part under = {{0.0}, {0.0}}, own = move_part(n, s, 0);
+    _Pragma("GCC unroll 4") for (ptrdiff_t i = 0; i < count; i += WIDTH) {
+        struct motion_part over = {{0.0}, {0.0}};
+        if (i + WIDTH < count) {
+            over = move_part(n, s, i + WIDTH);
+        }
+        dp_lanes spring = PART(k_below, i) * DP_BELOW(under.u, own.u) + PART(k_own, i) * own.u +
+                          PART(k_above, i) * DP_ABOVE(own.u, over.u);
+        dp_lanes still = PART(constant, i) - ground * PART(share, i) - spring;
+        dp_lanes joined = PART(c_below, i) * DP_BELOW(under.v, own.v) +
+                          PART(c_above, i) * DP_ABOVE(own.v, over.v);
+        *(dp_lanes *)(u + i) = own.u;
+        *(dp_lanes *)(v + i) = own.v;
+        *(dp_lanes *)(a + i) = still - PART(c_own, i) * own.v - joined;
+        under = own;
+        own = over;
+    }
+}
+
+// Stage number s of the step, at time t.
+LANES_INLINE void take_stage(struct dp *p, int s, double t, ptrdiff_t count) {
+    const struct sums *sums = &stage_sums[s];
+    struct dp_rates *r = p->stage[s];
+    const double *a[TERMS_MAX];
+    gather(p, sums, a);
+    const struct stage stage = {
+        .sums = sums, .a = a, .u0 = p->now.u, .v0 = p->now.v, .to = node[s] * p->h, .h = p->h};
+    double ground = dp_system_ground(&p->system, t, r);
+    take_floors(sums->n, &stage, p->system.row, ground, count, r);
+    if (p->system.special || p->now.n_live > 0) {
+        dp_system_add(&p->system, &p->now, t, r);
+    }
+}
+
+LANES_INLINE void take_stages(struct dp *p, ptrdiff_t count) {
+    double start = p->now.time;
+    take_stage(p, 1, start + node[1] * p->h, count);
+    take_stage(p, 2, start + node[2] * p->h, count);
+    take_stage(p, 3, start + node[3] * p->h, count);
+    take_stage(p, 4, start + node[4] * p->h, count);
+    take_stage(p, 5, p->next.time, count);
+    take_stage(p, 6, p->next.time, count);
+}
+
+// Most small models have so many floors in whole lanes, of which vectors are then in registers.
+enum { FEW = 2 * LANES_WIDTH };
+
+DP_CLONES static void take(struct dp *p) {
+    ptrdiff_t count = lanes_whole(p->model->n_dof);
+    if (count == FEW) {
+        take_stages(p, FEW);
+    } else {
+        take_stages(p, count);
+    }
+}
+
+#define LARGER(x, y) (((x) & ((x) > (y))) | ((y) & ~((x) > (y))))
+
+// The larger one of the errors of a floor in u and v over their sizes, of all floors. Numbers that
+// are not negative stand in the order of their bits, and what is not a number stands above all.
+DP_CLONES static double largest_error(const struct dp *p) {
+    const double *a[TERMS_MAX];
+    gather(p, &error_sums, a);
+    const double *scale_u = p->scales.over_u, *scale_v = p->scales.over_v;
+    const double h = p->h, h2 = h * h;
+    dp_bits largest = {0};
+    for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += WIDTH) {
+        struct motion_part error = sum_part(TERMS_MAX, &error_sums, a, i);
+        dp_bits of_u = (dp_bits)(h2 * error.u * PART(scale_u, i)) & INT64_MAX;
+        dp_bits of_v = (dp_bits)(h * error.v * PART(scale_v, i)) & INT64_MAX;
+        of_u = LARGER(of_u, of_v);
+        largest = LARGER(of_u, largest);
+    }
+    int64_t most[WIDTH];
+    memcpy(most, &largest, sizeof most);
+    for (int n = WIDTH / 2; n > 0; n /= 2) {
+        for (int i = 0; i < n; i++) {
+            most[i] = most[i] > most[i + n] ? most[i] : most[i + n];
+        }
+    }
+    double error;
+    memcpy(&error, most, sizeof error);
+    return error;
+}
+
+// Twice the works of ground and dampers on all floors, in the times given to the stages; the second
+// one never has any.
+DP_CLONES static void add_works(const struct dp *p, const double *time,
+                                struct energy_account *energy) {
+    static const int counted[] = {0, 2, 3, 4, 5, 6};
+    enum { COUNTED = sizeof counted / sizeof counted[0] };
+    double *const *row = p->system.row;
+    const double *carried = row[DP_CARRIED], *own = row[DP_DAMPER], *above = row[DP_DAMPER_ABOVE];
+    for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += WIDTH) {
+        dp_lanes way = {0.0}, work = {0.0};
+        for (int j = 0; j < COUNTED; j++) {
+            const struct dp_rates *r = p->stage[counted[j]];
+            dp_lanes v = PART(r->v, i);
+            dp_lanes force = PART(own, i) * v + PART(above, i) * PART(r->v, i + 1);
+            way += time[counted[j]] * r->ground.a[0] * v;
+            work += time[counted[j]] * v * force;
+        }
+        *(dp_lanes *)(energy->input_2x + i % LANES_WIDTH) -= 2.0 * PART(carried, i) * way;
+        *(dp_lanes *)(energy->damping_2x + i % LANES_WIDTH) += 2.0 * work;
+    }
+}
+
+const struct dp_floors DP_FLOORS = {take, largest_error, add_works};
 
 #endif

@@ -9,8 +9,8 @@
 #include "core/number.h"
 #include "solve/dp.h"
 
-// Distance in the step of the three values, and how much an acceleration may exceed those at the
-// stages.
+// Distance in the step of the three values, and how far the interpolation of an acceleration may be
+// too low.
 static const double BESIDE = 0.02, BEYOND = 1.1;
 
 // Floors, in whole lanes, that are looked at together.
@@ -87,7 +87,7 @@ static double acceleration_place(const struct dp *p, const struct building *g, i
     struct polynomial a = {{2.0 * u.c[2] / square + ground0,
                             6.0 * u.c[3] / square + ground1 - ground0, 12.0 * u.c[4] / square,
                             20.0 * u.c[5] / square, 0.0, 0.0}};
-    double best = fmax(fabs(total(&p->stage[0], g, i)), fabs(total(&p->stage[6], g, i)));
+    double best = fmax(fabs(total(p->stage[0], g, i)), fabs(total(p->stage[6], g, i)));
     best = fmax(best, p->results->peak[PEAK_ACCELERATION][i] / BEYOND);
     double place = -1.0;
     double x[2];
@@ -118,12 +118,16 @@ static void inner_acceleration(struct dp *p, const struct building *g, int i) {
          p->now.time + (x + shift * beside) * p->h);
 }
 
-// The largest acceleration of floor i at stages within the step.
-static double inner_size(const struct dp_rates *early, const struct dp_rates *late, int ground,
-                         int i) {
-    double x = fabs(early->a[i] + early->ground.a[ground]);
-    double y = fabs(late->a[i] + late->ground.a[ground]);
-    return x > y ? x : y;
+// An upper bound of an acceleration in the step from its values at the start, at the stages at 0.3
+// and 0.8, and at the end: the largest of them, and what a parabola through three of them rises
+// above those that are farthest apart, by Newton's divided differences, and half as much again.
+static inline double largest_acceleration(double a0, double a3, double a8, double a1) {
+    double rise = (a8 - a3) / 0.5;
+    double early = fabs(rise - (a3 - a0) / 0.3) / 0.8;
+    double late = fabs((a1 - a8) / 0.2 - rise) / 0.7;
+    double inner = number_max(fabs(a3), fabs(a8));
+    double outer = number_max(fabs(a0), fabs(a1));
+    return number_max(inner, outer) + 1.5 * 0.25 * 0.25 * number_max(early, late);
 }
 
 static void inner_step(struct dp *p, int i) {
@@ -146,8 +150,9 @@ static void inner_step(struct dp *p, int i) {
         may_exceed(peak[PEAK_DRIFT][i], next->drift[i], v1 - below1, h)) {
         inner_drift(p, i);
     }
-    if (BEYOND * inner_size(&p->stage[2], &p->stage[3], g->ground, i) >
-        peak[PEAK_ACCELERATION][i]) {
+    if (largest_acceleration(total(p->stage[0], g, i), total(p->stage[2], g, i),
+                             total(p->stage[3], g, i),
+                             total(p->stage[6], g, i)) > peak[PEAK_ACCELERATION][i]) {
         inner_acceleration(p, g, i);
     }
 }
@@ -163,31 +168,41 @@ static void floor_at(struct dp *p, const struct state *s, int i) {
     }
 }
 
-// Which of the n floors from `first` on, in whole lanes, could have a new peak in the step? Upper
-// bounds of motions, and accelerations at stages with what may lie beyond them; those of the floors
+// Negative if x and y differ in sign.
+static inline int64_t turns(double x, double y) {
+    return number_bits(x) ^ number_bits(y);
+}
+
+// Which of the n floors from `first` on, in whole lanes, could have a new peak in the step? Motions
+// at its end, their upper bounds where they turn, and those of accelerations; those of the floors
 // are negative in `hit`, and so is what is returned if any is.
 LANES static int64_t may_peak(const struct dp *p, int first, int n, int64_t *restrict hit) {
+    const double *restrict v0 = p->now.v, *restrict a0 = p->now.a;
     const double *restrict u1 = p->next.u, *restrict v1 = p->next.v;
     const double *restrict a1 = p->next.a, *restrict d1 = p->next.drift;
-    const double *restrict a2 = p->stage[2].a, *restrict a3 = p->stage[3].a;
+    const double *restrict a2 = p->stage[2]->a, *restrict a3 = p->stage[3]->a;
     const double *restrict share = p->system.row[DP_GROUND];
     const double *restrict joint = p->model->chain.joint;
     double *const *peak = p->results->peak;
     const double *restrict u = peak[PEAK_DISPLACEMENT], *restrict v = peak[PEAK_VELOCITY];
     const double *restrict d = peak[PEAK_DRIFT], *restrict a = peak[PEAK_ACCELERATION];
     double h = p->h;
+    double g0 = p->now.ground_a[0];
     double g1 = p->next.ground_a[0];
-    double g2 = p->stage[2].ground.a[0];
-    double g3 = p->stage[3].ground.a[0];
+    double g2 = p->stage[2]->ground.a[0];
+    double g3 = p->stage[3]->ground.a[0];
     int64_t found = 0;
-    for (int i = first, end = first + lanes_whole(n); i < end; i++) {
-        double slip = v1[i] - joint[i] * v1[i - 1];
-        int64_t beyond = number_beyond(fabs(u1[i]) + h * fabs(v1[i]), u[i]) |
-                         number_beyond(fabs(v1[i]) + h * fabs(a1[i]), v[i]) |
-                         number_beyond(fabs(d1[i]) + h * fabs(slip), d[i]) |
-                         number_beyond(a1[i] + share[i] * g1, a[i]) |
-                         number_beyond(BEYOND * (a2[i] + share[i] * g2), a[i]) |
-                         number_beyond(BEYOND * (a3[i] + share[i] * g3), a[i]);
+    for (int i = first, last = first + lanes_whole(n); i < last; i++) {
+        double slip0 = v0[i] - joint[i] * v0[i - 1];
+        double slip1 = v1[i] - joint[i] * v1[i - 1];
+        int64_t turn = (turns(v0[i], v1[i]) & number_beyond(fabs(u1[i]) + h * fabs(v1[i]), u[i])) |
+                       (turns(a0[i], a1[i]) & number_beyond(fabs(v1[i]) + h * fabs(a1[i]), v[i])) |
+                       (turns(slip0, slip1) & number_beyond(fabs(d1[i]) + h * fabs(slip1), d[i]));
+        int64_t end =
+            number_beyond(u1[i], u[i]) | number_beyond(v1[i], v[i]) | number_beyond(d1[i], d[i]);
+        double most = largest_acceleration(a0[i] + share[i] * g0, a2[i] + share[i] * g2,
+                                           a3[i] + share[i] * g3, a1[i] + share[i] * g1);
+        int64_t beyond = turn | end | number_beyond(most, a[i]);
         hit[i - first] = beyond;
         found |= beyond;
     }
@@ -282,8 +297,8 @@ static double force_at(const struct dp *p, int k, const struct polynomial *path,
 // The force of link k, number i of the active ones, where its rate changes its sign inside the
 // step, and when; the one at the end where it does not.
 static double inner_force(const struct dp *p, int i, const struct motion *m, double *time) {
-    const struct dp_rates *first = &p->stage[0];
-    const struct dp_rates *last = &p->stage[DP_STAGES - 1];
+    const struct dp_rates *first = p->stage[0];
+    const struct dp_rates *last = p->stage[DP_STAGES - 1];
     double start = first->dfdd[i] * m->v[0] + first->dfdv[i] * m->a[0];
     double rate = last->dfdd[i] * m->v[1] + last->dfdv[i] * m->a[1];
     double force = last->force[i];
@@ -310,7 +325,7 @@ void dp_peaks_link(struct dp *p, int i, struct impact_share *share) {
     double time;
     double force = inner_force(p, i, &m, &time);
     share->penetration = link_penetration(p, k, &m);
-    share->force = p->stage[DP_STAGES - 1].force[i];
+    share->force = p->stage[DP_STAGES - 1]->force[i];
     note_force(&p->results->link[k], both ? fabs(share->force) : share->force, p->next.time);
     note_force(&p->results->link[k], both ? fabs(force) : force, time);
     share->force = number_max(share->force, force);
@@ -333,7 +348,7 @@ void dp_peaks_now(struct dp *p) {
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
         bool both = p->model->link[k].bilateral;
-        double force = p->stage[0].force[i];
+        double force = p->stage[0]->force[i];
         note_force(&p->results->link[k], both ? fabs(force) : force, p->now.time);
     }
 }

@@ -69,6 +69,10 @@ int hermite_extrema(const struct polynomial *p, double *at) {
     double a = 3.0 * p->c[3];
     double b = p->c[2];  // a x^2 + 2 b x + c
     double c = p->c[1];
+    bool same_sign = c * (a + 2.0 * b + c) > 0.0;
+    if (same_sign && b * (a + b) >= 0.0) {
+        return 0;  // it is monotone between ends of one sign
+    }
     double square = b * b - a * c;
     if (!(square > 0.0)) {
         return 0;
