@@ -31,6 +31,10 @@ static const double AFTER_CLOSURE = 1e-3, AFTER_TURN = 1.0;
 // method and of its estimate, it is 51.5.
 static const double UNSEEN = 51.5;
 
+// Share of the error allowed that this step aims at: what the last one had tells how, as the error
+// of a force that grows like t^(1/4) is of order 5/4 in the step.
+static const double ONSET_AIM = 0.3;
+
 static const double FIRST_OF_PERIOD = 1e-2, FIRST_OF_DURATION = 1e-6;
 
 // More events than this in such a share of the duration do not come from bodies that bounce.
@@ -178,7 +182,7 @@ static int happen(struct dp *p, struct error *e) {
     p->results->totals.events++;
     p->closed_now |= event->kind == DP_CLOSE;
     if (event->kind == DP_CLOSE) {
-        p->trial *= AFTER_CLOSURE;
+        p->trial = p->onset > 0.0 ? fmin(p->onset, p->trial) : p->trial * AFTER_CLOSURE;
     } else if (event->kind == DP_TURN) {
         p->trial *= AFTER_TURN;
     }
@@ -280,28 +284,49 @@ static double change_for(double error) {
     if (!(error > NEGLIGIBLE)) {
         return GROW_MOST;
     }
-    return error < DBL_MAX ? SAFETY * fifth_root_of_inverse(error) : 0.0;
+    return error < DBL_MAX ? SAFETY * fifth_root_of_inverse(error) : SHRINK_MOST;
+}
+
+// The first step after a closure that would aim well over one with this error.
+static double onset_for(double error) {
+    double root = fifth_root_of_inverse(fmax(error / ONSET_AIM, NEGLIGIBLE));
+    return error < DBL_MAX ? root * root * (root * root) : SHRINK_MOST;
+}
+
+// What to try after a step whose error is within the tolerance.
+static double next_trial(struct dp *p, double error) {
+    if (p->closed_now) {
+        p->onset = p->h * onset_for(error * UNSEEN);
+        return p->h * GROW_MOST;
+    }
+    return p->h * number_min(change_for(error), GROW_MOST);
+}
+
+// And after one whose error is not.
+static double shorter_trial(const struct dp *p, double error) {
+    double change =
+        p->closed_now ? onset_for(error * UNSEEN) : number_max(change_for(error), SHRINK_MOST);
+    return fmax(p->h * fmin(change, SAFETY), p->model->control.shortest);
 }
 
 // Tries steps until one meets the tolerance.
 static int attempt(struct dp *p, struct error *e) {
     for (;;) {
         take(p);
-        double error = dp_stages_error(p) * (p->closed_now ? UNSEEN : 1.0);
+        double error = dp_stages_error(p);
         double step;
         if (pace_is_slow(&p->pace, p->model, p->now.time, &step)) {
             return too_slow(p, step, e);
         }
-        if (error <= 1.0) {
-            p->trial = p->h * number_min(change_for(error), GROW_MOST);
+        if (error * (p->closed_now ? UNSEEN : 1.0) <= 1.0) {
+            p->trial = next_trial(p, error);
             return STATUS_OK;
         }
         p->results->totals.cuts++;
         if (p->h <= p->model->control.shortest || p->now.time + p->h / 2.0 == p->now.time) {
             return too_short(p, p->h, error, e);
         }
-        p->trial = p->h * fmin(fmax(change_for(error), SHRINK_MOST), SAFETY);
-        p->trial = fmax(p->trial, p->model->control.shortest);
+        p->trial = shorter_trial(p, error);
     }
 }
 
