@@ -342,7 +342,7 @@ int dormand_prince_step(struct dp *p, struct error *e) {
         if (status != STATUS_OK) {
             break;
         }
-        dp_stages_ends(p);
+        dp_stages_gaps(p, &p->next, p->rate[1]);
         dp_event_first(p);
         if (!at_once(p)) {
             break;

@@ -62,10 +62,19 @@ struct dp {
     struct pace pace;       // of all steps
 };
 
+// The n floors from `first` on, in whole lanes, that are looked at for peaks: negative are those
+// that could have one in the step, and whose acceleration could.
+enum { DP_LOOK = 8 * LANES_WIDTH };
+struct dp_look {
+    int first, n;
+    int64_t hit[DP_LOOK], bends[DP_LOOK];
+};
+
 // What a step does with all floors, in vectors (dp_floors.h).
 struct dp_floors {
     void (*take)(struct dp *p);           // dp_stages_take, once length and end are set
     double (*error)(const struct dp *p);  // largest of u and v over their sizes
+    int64_t (*look)(struct dp *p, struct dp_look *l);  // and drifts; negative: any could
     void (*work)(const struct dp *p, const double *time, struct energy_account *energy);
 };
 extern const struct dp_floors dp_narrow, dp_wide;
@@ -86,9 +95,6 @@ extern const double dp_stages_whole[DP_STAGES];
 
 // Adds the works of the ground and of dampers on linear floors, by such weights.
 void dp_stages_work(const struct dp *p, const double *weight, struct energy_account *energy);
-
-// Fills what `next` has besides its motion: drifts and penetrations.
-void dp_stages_ends(struct dp *p);
 
 // Penetrations of all links of state `s` and their rates.
 void dp_stages_gaps(const struct dp *p, struct state *s, double *rate);

@@ -293,7 +293,7 @@ void dp_event_locate(struct dp *p) {
     double near = located(p) * whole;
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         dp_stages_take(p, h, p->now.time + h);
-        dp_stages_ends(p);
+        dp_stages_gaps(p, &p->next, p->rate[1]);
         double rate;
         double value = value_at_end(p, &rate);
         if (value == 0.0) {
@@ -308,7 +308,7 @@ void dp_event_locate(struct dp *p) {
         h = next;
         if (last) {
             dp_stages_take(p, h, p->now.time + h);
-            dp_stages_ends(p);
+            dp_stages_gaps(p, &p->next, p->rate[1]);
             break;
         }
     }

@@ -197,6 +197,69 @@ DP_CLONES static double largest_error(const struct dp *p) {
     return error;
 }
 
+#define ABSOLUTE(x) ((dp_lanes)((dp_bits)(x)&INT64_MAX))
+#define LARGER_SIZE(x, y) ((dp_lanes)LARGER((dp_bits)ABSOLUTE(x), (dp_bits)ABSOLUTE(y)))
+
+// Negative where |x| > limit >= 0, as number_beyond, and where x and y differ in sign.
+#define BEYOND(x, limit) ((dp_bits)(limit) - (dp_bits)ABSOLUTE(x))
+#define TURNS(x, y) ((dp_bits)(x) ^ (dp_bits)(y))
+
+// Negative where an acceleration may go beyond its peak. Its upper bound is the largest one at the
+// start, at the stages at 0.3 and 0.8 and at the end, and what a parabola through three of them
+// rises above those that are farthest apart, by Newton's divided differences, and half as much
+// again.
+LANES_INLINE void bend_part(const struct dp *p, ptrdiff_t i, dp_bits *bends) {
+    static const int stages[] = {0, 2, 3, DP_STAGES - 1};
+    dp_lanes x[4];
+    for (int j = 0; j < 4; j++) {
+        const struct dp_rates *r = p->stage[stages[j]];
+        x[j] = PART(r->a, i) + r->ground.a[0] * PART(p->system.row[DP_GROUND], i);
+    }
+    dp_lanes rise = (x[2] - x[1]) * (1.0 / 0.5);
+    dp_lanes early = (rise - (x[1] - x[0]) * (1.0 / 0.3)) * (1.0 / 0.8);
+    dp_lanes late = ((x[3] - x[2]) * (1.0 / 0.2) - rise) * (1.0 / 0.7);
+    dp_lanes inner = LARGER_SIZE(x[1], x[2]), outer = LARGER_SIZE(x[0], x[3]);
+    dp_lanes most = LARGER_SIZE(inner, outer) + 1.5 * 0.25 * 0.25 * LARGER_SIZE(early, late);
+    *bends = BEYOND(most, PART(p->results->peak[PEAK_ACCELERATION], i));
+}
+
+// Drifts at the end of the step, and which floors could have a new peak in it.
+DP_CLONES static int64_t look(struct dp *p, struct dp_look *l) {
+    const double *v0 = p->now.v, *a0 = p->now.a, *joint = p->model->chain.joint;
+    const double *u1 = p->next.u, *v1 = p->next.v, *a1 = p->next.a;
+    const double *peak_u = p->results->peak[PEAK_DISPLACEMENT];
+    const double *peak_v = p->results->peak[PEAK_VELOCITY];
+    const double *peak_d = p->results->peak[PEAK_DRIFT];
+    const double h = p->h;
+    dp_bits any = {0};
+    for (ptrdiff_t i = l->first, end = i + lanes_whole(l->n); i < end; i += WIDTH) {
+        dp_lanes joined = PART(joint, i);
+        dp_lanes drift = PART(u1, i) - joined * DP_BELOW(PART(u1, i - WIDTH), PART(u1, i));
+        dp_lanes slip0 = PART(v0, i) - joined * DP_BELOW(PART(v0, i - WIDTH), PART(v0, i));
+        dp_lanes slip1 = PART(v1, i) - joined * DP_BELOW(PART(v1, i - WIDTH), PART(v1, i));
+        dp_lanes to_u = ABSOLUTE(PART(u1, i)) + h * ABSOLUTE(PART(v1, i));
+        dp_lanes to_v = ABSOLUTE(PART(v1, i)) + h * ABSOLUTE(PART(a1, i));
+        dp_lanes to_d = ABSOLUTE(drift) + h * ABSOLUTE(slip1);
+        dp_bits turn = (TURNS(PART(v0, i), PART(v1, i)) & BEYOND(to_u, PART(peak_u, i))) |
+                       (TURNS(PART(a0, i), PART(a1, i)) & BEYOND(to_v, PART(peak_v, i))) |
+                       (TURNS(slip0, slip1) & BEYOND(to_d, PART(peak_d, i)));
+        dp_bits grown = BEYOND(PART(u1, i), PART(peak_u, i)) |
+                        BEYOND(PART(v1, i), PART(peak_v, i)) | BEYOND(drift, PART(peak_d, i));
+        dp_bits bends;
+        bend_part(p, i, &bends);
+        dp_bits hit = turn | grown | bends;
+        *(dp_lanes *)(p->next.drift + i) = drift;
+        memcpy(l->bends + (i - l->first), &bends, sizeof bends);
+        memcpy(l->hit + (i - l->first), &hit, sizeof hit);
+        any |= hit;
+    }
+    int64_t found = 0;
+    for (int i = 0; i < WIDTH; i++) {
+        found |= any[i];
+    }
+    return found;
+}
+
 // Twice the works of ground and dampers on all floors, in the times given to the stages; the second
 // one never has any.
 DP_CLONES static void add_works(const struct dp *p, const double *time,
@@ -219,6 +282,6 @@ DP_CLONES static void add_works(const struct dp *p, const double *time,
     }
 }
 
-const struct dp_floors DP_FLOORS = {take, largest_error, add_works};
+const struct dp_floors DP_FLOORS = {take, largest_error, look, add_works};
 
 #endif

@@ -5,16 +5,12 @@
 // parabola put through the three. Most steps are far from any peak, and cost a few comparisons.
 #include <math.h>
 
-#include "core/lanes.h"
 #include "core/number.h"
 #include "solve/dp.h"
 
 // Distance in the step of the three values, and how far the interpolation of an acceleration may be
 // too low.
 static const double BESIDE = 0.02, BEYOND = 1.1;
-
-// Floors, in whole lanes, that are looked at together.
-enum { BLOCK = 8 * LANES_WIDTH };
 
 enum { ITERATIONS_MAX = 40 };
 static const double PLACED = 1e-4;  // of the step, of an extremum of a force; its error is a square
@@ -118,18 +114,6 @@ static void inner_acceleration(struct dp *p, const struct building *g, int i) {
          p->now.time + (x + shift * beside) * p->h);
 }
 
-// An upper bound of an acceleration in the step from its values at the start, at the stages at 0.3
-// and 0.8, and at the end: the largest of them, and what a parabola through three of them rises
-// above those that are farthest apart, by Newton's divided differences, and half as much again.
-static inline double largest_acceleration(double a0, double a3, double a8, double a1) {
-    double rise = (a8 - a3) / 0.5;
-    double early = fabs(rise - (a3 - a0) / 0.3) / 0.8;
-    double late = fabs((a1 - a8) / 0.2 - rise) / 0.7;
-    double inner = number_max(fabs(a3), fabs(a8));
-    double outer = number_max(fabs(a0), fabs(a1));
-    return number_max(inner, outer) + 1.5 * 0.25 * 0.25 * number_max(early, late);
-}
-
 static void inner_step(struct dp *p, int i) {
     const struct state *now = &p->now;
     const struct state *next = &p->next;
@@ -150,11 +134,6 @@ static void inner_step(struct dp *p, int i) {
         may_exceed(peak[PEAK_DRIFT][i], next->drift[i], v1 - below1, h)) {
         inner_drift(p, i);
     }
-    if (largest_acceleration(total(p->stage[0], g, i), total(p->stage[2], g, i),
-                             total(p->stage[3], g, i),
-                             total(p->stage[6], g, i)) > peak[PEAK_ACCELERATION][i]) {
-        inner_acceleration(p, g, i);
-    }
 }
 
 // Values at one instant. The shear of an elastic storey is largest with its drift.
@@ -168,47 +147,6 @@ static void floor_at(struct dp *p, const struct state *s, int i) {
     }
 }
 
-// Negative if x and y differ in sign.
-static inline int64_t turns(double x, double y) {
-    return number_bits(x) ^ number_bits(y);
-}
-
-// Which of the n floors from `first` on, in whole lanes, could have a new peak in the step? Motions
-// at its end, their upper bounds where they turn, and those of accelerations; those of the floors
-// are negative in `hit`, and so is what is returned if any is.
-LANES static int64_t may_peak(const struct dp *p, int first, int n, int64_t *restrict hit) {
-    const double *restrict v0 = p->now.v, *restrict a0 = p->now.a;
-    const double *restrict u1 = p->next.u, *restrict v1 = p->next.v;
-    const double *restrict a1 = p->next.a, *restrict d1 = p->next.drift;
-    const double *restrict a2 = p->stage[2]->a, *restrict a3 = p->stage[3]->a;
-    const double *restrict share = p->system.row[DP_GROUND];
-    const double *restrict joint = p->model->chain.joint;
-    double *const *peak = p->results->peak;
-    const double *restrict u = peak[PEAK_DISPLACEMENT], *restrict v = peak[PEAK_VELOCITY];
-    const double *restrict d = peak[PEAK_DRIFT], *restrict a = peak[PEAK_ACCELERATION];
-    double h = p->h;
-    double g0 = p->now.ground_a[0];
-    double g1 = p->next.ground_a[0];
-    double g2 = p->stage[2]->ground.a[0];
-    double g3 = p->stage[3]->ground.a[0];
-    int64_t found = 0;
-    for (int i = first, last = first + lanes_whole(n); i < last; i++) {
-        double slip0 = v0[i] - joint[i] * v0[i - 1];
-        double slip1 = v1[i] - joint[i] * v1[i - 1];
-        int64_t turn = (turns(v0[i], v1[i]) & number_beyond(fabs(u1[i]) + h * fabs(v1[i]), u[i])) |
-                       (turns(a0[i], a1[i]) & number_beyond(fabs(v1[i]) + h * fabs(a1[i]), v[i])) |
-                       (turns(slip0, slip1) & number_beyond(fabs(d1[i]) + h * fabs(slip1), d[i]));
-        int64_t end =
-            number_beyond(u1[i], u[i]) | number_beyond(v1[i], v[i]) | number_beyond(d1[i], d[i]);
-        double most = largest_acceleration(a0[i] + share[i] * g0, a2[i] + share[i] * g2,
-                                           a3[i] + share[i] * g3, a1[i] + share[i] * g1);
-        int64_t beyond = turn | end | number_beyond(most, a[i]);
-        hit[i - first] = beyond;
-        found |= beyond;
-    }
-    return found;
-}
-
 // Makes the scales of errors again, if motions have grown.
 static void rescale(struct dp *p) {
     if (p->grown) {
@@ -217,20 +155,35 @@ static void rescale(struct dp *p) {
     }
 }
 
+// Could the acceleration of a floor have a peak within the step, by those at the stages?
+static bool may_bend(const struct dp *p, const struct dp_look *l, int i) {
+    if (p->model->n_ground == 1) {
+        return l->bends[i - l->first] < 0;
+    }
+    const struct building *g = &p->model->building[p->system.building[i]];
+    double most = number_max(fabs(total(p->stage[2], g, i)), fabs(total(p->stage[3], g, i)));
+    return BEYOND * most > p->results->peak[PEAK_ACCELERATION][i];
+}
+
+static void floor_step(struct dp *p, const struct dp_look *l, int i) {
+    inner_step(p, i);
+    if (may_bend(p, l, i)) {
+        inner_acceleration(p, &p->model->building[p->system.building[i]], i);
+    }
+    floor_at(p, &p->next, i);
+}
+
 // Where there are several grounds, or storeys with a history, no bound is known.
 static void floors_step(struct dp *p) {
     const struct model *m = p->model;
     bool always = m->n_ground != 1 || m->n_storey_history > 0;
-    int64_t hit[BLOCK];
-    for (int first = 0; first < m->n_dof; first += BLOCK) {
-        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
-        if (!always && may_peak(p, first, n, hit) >= 0) {
-            continue;
-        }
-        for (int i = 0; i < n; i++) {
-            if (always || hit[i] < 0) {
-                inner_step(p, first + i);
-                floor_at(p, &p->next, first + i);
+    struct dp_look l;
+    for (l.first = 0; l.first < m->n_dof; l.first += DP_LOOK) {
+        l.n = m->n_dof - l.first < DP_LOOK ? m->n_dof - l.first : DP_LOOK;
+        bool found = p->floors->look(p, &l) < 0;
+        for (int i = 0; (found || always) && i < l.n; i++) {
+            if (always || l.hit[i] < 0) {
+                floor_step(p, &l, l.first + i);
             }
         }
     }

@@ -53,19 +53,6 @@ void dp_stages_gaps(const struct dp *p, struct state *s, double *rate) {
     }
 }
 
-LANES static void drifts(const struct chain *c, const double *restrict u, double *restrict drift) {
-    const double *restrict joint = c->joint;
-    for (int i = 0, end = lanes_whole(c->n); i < end; i++) {
-        drift[i] = u[i] - joint[i] * u[i - 1];
-    }
-}
-
-void dp_stages_ends(struct dp *p) {
-    struct state *next = &p->next;
-    drifts(&p->model->chain, next->u, next->drift);
-    dp_stages_gaps(p, next, p->rate[1]);
-}
-
 enum { ENDS = 6 };
 
 // u and v as sums over what is known at both ends.
