@@ -260,25 +260,36 @@ DP_CLONES static int64_t look(struct dp *p, struct dp_look *l) {
     return found;
 }
 
-// Twice the works of ground and dampers on all floors, in the times given to the stages; the second
-// one never has any.
-DP_CLONES static void add_works(const struct dp *p, const double *time,
-                                struct energy_account *energy) {
-    static const int counted[] = {0, 2, 3, 4, 5, 6};
-    enum { COUNTED = sizeof counted / sizeof counted[0] };
+// The stages that have a share in works: never the second one, and the last one within a step only.
+static const int working[] = {0, 2, 3, 4, 5, 6};
+enum { WORKING = sizeof working / sizeof working[0] };
+
+LANES_INLINE void add_works_of(int n, const struct dp *p, const double *time,
+                               struct energy_account *energy) {
     double *const *row = p->system.row;
     const double *carried = row[DP_CARRIED], *own = row[DP_DAMPER], *above = row[DP_DAMPER_ABOVE];
     for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += WIDTH) {
-        dp_lanes way = {0.0}, work = {0.0};
-        for (int j = 0; j < COUNTED; j++) {
-            const struct dp_rates *r = p->stage[counted[j]];
-            dp_lanes v = PART(r->v, i);
-            dp_lanes force = PART(own, i) * v + PART(above, i) * PART(r->v, i + 1);
-            way += time[counted[j]] * r->ground.a[0] * v;
-            work += time[counted[j]] * v * force;
+        dp_lanes way = {0.0}, square = {0.0}, product = {0.0};
+        for (int j = 0; j < n; j++) {
+            const struct dp_rates *r = p->stage[working[j]];
+            dp_lanes v = PART(r->v, i), moved = time[working[j]] * v;
+            way += r->ground.a[0] * moved;
+            square += moved * v;
+            product += moved * DP_ABOVE(v, PART(r->v, i + WIDTH));
         }
+        dp_lanes lost = PART(own, i) * square + PART(above, i) * product;
         *(dp_lanes *)(energy->input_2x + i % LANES_WIDTH) -= 2.0 * PART(carried, i) * way;
-        *(dp_lanes *)(energy->damping_2x + i % LANES_WIDTH) += 2.0 * work;
+        *(dp_lanes *)(energy->damping_2x + i % LANES_WIDTH) += 2.0 * lost;
+    }
+}
+
+// Twice the works of ground and dampers on all floors, in the times given to the stages.
+DP_CLONES static void add_works(const struct dp *p, const double *time,
+                                struct energy_account *energy) {
+    if (time[working[WORKING - 1]] == 0.0) {
+        add_works_of(WORKING - 1, p, time, energy);
+    } else {
+        add_works_of(WORKING, p, time, energy);
     }
 }
 
