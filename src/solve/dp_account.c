@@ -28,10 +28,14 @@ static const double point[POINTS] = {0.046910077030668, 0.230765344947158, 0.5, 
 static const double point_weight[POINTS] = {0.118463442528095, 0.239314335249683, 0.284444444444444,
                                             0.239314335249683, 0.118463442528095};
 
-// The work done on link k up to the penetration d, where its force does not depend on its velocity:
+// The work done on link number n of the active ones up to the penetration d, where its force does not depend on its velocity:
 // so much the better than the integral of the power, as a closed cycle of such a law gives 0 but
 // for the rule. NAN: it does depend.
-static double elastic_work(const struct dp *p, int k, double d) {
+static double elastic_work(const struct dp *p, int n, double d) {
+    int k = p->now.live[n];
+    if (p->stage[DP_STAGES - 1]->dfdv[n] != 0.0) {
+        return NAN;
+    }
     double start = p->now.delta[k];
     double v = (p->rate[0][k] + p->rate[1][k]) / 2.0;
     double work = 0.0;
@@ -50,7 +54,7 @@ static double elastic_work(const struct dp *p, int k, double d) {
 // impulse.
 static double link_work(const struct dp *p, const double *weight, int i, double d,
                         double *impulse) {
-    double elastic = elastic_work(p, p->now.live[i], d);
+    double elastic = elastic_work(p, i, d);
     double work = 0.0;
     *impulse = 0.0;
     for (int s = 0; s < DP_STAGES; s++) {
