@@ -20,10 +20,14 @@
 
 enum { ITERATIONS_MAX = 60 };
 
-// Corrections of the instant of an event, as a share of the step, after which the step is taken a
-// last time; the next one would be about their square. Where a law is only changed the instant may
-// be wrong by the tolerance; where a history is committed, or velocities jump, it may not.
-static const double LOCATED = 1e-7, LOCATED_ROUGHLY = 1e-4;
+// A correction of the instant of an event, as a share of the step, after which the step is taken a
+// last time; one of its square would be too small to matter. Where a law is only changed the
+// instant may be wrong by the tolerance, but not where that would be before a turn, which would
+// come again; where a history is committed, or velocities jump, it may not.
+static const double located[] = {
+    [DP_CLOSE] = 3e-3, [DP_OPEN] = 3e-3,   [DP_TURN] = 1e-4,
+    [DP_MEET] = 1e-7,  [DP_BRANCH] = 1e-7, [DP_UNLOAD] = 1e-7,
+};
 
 static const double ROUNDING = 64.0;  // units in the last place that mean nothing
 static const double STILL = 1e-3;     // of the error allowed: a drift that has not moved
@@ -279,18 +283,13 @@ static double value_at_end(const struct dp *p, double *rate) {
     return m.d[1] - e->target;
 }
 
-static double located(const struct dp *p) {
-    bool roughly = p->event.kind != DP_MEET && !is_of_storey(&p->event);
-    return roughly ? fmin(LOCATED_ROUGHLY, sqrt(p->model->control.tolerance)) : LOCATED;
-}
-
 void dp_event_locate(struct dp *p) {
     double sign = p->event.direction > 0.0 ? 1.0 : -1.0;
     double whole = p->h;
     double low = 0.0;
     double high = whole;
     double h = p->event.place * whole;
-    double near = located(p) * whole;
+    double near = fmin(located[p->event.kind], sqrt(p->model->control.tolerance));
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         dp_stages_take(p, h, p->now.time + h);
         dp_stages_gaps(p, &p->next, p->rate[1]);
@@ -304,7 +303,11 @@ void dp_event_locate(struct dp *p) {
         if (!(next > low && next < high)) {
             next = 0.5 * (low + high);
         }
-        bool last = fabs(next - h) <= near;
+        double correction = fabs(next - h) / whole;
+        if (correction <= near * near) {
+            break;
+        }
+        bool last = correction <= near;
         h = next;
         if (last) {
             dp_stages_take(p, h, p->now.time + h);

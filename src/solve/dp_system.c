@@ -239,35 +239,34 @@ static void load_rates(const struct dp_system *s, double t, struct dp_rates *r) 
     }
 }
 
-// state_gap from arrays with a zero in front, at which a wall stands.
-static double gap(const struct link *l, const struct model *m, const double *x,
-                  const double *ground) {
-    static_assert(WALL == -1, "a wall is the zero in front of an array");
-    return x[l->dof[0]] - x[l->dof[1]] + state_ground_gap(l, m, ground);
-}
-
+// Between arrays with a zero in front, at which a wall stands.
 static void link_rates(const struct dp_system *s, const struct state *now, struct dp_rates *r) {
+    static_assert(WALL == -1, "a wall is the zero in front of an array");
     const struct model *m = s->model;
     for (int i = 0; i < now->n_live; i++) {
-        int k = now->live[i];
+        const int k = now->live[i];
         const struct link *l = &m->link[k];
-        double rate = gap(l, m, r->v, r->ground.v);
-        double d = gap(l, m, r->u, r->ground.u) - l->gap;
+        const int left = l->dof[0], right = l->dof[1];
+        double d = r->u[left] - r->u[right] - l->gap;
+        double apart = r->v[left] - r->v[right];
+        double rate = apart;
+        if (l->moving_ground) {
+            d += state_ground_gap(l, m, r->ground.u);
+            rate += state_ground_gap(l, m, r->ground.v);
+        }
         struct contact_response response = response_of(s, now, k, d, rate);
         double force = response.force;
+        if (left != WALL) {
+            r->a[left] -= force * s->mobility[left];
+        }
+        if (right != WALL) {
+            r->a[right] += force * s->mobility[right];
+        }
+        r->input += force * (rate - apart);
         r->force[i] = force;
         r->power[i] = force * rate;
         r->dfdd[i] = response.dfdd;
         r->dfdv[i] = response.dfdv;
-        if (l->dof[0] != WALL) {
-            r->a[l->dof[0]] -= force * s->mobility[l->dof[0]];
-        }
-        if (l->dof[1] != WALL) {
-            r->a[l->dof[1]] += force * s->mobility[l->dof[1]];
-        }
-        if (l->moving_ground) {
-            r->input += force * (rate - (r->v[l->dof[0]] - r->v[l->dof[1]]));
-        }
     }
 }
 
