@@ -28,9 +28,9 @@ static const double point[POINTS] = {0.046910077030668, 0.230765344947158, 0.5, 
 static const double point_weight[POINTS] = {0.118463442528095, 0.239314335249683, 0.284444444444444,
                                             0.239314335249683, 0.118463442528095};
 
-// The work done on link number n of the active ones up to the penetration d, where its force does not depend on its velocity:
-// so much the better than the integral of the power, as a closed cycle of such a law gives 0 but
-// for the rule. NAN: it does depend.
+// The work done on link number n of the active ones up to the penetration d, where its force does
+// not depend on its velocity: so much the better than the integral of the power, as a closed cycle
+// of such a law gives 0 but for the rule. NAN: it does depend.
 static double elastic_work(const struct dp *p, int n, double d) {
     int k = p->now.live[n];
     if (p->stage[DP_STAGES - 1]->dfdv[n] != 0.0) {
@@ -57,7 +57,7 @@ static double link_work(const struct dp *p, const double *weight, int i, double 
     double elastic = elastic_work(p, i, d);
     double work = 0.0;
     *impulse = 0.0;
-    for (int s = 0; s < DP_STAGES; s++) {
+    for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
         work += p->h * weight[s] * p->stage[s]->power[i];
         *impulse += p->h * weight[s] * p->stage[s]->force[i];
     }
@@ -119,7 +119,7 @@ static void row_links(const struct dp *p, const struct dp_rates *rates, struct s
     const struct model *m = p->model;
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
-        row->delta[k] = state_gap(l, m, rates->u, rates->ground.u) - l->gap;
+        row->delta[k] = dp_system_across(l, m, rates->u, rates->ground.u) - l->gap;
         row->link[k].closed = p->now.link[k].closed;
         row->link[k].force = 0.0;
     }

@@ -34,8 +34,8 @@ static const double STILL = 1e-3;     // of the error allowed: a drift that has 
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 static void motion_accelerations(const struct dp *p, const struct link *l, struct motion *m) {
-    m->a[0] = state_gap(l, p->model, p->now.a, p->now.ground_a);
-    m->a[1] = state_gap(l, p->model, p->next.a, p->next.ground_a);
+    m->a[0] = dp_system_across(l, p->model, p->now.a, p->now.ground_a);
+    m->a[1] = dp_system_across(l, p->model, p->next.a, p->next.ground_a);
 }
 
 struct motion dp_event_link(const struct dp *p, int k) {

@@ -9,7 +9,6 @@
 // dp_event.c. Other storey laws are called as they are.
 #include "solve/dp_system.h"
 
-#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -239,30 +238,22 @@ static void load_rates(const struct dp_system *s, double t, struct dp_rates *r) 
     }
 }
 
-// Between arrays with a zero in front, at which a wall stands.
 static void link_rates(const struct dp_system *s, const struct state *now, struct dp_rates *r) {
-    static_assert(WALL == -1, "a wall is the zero in front of an array");
     const struct model *m = s->model;
     for (int i = 0; i < now->n_live; i++) {
-        const int k = now->live[i];
+        int k = now->live[i];
         const struct link *l = &m->link[k];
-        const int left = l->dof[0], right = l->dof[1];
-        double d = r->u[left] - r->u[right] - l->gap;
-        double apart = r->v[left] - r->v[right];
-        double rate = apart;
-        if (l->moving_ground) {
-            d += state_ground_gap(l, m, r->ground.u);
-            rate += state_ground_gap(l, m, r->ground.v);
-        }
+        double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
+        double rate = dp_system_across(l, m, r->v, r->ground.v);
         struct contact_response response = response_of(s, now, k, d, rate);
         double force = response.force;
-        if (left != WALL) {
-            r->a[left] -= force * s->mobility[left];
+        if (l->dof[0] != WALL) {
+            r->a[l->dof[0]] -= force * s->mobility[l->dof[0]];
         }
-        if (right != WALL) {
-            r->a[right] += force * s->mobility[right];
+        if (l->dof[1] != WALL) {
+            r->a[l->dof[1]] += force * s->mobility[l->dof[1]];
         }
-        r->input += force * (rate - apart);
+        r->input += force * state_ground_gap(l, m, r->ground.v);
         r->force[i] = force;
         r->power[i] = force * rate;
         r->dfdd[i] = response.dfdd;
@@ -331,8 +322,8 @@ double dp_system_acceleration(const struct dp_system *s, const struct state *now
     for (int n = 0; n < now->n_live; n++) {
         const struct link *l = &m->link[now->live[n]];
         if (l->dof[0] == i || l->dof[1] == i) {
-            double d = state_gap(l, m, r->u, r->ground.u) - l->gap;
-            double rate = state_gap(l, m, r->v, r->ground.v);
+            double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
+            double rate = dp_system_across(l, m, r->v, r->ground.v);
             double force = dp_system_response(s, now, now->live[n], d, rate).force;
             a += (l->dof[0] == i ? -force : force) * s->mobility[i];
         }

@@ -4,6 +4,8 @@
 #ifndef JOSTLE_DP_SYSTEM_H
 #define JOSTLE_DP_SYSTEM_H
 
+#include <assert.h>
+
 #include "solve/forcing.h"
 #include "solve/state.h"
 
@@ -96,6 +98,13 @@ static inline double dp_system_ground(const struct dp_system *s, double t, struc
     }
     forcing_ground(&s->forcing, t, &r->ground);
     return s->model->n_ground == 1 ? r->ground.a[0] : 0.0;
+}
+
+// state_gap of an array of core/lanes.h: a wall stands at the zero in front of it.
+static inline double dp_system_across(const struct link *l, const struct model *m, const double *x,
+                                      const double *ground) {
+    static_assert(WALL == -1, "a wall is the zero in front of an array");
+    return x[l->dof[0]] - x[l->dof[1]] + state_ground_gap(l, m, ground);
 }
 
 // The total acceleration of floor i alone, from the motion of its building and of the floors that
