@@ -22,9 +22,9 @@ static const double NEGLIGIBLE = 1e-4;  // less than (SAFETY / GROW_MOST)^5
 // What makes the bits of a number, taken as its logarithm, err as much to both sides.
 static const int64_t NEAREST = -60 * (INT64_C(1) << 52) / 1000;
 
-// Step after an event over the one before it. Forces begin with an infinite slope where a contact
-// closes (d^(1/4)), and with a kink where its velocity turns.
-static const double AFTER_CLOSURE = 1e-3, AFTER_TURN = 1.0;
+// Step after the first closure over the one before it, as forces begin with an infinite slope
+// (d^(1/4)).
+static const double AFTER_CLOSURE = 1e-3;
 
 // The error of the first step after a closure over its estimate, where the force grows like
 // t^(1/4). For sum b_i c_i^(1/4) - 4/5 over sum e_i c_i^(1/4), with the nodes and weights of the
@@ -191,8 +191,6 @@ static int happen(struct dp *p, struct error *e) {
     p->closed_now |= event->kind == DP_CLOSE;
     if (event->kind == DP_CLOSE) {
         p->trial = p->onset > 0.0 ? fmin(p->onset, p->trial) : p->trial * AFTER_CLOSURE;
-    } else if (event->kind == DP_TURN) {
-        p->trial *= AFTER_TURN;
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
     rates_now(p);
