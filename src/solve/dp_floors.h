@@ -4,6 +4,16 @@
 // neighbour (DP_BELOW, DP_ABOVE), where functions run (DP_CLONES) and what they make up
 // (DP_FLOORS). Neighbours come from registers, as a load that spans two stores made just before
 // would wait until both are in the cache.
+//
+// Dormand & Prince (1980), J. Comp. Appl. Math. 6, 19-26: seven stages of order 5 with an error
+// estimate of order 4; the last stage is the first of the next step. Coefficients as in Hairer,
+// Norsett & Wanner (1993), Solving Ordinary Differential Equations I, table II.5.2.
+//
+// As u' = v, the stages of u need no velocities of other stages: with the coefficients A of the
+// method and Q = A A,
+//     V_s = v + h sum A_sj a_j,    U_s = u + c_s h v + h^2 sum Q_sj a_j,
+// which is the same method with half the sums (ibid., section II.14). The error estimates h E and
+// h^2 (E A) follow in the same way.
 #ifndef JOSTLE_DP_FLOORS_H
 #define JOSTLE_DP_FLOORS_H
 
@@ -60,7 +70,7 @@ static const struct sums error_sums = {
     {611.0 / 230400.0, -514.0 / 83475.0, 391.0 / 38400.0, -4617.0 / 1356800.0, -11.0 / 3360.0, 0.0},
 };
 
-// Their accelerations.
+// The accelerations that sums go over.
 LANES_INLINE void gather(const struct dp *p, const struct sums *s, const double **a) {
     for (int j = 0; j < s->n; j++) {
         a[j] = p->stage[s->terms == BUT_SECOND && j > 0 ? j + 1 : j]->a;
@@ -71,7 +81,7 @@ struct motion_part {
     dp_lanes u, v;
 };
 
-// Those sums for the floors from i on. Where this is expanded n is a constant. The last
+// The sums of the floors from i on. Where this is expanded n is a constant. The last
 // acceleration, for which all else waits, comes last.
 LANES_INLINE struct motion_part sum_part(int n, const struct sums *s, const double *const *a,
                                          ptrdiff_t i) {

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dormand & Prince (1980), J. Comp. Appl. Math. 6, 19-26: seven stages of order 5 with an error
-// estimate of order 4; the last stage is the first of the next step. Coefficients as in Hairer,
-// Norsett & Wanner (1993), Solving Ordinary Differential Equations I, table II.5.2.
-//
-// As u' = v, the stages of u need no velocities of other stages: with the coefficients A of the
-// method and Q = A A,
-//     V_s = v + h sum A_sj a_j,    U_s = u + c_s h v + h^2 sum Q_sj a_j,
-// which is the same method with half the sums (ibid., section II.14). The error estimates h E and
-// h^2 (E A) follow in the same way.
-#include <assert.h>
+// A step as a whole: which vectors it takes (dp_floors.h has the method), what links see of it, and
+// what lies between its ends.
 #include <math.h>
-#include <string.h>
 
 #include "core/lanes.h"
-#include "core/number.h"
 #include "solve/dp.h"
 
 const struct dp_floors *dp_floors_widest(void) {
