@@ -14,9 +14,6 @@
 
 enum { DP_STAGES = 7 };
 
-// The stages that sums go over: those before it, or the ones that the solution is made of.
-enum dp_terms { DP_ALL, DP_BUT_SECOND, DP_TERMS };
-
 enum dp_event_kind {
     DP_NONE,
     DP_CLOSE,   // a contact closes
@@ -41,23 +38,24 @@ struct dp {
     struct results *results;     // borrowed
     struct impact_log *impacts;  // borrowed
     struct dp_system system;
+    const struct dp_floors *floors;
     struct gaps gaps;        // only the runs of links
     struct state now, next;  // the ends of the step; histories and closed links are in `now`
-    struct dp_rates stage[DP_STAGES];         // the first at `now`, the last at `next`
-    const double *term[DP_TERMS][DP_STAGES];  // their accelerations
-    struct meeting *meeting;                  // (n_contact) scratch of rigid impacts
-    double *rate[2];                          // [L/T] (n_link) of penetrations at both ends
-    double *reach;              // [L] (n_contact) upper bounds of penetrations in the step
-    bool closes, deepens;       // can any be above 0, or above its peak?
-    double *zero;               // (n_dof) zeros
-    double *error_u, *error_v;  // (n_dof) scratch
-    struct scales scales;       // of errors
-    bool grown;                 // since the scales were made
+    struct dp_rates rates[DP_STAGES];   // in any order
+    struct dp_rates *stage[DP_STAGES];  // the first at `now`, the last at `next`
+    struct meeting *meeting;            // (n_contact) scratch of rigid impacts
+    double *rate[2];                    // [L/T] (n_link) of penetrations at both ends
+    double *reach;                      // [L] (n_contact) upper bounds of penetrations in the step
+    bool closes, deepens;               // can any be above 0, or above its peak?
+    struct scales scales;               // of errors
+    bool grown;                         // since the scales were made
     struct energy_account before, energy;  // up to the start and to the end of the step
 
     double h;               // [T] the step; 0: none has been made
     double trial;           // [T] what the error control would take next
+    double longest;         // [T] no step is longer
     bool closed_now;        // a contact has closed at `now`
+    double onset;           // [T] the step that the last closure would have wanted; 0: none yet
     struct dp_event event;  // at the end of the step
     int last_link;          // of the last event; -1: none
     long events_before;     // events when time was last seen to move
@@ -65,8 +63,25 @@ struct dp {
     struct pace pace;       // of all steps
 };
 
-// dp_stages.c: makes the sums go over the arrays that the stages have.
-void dp_stages_bind(struct dp *p);
+// The n floors from `first` on, in whole lanes, that are looked at for peaks: negative are those
+// that could have one in the step, and whose acceleration could.
+enum { DP_LOOK = 8 * LANES_WIDTH };
+struct dp_look {
+    int first, n;
+    int64_t hit[DP_LOOK], bends[DP_LOOK];
+};
+
+// What a step does with all floors, in vectors (dp_floors.h).
+struct dp_floors {
+    void (*take)(struct dp *p);           // dp_stages_take, once length and end are set
+    double (*error)(const struct dp *p);  // largest of u and v over their sizes
+    int64_t (*look)(struct dp *p, struct dp_look *l);  // and drifts; negative: any could
+    void (*work)(const struct dp *p, const double *time, struct energy_account *energy);
+};
+extern const struct dp_floors dp_narrow, dp_wide;
+
+// dp_stages.c: the widest ones for this processor.
+const struct dp_floors *dp_floors_widest(void);
 
 // Takes the step from `now` of length h to time `end` into `next`.
 void dp_stages_take(struct dp *p, double h, double end);
@@ -79,8 +94,8 @@ double dp_stages_error(const struct dp *p);
 void dp_stages_weights(double x, double *weight);
 extern const double dp_stages_whole[DP_STAGES];
 
-// Fills what `next` has besides its motion: drifts and penetrations.
-void dp_stages_ends(struct dp *p);
+// Adds the works of the ground and of dampers on linear floors, by such weights.
+void dp_stages_work(const struct dp *p, const double *weight, struct energy_account *energy);
 
 // Penetrations of all links of state `s` and their rates.
 void dp_stages_gaps(const struct dp *p, struct state *s, double *rate);
@@ -88,11 +103,12 @@ void dp_stages_gaps(const struct dp *p, struct state *s, double *rate);
 // The motion of all floors at place x of the step.
 void dp_stages_between(const struct dp *p, double x, double *u, double *v);
 
-// dp_event.c: the motion of a floor, of a link, of a storey, and the first event in the step.
+// dp_event.c: the motion of a floor, of a link, of a storey, and the first event in the
+// step, into p->event.
 struct motion dp_event_floor(const struct dp *p, int i);
 struct motion dp_event_link(const struct dp *p, int k);
 struct motion dp_event_storey(const struct dp *p, int i);
-struct dp_event dp_event_first(struct dp *p);
+void dp_event_first(struct dp *p);
 
 // Takes the step again so that it ends at its event.
 void dp_event_locate(struct dp *p);

@@ -8,15 +8,16 @@
 
 #include "solve/dp.h"
 
-// Works that enter the energy account. The weight of the second stage is always 0.
-static void integrate(const struct dp *p, const double *weight, double *work) {
-    work[0] = work[1] = work[2] = 0.0;
-    for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
-        const struct dp_rates *r = &p->stage[s];
+// Adds the works of the step to the account, but those on links. The weight of the second stage is
+// always 0.
+static void integrate(const struct dp *p, const double *weight, struct energy_account *energy) {
+    dp_stages_work(p, weight, energy);
+    for (int s = 0; p->system.special && s < DP_STAGES; s += s == 0 ? 2 : 1) {
+        const struct dp_rates *r = p->stage[s];
         double time = p->h * weight[s];
-        work[0] += time * r->input;
-        work[1] += time * r->damping;
-        work[2] += time * r->storey;
+        energy->input += time * r->input;
+        energy->damping += time * r->damping;
+        energy->storey += time * r->storey;
     }
 }
 
@@ -27,10 +28,14 @@ static const double point[POINTS] = {0.046910077030668, 0.230765344947158, 0.5, 
 static const double point_weight[POINTS] = {0.118463442528095, 0.239314335249683, 0.284444444444444,
                                             0.239314335249683, 0.118463442528095};
 
-// The work done on link k up to the penetration d, where its force does not depend on its velocity:
-// so much the better than the integral of the power, as a closed cycle of such a law gives 0 but
-// for the rule. NAN: it does depend.
-static double elastic_work(const struct dp *p, int k, double d) {
+// The work done on link number n of the active ones up to the penetration d, where its force does
+// not depend on its velocity: so much the better than the integral of the power, as a closed cycle
+// of such a law gives 0 but for the rule. NAN: it does depend.
+static double elastic_work(const struct dp *p, int n, double d) {
+    int k = p->now.live[n];
+    if (p->stage[DP_STAGES - 1]->dfdv[n] != 0.0) {
+        return NAN;
+    }
     double start = p->now.delta[k];
     double v = (p->rate[0][k] + p->rate[1][k]) / 2.0;
     double work = 0.0;
@@ -49,37 +54,27 @@ static double elastic_work(const struct dp *p, int k, double d) {
 // impulse.
 static double link_work(const struct dp *p, const double *weight, int i, double d,
                         double *impulse) {
-    double elastic = elastic_work(p, p->now.live[i], d);
+    double elastic = elastic_work(p, i, d);
     double work = 0.0;
     *impulse = 0.0;
-    for (int s = 0; s < DP_STAGES; s++) {
-        work += p->h * weight[s] * p->stage[s].power[i];
-        *impulse += p->h * weight[s] * p->stage[s].force[i];
+    for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
+        work += p->h * weight[s] * p->stage[s]->power[i];
+        *impulse += p->h * weight[s] * p->stage[s]->force[i];
     }
     return isnan(elastic) ? work : elastic;
 }
 
-static void add_work(struct energy_account *e, const double *work, double contact) {
-    e->input += work[0];
-    e->damping += work[1];
-    e->storey += work[2];
-    e->contact += contact;
-}
-
 void dp_account_step(struct dp *p) {
-    double work[3];
-    double contact = 0.0;
+    p->before = p->energy;
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
         struct impact_share share = {.steps = 1};
         share.work = link_work(p, dp_stages_whole, i, p->next.delta[k], &share.impulse);
         dp_peaks_link(p, i, &share);
         impacts_add(p->impacts, p->results, p->model, k, &share);
-        contact += share.work;
+        p->energy.contact += share.work;
     }
-    integrate(p, dp_stages_whole, work);
-    p->before = p->energy;
-    add_work(&p->energy, work, contact);
+    integrate(p, dp_stages_whole, &p->energy);
 }
 
 // The motion of n floors from `first` on at place x, into the second stage: its weight in the works
@@ -88,8 +83,8 @@ static void interpolate(struct dp *p, double x, int first, int n) {
     for (int i = first; i < first + n; i++) {
         struct motion m = dp_event_floor(p, i);
         struct polynomial u = hermite_position(&m);
-        p->stage[1].u[i] = hermite_value(&u, x);
-        p->stage[1].v[i] = hermite_slope(&u, x) / p->h;
+        p->stage[1]->u[i] = hermite_value(&u, x);
+        p->stage[1]->v[i] = hermite_slope(&u, x) / p->h;
     }
 }
 
@@ -108,12 +103,12 @@ double dp_account_acceleration(struct dp *p, double x, int i) {
             interpolate(p, x, dof[0] == i ? dof[1] : dof[0], 1);
         }
     }
-    return dp_system_acceleration(&p->system, &p->now, p->now.time + x * p->h, &p->stage[1], i);
+    return dp_system_acceleration(&p->system, &p->now, p->now.time + x * p->h, p->stage[1], i);
 }
 
 // The state at place x of the step, and the rates there.
 static const struct dp_rates *rates_at(struct dp *p, double x) {
-    struct dp_rates *r = &p->stage[1];
+    struct dp_rates *r = p->stage[1];
     dp_stages_between(p, x, r->u, r->v);
     dp_system_rates(&p->system, &p->now, p->now.time + x * p->h, r);
     return r;
@@ -124,7 +119,7 @@ static void row_links(const struct dp *p, const struct dp_rates *rates, struct s
     const struct model *m = p->model;
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
-        row->delta[k] = state_gap(l, m, rates->u, rates->ground.u) - l->gap;
+        row->delta[k] = dp_system_across(l, m, rates->u, rates->ground.u) - l->gap;
         row->link[k].closed = p->now.link[k].closed;
         row->link[k].force = 0.0;
     }
@@ -149,19 +144,18 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
     const struct model *m = p->model;
     size_t size = (size_t)m->n_dof * sizeof(double);
     double x = t < p->next.time ? (t - p->now.time) / p->h : 1.0;
-    double work[3];
     double weight[DP_STAGES];
-    double contact = 0.0;
     dp_stages_weights(x, weight);
-    integrate(p, weight, work);
+    *energy = p->before;
+    integrate(p, weight, energy);
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
         struct motion motion = dp_event_link(p, k);
         struct polynomial path = hermite_position(&motion);
         double impulse;
-        contact += link_work(p, weight, i, hermite_value(&path, x), &impulse);
+        energy->contact += link_work(p, weight, i, hermite_value(&path, x), &impulse);
     }
-    const struct dp_rates *rates = x < 1.0 ? rates_at(p, x) : &p->stage[DP_STAGES - 1];
+    const struct dp_rates *rates = x < 1.0 ? rates_at(p, x) : p->stage[DP_STAGES - 1];
     row->time = t;
     memcpy(row->u, rates->u, size);
     memcpy(row->v, rates->v, size);
@@ -174,6 +168,4 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
     }
     row_storeys(p, row);
     row_links(p, rates, row);
-    *energy = p->before;
-    add_work(energy, work, contact);
 }

@@ -20,18 +20,22 @@
 
 enum { ITERATIONS_MAX = 60 };
 
-// Corrections of the instant of an event, as a share of the step, after which the step is taken a
-// last time; the next one would be about their square. Where a law is only changed the instant may
-// be wrong by the tolerance; where a history is committed, or velocities jump, it may not.
-static const double LOCATED = 1e-7, LOCATED_ROUGHLY = 1e-4;
+// A correction of the instant of an event, as a share of the step, after which the step is taken a
+// last time; one of its square would be too small to matter. Where a law is only changed the
+// instant may be wrong by the tolerance, but not where that would be before a turn, which would
+// come again; where a history is committed, or velocities jump, it may not.
+static const double located[] = {
+    [DP_CLOSE] = 3e-3, [DP_OPEN] = 3e-3,   [DP_TURN] = 1e-4,
+    [DP_MEET] = 1e-7,  [DP_BRANCH] = 1e-7, [DP_UNLOAD] = 1e-7,
+};
 
 static const double ROUNDING = 64.0;  // units in the last place that mean nothing
 static const double STILL = 1e-3;     // of the error allowed: a drift that has not moved
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 static void motion_accelerations(const struct dp *p, const struct link *l, struct motion *m) {
-    m->a[0] = state_gap(l, p->model, p->now.a, p->now.ground_a);
-    m->a[1] = state_gap(l, p->model, p->next.a, p->next.ground_a);
+    m->a[0] = dp_system_across(l, p->model, p->now.a, p->now.ground_a);
+    m->a[1] = dp_system_across(l, p->model, p->next.a, p->next.ground_a);
 }
 
 struct motion dp_event_link(const struct dp *p, int k) {
@@ -243,20 +247,24 @@ LANES static void find_reach(struct dp *p, int n) {
     p->deepens = deepens != 0;
 }
 
-struct dp_event dp_event_first(struct dp *p) {
-    struct dp_event first = nothing;
+static void take_earlier(struct dp *p, struct dp_event event) {
+    if (event.place < p->event.place) {
+        p->event = event;
+    }
+}
+
+void dp_event_first(struct dp *p) {
+    p->event.kind = DP_NONE;
+    p->event.place = INFINITY;
     find_reach(p, p->model->n_contact);
     for (int k = 0, n = p->closes ? p->model->n_contact : 0; k < n; k++) {
         if (p->reach[k] > 0.0 || p->now.link[k].closed) {
-            struct dp_event event = link_event(p, k);
-            first = event.place < first.place ? event : first;
+            take_earlier(p, link_event(p, k));
         }
     }
     for (int n = 0; n < p->system.n_inelastic; n++) {
-        struct dp_event event = storey_event(p, p->system.inelastic[n]);
-        first = event.place < first.place ? event : first;
+        take_earlier(p, storey_event(p, p->system.inelastic[n]));
     }
-    return first;
 }
 
 static bool is_of_storey(const struct dp_event *e) {
@@ -275,21 +283,16 @@ static double value_at_end(const struct dp *p, double *rate) {
     return m.d[1] - e->target;
 }
 
-static double located(const struct dp *p) {
-    bool roughly = p->event.kind != DP_MEET && !is_of_storey(&p->event);
-    return roughly ? fmin(LOCATED_ROUGHLY, sqrt(p->model->control.tolerance)) : LOCATED;
-}
-
 void dp_event_locate(struct dp *p) {
     double sign = p->event.direction > 0.0 ? 1.0 : -1.0;
     double whole = p->h;
     double low = 0.0;
     double high = whole;
     double h = p->event.place * whole;
-    double near = located(p) * whole;
+    double near = fmin(located[p->event.kind], sqrt(p->model->control.tolerance));
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         dp_stages_take(p, h, p->now.time + h);
-        dp_stages_ends(p);
+        dp_stages_gaps(p, &p->next, p->rate[1]);
         double rate;
         double value = value_at_end(p, &rate);
         if (value == 0.0) {
@@ -300,11 +303,15 @@ void dp_event_locate(struct dp *p) {
         if (!(next > low && next < high)) {
             next = 0.5 * (low + high);
         }
-        bool last = fabs(next - h) <= near;
+        double correction = fabs(next - h) / whole;
+        if (correction <= near * near) {
+            break;
+        }
+        bool last = correction <= near;
         h = next;
         if (last) {
             dp_stages_take(p, h, p->now.time + h);
-            dp_stages_ends(p);
+            dp_stages_gaps(p, &p->next, p->rate[1]);
             break;
         }
     }

@@ -5,16 +5,12 @@
 // parabola put through the three. Most steps are far from any peak, and cost a few comparisons.
 #include <math.h>
 
-#include "core/lanes.h"
 #include "core/number.h"
 #include "solve/dp.h"
 
-// Distance in the step of the three values, and how much an acceleration may exceed those at the
-// stages.
+// Distance in the step of the three values, and how far the interpolation of an acceleration may be
+// too low.
 static const double BESIDE = 0.02, BEYOND = 1.1;
-
-// Floors, in whole lanes, that are looked at together.
-enum { BLOCK = 8 * LANES_WIDTH };
 
 enum { ITERATIONS_MAX = 40 };
 static const double PLACED = 1e-4;  // of the step, of an extremum of a force; its error is a square
@@ -87,7 +83,7 @@ static double acceleration_place(const struct dp *p, const struct building *g, i
     struct polynomial a = {{2.0 * u.c[2] / square + ground0,
                             6.0 * u.c[3] / square + ground1 - ground0, 12.0 * u.c[4] / square,
                             20.0 * u.c[5] / square, 0.0, 0.0}};
-    double best = fmax(fabs(total(&p->stage[0], g, i)), fabs(total(&p->stage[6], g, i)));
+    double best = fmax(fabs(total(p->stage[0], g, i)), fabs(total(p->stage[6], g, i)));
     best = fmax(best, p->results->peak[PEAK_ACCELERATION][i] / BEYOND);
     double place = -1.0;
     double x[2];
@@ -118,14 +114,6 @@ static void inner_acceleration(struct dp *p, const struct building *g, int i) {
          p->now.time + (x + shift * beside) * p->h);
 }
 
-// The largest acceleration of floor i at stages within the step.
-static double inner_size(const struct dp_rates *early, const struct dp_rates *late, int ground,
-                         int i) {
-    double x = fabs(early->a[i] + early->ground.a[ground]);
-    double y = fabs(late->a[i] + late->ground.a[ground]);
-    return x > y ? x : y;
-}
-
 static void inner_step(struct dp *p, int i) {
     const struct state *now = &p->now;
     const struct state *next = &p->next;
@@ -146,10 +134,6 @@ static void inner_step(struct dp *p, int i) {
         may_exceed(peak[PEAK_DRIFT][i], next->drift[i], v1 - below1, h)) {
         inner_drift(p, i);
     }
-    if (BEYOND * inner_size(&p->stage[2], &p->stage[3], g->ground, i) >
-        peak[PEAK_ACCELERATION][i]) {
-        inner_acceleration(p, g, i);
-    }
 }
 
 // Values at one instant. The shear of an elastic storey is largest with its drift.
@@ -163,37 +147,6 @@ static void floor_at(struct dp *p, const struct state *s, int i) {
     }
 }
 
-// Which of the n floors from `first` on, in whole lanes, could have a new peak in the step? Upper
-// bounds of motions, and accelerations at stages with what may lie beyond them; those of the floors
-// are negative in `hit`, and so is what is returned if any is.
-LANES static int64_t may_peak(const struct dp *p, int first, int n, int64_t *restrict hit) {
-    const double *restrict u1 = p->next.u, *restrict v1 = p->next.v;
-    const double *restrict a1 = p->next.a, *restrict d1 = p->next.drift;
-    const double *restrict a2 = p->stage[2].a, *restrict a3 = p->stage[3].a;
-    const double *restrict share = p->system.row[DP_GROUND];
-    const double *restrict joint = p->model->chain.joint;
-    double *const *peak = p->results->peak;
-    const double *restrict u = peak[PEAK_DISPLACEMENT], *restrict v = peak[PEAK_VELOCITY];
-    const double *restrict d = peak[PEAK_DRIFT], *restrict a = peak[PEAK_ACCELERATION];
-    double h = p->h;
-    double g1 = p->next.ground_a[0];
-    double g2 = p->stage[2].ground.a[0];
-    double g3 = p->stage[3].ground.a[0];
-    int64_t found = 0;
-    for (int i = first, end = first + lanes_whole(n); i < end; i++) {
-        double slip = v1[i] - joint[i] * v1[i - 1];
-        int64_t beyond = number_beyond(fabs(u1[i]) + h * fabs(v1[i]), u[i]) |
-                         number_beyond(fabs(v1[i]) + h * fabs(a1[i]), v[i]) |
-                         number_beyond(fabs(d1[i]) + h * fabs(slip), d[i]) |
-                         number_beyond(a1[i] + share[i] * g1, a[i]) |
-                         number_beyond(BEYOND * (a2[i] + share[i] * g2), a[i]) |
-                         number_beyond(BEYOND * (a3[i] + share[i] * g3), a[i]);
-        hit[i - first] = beyond;
-        found |= beyond;
-    }
-    return found;
-}
-
 // Makes the scales of errors again, if motions have grown.
 static void rescale(struct dp *p) {
     if (p->grown) {
@@ -202,20 +155,35 @@ static void rescale(struct dp *p) {
     }
 }
 
+// Could the acceleration of a floor have a peak within the step, by those at the stages?
+static bool may_bend(const struct dp *p, const struct dp_look *l, int i) {
+    if (p->model->n_ground == 1) {
+        return l->bends[i - l->first] < 0;
+    }
+    const struct building *g = &p->model->building[p->system.building[i]];
+    double most = number_max(fabs(total(p->stage[2], g, i)), fabs(total(p->stage[3], g, i)));
+    return BEYOND * most > p->results->peak[PEAK_ACCELERATION][i];
+}
+
+static void floor_step(struct dp *p, const struct dp_look *l, int i) {
+    inner_step(p, i);
+    if (may_bend(p, l, i)) {
+        inner_acceleration(p, &p->model->building[p->system.building[i]], i);
+    }
+    floor_at(p, &p->next, i);
+}
+
 // Where there are several grounds, or storeys with a history, no bound is known.
 static void floors_step(struct dp *p) {
     const struct model *m = p->model;
     bool always = m->n_ground != 1 || m->n_storey_history > 0;
-    int64_t hit[BLOCK];
-    for (int first = 0; first < m->n_dof; first += BLOCK) {
-        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
-        if (!always && may_peak(p, first, n, hit) >= 0) {
-            continue;
-        }
-        for (int i = 0; i < n; i++) {
-            if (always || hit[i] < 0) {
-                inner_step(p, first + i);
-                floor_at(p, &p->next, first + i);
+    struct dp_look l;
+    for (l.first = 0; l.first < m->n_dof; l.first += DP_LOOK) {
+        l.n = m->n_dof - l.first < DP_LOOK ? m->n_dof - l.first : DP_LOOK;
+        bool found = p->floors->look(p, &l) < 0;
+        for (int i = 0; (found || always) && i < l.n; i++) {
+            if (always || l.hit[i] < 0) {
+                floor_step(p, &l, l.first + i);
             }
         }
     }
@@ -282,8 +250,8 @@ static double force_at(const struct dp *p, int k, const struct polynomial *path,
 // The force of link k, number i of the active ones, where its rate changes its sign inside the
 // step, and when; the one at the end where it does not.
 static double inner_force(const struct dp *p, int i, const struct motion *m, double *time) {
-    const struct dp_rates *first = &p->stage[0];
-    const struct dp_rates *last = &p->stage[DP_STAGES - 1];
+    const struct dp_rates *first = p->stage[0];
+    const struct dp_rates *last = p->stage[DP_STAGES - 1];
     double start = first->dfdd[i] * m->v[0] + first->dfdv[i] * m->a[0];
     double rate = last->dfdd[i] * m->v[1] + last->dfdv[i] * m->a[1];
     double force = last->force[i];
@@ -310,7 +278,7 @@ void dp_peaks_link(struct dp *p, int i, struct impact_share *share) {
     double time;
     double force = inner_force(p, i, &m, &time);
     share->penetration = link_penetration(p, k, &m);
-    share->force = p->stage[DP_STAGES - 1].force[i];
+    share->force = p->stage[DP_STAGES - 1]->force[i];
     note_force(&p->results->link[k], both ? fabs(share->force) : share->force, p->next.time);
     note_force(&p->results->link[k], both ? fabs(force) : force, time);
     share->force = number_max(share->force, force);
@@ -333,7 +301,7 @@ void dp_peaks_now(struct dp *p) {
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
         bool both = p->model->link[k].bilateral;
-        double force = p->stage[0].force[i];
+        double force = p->stage[0]->force[i];
         note_force(&p->results->link[k], both ? fabs(force) : force, p->now.time);
     }
 }

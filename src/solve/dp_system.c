@@ -9,14 +9,12 @@
 // dp_event.c. Other storey laws are called as they are.
 #include "solve/dp_system.h"
 
-#include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/dp_floors.h"
 
 // How far beyond its drift a storey is asked for its tangent, relative to its drift or to that
 // which its shear would take elastically: far above rounding, far below any tolerance.
@@ -25,8 +23,7 @@ static const double PROBE = 1e-12;
 bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a) {
     size_t n = (size_t)m->n_dof;
     *s = (struct dp_system){.model = m};
-    double **const part[] = {&s->mobility, &s->base,    &s->tangent,
-                             &s->damping,  &s->carried, &s->damped};
+    double **const part[] = {&s->mobility, &s->base, &s->tangent, &s->damping};
     bool good = true;
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         good = good && (*part[i] = lanes_array(a, m->n_dof));
@@ -107,6 +104,7 @@ static void start_floor(struct dp_system *s, const struct state *now, int k, int
     int i = g->first + floor;
     const struct storey *law = &s->model->storey[i];
     s->row[DP_GROUND][i] = s->model->n_ground == 1 ? 1.0 : 0.0;
+    s->row[DP_CARRIED][i] = s->row[DP_GROUND][i] * g->mass[floor];
     s->mobility[i] = 1.0 / g->mass[floor];
     s->building[i] = k;
     s->below[i] = floor > 0 ? i - 1 : -1;
@@ -116,6 +114,8 @@ static void start_floor(struct dp_system *s, const struct state *now, int k, int
         s->row[DP_C_BELOW][i] = floor > 0 ? g->damping_off[floor - 1] * s->mobility[i] : 0.0;
         s->row[DP_C_OWN][i] = g->damping_diagonal[floor] * s->mobility[i];
         s->row[DP_C_ABOVE][i] = g->damping_off[floor] * s->mobility[i];
+        s->row[DP_DAMPER][i] = g->damping_diagonal[floor];
+        s->row[DP_DAMPER_ABOVE][i] = 2.0 * g->damping_off[floor];
     }
     if (law->law->n_history > 0) {
         s->inelastic[s->n_inelastic++] = i;
@@ -132,6 +132,7 @@ void dp_system_start(struct dp_system *s, const struct state *now) {
             start_floor(s, now, k, i);
         }
     }
+    s->special = m->n_ground > 1 || m->chain.full_damping || s->n_inelastic > 0 || m->n_load > 0;
     for (int k = 0; k < m->n_link; k++) {
         s->phase[k] = m->link[k].bilateral          ? PHASE_ANY
                       : state_rate(now, m, k) < 0.0 ? PHASE_RELEASE
@@ -168,8 +169,20 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
     return s->calls[i] ? storey_at(s, now, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
+// Accelerations of all floors from r->u and r->v without links, loads and what is special, under
+// the ground acceleration `ground`; as floors_take_stage.
 LANES static void floor_rates(const struct dp_system *s, double ground, struct dp_rates *r) {
-    dp_floors_rates(s, ground, r);
+    double *const *row = s->row;
+    const double *u = r->u, *v = r->v;
+    double *a = r->a;
+    LANES_LOOP
+    for (int i = 0, end = lanes_whole(s->model->n_dof); i < end; i++) {
+        double spring =
+            row[DP_K_BELOW][i] * u[i - 1] + row[DP_K_OWN][i] * u[i] + row[DP_K_ABOVE][i] * u[i + 1];
+        double still = row[DP_CONSTANT][i] - ground * row[DP_GROUND][i] - spring;
+        double joined = row[DP_C_BELOW][i] * v[i - 1] + row[DP_C_ABOVE][i] * v[i + 1];
+        a[i] = still - row[DP_C_OWN][i] * v[i] - joined;
+    }
 }
 
 // Ground accelerations where there are several.
@@ -225,42 +238,33 @@ static void load_rates(const struct dp_system *s, double t, struct dp_rates *r) 
     }
 }
 
-// state_gap from arrays with a zero in front, at which a wall stands.
-static double gap(const struct link *l, const struct model *m, const double *x,
-                  const double *ground) {
-    static_assert(WALL == -1, "a wall is the zero in front of an array");
-    return x[l->dof[0]] - x[l->dof[1]] + state_ground_gap(l, m, ground);
-}
-
 static void link_rates(const struct dp_system *s, const struct state *now, struct dp_rates *r) {
     const struct model *m = s->model;
     for (int i = 0; i < now->n_live; i++) {
         int k = now->live[i];
         const struct link *l = &m->link[k];
-        double rate = gap(l, m, r->v, r->ground.v);
-        double d = gap(l, m, r->u, r->ground.u) - l->gap;
+        double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
+        double rate = dp_system_across(l, m, r->v, r->ground.v);
         struct contact_response response = response_of(s, now, k, d, rate);
         double force = response.force;
-        r->force[i] = force;
-        r->power[i] = force * rate;
-        r->dfdd[i] = response.dfdd;
-        r->dfdv[i] = response.dfdv;
         if (l->dof[0] != WALL) {
             r->a[l->dof[0]] -= force * s->mobility[l->dof[0]];
         }
         if (l->dof[1] != WALL) {
             r->a[l->dof[1]] += force * s->mobility[l->dof[1]];
         }
-        if (l->moving_ground) {
-            r->input += force * (rate - (r->v[l->dof[0]] - r->v[l->dof[1]]));
-        }
+        r->input += force * state_ground_gap(l, m, r->ground.v);
+        r->force[i] = force;
+        r->power[i] = force * rate;
+        r->dfdd[i] = response.dfdd;
+        r->dfdv[i] = response.dfdv;
     }
 }
 
 void dp_system_add(const struct dp_system *s, const struct state *now, double t,
                    struct dp_rates *r) {
     const struct model *m = s->model;
-    r->storey = 0.0;
+    r->input = r->damping = r->storey = 0.0;
     if (m->n_ground > 1) {
         ground_rates(s, r);
     }
@@ -318,8 +322,8 @@ double dp_system_acceleration(const struct dp_system *s, const struct state *now
     for (int n = 0; n < now->n_live; n++) {
         const struct link *l = &m->link[now->live[n]];
         if (l->dof[0] == i || l->dof[1] == i) {
-            double d = state_gap(l, m, r->u, r->ground.u) - l->gap;
-            double rate = state_gap(l, m, r->v, r->ground.v);
+            double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
+            double rate = dp_system_across(l, m, r->v, r->ground.v);
             double force = dp_system_response(s, now, now->live[n], d, rate).force;
             a += (l->dof[0] == i ? -force : force) * s->mobility[i];
         }

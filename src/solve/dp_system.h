@@ -4,6 +4,8 @@
 #ifndef JOSTLE_DP_SYSTEM_H
 #define JOSTLE_DP_SYSTEM_H
 
+#include <assert.h>
+
 #include "solve/forcing.h"
 #include "solve/state.h"
 
@@ -16,7 +18,8 @@ enum phase {
 
 // What a floor's acceleration is made of, besides loads and links, each an array of core/lanes.h:
 // M^-1 K and M^-1 C, each with the floor below, the floor itself and the one above; M^-1 times the
-// forces that do not depend on the motion; and the share of the ground's acceleration, 1.
+// forces that do not depend on the motion; and the share of the ground's acceleration, 1. For their
+// works: the mass that the ground carries, and C, with twice what joins a floor to the one above.
 enum dp_row {
     DP_K_BELOW,
     DP_K_OWN,
@@ -26,18 +29,20 @@ enum dp_row {
     DP_C_ABOVE,
     DP_CONSTANT,
     DP_GROUND,
+    DP_CARRIED,
+    DP_DAMPER,
+    DP_DAMPER_ABOVE,
     DP_ROWS
 };
 
 struct dp_system {
     const struct model *model;  // borrowed
     struct forcing forcing;
+    bool special;            // is there more than linear floors on one ground, and links?
     double *row[DP_ROWS];    // (n_dof) coefficients of the accelerations on this branch
     double *mobility;        // [1/M] (n_dof) 1 / m
     double *base, *tangent;  // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
     double *damping;         // [F] (n_dof) scratch
-    double *carried;         // [F T] (n_dof) scratch: momenta of floors that the ground moves
-    double *damped;          // [F L/T] (n_dof) scratch: powers of dampers
     enum phase *phase;       // (n_link)
     int n_inelastic;         // storeys with a history
     int *inelastic;          // (n_dof) their indices
@@ -54,8 +59,9 @@ struct dp_rates {
     double *force;                 // [F] (n_live)
     double *power;                 // [F L/T] (n_live) of those forces
     double *dfdd, *dfdv;           // [F/L] [F T/L] (n_live) their slopes
-    double input, damping;         // [F L/T] of all loads, and of all dampers
-    double storey;                 // [F L/T] done on storeys that are not elastic
+    // [F L/T] of loads, of full dampings and on storeys that are not elastic; not where nothing is
+    // special
+    double input, damping, storey;
 };
 
 // Room for a system; false: no memory.
@@ -78,7 +84,7 @@ double dp_system_storey_noise(const struct dp_system *s, const struct state *now
 double dp_system_shear(const struct dp_system *s, const struct state *now, int i, double drift);
 
 // Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`: those
-// of dp_floors.h, and what dp_system_add adds to them.
+// of linear floors, and what dp_system_add adds to them.
 void dp_system_add(const struct dp_system *s, const struct state *now, double t,
                    struct dp_rates *r);
 void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
@@ -92,6 +98,13 @@ static inline double dp_system_ground(const struct dp_system *s, double t, struc
     }
     forcing_ground(&s->forcing, t, &r->ground);
     return s->model->n_ground == 1 ? r->ground.a[0] : 0.0;
+}
+
+// state_gap of an array of core/lanes.h: a wall stands at the zero in front of it.
+static inline double dp_system_across(const struct link *l, const struct model *m, const double *x,
+                                      const double *ground) {
+    static_assert(WALL == -1, "a wall is the zero in front of an array");
+    return x[l->dof[0]] - x[l->dof[1]] + state_ground_gap(l, m, ground);
 }
 
 // The total acceleration of floor i alone, from the motion of its building and of the floors that

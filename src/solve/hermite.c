@@ -8,7 +8,7 @@
 #include <stdbool.h>
 
 enum { ITERATIONS_MAX = 100 };
-static const double PRECISION = 1e-15;  // of x
+static const double PRECISION = 1e-9;  // of x; the next correction would be about its square
 
 double hermite_value(const struct polynomial *p, double x) {
     const double *c = p->c;
@@ -28,7 +28,7 @@ double hermite_root(const struct polynomial *p, double low, double high) {
     }
     double sign = end > start ? 1.0 : -1.0;
     double x = low + (high - low) * fmin(fmax(start / (start - end), 0.0), 1.0);
-    for (int i = 0; i < ITERATIONS_MAX && high - low > PRECISION; i++) {
+    for (int i = 0; i < ITERATIONS_MAX && high > low; i++) {
         double y = hermite_value(p, x);
         if (y == 0.0) {
             return x;
@@ -69,6 +69,10 @@ int hermite_extrema(const struct polynomial *p, double *at) {
     double a = 3.0 * p->c[3];
     double b = p->c[2];  // a x^2 + 2 b x + c
     double c = p->c[1];
+    bool same_sign = c * (a + 2.0 * b + c) > 0.0;
+    if (same_sign && b * (a + b) >= 0.0) {
+        return 0;  // it is monotone between ends of one sign
+    }
     double square = b * b - a * c;
     if (!(square > 0.0)) {
         return 0;

@@ -25,5 +25,8 @@ bool pace_is_slow(struct pace *p, const struct model *m, double time, double *st
 }
 
 double pace_parts(double rest, double trial, double longest) {
+    if (rest <= (1.0 + STRETCH) * trial && rest <= longest) {
+        return 1.0;
+    }
     return ceil(fmax(rest / trial - STRETCH, rest / longest - ROUNDING));
 }

@@ -63,6 +63,61 @@ static void error_and_energy_residual_go_with_the_tolerance(void **state) {
     assert_true(residual[3] < residual[0] / 1e5);
 }
 
+// Largest difference of displacements in the rows of two runs, from time t on.
+static double difference(const struct analysis *a, const struct analysis *b, double t) {
+    double largest = 0.0;
+    assert_int_equal(a->rows.n, b->rows.n);
+    for (long i = analysis_row(a, t) * a->rows.n_dof; i < a->rows.n * a->rows.n_dof; i++) {
+        largest = fmax(largest, fabs(a->rows.displacement[i] - b->rows.displacement[i]));
+    }
+    return largest;
+}
+
+// What docs/performance.md measures: 68 impacts, and 9 s after the record.
+static void two_buildings_are_followed_to_less_than_a_micrometre(void **state) {
+    (void)state;
+    static const char *const tolerance[] = {"3e-6", "1e-11"};
+    struct analysis a[2];
+    for (int i = 0; i < 2; i++) {
+        a[i] = analysis_of("building A -floors 8 -mass 300t -stiffness 345MN/m\n"
+                           "building B -floors 5 -mass 300t -stiffness 345MN/m\n"
+                           "damping A rayleigh 5%%\ndamping B rayleigh 5%%\n"
+                           "contact A B -gap 20mm -law jankowski -k 2.75e9N/m^1.5 -zeta 0.35\n"
+                           "ground record input/records/ELCENTRO_1940_NS.AT2\nduration 40s\n"
+                           "step adaptive -tolerance %s\n",
+                           tolerance[i]);
+        assert_int_equal(a[i].results->n_impact, 68);
+    }
+    // The tolerance times the largest displacement, 0.14 m, which one step may err by.
+    assert_true(difference(&a[0], &a[1], 0.0) < 0.42e-6);
+    // Few steps are rejected: less than 4 % of all.
+    assert_true(a[0].results->totals.cuts < 0.04 * (double)a[0].results->totals.steps);
+    for (int i = 0; i < 5; i++) {
+        assert_close(a[0].results->link[i].penetration, a[1].results->link[i].penetration, 1e-5);
+        assert_close(a[0].results->link[i].impulse, a[1].results->link[i].impulse, 1e-5);
+    }
+    analysis_free(&a[0]);
+    analysis_free(&a[1]);
+}
+
+// Nothing ends the steps but their errors. The motion has died away by the factor 1e-5 after 33 s,
+// and steps that are not stable would keep the fastest mode at the size of the tolerance.
+static void a_motion_dies_away_however_long_steps_may_be(void **state) {
+    (void)state;
+    static const char *const tolerance[] = {"1e-3", "1e-9"};
+    struct analysis a[2];
+    for (int i = 0; i < 2; i++) {
+        a[i] = analysis_of("building A -floors 8 -mass 300t -stiffness 345MN/m\n"
+                           "damping A rayleigh 5%%\ninitial A:8 -displacement 0.1\n"
+                           "duration 40\noutput -interval 0.1\nstep adaptive -tolerance %s\n",
+                           tolerance[i]);
+    }
+    assert_true(difference(&a[0], &a[1], 33.0) < 1e-2 * 1e-3 * 0.1);
+    assert_true(a[0].results->totals.cuts < 10);
+    analysis_free(&a[0]);
+    analysis_free(&a[1]);
+}
+
 static void impacts_against_a_wall_have_their_closed_forms(void **state) {
     (void)state;
     struct analysis a =
@@ -274,6 +329,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_free_vibration_follows_the_cosine_and_its_peaks_are_exact),
         cmocka_unit_test(error_and_energy_residual_go_with_the_tolerance),
+        cmocka_unit_test(two_buildings_are_followed_to_less_than_a_micrometre),
+        cmocka_unit_test(a_motion_dies_away_however_long_steps_may_be),
         cmocka_unit_test(impacts_against_a_wall_have_their_closed_forms),
         cmocka_unit_test(rigid_bodies_bounce_by_newton_s_law),
         cmocka_unit_test(rigid_bodies_that_part_where_they_come_to_rest_are_apart),
