@@ -33,15 +33,10 @@ static const double UNSEEN = 51.5;
 
 // Share of the error allowed that this step aims at: what the last one had tells how, as the error
 // of a force that grows like t^(1/4) is of order 5/4 in the step.
-static const double ONSET_AIM = 0.3;
+static const double ONSET_AIM = 0.1;
 
 // First step over the shortest period of a building over 2 pi, or over the duration.
 static const double FIRST_OF_PERIOD = 1e-2, FIRST_OF_DURATION = 1e-6;
-
-// The longest step, over the same: the method is stable up to 1 without damping, 2.4 with 5 % of
-// the critical one, and 3.3 where it is strong. Longer steps would let the fastest mode grow until
-// the error control sees it, again and again where no corner of the forcing ends them.
-static const double STABLE = 2.5;
 
 // More events than this in such a share of the duration do not come from bodies that bounce.
 enum { CROWD = 4000, CROWD_PER_LINK = 4 };
@@ -131,7 +126,6 @@ void dormand_prince_start(struct dp *p, const struct state *start,
     double omega = largest_omega(m);
     double first = omega > 0.0 ? FIRST_OF_PERIOD / omega : FIRST_OF_DURATION * m->duration;
     p->trial = fmax(first, m->control.shortest);
-    p->longest = fmin(m->control.longest, STABLE / omega);
 }
 
 double dormand_prince_time(const struct dp *p) {
@@ -227,7 +221,7 @@ static int finish(struct dp *p, struct error *e) {
 static void take(struct dp *p) {
     double end = limit(p);
     double rest = end - p->now.time;
-    double parts = pace_parts(rest, p->trial, p->longest);
+    double parts = pace_parts(rest, p->trial, p->model->control.longest);
     if (parts > 1.0) {
         dp_stages_take(p, rest / parts, p->now.time + rest / parts);
     } else {

@@ -53,7 +53,6 @@ struct dp {
 
     double h;               // [T] the step; 0: none has been made
     double trial;           // [T] what the error control would take next
-    double longest;         // [T] no step is longer
     bool closed_now;        // a contact has closed at `now`
     double onset;           // [T] the step that the last closure would have wanted; 0: none yet
     struct dp_event event;  // at the end of the step
