@@ -6,10 +6,12 @@
 
 #include "core/arena.h"
 #include "core/number.h"
+#include "solve/ensemble_joints.h"
 
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
     e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
+    e->joints = ensemble_joints_create(m, a);
     e->grip = lanes_wide_array(a, m->n_contact, sizeof *e->grip);
     e->force = lanes_wide_array(a, m->n_contact, sizeof *e->force);
     e->acts = arena_alloc(a, (size_t)m->n_contact, sizeof *e->acts);
@@ -22,7 +24,8 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
         }
         e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->nearest && e->grip && e->force && e->acts && e->end && e->pressed;
+    return e->contact && e->nearest && e->joints && e->grip && e->force && e->acts && e->end &&
+           e->pressed;
 }
 
 static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {

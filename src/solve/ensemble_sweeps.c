@@ -9,7 +9,7 @@
 // Only the usual is done here: contacts that were closed, that Newton steps lead to their forces
 // within a few sweeps, and that stay as well resolved as they were (seen_before of resolve.c). A
 // lane in which anything else happens gives up, and its run is solved alone from where it began.
-#include "solve/ensemble_sweeps.h"
+#include "solve/ensemble_joints.h"
 
 #include <float.h>
 #include <math.h>
@@ -32,6 +32,15 @@
 #define SMALLER(a, b) WIDE_CHOOSE(LESS(a, b), a, b)
 #define LARGER(a, b) WIDE_CHOOSE(LESS(b, a), a, b)
 
+// As struct progress, and what runs have in common.
+struct sweeps {
+    struct ensemble_lanes *e;
+    struct ensemble_joints *joints;
+    wide tolerance, enough, loosest, largest, change, moved, echo, clear;
+    wide_bits well;  // the lane has not given up,
+    wide_bits busy;  // nor converged
+};
+
 INLINE bool any(const wide_bits *flags) {
     const wide_bytes b = __builtin_convertvector(*flags, wide_bytes);
     long long all;
@@ -40,20 +49,26 @@ INLINE bool any(const wide_bits *flags) {
     return all != 0;
 }
 
+// Contact number i of those that act.
+INLINE int acting(const struct sweeps *s, int i) {
+    return s->joints->acting[i];
+}
+
 // All bits of the lanes of `runs`.
 INLINE void lanes_of(unsigned runs, wide_bits *flags) {
     static const wide_bits bit = {1, 2, 4, 8, 16, 32, 64, 128};
     *flags = (wide_bits)(((long long)runs & bit) == bit);
 }
 
-INLINE void see(const struct sweeps *s, const struct joint *j, wide *x) {
-    const int *end = s->e->end[j->contact];
+INLINE void see(const struct sweeps *s, int k, wide *x) {
+    const int *end = s->e->end[k];
     *x = s->e->correction[end[0]] - s->e->correction[end[1]];
 }
 
 // Asks the law in the lanes `which`, where x is seen.
-INLINE void ask(struct sweeps *s, struct joint *j, const wide *x, const wide_bits *which) {
-    const struct ensemble_grip *grip = j->grip;
+INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) {
+    struct joint *j = &s->joints->joint[k];
+    const struct ensemble_grip *grip = &s->e->grip[k];
     const wide b = s->e->factors->b, g = s->e->factors->g;
     const wide d = j->d_trial + b * *x;
     const wide v = j->v_trial + g * *x;
@@ -68,14 +83,14 @@ INLINE void ask(struct sweeps *s, struct joint *j, const wide *x, const wide_bit
     const wide steep = WIDE_ABSOLUTE(b * dfdd) + WIDE_ABSOLUTE(g * dfdv) + DBL_MIN;
     const wide inverse = 1.0 / ((1.0 + share) * steep);
     const wide damped = inverse * steep;
-    const wide near = QUICK_NEAR * d * s->per_b;
+    const wide near = QUICK_NEAR * d * s->joints->per_b;
     wide straight = QUICK_STRAIGHT * s->enough * WIDE_ABSOLUTE(force), reach = -1.0 - (wide){0.0};
     if (grip->law->traits & CONTACT_SMOOTH) {
         for (int lane = 0; lane < WIDE_RUNS; lane++) {
             straight[lane] = sqrt(straight[lane]);
         }
         straight = straight * inverse * (1.0 + share);
-        const wide turn = WIDE_ABSOLUTE(v) * s->per_g;
+        const wide turn = WIDE_ABSOLUTE(v) * s->joints->per_g;
         const wide nearer = SMALLER(near, turn);
         reach = SMALLER(nearer, straight);
     }
@@ -101,11 +116,11 @@ INLINE void push_as(wide *q, const struct ensemble_building *b, enum ensemble_he
     }
 }
 
-INLINE void push(struct sweeps *s, const struct joint *j, int side, const wide *f) {
-    const int building = j->grip->building[side];
+INLINE void push(struct sweeps *s, int k, int side, const wide *f) {
+    const int building = s->e->grip[k].building[side];
     if (building != WALL) {
         const struct ensemble_building *b = &s->e->building[building];
-        const int floor = s->e->end[j->contact][side] - b->shape->first;
+        const int floor = s->e->end[k][side] - b->shape->first;
         wide *q = s->e->correction + b->shape->first;
         b->held == HELD_ONCE ? push_as(q, b, HELD_ONCE, floor, f)
                              : push_as(q, b, HELD_BY_EACH, floor, f);
@@ -113,13 +128,14 @@ INLINE void push(struct sweeps *s, const struct joint *j, int side, const wide *
 }
 
 // Takes note of changes df of forces in lanes that `move`.
-INLINE void note(struct sweeps *s, const struct joint *j, const wide *df, const wide_bits *move) {
+INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move) {
     const struct ensemble_lanes *e = s->e;
-    const int *end = e->end[j->contact];
+    const struct joint *j = &s->joints->joint[k];
+    const int *end = e->end[k];
     const struct ensemble_trial *left = &e->trial[end[0]], *right = &e->trial[end[1]];
     const wide q = WIDE_ABSOLUTE(e->correction[end[0]]) + WIDE_ABSOLUTE(e->correction[end[1]]);
-    const wide d = WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->contact[j->contact].gap +
-                   e->factors->b * q;
+    const wide d =
+        WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->contact[k].gap + e->factors->b * q;
     const wide v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v) + e->factors->g * q;
     const wide rounding =
         4.0 * DBL_EPSILON * (WIDE_ABSOLUTE(j->dfdd) * d + WIDE_ABSOLUTE(j->dfdv) * v);
@@ -130,43 +146,46 @@ INLINE void note(struct sweeps *s, const struct joint *j, const wide *df, const 
 }
 
 // A Newton step where x is seen.
-INLINE void step(struct sweeps *s, struct joint *j, const wide *x) {
+INLINE void step(struct sweeps *s, int k, const wide *x) {
+    struct joint *j = &s->joints->joint[k];
+    const struct ensemble_grip *grip = &s->e->grip[k];
     const wide_bits here = j->live & s->busy & s->well;
     const wide dx = *x - j->asked;
     const wide df = j->base + j->rate * dx;
     const wide_bits idle = AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEGLECTED * s->enough) &
                            AT_MOST(WIDE_ABSOLUTE(dx), j->reach);
-    const wide led = WIDE_ABSOLUTE(dx - j->grip->flexibility * df);
+    const wide led = WIDE_ABSOLUTE(dx - grip->flexibility * df);
     const wide_bits safe =
         AT_MOST(led, j->near) & AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEAR * WIDE_ABSOLUTE(j->force));
     s->well &= ~here | idle | safe;
     const wide_bits move = here & ~idle & safe;
     const wide far = WIDE_CHOOSE(idle, WIDE_ABSOLUTE(dx), led);
     const wide left = j->reach - far;
-    const wide room = LARGER(left, (wide){0.0}) * j->grip->unmoved;
+    const wide room = LARGER(left, (wide){0.0}) * grip->unmoved;
     s->clear = WIDE_CHOOSE(here & LESS(room, s->clear), room, s->clear);
     const wide done = (wide)((wide_bits)df & move), undone = -done;
     j->force = WIDE_CHOOSE(move, j->force + df, j->force);
     j->base -= j->damped * done;
     j->ask = (move & ~AT_MOST(led, j->reach)) | (~move & j->ask);
-    push(s, j, 0, &undone);
-    push(s, j, 1, &done);
-    note(s, j, &done, &move);
+    push(s, k, 0, &undone);
+    push(s, k, 1, &done);
+    note(s, k, &done, &move);
     const wide size = WIDE_ABSOLUTE(j->force);
     s->largest = WIDE_CHOOSE(here & LESS(s->largest, size), size, s->largest);
 }
 
-INLINE void visit(struct sweeps *s, struct joint *j) {
+INLINE void visit(struct sweeps *s, int k) {
+    const struct joint *j = &s->joints->joint[k];
     wide x;
-    see(s, j, &x);
+    see(s, k, &x);
     const wide dx = x - j->asked;
     const wide_bits known =
         ~j->ask & (AT_MOST(WIDE_ABSOLUTE(dx), j->reach) | (wide_bits)(dx == 0.0));
     const wide_bits unknown = j->live & s->busy & ~known;
     if (any(&unknown)) {
-        ask(s, j, &x, &unknown);
+        ask(s, k, &x, &unknown);
     }
-    step(s, j, &x);
+    step(s, k, &x);
 }
 
 INLINE void renew(struct sweeps *s) {
@@ -177,12 +196,12 @@ INLINE void renew(struct sweeps *s) {
 
 // Asks the laws of lanes `which`, wherever they stand.
 INLINE void ask_all(struct sweeps *s, const wide_bits *which) {
-    for (int i = 0; i < s->n_joint; i++) {
-        struct joint *j = &s->joint[i];
-        const wide_bits here = j->live & *which;
+    for (int i = 0; i < s->joints->n_acting; i++) {
+        const int k = acting(s, i);
+        const wide_bits here = s->joints->joint[k].live & *which;
         wide x;
-        see(s, j, &x);
-        ask(s, j, &x, &here);
+        see(s, k, &x);
+        ask(s, k, &x, &here);
     }
 }
 
@@ -200,15 +219,14 @@ INLINE void gather(struct sweeps *s) {
     const struct ensemble_lanes *e = s->e;
     const wide none = {0.0};
     s->largest = s->echo = none;
-    for (int i = 0; i < s->n_joint; i++) {
-        struct joint *j = &s->joint[i];
-        const struct ensemble_trial *left = &e->trial[e->end[j->contact][0]];
-        const struct ensemble_trial *right = &e->trial[e->end[j->contact][1]];
-        lanes_of(j->runs, &j->live);
-        j->live &= s->well;
+    for (int i = 0; i < s->joints->n_acting; i++) {
+        const int k = acting(s, i);
+        struct joint *j = &s->joints->joint[k];
+        const struct ensemble_trial *left = &e->trial[e->end[k][0]];
+        const struct ensemble_trial *right = &e->trial[e->end[k][1]];
         j->ask = j->live;
         j->base = j->rate = j->asked = j->reach = j->near = j->damped = j->dfdd = j->dfdv = none;
-        j->d_trial = left->u - right->u - e->contact[j->contact].gap;
+        j->d_trial = left->u - right->u - e->contact[k].gap;
         j->v_trial = left->v - right->v;
         const wide size = WIDE_ABSOLUTE(j->force);
         s->largest = WIDE_CHOOSE(j->live & LESS(s->largest, size), size, s->largest);
@@ -218,32 +236,33 @@ INLINE void gather(struct sweeps *s) {
 INLINE void converge(struct sweeps *s) {
     const wide tolerance = s->tolerance * s->largest;
     wide echo = SMALLER(s->echo, 1.0 - (wide){0.0});
-    echo = (wide)((wide_bits)echo & ~s->alone);
+    echo = (wide)((wide_bits)echo & ~s->joints->alone);
     const wide_bits done = AT_MOST(s->change, tolerance) & AT_MOST(echo * s->moved, tolerance) &
                            ~LESS(s->clear, s->moved) & AT_MOST(s->enough, 4.0 * tolerance);
-    s->count -= s->busy;
+    s->joints->count -= s->busy;
     s->busy &= s->well & ~done;
 }
 
 // Gives up where a contact is not resolved as it was before.
 INLINE void judge(struct sweeps *s) {
     const wide b = s->e->factors->b, g = s->e->factors->g;
-    for (int i = 0; i < s->n_joint; i++) {
-        const struct joint *j = &s->joint[i];
+    for (int i = 0; i < s->joints->n_acting; i++) {
+        const int k = acting(s, i);
+        const struct joint *j = &s->joints->joint[k];
         wide x;
-        see(s, j, &x);
+        see(s, k, &x);
         const wide d = j->d_trial + b * x;
         const wide_bits seen =
             ~j->ask & AT_MOST(d, j->fits_to) &
-            AT_MOST(g * j->grip->flexibility * j->dfdv, RESOLVE_COARSEST_DASHPOT);
+            AT_MOST(g * s->e->grip[k].flexibility * j->dfdv, RESOLVE_COARSEST_DASHPOT);
         s->well &= ~j->live | seen;
     }
 }
 
 // What e->correction was is kept, and comes back where lanes have given up.
 INLINE void keep(const struct sweeps *s) {
-    for (int i = 0; i < s->n_touched; i++) {
-        const struct building *g = s->e->building[s->touched[i]].shape;
+    for (int i = 0; i < s->joints->n_touched; i++) {
+        const struct building *g = s->e->building[s->joints->touched[i]].shape;
         for (int k = g->first; k < g->first + g->n_floor; k++) {
             s->e->kept[k] = s->e->correction[k];
         }
@@ -251,34 +270,109 @@ INLINE void keep(const struct sweeps *s) {
 }
 
 INLINE void restore(const struct sweeps *s) {
-    for (int i = 0; i < s->n_touched; i++) {
-        const struct building *g = s->e->building[s->touched[i]].shape;
+    for (int i = 0; i < s->joints->n_touched; i++) {
+        const struct building *g = s->e->building[s->joints->touched[i]].shape;
         for (int k = g->first; k < g->first + g->n_floor; k++) {
             s->e->correction[k] = WIDE_CHOOSE(s->well, s->e->correction[k], s->e->kept[k]);
         }
     }
 }
 
-WIDEST void ensemble_sweeps(struct sweeps *s, unsigned runs) {
-    lanes_of(runs, &s->well);
-    s->busy = s->well;
-    s->count = (wide_bits){0};
-    keep(s);
-    gather(s);
-    renew(s);
-    ask_all(s, &s->busy);
-    s->loosest = s->enough;
-    for (int i = 0; i < ENSEMBLE_SWEEPS && any(&s->busy); i++) {
-        if (i > 0) {
-            renew(s);
-            ask_again(s);
-        }
-        for (int k = 0; k < s->n_joint; k++) {
-            visit(s, &s->joint[k]);
-        }
-        converge(s);
+// The lanes in which flags are set, a bit each.
+INLINE unsigned runs_of(const wide_bits *flags) {
+    unsigned runs = 0;
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        runs |= (*flags)[lane] ? 1U << lane : 0U;
     }
-    s->well &= ~s->busy;
-    judge(s);
-    restore(s);
+    return runs;
+}
+
+WIDEST void ensemble_joints_solve(struct ensemble_lanes *e) {
+    struct sweeps s;
+    s.e = e;
+    s.joints = e->joints;
+    s.tolerance = e->joints->tolerance;
+    lanes_of(e->joints->stowed, &s.well);
+    s.busy = s.well;
+    e->joints->count = (wide_bits){0};
+    keep(&s);
+    gather(&s);
+    renew(&s);
+    ask_all(&s, &s.busy);
+    s.loosest = s.enough;
+    for (int i = 0; i < ENSEMBLE_SWEEPS && any(&s.busy); i++) {
+        if (i > 0) {
+            renew(&s);
+            ask_again(&s);
+        }
+        for (int k = 0; k < e->joints->n_acting; k++) {
+            visit(&s, acting(&s, k));
+        }
+        converge(&s);
+    }
+    s.well &= ~s.busy;
+    judge(&s);
+    restore(&s);
+    e->joints->solved = runs_of(&s.well);
+    for (int i = 0; e->joints->solved && i < e->joints->n_touched; i++) {
+        e->building[e->joints->touched[i]].swept = true;
+    }
+}
+
+// The polynomial through the forces of the last steps: `guess` of contact_step.c.
+WIDEST void ensemble_joints_begin(struct ensemble_lanes *e) {
+    const wide none = {0.0};
+    for (int i = 0; i < e->joints->n_acting; i++) {
+        const int k = e->joints->acting[i];
+        struct joint *j = &e->joints->joint[k];
+        const wide next = 4.0 * (j->was + j->past[1]) - 6.0 * j->past[0] - j->past[2];
+        const wide above = LARGER(next, none);
+        j->force = WIDE_CHOOSE(LESS(none, j->was), above, j->was);
+        e->force[k] = (wide)((wide_bits)j->force & j->live);
+        e->acts[k] = true;
+    }
+}
+
+INLINE void penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
+                        wide *delta) {
+    *delta = s[e->end[k][0]].u - s[e->end[k][1]].u - e->contact[k].gap;
+}
+
+// What impacts.c does for a live link that stays closed; *contact is the work on all of its run.
+INLINE void account(const struct ensemble_lanes *e, int k, double time, double h, wide *contact) {
+    struct joint *j = &e->joints->joint[k];
+    wide before, after;
+    penetration(e, k, e->now, &before);
+    penetration(e, k, e->next, &after);
+    const wide now = time - (wide){0.0};
+    const wide_bits stronger = LESS(j->most, j->force), deeper = LESS(j->deep, after);
+    j->most = WIDE_CHOOSE(stronger, j->force, j->most);
+    j->most_time = WIDE_CHOOSE(stronger, now, j->most_time);
+    j->deep = WIDE_CHOOSE(deeper, after, j->deep);
+    j->deep_time = WIDE_CHOOSE(deeper, now, j->deep_time);
+    const wide mean = (j->was + j->force) / 2.0;
+    const wide impulse = mean * h, work = mean * (after - before);
+    j->impulse += impulse;
+    j->work += work;
+    j->own_impulse += impulse;
+    j->own_work += work;
+    j->own_force = LARGER(j->own_force, j->force);
+    j->own_depth = LARGER(j->own_depth, after);
+    *contact += (wide)((wide_bits)work & j->live);
+}
+
+WIDEST void ensemble_joints_commit(struct ensemble_lanes *e, double time, double h) {
+    struct ensemble_joints *s = e->joints;
+    wide contact = {0.0};
+    for (int i = 0; i < s->n_acting; i++) {
+        struct joint *j = &s->joint[s->acting[i]];
+        account(e, s->acting[i], time, h, &contact);
+        j->past[2] = j->past[1];
+        j->past[1] = j->past[0];
+        j->past[0] = j->was;
+        j->was = j->force;
+    }
+    s->contact += contact;
+    s->sweeps += s->count;
+    s->steps += 1;
 }
