@@ -36,8 +36,8 @@ static bool suits(struct ensemble_lanes *e, int lane, const struct run *r, int k
     const struct link_state *l = &r->now->link[k];
     const struct quick *q = &r->work.quick[k];
     struct ensemble_grip *g = &e->grip[k];
-    return l->closed && l->n_past == PAST_STEPS && l->t_close < r->now->time && !g->apart &&
-           q->checked == r->work.h && yields(g, lane, &r->work, q);
+    return l->closed && l->t_close < r->now->time && !g->apart && q->checked == r->work.h &&
+           yields(g, lane, &r->work, q);
 }
 
 static void stow(struct joint *j, int lane, const struct run *r, int k) {
@@ -46,6 +46,7 @@ static void stow(struct joint *j, int lane, const struct run *r, int k) {
     const struct impact *i = &r->results->impact[r->impacts.open[k]];
     j->live[lane] = -1;
     j->was[lane] = l->force;
+    j->n_past[lane] = l->n_past;
     for (int n = 0; n < PAST_STEPS; n++) {
         j->past[n][lane] = l->past[n];
     }
@@ -68,6 +69,7 @@ static void take_out(struct joint *j, int lane, struct run *r, int k, long n_ste
     struct impact *i = &r->results->impact[r->impacts.open[k]];
     j->live[lane] = 0;
     l->force = j->was[lane];
+    l->n_past = (int)j->n_past[lane];
     for (int n = 0; n < PAST_STEPS; n++) {
         l->past[n] = j->past[n][lane];
     }
@@ -80,6 +82,7 @@ static void take_out(struct joint *j, int lane, struct run *r, int k, long n_ste
     i->steps += n_step;
     p->force = j->most[lane];
     p->force_time = j->most_time[lane];
+    r->work.quick[k].fits_to = j->fits_to[lane];
     peaks_penetration(r->results, k, j->deep[lane], j->deep_time[lane]);
 }
 

@@ -15,6 +15,7 @@ enum { ENSEMBLE_SWEEPS = 4 };
 // way are as in struct quick.
 struct joint {
     wide_bits live;
+    wide_bits n_past;
     wide was, past[PAST_STEPS];             // [F] of the committed state, and before it
     wide impulse, work;                     // of the contact, as in struct link_peak,
     wide own_impulse, own_work;             // and of its impact

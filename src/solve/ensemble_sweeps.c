@@ -243,7 +243,25 @@ INLINE void converge(struct sweeps *s) {
     s->busy &= s->well & ~done;
 }
 
-// Gives up where a contact is not resolved as it was before.
+// Is a step short enough for the spring in the lanes `which`, at penetrations d? As fits_spring of
+// resolve.c.
+INLINE void refit(struct sweeps *s, int k, const wide *d, const wide_bits *which) {
+    struct joint *j = &s->joints->joint[k];
+    const struct ensemble_grip *grip = &s->e->grip[k];
+    const double h = s->e->h, none[WIDE_RUNS] = {0.0};
+    struct contact_lanes law;
+    grip->law->force_lanes((const double *)grip->constant, (const double *)d, none, &law);
+    const wide still = (wide)LANES_AT(law.dfdd, 0);
+    const wide_bits simple = (wide_bits)(j->dfdv == 0.0) & LESS(0.0, j->dfdd);
+    const wide coarse = WIDE_CHOOSE(simple, j->dfdd, still) * grip->flexibility * h * h;
+    const double farthest = grip->law->traits & CONTACT_SMOOTH ? 2.0 : 0.0;
+    const wide to = (wide)((wide_bits)(farthest * *d) &
+                           AT_MOST(4.0 * coarse, RESOLVE_COARSEST_SPRING - (wide){0.0}));
+    j->fits_to = WIDE_CHOOSE(*which, to, j->fits_to);
+    s->well &= ~*which | AT_MOST(coarse, RESOLVE_COARSEST_SPRING - (wide){0.0});
+}
+
+// Gives up where steps are not short enough for a contact, or that is not known from its line.
 INLINE void judge(struct sweeps *s) {
     const wide b = s->e->factors->b, g = s->e->factors->g;
     for (int i = 0; i < s->joints->n_acting; i++) {
@@ -252,10 +270,12 @@ INLINE void judge(struct sweeps *s) {
         wide x;
         see(s, k, &x);
         const wide d = j->d_trial + b * x;
-        const wide_bits seen =
-            ~j->ask & AT_MOST(d, j->fits_to) &
-            AT_MOST(g * s->e->grip[k].flexibility * j->dfdv, RESOLVE_COARSEST_DASHPOT);
-        s->well &= ~j->live | seen;
+        const wide dashpot = g * s->e->grip[k].flexibility * j->dfdv;
+        s->well &= ~j->live | (~j->ask & AT_MOST(dashpot, RESOLVE_COARSEST_DASHPOT));
+        const wide_bits deeper = j->live & s->well & ~AT_MOST(d, j->fits_to);
+        if (any(&deeper)) {
+            refit(s, k, &d, &deeper);
+        }
     }
 }
 
@@ -325,7 +345,10 @@ WIDEST void ensemble_joints_begin(struct ensemble_lanes *e) {
     for (int i = 0; i < e->joints->n_acting; i++) {
         const int k = e->joints->acting[i];
         struct joint *j = &e->joints->joint[k];
-        const wide next = 4.0 * (j->was + j->past[1]) - 6.0 * j->past[0] - j->past[2];
+        wide next = 4.0 * (j->was + j->past[1]) - 6.0 * j->past[0] - j->past[2];
+        next = WIDE_CHOOSE(j->n_past == 2, 3.0 * (j->was - j->past[0]) + j->past[1], next);
+        next = WIDE_CHOOSE(j->n_past == 1, 2.0 * j->was - j->past[0], next);
+        next = WIDE_CHOOSE(j->n_past == 0, j->was, next);
         const wide above = LARGER(next, none);
         j->force = WIDE_CHOOSE(LESS(none, j->was), above, j->was);
         e->force[k] = (wide)((wide_bits)j->force & j->live);
@@ -371,6 +394,7 @@ WIDEST void ensemble_joints_commit(struct ensemble_lanes *e, double time, double
         j->past[1] = j->past[0];
         j->past[0] = j->was;
         j->was = j->force;
+        j->n_past -= j->n_past < PAST_STEPS;
     }
     s->contact += contact;
     s->sweeps += s->count;
