@@ -20,24 +20,42 @@ struct ensemble_joints *ensemble_joints_create(const struct model *m, struct are
     return s && s->joint && s->acting && s->touched ? s : NULL;
 }
 
-// How the ends of a contact yield, unless that has stayed; false: it is not known.
-static bool yields(struct ensemble_grip *g, int lane, const struct work *w, const struct quick *q) {
+// Finds the floors that feel the force of a contact; false: those of other runs differ.
+static bool reaches(struct ensemble_grip *g, const struct ensemble_building *building,
+                    const struct quick *q) {
+    bool same = true;
+    for (int i = 0; i < 2; i++) {
+        if (g->building[i] != WALL) {
+            const struct building *b = building[g->building[i]].shape;
+            const int from = q->first[i] - b->first, beyond = from + q->lanes[i];
+            const int to = beyond < b->n_floor ? beyond : b->n_floor;
+            same = same && (g->to[i] == 0 || (g->from[i] == from && g->to[i] == to));
+            g->from[i] = from;
+            g->to[i] = to;
+        }
+    }
+    return same;
+}
+
+// How the ends of contact k yield, unless that has stayed; false: it is not known.
+static bool yields(struct ensemble_lanes *e, int k, int lane, const struct work *w) {
+    struct ensemble_grip *g = &e->grip[k];
+    const struct quick *q = &w->quick[k];
     if (g->factors[lane] != w->factors && q->factors == w->factors) {
         g->factors[lane] = w->factors;
         g->flexibility[lane] = q->flexibility;
         g->others[lane] = q->others;
         g->unmoved[lane] = q->unmoved;
+        g->apart |= !reaches(g, e->building, q);
     }
-    return g->factors[lane] == w->factors;
+    return g->factors[lane] == w->factors && !g->apart;
 }
 
 // Is live contact k one that lanes can hold?
 static bool suits(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct link_state *l = &r->now->link[k];
-    const struct quick *q = &r->work.quick[k];
-    struct ensemble_grip *g = &e->grip[k];
-    return l->closed && l->t_close < r->now->time && !g->apart && q->checked == r->work.h &&
-           yields(g, lane, &r->work, q);
+    return l->t_close < r->now->time && l->n_past > 0 && !e->grip[k].apart &&
+           r->work.quick[k].checked == r->work.h && yields(e, k, lane, &r->work);
 }
 
 static void stow(struct joint *j, int lane, const struct run *r, int k) {
@@ -120,21 +138,26 @@ static void list(struct ensemble_lanes *e) {
 void ensemble_joints_stow(struct ensemble_lanes *e, int lane, const struct run *r) {
     struct ensemble_joints *s = e->joints;
     const struct state *now = r->now;
-    bool all = e->steps->solve && now->n_live > 0 && r->model->iterations >= ENSEMBLE_SWEEPS;
+    bool all = e->steps->solve && r->model->iterations >= ENSEMBLE_SWEEPS;
+    int n_closed = 0;
     for (int i = 0; all && i < now->n_live; i++) {
-        all = suits(e, lane, r, now->live[i]);
+        const bool closed = now->link[now->live[i]].closed;
+        all = !closed || suits(e, lane, r, now->live[i]);
+        n_closed += closed;
     }
-    if (!all) {
+    if (!all || n_closed == 0) {
         return;
     }
     for (int i = 0; i < now->n_live; i++) {
         const int k = now->live[i];
-        stow(&s->joint[k], lane, r, k);
-        e->contact[k].limit[lane] = INFINITY;
+        if (now->link[k].closed) {
+            stow(&s->joint[k], lane, r, k);
+            e->contact[k].limit[lane] = INFINITY;
+        }
     }
     s->stowed |= 1U << lane;
     s->tolerance[lane] = r->model->tolerance;
-    s->alone[lane] = now->n_live == 1 ? -1 : 0;
+    s->alone[lane] = n_closed == 1 ? -1 : 0;
     s->contact[lane] = r->energy.contact;
     s->steps[lane] = s->sweeps[lane] = 0;
     s->per_b = r->work.per_b;
@@ -149,7 +172,10 @@ void ensemble_joints_take_out(struct ensemble_lanes *e, int lane, struct run *r)
     }
     const struct state *now = r->now;
     for (int i = 0; i < now->n_live; i++) {
-        take_out(&s->joint[now->live[i]], lane, r, now->live[i], s->steps[lane]);
+        const int k = now->live[i];
+        if (now->link[k].closed) {
+            take_out(&s->joint[k], lane, r, k, s->steps[lane]);
+        }
     }
     r->energy.contact = s->contact[lane];
     r->results->totals.iterations += s->sweeps[lane];

@@ -151,7 +151,8 @@ static void fill_grip(struct ensemble_grip *g, int lane, const struct model *m, 
     g->law = l->law;
     for (int i = 0; i < 2; i++) {
         g->building[i] = l->building[i];
-        g->apart |= l->building[i] != WALL && m->building[l->building[i]].n_floor > LANES_WIDTH;
+        g->apart |=
+            l->building[i] != WALL && m->building[l->building[i]].n_floor > INVERSE_FLOORS_MAX;
     }
     for (int i = 0; !g->apart && i < l->law->n_constant; i++) {
         g->constant[i][lane] = l->constant[i];

@@ -84,6 +84,7 @@ struct ensemble_grip {
     const struct contact_law *law;  // in all lanes
     long factors[WIDE_RUNS];        // work.factors of the run that flexibility is of; 0: none yet
     int building[2];                // at its ends; WALL
+    int from[2], to[2];             // floors there that feel its force: in all lanes
     bool apart;                     // solved for run by run
 };
 

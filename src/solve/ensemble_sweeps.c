@@ -107,23 +107,24 @@ INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) 
     s->echo = WIDE_CHOOSE(*which & LESS(s->echo, echo), echo, s->echo);
 }
 
-// q += f times column `floor` of A^-1, on the side of a contact that has it.
+// q += f times column `floor` of A^-1, from floor `from` on.
 INLINE void push_as(wide *q, const struct ensemble_building *b, enum ensemble_held held, int floor,
-                    const wide *f) {
-    const int n = b->shape->n_floor;
-    for (int i = 0; i < n; i++) {
-        q[i] += *f * ENSEMBLE_AT(b->inverse, floor * n + i);
+                    int from, int to, const wide *f) {
+    for (int i = from, at = floor * b->shape->n_floor; i < to; i++) {
+        q[i] += *f * ENSEMBLE_AT(b->inverse, at + i);
     }
 }
 
+// The same on the side of a contact that has it.
 INLINE void push(struct sweeps *s, int k, int side, const wide *f) {
-    const int building = s->e->grip[k].building[side];
-    if (building != WALL) {
-        const struct ensemble_building *b = &s->e->building[building];
+    const struct ensemble_grip *g = &s->e->grip[k];
+    if (g->building[side] != WALL) {
+        const struct ensemble_building *b = &s->e->building[g->building[side]];
         const int floor = s->e->end[k][side] - b->shape->first;
+        const int from = g->from[side], to = g->to[side];
         wide *q = s->e->correction + b->shape->first;
-        b->held == HELD_ONCE ? push_as(q, b, HELD_ONCE, floor, f)
-                             : push_as(q, b, HELD_BY_EACH, floor, f);
+        b->held == HELD_ONCE ? push_as(q, b, HELD_ONCE, floor, from, to, f)
+                             : push_as(q, b, HELD_BY_EACH, floor, from, to, f);
     }
 }
 
