@@ -14,10 +14,11 @@ struct ensemble_joints *ensemble_joints_create(const struct model *m, struct are
     struct ensemble_joints *s = lanes_wide_array(a, 1, sizeof *s);
     if (s) {
         s->joint = lanes_wide_array(a, m->n_contact, sizeof *s->joint);
+        s->runs = arena_alloc(a, (size_t)m->n_contact, sizeof *s->runs);
         s->acting = arena_alloc(a, (size_t)m->n_contact, sizeof *s->acting);
         s->touched = arena_alloc(a, (size_t)m->n_building, sizeof *s->touched);
     }
-    return s && s->joint && s->acting && s->touched ? s : NULL;
+    return s && s->joint && s->runs && s->acting && s->touched ? s : NULL;
 }
 
 // Finds the floors that feel the force of a contact; false: those of other runs differ.
@@ -114,20 +115,12 @@ static void touch(struct ensemble_joints *s, int building) {
     }
 }
 
-static bool is_live(const struct joint *j) {
-    long long live = 0;
-    for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        live |= j->live[lane];
-    }
-    return live != 0;
-}
-
 // Lists contacts that are live in some lane, and their buildings.
 static void list(struct ensemble_lanes *e) {
     struct ensemble_joints *s = e->joints;
     s->n_acting = s->n_touched = 0;
     for (int k = 0; k < e->n_contact; k++) {
-        if (is_live(&s->joint[k])) {
+        if (s->runs[k] != 0) {
             s->acting[s->n_acting++] = k;
             touch(s, e->grip[k].building[0]);
             touch(s, e->grip[k].building[1]);
@@ -152,6 +145,7 @@ void ensemble_joints_stow(struct ensemble_lanes *e, int lane, const struct run *
         const int k = now->live[i];
         if (now->link[k].closed) {
             stow(&s->joint[k], lane, r, k);
+            s->runs[k] |= 1U << lane;
             e->contact[k].limit[lane] = INFINITY;
         }
     }
@@ -175,6 +169,7 @@ void ensemble_joints_take_out(struct ensemble_lanes *e, int lane, struct run *r)
         const int k = now->live[i];
         if (now->link[k].closed) {
             take_out(&s->joint[k], lane, r, k, s->steps[lane]);
+            s->runs[k] &= ~(1U << lane);
         }
     }
     r->energy.contact = s->contact[lane];

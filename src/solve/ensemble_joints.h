@@ -29,6 +29,7 @@ struct joint {
 
 struct ensemble_joints {
     struct joint *joint;      // (n_contact)
+    unsigned *runs;           // (n_contact) in which it is live, a bit each
     unsigned stowed;          // runs, a bit each
     unsigned solved;          // those whose forces have been found in the step under way
     int n_acting, *acting;    // (n_contact) live in some lane, in ascending order
