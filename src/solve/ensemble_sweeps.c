@@ -128,8 +128,8 @@ INLINE void push(struct sweeps *s, int k, int side, const wide *f) {
     }
 }
 
-// Takes note of changes df of forces in lanes that `move`.
-INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move) {
+// The lanes of `which` in which changes of that size are no more than rounding.
+INLINE void find_negligible(const struct sweeps *s, int k, const wide *size, wide_bits *which) {
     const struct ensemble_lanes *e = s->e;
     const struct joint *j = &s->joints->joint[k];
     const int *end = e->end[k];
@@ -140,15 +140,40 @@ INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move)
     const wide v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v) + e->factors->g * q;
     const wide rounding =
         4.0 * DBL_EPSILON * (WIDE_ABSOLUTE(j->dfdd) * d + WIDE_ABSOLUTE(j->dfdv) * v);
+    *which &= AT_MOST(*size, rounding * j->damped);
+}
+
+// Takes note of changes df of forces in lanes that `move`.
+INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move) {
+    const struct joint *j = &s->joints->joint[k];
     const wide size = WIDE_ABSOLUTE(*df);
-    const wide_bits matters = *move & LESS(s->enough, size) & ~AT_MOST(size, rounding * j->damped);
-    s->change = WIDE_CHOOSE(matters & j->ask & LESS(s->change, size), size, s->change);
-    s->moved = WIDE_CHOOSE(matters & ~j->ask & LESS(s->moved, size), size, s->moved);
+    const wide most = WIDE_CHOOSE(j->ask, s->change, s->moved);
+    const wide_bits larger = *move & LESS(s->enough, size) & LESS(most, size);
+    if (any(&larger)) {
+        wide_bits negligible = larger;
+        find_negligible(s, k, &size, &negligible);
+        const wide_bits matters = larger & ~negligible;
+        s->change = WIDE_CHOOSE(matters & j->ask, size, s->change);
+        s->moved = WIDE_CHOOSE(matters & ~j->ask, size, s->moved);
+    }
+}
+
+// Changes forces by df in lanes that `move`, led by so much from where their laws were asked.
+INLINE void change(struct sweeps *s, int k, const wide *df, const wide *led,
+                   const wide_bits *move) {
+    struct joint *j = &s->joints->joint[k];
+    const wide done = (wide)((wide_bits)*df & *move), undone = -done;
+    j->force = WIDE_CHOOSE(*move, j->force + *df, j->force);
+    j->base -= j->damped * done;
+    j->ask = (*move & ~AT_MOST(*led, j->reach)) | (~*move & j->ask);
+    push(s, k, 0, &undone);
+    push(s, k, 1, &done);
+    note(s, k, &done, move);
 }
 
 // A Newton step where x is seen.
 INLINE void step(struct sweeps *s, int k, const wide *x) {
-    struct joint *j = &s->joints->joint[k];
+    const struct joint *j = &s->joints->joint[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
     const wide_bits here = j->live & s->busy & s->well;
     const wide dx = *x - j->asked;
@@ -164,13 +189,9 @@ INLINE void step(struct sweeps *s, int k, const wide *x) {
     const wide left = j->reach - far;
     const wide room = LARGER(left, (wide){0.0}) * grip->unmoved;
     s->clear = WIDE_CHOOSE(here & LESS(room, s->clear), room, s->clear);
-    const wide done = (wide)((wide_bits)df & move), undone = -done;
-    j->force = WIDE_CHOOSE(move, j->force + df, j->force);
-    j->base -= j->damped * done;
-    j->ask = (move & ~AT_MOST(led, j->reach)) | (~move & j->ask);
-    push(s, k, 0, &undone);
-    push(s, k, 1, &done);
-    note(s, k, &done, &move);
+    if (any(&move)) {
+        change(s, k, &df, &led, &move);
+    }
     const wide size = WIDE_ABSOLUTE(j->force);
     s->largest = WIDE_CHOOSE(here & LESS(s->largest, size), size, s->largest);
 }
