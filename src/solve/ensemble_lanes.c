@@ -227,6 +227,7 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         small &= put(&f->u, lane, s->u[i]);
         small &= put(&f->v, lane, s->v[i]);
         small &= put(&f->a, lane, s->a[i]);
+        e->next[i] = *f;
     }
     for (int i = 0; i < LANES_WIDTH; i++) {
         e->works->input_2x[i][lane] = r->energy.input_2x[i];
