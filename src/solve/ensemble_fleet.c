@@ -189,10 +189,9 @@ static void look(struct fleet *f, long n, const wide *base) {
 }
 
 static void commit(struct fleet *f, long n, const wide *base) {
-    const struct model *m = f->boat[0].run.model;
+    const double start = (double)(n - 1) * f->lanes.h, end = (double)n * f->lanes.h;
     if (f->lanes.joints->stowed) {
-        ensemble_joints_commit(&f->lanes, (double)n * m->dt,
-                               (double)n * m->dt - (double)(n - 1) * m->dt);
+        ensemble_joints_commit(&f->lanes, end, end - start);
     }
     for (int k = 0; f->acting && k < f->n; k++) {
         if (!has(f->acting, k)) {
@@ -202,8 +201,9 @@ static void commit(struct fleet *f, long n, const wide *base) {
         int status = ensemble_links_commit(&f->lanes, k, r);
         put(&f->acting, k, false);
         put(&f->live, k, r->now->n_live > 0);
-        ensemble_joints_stow(&f->lanes, k, r);
-        if (status != STATUS_OK) {
+        if (status == STATUS_OK) {
+            ensemble_joints_stow(&f->lanes, k, r);
+        } else {
             ensemble_fleet_end(f, k, status);
         }
     }

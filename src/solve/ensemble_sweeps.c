@@ -18,19 +18,7 @@
 #include "solve/quick.h"
 #include "solve/resolve.h"
 
-// For all functions that have lanes in them: compilers take lanes apart that the processor they are
-// compiled for does not have, before they expand one function in another.
-#ifdef LANES_WIDEST
-#define WIDEST __attribute__((target("arch=" LANES_WIDEST)))
-#else
-#define WIDEST
-#endif
-#define INLINE WIDEST LANES_INLINE
-
-#define LESS(a, b) ((wide_bits)((a) < (b)))
-#define AT_MOST(a, b) ((wide_bits)((a) <= (b)))
-#define SMALLER(a, b) WIDE_CHOOSE(LESS(a, b), a, b)
-#define LARGER(a, b) WIDE_CHOOSE(LESS(b, a), a, b)
+#define INLINE LANES_WHOLE LANES_INLINE
 
 // As struct progress, and what runs have in common.
 struct sweeps {
@@ -79,7 +67,8 @@ INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) 
     const wide dfdd = (wide)LANES_AT(law.dfdd, 0), dfdv = (wide)LANES_AT(law.dfdv, 0);
     const wide slope = b * dfdd + g * dfdv;
     const wide share = grip->flexibility * slope;
-    s->well &= ~*which | (LESS(0.0, d) & AT_MOST(0.0, share) & AT_MOST(share, QUICK_STEEPEST));
+    s->well &= ~*which |
+               (WIDE_LESS(0.0, d) & WIDE_AT_MOST(0.0, share) & WIDE_AT_MOST(share, QUICK_STEEPEST));
     const wide steep = WIDE_ABSOLUTE(b * dfdd) + WIDE_ABSOLUTE(g * dfdv) + DBL_MIN;
     const wide inverse = 1.0 / ((1.0 + share) * steep);
     const wide damped = inverse * steep;
@@ -91,8 +80,8 @@ INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) 
         }
         straight = straight * inverse * (1.0 + share);
         const wide turn = WIDE_ABSOLUTE(v) * s->joints->per_g;
-        const wide nearer = SMALLER(near, turn);
-        reach = SMALLER(nearer, straight);
+        const wide nearer = WIDE_SMALLER(near, turn);
+        reach = WIDE_SMALLER(nearer, straight);
     }
     const wide echo = share * grip->others;
     j->asked = WIDE_CHOOSE(*which, *x, j->asked);
@@ -104,7 +93,7 @@ INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) 
     j->near = WIDE_CHOOSE(*which, near, j->near);
     j->reach = WIDE_CHOOSE(*which, reach, j->reach);
     j->ask &= ~*which;
-    s->echo = WIDE_CHOOSE(*which & LESS(s->echo, echo), echo, s->echo);
+    s->echo = WIDE_CHOOSE(*which & WIDE_LESS(s->echo, echo), echo, s->echo);
 }
 
 // q += f times column `floor` of A^-1, from floor `from` on.
@@ -140,7 +129,7 @@ INLINE void find_negligible(const struct sweeps *s, int k, const wide *size, wid
     const wide v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v) + e->factors->g * q;
     const wide rounding =
         4.0 * DBL_EPSILON * (WIDE_ABSOLUTE(j->dfdd) * d + WIDE_ABSOLUTE(j->dfdv) * v);
-    *which &= AT_MOST(*size, rounding * j->damped);
+    *which &= WIDE_AT_MOST(*size, rounding * j->damped);
 }
 
 // Takes note of changes df of forces in lanes that `move`.
@@ -148,7 +137,7 @@ INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move)
     const struct joint *j = &s->joints->joint[k];
     const wide size = WIDE_ABSOLUTE(*df);
     const wide most = WIDE_CHOOSE(j->ask, s->change, s->moved);
-    const wide_bits larger = *move & LESS(s->enough, size) & LESS(most, size);
+    const wide_bits larger = *move & WIDE_LESS(s->enough, size) & WIDE_LESS(most, size);
     if (any(&larger)) {
         wide_bits negligible = larger;
         find_negligible(s, k, &size, &negligible);
@@ -165,7 +154,7 @@ INLINE void change(struct sweeps *s, int k, const wide *df, const wide *led,
     const wide done = (wide)((wide_bits)*df & *move), undone = -done;
     j->force = WIDE_CHOOSE(*move, j->force + *df, j->force);
     j->base -= j->damped * done;
-    j->ask = (*move & ~AT_MOST(*led, j->reach)) | (~*move & j->ask);
+    j->ask = (*move & ~WIDE_AT_MOST(*led, j->reach)) | (~*move & j->ask);
     push(s, k, 0, &undone);
     push(s, k, 1, &done);
     note(s, k, &done, move);
@@ -178,22 +167,22 @@ INLINE void step(struct sweeps *s, int k, const wide *x) {
     const wide_bits here = j->live & s->busy & s->well;
     const wide dx = *x - j->asked;
     const wide df = j->base + j->rate * dx;
-    const wide_bits idle = AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEGLECTED * s->enough) &
-                           AT_MOST(WIDE_ABSOLUTE(dx), j->reach);
+    const wide_bits idle = WIDE_AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEGLECTED * s->enough) &
+                           WIDE_AT_MOST(WIDE_ABSOLUTE(dx), j->reach);
     const wide led = WIDE_ABSOLUTE(dx - grip->flexibility * df);
-    const wide_bits safe =
-        AT_MOST(led, j->near) & AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEAR * WIDE_ABSOLUTE(j->force));
+    const wide_bits safe = WIDE_AT_MOST(led, j->near) &
+                           WIDE_AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEAR * WIDE_ABSOLUTE(j->force));
     s->well &= ~here | idle | safe;
     const wide_bits move = here & ~idle & safe;
     const wide far = WIDE_CHOOSE(idle, WIDE_ABSOLUTE(dx), led);
     const wide left = j->reach - far;
-    const wide room = LARGER(left, (wide){0.0}) * grip->unmoved;
-    s->clear = WIDE_CHOOSE(here & LESS(room, s->clear), room, s->clear);
+    const wide room = WIDE_LARGER(left, (wide){0.0}) * grip->unmoved;
+    s->clear = WIDE_CHOOSE(here & WIDE_LESS(room, s->clear), room, s->clear);
     if (any(&move)) {
         change(s, k, &df, &led, &move);
     }
     const wide size = WIDE_ABSOLUTE(j->force);
-    s->largest = WIDE_CHOOSE(here & LESS(s->largest, size), size, s->largest);
+    s->largest = WIDE_CHOOSE(here & WIDE_LESS(s->largest, size), size, s->largest);
 }
 
 INLINE void visit(struct sweeps *s, int k) {
@@ -202,7 +191,7 @@ INLINE void visit(struct sweeps *s, int k) {
     see(s, k, &x);
     const wide dx = x - j->asked;
     const wide_bits known =
-        ~j->ask & (AT_MOST(WIDE_ABSOLUTE(dx), j->reach) | (wide_bits)(dx == 0.0));
+        ~j->ask & (WIDE_AT_MOST(WIDE_ABSOLUTE(dx), j->reach) | (wide_bits)(dx == 0.0));
     const wide_bits unknown = j->live & s->busy & ~known;
     if (any(&unknown)) {
         ask(s, k, &x, &unknown);
@@ -229,11 +218,11 @@ INLINE void ask_all(struct sweeps *s, const wide_bits *which) {
 
 // Asks all laws again where what is enough has become much less.
 INLINE void ask_again(struct sweeps *s) {
-    const wide_bits looser = s->busy & LESS(QUICK_LOOSER * s->enough, s->loosest);
+    const wide_bits looser = s->busy & WIDE_LESS(QUICK_LOOSER * s->enough, s->loosest);
     if (any(&looser)) {
         ask_all(s, &looser);
     }
-    s->loosest = WIDE_CHOOSE(looser | LESS(s->loosest, s->enough), s->enough, s->loosest);
+    s->loosest = WIDE_CHOOSE(looser | WIDE_LESS(s->loosest, s->enough), s->enough, s->loosest);
 }
 
 // Where the contacts are without corrections.
@@ -251,16 +240,17 @@ INLINE void gather(struct sweeps *s) {
         j->d_trial = left->u - right->u - e->contact[k].gap;
         j->v_trial = left->v - right->v;
         const wide size = WIDE_ABSOLUTE(j->force);
-        s->largest = WIDE_CHOOSE(j->live & LESS(s->largest, size), size, s->largest);
+        s->largest = WIDE_CHOOSE(j->live & WIDE_LESS(s->largest, size), size, s->largest);
     }
 }
 
 INLINE void converge(struct sweeps *s) {
     const wide tolerance = s->tolerance * s->largest;
-    wide echo = SMALLER(s->echo, 1.0 - (wide){0.0});
+    wide echo = WIDE_SMALLER(s->echo, 1.0 - (wide){0.0});
     echo = (wide)((wide_bits)echo & ~s->joints->alone);
-    const wide_bits done = AT_MOST(s->change, tolerance) & AT_MOST(echo * s->moved, tolerance) &
-                           ~LESS(s->clear, s->moved) & AT_MOST(s->enough, 4.0 * tolerance);
+    const wide_bits done =
+        WIDE_AT_MOST(s->change, tolerance) & WIDE_AT_MOST(echo * s->moved, tolerance) &
+        ~WIDE_LESS(s->clear, s->moved) & WIDE_AT_MOST(s->enough, 4.0 * tolerance);
     s->joints->count -= s->busy;
     s->busy &= s->well & ~done;
 }
@@ -274,13 +264,13 @@ INLINE void refit(struct sweeps *s, int k, const wide *d, const wide_bits *which
     struct contact_lanes law;
     grip->law->force_lanes((const double *)grip->constant, (const double *)d, none, &law);
     const wide still = (wide)LANES_AT(law.dfdd, 0);
-    const wide_bits simple = (wide_bits)(j->dfdv == 0.0) & LESS(0.0, j->dfdd);
+    const wide_bits simple = (wide_bits)(j->dfdv == 0.0) & WIDE_LESS(0.0, j->dfdd);
     const wide coarse = WIDE_CHOOSE(simple, j->dfdd, still) * grip->flexibility * h * h;
     const double farthest = grip->law->traits & CONTACT_SMOOTH ? 2.0 : 0.0;
     const wide to = (wide)((wide_bits)(farthest * *d) &
-                           AT_MOST(4.0 * coarse, RESOLVE_COARSEST_SPRING - (wide){0.0}));
+                           WIDE_AT_MOST(4.0 * coarse, RESOLVE_COARSEST_SPRING - (wide){0.0}));
     j->fits_to = WIDE_CHOOSE(*which, to, j->fits_to);
-    s->well &= ~*which | AT_MOST(coarse, RESOLVE_COARSEST_SPRING - (wide){0.0});
+    s->well &= ~*which | WIDE_AT_MOST(coarse, RESOLVE_COARSEST_SPRING - (wide){0.0});
 }
 
 // Gives up where steps are not short enough for a contact, or that is not known from its line.
@@ -293,8 +283,8 @@ INLINE void judge(struct sweeps *s) {
         see(s, k, &x);
         const wide d = j->d_trial + b * x;
         const wide dashpot = g * s->e->grip[k].flexibility * j->dfdv;
-        s->well &= ~j->live | (~j->ask & AT_MOST(dashpot, RESOLVE_COARSEST_DASHPOT));
-        const wide_bits deeper = j->live & s->well & ~AT_MOST(d, j->fits_to);
+        s->well &= ~j->live | (~j->ask & WIDE_AT_MOST(dashpot, RESOLVE_COARSEST_DASHPOT));
+        const wide_bits deeper = j->live & s->well & ~WIDE_AT_MOST(d, j->fits_to);
         if (any(&deeper)) {
             refit(s, k, &d, &deeper);
         }
@@ -329,7 +319,7 @@ INLINE unsigned runs_of(const wide_bits *flags) {
     return runs;
 }
 
-WIDEST void ensemble_joints_solve(struct ensemble_lanes *e) {
+LANES_WHOLE void ensemble_joints_solve(struct ensemble_lanes *e) {
     struct sweeps s;
     s.e = e;
     s.joints = e->joints;
@@ -359,66 +349,4 @@ WIDEST void ensemble_joints_solve(struct ensemble_lanes *e) {
     for (int i = 0; e->joints->solved && i < e->joints->n_touched; i++) {
         e->building[e->joints->touched[i]].swept = true;
     }
-}
-
-// The polynomial through the forces of the last steps: `guess` of contact_step.c.
-WIDEST void ensemble_joints_begin(struct ensemble_lanes *e) {
-    const wide none = {0.0};
-    for (int i = 0; i < e->joints->n_acting; i++) {
-        const int k = e->joints->acting[i];
-        struct joint *j = &e->joints->joint[k];
-        wide next = 4.0 * (j->was + j->past[1]) - 6.0 * j->past[0] - j->past[2];
-        next = WIDE_CHOOSE(j->n_past == 2, 3.0 * (j->was - j->past[0]) + j->past[1], next);
-        next = WIDE_CHOOSE(j->n_past == 1, 2.0 * j->was - j->past[0], next);
-        next = WIDE_CHOOSE(j->n_past == 0, j->was, next);
-        const wide above = LARGER(next, none);
-        j->force = WIDE_CHOOSE(LESS(none, j->was), above, j->was);
-        e->force[k] = (wide)((wide_bits)j->force & j->live);
-        e->acts[k] = true;
-    }
-}
-
-INLINE void penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
-                        wide *delta) {
-    *delta = s[e->end[k][0]].u - s[e->end[k][1]].u - e->contact[k].gap;
-}
-
-// What impacts.c does for a live link that stays closed; *contact is the work on all of its run.
-INLINE void account(const struct ensemble_lanes *e, int k, double time, double h, wide *contact) {
-    struct joint *j = &e->joints->joint[k];
-    wide before, after;
-    penetration(e, k, e->now, &before);
-    penetration(e, k, e->next, &after);
-    const wide now = time - (wide){0.0};
-    const wide_bits stronger = LESS(j->most, j->force), deeper = LESS(j->deep, after);
-    j->most = WIDE_CHOOSE(stronger, j->force, j->most);
-    j->most_time = WIDE_CHOOSE(stronger, now, j->most_time);
-    j->deep = WIDE_CHOOSE(deeper, after, j->deep);
-    j->deep_time = WIDE_CHOOSE(deeper, now, j->deep_time);
-    const wide mean = (j->was + j->force) / 2.0;
-    const wide impulse = mean * h, work = mean * (after - before);
-    j->impulse += impulse;
-    j->work += work;
-    j->own_impulse += impulse;
-    j->own_work += work;
-    j->own_force = LARGER(j->own_force, j->force);
-    j->own_depth = LARGER(j->own_depth, after);
-    *contact += (wide)((wide_bits)work & j->live);
-}
-
-WIDEST void ensemble_joints_commit(struct ensemble_lanes *e, double time, double h) {
-    struct ensemble_joints *s = e->joints;
-    wide contact = {0.0};
-    for (int i = 0; i < s->n_acting; i++) {
-        struct joint *j = &s->joint[s->acting[i]];
-        account(e, s->acting[i], time, h, &contact);
-        j->past[2] = j->past[1];
-        j->past[1] = j->past[0];
-        j->past[0] = j->was;
-        j->was = j->force;
-        j->n_past -= j->n_past < PAST_STEPS;
-    }
-    s->contact += contact;
-    s->sweeps += s->count;
-    s->steps += 1;
 }

@@ -7,11 +7,7 @@ typedef wide part;
 typedef wide_bits part_bits;
 typedef lanes_wide unaligned;
 
-#ifdef LANES_WIDEST
-#define CLONES __attribute__((target("arch=" LANES_WIDEST)))
-#else
-#define CLONES
-#endif
+#define CLONES LANES_WHOLE
 #define STEPS ensemble_whole
 #define SOLVE ensemble_joints_solve
 #define part_any ensemble_any

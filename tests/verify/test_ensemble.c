@@ -184,6 +184,25 @@ static void tall_buildings_and_other_integrators_have_the_same_bits(void **state
     }
 }
 
+// Steps so short that a force is not felt by all floors of a building, and masses that differ.
+static void forces_reach_as_far_in_lanes_as_alone(void **state) {
+    (void)state;
+    struct ensemble_member member[ENSEMBLE_MAX];
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        member[k].model =
+            analysis_model("building A -floors 12 -mass 300t -stiffness 400MN/m\n"
+                           "building B -floors 10 -mass %dt -stiffness 300MN/m\n"
+                           "building C -floors 12 -mass 300t -stiffness 350MN/m\n"
+                           "damping A rayleigh 5%%\n"
+                           "contact A B -gap %dmm -law %s\ncontact B C -gap 3mm -law kelvin-voigt "
+                           "-k 100MN/m -e 0.65\n"
+                           "ground %s\nduration 3s\nstep fixed 0.1ms\noutput -every 50\n",
+                           300 + k / 2, 2 + k, jankowski, record);
+    }
+    assert_true(compare(member, ENSEMBLE_MAX) > 500);
+    free_models(member, ENSEMBLE_MAX);
+}
+
 // Links act in most steps; forces that jump and a stiff contact whose steps are cut take runs
 // ashore in between. Only building C differs from run to run.
 static void a_row_in_heavy_contact_has_the_same_bits(void **state) {
@@ -325,6 +344,7 @@ int main(void) {
         cmocka_unit_test(laws_masses_and_grounds_may_differ),
         cmocka_unit_test(decks_made_at_random_have_the_same_bits),
         cmocka_unit_test(tall_buildings_and_other_integrators_have_the_same_bits),
+        cmocka_unit_test(forces_reach_as_far_in_lanes_as_alone),
         cmocka_unit_test(a_row_in_heavy_contact_has_the_same_bits),
         cmocka_unit_test(a_run_that_fails_leaves_the_others_alone),
         cmocka_unit_test(runs_that_never_come_aboard_have_the_same_bits),
