@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A step in which no link acts is one of many that the lanes take at a time. In one in which links
 // act, the lanes take the floors of all runs as far as the forces are known that these begin with,
-// and the links of each run then change its lane; contacts that close on the way join them. What
-// goes beyond that, such as a force that jumps or a step that has to be cut, takes the run ashore
-// for the step.
+// and then the contacts of runs that are stowed (ensemble_joints.h). The links of each other run
+// then change its lane; contacts that close on the way join them. What goes beyond that, such as a
+// force that jumps or a step that has to be cut, takes the run ashore for the step.
 #include "solve/ensemble_fleet.h"
 
 #include "core/number.h"

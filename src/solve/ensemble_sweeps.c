@@ -7,8 +7,8 @@
 // Lanes in which a contact is not live, or that have converged, look on.
 //
 // Only the usual is done here: contacts that were closed, that Newton steps lead to their forces
-// within a few sweeps, and that stay as well resolved as they were (seen_before of resolve.c). A
-// lane in which anything else happens gives up, and its run is solved alone from where it began.
+// within a few sweeps, and for which steps are short enough (resolve.c). A lane in which anything
+// else happens gives up, and its run is solved alone from where it began.
 #include "solve/ensemble_joints.h"
 
 #include <float.h>
