@@ -184,8 +184,8 @@ static void tall_buildings_and_other_integrators_have_the_same_bits(void **state
     }
 }
 
-// Contacts of buildings of nine to sixteen floors, of which some do not feel a force where steps are
-// short. Masses differ.
+// Contacts of buildings of nine to sixteen floors, of which some do not feel a force where steps
+// are short. Masses differ.
 static void contacts_of_higher_buildings_have_the_same_bits(void **state) {
     (void)state;
     struct ensemble_member member[ENSEMBLE_MAX];
