@@ -25,6 +25,15 @@
 #define LANES
 #endif
 
+// In front of a function that only a processor is asked to run that has lanes_wide in one register:
+// and of all that have such lanes in them, as compilers take lanes apart that the processor they
+// are compiled for does not have, before they expand one function in another.
+#ifdef LANES_WIDEST
+#define LANES_WHOLE __attribute__((target("arch=" LANES_WIDEST)))
+#else
+#define LANES_WHOLE
+#endif
+
 // In front of what such functions are made of: what is not expanded in them has baseline code only.
 #if defined(__GNUC__)
 #define LANES_INLINE static inline __attribute__((always_inline))
@@ -93,6 +102,12 @@ typedef signed char wide_bytes __attribute__((vector_size(WIDE_RUNS)));
 // |x|, and a where a mask has all bits of a lane and b where it has none.
 #define WIDE_ABSOLUTE(x) ((wide)((wide_bits)(x)&INT64_MAX))
 #define WIDE_CHOOSE(mask, a, b) ((wide)(((mask) & (wide_bits)(a)) | (~(mask) & (wide_bits)(b))))
+
+// All bits where it is so, and the larger and the smaller of two, lane by lane.
+#define WIDE_LESS(a, b) ((wide_bits)((a) < (b)))
+#define WIDE_AT_MOST(a, b) ((wide_bits)((a) <= (b)))
+#define WIDE_LARGER(a, b) WIDE_CHOOSE(WIDE_LESS(b, a), a, b)
+#define WIDE_SMALLER(a, b) WIDE_CHOOSE(WIDE_LESS(a, b), a, b)
 
 // Does a register of the processor at hand hold it, or half of it? Where it is split further, gcc
 // passes it through memory in pieces, and eight runs one after the other are faster.

@@ -127,8 +127,8 @@ static void limit_steps(struct model *m) {
     }
 }
 
-// Steps of Dormand & Prince are stable up to 1 over the fastest rate without damping, 2.4 with 5 % of
-// the critical one, and 3.3 where it is strong: Hairer & Wanner (1996), Solving Ordinary
+// Steps of Dormand & Prince are stable up to 1 over the fastest rate without damping, 2.4 with 5 %
+// of the critical one, and 3.3 where it is strong: Hairer & Wanner (1996), Solving Ordinary
 // Differential Equations II, section IV.2. Longer steps would let the fastest mode grow until the
 // error control sees it, again and again where no corner of the forcing ends them.
 static const double STABLE_OSCILLATION = 2.5, STABLE_DECAY = 3.3;

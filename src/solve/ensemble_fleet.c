@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A step in which no link acts is one of many that the lanes take at a time. In one in which links
 // act, the lanes take the floors of all runs as far as the forces are known that these begin with,
-// and the links of each run then change its lane; contacts that close on the way join them. What
-// goes beyond that, such as a force that jumps or a step that has to be cut, takes the run ashore
-// for the step.
+// and then the contacts of runs that are stowed (ensemble_joints.h). The links of each other run
+// then change its lane; contacts that close on the way join them. What goes beyond that, such as a
+// force that jumps or a step that has to be cut, takes the run ashore for the step.
 #include "solve/ensemble_fleet.h"
 
 #include "core/number.h"
+#include "solve/ensemble_joints.h"
 #include "solve/ensemble_links.h"
-
-// Fewer runs than this are solved for as fast one by one.
-enum { TOGETHER_LEAST = 3 };
 
 static bool has(unsigned runs, int k) {
     return runs >> k & 1U;
@@ -43,6 +41,7 @@ void ensemble_fleet_board(struct fleet *f, int k, long n) {
 
 void ensemble_fleet_leave(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
+    ensemble_joints_take_out(&f->lanes, k, &b->run);
     ensemble_leave(&f->lanes, k, &b->run, model_time(b->run.model, n), n - b->boarded);
     b->berth = BERTH_ASHORE;
     f->n_aboard--;
@@ -52,6 +51,7 @@ void ensemble_fleet_leave(struct fleet *f, int k, long n) {
 
 void ensemble_fleet_end(struct fleet *f, int k, int status) {
     struct boat *b = &f->boat[k];
+    ensemble_joints_take_out(&f->lanes, k, &b->run);
     *(b->berth == BERTH_ABOARD ? &f->n_aboard : &f->n_ashore) -= 1;
     b->berth = BERTH_ENDED;
     ensemble_clear(&f->lanes, k);
@@ -79,11 +79,28 @@ static void give_up(struct fleet *f, int k, long n) {
     ensemble_fleet_leave(f, k, n - 1);
 }
 
+static bool is_stowed(const struct fleet *f, int k) {
+    return has(f->lanes.joints->stowed, k);
+}
+
+// The links of run k, which is stowed, cannot take step n with those of others.
+static void take_out(struct fleet *f, int k, long n) {
+    struct run *r = &f->boat[k].run;
+    ensemble_joints_take_out(&f->lanes, k, r);
+    ensemble_links_recall(&f->lanes, k, r);
+    act(f, k, n);
+    ensemble_joints_give(&f->lanes, k, r);
+}
+
 // The step n of all floors aboard, with the forces that live links begin it with.
 static void begin_links(struct fleet *f, long n, const wide *base) {
+    if (f->lanes.joints->stowed) {
+        ensemble_joints_begin(&f->lanes);
+    }
     for (int k = 0; k < f->n; k++) {
-        if (has(f->live, k)) {
+        if (has(f->live, k) && !is_stowed(f, k)) {
             act(f, k, n);
+            ensemble_links_push(&f->lanes, k, &f->boat[k].run);
         }
     }
     f->lanes.steps->move(&f->lanes, base);
@@ -116,26 +133,34 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
     return true;
 }
 
-// Solves for the links of runs that can go together; returns whether there were any.
-static bool solve_together(struct fleet *f, unsigned pressed) {
-    const unsigned runs = f->wanted & ~pressed;
-    struct run *run[WIDE_RUNS];
-    if (!f->lanes.steps->solve || __builtin_popcount(runs) < TOGETHER_LEAST) {
+// Solves for the links of runs that are stowed, but for those `pressed`; the others are taken out.
+// Returns whether there were any.
+static bool solve_stowed(struct fleet *f, long n, unsigned pressed) {
+    const struct ensemble_joints *s = f->lanes.joints;
+    const unsigned left = s->stowed & ~s->solved;
+    for (int k = 0; s->stowed & pressed && k < f->n; k++) {
+        if (has(s->stowed & pressed, k)) {
+            take_out(f, k, n);
+        }
+    }
+    if (!(s->stowed & left)) {
         return false;
     }
-    for (int k = 0; k < f->n; k++) {
-        run[k] = &f->boat[k].run;
+    ensemble_joints_solve(&f->lanes);
+    const unsigned given_up = s->stowed & ~s->solved;
+    for (int k = 0; given_up && k < f->n; k++) {
+        if (has(given_up, k)) {
+            take_out(f, k, n);
+        }
     }
-    const unsigned solved = f->lanes.steps->solve(&f->lanes, run, runs);
-    f->wanted &= ~solved;
-    return solved != 0;
+    return true;
 }
 
 // Solves for the links of all runs aboard, which may close others.
 static void meet(struct fleet *f, long n, const wide *base) {
     for (bool again = true; again;) {
         const unsigned pressed = find_pressed(&f->lanes);
-        again = solve_together(f, pressed);
+        again = solve_stowed(f, n, pressed);
         const unsigned asked = pressed | f->wanted;
         for (int k = 0; asked && k < f->n; k++) {
             again |= has(asked, k) && solve_links(f, k, n, has(pressed, k));
@@ -163,7 +188,11 @@ static void look(struct fleet *f, long n, const wide *base) {
     ensemble_raise(&f->lanes, base, (double)n * f->lanes.h);
 }
 
-static void commit(struct fleet *f, const wide *base) {
+static void commit(struct fleet *f, long n, const wide *base) {
+    const double start = (double)(n - 1) * f->lanes.h, end = (double)n * f->lanes.h;
+    if (f->lanes.joints->stowed) {
+        ensemble_joints_commit(&f->lanes, end, end - start);
+    }
     for (int k = 0; f->acting && k < f->n; k++) {
         if (!has(f->acting, k)) {
             continue;
@@ -172,7 +201,9 @@ static void commit(struct fleet *f, const wide *base) {
         int status = ensemble_links_commit(&f->lanes, k, r);
         put(&f->acting, k, false);
         put(&f->live, k, r->now->n_live > 0);
-        if (status != STATUS_OK) {
+        if (status == STATUS_OK) {
+            ensemble_joints_stow(&f->lanes, k, r);
+        } else {
             ensemble_fleet_end(f, k, status);
         }
     }
@@ -196,6 +227,7 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
     if (n > last) {
         return last;
     }
+    e->joints->solved = 0;
     if (live) {
         begin_links(f, n, base);
     }
@@ -206,6 +238,6 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
     if (ensemble_exceeds(e)) {
         look(f, n, base);
     }
-    commit(f, base);
+    commit(f, n, base);
     return n;
 }

@@ -39,9 +39,6 @@ static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 enum { ROWS = 4, ROWS_MOST = 2 * ROWS - 1 };
 #define EACH_ROW(c, n) _Pragma("GCC unroll 8") for (int c = 0; c < (n); c++)
 
-// Are the works of the last step still to be taken into account?
-enum owed { OWED_NOTHING, OWED_WORKS };
-
 // A building that begins a step; the arrays are of its own floors.
 struct begun {
     const struct building *shape;
@@ -76,19 +73,17 @@ LANES_INLINE void try_floor(const struct begun *g, int p, int i, part *u, part *
     *v = PART_OF(s->v) + g->h * PART_OF(s->a);
 }
 
-LANES_INLINE void meet_floor(const struct begun *g, enum ensemble_held held, enum owed owed, int p,
-                             int i, const part *u_below, struct neighbour *own) {
+LANES_INLINE void meet_floor(const struct begun *g, enum ensemble_held held, int p, int i,
+                             const part *u_below, struct neighbour *own) {
     const double *x = g->x;
     try_floor(g, p, i, &own->u, &own->v);
     own->shear = NUMBER(i, STIFFNESS) * (own->u - *u_below);
-    if (owed == OWED_WORKS) {
-        own->sum = PART_OF(g->old[i].v) + PART_OF(g->now[i].v);
-    }
+    own->sum = PART_OF(g->old[i].v) + PART_OF(g->now[i].v);
 }
 
 // r = -m (a_ground + a) - C v_t - K u_t of floor i.
-LANES_INLINE void begin_floor(const struct begun *g, enum ensemble_held held, enum owed owed, int p,
-                              int i, const struct neighbour *below, const struct neighbour *own,
+LANES_INLINE void begin_floor(const struct begun *g, enum ensemble_held held, int p, int i,
+                              const struct neighbour *below, const struct neighbour *own,
                               const struct neighbour *above) {
     const double *x = g->x;
     const part damping =
@@ -99,25 +94,22 @@ LANES_INLINE void begin_floor(const struct begun *g, enum ensemble_held held, en
     PART(g->trial[i].u) = own->u;
     PART(g->trial[i].v) = own->v;
     PART(g->trial[i].residual) = residual;
-    if (owed == OWED_WORKS) {
-        account_floor(g, held, p, i, &below->sum, &own->sum, &above->sum);
-    }
+    account_floor(g, held, p, i, &below->sum, &own->sum, &above->sum);
 }
 
 // The trial, with its residuals. The last step is accounted for while the numbers are at hand.
-LANES_INLINE void begin_floors(const struct begun *g, enum ensemble_held held, enum owed owed,
-                               int p) {
+LANES_INLINE void begin_floors(const struct begun *g, enum ensemble_held held, int p) {
     const struct neighbour nothing = {{0.0}, {0.0}, {0.0}, {0.0}};
     const int top = g->shape->n_floor - 1;
     struct neighbour below = nothing, own = nothing, above = nothing;
-    meet_floor(g, held, owed, p, 0, &nothing.u, &own);
+    meet_floor(g, held, p, 0, &nothing.u, &own);
     for (int i = 0; i < top; i++) {
-        meet_floor(g, held, owed, p, i + 1, &own.u, &above);
-        begin_floor(g, held, owed, p, i, &below, &own, &above);
+        meet_floor(g, held, p, i + 1, &own.u, &above);
+        begin_floor(g, held, p, i, &below, &own, &above);
         below = own;
         own = above;
     }
-    begin_floor(g, held, owed, p, top, &below, &own, &nothing);
+    begin_floor(g, held, p, top, &below, &own, &nothing);
 }
 
 // Takes but the works of the last step into account.

@@ -6,10 +6,12 @@
 
 #include "core/arena.h"
 #include "core/number.h"
+#include "solve/ensemble_joints.h"
 
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
     e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
+    e->joints = ensemble_joints_create(m, a);
     e->grip = lanes_wide_array(a, m->n_contact, sizeof *e->grip);
     e->force = lanes_wide_array(a, m->n_contact, sizeof *e->force);
     e->acts = arena_alloc(a, (size_t)m->n_contact, sizeof *e->acts);
@@ -22,7 +24,8 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
         }
         e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->nearest && e->grip && e->force && e->acts && e->end && e->pressed;
+    return e->contact && e->nearest && e->joints && e->grip && e->force && e->acts && e->end &&
+           e->pressed;
 }
 
 static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
@@ -148,7 +151,8 @@ static void fill_grip(struct ensemble_grip *g, int lane, const struct model *m, 
     g->law = l->law;
     for (int i = 0; i < 2; i++) {
         g->building[i] = l->building[i];
-        g->apart |= l->building[i] != WALL && m->building[l->building[i]].n_floor > LANES_WIDTH;
+        g->apart |=
+            l->building[i] != WALL && m->building[l->building[i]].n_floor > INVERSE_FLOORS_MAX;
     }
     for (int i = 0; !g->apart && i < l->law->n_constant; i++) {
         g->constant[i][lane] = l->constant[i];
@@ -223,6 +227,7 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         small &= put(&f->u, lane, s->u[i]);
         small &= put(&f->v, lane, s->v[i]);
         small &= put(&f->a, lane, s->a[i]);
+        e->next[i] = *f;
     }
     for (int i = 0; i < LANES_WIDTH; i++) {
         e->works->input_2x[i][lane] = r->energy.input_2x[i];

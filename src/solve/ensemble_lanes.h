@@ -84,6 +84,7 @@ struct ensemble_grip {
     const struct contact_law *law;  // in all lanes
     long factors[WIDE_RUNS];        // work.factors of the run that flexibility is of; 0: none yet
     int building[2];                // at its ends; WALL
+    int from[2], to[2];             // floors there that feel its force: in all lanes
     bool apart;                     // solved for run by run
 };
 
@@ -135,8 +136,8 @@ struct ensemble_steps {
     // Computes one step with the forces that live links begin it with.
     void (*move)(struct ensemble_lanes *e, const wide *base);
 
-    // Solves for forces of some runs together: see ensemble_contacts.h. NULL: does not pay.
-    unsigned (*solve)(struct ensemble_lanes *e, struct run *const *run, unsigned runs);
+    // Solves for the forces of runs that are stowed: see ensemble_joints.h. NULL: none ever is.
+    void (*solve)(struct ensemble_lanes *e);
 
     // Shows the runs aboard the trial and the corrections of that step, or of the one that the
     // march has stopped at: of floors WIDE_RUNS * eight to WIDE_RUNS * eight + WIDE_RUNS - 1.
@@ -183,6 +184,7 @@ struct ensemble_lanes {
     bool *acts;     // (n_contact) of contacts that are live in some lane
     struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits, as last looked at
     int n_pressed;
+    struct ensemble_joints *joints;  // links of runs that are stowed
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
     const struct ensemble_steps *steps;  // borrowed
 };

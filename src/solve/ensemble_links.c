@@ -39,18 +39,37 @@ static double penetration(const struct ensemble_lanes *e, int k, const struct en
     return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
 }
 
+// What the live links of `to` feel of their floors in a state of the lane.
+static void gather_ends(const struct ensemble_lanes *e, const struct ensemble_state *s, int lane,
+                        struct state *to) {
+    for (int i = 0; i < to->n_live; i++) {
+        const int k = to->live[i];
+        to->delta[k] = penetration(e, k, s, lane);
+        gather_velocities(e, k, s, lane, to->v);
+    }
+}
+
+void ensemble_links_recall(const struct ensemble_lanes *e, int lane, const struct run *r) {
+    gather_ends(e, e->now, lane, r->now);
+}
+
 void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, double start,
                           double end) {
     struct state *next = r->next;
     r->work.strictness = STEP_STRICT;
-    contact_begin(&r->work, r->now, next);
     r->now->time = start;
     next->time = end;
+    contact_begin(&r->work, r->now, next);
     for (int i = 0; i < next->n_live; i++) {
-        const int k = next->live[i];
-        e->contact[k].limit[lane] = INFINITY;
+        e->contact[next->live[i]].limit[lane] = INFINITY;
+    }
+}
+
+void ensemble_links_push(struct ensemble_lanes *e, int lane, const struct run *r) {
+    for (int i = 0; i < r->next->n_live; i++) {
+        const int k = r->next->live[i];
         e->acts[k] = true;
-        e->force[k][lane] = next->link[k].force;
+        e->force[k][lane] = r->next->link[k].force;
     }
 }
 
@@ -90,11 +109,7 @@ int ensemble_links_solve(struct ensemble_lanes *e, struct run *r) {
 
 int ensemble_links_finish(const struct ensemble_lanes *e, int lane, struct run *r) {
     struct work *w = &r->work;
-    for (int i = 0; i < r->next->n_live; i++) {
-        const int k = r->next->live[i];
-        r->next->delta[k] = penetration(e, k, e->next, lane);
-        gather_velocities(e, k, e->next, lane, r->next->v);
-    }
+    gather_ends(e, e->next, lane, r->next);
     contact_finish(w, r->next);
     return event_first(w, r->now, r->next, w->h, r->events, -1).link < 0 ? STATUS_OK : STATUS_RETRY;
 }

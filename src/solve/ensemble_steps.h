@@ -19,37 +19,21 @@ enum { TOGETHER = 2 };
 // A function that stays one: compilers mix up what is in others.
 #define APART CLONES __attribute__((noinline)) static
 
-APART void begin_once_owing(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                            int p, const wide *ground, struct ensemble_trial *t) {
-    const struct begun g = begun(e, b, p, ground, t);
-    begin_floors(&g, HELD_ONCE, OWED_WORKS, p);
-}
-
 APART void begin_once(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                       const wide *ground, struct ensemble_trial *t) {
     const struct begun g = begun(e, b, p, ground, t);
-    begin_floors(&g, HELD_ONCE, OWED_NOTHING, p);
-}
-
-APART void begin_each_owing(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                            int p, const wide *ground, struct ensemble_trial *t) {
-    const struct begun g = begun(e, b, p, ground, t);
-    begin_floors(&g, HELD_BY_EACH, OWED_WORKS, p);
+    begin_floors(&g, HELD_ONCE, p);
 }
 
 APART void begin_each(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                       const wide *ground, struct ensemble_trial *t) {
     const struct begun g = begun(e, b, p, ground, t);
-    begin_floors(&g, HELD_BY_EACH, OWED_NOTHING, p);
+    begin_floors(&g, HELD_BY_EACH, p);
 }
 
 LANES_INLINE void begin(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                         const wide *ground, struct ensemble_trial *t) {
-    if (b->held == HELD_ONCE) {
-        e->owing ? begin_once_owing(e, b, p, ground, t) : begin_once(e, b, p, ground, t);
-    } else {
-        e->owing ? begin_each_owing(e, b, p, ground, t) : begin_each(e, b, p, ground, t);
-    }
+    b->held == HELD_ONCE ? begin_once(e, b, p, ground, t) : begin_each(e, b, p, ground, t);
 }
 
 APART void end_once(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
@@ -236,7 +220,10 @@ CLONES static void move_pushed(struct ensemble_lanes *e, const wide *base) {
 
 CLONES static void settle(struct ensemble_lanes *e) {
     const wide still = {0.0};
-    for (int k = 0; e->owing && k < e->n_building; k++) {
+    if (!e->owing) {
+        return;
+    }
+    for (int k = 0; k < e->n_building; k++) {
         for (int p = 0; p < PARTS; p++) {
             const struct begun g = begun(e, &e->building[k], p, &still, e->trial);
             if (e->building[k].held == HELD_ONCE) {
@@ -247,6 +234,7 @@ CLONES static void settle(struct ensemble_lanes *e) {
         }
     }
     e->owing = false;
+    memcpy(e->next, e->now, (size_t)e->n_floor * sizeof *e->next);
 }
 
 CLONES static void commit_step(struct ensemble_lanes *e, const wide *base) {

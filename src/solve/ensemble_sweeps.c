@@ -7,9 +7,9 @@
 // Lanes in which a contact is not live, or that have converged, look on.
 //
 // Only the usual is done here: contacts that were closed, that Newton steps lead to their forces
-// within a few sweeps, and that stay as well resolved as they were (resolve_suffices). A
-// lane in which anything else happens gives up, and its run is solved alone from where it began.
-#include "solve/ensemble_sweeps.h"
+// within a few sweeps, and for which steps are short enough (resolve.c). A lane in which anything
+// else happens gives up, and its run is solved alone from where it began.
+#include "solve/ensemble_joints.h"
 
 #include <float.h>
 #include <math.h>
@@ -18,19 +18,16 @@
 #include "solve/quick.h"
 #include "solve/resolve.h"
 
-// For all functions that have lanes in them: compilers take lanes apart that the processor they are
-// compiled for does not have, before they expand one function in another.
-#ifdef LANES_WIDEST
-#define WIDEST __attribute__((target("arch=" LANES_WIDEST)))
-#else
-#define WIDEST
-#endif
-#define INLINE WIDEST LANES_INLINE
+#define INLINE LANES_WHOLE LANES_INLINE
 
-#define LESS(a, b) ((wide_bits)((a) < (b)))
-#define AT_MOST(a, b) ((wide_bits)((a) <= (b)))
-#define SMALLER(a, b) WIDE_CHOOSE(LESS(a, b), a, b)
-#define LARGER(a, b) WIDE_CHOOSE(LESS(b, a), a, b)
+// As struct progress, and what runs have in common.
+struct sweeps {
+    struct ensemble_lanes *e;
+    struct ensemble_joints *joints;
+    wide tolerance, enough, loosest, largest, change, moved, echo, clear;
+    wide_bits well;  // the lane has not given up,
+    wide_bits busy;  // nor converged
+};
 
 INLINE bool any(const wide_bits *flags) {
     const wide_bytes b = __builtin_convertvector(*flags, wide_bytes);
@@ -40,20 +37,26 @@ INLINE bool any(const wide_bits *flags) {
     return all != 0;
 }
 
+// Contact number i of those that act.
+INLINE int acting(const struct sweeps *s, int i) {
+    return s->joints->acting[i];
+}
+
 // All bits of the lanes of `runs`.
 INLINE void lanes_of(unsigned runs, wide_bits *flags) {
     static const wide_bits bit = {1, 2, 4, 8, 16, 32, 64, 128};
     *flags = (wide_bits)(((long long)runs & bit) == bit);
 }
 
-INLINE void see(const struct sweeps *s, const struct joint *j, wide *x) {
-    const int *end = s->e->end[j->contact];
+INLINE void see(const struct sweeps *s, int k, wide *x) {
+    const int *end = s->e->end[k];
     *x = s->e->correction[end[0]] - s->e->correction[end[1]];
 }
 
 // Asks the law in the lanes `which`, where x is seen.
-INLINE void ask(struct sweeps *s, struct joint *j, const wide *x, const wide_bits *which) {
-    const struct ensemble_grip *grip = j->grip;
+INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) {
+    struct joint *j = &s->joints->joint[k];
+    const struct ensemble_grip *grip = &s->e->grip[k];
     const wide b = s->e->factors->b, g = s->e->factors->g;
     const wide d = j->d_trial + b * *x;
     const wide v = j->v_trial + g * *x;
@@ -64,20 +67,21 @@ INLINE void ask(struct sweeps *s, struct joint *j, const wide *x, const wide_bit
     const wide dfdd = (wide)LANES_AT(law.dfdd, 0), dfdv = (wide)LANES_AT(law.dfdv, 0);
     const wide slope = b * dfdd + g * dfdv;
     const wide share = grip->flexibility * slope;
-    s->well &= ~*which | (LESS(0.0, d) & AT_MOST(0.0, share) & AT_MOST(share, QUICK_STEEPEST));
+    s->well &= ~*which |
+               (WIDE_LESS(0.0, d) & WIDE_AT_MOST(0.0, share) & WIDE_AT_MOST(share, QUICK_STEEPEST));
     const wide steep = WIDE_ABSOLUTE(b * dfdd) + WIDE_ABSOLUTE(g * dfdv) + DBL_MIN;
     const wide inverse = 1.0 / ((1.0 + share) * steep);
     const wide damped = inverse * steep;
-    const wide near = QUICK_NEAR * d * s->per_b;
+    const wide near = QUICK_NEAR * d * s->joints->per_b;
     wide straight = QUICK_STRAIGHT * s->enough * WIDE_ABSOLUTE(force), reach = -1.0 - (wide){0.0};
     if (grip->law->traits & CONTACT_SMOOTH) {
         for (int lane = 0; lane < WIDE_RUNS; lane++) {
             straight[lane] = sqrt(straight[lane]);
         }
         straight = straight * inverse * (1.0 + share);
-        const wide turn = WIDE_ABSOLUTE(v) * s->per_g;
-        const wide nearer = SMALLER(near, turn);
-        reach = SMALLER(nearer, straight);
+        const wide turn = WIDE_ABSOLUTE(v) * s->joints->per_g;
+        const wide nearer = WIDE_SMALLER(near, turn);
+        reach = WIDE_SMALLER(nearer, straight);
     }
     const wide echo = share * grip->others;
     j->asked = WIDE_CHOOSE(*which, *x, j->asked);
@@ -89,84 +93,110 @@ INLINE void ask(struct sweeps *s, struct joint *j, const wide *x, const wide_bit
     j->near = WIDE_CHOOSE(*which, near, j->near);
     j->reach = WIDE_CHOOSE(*which, reach, j->reach);
     j->ask &= ~*which;
-    s->echo = WIDE_CHOOSE(*which & LESS(s->echo, echo), echo, s->echo);
+    s->echo = WIDE_CHOOSE(*which & WIDE_LESS(s->echo, echo), echo, s->echo);
 }
 
-// q += f times column `floor` of A^-1, on the side of a contact that has it.
+// q += f times column `floor` of A^-1, from floor `from` on.
 INLINE void push_as(wide *q, const struct ensemble_building *b, enum ensemble_held held, int floor,
-                    const wide *f) {
-    const int n = b->shape->n_floor;
-    for (int i = 0; i < n; i++) {
-        q[i] += *f * ENSEMBLE_AT(b->inverse, floor * n + i);
+                    int from, int to, const wide *f) {
+    for (int i = from, at = floor * b->shape->n_floor; i < to; i++) {
+        q[i] += *f * ENSEMBLE_AT(b->inverse, at + i);
     }
 }
 
-INLINE void push(struct sweeps *s, const struct joint *j, int side, const wide *f) {
-    const int building = j->grip->building[side];
-    if (building != WALL) {
-        const struct ensemble_building *b = &s->e->building[building];
-        const int floor = s->e->end[j->contact][side] - b->shape->first;
+// The same on the side of a contact that has it.
+INLINE void push(struct sweeps *s, int k, int side, const wide *f) {
+    const struct ensemble_grip *g = &s->e->grip[k];
+    if (g->building[side] != WALL) {
+        const struct ensemble_building *b = &s->e->building[g->building[side]];
+        const int floor = s->e->end[k][side] - b->shape->first;
+        const int from = g->from[side], to = g->to[side];
         wide *q = s->e->correction + b->shape->first;
-        b->held == HELD_ONCE ? push_as(q, b, HELD_ONCE, floor, f)
-                             : push_as(q, b, HELD_BY_EACH, floor, f);
+        b->held == HELD_ONCE ? push_as(q, b, HELD_ONCE, floor, from, to, f)
+                             : push_as(q, b, HELD_BY_EACH, floor, from, to, f);
     }
 }
 
-// Takes note of changes df of forces in lanes that `move`.
-INLINE void note(struct sweeps *s, const struct joint *j, const wide *df, const wide_bits *move) {
+// The lanes of `which` in which changes of that size are no more than rounding.
+INLINE void find_negligible(const struct sweeps *s, int k, const wide *size, wide_bits *which) {
     const struct ensemble_lanes *e = s->e;
-    const int *end = e->end[j->contact];
+    const struct joint *j = &s->joints->joint[k];
+    const int *end = e->end[k];
     const struct ensemble_trial *left = &e->trial[end[0]], *right = &e->trial[end[1]];
     const wide q = WIDE_ABSOLUTE(e->correction[end[0]]) + WIDE_ABSOLUTE(e->correction[end[1]]);
-    const wide d = WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->contact[j->contact].gap +
-                   e->factors->b * q;
+    const wide d =
+        WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->contact[k].gap + e->factors->b * q;
     const wide v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v) + e->factors->g * q;
     const wide rounding =
         4.0 * DBL_EPSILON * (WIDE_ABSOLUTE(j->dfdd) * d + WIDE_ABSOLUTE(j->dfdv) * v);
+    *which &= WIDE_AT_MOST(*size, rounding * j->damped);
+}
+
+// Takes note of changes df of forces in lanes that `move`.
+INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move) {
+    const struct joint *j = &s->joints->joint[k];
     const wide size = WIDE_ABSOLUTE(*df);
-    const wide_bits matters = *move & LESS(s->enough, size) & ~AT_MOST(size, rounding * j->damped);
-    s->change = WIDE_CHOOSE(matters & j->ask & LESS(s->change, size), size, s->change);
-    s->moved = WIDE_CHOOSE(matters & ~j->ask & LESS(s->moved, size), size, s->moved);
+    const wide most = WIDE_CHOOSE(j->ask, s->change, s->moved);
+    const wide_bits larger = *move & WIDE_LESS(s->enough, size) & WIDE_LESS(most, size);
+    if (any(&larger)) {
+        wide_bits negligible = larger;
+        find_negligible(s, k, &size, &negligible);
+        const wide_bits matters = larger & ~negligible;
+        s->change = WIDE_CHOOSE(matters & j->ask, size, s->change);
+        s->moved = WIDE_CHOOSE(matters & ~j->ask, size, s->moved);
+    }
+}
+
+// Changes forces by df in lanes that `move`, led by so much from where their laws were asked.
+INLINE void change(struct sweeps *s, int k, const wide *df, const wide *led,
+                   const wide_bits *move) {
+    struct joint *j = &s->joints->joint[k];
+    const wide done = (wide)((wide_bits)*df & *move), undone = -done;
+    j->force = WIDE_CHOOSE(*move, j->force + *df, j->force);
+    j->base -= j->damped * done;
+    j->ask = (*move & ~WIDE_AT_MOST(*led, j->reach)) | (~*move & j->ask);
+    push(s, k, 0, &undone);
+    push(s, k, 1, &done);
+    note(s, k, &done, move);
 }
 
 // A Newton step where x is seen.
-INLINE void step(struct sweeps *s, struct joint *j, const wide *x) {
+INLINE void step(struct sweeps *s, int k, const wide *x) {
+    const struct joint *j = &s->joints->joint[k];
+    const struct ensemble_grip *grip = &s->e->grip[k];
     const wide_bits here = j->live & s->busy & s->well;
     const wide dx = *x - j->asked;
     const wide df = j->base + j->rate * dx;
-    const wide_bits idle = AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEGLECTED * s->enough) &
-                           AT_MOST(WIDE_ABSOLUTE(dx), j->reach);
-    const wide led = WIDE_ABSOLUTE(dx - j->grip->flexibility * df);
-    const wide_bits safe =
-        AT_MOST(led, j->near) & AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEAR * WIDE_ABSOLUTE(j->force));
+    const wide_bits idle = WIDE_AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEGLECTED * s->enough) &
+                           WIDE_AT_MOST(WIDE_ABSOLUTE(dx), j->reach);
+    const wide led = WIDE_ABSOLUTE(dx - grip->flexibility * df);
+    const wide_bits safe = WIDE_AT_MOST(led, j->near) &
+                           WIDE_AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEAR * WIDE_ABSOLUTE(j->force));
     s->well &= ~here | idle | safe;
     const wide_bits move = here & ~idle & safe;
     const wide far = WIDE_CHOOSE(idle, WIDE_ABSOLUTE(dx), led);
     const wide left = j->reach - far;
-    const wide room = LARGER(left, (wide){0.0}) * j->grip->unmoved;
-    s->clear = WIDE_CHOOSE(here & LESS(room, s->clear), room, s->clear);
-    const wide done = (wide)((wide_bits)df & move), undone = -done;
-    j->force = WIDE_CHOOSE(move, j->force + df, j->force);
-    j->base -= j->damped * done;
-    j->ask = (move & ~AT_MOST(led, j->reach)) | (~move & j->ask);
-    push(s, j, 0, &undone);
-    push(s, j, 1, &done);
-    note(s, j, &done, &move);
+    const wide room = WIDE_LARGER(left, (wide){0.0}) * grip->unmoved;
+    s->clear = WIDE_CHOOSE(here & WIDE_LESS(room, s->clear), room, s->clear);
+    if (any(&move)) {
+        change(s, k, &df, &led, &move);
+    }
     const wide size = WIDE_ABSOLUTE(j->force);
-    s->largest = WIDE_CHOOSE(here & LESS(s->largest, size), size, s->largest);
+    s->largest = WIDE_CHOOSE(here & WIDE_LESS(s->largest, size), size, s->largest);
 }
 
-INLINE void visit(struct sweeps *s, struct joint *j) {
+INLINE void visit(struct sweeps *s, int k) {
+    const struct joint *j = &s->joints->joint[k];
     wide x;
-    see(s, j, &x);
+    see(s, k, &x);
     const wide dx = x - j->asked;
     const wide_bits known =
-        ~j->ask & (AT_MOST(WIDE_ABSOLUTE(dx), j->reach) | (wide_bits)(dx == 0.0));
+        ~j->ask & (WIDE_AT_MOST(WIDE_ABSOLUTE(dx), j->reach) | (wide_bits)(dx == 0.0));
     const wide_bits unknown = j->live & s->busy & ~known;
     if (any(&unknown)) {
-        ask(s, j, &x, &unknown);
+        ask(s, k, &x, &unknown);
     }
-    step(s, j, &x);
+    step(s, k, &x);
 }
 
 INLINE void renew(struct sweeps *s) {
@@ -177,22 +207,22 @@ INLINE void renew(struct sweeps *s) {
 
 // Asks the laws of lanes `which`, wherever they stand.
 INLINE void ask_all(struct sweeps *s, const wide_bits *which) {
-    for (int i = 0; i < s->n_joint; i++) {
-        struct joint *j = &s->joint[i];
-        const wide_bits here = j->live & *which;
+    for (int i = 0; i < s->joints->n_acting; i++) {
+        const int k = acting(s, i);
+        const wide_bits here = s->joints->joint[k].live & *which;
         wide x;
-        see(s, j, &x);
-        ask(s, j, &x, &here);
+        see(s, k, &x);
+        ask(s, k, &x, &here);
     }
 }
 
 // Asks all laws again where what is enough has become much less.
 INLINE void ask_again(struct sweeps *s) {
-    const wide_bits looser = s->busy & LESS(QUICK_LOOSER * s->enough, s->loosest);
+    const wide_bits looser = s->busy & WIDE_LESS(QUICK_LOOSER * s->enough, s->loosest);
     if (any(&looser)) {
         ask_all(s, &looser);
     }
-    s->loosest = WIDE_CHOOSE(looser | LESS(s->loosest, s->enough), s->enough, s->loosest);
+    s->loosest = WIDE_CHOOSE(looser | WIDE_LESS(s->loosest, s->enough), s->enough, s->loosest);
 }
 
 // Where the contacts are without corrections.
@@ -200,50 +230,71 @@ INLINE void gather(struct sweeps *s) {
     const struct ensemble_lanes *e = s->e;
     const wide none = {0.0};
     s->largest = s->echo = none;
-    for (int i = 0; i < s->n_joint; i++) {
-        struct joint *j = &s->joint[i];
-        const struct ensemble_trial *left = &e->trial[e->end[j->contact][0]];
-        const struct ensemble_trial *right = &e->trial[e->end[j->contact][1]];
-        lanes_of(j->runs, &j->live);
-        j->live &= s->well;
+    for (int i = 0; i < s->joints->n_acting; i++) {
+        const int k = acting(s, i);
+        struct joint *j = &s->joints->joint[k];
+        const struct ensemble_trial *left = &e->trial[e->end[k][0]];
+        const struct ensemble_trial *right = &e->trial[e->end[k][1]];
         j->ask = j->live;
         j->base = j->rate = j->asked = j->reach = j->near = j->damped = j->dfdd = j->dfdv = none;
-        j->d_trial = left->u - right->u - e->contact[j->contact].gap;
+        j->d_trial = left->u - right->u - e->contact[k].gap;
         j->v_trial = left->v - right->v;
         const wide size = WIDE_ABSOLUTE(j->force);
-        s->largest = WIDE_CHOOSE(j->live & LESS(s->largest, size), size, s->largest);
+        s->largest = WIDE_CHOOSE(j->live & WIDE_LESS(s->largest, size), size, s->largest);
     }
 }
 
 INLINE void converge(struct sweeps *s) {
     const wide tolerance = s->tolerance * s->largest;
-    wide echo = SMALLER(s->echo, 1.0 - (wide){0.0});
-    echo = (wide)((wide_bits)echo & ~s->alone);
-    const wide_bits done = AT_MOST(s->change, tolerance) & AT_MOST(echo * s->moved, tolerance) &
-                           ~LESS(s->clear, s->moved) & AT_MOST(s->enough, 4.0 * tolerance);
-    s->count -= s->busy;
+    wide echo = WIDE_SMALLER(s->echo, 1.0 - (wide){0.0});
+    echo = (wide)((wide_bits)echo & ~s->joints->alone);
+    const wide_bits done =
+        WIDE_AT_MOST(s->change, tolerance) & WIDE_AT_MOST(echo * s->moved, tolerance) &
+        ~WIDE_LESS(s->clear, s->moved) & WIDE_AT_MOST(s->enough, 4.0 * tolerance);
+    s->joints->count -= s->busy;
     s->busy &= s->well & ~done;
 }
 
-// Gives up where a contact is not resolved as it was before.
+// Is a step short enough for the spring in the lanes `which`, at penetrations d? As fits_spring of
+// resolve.c.
+INLINE void refit(struct sweeps *s, int k, const wide *d, const wide_bits *which) {
+    struct joint *j = &s->joints->joint[k];
+    const struct ensemble_grip *grip = &s->e->grip[k];
+    const double h = s->e->h, none[WIDE_RUNS] = {0.0};
+    struct contact_lanes law;
+    grip->law->force_lanes((const double *)grip->constant, (const double *)d, none, &law);
+    const wide still = (wide)LANES_AT(law.dfdd, 0);
+    const wide_bits simple = (wide_bits)(j->dfdv == 0.0) & WIDE_LESS(0.0, j->dfdd);
+    const wide coarse = WIDE_CHOOSE(simple, j->dfdd, still) * grip->flexibility * h * h;
+    const double farthest = grip->law->traits & CONTACT_SMOOTH ? 2.0 : 0.0;
+    const wide to = (wide)((wide_bits)(farthest * *d) &
+                           WIDE_AT_MOST(4.0 * coarse, RESOLVE_COARSEST_SPRING - (wide){0.0}));
+    j->fits_to = WIDE_CHOOSE(*which, to, j->fits_to);
+    s->well &= ~*which | WIDE_AT_MOST(coarse, RESOLVE_COARSEST_SPRING - (wide){0.0});
+}
+
+// Gives up where steps are not short enough for a contact, or that is not known from its line.
 INLINE void judge(struct sweeps *s) {
     const wide b = s->e->factors->b, g = s->e->factors->g;
-    for (int i = 0; i < s->n_joint; i++) {
-        const struct joint *j = &s->joint[i];
+    for (int i = 0; i < s->joints->n_acting; i++) {
+        const int k = acting(s, i);
+        const struct joint *j = &s->joints->joint[k];
         wide x;
-        see(s, j, &x);
+        see(s, k, &x);
         const wide d = j->d_trial + b * x;
-        const wide_bits seen =
-            ~j->ask & AT_MOST(d, j->fits_to) &
-            AT_MOST(g * j->grip->flexibility * j->dfdv, RESOLVE_COARSEST_DASHPOT);
-        s->well &= ~j->live | seen;
+        const wide dashpot = g * s->e->grip[k].flexibility * j->dfdv;
+        s->well &= ~j->live | (~j->ask & WIDE_AT_MOST(dashpot, RESOLVE_COARSEST_DASHPOT));
+        const wide_bits deeper = j->live & s->well & ~WIDE_AT_MOST(d, j->fits_to);
+        if (any(&deeper)) {
+            refit(s, k, &d, &deeper);
+        }
     }
 }
 
 // What e->correction was is kept, and comes back where lanes have given up.
 INLINE void keep(const struct sweeps *s) {
-    for (int i = 0; i < s->n_touched; i++) {
-        const struct building *g = s->e->building[s->touched[i]].shape;
+    for (int i = 0; i < s->joints->n_touched; i++) {
+        const struct building *g = s->e->building[s->joints->touched[i]].shape;
         for (int k = g->first; k < g->first + g->n_floor; k++) {
             s->e->kept[k] = s->e->correction[k];
         }
@@ -251,34 +302,51 @@ INLINE void keep(const struct sweeps *s) {
 }
 
 INLINE void restore(const struct sweeps *s) {
-    for (int i = 0; i < s->n_touched; i++) {
-        const struct building *g = s->e->building[s->touched[i]].shape;
+    for (int i = 0; i < s->joints->n_touched; i++) {
+        const struct building *g = s->e->building[s->joints->touched[i]].shape;
         for (int k = g->first; k < g->first + g->n_floor; k++) {
             s->e->correction[k] = WIDE_CHOOSE(s->well, s->e->correction[k], s->e->kept[k]);
         }
     }
 }
 
-WIDEST void ensemble_sweeps(struct sweeps *s, unsigned runs) {
-    lanes_of(runs, &s->well);
-    s->busy = s->well;
-    s->count = (wide_bits){0};
-    keep(s);
-    gather(s);
-    renew(s);
-    ask_all(s, &s->busy);
-    s->loosest = s->enough;
-    for (int i = 0; i < ENSEMBLE_SWEEPS && any(&s->busy); i++) {
-        if (i > 0) {
-            renew(s);
-            ask_again(s);
-        }
-        for (int k = 0; k < s->n_joint; k++) {
-            visit(s, &s->joint[k]);
-        }
-        converge(s);
+// The lanes in which flags are set, a bit each.
+INLINE unsigned runs_of(const wide_bits *flags) {
+    unsigned runs = 0;
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        runs |= (*flags)[lane] ? 1U << lane : 0U;
     }
-    s->well &= ~s->busy;
-    judge(s);
-    restore(s);
+    return runs;
+}
+
+LANES_WHOLE void ensemble_joints_solve(struct ensemble_lanes *e) {
+    struct sweeps s;
+    s.e = e;
+    s.joints = e->joints;
+    s.tolerance = e->joints->tolerance;
+    lanes_of(e->joints->stowed, &s.well);
+    s.busy = s.well;
+    e->joints->count = (wide_bits){0};
+    keep(&s);
+    gather(&s);
+    renew(&s);
+    ask_all(&s, &s.busy);
+    s.loosest = s.enough;
+    for (int i = 0; i < ENSEMBLE_SWEEPS && any(&s.busy); i++) {
+        if (i > 0) {
+            renew(&s);
+            ask_again(&s);
+        }
+        for (int k = 0; k < e->joints->n_acting; k++) {
+            visit(&s, acting(&s, k));
+        }
+        converge(&s);
+    }
+    s.well &= ~s.busy;
+    judge(&s);
+    restore(&s);
+    e->joints->solved = runs_of(&s.well);
+    for (int i = 0; e->joints->solved && i < e->joints->n_touched; i++) {
+        e->building[e->joints->touched[i]].swept = true;
+    }
 }

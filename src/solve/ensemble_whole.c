@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of an ensemble where a register holds all lanes.
 #include "core/lanes.h"
-#include "solve/ensemble_contacts.h"
+#include "solve/ensemble_joints.h"
 
 typedef wide part;
 typedef wide_bits part_bits;
 typedef lanes_wide unaligned;
 
-#ifdef LANES_WIDEST
-#define CLONES __attribute__((target("arch=" LANES_WIDEST)))
-#else
-#define CLONES
-#endif
+#define CLONES LANES_WHOLE
 #define STEPS ensemble_whole
-#define SOLVE ensemble_contacts_solve
+#define SOLVE ensemble_joints_solve
 #define part_any ensemble_any
 
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)

@@ -10,8 +10,6 @@
 #include "core/number.h"
 #include "solve/crossing.h"
 
-static const double COARSEST_SPRING = 0.09869604401089358;  // (pi / 10)^2
-
 // A pressed contact that moves by less than this share of its penetration, and would at its
 // velocity, is at rest: the law is linear over such a step, and average acceleration keeps its
 // energy.
@@ -35,9 +33,10 @@ static bool fits_spring(const struct work *w, struct quick *p, struct contact_re
                            ? r.dfdd
                            : p->kind->force(p->constant, p->history, d, 0.0).dfdd;
     double coarse = stiffness * p->flexibility * w->h * w->h;
-    p->fits_to =
-        (p->kind->traits & CONTACT_SMOOTH) && 4.0 * coarse <= COARSEST_SPRING ? 2.0 * d : 0.0;
-    return coarse <= COARSEST_SPRING;
+    p->fits_to = (p->kind->traits & CONTACT_SMOOTH) && 4.0 * coarse <= RESOLVE_COARSEST_SPRING
+                     ? 2.0 * d
+                     : 0.0;
+    return coarse <= RESOLVE_COARSEST_SPRING;
 }
 
 static bool fits(const struct work *w, struct quick *p, struct contact_response r, double d) {

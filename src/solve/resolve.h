@@ -5,6 +5,9 @@
 
 #include "solve/quick.h"
 
+// Largest k S h^2 of a spring k: (pi / 10)^2.
+static const double RESOLVE_COARSEST_SPRING = 0.09869604401089358;
+
 // The decay that the dashpot of a law may cause.
 static const double RESOLVE_COARSEST_DASHPOT = 0.5;
 

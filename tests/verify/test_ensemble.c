@@ -184,6 +184,26 @@ static void tall_buildings_and_other_integrators_have_the_same_bits(void **state
     }
 }
 
+// Contacts of buildings of nine to sixteen floors, of which some do not feel a force where steps
+// are short. Masses differ.
+static void contacts_of_higher_buildings_have_the_same_bits(void **state) {
+    (void)state;
+    struct ensemble_member member[ENSEMBLE_MAX];
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        member[k].model = analysis_model("building A -floors 16 -mass 300t -stiffness 400MN/m\n"
+                                         "building B -floors 16 -mass %dt -stiffness 300MN/m\n"
+                                         "damping A rayleigh 5%%\n"
+                                         "initial A:16 -velocity 1m/s\n"
+                                         "contact A:16 B:16 -gap %dmm -law %s\n"
+                                         "contact A:15 B:15 -gap %dmm -law linear -k 100MN/m\n"
+                                         "ground sine -amplitude 0 -frequency 1\n"
+                                         "duration 0.5s\nstep fixed 0.1ms\n",
+                                         300 + k / 2, 2 + k, jankowski, 2 + k);
+    }
+    assert_true(compare(member, ENSEMBLE_MAX) >= ENSEMBLE_MAX);
+    free_models(member, ENSEMBLE_MAX);
+}
+
 // Links act in most steps; forces that jump and a stiff contact whose steps are cut take runs
 // ashore in between. Only building C differs from run to run.
 static void a_row_in_heavy_contact_has_the_same_bits(void **state) {
@@ -325,6 +345,7 @@ int main(void) {
         cmocka_unit_test(laws_masses_and_grounds_may_differ),
         cmocka_unit_test(decks_made_at_random_have_the_same_bits),
         cmocka_unit_test(tall_buildings_and_other_integrators_have_the_same_bits),
+        cmocka_unit_test(contacts_of_higher_buildings_have_the_same_bits),
         cmocka_unit_test(a_row_in_heavy_contact_has_the_same_bits),
         cmocka_unit_test(a_run_that_fails_leaves_the_others_alone),
         cmocka_unit_test(runs_that_never_come_aboard_have_the_same_bits),
