@@ -84,24 +84,42 @@ LANES_INLINE int floors_asked(int i, int end) {
     return i + FLOORS_ASKED < end ? i + FLOORS_ASKED : end;
 }
 
-// Takes what turned in a step from s0 to s1 into the peaks of motion.
-LANES_INLINE void floors_turn_motion(int first, int end, const struct floors_moment *s0,
-                                     const struct floors_moment *s1, const struct floors_peaks *p) {
-    const double *peak_u = p->peak[PEAK_DISPLACEMENT], *peak_v = p->peak[PEAK_VELOCITY];
-    const double *peak_a = p->peak[PEAK_ACCELERATION];
+// Negative where displacements, velocities, total accelerations or drifts of eight floors turned in
+// the step from s0 to s1.
+LANES_INLINE void floors_turned(const struct chain *c, const struct floors_moment *s0,
+                                const struct floors_moment *s1, const struct floors_peaks *p, int i,
+                                lanes_wide_bits *turned) {
+    lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground, d0, d1;
+    floors_drift(c, s0->u, i, &d0);
+    floors_drift(c, s1->u, i, &d1);
+    *turned =
+        TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i),
+                    LANES_AT(p->peak[PEAK_DISPLACEMENT], i)) |
+        TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(p->peak[PEAK_VELOCITY], i)) |
+        TURNED_WIDE(a0, a1, LANES_AT(p->peak[PEAK_ACCELERATION], i)) |
+        TURNED_WIDE(d0, d1, LANES_AT(p->peak[PEAK_DRIFT], i));
+}
+
+// Takes what turned into the peaks. Most often nothing has: what is beyond a peak is on its way to
+// a higher one.
+LANES_INLINE void floors_turn(const struct chain *c, int first, int end,
+                              const struct floors_moment *s0, const struct floors_moment *s1,
+                              const struct floors_peaks *p) {
+    lanes_wide_bits any = {0}, turned;
     for (int i = first; i < end; i += LANES_WIDTH) {
-        lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground;
-        lanes_wide_bits turned =
-            TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i), LANES_AT(peak_u, i)) |
-            TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(peak_v, i)) |
-            TURNED_WIDE(a0, a1, LANES_AT(peak_a, i));
+        floors_turned(c, s0, s1, p, i, &turned);
+        any |= turned;
+    }
+    for (int i = first; floors_any_wide(&any) < 0 && i < end; i += LANES_WIDTH) {
+        floors_turned(c, s0, s1, p, i, &turned);
         if (floors_any_wide(&turned) < 0) {
             floors_raise_motion(p, s0, i);
+            floors_raise_drifts(p, c, s0, i);
         }
     }
 }
 
-// The same of shears of storeys that may yield.
+// Takes what turned into the peaks of shears of storeys that may yield.
 LANES_INLINE void floors_add_shears(int first, int end, const struct floors_moment *s0,
                                     const struct floors_moment *s1, const struct floors_peaks *p) {
     const double *peak = p->peak[PEAK_SHEAR];
@@ -110,22 +128,6 @@ LANES_INLINE void floors_add_shears(int first, int end, const struct floors_mome
         lanes_wide_bits turned = TURNED_WIDE(shear, LANES_AT(s1->shear, i), LANES_AT(peak, i));
         if (floors_any_wide(&turned) < 0) {
             floors_raise(p, PEAK_SHEAR, i, s0->time, &shear);
-        }
-    }
-}
-
-// Takes what turned into the peaks of drifts and shears.
-LANES_INLINE void floors_turn_drifts(const struct chain *c, int first, int end,
-                                     const struct floors_moment *s0, const struct floors_moment *s1,
-                                     const struct floors_peaks *p) {
-    const double *peak = p->peak[PEAK_DRIFT];
-    for (int i = first; i < end; i += LANES_WIDTH) {
-        lanes_wide d0, d1;
-        floors_drift(c, s0->u, i, &d0);
-        floors_drift(c, s1->u, i, &d1);
-        lanes_wide_bits turned = TURNED_WIDE(d0, d1, LANES_AT(peak, i));
-        if (floors_any_wide(&turned) < 0) {
-            floors_raise_drifts(p, c, s0, i);
         }
     }
 }
@@ -200,8 +202,7 @@ LANES_INLINE void floors_add(const struct chain *c, int first, int end,
             }
         }
         if (floors_any(&higher) < 0) {
-            floors_turn_motion(part, floors_asked(part, end), s0, s1, p);
-            floors_turn_drifts(c, part, floors_asked(part, end), s0, s1, p);
+            floors_turn(c, part, floors_asked(part, end), s0, s1, p);
         }
     }
     EACH_OF_LANES(j) {
