@@ -224,13 +224,15 @@ LANES_INLINE void floors_delta(const struct gap_group *g, int i, const double *g
 
 // Notes the penetrations of some groups that are larger than ever.
 LANES_INLINE void floors_note(const struct flight *f, int from, int to, const struct state *s) {
-    for (int j = from; j < to; j++) {
-        const double *gap = f->gap + (ptrdiff_t)j * LANES_WIDTH;
+    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH;
+    struct gaps *gaps = &f->work->gaps;
+    for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
         for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR) {
             lanes d;
-            floors_delta(&f->group[j], i, gap, s->u, s->ground_u, &d);
-            for (int lane = 0; lane < LANES_VECTOR; lane++) {
-                gaps_note(&f->work->gaps, f->group[j].contact + i + lane, d[lane], s->time);
+            floors_delta(g, i, gap, s->u, s->ground_u, &d);
+            const lanes_bits larger = (lanes_bits)(FOUR(gaps->nearest + g->contact, i) - d);
+            for (int k = 0; floors_any_narrow(&larger) < 0 && k < LANES_VECTOR; k++) {
+                gaps_note(gaps, g->contact + i + k, d[k], s->time);
             }
         }
     }
