@@ -71,18 +71,6 @@ LANES_INLINE void effective_multiply_low(const double *inverse, const double *r,
     *(lanes_wide *)q = sum;
 }
 
-// The same for n floors, at most twice as many, where registers hold eight numbers.
-LANES_INLINE void effective_multiply_wide(const double *inverse, int n, const double *r,
-                                          double *q) {
-    lanes_wide low = {0.0}, high = {0.0};
-    for (int i = 0; i < n; i++, inverse += 2 * LANES_WIDTH) {
-        low += r[i] * LANES_AT(inverse, 0);
-        high += r[i] * LANES_AT(inverse, LANES_WIDTH);
-    }
-    *(lanes_wide *)q = low;
-    *(lanes_wide *)(q + LANES_WIDTH) = high;
-}
-
 // For n floors, at most twice as many: `most` columns, at least n and a constant. What would be
 // rows and columns beyond is 0.
 LANES_INLINE void effective_multiply_high(const double *inverse, int n, int most, const double *r,
@@ -111,6 +99,22 @@ LANES_INLINE void effective_multiply(const struct effective *e, const double *r,
     } else {
         effective_multiply_high(e->inverse, e->building->n_floor, INVERSE_FLOORS_MAX, r, q);
     }
+}
+
+// The same where registers hold eight numbers.
+LANES_INLINE void effective_multiply_wide(const struct effective *e, const double *r, double *q) {
+    if (e->stride == LANES_WIDTH) {
+        effective_multiply_low(e->inverse, r, q);
+        return;
+    }
+    lanes_wide low = {0.0}, high = {0.0};
+    const double *row = e->inverse;
+    for (int i = 0, n = e->building->n_floor; i < n; i++, row += 2 * LANES_WIDTH) {
+        low += r[i] * LANES_AT(row, 0);
+        high += r[i] * LANES_AT(row, LANES_WIDTH);
+    }
+    *(lanes_wide *)q = low;
+    *(lanes_wide *)(q + LANES_WIDTH) = high;
 }
 
 // q = A^-1 r; both (n_floor), r is overwritten.

@@ -215,11 +215,14 @@ LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines
     }
 }
 
-// Penetrations of four contacts of a group, from number i on.
+// Penetrations of a vector of contacts of a group, from number i on.
 LANES_INLINE void floors_delta(const struct gap_group *g, int i, const double *gap, const double *u,
-                               const double *ground, lanes *delta) {
-    *delta = FOUR(u + g->dof[0], i) - FOUR(u + g->dof[1], i) - FOUR(gap, i) +
-             (ground[g->ground[0]] - ground[g->ground[1]]);
+                               const double *ground, floor_lanes *delta) {
+    const int left = g->ground[0], right = g->ground[1];
+    *delta = FLOORS_AT(u + g->dof[0], i) - FLOORS_AT(u + g->dof[1], i) - FLOORS_AT(gap, i);
+    if (left != right) {
+        *delta += ground[left] - ground[right];
+    }
 }
 
 // Notes the penetrations of some groups that are larger than ever.
@@ -227,21 +230,15 @@ LANES_INLINE void floors_note(const struct flight *f, int from, int to, const st
     const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH;
     struct gaps *gaps = &f->work->gaps;
     for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
-        for (int i = 0; i < LANES_WIDTH; i += LANES_VECTOR) {
-            lanes d;
+        for (int i = 0; i < LANES_WIDTH; i += FLOORS_VECTOR) {
+            floor_lanes d;
             floors_delta(g, i, gap, s->u, s->ground_u, &d);
-            const lanes_bits larger = (lanes_bits)(FOUR(gaps->nearest + g->contact, i) - d);
-            for (int k = 0; floors_any_narrow(&larger) < 0 && k < LANES_VECTOR; k++) {
+            const floor_bits larger = (floor_bits)(FLOORS_AT(gaps->nearest + g->contact, i) - d);
+            for (int k = 0; floors_any(&larger) < 0 && k < FLOORS_VECTOR; k++) {
                 gaps_note(gaps, g->contact + i + k, d[k], s->time);
             }
         }
     }
-}
-
-// Penetrations of a vector of contacts of a group, from number i on, without what grounds add.
-LANES_INLINE void floors_near(const struct gap_group *g, int i, const double *gap, const double *u,
-                              floor_lanes *delta) {
-    *delta = FLOORS_AT(u + g->dof[0], i) - FLOORS_AT(u + g->dof[1], i) - FLOORS_AT(gap, i);
 }
 
 // Negative if one of some groups of contacts is closed at the end of a step. Those that were
@@ -252,16 +249,11 @@ LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to,
     const double *u0 = now->u, *u1 = next->u;
     floor_bits closed = {0}, turned = {0};
     for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
-        const int left = g->ground[0], right = g->ground[1];
         EACH_OF_LANES(j) {
             const int i = j * FLOORS_VECTOR;
             floor_lanes d0, d1;
-            floors_near(g, i, gap, u0, &d0);
-            floors_near(g, i, gap, u1, &d1);
-            if (left != right) {
-                d0 += now->ground_u[left] - now->ground_u[right];
-                d1 += next->ground_u[left] - next->ground_u[right];
-            }
+            floors_delta(g, i, gap, u0, now->ground_u, &d0);
+            floors_delta(g, i, gap, u1, next->ground_u, &d1);
             closed |= (floor_bits)(0.0 - d1);
             turned |=
                 (floor_bits)(FLOORS_AT(nearest + g->contact, i) - d0) & ~(floor_bits)(d0 - d1);

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of floors.h, on vectors of one width: see floor_loops.h. FLOORS_CLONES stands in front
-// of the functions, and FLOORS_STEPS is the name of what they make up.
+// of the functions, FLOORS_STEPS is the name of what they make up, and FLOORS_MULTIPLY solves for a
+// low building.
+//     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
+//     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
+//     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
+// and the works of the step before and the tests for peaks. A block of buildings goes through all
+// of it before the next one does. Lanes do not begin where buildings do: what a block computes of a
+// neighbour's floors is computed by that one anew.
 #ifndef JOSTLE_FLOOR_STEPS_H
 #define JOSTLE_FLOOR_STEPS_H
 
@@ -11,15 +18,7 @@
 LANES_INLINE void solve_row(struct effective *e, int n, double *r, double *q) {
     int k = 0;
     for (; k < n && effective_is_low(&e[k]); k++) {
-#ifdef FLOORS_WIDE
-        if (e[k].stride > LANES_WIDTH) {
-            effective_multiply_wide(e[k].inverse, e[k].building->n_floor, r, q);
-        } else {
-            effective_multiply_low(e[k].inverse, r, q);
-        }
-#else
-        effective_multiply(&e[k], r, q);
-#endif
+        FLOORS_MULTIPLY(&e[k], r, q);
         r += e[k].building->n_floor;
         q += e[k].building->n_floor;
     }

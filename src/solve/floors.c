@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One step of Newmark's method, where all is linear but for the links, whose forces f are given:
-//     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
-//     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
-//     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
-// and the works of the step before and the tests for peaks. A block of buildings goes through all
-// of it before the next one does. Lanes do not begin where buildings do: what a block computes of a
-// neighbour's floors is computed by that one anew.
+// the blocks that floors are taken in, and what links bring to them. The loops are in
+// floor_steps.h.
 #include "solve/floors.h"
 
 #include <math.h>

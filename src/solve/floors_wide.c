@@ -7,6 +7,7 @@
 #define FLOORS_WIDE
 #define FLOORS_CLONES __attribute__((target("arch=" LANES_WIDEST)))
 #define FLOORS_STEPS floors_wide
+#define FLOORS_MULTIPLY effective_multiply_wide
 
 #include "solve/floor_steps.h"
 
