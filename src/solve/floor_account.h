@@ -30,11 +30,16 @@ struct floors_peaks {
 #define CHOOSE_WIDE(mask, x, y)                                                                    \
     ((lanes_wide)(((mask) & (lanes_wide_bits)(x)) | (~(mask) & (lanes_wide_bits)(y))))
 
+// Which of eight floors are asked for each peak of motion, and for that of drifts: negative ones.
+struct floors_asked {
+    lanes_wide_bits u, v, a, drift;
+};
+
 // Where |x| of eight values from i on is beyond its peak, the peak and its time.
 LANES_INLINE void floors_raise(const struct floors_peaks *p, int quantity, int i, double time,
-                               const lanes_wide *x) {
+                               const lanes_wide *x, const lanes_wide_bits *asked) {
     double *peak = p->peak[quantity] + i, *when = p->time[quantity] + i;
-    lanes_wide_bits beyond = BEYOND_WIDE(*x, LANES_AT(peak, 0)) >> 63;
+    lanes_wide_bits beyond = (BEYOND_WIDE(*x, LANES_AT(peak, 0)) & *asked) >> 63;
     if (floors_any_wide(&beyond) < 0) {
         *(lanes_wide *)peak = CHOOSE_WIDE(beyond, ABSOLUTE_WIDE(*x), LANES_AT(peak, 0));
         *(lanes_wide *)when = CHOOSE_WIDE(beyond, time - (lanes_wide){0.0}, LANES_AT(when, 0));
@@ -43,15 +48,15 @@ LANES_INLINE void floors_raise(const struct floors_peaks *p, int quantity, int i
 
 // Takes the motion of eight floors into the peaks.
 LANES_INLINE void floors_raise_motion(const struct floors_peaks *p, const struct floors_moment *s,
-                                      int i) {
+                                      int i, const struct floors_asked *asked) {
     lanes_wide u = LANES_AT(s->u, i), v = LANES_AT(s->v, i);
     lanes_wide total = LANES_AT(s->a, i) + s->ground;
     if (s->base) {
         total = LANES_AT(s->a, i) + LANES_AT(s->base, i);
     }
-    floors_raise(p, PEAK_DISPLACEMENT, i, s->time, &u);
-    floors_raise(p, PEAK_VELOCITY, i, s->time, &v);
-    floors_raise(p, PEAK_ACCELERATION, i, s->time, &total);
+    floors_raise(p, PEAK_DISPLACEMENT, i, s->time, &u, &asked->u);
+    floors_raise(p, PEAK_VELOCITY, i, s->time, &v, &asked->v);
+    floors_raise(p, PEAK_ACCELERATION, i, s->time, &total, &asked->a);
 }
 
 LANES_INLINE void floors_drift(const struct chain *c, const double *u, int i, lanes_wide *drift) {
@@ -61,15 +66,16 @@ LANES_INLINE void floors_drift(const struct chain *c, const double *u, int i, la
 // The same of drifts and shears. An elastic shear is beyond its peak only with its drift: k |drift|
 // is rounded to no less for a greater drift.
 LANES_INLINE void floors_raise_drifts(const struct floors_peaks *p, const struct chain *c,
-                                      const struct floors_moment *s, int i) {
+                                      const struct floors_moment *s, int i,
+                                      const struct floors_asked *asked) {
     lanes_wide drift;
     floors_drift(c, s->u, i, &drift);
     lanes_wide shear = LANES_AT(c->stiffness, i) * drift;
     if (s->shear) {
         shear = LANES_AT(s->shear, i);
     }
-    floors_raise(p, PEAK_DRIFT, i, s->time, &drift);
-    floors_raise(p, PEAK_SHEAR, i, s->time, &shear);
+    floors_raise(p, PEAK_DRIFT, i, s->time, &drift, &asked->drift);
+    floors_raise(p, PEAK_SHEAR, i, s->time, &shear, &asked->drift);
 }
 
 // A peak is the last of values that grow, so that it is stored once: negative where |x0| > peak and
@@ -80,41 +86,43 @@ LANES_INLINE void floors_raise_drifts(const struct floors_peaks *p, const struct
 // only if something is.
 enum { FLOORS_ASKED = 64 };
 
-LANES_INLINE int floors_asked(int i, int end) {
+LANES_INLINE int floors_part(int i, int end) {
     return i + FLOORS_ASKED < end ? i + FLOORS_ASKED : end;
 }
 
-// Negative where displacements, velocities, total accelerations or drifts of eight floors turned in
-// the step from s0 to s1.
+// Which displacements, velocities, total accelerations and drifts of eight floors turned in the
+// step from s0 to s1.
 LANES_INLINE void floors_turned(const struct chain *c, const struct floors_moment *s0,
                                 const struct floors_moment *s1, const struct floors_peaks *p, int i,
-                                lanes_wide_bits *turned) {
+                                struct floors_asked *turned) {
     lanes_wide a0 = LANES_AT(s0->a, i) + s0->ground, a1 = LANES_AT(s1->a, i) + s1->ground, d0, d1;
     floors_drift(c, s0->u, i, &d0);
     floors_drift(c, s1->u, i, &d1);
-    *turned =
-        TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i),
-                    LANES_AT(p->peak[PEAK_DISPLACEMENT], i)) |
-        TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(p->peak[PEAK_VELOCITY], i)) |
-        TURNED_WIDE(a0, a1, LANES_AT(p->peak[PEAK_ACCELERATION], i)) |
-        TURNED_WIDE(d0, d1, LANES_AT(p->peak[PEAK_DRIFT], i));
+    turned->u = TURNED_WIDE(LANES_AT(s0->u, i), LANES_AT(s1->u, i),
+                            LANES_AT(p->peak[PEAK_DISPLACEMENT], i));
+    turned->v =
+        TURNED_WIDE(LANES_AT(s0->v, i), LANES_AT(s1->v, i), LANES_AT(p->peak[PEAK_VELOCITY], i));
+    turned->a = TURNED_WIDE(a0, a1, LANES_AT(p->peak[PEAK_ACCELERATION], i));
+    turned->drift = TURNED_WIDE(d0, d1, LANES_AT(p->peak[PEAK_DRIFT], i));
 }
 
-// Takes what turned into the peaks. Most often nothing has: what is beyond a peak is on its way to
-// a higher one.
+// Takes what turned into the peaks, of FLOORS_ASKED floors at most. Often nothing has: what is
+// beyond a peak is on its way to a higher one.
 LANES_INLINE void floors_turn(const struct chain *c, int first, int end,
                               const struct floors_moment *s0, const struct floors_moment *s1,
                               const struct floors_peaks *p) {
-    lanes_wide_bits any = {0}, turned;
-    for (int i = first; i < end; i += LANES_WIDTH) {
+    lanes_wide_bits any = {0}, either[FLOORS_ASKED / LANES_WIDTH];
+    struct floors_asked turned;
+    for (int i = first, k = 0; i < end; i += LANES_WIDTH, k++) {
         floors_turned(c, s0, s1, p, i, &turned);
-        any |= turned;
+        either[k] = turned.u | turned.v | turned.a | turned.drift;
+        any |= either[k];
     }
-    for (int i = first; floors_any_wide(&any) < 0 && i < end; i += LANES_WIDTH) {
-        floors_turned(c, s0, s1, p, i, &turned);
-        if (floors_any_wide(&turned) < 0) {
-            floors_raise_motion(p, s0, i);
-            floors_raise_drifts(p, c, s0, i);
+    for (int i = first, k = 0; floors_any_wide(&any) < 0 && i < end; i += LANES_WIDTH, k++) {
+        if (floors_any_wide(&either[k]) < 0) {
+            floors_turned(c, s0, s1, p, i, &turned);
+            floors_raise_motion(p, s0, i, &turned);
+            floors_raise_drifts(p, c, s0, i, &turned);
         }
     }
 }
@@ -126,9 +134,7 @@ LANES_INLINE void floors_add_shears(int first, int end, const struct floors_mome
     for (int i = first; i < end; i += LANES_WIDTH) {
         lanes_wide shear = LANES_AT(s0->shear, i);
         lanes_wide_bits turned = TURNED_WIDE(shear, LANES_AT(s1->shear, i), LANES_AT(peak, i));
-        if (floors_any_wide(&turned) < 0) {
-            floors_raise(p, PEAK_SHEAR, i, s0->time, &shear);
-        }
+        floors_raise(p, PEAK_SHEAR, i, s0->time, &shear, &turned);
     }
 }
 
@@ -194,15 +200,15 @@ LANES_INLINE void floors_add(const struct chain *c, int first, int end,
         works.input[j] = FLOORS_AT(account->input_2x, j * FLOORS_VECTOR);
         works.damping[j] = FLOORS_AT(account->damping_2x, j * FLOORS_VECTOR);
     }
-    for (int part = first; part < end; part = floors_asked(part, end)) {
+    for (int part = first; part < end; part = floors_part(part, end)) {
         floor_bits higher = {0};
-        for (int i = part; i < floors_asked(part, end); i += LANES_WIDTH) {
+        for (int i = part; i < floors_part(part, end); i += LANES_WIDTH) {
             EACH_OF_LANES(j) {
                 floors_add_vector(c, &s, i + j * FLOORS_VECTOR, j, &pair, &works, &higher);
             }
         }
         if (floors_any(&higher) < 0) {
-            floors_turn(c, part, floors_asked(part, end), s0, s1, p);
+            floors_turn(c, part, floors_part(part, end), s0, s1, p);
         }
     }
     EACH_OF_LANES(j) {

@@ -116,9 +116,11 @@ FLOORS_CLONES static void raise(struct results *r, const struct model *m, const 
     const struct chain c = m->chain;
     const struct floors_moment s = floors_moment_of(m, now);
     const struct floors_peaks p = {r->peak, r->peak_time};
+    const lanes_wide_bits each = ~(lanes_wide_bits){0};
+    const struct floors_asked all = {each, each, each, each};
     for (int i = 0; i < c.n; i += LANES_WIDTH) {
-        floors_raise_motion(&p, &s, i);
-        floors_raise_drifts(&p, &c, &s, i);
+        floors_raise_motion(&p, &s, i, &all);
+        floors_raise_drifts(&p, &c, &s, i, &all);
     }
 }
 
