@@ -107,9 +107,10 @@ LANES_INLINE void effective_multiply_wide(const struct effective *e, const doubl
         effective_multiply_low(e->inverse, r, q);
         return;
     }
+    enum { STRIDE = 2 * LANES_WIDTH };
     lanes_wide low = {0.0}, high = {0.0};
     const double *row = e->inverse;
-    for (int i = 0, n = e->building->n_floor; i < n; i++, row += 2 * LANES_WIDTH) {
+    for (int i = 0, n = e->building->n_floor; i < n; i++, row += STRIDE) {
         low += r[i] * LANES_AT(row, 0);
         high += r[i] * LANES_AT(row, LANES_WIDTH);
     }

@@ -157,8 +157,8 @@ struct floors_pair {
 
 // Adds the works of vector j of whole lanes, from floor i on. *higher gets negative where something
 // was beyond its peak when the step began.
-LANES_INLINE void floors_add_vector(const struct chain *c, const struct floors_step *s, int i,
-                                    int j, struct floors_pair *p, struct floors_works *works,
+LANES_INLINE void floors_add_vector(const struct chain *c, const struct floors_step *s, ptrdiff_t i,
+                                    ptrdiff_t j, struct floors_pair *p, struct floors_works *works,
                                     floor_bits *higher) {
     const floor_lanes u = FLOORS_AT(s->u0, i), moved = FLOORS_AT(s->u1, i) - u;
     const floor_lanes v_over =

@@ -48,7 +48,7 @@ enum {
 #define FLOORS_AT(x, i) (*(const floor_lanes *)((x) + (i)))
 
 // For each vector of whole lanes, in loops that are unrolled, or they would not be in registers.
-#define EACH_OF_LANES(j) _Pragma("GCC unroll 2") for (int j = 0; j < FLOORS_VECTORS; j++)
+#define EACH_OF_LANES(j) _Pragma("GCC unroll 2") for (ptrdiff_t j = 0; j < FLOORS_VECTORS; j++)
 
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
 #define LOWER_HALF(x) __builtin_shufflevector(x, x, 0, 1, 2, 3)
@@ -216,8 +216,8 @@ LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines
 }
 
 // Penetrations of a vector of contacts of a group, from number i on.
-LANES_INLINE void floors_delta(const struct gap_group *g, int i, const double *gap, const double *u,
-                               const double *ground, floor_lanes *delta) {
+LANES_INLINE void floors_delta(const struct gap_group *g, ptrdiff_t i, const double *gap,
+                               const double *u, const double *ground, floor_lanes *delta) {
     const int left = g->ground[0], right = g->ground[1];
     *delta = FLOORS_AT(u + g->dof[0], i) - FLOORS_AT(u + g->dof[1], i) - FLOORS_AT(gap, i);
     if (left != right) {
@@ -250,7 +250,7 @@ LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to,
     floor_bits closed = {0}, turned = {0};
     for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
         EACH_OF_LANES(j) {
-            const int i = j * FLOORS_VECTOR;
+            const ptrdiff_t i = j * FLOORS_VECTOR;
             floor_lanes d0, d1;
             floors_delta(g, i, gap, u0, now->ground_u, &d0);
             floors_delta(g, i, gap, u1, next->ground_u, &d1);
