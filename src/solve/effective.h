@@ -101,6 +101,23 @@ LANES_INLINE void effective_multiply(const struct effective *e, const double *r,
     }
 }
 
+// The same where registers hold eight numbers.
+LANES_INLINE void effective_multiply_wide(const struct effective *e, const double *r, double *q) {
+    if (e->stride == LANES_WIDTH) {
+        effective_multiply_low(e->inverse, r, q);
+        return;
+    }
+    enum { STRIDE = 2 * LANES_WIDTH };
+    lanes_wide low = {0.0}, high = {0.0};
+    const double *row = e->inverse;
+    for (int i = 0, n = e->building->n_floor; i < n; i++, row += STRIDE) {
+        low += r[i] * LANES_AT(row, 0);
+        high += r[i] * LANES_AT(row, LANES_WIDTH);
+    }
+    *(lanes_wide *)q = low;
+    *(lanes_wide *)(q + LANES_WIDTH) = high;
+}
+
 // q = A^-1 r; both (n_floor), r is overwritten.
 void effective_solve(struct effective *e, double *r, double *q);
 

@@ -10,15 +10,6 @@
 #include "solve/contact.h"
 #include "solve/excitation.h"
 
-static bool follows(const struct link *before, const struct link *l) {
-    bool side_by_side = true;
-    for (int i = 0; i < 2; i++) {
-        side_by_side = side_by_side && l->building[i] == before->building[i] &&
-                       (l->dof[i] == WALL || l->dof[i] == before->dof[i] + 1);
-    }
-    return side_by_side;
-}
-
 static struct gap_group group_from(const struct model *m, int k) {
     const struct link *l = &m->link[k];
     struct gap_group g = {.contact = k};
@@ -29,10 +20,22 @@ static struct gap_group group_from(const struct model *m, int k) {
     return g;
 }
 
+// Does contact k stand next to the one before it? What is above the roof of a building is the first
+// floor of the next.
+static bool follows(const struct model *m, int k) {
+    const struct gap_group before = group_from(m, k - 1), own = group_from(m, k);
+    bool side_by_side = true;
+    for (int i = 0; i < 2; i++) {
+        side_by_side = side_by_side && own.ground[i] == before.ground[i] &&
+                       own.dof[i] == before.dof[i] + (own.dof[i] < m->n_dof);
+    }
+    return side_by_side;
+}
+
 static void group_contacts(struct flight *f, const struct model *m) {
     int in_group = LANES_WIDTH;
     for (int k = 0; k < m->n_contact; k++) {
-        if (in_group == LANES_WIDTH || !follows(&m->link[k - 1], &m->link[k])) {
+        if (in_group == LANES_WIDTH || !follows(m, k)) {
             f->group[f->n_group++] = group_from(m, k);
             in_group = 0;
         }
@@ -40,21 +43,22 @@ static void group_contacts(struct flight *f, const struct model *m) {
     }
 }
 
-static int last_building(const struct model *m, int contact) {
-    const int *k = m->link[contact].building;
+// The last building of a group, whose ends follow each other.
+static int last_building(const struct flight *f, int group) {
+    int contact = group + 1 < f->n_group ? f->group[group + 1].contact : f->model->n_contact;
+    const int *k = f->model->link[contact - 1].building;
     return k[0] > k[1] ? k[0] : k[1];
 }
 
 // Gives each block of floors the groups that can be seen to after it, in their order.
 static void assign_groups(struct flight *f) {
     const struct floors *floors = &f->work->floors;
-    const struct model *m = f->model;
     int group = 0;
     for (int i = 0; i < floors->n_block; i++) {
         const struct floor_block *b = &floors->block[i];
         bool last = i == floors->n_block - 1;
         while (group < f->n_group &&
-               (last || last_building(m, f->group[group].contact) < b->building + b->n_building)) {
+               (last || last_building(f, group) < b->building + b->n_building)) {
             group++;
         }
         f->group_end[i] = group;

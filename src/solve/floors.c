@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One step of Newmark's method, where all is linear but for the links, whose forces f are given:
-//     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
-//     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
-//     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
-// and the works of the step before and the tests for peaks. A block of buildings goes through all
-// of it before the next one does. Lanes do not begin where buildings do: what a block computes of a
-// neighbour's floors is computed by that one anew.
+// the blocks that floors are taken in, and what links bring to them. The loops are in
+// floor_steps.h.
 #include "solve/floors.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/number.h"
 #include "solve/contact.h"
-#include "solve/floor_loops.h"
+#include "solve/flight.h"
 
 // So many floors make a block, and what is solved together.
 enum { FLOORS_LEAST = 192 };
@@ -60,7 +58,9 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
         f->first_end[k] = -1;
     }
     f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
-    return f->residual != NULL;
+    f->u_trial = lanes_array(a, most);
+    f->v_trial = lanes_array(a, most);
+    return f->residual && f->u_trial && f->v_trial;
 }
 
 // Lists the ends of live links by building, in the order of the links.
@@ -80,7 +80,7 @@ static void list_ends(struct floors *f, const struct gaps *gaps, const struct st
 
 // Takes the forces of live links into the residual of a block, and the trial of their buildings for
 // the contact iteration. The lists are used up.
-static void push(struct work *w, const struct state *now, const struct state *next,
+void floors_push(struct work *w, const struct state *now, const struct state *next,
                  const struct floor_block *b) {
     const struct model *m = w->model;
     struct floors *f = &w->floors;
@@ -96,119 +96,11 @@ static void push(struct work *w, const struct state *now, const struct state *ne
     }
 }
 
-// effective_solve_row, in line as long as buildings are low.
-LANES_INLINE void solve_row(struct effective *e, int n, double *r, double *q) {
-    int k = 0;
-    for (; k < n && effective_is_low(&e[k]); k++) {
-        effective_multiply(&e[k], r, q);
-        r += e[k].building->n_floor;
-        q += e[k].building->n_floor;
-    }
-    if (k < n) {
-        effective_solve_row(&e[k], n - k, r, q);
-    }
-}
-
-// A step under way.
-struct move {
-    struct work *work;
-    const struct state *now;
-    const struct state *next;
-    struct chain chain;
-    struct floors_of from, to;
-    struct floors_correction correction;
-};
-
-LANES_INLINE struct move move_of(struct work *w, const struct state *now,
-                                 const struct state *next) {
-    return (struct move){.work = w,
-                         .now = now,
-                         .next = next,
-                         .chain = w->model->chain,
-                         .from = floors_of(now),
-                         .to = floors_of(next),
-                         .correction = {w->correction, w->b, w->g, w->h}};
-}
-
-// The next state of a block. `lines` NULL: all storeys are elastic. Negative if a storey is beyond
-// its line, or what is found is not finite.
-LANES_INLINE int64_t move_block(const struct move *s, const struct floors_lines *lines,
-                                const struct floor_block *b) {
-    struct work *w = s->work;
-    const double *external = state_is_uniform(w->model) ? NULL : s->next->external;
-    int first = w->model->building[b->building].first;
-    double *r = w->floors.residual;
-    int64_t sign = floors_unbalance(&s->chain, lines, w->h, b->first, b->n, &s->from,
-                                    s->next->ground_a[0], external, r);
-    if (s->next->n_live > 0) {
-        push(w, s->now, s->next, b);
-    }
-    solve_row(&w->effective[b->building], b->n_building, r + (first - b->first),
-              w->correction + first);
-    return sign | floors_correct(&s->correction, b->first, b->end, &s->from, &s->to);
-}
-
 void floors_trial(struct work *w, const struct state *now, int k) {
     const struct building *g = &w->model->building[k];
     const struct chain part = {.n = lanes_whole(g->n_floor)};
     const int i = g->first;
     chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
-}
-
-// Takes a state into the peaks.
-LANES static void raise(const struct chain *chain, const struct results *r,
-                        const struct floors_moment *s) {
-    const struct chain c = *chain;
-    const struct floors_peaks p = {r->peak, r->peak_time};
-    for (int i = 0; i < c.n; i += LANES_WIDTH) {
-        floors_raise_motion(&p, s, i);
-        floors_raise_drifts(&p, &c, s, i);
-    }
-}
-
-// The account of a step from s0 to s1 under one ground, taken from floor `done` on.
-struct account {
-    const struct chain *chain;
-    struct energy_account *energy;
-    const struct results *results;
-    struct floors_moment s0, s1;
-    int done;
-};
-
-// Takes it as far as floor `end`.
-LANES_INLINE void account_to(struct account *a, int end) {
-    const int first = a->done;
-    if (first >= end) {
-        return;
-    }
-    const struct chain c = *a->chain;
-    const struct floors_moment s0 = a->s0, s1 = a->s1;
-    const struct floors_peaks p = {a->results->peak, a->results->peak_time};
-    floors_add_peaks(first, end, &s0, &s1, &p);
-    floors_add_works(&c, first, end, &s0, &s1, &p, a->energy);
-    if (s0.shear) {
-        floors_add_shears(first, end, &s0, &s1, &p);
-    }
-    a->done = end;
-}
-
-// What is due of the step from `old` to `now`.
-LANES_INLINE struct account account_due(const struct floors_late *late, const struct model *m,
-                                        const struct state *old, const struct state *now) {
-    struct account a = {&m->chain,
-                        late->energy,
-                        late->results,
-                        floors_moment_of(m, old),
-                        floors_moment_of(m, now),
-                        late->due ? 0 : m->chain.n};
-    a.s0.time = late->time;
-    a.s0.ground = late->ground_a;
-    return a;
-}
-
-// Takes what is due as far as the floors that see what the next block overwrites.
-LANES_INLINE void account_ahead(struct account *a, const struct floor_block *next) {
-    account_to(a, next->end + LANES_WIDTH < a->chain->n ? next->end + LANES_WIDTH : a->chain->n);
 }
 
 void floors_defer(struct floors_late *late, const struct state *now) {
@@ -217,23 +109,21 @@ void floors_defer(struct floors_late *late, const struct state *now) {
     late->ground_a = now->ground_a[0];
 }
 
-LANES static void account_rest(struct account *a) {
-    account_to(a, a->chain->n);
-}
-
-static void raise_all(struct results *r, const struct model *m, const struct state *s) {
-    const struct floors_moment moment = floors_moment_of(m, s);
-    raise(&m->chain, r, &moment);
-    peaks_speed(r, 0, m->n_dof);
+// Those with the widest vectors that the processor has registers for.
+static const struct floors_steps *steps(void) {
+#ifdef LANES_WIDEST
+    if (__builtin_cpu_supports(LANES_WIDEST)) {
+        return &floors_wide;
+    }
+#endif
+    return &floors_narrow;
 }
 
 void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
                    const struct state *now) {
     if (late->possible) {
-        struct account due = account_due(late, m, old, now);
-        account_rest(&due);
-        raise_all(late->results, m, now);
-        late->due = false;
+        steps()->settle(late, m, old, now);
+        peaks_speed(late->results, 0, m->n_dof);
     }
 }
 
@@ -250,53 +140,19 @@ double floors_speed(const struct work *w, const struct state *now) {
 void floors_account(struct energy_account *a, struct results *r, const struct model *m,
                     const struct state *now, const struct state *next) {
     energy_step(a, m, now, next);
-    raise_all(r, m, next);
+    steps()->raise(r, m, next);
+    peaks_speed(r, 0, m->n_dof);
 }
 
-LANES bool floors_move(struct work *w, const struct state *now, struct state *next) {
-    const struct move move = move_of(w, now, next);
-    struct account due = account_due(&w->floors.late, w->model, next, now);
-    int64_t sign = 0;
+bool floors_move(struct work *w, const struct state *now, struct state *next) {
     list_ends(&w->floors, &w->gaps, next);
-    for (int i = 0; i < w->floors.n_block; i++) {
-        const struct floor_block *b = &w->floors.block[i];
-        account_ahead(&due, b);
-        sign |= move_block(&move, NULL, b);
-    }
-    w->floors.late.due = false;
-    return sign >= 0;
+    return steps()->move(w, now, next);
 }
 
-// A step as far as it is known to be one in free flight. `lines` NULL: all storeys are elastic.
-LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
-                      const struct state *now, struct state *next) {
-    struct work *w = f->work;
-    const struct move move = move_of(w, now, next);
-    struct account due = account_due(&w->floors.late, f->model, next, now);
-    bool free = true;
-    lanes_bits beyond = {0};
-    for (int i = 0, group = 0; i < w->floors.n_block && free; i++) {
-        const struct floor_block *b = &w->floors.block[i];
-        account_ahead(&due, b);
-        int64_t sign = move_block(&move, lines, b);
-        if (lines) {
-            floors_follow(&move.chain, lines, b->first, b->end, next->u, &beyond);
-        }
-        sign |= floors_any(&beyond) | floors_approach(f, group, f->group_end[i], now, next);
-        group = f->group_end[i];
-        free = sign >= 0;
-    }
-    account_to(&due, move.chain.n);
-    w->floors.late.due = false;
-    return free;
+bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
+    return steps()->fly(f, now, next);
 }
 
-LANES bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
-    return fly(f, NULL, now, next);
-}
-
-LANES bool floors_fly_on_lines(const struct flight *f, const struct state *now,
-                               struct state *next) {
-    const struct floors_lines lines = floors_lines_of(f, next);
-    return fly(f, &lines, now, next);
+bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next) {
+    return steps()->fly_on_lines(f, now, next);
 }

@@ -26,19 +26,20 @@ struct floors_late {
     double ground_a;  // [L/T^2] and the acceleration of the ground then
 };
 
+struct work;
+struct flight;
+
 struct floors {
     int n_block;
     struct floor_block *block;       // (n_block)
     double *residual;                // [F] of a block
+    double *u_trial, *v_trial;       // of a block: its end of the step if the accelerations stay
     int *first_end, *following_end;  // (n_building), (2 n_link) live links by building: end i % 2
                                      // of link i / 2; -1: none
     struct floors_late late;
 };
 
 bool floors_alloc(struct floors *f, const struct model *m, struct arena *a);
-
-struct work;
-struct flight;
 
 // Displacements, velocities and accelerations of `next` under the forces that its live links have,
 // with the trial of their buildings and the correction of all in `w`; and what account is due.
@@ -72,5 +73,23 @@ bool floors_fly(const struct flight *f, const struct state *now, struct state *n
 
 // The same where storeys follow straight lines; nor may one leave its line.
 bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next);
+
+// What of this is made of loops over floors, on vectors of one width: floors_move where the live
+// links are listed, floors_fly, the same on lines, floors_settle where accounts are put off, and a
+// state taken into the peaks.
+struct floors_steps {
+    bool (*move)(struct work *w, const struct state *now, struct state *next);
+    bool (*fly)(const struct flight *f, const struct state *now, struct state *next);
+    bool (*fly_on_lines)(const struct flight *f, const struct state *now, struct state *next);
+    void (*settle)(struct floors_late *late, const struct model *m, const struct state *old,
+                   const struct state *now);
+    void (*raise)(struct results *r, const struct model *m, const struct state *s);
+};
+extern const struct floors_steps floors_narrow, floors_wide;
+
+// Takes the forces of live links into the residual of a block, and the trial of their buildings for
+// the contact iteration.
+void floors_push(struct work *w, const struct state *now, const struct state *next,
+                 const struct floor_block *b);
 
 #endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps of floors in vectors of eight, for processors with such registers.
+#include "core/lanes.h"
+
+#ifdef LANES_WIDEST
+
+#define FLOORS_WIDE
+#define FLOORS_CLONES __attribute__((target("arch=" LANES_WIDEST)))
+#define FLOORS_STEPS floors_wide
+#define FLOORS_MULTIPLY effective_multiply_wide
+
+#include "solve/floor_steps.h"
+
+#endif
