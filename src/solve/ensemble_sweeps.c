@@ -7,7 +7,7 @@
 // Lanes in which a contact is not live, or that have converged, look on.
 //
 // Only the usual is done here: contacts that were closed, that Newton steps lead to their forces
-// within a few sweeps, and that stay as well resolved as they were (seen_before of resolve.c). A
+// within a few sweeps, and that stay as well resolved as they were (resolve_suffices). A
 // lane in which anything else happens gives up, and its run is solved alone from where it began.
 #include "solve/ensemble_sweeps.h"
 

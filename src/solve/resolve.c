@@ -72,13 +72,6 @@ static bool ends_resolved(const struct work *w, struct quick *p, const struct pa
                 : resolved_at(w, p, path->d1, path->v1));
 }
 
-// Is what usually holds enough: the start has been looked at, the end has its tangents, and its
-// spring is no stiffer than has been looked at?
-static inline bool seen_before(const struct work *w, const struct quick *p, double d) {
-    return p->checked >= w->h && !p->ask && d <= p->fits_to &&
-           w->g * p->flexibility * p->dfdv <= RESOLVE_COARSEST_DASHPOT;
-}
-
 static bool resolved(struct work *w, const struct state *now, const struct state *next,
                      struct quick *p, double x, double d) {
     int k = p->index;
@@ -96,14 +89,8 @@ static bool resolved(struct work *w, const struct state *now, const struct state
            resolve_negligible(w, now, now->link[k].closed ? path.v0 : next->link[k].v_close);
 }
 
-bool resolve_suffices(struct work *w, const struct state *now, const struct state *next,
-                      struct quick *p) {
-    double x = w->correction[p->end[0]] - w->correction[p->end[1]];
-    double d = p->d_trial + w->b * x;
-    if (seen_before(w, p, d)) {
-        p->checked = w->h;
-        return true;
-    }
+bool resolve_anew(struct work *w, const struct state *now, const struct state *next,
+                  struct quick *p, double x, double d) {
     if (p->bilateral || p->kind->rebound || resolved(w, now, next, p, x, d)) {
         return true;
     }
