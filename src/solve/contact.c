@@ -160,10 +160,10 @@ static void answer(struct work *w, const struct state *now, struct state *next, 
     p->ask = true;
     s->answered = true;
     s->largest = number_max(s->largest, fabs(p->force));
-    if (fabs(df) > s->change) {
+    if (fabs(df) > s->moved[LAW_UNKNOWN]) {
         struct line line = contact_line(w, now, next, k);
         if (!negligible(w, &line, p->branch, p->force, df)) {
-            s->change = fabs(df);
+            s->moved[LAW_UNKNOWN] = fabs(df);
         }
     }
 }
@@ -186,7 +186,7 @@ static void visit(struct work *w, const struct state *now, struct state *next, e
 // Makes the progress of the last sweep, or of the guess, that of the next one before it has begun.
 static void renew(const struct work *w, struct progress *s) {
     s->enough = w->model->tolerance * s->largest;
-    s->largest = s->change = s->moved = 0.0;
+    s->largest = s->moved[LAW_KNOWN] = s->moved[LAW_UNKNOWN] = 0.0;
     s->clear = INFINITY;
     s->answered = false;
 }
@@ -244,7 +244,7 @@ static bool block_steps(struct work *w, const struct state *now, struct state *n
 
 // Largest change of a force in a sweep.
 static double changed(const struct progress *s) {
-    return number_max(s->change, s->moved);
+    return number_max(s->moved[LAW_UNKNOWN], s->moved[LAW_KNOWN]);
 }
 
 // Would another sweep change next to nothing? If this one took Newton steps it measured that by the
@@ -252,7 +252,8 @@ static double changed(const struct progress *s) {
 static bool converged(const struct work *w, enum answers answers, const struct progress *s) {
     double tolerance = w->model->tolerance * s->largest;
     double echo = w->n_acting == 1 ? 0.0 : s->answered ? 1.0 : number_min(s->echo, 1.0);
-    return s->change <= tolerance && echo * s->moved <= tolerance && !(s->moved > s->clear) &&
+    return s->moved[LAW_UNKNOWN] <= tolerance && echo * s->moved[LAW_KNOWN] <= tolerance &&
+           !(s->moved[LAW_KNOWN] > s->clear) &&
            (answers == ANSWERS_EXACT || s->enough <= 4.0 * tolerance);
 }
 

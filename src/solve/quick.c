@@ -194,7 +194,7 @@ static inline bool negligible(const struct work *w, const struct quick *p, doubl
 // Takes note of the change df of a force whose law is known as well as need be, or is not.
 static inline void note(const struct work *w, const struct quick *p, double df,
                         struct progress *s) {
-    double *most = p->ask ? &s->change : &s->moved;
+    double *most = &s->moved[p->ask ? LAW_UNKNOWN : LAW_KNOWN];
     if (fabs(df) > *most && fabs(df) > s->enough && !negligible(w, p, df)) {
         *most = fabs(df);
     }
@@ -213,11 +213,12 @@ static inline double room(const struct quick *p, double far) {
 }
 
 // A Newton step of a link that sees x; false: not safe.
-static inline bool step(const struct work *w, struct quick *p, double x, struct progress *s) {
+static inline bool step(const struct work *w, struct quick *p, double x, struct progress *s,
+                        double *clear) {
     double dx = x - p->asked;
     double df = p->base + p->rate * dx;
     if (fabs(df) <= QUICK_NEGLECTED * s->enough && fabs(dx) <= p->reach) {
-        s->clear = number_min(s->clear, room(p, fabs(dx)));
+        *clear = number_min(*clear, room(p, fabs(dx)));
         return true;
     }
     double far = fabs(dx - p->flexibility * df);
@@ -227,7 +228,7 @@ static inline bool step(const struct work *w, struct quick *p, double x, struct 
     p->force += df;
     p->base -= p->damped * df;
     p->ask = !(far <= p->reach);
-    s->clear = number_min(s->clear, room(p, far));
+    *clear = number_min(*clear, room(p, far));
     push_ends(w, p, df);
     note(w, p, df, s);
     return true;
@@ -235,25 +236,28 @@ static inline bool step(const struct work *w, struct quick *p, double x, struct 
 
 // Does a link that sees x stay open?
 static inline bool stays_open(const struct work *w, const struct quick *p, double x,
-                              struct progress *s) {
+                              double *clear) {
     double d = p->d_trial + w->b * x;
     if (!(p->open && d <= 0.0)) {
         return false;
     }
-    s->clear = number_min(s->clear, -d * w->per_b * p->unmoved);
+    *clear = number_min(*clear, -d * w->per_b * p->unmoved);
     return true;
 }
 
 LANES int quick_sweep(struct work *w, int first, int end, struct progress *s) {
+    double clear = s->clear, largest = s->largest;
     int i = first;
     for (; i < end; i++) {
         struct quick *p = w->acting[i];
         double x = sees(w, p);
         bool known = (!p->ask && is_known(p, x)) || ask(w, p, x, s);
-        if (known ? !step(w, p, x, s) : !stays_open(w, p, x, s)) {
+        if (known ? !step(w, p, x, s, &clear) : !stays_open(w, p, x, &clear)) {
             break;
         }
-        s->largest = number_max(s->largest, fabs(p->force));
+        largest = number_max(largest, fabs(p->force));
     }
+    s->clear = clear;
+    s->largest = largest;
     return i;
 }

@@ -65,15 +65,18 @@ struct quick {
     bool moving_ground;
 };
 
+// Whether the law of a link must be asked again.
+enum knowledge { LAW_KNOWN, LAW_UNKNOWN };
+
 // What a sweep found.
 struct progress {
-    double enough;   // [F] changes below this do not matter
-    double loosest;  // [F] the most that was enough when a law was asked
-    double largest;  // [F] largest force
-    double change;   // [F] largest change that matters of a force whose law must be asked again,
-    double moved;    // [F] and of one that obeys its law but for what others do to it
-    double echo;     // by how much the changes of others may still change one of those, as a
-                     // share of the largest; of sweeps before too
+    double enough;    // [F] changes below this do not matter
+    double loosest;   // [F] the most that was enough when a law was asked
+    double largest;   // [F] largest force
+    double moved[2];  // [F] largest change that matters of a force that obeys its law but for what
+                      // others do to it, and of one whose law must be asked again: enum knowledge
+    double echo;      // by how much the changes of others may still change one of those, as a
+                      // share of the largest; of sweeps before too
     double clear;   // [F] changes of others up to this leave open links open, and the others within
                     // the reach of their lines
     bool answered;  // some link got its exact answer: echo knows nothing of it
