@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The forces solve a linear complementarity problem: with w the relative acceleration of each
-// contact, towards each other, f >= 0, w <= 0, f w = 0. Its matrix B M^-1 B' is symmetric and
-// positive definite unless contacts are redundant, which facing floors cannot be, so the projected
-// Gauss-Seidel iteration converges (Cottle, Pang & Stone (2009), The Linear Complementarity
-// Problem, section 5.2). Buildings touch at floors, whose masses are lumped: rows are short chains.
-// Where masses differ much that takes long, and rows are solved at once (together.c).
+// At an instant the forces solve a linear complementarity problem: with w the relative acceleration
+// of each contact, towards each other, f >= 0, w <= 0, f w = 0. Its matrix B M^-1 B' is symmetric
+// and positive definite unless contacts are redundant, which facing floors cannot be, so the
+// projected Gauss-Seidel iteration converges (Cottle, Pang & Stone (2009), The Linear
+// Complementarity Problem, section 5.2). Buildings touch at floors, whose masses are lumped: rows
+// are short chains. Where masses differ much that takes long, and rows are solved at once
+// (together.c).
+//
+// In a step, a contact gives back what rounding and the motion of the ground let it stray from d =
+// 0, and it takes its time: with tau = 2 dt, dt the step of the deck, its velocity v tends to V =
+// -d / (2 tau) and its acceleration, in a share h / dt of a step by that share, to (V - v) / tau.
+// So d, v and a decay, however steps are split: the largest eigenvalue of a whole step is 0.71 to
+// 0.87 for beta from 0 to 1 and gamma from 1/2 to 1. A velocity to be reached within a step of any
+// length would take accelerations beyond all bounds where events follow each other at once, and
+// where gamma = 1/2 the acceleration would alternate for ever after; d = 0 likewise.
 #include "solve/rest.h"
 
 #include <math.h>
@@ -13,6 +22,11 @@
 
 enum { SWEEPS_FEW = 100, SWEEPS_MAX = 20000 };
 static const double TOLERANCE = 1e-13;  // relative change of the forces in a sweep
+
+// Steps of the deck in which a contact at rest changes its velocity, and the share of d that it
+// gives back meanwhile.
+static const double PACE = 2.0;
+static const double RECOVERY = 0.5;
 
 static void push(struct state *s, const struct model *m, int k, double df) {
     const int *dof = m->link[k].dof;
@@ -72,6 +86,29 @@ static void find_forces(struct state *s, const struct model *m) {
             return;
         }
     }
+}
+
+// A contact that has just come to rest is kept from moving. After a step that began with the bodies
+// accelerated apart that leaves them inside where 2 beta > gamma, by h^2 |a| (beta / gamma - 1/2):
+// there d = 0 counts too, and what asks for the larger force prevails.
+static double first_velocity(const struct model *m, double h, double d, double v, double a) {
+    const double ratio = m->beta / m->gamma;
+    const double outside = fmax(-d, 0.0) / h + (ratio - 0.5) * h * a - (1.0 - ratio) * v;
+    const double none = fmax(v, 0.0);
+    return ratio > 0.5 ? fmin(none, outside / ratio) : none;
+}
+
+double rest_velocity(const struct state *now, const struct model *m, double h, int k) {
+    const double d = now->delta[k];
+    const double v = state_rate(now, m, k);
+    const double a = state_gap(&m->link[k], m, now->a, now->ground_a);
+    if (!(now->link[k].t_close < now->time)) {
+        return first_velocity(m, h, d, v, a);
+    }
+    const double tau = PACE * m->dt;
+    const double target = -RECOVERY * d / tau;
+    const double change = fmin(h / m->dt, 1.0) * ((target - v) / tau - a);
+    return fmin(v + h * (a + m->gamma * change), fmax(fmax(target, v), 0.0));
 }
 
 void rest_forces(struct state *s, const struct model *m) {
