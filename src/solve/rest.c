@@ -20,7 +20,7 @@
 
 #include "solve/together.h"
 
-enum { SWEEPS_FEW = 100, SWEEPS_MAX = 20000 };
+enum { SWEEPS_FEW = 10, SWEEPS_MAX = 20000 };
 static const double TOLERANCE = 1e-13;  // relative change of the forces in a sweep
 
 // Steps of the deck in which a contact at rest changes its velocity, and the share of d that it

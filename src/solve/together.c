@@ -13,15 +13,6 @@
 
 #include <math.h>
 
-// A row of bodies, the contacts between them on their right.
-struct bodies {
-    int n;
-    int contact[TOGETHER_MAX];
-    int dof[TOGETHER_MAX + 1];  // WALL at an end
-    // Of the body: how the ground on its left end moves ahead of its own, and its motion less that.
-    double shift[TOGETHER_MAX + 1], y[TOGETHER_MAX + 1];
-};
-
 // Neighbours of one motion.
 struct block {
     int first;
@@ -29,17 +20,17 @@ struct block {
     double y;
 };
 
-// The contact at rest with the floor `dof` on its side `side`; -1: none, or *n of them.
-static int find(const struct together *t, const struct model *m, int side, int dof, int *n) {
-    int found = -1;
-    *n = 0;
+// How many contacts at rest have the floor `dof` on that side; one of them into *found, or -1.
+static int find(const struct together *t, const struct model *m, int side, int dof, int *found) {
+    int n = 0;
+    *found = -1;
     for (int i = 0; i < t->n && dof != WALL; i++) {
         if (m->link[t->contact[i]].dof[side] == dof) {
-            found = t->contact[i];
-            *n += 1;
+            *found = i;
+            n++;
         }
     }
-    return found;
+    return n;
 }
 
 bool together_find(const struct state *s, const struct model *m, struct together *t) {
@@ -52,38 +43,29 @@ bool together_find(const struct state *s, const struct model *m, struct together
             t->contact[t->n++] = k;
         }
     }
+    return together_line_up(t, m);
+}
+
+bool together_line_up(struct together *t, const struct model *m) {
     for (int i = 0; i < t->n; i++) {
         const int *dof = m->link[t->contact[i]].dof;
-        int left, right;
-        find(t, m, 0, dof[0], &left);
-        find(t, m, 1, dof[1], &right);
-        if (left > 1 || right > 1) {
+        int found;
+        bool rows = find(t, m, 0, dof[0], &found) <= 1 && find(t, m, 1, dof[1], &found) <= 1;
+        if (!rows) {
             return false;
         }
+        find(t, m, 1, dof[0], &t->left[i]);
+        find(t, m, 0, dof[1], &t->right[i]);
     }
     return true;
 }
 
-static void append(struct bodies *b, int dof, double shift, const double *x) {
-    b->dof[b->n] = dof;
-    b->shift[b->n] = shift;
-    b->y[b->n] = (dof == WALL ? 0.0 : x[dof]) - shift;
-    b->n++;
-}
-
-// The row that begins with the left body of contact k.
-static void line_up(const struct together *t, const struct model *m, int k, const double *x,
-                    const double *ground, struct bodies *b) {
-    int n;
-    b->n = 0;
-    append(b, m->link[k].dof[0], 0.0, x);
-    while (k >= 0) {
-        const struct link *l = &m->link[k];
-        const int last = b->n - 1;
-        b->contact[last] = k;
-        append(b, l->dof[1], b->shift[last] + state_ground_gap(l, m, ground), x);
-        k = find(t, m, 0, l->dof[1], &n);
+int together_row(const struct together *t, int i, int *contact) {
+    int n = 0;
+    for (int j = t->left[i] < 0 ? i : -1; j >= 0; j = t->right[j]) {
+        contact[n++] = t->contact[j];
     }
+    return n;
 }
 
 // Two blocks become one; both at walls stay what they are, as nothing could move them.
@@ -102,32 +84,32 @@ static bool pool(struct block *left, const struct block *right) {
     return true;
 }
 
-static int find_blocks(const struct bodies *b, const struct model *m, struct block *block) {
-    int n = 0;
-    for (int i = 0; i < b->n; i++) {
-        const bool wall = b->dof[i] == WALL;
-        const double mass = wall ? INFINITY : m->mass[b->dof[i]];
-        block[n++] = (struct block){
-            .first = i, .mass = mass, .momentum = wall ? 0.0 : mass * b->y[i], .y = b->y[i]};
-        while (n > 1 && pool(&block[n - 2], &block[n - 1])) {
-            n--;
+static int find_blocks(int n, const double *mass, const double *y, struct block *block) {
+    int n_block = 0;
+    for (int i = 0; i < n; i++) {
+        block[n_block++] = (struct block){.first = i,
+                                          .mass = mass[i],
+                                          .momentum = isinf(mass[i]) ? 0.0 : mass[i] * y[i],
+                                          .y = y[i]};
+        while (n_block > 1 && pool(&block[n_block - 2], &block[n_block - 1])) {
+            n_block--;
         }
     }
-    return n;
+    return n_block;
 }
 
-// What passes between the bodies `first` to `last` when they get the motion y: the momentum that
-// those on the side away from a wall have lost.
-static void find_passages(const struct bodies *b, const struct model *m, int first, int last,
-                          double y, struct passage *p) {
-    const bool wall = b->dof[first] == WALL;
+// What passes between the bodies `first` to `last` when they get the motion `common`: the momentum
+// that those on the side away from a wall have lost.
+static void find_passages(const double *mass, const double *y, int first, int last, double common,
+                          struct passage *p) {
+    const bool wall = isinf(mass[first]);
     double passed = 0.0, lost = 0.0, pushes = 0.0;
     for (int i = 0; i < last - first; i++) {
         const int body = wall ? last - i : first + i;
         const int left = wall ? body - 1 : body;
-        passed += m->mass[b->dof[body]] * (wall ? y - b->y[body] : b->y[body] - y);
-        p[left] =
-            (struct passage){.push = fmax(passed, 0.0), .approach = b->y[left] - b->y[left + 1]};
+        passed += mass[body] * (wall ? common - y[body] : y[body] - common);
+        p[left] = (struct passage){
+            .joined = true, .push = fmax(passed, 0.0), .approach = y[left] - y[left + 1]};
         lost += p[left].push * p[left].approach / 2.0;
         pushes += p[left].push;
     }
@@ -136,37 +118,53 @@ static void find_passages(const struct bodies *b, const struct model *m, int fir
     }
 }
 
-static void move(const struct bodies *b, const struct model *m, int first, int last, double y,
-                 double *x, together_note *note, void *context) {
-    struct passage p[TOGETHER_MAX];
-    find_passages(b, m, first, last, y, p);
-    for (int i = first; i <= last; i++) {
-        if (i < last) {
-            note(context, b->contact[i], &p[i]);
+void together_push(int n, const double *mass, double *y, struct passage *p) {
+    struct block block[TOGETHER_MAX + 1];
+    const int n_block = find_blocks(n, mass, y, block);
+    for (int j = 0; j < n_block; j++) {
+        const int first = block[j].first;
+        const int last = (j + 1 < n_block ? block[j + 1].first : n) - 1;
+        find_passages(mass, y, first, last, block[j].y, p);
+        for (int i = first; i <= last; i++) {
+            y[i] = block[j].y;
         }
-        if (b->dof[i] != WALL) {
-            x[b->dof[i]] = y + b->shift[i];
+        if (last < n - 1) {
+            p[last] = (struct passage){.joined = false};
+        }
+    }
+}
+
+// Moves the row of these n contacts.
+static void move(const struct model *m, int n, const int *contact, double *x, const double *ground,
+                 together_note *note, void *context) {
+    double mass[TOGETHER_MAX + 1] = {0.0}, y[TOGETHER_MAX + 1], shift[TOGETHER_MAX + 1] = {0.0};
+    struct passage p[TOGETHER_MAX];
+    for (int i = 0; i <= n; i++) {
+        const int dof = m->link[contact[i < n ? i : n - 1]].dof[i < n ? 0 : 1];
+        shift[i] = i > 0 ? shift[i - 1] + state_ground_gap(&m->link[contact[i - 1]], m, ground) : 0;
+        mass[i] = dof == WALL ? INFINITY : m->mass[dof];
+        y[i] = (dof == WALL ? 0.0 : x[dof]) - shift[i];
+    }
+    together_push(n + 1, mass, y, p);
+    for (int i = 0; i <= n; i++) {
+        const int dof = m->link[contact[i < n ? i : n - 1]].dof[i < n ? 0 : 1];
+        const bool joined = (i < n && p[i].joined) || (i > 0 && p[i - 1].joined);
+        if (joined && dof != WALL) {
+            x[dof] = y[i] + shift[i];
+        }
+        if (i < n && p[i].joined) {
+            note(context, contact[i], &p[i]);
         }
     }
 }
 
 void together_move(const struct together *t, const struct model *m, double *x, const double *ground,
                    together_note *note, void *context) {
-    struct bodies b;
-    struct block block[TOGETHER_MAX + 1];
+    int contact[TOGETHER_MAX];
     for (int i = 0; i < t->n; i++) {
-        const int k = t->contact[i];
-        int n;
-        if (find(t, m, 1, m->link[k].dof[0], &n) >= 0) {
-            continue;
-        }
-        line_up(t, m, k, x, ground, &b);
-        const int n_block = find_blocks(&b, m, block);
-        for (int j = 0; j < n_block; j++) {
-            const int last = j + 1 < n_block ? block[j + 1].first - 1 : b.n - 1;
-            if (last > block[j].first) {
-                move(&b, m, block[j].first, last, block[j].y, x, note, context);
-            }
+        const int n = together_row(t, i, contact);
+        if (n > 0) {
+            move(m, n, contact, x, ground, note, context);
         }
     }
 }

@@ -11,14 +11,27 @@ enum { TOGETHER_MAX = 256 };
 struct together {
     int n;
     int contact[TOGETHER_MAX];
+    int left[TOGETHER_MAX], right[TOGETHER_MAX];  // which of them are the next in its row; -1: none
 };
 
 // What a contact gives for it.
 struct passage {
+    bool joined;      // its bodies move on together
     double push;      // >= 0, force or impulse
     double approach;  // how fast its bodies approached
     double lost;      // of velocities: kinetic energy
 };
+
+// Finds the neighbours of the contacts of `t`; false if a floor has two on one side.
+bool together_line_up(struct together *t, const struct model *m);
+
+// The contacts of the row that begins with contact i of `t`, from left to right, into `contact`;
+// returns how many they are, 0 if none begins there.
+int together_row(const struct together *t, int i, int *contact);
+
+// Changes the motions y of n bodies in a row, with masses (INFINITY: a wall), so that none falls
+// behind the one on its right, as together_move does; `p` (n - 1) is what passes between them.
+void together_push(int n, const double *mass, double *y, struct passage *p);
 
 typedef void together_note(void *context, int k, const struct passage *p);
 

@@ -94,6 +94,7 @@ static void nobody_approaches_and_pushes_only_push(void **state) {
         for (int i = 0; i < line.model.n_dof; i++) {
             before[i] = after[i] = random_uniform(&r, -1.0, 1.0);
         }
+        assert_true(together_line_up(&t, &line.model));
         together_move(&t, &line.model, after, line.ground, keep, &line);
         check(&line, before, after);
     }

@@ -209,6 +209,28 @@ static void a_very_light_body_lets_nobody_through(void **state) {
     analysis_free(&a);
 }
 
+// Lighter by six orders, and accelerated apart from both, so that it rests at neither: the heavy
+// ones, which met at 10 mm = 2 (t - 0.05 t^2), lose all of their velocity at once, and part.
+static void a_very_light_body_is_caught_though_accelerations_part_it(void **state) {
+    (void)state;
+    struct analysis a = analysis_of(
+        "building A -floors 1 -mass 1e6 -stiffness 0\nbuilding B -floors 1 -mass 1 -stiffness 0\n"
+        "building C -floors 1 -mass 1e6 -stiffness 0\n"
+        "load A:1 constant -1e5\nload C:1 constant 1e5\n"
+        "initial A:1 -velocity 1\ninitial C:1 -velocity -1\n"
+        "contact A B -gap 0 -law stereomechanical -e 0.5\n"
+        "contact B C -gap 10mm -law stereomechanical -e 0.5\n"
+        "duration 0.1\nstep fixed 1ms\noutput -every 1\n");
+    const double met = 10.0 - sqrt(100.0 - 0.1);
+    const double *v = a.rows.velocity + 3 * (a.rows.n - 1);
+    assert_true(a.results->totals.events < 2000);
+    assert_near(v[0], -0.1 * (0.1 - met), 1e-6);  // the ratio of the masses
+    assert_near(v[2], 0.1 * (0.1 - met), 1e-6);
+    assert_true(deepest(&a) < 1e-15);
+    assert_true(a.results->residual_peak < 1e-14 * 1e6);
+    analysis_free(&a);
+}
+
 // Equal buildings that swing towards each other meet with all floors at once.
 static void several_floors_meet_together(void **state) {
     (void)state;
@@ -295,6 +317,7 @@ int main(void) {
         cmocka_unit_test(bodies_at_rest_pass_an_impulse_on),
         cmocka_unit_test(a_light_body_between_heavy_ones_is_caught),
         cmocka_unit_test(a_very_light_body_lets_nobody_through),
+        cmocka_unit_test(a_very_light_body_is_caught_though_accelerations_part_it),
         cmocka_unit_test(several_floors_meet_together),
         cmocka_unit_test(rigid_impacts_get_along_with_everything_else),
         cmocka_unit_test(bodies_that_a_damper_holds_together_are_no_endless_meeting),
