@@ -263,7 +263,9 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
     struct together resting;
     resting.n = ROWS_UNTRIED;
     for (int i = 0; i < w->model->iterations; i++) {
-        rest_rows_settle(w, now, next, &resting);
+        if (resting.n > 0) {
+            rest_rows_settle(w, now, next, &resting);
+        }
         if (i == 0) {
             first_sweep(w, now, next, &s);
         } else {
