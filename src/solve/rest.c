@@ -10,7 +10,7 @@
 // In a step, a contact gives back what rounding and the motion of the ground let it stray from d =
 // 0, and it takes its time: its velocity v tends to V = -d / (4 dt), dt the step of the deck, and
 // its acceleration, in a share h / dt of a step by that share, to (V - v) / (2 dt). So d, v and a
-// decay, however steps are split: the largest eigenvalue of a whole step is 0.71 to 0.87 for beta
+// decay, however steps are split: the largest eigenvalue of a whole step is 0.71 to 0.77 for beta
 // from 0 to 1 and gamma from 1/2 to 1. A velocity to be reached within a step of any length would
 // take accelerations beyond all bounds where events follow each other at once, and where gamma =
 // 1/2 the acceleration would alternate for ever after; d = 0 likewise.

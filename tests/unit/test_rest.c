@@ -86,7 +86,7 @@ static void what_it_strays_decays_without_peaks_however_steps_are_split(void **s
         for (int j = 0; j < 200; j++) {
             assert_true(split_step(&b, &r) <= 3.0 * start);
         }
-        assert_true(size(&b) < 1e-9 * start);  // 0.87^200 = 8e-13
+        assert_true(size(&b) < 1e-9 * start);  // (4/5)^200 = 4e-20
     }
 }
 
