@@ -121,15 +121,15 @@ static void find_passages(const double *mass, const double *y, int first, int la
 void together_push(int n, const double *mass, double *y, struct passage *p) {
     struct block block[TOGETHER_MAX + 1];
     const int n_block = find_blocks(n, mass, y, block);
+    for (int i = 0; i < n - 1; i++) {
+        p[i] = (struct passage){.joined = false};
+    }
     for (int j = 0; j < n_block; j++) {
         const int first = block[j].first;
         const int last = (j + 1 < n_block ? block[j + 1].first : n) - 1;
         find_passages(mass, y, first, last, block[j].y, p);
         for (int i = first; i <= last; i++) {
             y[i] = block[j].y;
-        }
-        if (last < n - 1) {
-            p[last] = (struct passage){.joined = false};
         }
     }
 }
