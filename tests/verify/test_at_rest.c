@@ -117,7 +117,8 @@ static void contacts_at_rest_accelerate_nobody_where_steps_are_split_to_nanoseco
     static const char *const method[] = {"", "-beta 0.16666667 -gamma 0.5",
                                          "-beta 0.3025 -gamma 0.6"};
     for (int i = 0; i < 18; i++) {
-        const double gap = 0.02 + 0.03 * (i / 3);
+        const int place = i / 3;
+        const double gap = 0.02 + 0.03 * place;
         struct analysis a = analysis_of(
             "building A -floors 2 -mass 2 -stiffness 0\nbuilding B -floors 2 -mass 3 -stiffness 0\n"
             "building D -floors 2 -mass 1 -stiffness 0\ninitial D -velocity -1\n"
