@@ -24,12 +24,10 @@
 #include "solve/quick.h"
 #include "solve/resolve.h"
 #include "solve/rest.h"
-#include "solve/rest_rows.h"
 
 // Quick sweeps end, and block steps are tried, after so many sweeps, where the last one brought the
 // change of the forces down by less than the factor SLOW.
 enum { PLAIN_SWEEPS = 4 };
-enum { ROWS_UNTRIED = -1 };
 
 // Links that are gathered, asked and visited together.
 enum { GROUP = 16 };
@@ -225,17 +223,6 @@ static bool block_steps(struct work *w, const struct state *now, struct state *n
     return any;
 }
 
-// Rows of rigid contacts are settled before sweeps once these are slow, until rounding makes them
-// slow again. True if something has changed.
-static bool use_rows(const struct work *w, const struct state *next, struct together *resting) {
-    if (resting->n == ROWS_UNTRIED) {
-        return rest_rows_find(w, next, resting);
-    }
-    bool used = resting->n > 0;
-    resting->n = 0;
-    return used;
-}
-
 // Largest change of a force in a sweep.
 static double changed(const struct progress *s) {
     return number_max(s->change, s->moved);
@@ -260,12 +247,7 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
         w->nearest[i] = INFINITY;
     }
     enum answers answers = ANSWERS_NEWTON;
-    struct together resting;
-    resting.n = ROWS_UNTRIED;
     for (int i = 0; i < w->model->iterations; i++) {
-        if (resting.n > 0) {
-            rest_rows_settle(w, now, next, &resting);
-        }
         if (i == 0) {
             first_sweep(w, now, next, &s);
         } else {
@@ -288,8 +270,7 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
         }
         if (i + 1 >= PLAIN_SWEEPS && changed(&s) > SLOW * before) {
             answers = ANSWERS_EXACT;
-            bool rows = use_rows(w, next, &resting);
-            bool blocked = (!rows && block_steps(w, now, next)) || *counter == &w->totals->block;
+            bool blocked = block_steps(w, now, next) || *counter == &w->totals->block;
             *counter = blocked ? &w->totals->block : &w->totals->scalar;
         }
         before = changed(&s);
