@@ -50,10 +50,14 @@ static int dispatch_command(int argc, char **argv) {
     return unknown(argv[0]);
 }
 
-// `help`, alone or with a command.
+static bool asks_for_help(const char *word) {
+    return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0;
+}
+
+// `help`, alone, with a command or with itself.
 static int help(int argc, char **argv) {
     static char option[] = "--help";
-    if (argc == 1) {
+    if (argc == 1 || asks_for_help(argv[1])) {
         print_help(stdout);
         return EXIT_DONE;
     }
@@ -65,8 +69,7 @@ static int dispatch(int argc, char **argv) {
         print_help(stderr);
         return EXIT_INPUT;
     }
-    const bool asks = strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
-                      strcmp(argv[1], "help") == 0;
+    const bool asks = asks_for_help(argv[1]);
     const bool version = strcmp(argv[1], "--version") == 0;
     if (argc > (asks ? 3 : 2) && (asks || version)) {
         fprintf(stderr, "jostle: error: '%s' is not expected behind %s\ntry 'jostle --help'\n",

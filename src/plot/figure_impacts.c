@@ -201,11 +201,30 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a) {
     canvas_panel_end(c);
 }
 
+// What the sizes of points stand for, in one power of ten.
+static void write_sizes(const struct view *v, struct canvas *c) {
+    char text[160], unit[64], power[32] = "";
+    const double step = script_step(v->largest, 2);
+    const double shown[] = {step / 10, step / 2, step};
+    const int exponent = script_exponent(step, 0.05);
+    if (exponent != 0) {
+        script_power(exponent, power, sizeof power);
+    }
+    script_unit(&v->s->r[0]->units, v->impulse ? dimension_impulse : dimension_force, unit,
+                sizeof unit);
+    for (size_t i = 0; i < 3 && v->largest > 0; i++) {
+        snprintf(text, sizeof text, "%.4g%s%s %s", shown[i] / pow(10, exponent),
+                 power[0] ? "\u00b7" : "", power, unit);
+        canvas_legend(
+            c,
+            (struct mark){.kind = MARK_POINT, .colour = "#707070", .size = point_size(v, shown[i])},
+            text);
+    }
+}
+
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
-    char text[160], unit[64], number[32];
-    const struct dimension dimension = v->impulse ? dimension_impulse : dimension_force;
-    script_unit(&r->units, dimension, unit, sizeof unit);
+    char text[160];
     if (v->s->n > 1) {
         snprintf(text, sizeof text, "%ld and %ld impacts", r->n_impact, v->s->r[1]->n_impact);
     } else if (v->n == 1) {
@@ -226,16 +245,7 @@ static void write_head(const struct view *v, struct canvas *c) {
                                     .point = k > 0 ? POINT_RING : POINT_DISC},
                       v->s->name[k]);
     }
-    const double step = script_step(v->largest, 2);
-    const double shown[] = {step / 10, step / 2, step};
-    for (size_t i = 0; i < 3 && v->largest > 0; i++) {
-        script_number(shown[i], number, sizeof number);
-        snprintf(text, sizeof text, "%s %s", number, unit);
-        canvas_legend(
-            c,
-            (struct mark){.kind = MARK_POINT, .colour = "#707070", .size = point_size(v, shown[i])},
-            text);
-    }
+    write_sizes(v, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {

@@ -51,6 +51,11 @@ void script_unit(const struct unit_system *units, struct dimension dimension, ch
     text[n] = '\0';
 }
 
+int script_exponent(double most, double least) {
+    const bool fits = most < 1e4 && most >= least;
+    return fits || most == 0 ? 0 : 3 * (int)floor(log10(most) / 3);
+}
+
 void script_power(int exponent, char *text, size_t size) {
     // The digits as UTF-8; those of Latin-1 are shorter.
     static const char raised[][4] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",

@@ -35,6 +35,9 @@ void script_unit(const struct unit_system *units, struct dimension dimension, ch
 // Puts raised digits for ^2 and ^3; the text gets no longer.
 void script_raise(char *text);
 
+// The power of ten in which numbers up to `most` are short; 0 where it is from `least` to 1e4.
+int script_exponent(double most, double least);
+
 // Ten to the power `exponent`, in raised digits.
 void script_power(int exponent, char *text, size_t size);
 

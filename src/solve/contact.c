@@ -23,13 +23,7 @@
 #include "solve/block.h"
 #include "solve/quick.h"
 #include "solve/resolve.h"
-
-// A rigid contact at rest is held by its velocity, as holding d = 0 would make the force oscillate;
-// in each step of the deck it gives back this share of what rounding and the ground motion let it
-// stray from d = 0. That is stable for every share up to 1 where 2 beta <= gamma, and else for none
-// if gamma is 1/2 (eigenvalues of the recursion for d, v and a); then nothing is given back. In
-// steps that events have made short, the share is as much smaller: the velocity does not jump.
-static const double RECOVERY = 0.5;
+#include "solve/rest.h"
 
 // Quick sweeps end, and block steps are tried, after so many sweeps, where the last one brought the
 // change of the forces down by less than the factor SLOW.
@@ -47,19 +41,6 @@ static const double SMALL = 1e-8;
 
 static double ends_difference(const struct quick *p, const double *x) {
     return x[p->end[0]] - x[p->end[1]];
-}
-
-// The velocity that rigid contact k at rest is brought to. After a step that began with the bodies
-// accelerated apart, a velocity of zero leaves them inside where 2 beta > gamma, by h^2 |a|
-// (beta / gamma - 1/2): there d = 0 counts too, and what asks for the larger force prevails.
-static double rest_velocity(const struct work *w, const struct state *now, const struct line *l,
-                            int k) {
-    const struct model *m = w->model;
-    if (2.0 * m->beta <= m->gamma) {
-        return -RECOVERY * now->delta[k] / m->dt;
-    }
-    double enters = l->d_free - fmax(now->delta[k], 0.0);
-    return fmin(l->v_free - enters * l->v_force / l->d_force, 0.0);
 }
 
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
@@ -81,7 +62,7 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
         .clamped = p->clamped,
         .held = now->link[k].closed && k == w->held,
     };
-    line.v_rest = l->law->rebound ? rest_velocity(w, now, &line, k) : 0.0;
+    line.v_rest = l->law->rebound ? rest_velocity(now, w->model, w->h, k) : 0.0;
     return line;
 }
 

@@ -22,6 +22,9 @@
 
 enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
 
+// Bodies that meet within this share of the shortest bounce meet at once.
+static const double AT_ONCE = 1e-6;
+
 static double rounding(const struct state *s, const struct model *m, int k) {
     return rest_rounding(&m->link[k], s->v);
 }
@@ -136,12 +139,29 @@ void impulse_hold(struct state *s, const struct model *m, int k, struct meeting 
     state_complete(s, m);
 }
 
+// A light body between two heavy ones that approach each other meets them in turn at one instant,
+// as often as it is lighter, where the accelerations part it from both, so that neither contact
+// comes to rest. Takes the contacts that are about to meet among those at rest.
+static void hold_touching(struct state *s, const struct model *m,
+                          const struct least_bounce *least) {
+    for (int k = 0; k < m->n_contact; k++) {
+        double r = state_rate(s, m, k);
+        bool open = !s->link[k].closed && m->link[k].law->rebound;
+        if (open && r > rounding(s, m, k) && -s->delta[k] <= AT_ONCE * least->time * r) {
+            come_to_rest(s, k, r);
+        }
+    }
+}
+
 void impulse_meet(struct state *s, const struct model *m, int k, enum rebound rebound,
                   const struct least_bounce *least, struct meeting *meeting) {
     memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
     double approached = fmax(state_rate(s, m, k), 0.0);
     if (approached == 0.0 || strike(s, m, k, rebound, least, &meeting[k]) == 0.0) {
         come_to_rest(s, k, approached);
+    }
+    if (rebound == REBOUND_NONE) {
+        hold_touching(s, m, least);
     }
     settle(s, m, least, meeting);
     part(s, m, least);

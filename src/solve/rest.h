@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rigid contacts at rest, at an instant.
+// Rigid contacts at rest, at an instant and in a step.
 #ifndef JOSTLE_REST_H
 #define JOSTLE_REST_H
 
@@ -13,5 +13,8 @@ void rest_forces(struct state *s, const struct model *m);
 // Motions `x` (n_dof), velocities or accelerations, of both bodies that differ by no more are the
 // same.
 double rest_rounding(const struct link *l, const double *x);
+
+// The velocity to which rigid contact k, at rest in `now`, is brought by a step of size h.
+double rest_velocity(const struct state *now, const struct model *m, double h, int k);
 
 #endif

@@ -5,7 +5,7 @@
 
 run "$jostle" --version
 expect "--version prints name and version" '[ $status -eq 0 ] && grep -qxE "jostle [0-9]+\.[0-9]+\.[0-9]+" "$out" && [ ! -s "$err" ]'
-for word in --help -h help; do
+for word in --help -h help "help help" "help --help"; do
     run "$jostle" $word
     expect "$word explains the program" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^usage: jostle" "$out"'
 done

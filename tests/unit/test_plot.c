@@ -80,6 +80,16 @@ static void numbers_in_texts_have_no_exponent_where_none_is_needed(void **state)
     assert_string_equal(text, "3e+09");
 }
 
+static void numbers_that_belong_together_share_a_power_of_ten(void **state) {
+    (void)state;
+    assert_int_equal(script_exponent(9999, 0.05), 0);
+    assert_int_equal(script_exponent(1e7, 0.05), 6);  // 1, 5 and 10 of them
+    assert_int_equal(script_exponent(2e4, 0.05), 3);
+    assert_int_equal(script_exponent(0.05, 0.05), 0);
+    assert_int_equal(script_exponent(0.02, 0.05), -3);
+    assert_int_equal(script_exponent(0, 0.05), 0);
+}
+
 static void a_step_is_1_2_or_5_times_a_power_of_ten(void **state) {
     (void)state;
     assert_close(script_step(1, 5), 0.2, 1e-12);
@@ -133,6 +143,7 @@ int main(void) {
         cmocka_unit_test(a_name_is_shortened_in_its_middle),
         cmocka_unit_test(powers_and_units_have_raised_characters),
         cmocka_unit_test(numbers_in_texts_have_no_exponent_where_none_is_needed),
+        cmocka_unit_test(numbers_that_belong_together_share_a_power_of_ten),
         cmocka_unit_test(a_step_is_1_2_or_5_times_a_power_of_ten),
         cmocka_unit_test(a_span_is_never_empty_and_keeps_its_fixed_end),
         cmocka_unit_test(a_history_is_a_straight_line_between_its_rows),

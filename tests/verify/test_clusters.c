@@ -12,6 +12,7 @@
 #include "core/arena.h"
 #include "solve/newmark.h"
 #include "solve/quick.h"
+#include "solve/rest.h"
 #include "support/analysis.h"
 #include "support/random.h"
 #include "support/random_deck.h"
@@ -90,6 +91,7 @@ static void close_pressed(struct bench *b) {
         if (l->law->rebound && random_below(&b->random, 2)) {
             state_enliven(s, k);
             s->link[k].closed = true;
+            s->link[k].t_close = k % 2 ? s->time : -1.0;  // just now, or earlier
         } else if (!l->law->rebound && s->delta[k] > 0.0) {
             state_close_link(s, b->model, k);
             remember(b, k);
@@ -164,10 +166,10 @@ static double largest_force(const struct bench *b) {
     return largest;
 }
 
-// The force of a rigid contact at rest keeps a velocity, unless it would have to pull: that which
-// brings half of d back in a step of the deck.
+// The force of a rigid contact at rest keeps a velocity, unless it would have to pull. Which one is
+// the business of tests/unit/test_rest.c.
 static bool rests(const struct bench *b, int k) {
-    double v = state_rate(&b->next, b->model, k) + 0.5 * b->now.delta[k] / b->model->dt;
+    double v = state_rate(&b->next, b->model, k) - rest_velocity(&b->now, b->model, b->work.h, k);
     double around = rounding(b, b->work.v_trial, b->next.v) +
                     b->work.g * b->work.quick[k].flexibility * LARGEST_TOLERANCE * largest_force(b);
     double f = b->next.link[k].force;
