@@ -113,9 +113,9 @@ struct area canvas_inset(struct area a, double left, double right, double bottom
 
 // Numbers too long to stand beside an axis are shown in this power of ten; 0: as they are.
 static int axis_power(const struct axis *axis) {
-    const double most = fmax(fabs(axis->span.low), fabs(axis->span.high));
+    const double largest = fmax(fabs(axis->span.low), fabs(axis->span.high));
     const double least = axis->span.low < 0 ? 0.02 : 0.005;
-    return axis->kind == AXIS_FULL ? script_exponent(most, least) : 0;
+    return axis->kind == AXIS_FULL ? script_exponent(largest, least, 1e4) : 0;
 }
 
 static void axis_text(const struct axis *axis, const struct unit_system *units, char *text,

@@ -206,14 +206,14 @@ static void write_sizes(const struct view *v, struct canvas *c) {
     char text[160], unit[64], power[32] = "";
     const double step = script_step(v->largest, 2);
     const double shown[] = {step / 10, step / 2, step};
-    const int exponent = script_exponent(step, 0.05);
+    const int exponent = script_exponent(step, 0.05, 1e6);
     if (exponent != 0) {
         script_power(exponent, power, sizeof power);
     }
     script_unit(&v->s->r[0]->units, v->impulse ? dimension_impulse : dimension_force, unit,
                 sizeof unit);
     for (size_t i = 0; i < 3 && v->largest > 0; i++) {
-        snprintf(text, sizeof text, "%.4g%s%s %s", shown[i] / pow(10, exponent),
+        snprintf(text, sizeof text, "%.6g%s%s %s", shown[i] / pow(10, exponent),
                  power[0] ? "\u00b7" : "", power, unit);
         canvas_legend(
             c,

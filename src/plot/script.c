@@ -51,9 +51,9 @@ void script_unit(const struct unit_system *units, struct dimension dimension, ch
     text[n] = '\0';
 }
 
-int script_exponent(double most, double least) {
-    const bool fits = most < 1e4 && most >= least;
-    return fits || most == 0 ? 0 : 3 * (int)floor(log10(most) / 3);
+int script_exponent(double largest, double least, double most) {
+    const bool fits = largest < most && largest >= least;
+    return fits || largest == 0 ? 0 : 3 * (int)floor(log10(largest) / 3);
 }
 
 void script_power(int exponent, char *text, size_t size) {

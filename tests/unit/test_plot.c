@@ -82,12 +82,12 @@ static void numbers_in_texts_have_no_exponent_where_none_is_needed(void **state)
 
 static void numbers_that_belong_together_share_a_power_of_ten(void **state) {
     (void)state;
-    assert_int_equal(script_exponent(9999, 0.05), 0);
-    assert_int_equal(script_exponent(1e7, 0.05), 6);  // 1, 5 and 10 of them
-    assert_int_equal(script_exponent(2e4, 0.05), 3);
-    assert_int_equal(script_exponent(0.05, 0.05), 0);
-    assert_int_equal(script_exponent(0.02, 0.05), -3);
-    assert_int_equal(script_exponent(0, 0.05), 0);
+    assert_int_equal(script_exponent(9999, 0.05, 1e4), 0);
+    assert_int_equal(script_exponent(1e7, 0.05, 1e4), 6);  // 1, 5 and 10 of them
+    assert_int_equal(script_exponent(2e4, 0.05, 1e4), 3);
+    assert_int_equal(script_exponent(0.05, 0.05, 1e4), 0);
+    assert_int_equal(script_exponent(0.02, 0.05, 1e4), -3);
+    assert_int_equal(script_exponent(0, 0.05, 1e4), 0);
 }
 
 static void a_step_is_1_2_or_5_times_a_power_of_ten(void **state) {
