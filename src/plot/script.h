@@ -35,8 +35,8 @@ void script_unit(const struct unit_system *units, struct dimension dimension, ch
 // Puts raised digits for ^2 and ^3; the text gets no longer.
 void script_raise(char *text);
 
-// The power of ten in which numbers up to `largest` are short; 0 where that is from `least` to below
-// `most`.
+// The power of ten in which numbers up to `largest` are short; 0 where that is from `least` to
+// below `most`.
 int script_exponent(double largest, double least, double most);
 
 // Ten to the power `exponent`, in raised digits.
