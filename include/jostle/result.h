@@ -111,7 +111,7 @@ int result_analyse(struct result_writer *w, const struct observer *watch, struct
                    struct error *e);
 
 // Whether a file may be made at `path`, asked before the work is done. Errors: STATUS_INPUT (exists
-// and is to be kept, or is a folder).
+// and is to be kept, or is no regular file: a folder, a device).
 int result_check_path(const char *path, enum result_existing existing, struct error *e);
 
 // Gives the complete file `part` the name `path`, on disk before it appears there; an existing

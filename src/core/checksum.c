@@ -16,6 +16,13 @@ uint64_t checksum_add(uint64_t sum, const void *data, size_t n) {
     return sum;
 }
 
+// The upper half comes down too: a product takes no bit down, so that the highest of two words
+// would undo each other.
+static uint64_t add_word(uint64_t sum, uint64_t word) {
+    sum = (sum ^ word) * prime;
+    return sum ^ sum >> 32;
+}
+
 uint64_t checksum_many(uint64_t sum, const void *data, size_t n) {
     enum { SUMS = 4 };
     const unsigned char *byte = data;
@@ -23,11 +30,11 @@ uint64_t checksum_many(uint64_t sum, const void *data, size_t n) {
     for (; n >= sizeof word; n -= sizeof word, byte += sizeof word) {
         memcpy(word, byte, sizeof word);
         for (int k = 0; k < SUMS; k++) {
-            part[k] = (part[k] ^ word[k]) * prime;
+            part[k] = add_word(part[k], word[k]);
         }
     }
     for (int k = 0; k < SUMS; k++) {
-        sum = (sum ^ part[k]) * prime;
+        sum = add_word(sum, part[k]);
     }
     return checksum_add(sum, byte, n);
 }

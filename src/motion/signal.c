@@ -55,9 +55,9 @@ int signal_init_samples(struct signal *s, struct arena *a, const double *value, 
     return STATUS_OK;
 }
 
-// The sample at or before t and the time since then.
+// The sample at or before t and the time since then. As in add_samples, to the last bit.
 static size_t sample_before(const struct signal *s, double t, double *since) {
-    double x = (t - s->start) / s->dt;
+    double x = (t - s->start) * (1.0 / s->dt);
     size_t j = x > 0.0 ? (size_t)x : 0;
     if (j > s->n - 2) {
         j = s->n - 2;

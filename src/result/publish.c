@@ -27,6 +27,11 @@ int result_check_path(const char *path, enum result_existing existing, struct er
     if (S_ISDIR(found.st_mode)) {
         return error_set(e, STATUS_INPUT, "%s is a folder; a file is to be written", path);
     }
+    if (!S_ISREG(found.st_mode)) {
+        return error_set(e, STATUS_INPUT,
+                         "%s is no regular file; the file that is written would take its place",
+                         path);
+    }
     return existing == RESULT_KEEP ? exists(e, path) : STATUS_OK;
 }
 

@@ -29,8 +29,6 @@
 // change of the forces down by less than the factor SLOW.
 enum { PLAIN_SWEEPS = 4 };
 
-// Links that are gathered, asked and visited together.
-enum { GROUP = 16 };
 static const double SLOW = 0.2;
 
 // After so many, laws are no longer let pull.
@@ -178,7 +176,7 @@ static void first_sweep(struct work *w, const struct state *now, struct state *n
     quick_gather(w, next, s);
     renew(w, s);
     for (int first = 0, end; first < w->n_acting; first = end) {
-        end = first + GROUP < w->n_acting ? first + GROUP : w->n_acting;
+        end = first + QUICK_GROUP < w->n_acting ? first + QUICK_GROUP : w->n_acting;
         quick_take(w, next, first, end, s);
         visit(w, now, next, ANSWERS_NEWTON, first, end, s);
     }

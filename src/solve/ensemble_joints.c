@@ -138,7 +138,7 @@ void ensemble_joints_stow(struct ensemble_lanes *e, int lane, const struct run *
         all = !closed || suits(e, lane, r, now->live[i]);
         n_closed += closed;
     }
-    if (!all || n_closed == 0) {
+    if (!all || n_closed == 0 || n_closed > QUICK_GROUP) {
         return;
     }
     for (int i = 0; i < now->n_live; i++) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Links of runs in lockstep, a run a lane. A run is stowed while all its live links are contacts
-// that have been closed for some steps and stay so: then the lanes have what struct link_state,
-// its impact and the peaks say of them. Anything else, such as a contact that closes or opens,
-// takes the links of the run out, for the functions that a run alone has.
+// that have been closed for some steps and stay so, in one group of quick.h: then the lanes have
+// what struct link_state, its impact and the peaks say of them. Anything else, such as a contact
+// that closes or opens, takes the links of the run out, for the functions that a run alone has.
 #ifndef JOSTLE_ENSEMBLE_JOINTS_H
 #define JOSTLE_ENSEMBLE_JOINTS_H
 

@@ -23,6 +23,9 @@ static const double QUICK_STRAIGHT = 0.1 / 4.0;
 // What was settled while forces were larger by this factor still is.
 static const double QUICK_LOOSER = 4.0;
 
+// Links that are gathered, asked and visited together in the first sweep.
+enum { QUICK_GROUP = 16 };
+
 // One link, in four lines of the cache: what every visit of a sweep looks at, what a step needs
 // too, what asking the law needs, and the rest.
 struct quick {

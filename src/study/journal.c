@@ -13,6 +13,7 @@
 #include "study/entry.h"
 
 static const char magic[8] = "jostle2\n";
+enum { MAGIC_VERSION = 6 };  // where its digit stands
 
 static int cannot(const struct journal *j, const char *what, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot %s %s: %s", what, j->path, strerror(errno));
@@ -117,7 +118,15 @@ static int load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t
     return (size_t)got == size && entry_is_sound(j->buffer, *n) ? 1 : 0;
 }
 
+// Is it the magic word of another version?
+static bool is_of_another(const char *found) {
+    const char version = found[MAGIC_VERSION];
+    return memcmp(found, magic, MAGIC_VERSION) == 0 && version >= '0' && version <= '9' &&
+           found[MAGIC_VERSION + 1] == magic[MAGIC_VERSION + 1];
+}
+
 // Reads the magic word and the head. A file that is neither is not ours, unless it was torn there.
+// What another version has written is nothing that this one reads: its head is empty.
 static int load_head(struct journal *j, struct error *e) {
     char found[sizeof magic];
     enum entry_kind kind;
@@ -127,6 +136,10 @@ static int load_head(struct journal *j, struct error *e) {
         return cannot(j, "read", e);
     }
     if (memcmp(found, magic, (size_t)got) != 0) {
+        if ((size_t)got == sizeof magic && is_of_another(found)) {
+            j->head = calloc(1, 1);
+            return j->head ? STATUS_OK : error_no_memory(e);
+        }
         return error_set(e, STATUS_INPUT,
                          "%s is not the journal of a study; move it out of the way", j->path);
     }

@@ -101,6 +101,13 @@ echo 'not a journal' >part.h5.runs
 run "$jostle" run study.deck -q -o part.h5
 expect "a file of another kind is left alone" '[ $status -eq 2 ] && said "part.h5.runs is not the journal of a study" && [ "$(cat part.h5.runs)" = "not a journal" ]'
 rm part.h5.runs
+cp kept.runs part.h5.runs
+printf 1 | dd of=part.h5.runs bs=1 seek=6 conv=notrunc 2>/dev/null
+run "$jostle" run study.deck -q -o part.h5
+expect "what an earlier program has left is not gone on with" '[ $status -eq 2 ] && said "part.h5.runs holds runs of this study, but the program has changed since; --restart begins anew" && [ ! -e part.h5 ]'
+run "$jostle" run study.deck -q -o part.h5 --restart
+expect "but begun anew" '[ $status -eq 0 ] && same whole.h5 part.h5 && [ ! -e part.h5.runs ]'
+rm part.h5
 
 run bash -c "ulimit -f 40; exec '$jostle' run study.deck -q -o part.h5"
 expect "a limit to the size of files ends it with 3" '[ $status -eq 3 ] && said "cannot write part.h5.runs: File too large" && said "runs are kept" && [ ! -e part.h5 ]'

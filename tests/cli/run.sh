@@ -37,6 +37,11 @@ run "$jostle" run pair.deck -o results --force
 expect "even with --force" '[ $status -ge 2 ] && only pair.deck results/one.h5 results/two.h5'
 rm -r results
 
+mkfifo pipe
+run "$jostle" run pair.deck -q -o pipe --force
+expect "nor does a file take the place of a pipe or a device" '[ $status -eq 2 ] && said "pipe is no regular file" && [ -p pipe ]'
+rm pipe
+
 mkdir decks
 two_buildings decks/named.deck 'output -file "in here.h5"'
 run "$jostle" run decks/named.deck

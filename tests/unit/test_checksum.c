@@ -34,6 +34,23 @@ static void a_changed_bit_changes_the_sum_of_many(void **state) {
     }
 }
 
+// Two signs that change places, among others.
+static void two_changed_bits_change_the_sum_of_many(void **state) {
+    (void)state;
+    enum { LONG = 72, BITS = 8 * LONG };  // so long that two words share each of the four sums
+    unsigned char text[LONG] = {0};
+    const uint64_t sum = checksum_many(checksum_start, text, LONG);
+    for (size_t one = 0; one < BITS; one++) {
+        text[one / 8] ^= (unsigned char)(1U << one % 8);
+        for (size_t other = one + 1; other < BITS; other++) {
+            text[other / 8] ^= (unsigned char)(1U << other % 8);
+            assert_int_not_equal(sum, checksum_many(checksum_start, text, LONG));
+            text[other / 8] ^= (unsigned char)(1U << other % 8);
+        }
+        text[one / 8] ^= (unsigned char)(1U << one % 8);
+    }
+}
+
 static void a_file_has_a_sum_of_all_its_bytes(void **state) {
     (void)state;
     enum { SIZE = 200001 };
@@ -60,6 +77,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bytes_have_the_published_sums),
         cmocka_unit_test(a_changed_bit_changes_the_sum_of_many),
+        cmocka_unit_test(two_changed_bits_change_the_sum_of_many),
         cmocka_unit_test(a_file_has_a_sum_of_all_its_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

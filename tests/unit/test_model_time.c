@@ -129,6 +129,24 @@ static void values_at_many_times_are_those_at_each(void **state) {
     model_free(m);
 }
 
+// Next to a sample rounding decides which two samples a value lies between: everywhere in the same
+// way, as runs in lockstep and alone ask in different ways.
+static void values_next_to_samples_are_those_at_each(void **state) {
+    (void)state;
+    struct model *m = analysis_model(TWO "ground record " RECORD " -delay 0.37\n" STEP);
+    const struct signal *s = &m->ground[0].signal[0];
+    enum { TIMES = 3001, PER_SAMPLE = 10 };
+    double time[TIMES], sum[TIMES] = {0.0};
+    for (int i = 0; i < TIMES; i++) {
+        time[i] = (double)i * (s->dt / PER_SAMPLE);
+    }
+    signal_add_values(s, TIMES, time, sum);
+    for (int i = 0; i < TIMES; i++) {
+        assert_true(sum[i] == signal_value(s, time[i]));
+    }
+    model_free(m);
+}
+
 static void gravity_sets_the_unit_g_of_records(void **state) {
     (void)state;
     struct model *m =
@@ -347,6 +365,7 @@ int main(void) {
         cmocka_unit_test(a_record_is_scaled_delayed_and_converted),
         cmocka_unit_test(a_pga_scales_the_largest_absolute_value_and_keeps_the_sign),
         cmocka_unit_test(values_at_many_times_are_those_at_each),
+        cmocka_unit_test(values_next_to_samples_are_those_at_each),
         cmocka_unit_test(gravity_sets_the_unit_g_of_records),
         cmocka_unit_test(the_longest_motion_sets_the_duration),
         cmocka_unit_test(loads_act_on_the_floors_named),

@@ -204,6 +204,30 @@ static void contacts_of_higher_buildings_have_the_same_bits(void **state) {
     free_models(member, ENSEMBLE_MAX);
 }
 
+// Four buildings that lean on each other and on a wall: up to 32 contacts are closed at a time,
+// which a run alone takes some at a time.
+static void many_contacts_that_stay_closed_have_the_same_bits(void **state) {
+    (void)state;
+    struct ensemble_member member[ENSEMBLE_MAX];
+    for (int k = 0; k < ENSEMBLE_MAX; k++) {
+        member[k].model = analysis_model("building A -floors 8 -mass 300t -stiffness 400MN/m\n"
+                                         "building B -floors 8 -mass %dt -stiffness 300MN/m\n"
+                                         "building C -floors 8 -mass 200t -stiffness 500MN/m\n"
+                                         "building D -floors 8 -mass 250t -stiffness 300MN/m\n"
+                                         "initial A -velocity 1m/s\ninitial B -velocity 0.9m/s\n"
+                                         "initial C -velocity 0.8m/s\ninitial D -velocity 0.7m/s\n"
+                                         "contact A B -gap 0mm -law jankowski -k 1e8 -e 0.9\n"
+                                         "contact B C -gap 0mm -law jankowski -k 1e8 -e 0.9\n"
+                                         "contact C D -gap 0mm -law linear -k 50MN/m\n"
+                                         "contact D wall -gap 0mm -law jankowski -k 1e8 -e 0.9\n"
+                                         "ground sine -amplitude 0 -frequency 1\n"
+                                         "duration 0.3s\nstep fixed 0.5ms\n",
+                                         300 + k);
+    }
+    assert_true(compare(member, ENSEMBLE_MAX) >= ENSEMBLE_MAX);
+    free_models(member, ENSEMBLE_MAX);
+}
+
 // Links act in most steps; forces that jump and a stiff contact whose steps are cut take runs
 // ashore in between. Only building C differs from run to run.
 static void a_row_in_heavy_contact_has_the_same_bits(void **state) {
@@ -346,6 +370,7 @@ int main(void) {
         cmocka_unit_test(decks_made_at_random_have_the_same_bits),
         cmocka_unit_test(tall_buildings_and_other_integrators_have_the_same_bits),
         cmocka_unit_test(contacts_of_higher_buildings_have_the_same_bits),
+        cmocka_unit_test(many_contacts_that_stay_closed_have_the_same_bits),
         cmocka_unit_test(a_row_in_heavy_contact_has_the_same_bits),
         cmocka_unit_test(a_run_that_fails_leaves_the_others_alone),
         cmocka_unit_test(runs_that_never_come_aboard_have_the_same_bits),
