@@ -22,7 +22,7 @@ static const double NEGLIGIBLE = 1e-4;  // less than (SAFETY / GROW_MOST)^5
 // What makes the bits of a number, taken as its logarithm, err as much to both sides.
 static const int64_t NEAREST = -60 * (INT64_C(1) << 52) / 1000;
 
-// Step after the first closure over the one before it, as forces begin with an infinite slope
+// Step after a closure over the one before it, as forces begin with an infinite slope
 // (d^(1/4)).
 static const double AFTER_CLOSURE = 1e-3;
 
@@ -30,10 +30,6 @@ static const double AFTER_CLOSURE = 1e-3;
 // t^(1/4). For sum b_i c_i^(1/4) - 4/5 over sum e_i c_i^(1/4), with the nodes and weights of the
 // method and of its estimate, it is 51.5.
 static const double UNSEEN = 51.5;
-
-// Share of the error allowed that this step aims at: what the last one had tells how, as the error
-// of a force that grows like t^(1/4) is of order 5/4 in the step.
-static const double ONSET_AIM = 0.1;
 
 // First step over the shortest period of a building over 2 pi, or over the duration.
 static const double FIRST_OF_PERIOD = 1e-2, FIRST_OF_DURATION = 1e-6;
@@ -184,7 +180,7 @@ static int happen(struct dp *p, struct error *e) {
     p->results->totals.events++;
     p->closed_now |= event->kind == DP_CLOSE;
     if (event->kind == DP_CLOSE) {
-        p->trial = p->onset > 0.0 ? fmin(p->onset, p->trial) : p->trial * AFTER_CLOSURE;
+        p->trial *= AFTER_CLOSURE;
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
     rates_now(p);
@@ -287,46 +283,25 @@ static double change_for(double error) {
     return error < DBL_MAX ? SAFETY * fifth_root_of_inverse(error) : SHRINK_MOST;
 }
 
-// The first step after a closure that would aim well over one with this error.
-static double onset_for(double error) {
-    double root = fifth_root_of_inverse(fmax(error / ONSET_AIM, NEGLIGIBLE));
-    return error < DBL_MAX ? root * root * (root * root) : SHRINK_MOST;
-}
-
-// What to try after a step whose error is within the tolerance.
-static double next_trial(struct dp *p, double error) {
-    if (p->closed_now) {
-        p->onset = p->h * onset_for(error * UNSEEN);
-        return p->h * GROW_MOST;
-    }
-    return p->h * number_min(change_for(error), GROW_MOST);
-}
-
-// And after one whose error is not.
-static double shorter_trial(const struct dp *p, double error) {
-    double change =
-        p->closed_now ? onset_for(error * UNSEEN) : number_max(change_for(error), SHRINK_MOST);
-    return fmax(p->h * fmin(change, SAFETY), p->model->control.shortest);
-}
-
 // Tries steps until one meets the tolerance.
 static int attempt(struct dp *p, struct error *e) {
     for (;;) {
         take(p);
-        double error = dp_stages_error(p);
+        double error = dp_stages_error(p) * (p->closed_now ? UNSEEN : 1.0);
         double step;
         if (pace_is_slow(&p->pace, p->model, p->now.time, &step)) {
             return too_slow(p, step, e);
         }
-        if (error * (p->closed_now ? UNSEEN : 1.0) <= 1.0) {
-            p->trial = next_trial(p, error);
+        if (error <= 1.0) {
+            p->trial = p->h * number_min(change_for(error), GROW_MOST);
             return STATUS_OK;
         }
         p->results->totals.cuts++;
         if (p->h <= p->model->control.shortest || p->now.time + p->h / 2.0 == p->now.time) {
             return too_short(p, p->h, error, e);
         }
-        p->trial = shorter_trial(p, error);
+        p->trial = p->h * fmin(number_max(change_for(error), SHRINK_MOST), SAFETY);
+        p->trial = fmax(p->trial, p->model->control.shortest);
     }
 }
 

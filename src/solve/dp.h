@@ -54,7 +54,6 @@ struct dp {
     double h;               // [T] the step; 0: none has been made
     double trial;           // [T] what the error control would take next
     bool closed_now;        // a contact has closed at `now`
-    double onset;           // [T] the step that the last closure would have wanted; 0: none yet
     struct dp_event event;  // at the end of the step
     int last_link;          // of the last event; -1: none
     long events_before;     // events when time was last seen to move
