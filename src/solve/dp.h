@@ -71,9 +71,9 @@ struct dp_look {
 
 // What a step does with all floors, in vectors (dp_floors.h).
 struct dp_floors {
-    void (*take)(struct dp *p);           // dp_stages_take, once length and end are set
-    double (*error)(const struct dp *p);  // largest of u and v over their sizes
-    int64_t (*look)(struct dp *p, struct dp_look *l);  // and drifts; negative: any could
+    void (*take)(struct dp *p);                     // dp_stages_take, once length and end are set
+    double (*error)(const struct dp *p);            // largest of u and v over their sizes
+    bool (*look)(struct dp *p, struct dp_look *l);  // and drifts; true: any could
     void (*work)(const struct dp *p, const double *time, struct energy_account *energy);
 };
 extern const struct dp_floors dp_narrow, dp_wide;

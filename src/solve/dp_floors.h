@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step does with every floor, in vectors: dp_narrow.c and dp_wide.c say what a vector is
-// (dp_lanes, dp_bits), how the floors below and above those of a vector are taken from it and its
-// neighbour (DP_BELOW, DP_ABOVE), where functions run (DP_CLONES) and what they make up
-// (DP_FLOORS). Neighbours come from registers, as a load that spans two stores made just before
-// would wait until both are in the cache.
+// What a step does with every floor, on vectors of one width: see floor_vectors.h. DP_FLOORS is the
+// name of what the functions make up.
 //
 // Dormand & Prince (1980), J. Comp. Appl. Math. 6, 19-26: seven stages of order 5 with an error
 // estimate of order 4; the last stage is the first of the next step. Coefficients as in Hairer,
@@ -19,13 +16,8 @@
 
 #include <string.h>
 
-#include "core/lanes.h"
 #include "solve/dp.h"
-
-enum { WIDTH = sizeof(dp_lanes) / sizeof(double) };
-
-// The vector of an array from i on.
-#define PART(x, i) (*(const dp_lanes *)((x) + (i)))
+#include "solve/floor_vectors.h"
 
 // The stages that sums go over: the first ones, or those that the solution is made of.
 enum terms { ALL_BEFORE, BUT_SECOND };
@@ -78,19 +70,19 @@ LANES_INLINE void gather(const struct dp *p, const struct sums *s, const double 
 }
 
 struct motion_part {
-    dp_lanes u, v;
+    floor_lanes u, v;
 };
 
 // The sums of the floors from i on. Where this is expanded n is a constant. The last
 // acceleration, for which all else waits, comes last.
 LANES_INLINE struct motion_part sum_part(int n, const struct sums *s, const double *const *a,
                                          ptrdiff_t i) {
-    struct motion_part sum = {s->u[0] * PART(a[0], i), s->v[0] * PART(a[0], i)};
+    struct motion_part sum = {s->u[0] * FLOORS_AT(a[0], i), s->v[0] * FLOORS_AT(a[0], i)};
     for (int j = 1; j < n; j++) {
         if (j + 1 < n) {
-            sum.u += s->u[j] * PART(a[j], i);
+            sum.u += s->u[j] * FLOORS_AT(a[j], i);
         }
-        sum.v += s->v[j] * PART(a[j], i);
+        sum.v += s->v[j] * FLOORS_AT(a[j], i);
     }
     return sum;
 }
@@ -106,7 +98,8 @@ struct stage {
 LANES_INLINE struct motion_part move_part(int n, const struct stage *s, ptrdiff_t i) {
     const double h = s->h, h2 = h * h;
     struct motion_part sum = sum_part(n, s->sums, s->a, i);
-    struct motion_part end = {PART(s->u0, i) + s->to * PART(s->v0, i), PART(s->v0, i) + h * sum.v};
+    struct motion_part end = {FLOORS_AT(s->u0, i) + s->to * FLOORS_AT(s->v0, i),
+                              FLOORS_AT(s->v0, i) + h * sum.v};
     if (n > 1) {
         end.u += h2 * sum.u;
     }
@@ -123,19 +116,20 @@ LANES_INLINE void take_floors(int n, const struct stage *s, double *const *row, 
     const double *constant = row[DP_CONSTANT], *share = row[DP_GROUND];
     double *u = r->u, *v = r->v, *a = r->a;
     struct motion_part under = {{0.0}, {0.0}}, own = move_part(n, s, 0);
-    _Pragma("GCC unroll 4") for (ptrdiff_t i = 0; i < count; i += WIDTH) {
+    _Pragma("GCC unroll 4") for (ptrdiff_t i = 0; i < count; i += FLOORS_VECTOR) {
         struct motion_part over = {{0.0}, {0.0}};
-        if (i + WIDTH < count) {
-            over = move_part(n, s, i + WIDTH);
+        if (i + FLOORS_VECTOR < count) {
+            over = move_part(n, s, i + FLOORS_VECTOR);
         }
-        dp_lanes spring = PART(k_below, i) * DP_BELOW(under.u, own.u) + PART(k_own, i) * own.u +
-                          PART(k_above, i) * DP_ABOVE(own.u, over.u);
-        dp_lanes still = PART(constant, i) - ground * PART(share, i) - spring;
-        dp_lanes joined = PART(c_below, i) * DP_BELOW(under.v, own.v) +
-                          PART(c_above, i) * DP_ABOVE(own.v, over.v);
-        *(dp_lanes *)(u + i) = own.u;
-        *(dp_lanes *)(v + i) = own.v;
-        *(dp_lanes *)(a + i) = still - PART(c_own, i) * own.v - joined;
+        floor_lanes spring = FLOORS_AT(k_below, i) * BELOW(under.u, own.u) +
+                             FLOORS_AT(k_own, i) * own.u +
+                             FLOORS_AT(k_above, i) * ABOVE(own.u, over.u);
+        floor_lanes still = FLOORS_AT(constant, i) - ground * FLOORS_AT(share, i) - spring;
+        floor_lanes joined = FLOORS_AT(c_below, i) * BELOW(under.v, own.v) +
+                             FLOORS_AT(c_above, i) * ABOVE(own.v, over.v);
+        *(floor_lanes *)(u + i) = own.u;
+        *(floor_lanes *)(v + i) = own.v;
+        *(floor_lanes *)(a + i) = still - FLOORS_AT(c_own, i) * own.v - joined;
         under = own;
         own = over;
     }
@@ -169,7 +163,7 @@ LANES_INLINE void take_stages(struct dp *p, ptrdiff_t count) {
 // Most small models have so many floors in whole lanes, of which vectors are then in registers.
 enum { FEW = 2 * LANES_WIDTH };
 
-DP_CLONES static void take(struct dp *p) {
+FLOORS_CLONES static void take(struct dp *p) {
     ptrdiff_t count = lanes_whole(p->model->n_dof);
     if (count == FEW) {
         take_stages(p, FEW);
@@ -182,22 +176,22 @@ DP_CLONES static void take(struct dp *p) {
 
 // The larger one of the errors of a floor in u and v over their sizes, of all floors. Numbers that
 // are not negative stand in the order of their bits, and what is not a number stands above all.
-DP_CLONES static double largest_error(const struct dp *p) {
+FLOORS_CLONES static double largest_error(const struct dp *p) {
     const double *a[TERMS_MAX];
     gather(p, &error_sums, a);
     const double *scale_u = p->scales.over_u, *scale_v = p->scales.over_v;
     const double h = p->h, h2 = h * h;
-    dp_bits largest = {0};
-    for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += WIDTH) {
+    floor_bits largest = {0};
+    for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += FLOORS_VECTOR) {
         struct motion_part error = sum_part(TERMS_MAX, &error_sums, a, i);
-        dp_bits of_u = (dp_bits)(h2 * error.u * PART(scale_u, i)) & INT64_MAX;
-        dp_bits of_v = (dp_bits)(h * error.v * PART(scale_v, i)) & INT64_MAX;
+        floor_bits of_u = (floor_bits)(h2 * error.u * FLOORS_AT(scale_u, i)) & INT64_MAX;
+        floor_bits of_v = (floor_bits)(h * error.v * FLOORS_AT(scale_v, i)) & INT64_MAX;
         of_u = LARGER(of_u, of_v);
         largest = LARGER(of_u, largest);
     }
-    int64_t most[WIDTH];
+    int64_t most[FLOORS_VECTOR];
     memcpy(most, &largest, sizeof most);
-    for (int n = WIDTH / 2; n > 0; n /= 2) {
+    for (int n = FLOORS_VECTOR / 2; n > 0; n /= 2) {
         for (int i = 0; i < n; i++) {
             most[i] = most[i] > most[i + n] ? most[i] : most[i + n];
         }
@@ -207,67 +201,67 @@ DP_CLONES static double largest_error(const struct dp *p) {
     return error;
 }
 
-#define ABSOLUTE(x) ((dp_lanes)((dp_bits)(x)&INT64_MAX))
-#define LARGER_SIZE(x, y) ((dp_lanes)LARGER((dp_bits)ABSOLUTE(x), (dp_bits)ABSOLUTE(y)))
+#define ABSOLUTE(x) ((floor_lanes)((floor_bits)(x)&INT64_MAX))
+#define LARGER_SIZE(x, y) ((floor_lanes)LARGER((floor_bits)ABSOLUTE(x), (floor_bits)ABSOLUTE(y)))
 
 // Negative where |x| > limit >= 0, as number_beyond, and where x and y differ in sign.
-#define BEYOND(x, limit) ((dp_bits)(limit) - (dp_bits)ABSOLUTE(x))
-#define TURNS(x, y) ((dp_bits)(x) ^ (dp_bits)(y))
+#define TURNS(x, y) ((floor_bits)(x) ^ (floor_bits)(y))
 
 // Negative where an acceleration may go beyond its peak. Its upper bound is the largest one at the
 // start, at the stages at 0.3 and 0.8 and at the end, and what a parabola through three of them
 // rises above those that are farthest apart, by Newton's divided differences, and half as much
 // again.
-LANES_INLINE void bend_part(const struct dp *p, ptrdiff_t i, dp_bits *bends) {
+LANES_INLINE void bend_part(const struct dp *p, ptrdiff_t i, floor_bits *bends) {
     static const int stages[] = {0, 2, 3, DP_STAGES - 1};
-    dp_lanes x[4];
+    floor_lanes x[4];
     for (int j = 0; j < 4; j++) {
         const struct dp_rates *r = p->stage[stages[j]];
-        x[j] = PART(r->a, i) + r->ground.a[0] * PART(p->system.row[DP_GROUND], i);
+        x[j] = FLOORS_AT(r->a, i) + r->ground.a[0] * FLOORS_AT(p->system.row[DP_GROUND], i);
     }
-    dp_lanes rise = (x[2] - x[1]) * (1.0 / 0.5);
-    dp_lanes early = (rise - (x[1] - x[0]) * (1.0 / 0.3)) * (1.0 / 0.8);
-    dp_lanes late = ((x[3] - x[2]) * (1.0 / 0.2) - rise) * (1.0 / 0.7);
-    dp_lanes inner = LARGER_SIZE(x[1], x[2]), outer = LARGER_SIZE(x[0], x[3]);
-    dp_lanes most = LARGER_SIZE(inner, outer) + 1.5 * 0.25 * 0.25 * LARGER_SIZE(early, late);
-    *bends = BEYOND(most, PART(p->results->peak[PEAK_ACCELERATION], i));
+    floor_lanes rise = (x[2] - x[1]) * (1.0 / 0.5);
+    floor_lanes early = (rise - (x[1] - x[0]) * (1.0 / 0.3)) * (1.0 / 0.8);
+    floor_lanes late = ((x[3] - x[2]) * (1.0 / 0.2) - rise) * (1.0 / 0.7);
+    floor_lanes inner = LARGER_SIZE(x[1], x[2]), outer = LARGER_SIZE(x[0], x[3]);
+    floor_lanes most = LARGER_SIZE(inner, outer) + 1.5 * 0.25 * 0.25 * LARGER_SIZE(early, late);
+    *bends = BEYOND(most, FLOORS_AT(p->results->peak[PEAK_ACCELERATION], i));
 }
 
 // Drifts at the end of the step, and which floors could have a new peak in it.
-DP_CLONES static int64_t look(struct dp *p, struct dp_look *l) {
+FLOORS_CLONES static bool look(struct dp *p, struct dp_look *l) {
     const double *v0 = p->now.v, *a0 = p->now.a, *joint = p->model->chain.joint;
     const double *u1 = p->next.u, *v1 = p->next.v, *a1 = p->next.a;
     const double *peak_u = p->results->peak[PEAK_DISPLACEMENT];
     const double *peak_v = p->results->peak[PEAK_VELOCITY];
     const double *peak_d = p->results->peak[PEAK_DRIFT];
     const double h = p->h;
-    dp_bits any = {0};
-    for (ptrdiff_t i = l->first, end = i + lanes_whole(l->n); i < end; i += WIDTH) {
-        dp_lanes joined = PART(joint, i);
-        dp_lanes drift = PART(u1, i) - joined * DP_BELOW(PART(u1, i - WIDTH), PART(u1, i));
-        dp_lanes slip0 = PART(v0, i) - joined * DP_BELOW(PART(v0, i - WIDTH), PART(v0, i));
-        dp_lanes slip1 = PART(v1, i) - joined * DP_BELOW(PART(v1, i - WIDTH), PART(v1, i));
-        dp_lanes to_u = ABSOLUTE(PART(u1, i)) + h * ABSOLUTE(PART(v1, i));
-        dp_lanes to_v = ABSOLUTE(PART(v1, i)) + h * ABSOLUTE(PART(a1, i));
-        dp_lanes to_d = ABSOLUTE(drift) + h * ABSOLUTE(slip1);
-        dp_bits turn = (TURNS(PART(v0, i), PART(v1, i)) & BEYOND(to_u, PART(peak_u, i))) |
-                       (TURNS(PART(a0, i), PART(a1, i)) & BEYOND(to_v, PART(peak_v, i))) |
-                       (TURNS(slip0, slip1) & BEYOND(to_d, PART(peak_d, i)));
-        dp_bits grown = BEYOND(PART(u1, i), PART(peak_u, i)) |
-                        BEYOND(PART(v1, i), PART(peak_v, i)) | BEYOND(drift, PART(peak_d, i));
-        dp_bits bends;
+    floor_bits any = {0};
+    for (ptrdiff_t i = l->first, end = i + lanes_whole(l->n); i < end; i += FLOORS_VECTOR) {
+        floor_lanes joined = FLOORS_AT(joint, i);
+        floor_lanes drift =
+            FLOORS_AT(u1, i) - joined * BELOW(FLOORS_AT(u1, i - FLOORS_VECTOR), FLOORS_AT(u1, i));
+        floor_lanes slip0 =
+            FLOORS_AT(v0, i) - joined * BELOW(FLOORS_AT(v0, i - FLOORS_VECTOR), FLOORS_AT(v0, i));
+        floor_lanes slip1 =
+            FLOORS_AT(v1, i) - joined * BELOW(FLOORS_AT(v1, i - FLOORS_VECTOR), FLOORS_AT(v1, i));
+        floor_lanes to_u = ABSOLUTE(FLOORS_AT(u1, i)) + h * ABSOLUTE(FLOORS_AT(v1, i));
+        floor_lanes to_v = ABSOLUTE(FLOORS_AT(v1, i)) + h * ABSOLUTE(FLOORS_AT(a1, i));
+        floor_lanes to_d = ABSOLUTE(drift) + h * ABSOLUTE(slip1);
+        floor_bits turn =
+            (TURNS(FLOORS_AT(v0, i), FLOORS_AT(v1, i)) & BEYOND(to_u, FLOORS_AT(peak_u, i))) |
+            (TURNS(FLOORS_AT(a0, i), FLOORS_AT(a1, i)) & BEYOND(to_v, FLOORS_AT(peak_v, i))) |
+            (TURNS(slip0, slip1) & BEYOND(to_d, FLOORS_AT(peak_d, i)));
+        floor_bits grown = BEYOND(FLOORS_AT(u1, i), FLOORS_AT(peak_u, i)) |
+                           BEYOND(FLOORS_AT(v1, i), FLOORS_AT(peak_v, i)) |
+                           BEYOND(drift, FLOORS_AT(peak_d, i));
+        floor_bits bends;
         bend_part(p, i, &bends);
-        dp_bits hit = turn | grown | bends;
-        *(dp_lanes *)(p->next.drift + i) = drift;
+        floor_bits hit = turn | grown | bends;
+        *(floor_lanes *)(p->next.drift + i) = drift;
         memcpy(l->bends + (i - l->first), &bends, sizeof bends);
         memcpy(l->hit + (i - l->first), &hit, sizeof hit);
         any |= hit;
     }
-    int64_t found = 0;
-    for (int i = 0; i < WIDTH; i++) {
-        found |= any[i];
-    }
-    return found;
+    return floors_any(&any);
 }
 
 // The stages that have a share in works: never the second one, and the last one within a step only.
@@ -278,24 +272,24 @@ LANES_INLINE void add_works_of(int n, const struct dp *p, const double *time,
                                struct energy_account *energy) {
     double *const *row = p->system.row;
     const double *carried = row[DP_CARRIED], *own = row[DP_DAMPER], *above = row[DP_DAMPER_ABOVE];
-    for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += WIDTH) {
-        dp_lanes way = {0.0}, square = {0.0}, product = {0.0};
+    for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += FLOORS_VECTOR) {
+        floor_lanes way = {0.0}, square = {0.0}, product = {0.0};
         for (int j = 0; j < n; j++) {
             const struct dp_rates *r = p->stage[working[j]];
-            dp_lanes v = PART(r->v, i), moved = time[working[j]] * v;
+            floor_lanes v = FLOORS_AT(r->v, i), moved = time[working[j]] * v;
             way += r->ground.a[0] * moved;
             square += moved * v;
-            product += moved * DP_ABOVE(v, PART(r->v, i + WIDTH));
+            product += moved * ABOVE(v, FLOORS_AT(r->v, i + FLOORS_VECTOR));
         }
-        dp_lanes lost = PART(own, i) * square + PART(above, i) * product;
-        *(dp_lanes *)(energy->input_2x + i % LANES_WIDTH) -= 2.0 * PART(carried, i) * way;
-        *(dp_lanes *)(energy->damping_2x + i % LANES_WIDTH) += 2.0 * lost;
+        floor_lanes lost = FLOORS_AT(own, i) * square + FLOORS_AT(above, i) * product;
+        *(floor_lanes *)(energy->input_2x + i % LANES_WIDTH) -= 2.0 * FLOORS_AT(carried, i) * way;
+        *(floor_lanes *)(energy->damping_2x + i % LANES_WIDTH) += 2.0 * lost;
     }
 }
 
 // Twice the works of ground and dampers on all floors, in the times given to the stages.
-DP_CLONES static void add_works(const struct dp *p, const double *time,
-                                struct energy_account *energy) {
+FLOORS_CLONES static void add_works(const struct dp *p, const double *time,
+                                    struct energy_account *energy) {
     if (time[working[WORKING - 1]] == 0.0) {
         add_works_of(WORKING - 1, p, time, energy);
     } else {

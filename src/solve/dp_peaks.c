@@ -180,7 +180,7 @@ static void floors_step(struct dp *p) {
     struct dp_look l;
     for (l.first = 0; l.first < m->n_dof; l.first += DP_LOOK) {
         l.n = m->n_dof - l.first < DP_LOOK ? m->n_dof - l.first : DP_LOOK;
-        bool found = p->floors->look(p, &l) < 0;
+        bool found = p->floors->look(p, &l);
         for (int i = 0; (found || always) && i < l.n; i++) {
             if (always || l.hit[i] < 0) {
                 floor_step(p, &l, l.first + i);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of few.h, for vectors of one width: see few_loops.h. FEW_CLONES stands in front of the
-// functions, and FEW_STEPS is the name of what they make up. In free flight all is in registers
+// The steps of few.h, for vectors of one width: see floor_vectors.h. FEW_STEPS is the name of what
+// the functions make up. In free flight all is in registers
 // between steps but for the displacements, which the gaps want.
 #ifndef JOSTLE_FEW_STEPS_H
 #define JOSTLE_FEW_STEPS_H
@@ -9,16 +9,17 @@
 
 // Penetrations at the displacements u, into `delta` if that is not NULL; *sign gets negative where
 // a contact closes or is nearer than ever.
-LANES_INLINE void few_look(const struct flight *f, const double *u, double *delta, few_bits *sign) {
+LANES_INLINE void few_look(const struct flight *f, const double *u, double *delta,
+                           floor_bits *sign) {
     const double *gap = f->gap;
     for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++) {
         const double *left = u + g->dof[0], *right = u + g->dof[1];
         const double *limit = f->work->gaps.limit + g->contact;
-        EACH_VECTOR(i, PER_EIGHT) {
-            few_lanes d = PART(left, i) - PART(right, i) - PART(gap, i);
-            *sign |= (few_bits)(PART(limit, i) - d);
+        EACH_VECTOR(i, FLOORS_VECTORS) {
+            floor_lanes d = PART(left, i) - PART(right, i) - PART(gap, i);
+            *sign |= (floor_bits)(PART(limit, i) - d);
             if (delta) {
-                *(few_lanes *)(delta + g->contact + i * WIDTH) = d;
+                *(floor_lanes *)(delta + g->contact + i * FLOORS_VECTOR) = d;
             }
         }
         gap += LANES_WIDTH;
@@ -28,14 +29,14 @@ LANES_INLINE void few_look(const struct flight *f, const double *u, double *delt
 LANES_INLINE void few_add_storey_works(int n, const struct few_floors *now,
                                        const struct few_floors *next, double *work) {
     EACH_VECTOR(j, n) {
-        *(few_lanes *)(work + j * WIDTH) +=
+        *(floor_lanes *)(work + j * FLOORS_VECTOR) +=
             (now->shear[j] + next->shear[j]) * (next->drift[j] - now->drift[j]);
     }
 }
 
 LANES_INLINE void few_get(double *x, const double *from, int n) {
     EACH_VECTOR(j, n) {
-        *(few_lanes *)(x + j * WIDTH) = PART(from, j);
+        *(floor_lanes *)(x + j * FLOORS_VECTOR) = PART(from, j);
     }
 }
 
@@ -78,19 +79,19 @@ LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_line
 LANES_INLINE bool few_confirm(const struct flight *f, struct few_table *t,
                               const struct floors_lines *lines, int n, struct few_floors *next,
                               const double *shown, double ground, struct state *s,
-                              const few_bits *ahead, long step, long *end) {
+                              const floor_bits *ahead, long step, long *end) {
     const struct work *w = f->work;
     double *const peak[PEAK_COUNT] = {t->peak[0], t->peak[1], t->peak[2], t->peak[3], t->peak[4]};
-    few_bits beyond = {0}, news = *ahead;
+    floor_bits beyond = {0}, news = *ahead;
     few_strain(t, lines, n, next, &beyond);
     few_compare(peak, lines, n, next, ground, &news);
     few_look(f, shown, NULL, &news);
     news |= beyond;
-    if (!few_any(&news)) {
+    if (!floors_any(&news)) {
         return true;
     }
-    *end = few_any(ahead) ? step : *end;
-    return !few_any(&beyond) &&
+    *end = floors_any(ahead) ? step : *end;
+    return !floors_any(&beyond) &&
            few_take_note(f, lines, n, next, shown, w->ahead.time[step - w->ahead.from], ground, s);
 }
 
@@ -121,7 +122,7 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     struct few_floors before, now, trial;
     struct few_works works;
     double ground = s->ground_a[0], then = few_ground(w, from + 1), ground_2x = 0.0;
-    few_bits beyond = {0};
+    floor_bits beyond = {0};
     few_load(s, lines, n, &now);
     few_load_works(f->energy, &works);
     few_get_peaks(table, f->results, n);
@@ -130,19 +131,19 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     }
     before = now;
     few_try(table, &scheme, lines, n, &now, then, &trial, residual, &beyond);
-    end = few_any(&beyond) ? from : end;
+    end = floors_any(&beyond) ? from : end;
     long step = from;
     while (step < end) {
         struct few_table *t = table;
         struct few_floors next, ahead;
-        few_lanes q[VECTORS];
+        floor_lanes q[VECTORS];
         const double later = few_ground(w, step + 2 < end ? step + 2 : end);
         few_solve(&w->few, n, residual, q);
         few_work(f, t, lines, n, &before, &now, ground_2x, &works);
         before = now;
         few_reach(&scheme, n, &now, &trial, q, &next);
         few_put(next.u, n, shown);
-        beyond = (few_bits){0};
+        beyond = (floor_bits){0};
         few_try(t, &scheme, lines, n, &next, later, &ahead, residual, &beyond);
         if (!few_confirm(f, t, lines, n, &next, shown, then, s, &beyond, step + 1, &end)) {
             break;
@@ -164,12 +165,12 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     return step;
 }
 
-FEW_CLONES static long fly(const struct flight *f, struct state *s, long n, long end) {
+FLOORS_CLONES static long fly(const struct flight *f, struct state *s, long n, long end) {
     return is_low(f->model) ? few_fly(f, NULL, VECTORS / 2, s, n, end)
                             : few_fly(f, NULL, VECTORS, s, n, end);
 }
 
-FEW_CLONES static long fly_on_lines(const struct flight *f, struct state *s, long n, long end) {
+FLOORS_CLONES static long fly_on_lines(const struct flight *f, struct state *s, long n, long end) {
     const struct floors_lines lines = floors_lines_of(f, s);
     return is_low(f->model) ? few_fly(f, &lines, VECTORS / 2, s, n, end)
                             : few_fly(f, &lines, VECTORS, s, n, end);
@@ -177,23 +178,23 @@ FEW_CLONES static long fly_on_lines(const struct flight *f, struct state *s, lon
 
 // What is new in a step to `next`, the floors of which are not finite where *infinite is negative.
 LANES_INLINE enum few_news few_see(const struct work *w, struct state *next,
-                                   const few_bits *infinite) {
-    few_bits news = *infinite;
+                                   const floor_bits *infinite) {
+    floor_bits news = *infinite;
     if (w->few.flight) {
         few_look(w->few.flight, next->u, next->delta, &news);
-        if (!few_any(&news)) {
+        if (!floors_any(&news)) {
             return FEW_NOTHING;
         }
     }
-    return few_any(infinite) ? FEW_INFINITE : FEW_NEAR;
+    return floors_any(infinite) ? FEW_INFINITE : FEW_NEAR;
 }
 
 LANES_INLINE enum few_news move(struct work *w, const struct state *now, struct state *next,
                                 int n) {
     alignas(LANES_LINE) double residual[FEW_MAX];
     struct few_floors start, trial, end;
-    few_lanes q[VECTORS];
-    few_bits sign = {0};
+    floor_lanes q[VECTORS];
+    floor_bits sign = {0};
     const struct few_scheme scheme = few_scheme_of(w);
     few_load(now, NULL, n, &start);
     const double ground = next->ground_a[0];
@@ -209,8 +210,8 @@ LANES_INLINE enum few_news move(struct work *w, const struct state *now, struct 
     return few_see(w, next, &sign);
 }
 
-FEW_CLONES static enum few_news take_step(struct work *w, const struct state *now,
-                                          struct state *next) {
+FLOORS_CLONES static enum few_news take_step(struct work *w, const struct state *now,
+                                             struct state *next) {
     return is_low(w->model) ? move(w, now, next, VECTORS / 2) : move(w, now, next, VECTORS);
 }
 
@@ -218,8 +219,8 @@ LANES_INLINE enum few_news correct(const struct work *w, const struct state *now
                                    struct state *next, int n) {
     const struct few_scheme scheme = few_scheme_of(w);
     struct few_floors start, trial, end;
-    few_lanes q[VECTORS];
-    const few_bits sign = {0};
+    floor_lanes q[VECTORS];
+    const floor_bits sign = {0};
     EACH_VECTOR(j, n) {
         start.a[j] = PART(now->a, j);
         trial.u[j] = PART(w->u_trial, j);
@@ -231,8 +232,8 @@ LANES_INLINE enum few_news correct(const struct work *w, const struct state *now
     return few_see(w, next, &sign);
 }
 
-FEW_CLONES static enum few_news take_corrections(const struct work *w, const struct state *now,
-                                                 struct state *next) {
+FLOORS_CLONES static enum few_news take_corrections(const struct work *w, const struct state *now,
+                                                    struct state *next) {
     return is_low(w->model) ? correct(w, now, next, VECTORS / 2) : correct(w, now, next, VECTORS);
 }
 
@@ -240,7 +241,7 @@ LANES_INLINE void account(const struct few_table *t, struct energy_account *a, s
                           const struct state *now, const struct state *next, int n) {
     struct few_floors start, end;
     struct few_works works;
-    few_bits sign = {0};
+    floor_bits sign = {0};
     few_load(now, NULL, n, &start);
     few_load(next, NULL, n, &end);
     few_strain(t, NULL, n, &end, &sign);
@@ -249,15 +250,15 @@ LANES_INLINE void account(const struct few_table *t, struct energy_account *a, s
     few_add_works(t, n, &start, &end, ground_2x, &works);
     few_store_works(&works, a);
     few_compare(r->peak, NULL, n, &end, ground, &sign);
-    if (few_any(&sign)) {
+    if (floors_any(&sign)) {
         (void)few_raise(r, n, &end, next->time, ground);
-        peaks_speed(r, 0, n * WIDTH);
+        peaks_speed(r, 0, n * FLOORS_VECTOR);
     }
 }
 
-FEW_CLONES static void take_account(const struct few_table *t, struct energy_account *a,
-                                    struct results *r, const struct model *m,
-                                    const struct state *now, const struct state *next) {
+FLOORS_CLONES static void take_account(const struct few_table *t, struct energy_account *a,
+                                       struct results *r, const struct model *m,
+                                       const struct state *now, const struct state *next) {
     is_low(m) ? account(t, a, r, now, next, VECTORS / 2) : account(t, a, r, now, next, VECTORS);
 }
 

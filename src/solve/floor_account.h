@@ -40,7 +40,7 @@ LANES_INLINE void floors_raise(const struct floors_peaks *p, int quantity, int i
                                const lanes_wide *x, const lanes_wide_bits *asked) {
     double *peak = p->peak[quantity] + i, *when = p->time[quantity] + i;
     lanes_wide_bits beyond = (BEYOND_WIDE(*x, LANES_AT(peak, 0)) & *asked) >> 63;
-    if (floors_any_wide(&beyond) < 0) {
+    if (floors_any_wide(&beyond)) {
         *(lanes_wide *)peak = CHOOSE_WIDE(beyond, ABSOLUTE_WIDE(*x), LANES_AT(peak, 0));
         *(lanes_wide *)when = CHOOSE_WIDE(beyond, time - (lanes_wide){0.0}, LANES_AT(when, 0));
     }
@@ -118,8 +118,8 @@ LANES_INLINE void floors_turn(const struct chain *c, int first, int end,
         either[k] = turned.u | turned.v | turned.a | turned.drift;
         any |= either[k];
     }
-    for (int i = first, k = 0; floors_any_wide(&any) < 0 && i < end; i += LANES_WIDTH, k++) {
-        if (floors_any_wide(&either[k]) < 0) {
+    for (int i = first, k = 0; floors_any_wide(&any) && i < end; i += LANES_WIDTH, k++) {
+        if (floors_any_wide(&either[k])) {
             floors_turned(c, s0, s1, p, i, &turned);
             floors_raise_motion(p, s0, i, &turned);
             floors_raise_drifts(p, c, s0, i, &turned);
@@ -207,7 +207,7 @@ LANES_INLINE void floors_add(const struct chain *c, int first, int end,
                 floors_add_vector(c, &s, i + j * FLOORS_VECTOR, j, &pair, &works, &higher);
             }
         }
-        if (floors_any(&higher) < 0) {
+        if (floors_any(&higher)) {
             floors_turn(c, part, floors_part(part, end), s0, s1, p);
         }
     }

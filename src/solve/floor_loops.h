@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The loops over floors of which steps are made, on vectors of four floors, or of eight where
-// FLOORS_WIDE is defined: few processors have registers for those, and elsewhere what is carried
-// from one turn to the next would be in memory. Arrays are those of core/lanes.h; first, n and
-// `end` are whole lanes.
-//
-// A load that spans two stores made just before waits until both are in the cache, so neighbours'
-// values are read by another loop than the one that writes them, or come from registers.
+// The loops over floors of which steps are made, on the vectors of floor_vectors.h. Arrays are
+// those of core/lanes.h; first, n and `end` are whole lanes.
 #ifndef JOSTLE_FLOOR_LOOPS_H
 #define JOSTLE_FLOOR_LOOPS_H
 
@@ -16,67 +11,7 @@
 #include "core/number.h"
 #include "solve/chain_floor.h"
 #include "solve/flight.h"
-
-// Four elements of an array from i on.
-#define FOUR(x, i) (*(const lanes *)((x) + (i)))
-
-// Of the floors of a vector, those below each and above each; `under` and `over` are the vectors
-// next to it.
-#ifdef FLOORS_WIDE
-typedef lanes_wide floor_lanes;
-typedef lanes_wide_bits floor_bits;
-#define BELOW(under, own) __builtin_shufflevector(under, own, 7, 8, 9, 10, 11, 12, 13, 14)
-#define ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4, 5, 6, 7, 8)
-#else
-typedef lanes floor_lanes;
-typedef lanes_bits floor_bits;
-#if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
-#define BELOW(under, own) __builtin_shufflevector(under, own, 3, 4, 5, 6)
-#define ABOVE(own, over) __builtin_shufflevector(own, over, 1, 2, 3, 4)
-#else
-#define BELOW(under, own) ((lanes){(under)[3], (own)[0], (own)[1], (own)[2]})
-#define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
-#endif
-#endif
-
-// So many floors are in a vector, and so many vectors make up whole lanes.
-enum {
-    FLOORS_VECTOR = sizeof(floor_lanes) / sizeof(double),
-    FLOORS_VECTORS = LANES_WIDTH / FLOORS_VECTOR,
-};
-
-#define FLOORS_AT(x, i) (*(const floor_lanes *)((x) + (i)))
-
-// For each vector of whole lanes, in loops that are unrolled, or they would not be in registers.
-#define EACH_OF_LANES(j) _Pragma("GCC unroll 2") for (ptrdiff_t j = 0; j < FLOORS_VECTORS; j++)
-
-#if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
-#define LOWER_HALF(x) __builtin_shufflevector(x, x, 0, 1, 2, 3)
-#define UPPER_HALF(x) __builtin_shufflevector(x, x, 4, 5, 6, 7)
-#else
-#define LOWER_HALF(x) ((lanes_bits){(x)[0], (x)[1], (x)[2], (x)[3]})
-#define UPPER_HALF(x) ((lanes_bits){(x)[4], (x)[5], (x)[6], (x)[7]})
-#endif
-
-// Negative where |x| > limit >= 0, as number_beyond.
-#define BEYOND(x, limit) ((floor_bits)(limit) - ((floor_bits)(x)&INT64_MAX))
-
-LANES_INLINE int64_t floors_any_narrow(const lanes_bits *sign) {
-    return (*sign)[0] | (*sign)[1] | (*sign)[2] | (*sign)[3];
-}
-
-LANES_INLINE int64_t floors_any_wide(const lanes_wide_bits *sign) {
-    const lanes_bits either = LOWER_HALF(*sign) | UPPER_HALF(*sign);
-    return floors_any_narrow(&either);
-}
-
-LANES_INLINE int64_t floors_any(const floor_bits *sign) {
-#ifdef FLOORS_WIDE
-    return floors_any_wide(sign);
-#else
-    return floors_any_narrow(sign);
-#endif
-}
+#include "solve/floor_vectors.h"
 
 // Copies of pointers: what is stored may be anything, so that those behind a pointer would be read
 // again after each store.
@@ -137,12 +72,12 @@ struct floors_scratch {
     double *residual, *u, *v;  // [F]; the trial
 };
 
-// residual = p - M a - C v - storey shears of n floors, at the trial. Negative if a storey is
+// residual = p - M a - C v - storey shears of n floors, at the trial. True if a storey is
 // beyond its line. `external` NULL: p is that of the acceleration of the ground.
-LANES_INLINE int64_t floors_unbalance(const struct chain *c, const struct floors_lines *lines,
-                                      double h, int first, int n, const struct floors_of *now,
-                                      double ground, const double *external,
-                                      const struct floors_scratch *to) {
+LANES_INLINE bool floors_unbalance(const struct chain *c, const struct floors_lines *lines,
+                                   double h, int first, int n, const struct floors_of *now,
+                                   double ground, const double *external,
+                                   const struct floors_scratch *to) {
     floor_bits beyond = {0};
     struct floors_trial under, own, over;
     floors_predict(now, h, first - FLOORS_VECTOR, &under.u, &under.v);
@@ -178,10 +113,10 @@ struct floors_correction {
     double b, g;
 };
 
-// Stores what corrections lead to from the trial. Negative if that is not finite, or next to it.
-LANES_INLINE int64_t floors_correct(const struct floors_correction *k, int first, int end,
-                                    const struct floors_scratch *trial, const double *restrict a0,
-                                    const struct floors_of *next) {
+// Stores what corrections lead to from the trial. True if that is not finite, or next to it.
+LANES_INLINE bool floors_correct(const struct floors_correction *k, int first, int end,
+                                 const struct floors_scratch *trial, const double *restrict a0,
+                                 const struct floors_of *next) {
     const floor_lanes most = DBL_MAX - (floor_lanes){0.0};
     const double *q = k->q + first, *u_t = trial->u, *v_t = trial->v;
     double *next_u = next->u + first, *next_v = next->v + first, *next_a = next->a + first;
@@ -234,17 +169,17 @@ LANES_INLINE void floors_note(const struct flight *f, int from, int to, const st
             floor_lanes d;
             floors_delta(g, i, gap, s->u, s->ground_u, &d);
             const floor_bits larger = (floor_bits)(FLOORS_AT(gaps->nearest + g->contact, i) - d);
-            for (int k = 0; floors_any(&larger) < 0 && k < FLOORS_VECTOR; k++) {
+            for (int k = 0; floors_any(&larger) && k < FLOORS_VECTOR; k++) {
                 gaps_note(gaps, g->contact + i + k, d[k], s->time);
             }
         }
     }
 }
 
-// Negative if one of some groups of contacts is closed at the end of a step. Those that were
+// True if one of some groups of contacts is closed at the end of a step. Those that were
 // nearest at its start are noted, as peaks are.
-LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to,
-                                     const struct state *now, const struct state *next) {
+LANES_INLINE bool floors_approach(const struct flight *f, int from, int to, const struct state *now,
+                                  const struct state *next) {
     const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *nearest = f->work->gaps.nearest;
     const double *u0 = now->u, *u1 = next->u;
     floor_bits closed = {0}, turned = {0};
@@ -259,7 +194,7 @@ LANES_INLINE int64_t floors_approach(const struct flight *f, int from, int to,
                 (floor_bits)(FLOORS_AT(nearest + g->contact, i) - d0) & ~(floor_bits)(d0 - d1);
         }
     }
-    if (floors_any(&turned) < 0) {
+    if (floors_any(&turned)) {
         floors_note(f, from, to, now);
     }
     return floors_any(&closed);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of floors.h, on vectors of one width: see floor_loops.h. FLOORS_CLONES stands in front
-// of the functions, FLOORS_STEPS is the name of what they make up, and FLOORS_MULTIPLY solves for a
-// low building.
+// The steps of floors.h, on vectors of one width: see floor_vectors.h. FLOORS_STEPS is the
+// name of what the functions make up, and FLOORS_MULTIPLY solves for a low building.
 //     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
 //     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
 //     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
@@ -50,21 +49,22 @@ LANES_INLINE struct move move_of(struct work *w, const struct state *now,
                          .correction = {w->correction, w->b, w->g}};
 }
 
-// The next state of a block. `lines` NULL: all storeys are elastic. Negative if a storey is beyond
+// The next state of a block. `lines` NULL: all storeys are elastic. True if a storey is beyond
 // its line, or what is found is not finite.
-LANES_INLINE int64_t move_block(const struct move *s, const struct floors_lines *lines,
-                                const struct floor_block *b) {
+LANES_INLINE bool move_block(const struct move *s, const struct floors_lines *lines,
+                             const struct floor_block *b) {
     struct work *w = s->work;
     const double *external = state_is_uniform(w->model) ? NULL : s->next->external;
     int first = w->model->building[b->building].first;
-    int64_t sign = floors_unbalance(&s->chain, lines, w->h, b->first, b->n, &s->from,
-                                    s->next->ground_a[0], external, &s->scratch);
+    bool beyond = floors_unbalance(&s->chain, lines, w->h, b->first, b->n, &s->from,
+                                   s->next->ground_a[0], external, &s->scratch);
     if (s->next->n_live > 0) {
         floors_push(w, s->now, s->next, b);
     }
     solve_row(&w->effective[b->building], b->n_building, s->scratch.residual + (first - b->first),
               w->correction + first);
-    return sign | floors_correct(&s->correction, b->first, b->end, &s->scratch, s->from.a, &s->to);
+    beyond |= floors_correct(&s->correction, b->first, b->end, &s->scratch, s->from.a, &s->to);
+    return beyond;
 }
 
 // The account of a step from s0 to s1 under one ground, taken from floor `done` on.
@@ -135,14 +135,14 @@ FLOORS_CLONES static void settle(struct floors_late *late, const struct model *m
 FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct state *next) {
     const struct move move = move_of(w, now, next);
     struct account due = account_due(&w->floors.late, w->model, next, now);
-    int64_t sign = 0;
+    bool beyond = false;
     for (int i = 0; i < w->floors.n_block; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
-        sign |= move_block(&move, NULL, b);
+        beyond |= move_block(&move, NULL, b);
     }
     w->floors.late.due = false;
-    return sign >= 0;
+    return !beyond;
 }
 
 // A step as far as it is known to be one in free flight. `lines` NULL: all storeys are elastic.
@@ -156,13 +156,14 @@ LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
     for (int i = 0, group = 0; i < w->floors.n_block && free; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
-        int64_t sign = move_block(&move, lines, b);
+        bool ends = move_block(&move, lines, b);
         if (lines) {
             floors_follow(&move.chain, lines, b->first, b->end, next->u, &beyond);
         }
-        sign |= floors_any(&beyond) | floors_approach(f, group, f->group_end[i], now, next);
+        ends |= floors_any(&beyond);
+        ends |= floors_approach(f, group, f->group_end[i], now, next);
         group = f->group_end[i];
-        free = sign >= 0;
+        free = !ends;
     }
     account_to(&due, move.chain.n);
     w->floors.late.due = false;

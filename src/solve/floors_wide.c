@@ -5,7 +5,6 @@
 #ifdef LANES_WIDEST
 
 #define FLOORS_WIDE
-#define FLOORS_CLONES __attribute__((target("arch=" LANES_WIDEST)))
 #define FLOORS_STEPS floors_wide
 #define FLOORS_MULTIPLY effective_multiply_wide
 

@@ -91,7 +91,7 @@ static void two_buildings_are_followed_to_less_than_a_micrometre(void **state) {
     // The tolerance times the largest displacement, 0.14 m, which one step may err by.
     assert_true(difference(&a[0], &a[1], 0.0) < 0.42e-6);
     // Few steps are rejected: less than 4 % of all.
-    assert_true(a[0].results->totals.cuts < 0.04 * (double)a[0].results->totals.steps);
+    assert_true((double)a[0].results->totals.cuts < 0.04 * (double)a[0].results->totals.steps);
     for (int i = 0; i < 5; i++) {
         assert_close(a[0].results->link[i].penetration, a[1].results->link[i].penetration, 1e-5);
         assert_close(a[0].results->link[i].impulse, a[1].results->link[i].impulse, 1e-5);
