@@ -168,3 +168,11 @@ double analysis_flow(const struct analysis *a) {
     }
     return largest;
 }
+
+double analysis_deepest(const struct analysis *a) {
+    double depth = -INFINITY;
+    for (int k = 0; k < a->model->n_contact; k++) {
+        depth = fmax(depth, a->results->link[k].penetration);
+    }
+    return depth;
+}

@@ -45,4 +45,7 @@ double analysis_displacement(const struct analysis *a, int dof, double t);
 // The largest of the energies of all rows but the residual, which scales with it; all are finite.
 double analysis_flow(const struct analysis *a);
 
+// The largest penetration of any contact [L].
+double analysis_deepest(const struct analysis *a);
+
 #endif

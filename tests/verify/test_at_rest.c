@@ -5,14 +5,6 @@
 #include "support/analysis.h"
 #include "support/support.h"
 
-static double deepest(const struct analysis *a) {
-    double depth = -INFINITY;
-    for (int k = 0; k < a->model->n_contact; k++) {
-        depth = fmax(depth, a->results->link[k].penetration);
-    }
-    return depth;
-}
-
 // A floor comes to rest at a wall under every member of Newmark's family, and its force is smooth.
 static void a_body_stays_at_rest_under_every_newmark_method(void **state) {
     (void)state;
@@ -54,7 +46,7 @@ static void a_body_that_parts_for_less_than_a_step_is_held(void **state) {
                         "duration 1\nstep fixed 50ms\noutput -every 1\n",
                         beta, gamma);
         double acceleration = fmin((1.0 - gamma) / gamma, (0.5 - beta) / beta);
-        assert_true(deepest(&a) < 1e-15);
+        assert_true(analysis_deepest(&a) < 1e-15);
         assert_close(a.rows.acceleration[1], acceleration, 1e-12);
         assert_close(a.rows.force[1], 3.0 - acceleration, 1e-12);
         assert_true(a.rows.displacement[analysis_row(&a, 0.2)] < -1e-3);  // the load has turned

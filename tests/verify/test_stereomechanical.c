@@ -17,14 +17,6 @@ static double momentum(const struct analysis *a, long row) {
     return sum;
 }
 
-static double deepest(const struct analysis *a) {
-    double depth = -INFINITY;
-    for (int k = 0; k < a->model->n_contact; k++) {
-        depth = fmax(depth, a->results->link[k].penetration);
-    }
-    return depth;
-}
-
 static void velocities_follow_newton_s_law(void **state) {
     (void)state;
     const double e[] = {0.0, 0.3, 0.65, 1.0};
@@ -79,7 +71,7 @@ static void bounces_become_fewer_until_the_body_rests(void **state) {
         // What the location of the closure left, 1e-8 of a step's way, is being recovered.
         assert_close(a.rows.force[a.rows.n - 1], 20.0, 1e-9);
         assert_close(r->link[0].impulse, 20.0 * 3.0, 1e-9);
-        assert_true(deepest(&a) < 1e-10);
+        assert_true(analysis_deepest(&a) < 1e-10);
         assert_true(r->residual_peak < 1e-12);
         analysis_free(&a);
     }
@@ -102,7 +94,7 @@ static void bodies_at_rest_part_when_a_force_would_have_to_pull(void **state) {
     assert_close(a.rows.velocity[2 * (a.rows.n - 1) + 1], 2.0 / PI, 1e-6);
     assert_close(a.rows.velocity[2 * (a.rows.n - 1)], 2.0 / PI + 8.0 / PI * (sin(0.9 * PI) - 1.0),
                  1e-6);
-    assert_true(deepest(&a) < 1e-12);
+    assert_true(analysis_deepest(&a) < 1e-12);
     analysis_free(&a);
 }
 
@@ -160,7 +152,7 @@ static void bodies_at_rest_pass_an_impulse_on(void **state) {
     assert_close(a.rows.force[3 * analysis_row(&a, 0.09) + 1], 5.0, 1e-12);
     assert_close(a.rows.force[3 * analysis_row(&a, 0.09) + 2], 10.0, 1e-12);
     assert_true(a.results->n_impact > 5);
-    assert_true(deepest(&a) < 1e-10);
+    assert_true(analysis_deepest(&a) < 1e-10);
     assert_true(a.results->residual_peak < 1e-11);
     long last = a.rows.n - 1;
     assert_close(a.rows.force[3 * last + 2], 10.0, 1e-9);
@@ -183,7 +175,7 @@ static void a_light_body_between_heavy_ones_is_caught(void **state) {
     for (long row = 0; row < a.rows.n; row++) {
         assert_near(momentum(&a, row), 0.0, 1e-10);
     }
-    assert_true(deepest(&a) < 1e-10);
+    assert_true(analysis_deepest(&a) < 1e-10);
     assert_true(a.results->residual_peak < 1e-10);
     const double *v = a.rows.velocity + 3 * (a.rows.n - 1);
     assert_true(v[0] <= v[1] + 1e-9 && v[1] <= v[2] + 1e-9);
@@ -201,7 +193,7 @@ static void a_very_light_body_lets_nobody_through(void **state) {
                                     "contact A B -gap 0 -law stereomechanical -e 0.5\n"
                                     "contact B C -gap 0 -law stereomechanical -e 0.5\n"
                                     "duration 1\nstep fixed 1ms\noutput -every 1\n");
-    assert_true(deepest(&a) < 1e-10);
+    assert_true(analysis_deepest(&a) < 1e-10);
     assert_true(a.results->residual_peak < 1e-9);  // of some 1000
     for (int k = 0; k < 4; k++) {
         assert_true(a.results->link[k].dissipated >= 0.0);
@@ -226,7 +218,7 @@ static void a_very_light_body_is_caught_though_accelerations_part_it(void **stat
     assert_true(a.results->totals.events < 2000);
     assert_near(v[0], -0.1 * (0.1 - met), 1e-6);  // the ratio of the masses
     assert_near(v[2], 0.1 * (0.1 - met), 1e-6);
-    assert_true(deepest(&a) < 1e-15);
+    assert_true(analysis_deepest(&a) < 1e-15);
     assert_true(a.results->residual_peak < 1e-14 * 1e6);
     analysis_free(&a);
 }
@@ -251,7 +243,7 @@ static void several_floors_meet_together(void **state) {
         const double *u = a.rows.displacement + 6 * row;
         assert_near(u[2] + u[5], 0.0, 1e-11);  // the mirror image
     }
-    assert_true(deepest(&a) < 1e-10);
+    assert_true(analysis_deepest(&a) < 1e-10);
     assert_true(r->residual_peak < 1e-10);
     analysis_free(&a);
 }
@@ -302,7 +294,8 @@ static void bodies_that_a_damper_holds_together_are_no_endless_meeting(void **st
                         "duration 4.4e-3\nstep fixed 1.77e-5\noutput -every 1\n",
                         method[q]);
         assert_true(a.results->totals.events < 10);
-        assert_true(deepest(&a) < 1e-11);  // the way of the ground in the first step, 1e-10, / 10
+        assert_true(analysis_deepest(&a) <
+                    1e-11);  // the way of the ground in the first step, 1e-10, / 10
         analysis_free(&a);
     }
 }
