@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>  // any header of the library says which library it is
+#include <string.h>
 
 // In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
 // takes what the processor has. Each element sees the same operations in the same order either way,
@@ -34,12 +35,21 @@
 #define LANES_WHOLE
 #endif
 
+// What is made of such functions, where the processor at hand has those registers, or else what all
+// have; the first is not there to be linked where no processor is asked.
+#ifdef LANES_WIDEST
+#define LANES_WIDEST_OF(wide, narrow) (__builtin_cpu_supports(LANES_WIDEST) ? (wide) : (narrow))
+#else
+#define LANES_WIDEST_OF(wide, narrow) (narrow)
+#endif
+
 // In front of what such functions are made of: what is not expanded in them has baseline code only.
 #if defined(__GNUC__)
 #define LANES_INLINE static inline __attribute__((always_inline))
 #else
 #define LANES_INLINE static inline
 #endif
+#define LANES_WHOLE_INLINE LANES_WHOLE LANES_INLINE
 
 // In front of a loop over arrays: no turn reads what another one writes. For loops in functions
 // that are expanded in others, where the compiler forgets what `restrict` said.
@@ -98,6 +108,15 @@ enum { WIDE_RUNS = 8 };
 typedef double wide __attribute__((vector_size(WIDE_RUNS * sizeof(double))));
 typedef long long wide_bits __attribute__((vector_size(WIDE_RUNS * sizeof(long long))));
 typedef signed char wide_bytes __attribute__((vector_size(WIDE_RUNS)));
+
+// Is a mask of all bits or none set in some lane? For processors that have such lanes in a
+// register.
+LANES_INLINE bool wide_any(const wide_bits *mask) {
+    const wide_bytes byte = __builtin_convertvector(*mask, wide_bytes);
+    int64_t all;
+    memcpy(&all, &byte, sizeof all);
+    return all != 0;
+}
 
 // |x|, and a where a mask has all bits of a lane and b where it has none.
 #define WIDE_ABSOLUTE(x) ((wide)((wide_bits)(x)&INT64_MAX))

@@ -54,7 +54,7 @@ struct dp *dormand_prince_create(const struct model *m, struct results *r, struc
         return NULL;
     }
     *p = (struct dp){.model = m, .results = r, .impacts = log, .last_link = -1};
-    p->floors = dp_floors_widest();
+    p->floors = LANES_WIDEST_OF(&dp_wide, &dp_narrow);
     p->rate[0] = arena_alloc(a, n_rate, sizeof(double));
     p->rate[1] = arena_alloc(a, n_rate, sizeof(double));
     p->reach = arena_alloc(a, n_rate, sizeof(double));

@@ -78,10 +78,7 @@ struct dp_floors {
 };
 extern const struct dp_floors dp_narrow, dp_wide;
 
-// dp_stages.c: the widest ones for this processor.
-const struct dp_floors *dp_floors_widest(void);
-
-// Takes the step from `now` of length h to time `end` into `next`.
+// dp_stages.c: takes the step from `now` of length h to time `end` into `next`.
 void dp_stages_take(struct dp *p, double h, double end);
 
 // The estimated error of that step over the tolerance.

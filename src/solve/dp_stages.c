@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step as a whole: which vectors it takes (dp_floors.h has the method), what links see of it, and
-// what lies between its ends.
+// A step as a whole (dp_floors.h has the method), what links see of it, and what lies between its
+// ends.
 #include <math.h>
 
 #include "core/lanes.h"
 #include "solve/dp.h"
-
-const struct dp_floors *dp_floors_widest(void) {
-#ifdef LANES_WIDEST
-    if (__builtin_cpu_supports(LANES_WIDEST)) {
-        return &dp_wide;
-    }
-#endif
-    return &dp_narrow;
-}
 
 void dp_stages_take(struct dp *p, double h, double end) {
     p->h = h;

@@ -10,10 +10,6 @@
 #include "solve/ensemble_joints.h"
 #include "solve/ensemble_links.h"
 
-static bool has(unsigned runs, int k) {
-    return runs >> k & 1U;
-}
-
 // Sets the bit of run k.
 static void put(unsigned *runs, int k, bool value) {
     *runs = (*runs & ~(1U << k)) | (unsigned)value << k;
@@ -72,7 +68,7 @@ static void act(struct fleet *f, int k, long n) {
 // Run k cannot take step n aboard, whatever its links have done in it so far.
 static void give_up(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
-    if (has(f->acting, k)) {
+    if (ensemble_has(f->acting, k)) {
         b->run.results->totals = b->before;
         ensemble_links_release(&f->lanes, k, &b->run);
     }
@@ -80,7 +76,7 @@ static void give_up(struct fleet *f, int k, long n) {
 }
 
 static bool is_stowed(const struct fleet *f, int k) {
-    return has(f->lanes.joints->stowed, k);
+    return ensemble_has(f->lanes.joints->stowed, k);
 }
 
 // The links of run k, which is stowed, cannot take step n with those of others.
@@ -98,7 +94,7 @@ static void begin_links(struct fleet *f, long n, const wide *base) {
         ensemble_joints_begin(&f->lanes);
     }
     for (int k = 0; k < f->n; k++) {
-        if (has(f->live, k) && !is_stowed(f, k)) {
+        if (ensemble_has(f->live, k) && !is_stowed(f, k)) {
             act(f, k, n);
             ensemble_links_push(&f->lanes, k, &f->boat[k].run);
         }
@@ -119,11 +115,11 @@ static unsigned find_pressed(struct ensemble_lanes *e) {
 // returns whether it was.
 static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
     struct run *r = &f->boat[k].run;
-    if (pressed && !has(f->acting, k)) {
+    if (pressed && !ensemble_has(f->acting, k)) {
         act(f, k, n);
     }
     bool closed = pressed && ensemble_links_close(&f->lanes, k, r) > 0;
-    if (!closed && !has(f->wanted, k)) {
+    if (!closed && !ensemble_has(f->wanted, k)) {
         return false;
     }
     put(&f->wanted, k, false);
@@ -139,7 +135,7 @@ static bool solve_stowed(struct fleet *f, long n, unsigned pressed) {
     const struct ensemble_joints *s = f->lanes.joints;
     const unsigned left = s->stowed & ~s->solved;
     for (int k = 0; s->stowed & pressed && k < f->n; k++) {
-        if (has(s->stowed & pressed, k)) {
+        if (ensemble_has(s->stowed & pressed, k)) {
             take_out(f, k, n);
         }
     }
@@ -149,7 +145,7 @@ static bool solve_stowed(struct fleet *f, long n, unsigned pressed) {
     ensemble_joints_solve(&f->lanes);
     const unsigned given_up = s->stowed & ~s->solved;
     for (int k = 0; given_up && k < f->n; k++) {
-        if (has(given_up, k)) {
+        if (ensemble_has(given_up, k)) {
             take_out(f, k, n);
         }
     }
@@ -163,14 +159,14 @@ static void meet(struct fleet *f, long n, const wide *base) {
         again = solve_stowed(f, n, pressed);
         const unsigned asked = pressed | f->wanted;
         for (int k = 0; asked && k < f->n; k++) {
-            again |= has(asked, k) && solve_links(f, k, n, has(pressed, k));
+            again |= ensemble_has(asked, k) && solve_links(f, k, n, ensemble_has(pressed, k));
         }
         if (again) {
             f->lanes.steps->move_pushed(&f->lanes, base);
         }
     }
     for (int k = 0; f->acting && k < f->n; k++) {
-        if (has(f->acting, k) &&
+        if (ensemble_has(f->acting, k) &&
             ensemble_links_finish(&f->lanes, k, &f->boat[k].run) != STATUS_OK) {
             give_up(f, k, n);
         }
@@ -181,7 +177,7 @@ static void meet(struct fleet *f, long n, const wide *base) {
 static void look(struct fleet *f, long n, const wide *base) {
     const unsigned leaving = ensemble_overflows(&f->lanes, base);
     for (int k = 0; leaving && k < f->n; k++) {
-        if (has(leaving, k)) {
+        if (ensemble_has(leaving, k)) {
             give_up(f, k, n);
         }
     }
@@ -194,7 +190,7 @@ static void commit(struct fleet *f, long n, const wide *base) {
         ensemble_joints_commit(&f->lanes, end, end - start);
     }
     for (int k = 0; f->acting && k < f->n; k++) {
-        if (!has(f->acting, k)) {
+        if (!ensemble_has(f->acting, k)) {
             continue;
         }
         struct run *r = &f->boat[k].run;

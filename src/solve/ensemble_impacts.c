@@ -3,8 +3,6 @@
 // and impacts.c for contacts that stay closed, with the same operations in the same order.
 #include "solve/ensemble_joints.h"
 
-#define INLINE LANES_WHOLE LANES_INLINE
-
 // The polynomial through the forces of the last steps: `guess` of contact_step.c.
 LANES_WHOLE void ensemble_joints_begin(struct ensemble_lanes *e) {
     const wide none = {0.0};
@@ -21,13 +19,14 @@ LANES_WHOLE void ensemble_joints_begin(struct ensemble_lanes *e) {
     }
 }
 
-INLINE void penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
-                        wide *delta) {
+LANES_WHOLE_INLINE void penetration(const struct ensemble_lanes *e, int k,
+                                    const struct ensemble_state *s, wide *delta) {
     *delta = s[e->end[k][0]].u - s[e->end[k][1]].u - e->contact[k].gap;
 }
 
 // What impacts.c does for a live link that stays closed; *contact is the work on all of its run.
-INLINE void account(const struct ensemble_lanes *e, int k, double time, double h, wide *contact) {
+LANES_WHOLE_INLINE void account(const struct ensemble_lanes *e, int k, double time, double h,
+                                wide *contact) {
     struct joint *j = &e->joints->joint[k];
     wide before, after;
     penetration(e, k, e->now, &before);

@@ -6,10 +6,6 @@
 #include "core/arena.h"
 #include "solve/quick.h"
 
-static bool has(unsigned runs, int lane) {
-    return runs >> lane & 1U;
-}
-
 struct ensemble_joints *ensemble_joints_create(const struct model *m, struct arena *a) {
     struct ensemble_joints *s = lanes_wide_array(a, 1, sizeof *s);
     if (s) {
@@ -161,7 +157,7 @@ void ensemble_joints_stow(struct ensemble_lanes *e, int lane, const struct run *
 
 void ensemble_joints_take_out(struct ensemble_lanes *e, int lane, struct run *r) {
     struct ensemble_joints *s = e->joints;
-    if (!has(s->stowed, lane)) {
+    if (!ensemble_has(s->stowed, lane)) {
         return;
     }
     const struct state *now = r->now;
@@ -181,7 +177,7 @@ void ensemble_joints_take_out(struct ensemble_lanes *e, int lane, struct run *r)
 
 void ensemble_joints_give(struct ensemble_lanes *e, int lane, struct run *r) {
     struct ensemble_joints *s = e->joints;
-    if (!has(s->solved, lane)) {
+    if (!ensemble_has(s->solved, lane)) {
         return;
     }
     for (int i = 0; i < r->next->n_live; i++) {
@@ -194,5 +190,5 @@ void ensemble_joints_give(struct ensemble_lanes *e, int lane, struct run *r) {
 }
 
 void ensemble_joints_work(const struct ensemble_lanes *e, int lane, struct energy_account *a) {
-    a->contact = has(e->joints->stowed, lane) ? e->joints->contact[lane] : a->contact;
+    a->contact = ensemble_has(e->joints->stowed, lane) ? e->joints->contact[lane] : a->contact;
 }

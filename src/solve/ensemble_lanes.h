@@ -189,6 +189,11 @@ struct ensemble_lanes {
     const struct ensemble_steps *steps;  // borrowed
 };
 
+// Is run k among some runs, a bit each?
+static inline bool ensemble_has(unsigned runs, int k) {
+    return runs >> k & 1U;
+}
+
 // Is a flag negative in a lane whose run is aboard? By halves: compilers take lanes apart one by
 // one.
 LANES_INLINE bool ensemble_any(const long long *aboard, const wide_bits *flags) {

@@ -13,12 +13,9 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "solve/quick.h"
 #include "solve/resolve.h"
-
-#define INLINE LANES_WHOLE LANES_INLINE
 
 // As struct progress, and what runs have in common.
 struct sweeps {
@@ -29,32 +26,24 @@ struct sweeps {
     wide_bits busy;  // nor converged
 };
 
-INLINE bool any(const wide_bits *flags) {
-    const wide_bytes b = __builtin_convertvector(*flags, wide_bytes);
-    long long all;
-    static_assert(sizeof all == sizeof b, "a byte a lane");
-    memcpy(&all, &b, sizeof all);
-    return all != 0;
-}
-
 // Contact number i of those that act.
-INLINE int acting(const struct sweeps *s, int i) {
+LANES_WHOLE_INLINE int acting(const struct sweeps *s, int i) {
     return s->joints->acting[i];
 }
 
 // All bits of the lanes of `runs`.
-INLINE void lanes_of(unsigned runs, wide_bits *flags) {
+LANES_WHOLE_INLINE void lanes_of(unsigned runs, wide_bits *flags) {
     static const wide_bits bit = {1, 2, 4, 8, 16, 32, 64, 128};
     *flags = (wide_bits)(((long long)runs & bit) == bit);
 }
 
-INLINE void see(const struct sweeps *s, int k, wide *x) {
+LANES_WHOLE_INLINE void see(const struct sweeps *s, int k, wide *x) {
     const int *end = s->e->end[k];
     *x = s->e->correction[end[0]] - s->e->correction[end[1]];
 }
 
 // Asks the law in the lanes `which`, where x is seen.
-INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) {
+LANES_WHOLE_INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) {
     struct joint *j = &s->joints->joint[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
     const wide b = s->e->factors->b, g = s->e->factors->g;
@@ -97,15 +86,15 @@ INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) 
 }
 
 // q += f times column `floor` of A^-1, from floor `from` on.
-INLINE void push_as(wide *q, const struct ensemble_building *b, enum ensemble_held held, int floor,
-                    int from, int to, const wide *f) {
+LANES_WHOLE_INLINE void push_as(wide *q, const struct ensemble_building *b, enum ensemble_held held,
+                                int floor, int from, int to, const wide *f) {
     for (int i = from, at = floor * b->shape->n_floor; i < to; i++) {
         q[i] += *f * ENSEMBLE_AT(b->inverse, at + i);
     }
 }
 
 // The same on the side of a contact that has it.
-INLINE void push(struct sweeps *s, int k, int side, const wide *f) {
+LANES_WHOLE_INLINE void push(struct sweeps *s, int k, int side, const wide *f) {
     const struct ensemble_grip *g = &s->e->grip[k];
     if (g->building[side] != WALL) {
         const struct ensemble_building *b = &s->e->building[g->building[side]];
@@ -118,7 +107,8 @@ INLINE void push(struct sweeps *s, int k, int side, const wide *f) {
 }
 
 // The lanes of `which` in which changes of that size are no more than rounding.
-INLINE void find_negligible(const struct sweeps *s, int k, const wide *size, wide_bits *which) {
+LANES_WHOLE_INLINE void find_negligible(const struct sweeps *s, int k, const wide *size,
+                                        wide_bits *which) {
     const struct ensemble_lanes *e = s->e;
     const struct joint *j = &s->joints->joint[k];
     const int *end = e->end[k];
@@ -133,12 +123,12 @@ INLINE void find_negligible(const struct sweeps *s, int k, const wide *size, wid
 }
 
 // Takes note of changes df of forces in lanes that `move`.
-INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move) {
+LANES_WHOLE_INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move) {
     const struct joint *j = &s->joints->joint[k];
     const wide size = WIDE_ABSOLUTE(*df);
     const wide most = WIDE_CHOOSE(j->ask, s->change, s->moved);
     const wide_bits larger = *move & WIDE_LESS(s->enough, size) & WIDE_LESS(most, size);
-    if (any(&larger)) {
+    if (wide_any(&larger)) {
         wide_bits negligible = larger;
         find_negligible(s, k, &size, &negligible);
         const wide_bits matters = larger & ~negligible;
@@ -148,8 +138,8 @@ INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move)
 }
 
 // Changes forces by df in lanes that `move`, led by so much from where their laws were asked.
-INLINE void change(struct sweeps *s, int k, const wide *df, const wide *led,
-                   const wide_bits *move) {
+LANES_WHOLE_INLINE void change(struct sweeps *s, int k, const wide *df, const wide *led,
+                               const wide_bits *move) {
     struct joint *j = &s->joints->joint[k];
     const wide done = (wide)((wide_bits)*df & *move), undone = -done;
     j->force = WIDE_CHOOSE(*move, j->force + *df, j->force);
@@ -161,7 +151,7 @@ INLINE void change(struct sweeps *s, int k, const wide *df, const wide *led,
 }
 
 // A Newton step where x is seen.
-INLINE void step(struct sweeps *s, int k, const wide *x) {
+LANES_WHOLE_INLINE void step(struct sweeps *s, int k, const wide *x) {
     const struct joint *j = &s->joints->joint[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
     const wide_bits here = j->live & s->busy & s->well;
@@ -178,14 +168,14 @@ INLINE void step(struct sweeps *s, int k, const wide *x) {
     const wide left = j->reach - far;
     const wide room = WIDE_LARGER(left, (wide){0.0}) * grip->unmoved;
     s->clear = WIDE_CHOOSE(here & WIDE_LESS(room, s->clear), room, s->clear);
-    if (any(&move)) {
+    if (wide_any(&move)) {
         change(s, k, &df, &led, &move);
     }
     const wide size = WIDE_ABSOLUTE(j->force);
     s->largest = WIDE_CHOOSE(here & WIDE_LESS(s->largest, size), size, s->largest);
 }
 
-INLINE void visit(struct sweeps *s, int k) {
+LANES_WHOLE_INLINE void visit(struct sweeps *s, int k) {
     const struct joint *j = &s->joints->joint[k];
     wide x;
     see(s, k, &x);
@@ -193,20 +183,20 @@ INLINE void visit(struct sweeps *s, int k) {
     const wide_bits known =
         ~j->ask & (WIDE_AT_MOST(WIDE_ABSOLUTE(dx), j->reach) | (wide_bits)(dx == 0.0));
     const wide_bits unknown = j->live & s->busy & ~known;
-    if (any(&unknown)) {
+    if (wide_any(&unknown)) {
         ask(s, k, &x, &unknown);
     }
     step(s, k, &x);
 }
 
-INLINE void renew(struct sweeps *s) {
+LANES_WHOLE_INLINE void renew(struct sweeps *s) {
     s->enough = s->tolerance * s->largest;
     s->largest = s->change = s->moved = (wide){0.0};
     s->clear = INFINITY - (wide){0.0};
 }
 
 // Asks the laws of lanes `which`, wherever they stand.
-INLINE void ask_all(struct sweeps *s, const wide_bits *which) {
+LANES_WHOLE_INLINE void ask_all(struct sweeps *s, const wide_bits *which) {
     for (int i = 0; i < s->joints->n_acting; i++) {
         const int k = acting(s, i);
         const wide_bits here = s->joints->joint[k].live & *which;
@@ -217,16 +207,16 @@ INLINE void ask_all(struct sweeps *s, const wide_bits *which) {
 }
 
 // Asks all laws again where what is enough has become much less.
-INLINE void ask_again(struct sweeps *s) {
+LANES_WHOLE_INLINE void ask_again(struct sweeps *s) {
     const wide_bits looser = s->busy & WIDE_LESS(QUICK_LOOSER * s->enough, s->loosest);
-    if (any(&looser)) {
+    if (wide_any(&looser)) {
         ask_all(s, &looser);
     }
     s->loosest = WIDE_CHOOSE(looser | WIDE_LESS(s->loosest, s->enough), s->enough, s->loosest);
 }
 
 // Where the contacts are without corrections.
-INLINE void gather(struct sweeps *s) {
+LANES_WHOLE_INLINE void gather(struct sweeps *s) {
     const struct ensemble_lanes *e = s->e;
     const wide none = {0.0};
     s->largest = s->echo = none;
@@ -244,7 +234,7 @@ INLINE void gather(struct sweeps *s) {
     }
 }
 
-INLINE void converge(struct sweeps *s) {
+LANES_WHOLE_INLINE void converge(struct sweeps *s) {
     const wide tolerance = s->tolerance * s->largest;
     wide echo = WIDE_SMALLER(s->echo, 1.0 - (wide){0.0});
     echo = (wide)((wide_bits)echo & ~s->joints->alone);
@@ -257,7 +247,7 @@ INLINE void converge(struct sweeps *s) {
 
 // Is a step short enough for the spring in the lanes `which`, at penetrations d? As fits_spring of
 // resolve.c.
-INLINE void refit(struct sweeps *s, int k, const wide *d, const wide_bits *which) {
+LANES_WHOLE_INLINE void refit(struct sweeps *s, int k, const wide *d, const wide_bits *which) {
     struct joint *j = &s->joints->joint[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
     const double h = s->e->h, none[WIDE_RUNS] = {0.0};
@@ -274,7 +264,7 @@ INLINE void refit(struct sweeps *s, int k, const wide *d, const wide_bits *which
 }
 
 // Gives up where steps are not short enough for a contact, or that is not known from its line.
-INLINE void judge(struct sweeps *s) {
+LANES_WHOLE_INLINE void judge(struct sweeps *s) {
     const wide b = s->e->factors->b, g = s->e->factors->g;
     for (int i = 0; i < s->joints->n_acting; i++) {
         const int k = acting(s, i);
@@ -285,14 +275,14 @@ INLINE void judge(struct sweeps *s) {
         const wide dashpot = g * s->e->grip[k].flexibility * j->dfdv;
         s->well &= ~j->live | (~j->ask & WIDE_AT_MOST(dashpot, RESOLVE_COARSEST_DASHPOT));
         const wide_bits deeper = j->live & s->well & ~WIDE_AT_MOST(d, j->fits_to);
-        if (any(&deeper)) {
+        if (wide_any(&deeper)) {
             refit(s, k, &d, &deeper);
         }
     }
 }
 
 // What e->correction was is kept, and comes back where lanes have given up.
-INLINE void keep(const struct sweeps *s) {
+LANES_WHOLE_INLINE void keep(const struct sweeps *s) {
     for (int i = 0; i < s->joints->n_touched; i++) {
         const struct building *g = s->e->building[s->joints->touched[i]].shape;
         for (int k = g->first; k < g->first + g->n_floor; k++) {
@@ -301,7 +291,7 @@ INLINE void keep(const struct sweeps *s) {
     }
 }
 
-INLINE void restore(const struct sweeps *s) {
+LANES_WHOLE_INLINE void restore(const struct sweeps *s) {
     for (int i = 0; i < s->joints->n_touched; i++) {
         const struct building *g = s->e->building[s->joints->touched[i]].shape;
         for (int k = g->first; k < g->first + g->n_floor; k++) {
@@ -311,7 +301,7 @@ INLINE void restore(const struct sweeps *s) {
 }
 
 // The lanes in which flags are set, a bit each.
-INLINE unsigned runs_of(const wide_bits *flags) {
+LANES_WHOLE_INLINE unsigned runs_of(const wide_bits *flags) {
     unsigned runs = 0;
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
         runs |= (*flags)[lane] ? 1U << lane : 0U;
@@ -332,7 +322,7 @@ LANES_WHOLE void ensemble_joints_solve(struct ensemble_lanes *e) {
     renew(&s);
     ask_all(&s, &s.busy);
     s.loosest = s.enough;
-    for (int i = 0; i < ENSEMBLE_SWEEPS && any(&s.busy); i++) {
+    for (int i = 0; i < ENSEMBLE_SWEEPS && wide_any(&s.busy); i++) {
         if (i > 0) {
             renew(&s);
             ask_again(&s);

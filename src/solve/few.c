@@ -21,21 +21,12 @@ static void fill_table(struct few_table *t, const struct model *m) {
     memcpy(t->damping_above, c->damping_above, n);
 }
 
-static const struct few_steps *widest(void) {
-#ifdef LANES_WIDEST
-    if (__builtin_cpu_supports(LANES_WIDEST)) {
-        return &few_wide;
-    }
-#endif
-    return &few_narrow;
-}
-
 bool few_alloc(struct few *few, const struct model *m, struct arena *a) {
     few->possible = state_is_uniform(m) && !m->chain.full_damping && m->n_dof <= FEW_MAX;
     if (few->possible) {
         few->table = (void *)lanes_array(a, sizeof *few->table / sizeof(double));
         if (few->table) {
-            few->steps = widest();
+            few->steps = LANES_WIDEST_OF(&few_wide, &few_narrow);
             fill_table(few->table, m);
         }
     }

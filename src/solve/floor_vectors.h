@@ -8,8 +8,6 @@
 #ifndef JOSTLE_FLOOR_VECTORS_H
 #define JOSTLE_FLOOR_VECTORS_H
 
-#include <string.h>
-
 #include "core/lanes.h"
 
 // FLOORS_CLONES stands in front of functions that are not in line. BELOW and ABOVE are the floors
@@ -63,10 +61,8 @@ LANES_INLINE bool floors_any_narrow(const lanes_bits *sign) {
 
 LANES_INLINE bool floors_any_wide(const lanes_wide_bits *sign) {
 #ifdef FLOORS_WIDE
-    const wide_bytes negative = __builtin_convertvector(*sign >> 63, wide_bytes);
-    int64_t all;
-    memcpy(&all, &negative, sizeof all);
-    return all != 0;
+    const wide_bits negative = (wide_bits)(*sign >> 63);
+    return wide_any(&negative);
 #else
     const lanes_bits either = LOWER_HALF(*sign) | UPPER_HALF(*sign);
     return floors_any_narrow(&either);

@@ -111,12 +111,7 @@ void floors_defer(struct floors_late *late, const struct state *now) {
 
 // Those with the widest vectors that the processor has registers for.
 static const struct floors_steps *steps(void) {
-#ifdef LANES_WIDEST
-    if (__builtin_cpu_supports(LANES_WIDEST)) {
-        return &floors_wide;
-    }
-#endif
-    return &floors_narrow;
+    return LANES_WIDEST_OF(&floors_wide, &floors_narrow);
 }
 
 void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
