@@ -26,7 +26,7 @@ struct bench_case {
     const char *name;
     int n_building;          // 0: the pair of 8 and 5 storeys
     int n_floor;             // of each building of a row
-    const char *law;         // of the contacts, with its options
+    const char *contact;     // options of the contacts
     const char *statements;  // further lines of the deck; NULL: none
     double dt, duration;     // [s] dt = 0: adaptive steps of Dormand & Prince
     bench_measure *measure;

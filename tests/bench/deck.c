@@ -29,7 +29,7 @@ static void write_deck(FILE *f, const struct bench_case *c) {
         fprintf(f, "damping B%d rayleigh 5%%\n", i);
     }
     for (int i = 1; i < n; i++) {
-        fprintf(f, "contact B%d B%d -gap 20mm -law %s\n", i, i + 1, c->law);
+        fprintf(f, "contact B%d B%d %s\n", i, i + 1, c->contact);
     }
     fprintf(f,
             "%s"
