@@ -41,7 +41,7 @@ struct statement {
     struct word *word;
     int n_word;
     int n_plain;
-    struct deck_lines lines;       // on which it stands
+    struct deck_lines lines;    // on which it stands
     const struct sweep *known;  // what it says but for its first words, which are all that is
                                 // here; NULL: all words are
 };
@@ -65,7 +65,7 @@ struct sweep {
     bool known;                  // numbers have a unit
     struct dimension dimension;  // of it
     const char *units;           // of numbers, where they come from a file
-    struct deck_lines lines;        // that give the values; none where parameters stand on them
+    struct deck_lines lines;     // that give the values; none where parameters stand on them
     // Of the numbers 1 ... n of a sample: the first of the random parameters that take one of their
     // n values for each; of a random parameter the next. NULL: none.
     const struct sweep *along;
