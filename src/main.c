@@ -10,7 +10,6 @@
 
 #include "command/command.h"
 #include "core/text.h"
-#include "jostle/result.h"
 
 static void print_help(FILE *to) {
     fprintf(to, "usage: jostle COMMAND ...\n\n"
@@ -85,7 +84,6 @@ static int dispatch(int argc, char **argv) {
 
 int main(int argc, char **argv) {
     gsl_set_error_handler_off();
-    result_init();
     // A closed pipe and a file grown too large are write errors like any other.
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);

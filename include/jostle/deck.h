@@ -29,11 +29,21 @@ struct word {
 // True for an option: an unquoted `-` followed by a letter.
 bool deck_is_option(const struct word *w);
 
+// Lines of a file, and how many they are.
+struct deck_lines {
+    const char *text;  // (size) borrowed from the deck; NULL: none
+    size_t size;
+    int n_line;
+};
+
 // A statement: word[0] is the command, then plain words up to n_plain, then options.
 struct statement {
     struct word *word;
     int n_word;
     int n_plain;
+    struct deck_lines lines;    // on which it stands
+    const struct sweep *known;  // what it says but for its first words, which are all that is
+                                // here; NULL: all words are
 };
 
 // A file that the deck names as input.
@@ -55,6 +65,7 @@ struct sweep {
     bool known;                  // numbers have a unit
     struct dimension dimension;  // of it
     const char *units;           // of numbers, where they come from a file
+    struct deck_lines lines;     // that give the values; none where parameters stand on them
     // Of the numbers 1 ... n of a sample: the first of the random parameters that take one of their
     // n values for each; of a random parameter the next. NULL: none.
     const struct sweep *along;
@@ -88,9 +99,9 @@ int deck_open_text(const char *path, const char *text, const char *const *define
 void deck_free(struct deck *d);  // NULL is allowed
 
 // Makes the deck that of one run of a study, before its first statement is read: a swept parameter
-// takes value choice[k] of sweep number k of `sweeps`, which another reading of this deck has
-// found; both are borrowed. Otherwise it takes the first value.
-void deck_bind(struct deck *d, const struct sweep *sweeps, const int *choice);
+// takes value choice[k] of sweep number k of `first`, another reading of this deck that has come to
+// its end; both are borrowed. Otherwise it takes the first value.
+void deck_bind(struct deck *d, const struct deck *first, const int *choice);
 
 // True if the deck that has been read has a sweep that -D does not fix.
 bool deck_is_study(const struct deck *d);

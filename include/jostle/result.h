@@ -11,10 +11,6 @@
 
 enum { RESULT_FORMAT_VERSION = 1 };
 
-// Keeps the HDF5 library from printing its own errors and from working at exit; the program calls
-// it first.
-void result_init(void);
-
 // One building of a report. Arrays (n_floor) in the deck's units; floor 1 first.
 struct report_building {
     const char *name;

@@ -110,6 +110,11 @@ const char *dimension_noun(struct dimension dimension) {
     return NULL;
 }
 
+bool unit_system_equal(const struct unit_system *a, const struct unit_system *b) {
+    return a->force == b->force && a->length == b->length && a->time == b->time &&
+           a->gravity == b->gravity;
+}
+
 void unit_system_init(struct unit_system *s) {
     *s = (struct unit_system){
         .force = 1,

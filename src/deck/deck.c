@@ -110,8 +110,9 @@ int deck_open_text(const char *path, const char *text, const char *const *define
     return STATUS_OK;
 }
 
-void deck_bind(struct deck *d, const struct sweep *sweeps, const int *choice) {
-    d->reader->bound = sweeps;
+void deck_bind(struct deck *d, const struct deck *first, const int *choice) {
+    d->reader->first_reading = first;
+    d->reader->bound = first->sweeps;
     d->reader->choice = choice;
 }
 

@@ -89,6 +89,7 @@ struct reader {
     struct place title, units, gravity, other;
     bool gravity_used;  // the unit g
 
+    const struct deck *first_reading;  // that this one is bound to; NULL: none
     const struct sweep *bound;  // sweeps of another reading that give their values; NULL: none
     const int *choice;
     struct sweep *last_sweep;
@@ -139,6 +140,9 @@ void sweep_fix(struct deck *d, const struct parameter *p, struct sweep *s);
 // The sweep over `name` of the reading that this one is bound to, and in *choice which of its
 // values this run takes; NULL: there is none.
 const struct sweep *sweep_bound(const struct deck *d, const char *name, int *choice);
+// The sweep that the reading that this one is bound to has read from the lines at `f`, and whose
+// values are the same here; NULL: none.
+const struct sweep *sweep_known(const struct deck *d, const struct frame *f);
 // Sets the value of `p` to number `choice` of `s`.
 void sweep_choose(const struct sweep *s, int choice, struct parameter *p);
 

@@ -20,12 +20,16 @@ struct scan {
     struct deck *deck;
     struct source *source;
     int line;
-    const char *at, *end;  // of the line, without its end
-    int column;            // of `at`
-    bool wrong;            // something was reported
-    bool joined;           // the next line belongs to the statement
-    bool torn;             // and the end of a quoted text, which is not looked for there
+    const char *at, *end;       // of the line, without its end
+    int column;                 // of `at`
+    bool wrong;                 // something was reported
+    bool joined;                // the next line belongs to the statement
+    bool torn;                  // and the end of a quoted text, which is not looked for there
+    const struct sweep *known;  // stands on these lines: nothing is wrong with them
 };
+
+// sweep NAME values FIRST: the words of a known one that are read again.
+enum { KNOWN_WORDS = 4 };
 
 static void fail(struct scan *s, int column, int width, const char *message) {
     struct word w = {
@@ -143,7 +147,7 @@ static void scan_words(struct scan *s) {
     while (s->at < s->end && !s->wrong) {
         if (is_blank(*s->at)) {
             advance(s);
-        } else if (*s->at == '#') {
+        } else if (*s->at == '#' || (s->known && s->deck->reader->n_word == KNOWN_WORDS)) {
             return;
         } else if (*s->at == '\\' && s->at + 1 == s->end) {
             s->joined = true;
@@ -192,7 +196,9 @@ static void scan_line(struct scan *s, struct frame *f) {
     s->joined = false;
     bool was_wrong = s->wrong;
     s->wrong = false;
-    check_characters(s);
+    if (!s->known) {
+        check_characters(s);
+    }
     if (s->torn) {
         s->wrong = true;
     } else {
@@ -211,8 +217,10 @@ bool deck_is_option(const struct word *w) {
     return !w->quoted && ((letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z'));
 }
 
-// Copies the words read so far into a statement; false after having reported an error.
-static bool build(struct deck *d, struct statement *out) {
+// Copies the words read so far into a statement that starts at `start`; false after having reported
+// an error.
+static bool build(struct deck *d, const struct frame *start, const struct frame *end,
+                  struct statement *out) {
     struct reader *r = d->reader;
     int n_plain = 0;
     while (n_plain < r->n_word && !deck_is_option(&r->word[n_plain])) {
@@ -227,20 +235,39 @@ static bool build(struct deck *d, struct statement *out) {
         return false;
     }
     memcpy(word, r->word, (size_t)r->n_word * sizeof *word);
-    *out = (struct statement){.word = word, .n_word = r->n_word, .n_plain = n_plain};
+    *out = (struct statement){
+        .word = word,
+        .n_word = r->n_word,
+        .n_plain = n_plain,
+        .lines = {start->source->text + start->offset, end->offset - start->offset,
+                  end->line - start->line},
+    };
     return true;
+}
+
+// Scans the lines that are joined to the next one, and it.
+static void scan_lines(struct scan *s, struct frame *f) {
+    const struct frame start = *f;
+    s->deck->reader->n_word = 0;
+    s->wrong = false;
+    s->torn = false;
+    s->known = sweep_known(s->deck, f);
+    do {
+        scan_line(s, f);
+    } while (s->joined && f->offset < f->source->size);
+    if (s->known) {
+        f->offset = start.offset + s->known->lines.size;
+        f->line = start.line + s->known->lines.n_line;
+    }
 }
 
 bool scan_statement(struct deck *d, struct frame *f, struct statement *out) {
     struct scan s = {.deck = d, .source = f->source};
     while (f->offset < f->source->size && !d->diagnostics.out_of_memory) {
-        d->reader->n_word = 0;
-        s.wrong = false;
-        s.torn = false;
-        do {
-            scan_line(&s, f);
-        } while (s.joined && f->offset < f->source->size);
-        if (!s.wrong && d->reader->n_word > 0 && build(d, out)) {
+        const struct frame start = *f;
+        scan_lines(&s, f);
+        if (!s.wrong && d->reader->n_word > 0 && build(d, &start, f, out)) {
+            out->known = s.known;
             return true;
         }
         d->torn = d->torn || s.wrong || d->reader->n_word > 0;

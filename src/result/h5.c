@@ -11,7 +11,7 @@ enum { CONVERSION_BUFFER = 16384 };  // bytes
 
 // The library's work at exit would touch what is left of a file that could not be closed, because
 // the disk is full, and crash; all files are closed long before.
-void result_init(void) {
+void h5_start(void) {
     H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
 }
@@ -87,6 +87,7 @@ static void open_lists(struct h5 *h) {
 
 // Datasets are written whole or in large blocks: no buffer of the library's between.
 void h5_create(struct h5 *h, const char *path) {
+    h5_start();
     hid_t list = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
     if (!h5_failed(h, list) && !h5_failed(h, access) &&
         !h5_failed(h, H5Pset_obj_track_times(list, false)) &&

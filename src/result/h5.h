@@ -52,6 +52,10 @@ struct h5_dataset {
     bool many_users;     // a scale that thousands of datasets refer to
 };
 
+// Keeps the library from printing its own errors and from working at exit. All that opens files
+// calls it first, and nothing else, as starting the library takes longer than reading a deck.
+void h5_start(void);
+
 // Creates the file over `path`; h->file is negative after a failure.
 void h5_create(struct h5 *h, const char *path);
 void h5_open_types(struct h5 *h);  // of texts: all that reading needs

@@ -276,6 +276,7 @@ static int open_file(struct result_file *f, struct error *e) {
         return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", file,
                          strerror(errno));
     }
+    h5_start();
     if (H5Fis_hdf5(file) <= 0) {
         return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", file);
     }

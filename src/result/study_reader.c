@@ -275,15 +275,15 @@ static void get_all(struct study_file *f) {
 }
 
 bool study_file_is_study(const char *path) {
+    h5_start();
     if (access(path, R_OK) != 0 || H5Fis_hdf5(path) <= 0) {
         return false;
     }
     hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (file < 0) {
-        return false;
+    const bool is = file >= 0 && H5Lexists(file, "sweep", H5P_DEFAULT) > 0;
+    if (file >= 0) {
+        H5Fclose(file);
     }
-    const bool is = H5Lexists(file, "sweep", H5P_DEFAULT) > 0;
-    H5Fclose(file);
     return is;
 }
 
@@ -295,6 +295,7 @@ int study_reader_fail(const struct study_file *f, struct error *e) {
 // Without the buffers of 64 KiB that the library gives each dataset: boxes are read as they stand
 // in the file, and merging opens many files with many datasets each.
 static void open_file(struct study_file *f, const char *path) {
+    h5_start();
     hid_t list = H5Pcreate(H5P_FILE_ACCESS);
     f->h.file = -1;
     if (!h5_failed(&f->h, list) && !h5_failed(&f->h, H5Pset_sieve_buf_size(list, SIEVE_BYTES))) {

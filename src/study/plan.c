@@ -64,6 +64,9 @@ static bool same_values(const struct sweep *a, const struct sweep *b) {
     if (strcmp(a->name, b->name) != 0 || a->n != b->n || !a->number != !b->number) {
         return false;
     }
+    if (a->number == b->number && a->text == b->text) {
+        return true;
+    }
     if (a->number) {
         return memcmp(a->number, b->number, (size_t)a->n * sizeof *a->number) == 0;
     }

@@ -26,7 +26,7 @@ static int open_deck(const struct plan *p, long run, int *choice, struct deck **
     int status = deck_open_text(first->path, first->text, p->define, p->n_define, out, e);
     if (status == STATUS_OK) {
         plan_choose(p, run, choice);
-        deck_bind(*out, first->sweeps, choice);
+        deck_bind(*out, first, choice);
     }
     return status;
 }

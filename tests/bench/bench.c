@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include "bench/bench.h"
-#include "jostle/result.h"
 
 static const char usage[] =
     "bench [-t] JOSTLE FOLDER: tables of all cases\n"
@@ -70,7 +69,6 @@ int main(int argc, char **argv) {
     }
     struct error e = {0};
     gsl_set_error_handler_off();
-    result_init();
     int status;
     if (counts) {
         status = n == 0 ? list_counted() : run_counted(argv[optind], &e);

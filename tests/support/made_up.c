@@ -125,7 +125,6 @@ int made_up_setup(void **state) {
     f->model.n_step = 100;
     f->model.output = (struct output){.every = 10, .fields = FIELD_ALL};
     put_results(&f->results, f->model.deck->arena, 2);
-    result_init();
     *state = f;
     return 0;
 }

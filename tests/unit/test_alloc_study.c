@@ -165,7 +165,6 @@ static void every_allocation_of_a_force_map_that_fails_ends_in_an_error(void **s
 }
 
 int main(void) {
-    result_init();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_allocation_of_a_force_map_that_fails_ends_in_an_error),
         cmocka_unit_test(every_allocation_that_fails_ends_in_an_error),

@@ -66,6 +66,5 @@ int main(void) {
         cmocka_unit_test(every_allocation_that_fails_ends_in_an_error),
     };
     gsl_set_error_handler_off();
-    result_init();
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

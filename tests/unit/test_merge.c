@@ -152,7 +152,6 @@ static void merging_that_is_stopped_leaves_nothing(void **state) {
 }
 
 int main(void) {
-    result_init();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_same_part_twice_does_no_harm),
         cmocka_unit_test(parts_that_disagree_on_a_run_are_refused),

@@ -216,6 +216,5 @@ int main(void) {
         cmocka_unit_test(limits_have_the_dimension_of_their_demand),
     };
     gsl_set_error_handler_off();
-    result_init();
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

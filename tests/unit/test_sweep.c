@@ -17,7 +17,7 @@ static struct deck *read_deck(const char *text, const char *define, const struct
     const char *path = support_path("sweep.deck");
     assert_int_equal(deck_open_text(path, text, &define, define ? 1 : 0, &d, &e), STATUS_OK);
     if (bound) {
-        deck_bind(d, bound->sweeps, choice);
+        deck_bind(d, bound, choice);
     }
     struct statement s;
     do {
@@ -82,6 +82,70 @@ static void a_bound_deck_takes_the_values_of_its_run(void **state) {
         assert_string_equal(shown, want);
         deck_free(d);
     }
+    deck_free(first);
+}
+
+// What a run costs does not grow with the values of its study.
+static void a_bound_deck_reads_no_values_again(void **state) {
+    (void)state;
+    const char *shown = NULL;
+    const int choice[] = {1, 2, 0};
+    const char *text = "units kN m s\nsweep gap \\\n values 20mm 5mm \\\n1.5cm # three\n"
+                       "sweep e range 0.1 0.9 5\nsweep law values a b\nshow $gap$e$law\n"
+                       "show $nobody";
+    struct deck *first = read_deck(text, NULL, NULL, NULL, &shown);
+    struct deck *d = read_deck(text, NULL, first, choice, &shown);
+    assert_int_equal(first->diagnostics.n_error, 1);
+    assert_int_equal(d->diagnostics.n_error, 1);
+    assert_int_equal(d->diagnostics.item[0].line, first->diagnostics.item[0].line);
+    const struct sweep *a = first->sweeps, *b = d->sweeps;
+    for (int i = 0; i < 3; i++, a = a->next, b = b->next) {
+        assert_true(a->number == b->number && a->text == b->text && a->n == b->n);
+        assert_string_equal(a->name, b->name);
+    }
+    assert_null(b);
+    deck_free(d);
+    deck_free(first);
+}
+
+static struct deck *read_bound(const char *text, const char *define, const struct deck *first) {
+    static const int choice[] = {1};
+    const char *shown = NULL;
+    struct deck *d = read_deck(text, define, first, choice, &shown);
+    assert_int_equal(d->diagnostics.n_error, 0);
+    return d;
+}
+
+// The text of the deck is that of the first run, but files that it includes may not be.
+static void a_bound_deck_reads_values_again_that_may_differ(void **state) {
+    (void)state;
+    static const char *const text[][2] = {
+        {"sweep gap values 5mm 7mm\nshow $gap\n", "sweep gap values 5mm 8mm\nshow $gap\n"},
+        {"sweep gap values 5mm 7mm\nshow $gap\n", "sweep gap values 5mm 7mm 9mm\nshow $gap\n"},
+        {"sweep gap values 5 7", "sweep gap values 5 78"},
+        {"gravity 9.8\nsweep a values 1g 2g\nshow $a\n",
+         "gravity 9.7\nsweep a values 1g 2g\nshow $a\n"},
+        {"param b 2\nsweep a values 1 $b\nshow $a\n", "param b 3\nsweep a values 1 $b\nshow $a\n"},
+    };
+    for (size_t i = 0; i < sizeof text / sizeof text[0]; i++) {
+        const char *shown = NULL;
+        struct deck *first = read_deck(text[i][0], NULL, NULL, NULL, &shown);
+        struct deck *d = read_deck(text[i][1], NULL, first, (const int[]){1}, &shown);
+        assert_true(first->sweeps->number[1] != d->sweeps->number[1] ||
+                    first->sweeps->n != d->sweeps->n);
+        deck_free(d);
+        deck_free(first);
+    }
+}
+
+static void a_define_fixes_a_known_sweep(void **state) {
+    (void)state;
+    const char *text = "sweep gap values 5mm 7mm\nshow $gap\n";
+    struct deck *first = read_bound(text, "gap=6mm", NULL);
+    struct deck *d = read_bound(text, "gap=6mm", first);
+    assert_true(d->sweeps->fixed && d->sweeps->n == 1 && d->n_run == 1);
+    assert_close(d->sweeps->number[0], 0.006, 1e-15);
+    deck_free(d);
     deck_free(first);
 }
 
@@ -281,6 +345,9 @@ int main(void) {
         cmocka_unit_test(values_keep_their_order_and_their_unit),
         cmocka_unit_test(ranges_hold_both_ends_exactly),
         cmocka_unit_test(a_bound_deck_takes_the_values_of_its_run),
+        cmocka_unit_test(a_bound_deck_reads_no_values_again),
+        cmocka_unit_test(a_bound_deck_reads_values_again_that_may_differ),
+        cmocka_unit_test(a_define_fixes_a_known_sweep),
         cmocka_unit_test(a_define_fixes_a_sweep),
         cmocka_unit_test(a_sweep_takes_over_the_param_above_or_below_it),
         cmocka_unit_test(a_random_sweep_takes_over_its_param_too),
