@@ -156,10 +156,4 @@ int impacts_meet(struct impact_log *log, struct results *r, const struct model *
 void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
                     const struct state *s);
 
-// Takes the step from `now` to `next` into energies and peaks of the floors; of linear models,
-// whose internal forces are found here, maybe later (floors_settle).
-struct floors_late;
-void account_step(struct energy_account *a, struct results *r, struct floors_late *late,
-                  const struct model *m, const struct state *now, struct state *next);
-
 #endif

@@ -42,7 +42,7 @@ int analysis_balanced(struct run *r) {
 
 static int observe(struct run *r) {
     if (!r->adaptive) {
-        floors_settle(&r->work.floors.late, r->model, r->next, r->now);
+        floors_settle(&r->work, r->next, r->now);
         state_complete(r->now, r->model);
     }
     const struct state *s = r->now;
@@ -116,7 +116,7 @@ int analysis_step(struct run *r, long n) {
     double end = model_time(m, n);
     int status = r->advance(r, end, n < m->n_step ? m->dt : end - r->now->time);
     if (status == STATUS_OK) {
-        floors_settle(&r->work.floors.late, m, r->next, r->now);
+        floors_settle(&r->work, r->next, r->now);
     }
     bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
     return status == STATUS_OK && row ? observe(r) : status;
@@ -143,11 +143,7 @@ static bool run_alloc(struct run *r, struct arena *a) {
     if (!state_alloc(r->next, m, a) || !work_alloc(&r->work, m, &r->results->totals, a)) {
         return false;
     }
-    r->work.floors.late = (struct floors_late){
-        .energy = &r->energy,
-        .results = r->results,
-        .possible = state_is_uniform(m) && !m->adaptive && !r->work.few.possible,
-    };
+    floors_account_to(&r->work, &r->energy, r->results);
     return r->events && r->meeting &&
            (m->adaptive ? step_length_alloc(&r->length, m, r->results, a)
                         : flight_alloc(&r->flight, m, a));

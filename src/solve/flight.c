@@ -147,11 +147,11 @@ void flight_deepen(const struct flight *f, struct state *s) {
 
 // Takes a step as it has been found into the account, or sees to it that the next one does.
 static void take(const struct flight *f, const struct state *now, const struct state *next) {
-    if (!f->work->floors.late.possible) {
-        floors_account(f->energy, f->results, f->model, now, next);
+    if (!f->work->floors.account.defers) {
+        floors_account_now(f->work, now, next);
         return;
     }
-    floors_defer(&f->work->floors.late, now);
+    floors_defer(&f->work->floors.account, now);
     if (f->yields) {
         chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
                            f->energy->storey_2x);
@@ -224,7 +224,7 @@ static void start(struct flight *f, const struct state *now, struct state *next)
     gaps_forget(&f->work->gaps, now);
     memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
     if (f->work->few.possible) {
-        few_factor(&f->work->few, f->work);
+        few_factor(f->work);
     }
     if (f->yields) {
         memcpy(next->storey_history, now->storey_history,
@@ -236,7 +236,7 @@ static void start(struct flight *f, const struct state *now, struct state *next)
 static void finish(const struct flight *f, const struct state *old, struct state *s, long n) {
     struct totals *t = &f->results->totals;
     if (f->yields) {
-        floors_settle(&f->work->floors.late, f->model, old, s);
+        floors_settle(f->work, old, s);
     }
     complete(f, s);
     peaks_speed(f->results, 0, f->model->n_dof);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Free flight: steps of the model's size in which no link acts and no storey changes its branch.
 // They need no iteration and no search, and most steps are such, so they have a way of their own
-// through the solver. It gives the same bits as newmark_step and account_step.
+// through the solver. It gives the same bits as newmark_step and floors_account.
 #ifndef JOSTLE_FLIGHT_H
 #define JOSTLE_FLIGHT_H
 

@@ -114,9 +114,9 @@ struct floors_correction {
 };
 
 // Stores what corrections lead to from the trial. True if that is not finite, or next to it.
-LANES_INLINE bool floors_correct(const struct floors_correction *k, int first, int end,
-                                 const struct floors_scratch *trial, const double *restrict a0,
-                                 const struct floors_of *next) {
+LANES_INLINE bool floors_reach(const struct floors_correction *k, int first, int end,
+                               const struct floors_scratch *trial, const double *restrict a0,
+                               const struct floors_of *next) {
     const floor_lanes most = DBL_MAX - (floor_lanes){0.0};
     const double *q = k->q + first, *u_t = trial->u, *v_t = trial->v;
     double *next_u = next->u + first, *next_v = next->v + first, *next_a = next->a + first;

@@ -63,7 +63,7 @@ LANES_INLINE bool move_block(const struct move *s, const struct floors_lines *li
     }
     solve_row(&w->effective[b->building], b->n_building, s->scratch.residual + (first - b->first),
               w->correction + first);
-    beyond |= floors_correct(&s->correction, b->first, b->end, &s->scratch, s->from.a, &s->to);
+    beyond |= floors_reach(&s->correction, b->first, b->end, &s->scratch, s->from.a, &s->to);
     return beyond;
 }
 
@@ -93,16 +93,18 @@ LANES_INLINE void account_to(struct account *a, int end) {
 }
 
 // What is due of the step from `old` to `now`.
-LANES_INLINE struct account account_due(const struct floors_late *late, const struct model *m,
-                                        const struct state *old, const struct state *now) {
+LANES_INLINE struct account account_due(const struct work *w, const struct state *old,
+                                        const struct state *now) {
+    const struct floors_account *to = &w->floors.account;
+    const struct model *m = w->model;
     struct account a = {&m->chain,
-                        late->energy,
-                        late->results,
+                        to->energy,
+                        to->results,
                         floors_moment_of(m, old),
                         floors_moment_of(m, now),
-                        late->due ? 0 : m->chain.n};
-    a.s0.time = late->time;
-    a.s0.ground = late->ground_a;
+                        to->due ? 0 : m->chain.n};
+    a.s0.time = to->time;
+    a.s0.ground = to->ground_a;
     return a;
 }
 
@@ -124,24 +126,23 @@ FLOORS_CLONES static void raise(struct results *r, const struct model *m, const 
     }
 }
 
-FLOORS_CLONES static void settle(struct floors_late *late, const struct model *m,
-                                 const struct state *old, const struct state *now) {
-    struct account due = account_due(late, m, old, now);
-    account_to(&due, m->chain.n);
-    late->due = false;
-    raise(late->results, m, now);
+FLOORS_CLONES static void settle(struct work *w, const struct state *old, const struct state *now) {
+    struct account due = account_due(w, old, now);
+    account_to(&due, w->model->chain.n);
+    w->floors.account.due = false;
+    raise(w->floors.account.results, w->model, now);
 }
 
 FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct state *next) {
     const struct move move = move_of(w, now, next);
-    struct account due = account_due(&w->floors.late, w->model, next, now);
+    struct account due = account_due(w, next, now);
     bool beyond = false;
     for (int i = 0; i < w->floors.n_block; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
         beyond |= move_block(&move, NULL, b);
     }
-    w->floors.late.due = false;
+    w->floors.account.due = false;
     return !beyond;
 }
 
@@ -150,7 +151,7 @@ LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
                       const struct state *now, struct state *next) {
     struct work *w = f->work;
     const struct move move = move_of(w, now, next);
-    struct account due = account_due(&w->floors.late, f->model, next, now);
+    struct account due = account_due(w, next, now);
     bool free = true;
     floor_bits beyond = {0};
     for (int i = 0, group = 0; i < w->floors.n_block && free; i++) {
@@ -166,7 +167,7 @@ LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
         free = !ends;
     }
     account_to(&due, move.chain.n);
-    w->floors.late.due = false;
+    w->floors.account.due = false;
     return free;
 }
 

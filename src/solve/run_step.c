@@ -38,11 +38,7 @@ int run_poll(struct run *r, double time) {
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
     struct results *out = r->results;
-    if (r->work.few.serves) {
-        r->work.few.steps->account(r->work.few.table, &r->energy, out, r->model, r->now, r->next);
-    } else {
-        account_step(&r->energy, out, &r->work.floors.late, r->model, r->now, r->next);
-    }
+    floors_account(&r->work, r->now, r->next);
     gaps_peaks(&r->work.gaps, r->next);
     int status = impacts_step(&r->impacts, &r->energy, out, r->model, r->now, r->next, r->error);
     struct state *old = r->now;
@@ -165,7 +161,7 @@ static int pass(struct run *r, struct event *event, double end, double h) {
         status = status == STATUS_OK && event->time > 0.0 ? commit(r) : status;
     }
     if (status == STATUS_OK) {
-        floors_settle(&r->work.floors.late, r->model, r->next, r->now);
+        floors_settle(&r->work, r->next, r->now);
         r->results->totals.events++;
         r->events[event->link]++;
         status = r->model->link[event->link].law->rebound ? meet(r, event) : jump(r, event);
