@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The floors of a building in a step of all runs aboard at once: what chain_floor.h says, as a run
+// The floors of a building in a step of all runs aboard at once: what floor_terms.h says, as a run
 // alone goes through it where storeys are elastic and one ground moves all. Each lane sees the same
 // operations in the same order, so that its bits are those of a run alone. What one floor needs of
 // its neighbours is carried along in registers.
@@ -13,6 +13,7 @@
 #define JOSTLE_ENSEMBLE_FLOORS_H
 
 #include "solve/ensemble_lanes.h"
+#include "solve/floor_terms.h"
 
 enum { WIDTH = sizeof(part) / sizeof(double), PARTS = WIDE_RUNS / WIDTH };
 
@@ -61,16 +62,16 @@ LANES_INLINE void account_floor(const struct begun *g, enum ensemble_held held, 
     const double *x = g->x;
     const unsigned slot = (unsigned)(g->shape->first + i) % LANES_WIDTH;
     const part du = PART_OF(g->now[i].u) - PART_OF(g->old[i].u);
-    PART(g->works->input_2x[slot]) += g->ground_2x * (NUMBER(i, INERTIA) * du);
-    PART(g->works->damping_2x[slot]) +=
-        du * (NUMBER(i, BELOW) * *below + NUMBER(i, OWN) * *own + NUMBER(i, ABOVE) * *above);
+    PART(g->works->input_2x[slot]) += WORK_OF_GROUND(g->ground_2x, NUMBER(i, INERTIA), du);
+    PART(g->works->damping_2x[slot]) += WORK_OF_DAMPING(
+        du, BANDS(NUMBER(i, BELOW), *below, NUMBER(i, OWN), *own, NUMBER(i, ABOVE), *above));
 }
 
 // Where floor i would be at the end of the step if its acceleration stayed.
 LANES_INLINE void try_floor(const struct begun *g, int p, int i, part *u, part *v) {
     const struct ensemble_state *s = &g->now[i];
-    *u = PART_OF(s->u) + (g->h * PART_OF(s->v) + g->half * PART_OF(s->a));
-    *v = PART_OF(s->v) + g->h * PART_OF(s->a);
+    *u = TRIAL_U(PART_OF(s->u), PART_OF(s->v), PART_OF(s->a), g->h, g->half);
+    *v = TRIAL_V(PART_OF(s->v), PART_OF(s->a), g->h);
 }
 
 LANES_INLINE void meet_floor(const struct begun *g, enum ensemble_held held, int p, int i,
@@ -87,10 +88,9 @@ LANES_INLINE void begin_floor(const struct begun *g, enum ensemble_held held, in
                               const struct neighbour *above) {
     const double *x = g->x;
     const part damping =
-        NUMBER(i, BELOW) * below->v + NUMBER(i, OWN) * own->v + NUMBER(i, ABOVE) * above->v;
-    const part residual = NUMBER(i, INERTIA) * g->ground +
-                          NUMBER(i, INERTIA) * PART_OF(g->now[i].a) - damping - own->shear +
-                          above->shear;
+        BANDS(NUMBER(i, BELOW), below->v, NUMBER(i, OWN), own->v, NUMBER(i, ABOVE), above->v);
+    const part p_ma = NUMBER(i, INERTIA) * g->ground + NUMBER(i, INERTIA) * PART_OF(g->now[i].a);
+    const part residual = RESIDUAL(p_ma, damping, own->shear, above->shear);
     PART(g->trial[i].u) = own->u;
     PART(g->trial[i].v) = own->v;
     PART(g->trial[i].residual) = residual;
@@ -179,8 +179,8 @@ LANES_INLINE struct ended ended(const struct ensemble_lanes *e, const struct ens
 LANES_INLINE void end_floor(struct ended *g, int p, int i, const part *u_trial, const part *v_trial,
                             const part *q) {
     const struct ensemble_peaks *peak = &g->peak[i];
-    const part u = *u_trial + g->b * *q;
-    const part v = *v_trial + g->g * *q;
+    const part u = END(*u_trial, g->b, *q);
+    const part v = END(*v_trial, g->g, *q);
     const part a = PART_OF(g->now[i].a) + *q;
     g->beyond = g->beyond | UNDER(PART_OF(peak->of[PEAK_DISPLACEMENT]), u) |
                 UNDER(PART_OF(peak->of[PEAK_VELOCITY]), v);

@@ -9,8 +9,8 @@
 #include <stddef.h>
 
 #include "core/number.h"
-#include "solve/chain_floor.h"
 #include "solve/flight.h"
+#include "solve/floor_terms.h"
 #include "solve/floor_vectors.h"
 
 // Copies of pointers: what is stored may be anything, so that those behind a pointer would be read
@@ -42,9 +42,9 @@ LANES_INLINE void floors_shear(const struct chain *c, const struct floors_lines 
         *shear = FLOORS_AT(c->stiffness, i) * *drift;
         return;
     }
-    floor_lanes force = FLOORS_AT(lines->spring, i) * (*drift - FLOORS_AT(lines->rest, i));
+    floor_lanes force = LINE_FORCE(FLOORS_AT(lines->spring, i), FLOORS_AT(lines->rest, i), *drift);
     *beyond |= BEYOND(force, FLOORS_AT(lines->limit, i));
-    *shear = FLOORS_AT(lines->back, i) * *drift + force;
+    *shear = LINE_SHEAR(FLOORS_AT(lines->back, i), *drift, force);
 }
 
 // A vector of floors at the end of the step if the accelerations stay.
@@ -55,8 +55,8 @@ struct floors_trial {
 LANES_INLINE void floors_predict(const struct floors_of *now, double h, int i, floor_lanes *u,
                                  floor_lanes *v) {
     double half = h * h / 2.0;
-    *u = FLOORS_AT(now->u, i) + (h * FLOORS_AT(now->v, i) + half * FLOORS_AT(now->a, i));
-    *v = FLOORS_AT(now->v, i) + h * FLOORS_AT(now->a, i);
+    *u = TRIAL_U(FLOORS_AT(now->u, i), FLOORS_AT(now->v, i), FLOORS_AT(now->a, i), h, half);
+    *v = TRIAL_V(FLOORS_AT(now->v, i), FLOORS_AT(now->a, i), h);
 }
 
 LANES_INLINE void floors_try(const struct chain *c, const struct floors_lines *lines,
@@ -89,13 +89,13 @@ LANES_INLINE bool floors_unbalance(const struct chain *c, const struct floors_li
         if (external) {
             p = FLOORS_AT(external, i);
         }
-        floor_lanes damping = FLOORS_AT(c->damping_below, i) * BELOW(under.v, own.v) +
-                              FLOORS_AT(c->damping, i) * own.v +
-                              FLOORS_AT(c->damping_below, i + 1) * ABOVE(own.v, over.v);
+        floor_lanes damping =
+            BANDS(FLOORS_AT(c->damping_below, i), BELOW(under.v, own.v), FLOORS_AT(c->damping, i),
+                  own.v, FLOORS_AT(c->damping_below, i + 1), ABOVE(own.v, over.v));
         const ptrdiff_t j = i - first;
         *(floor_lanes *)(to->residual + j) =
-            p - mass * FLOORS_AT(now->a, i) - damping - own.shear +
-            FLOORS_AT(c->joint, i + 1) * ABOVE(own.shear, over.shear);
+            RESIDUAL(p - mass * FLOORS_AT(now->a, i), damping, own.shear,
+                     FLOORS_AT(c->joint, i + 1) * ABOVE(own.shear, over.shear));
         *(floor_lanes *)(to->u + j) = own.u;
         *(floor_lanes *)(to->v + j) = own.v;
         under = own;
@@ -123,8 +123,8 @@ LANES_INLINE bool floors_reach(const struct floors_correction *k, int first, int
     const double b = k->b, g = k->g;
     floor_lanes sum = {0.0};
     for (int i = 0; i < end - first; i += FLOORS_VECTOR) {
-        floor_lanes u = FLOORS_AT(u_t, i) + b * FLOORS_AT(q, i);
-        floor_lanes v = FLOORS_AT(v_t, i) + g * FLOORS_AT(q, i);
+        floor_lanes u = END(FLOORS_AT(u_t, i), b, FLOORS_AT(q, i));
+        floor_lanes v = END(FLOORS_AT(v_t, i), g, FLOORS_AT(q, i));
         floor_lanes a = FLOORS_AT(a0, first + i) + FLOORS_AT(q, i);
         *(floor_lanes *)(next_u + i) = u;
         *(floor_lanes *)(next_v + i) = v;
