@@ -29,7 +29,7 @@ static int advance_dormand_prince(struct run *r, double end, double h) {
     return STATUS_OK;
 }
 
-int analysis_balanced(struct run *r) {
+int analysis_note_energies(struct run *r) {
     struct results *out = r->results;
     double residual = fabs(out->energy[ENERGY_RESIDUAL]);
     if (!isfinite(residual)) {
@@ -42,12 +42,12 @@ int analysis_balanced(struct run *r) {
 
 static int observe(struct run *r) {
     if (!r->adaptive) {
-        floors_settle(&r->work, r->next, r->now);
+        floors_catch_up(&r->work, r->next, r->now);
         state_complete(r->now, r->model);
     }
     const struct state *s = r->now;
     energy_balance(&r->energy, r->model, s, r->results->energy);
-    int status = analysis_balanced(r);
+    int status = analysis_note_energies(r);
     const struct observer *o = r->observer;
     if (status != STATUS_OK || !o || !o->row) {
         return status;
@@ -116,7 +116,7 @@ int analysis_step(struct run *r, long n) {
     double end = model_time(m, n);
     int status = r->advance(r, end, n < m->n_step ? m->dt : end - r->now->time);
     if (status == STATUS_OK) {
-        floors_settle(&r->work, r->next, r->now);
+        floors_catch_up(&r->work, r->next, r->now);
     }
     bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
     return status == STATUS_OK && row ? observe(r) : status;

@@ -126,6 +126,9 @@ void effective_solve(struct effective *e, double *r, double *q);
 // time than one after the other where they are low, or where several are of the same height.
 void effective_solve_row(struct effective *e, int n, double *r, double *q);
 
+// The same for those that are solved together from e[0] on (`abreast`), by their factors.
+void effective_solve_abreast(const struct effective *e, const double *r, double *q);
+
 // Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on
 // floor i + 1. Computed when first asked for after a factorisation.
 const double *effective_column(struct effective *e, int i);

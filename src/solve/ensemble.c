@@ -9,8 +9,8 @@
 
 #include "core/arena.h"
 #include "core/number.h"
+#include "solve/ensemble_contacts.h"
 #include "solve/ensemble_fleet.h"
-#include "solve/ensemble_joints.h"
 
 static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
 
@@ -105,9 +105,9 @@ static void balance(struct fleet *f) {
     for (int k = 0; k < f->n; k++) {
         struct run *r = &f->boat[k].run;
         if (f->boat[k].berth == BERTH_ABOARD) {
-            ensemble_joints_work(&f->lanes, k, &r->energy);
+            ensemble_contacts_work(&f->lanes, k, &r->energy);
             energy_close(&r->energy, &sums[k], r->results->energy);
-            int status = analysis_balanced(r);
+            int status = analysis_note_energies(r);
             if (status != STATUS_OK) {
                 ensemble_fleet_end(f, k, status);
             }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A step in which no link acts is one of many that the lanes take at a time. In one in which links
 // act, the lanes take the floors of all runs as far as the forces are known that these begin with,
-// and then the contacts of runs that are stowed (ensemble_joints.h). The links of each other run
+// and then the contacts of runs that are stowed (ensemble_contacts.h). The links of each other run
 // then change its lane; contacts that close on the way join them. What goes beyond that, such as a
 // force that jumps or a step that has to be cut, takes the run ashore for the step.
 #include "solve/ensemble_fleet.h"
 
 #include "core/number.h"
-#include "solve/ensemble_joints.h"
+#include "solve/ensemble_contacts.h"
 #include "solve/ensemble_links.h"
 
 // Sets the bit of run k.
@@ -37,7 +37,7 @@ void ensemble_fleet_board(struct fleet *f, int k, long n) {
 
 void ensemble_fleet_leave(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
-    ensemble_joints_take_out(&f->lanes, k, &b->run);
+    ensemble_contacts_take_out(&f->lanes, k, &b->run);
     ensemble_leave(&f->lanes, k, &b->run, model_time(b->run.model, n), n - b->boarded);
     b->berth = BERTH_ASHORE;
     f->n_aboard--;
@@ -47,7 +47,7 @@ void ensemble_fleet_leave(struct fleet *f, int k, long n) {
 
 void ensemble_fleet_end(struct fleet *f, int k, int status) {
     struct boat *b = &f->boat[k];
-    ensemble_joints_take_out(&f->lanes, k, &b->run);
+    ensemble_contacts_take_out(&f->lanes, k, &b->run);
     *(b->berth == BERTH_ABOARD ? &f->n_aboard : &f->n_ashore) -= 1;
     b->berth = BERTH_ENDED;
     ensemble_clear(&f->lanes, k);
@@ -76,22 +76,22 @@ static void give_up(struct fleet *f, int k, long n) {
 }
 
 static bool is_stowed(const struct fleet *f, int k) {
-    return ensemble_has(f->lanes.joints->stowed, k);
+    return ensemble_has(f->lanes.contacts->stowed, k);
 }
 
 // The links of run k, which is stowed, cannot take step n with those of others.
 static void take_out(struct fleet *f, int k, long n) {
     struct run *r = &f->boat[k].run;
-    ensemble_joints_take_out(&f->lanes, k, r);
+    ensemble_contacts_take_out(&f->lanes, k, r);
     ensemble_links_recall(&f->lanes, k, r);
     act(f, k, n);
-    ensemble_joints_give(&f->lanes, k, r);
+    ensemble_contacts_give(&f->lanes, k, r);
 }
 
 // The step n of all floors aboard, with the forces that live links begin it with.
 static void begin_links(struct fleet *f, long n, const wide *base) {
-    if (f->lanes.joints->stowed) {
-        ensemble_joints_begin(&f->lanes);
+    if (f->lanes.contacts->stowed) {
+        ensemble_contacts_begin(&f->lanes);
     }
     for (int k = 0; k < f->n; k++) {
         if (ensemble_has(f->live, k) && !is_stowed(f, k)) {
@@ -132,7 +132,7 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
 // Solves for the links of runs that are stowed, but for those `pressed`; the others are taken out.
 // Returns whether there were any.
 static bool solve_stowed(struct fleet *f, long n, unsigned pressed) {
-    const struct ensemble_joints *s = f->lanes.joints;
+    const struct ensemble_contacts *s = f->lanes.contacts;
     const unsigned left = s->stowed & ~s->solved;
     for (int k = 0; s->stowed & pressed && k < f->n; k++) {
         if (ensemble_has(s->stowed & pressed, k)) {
@@ -142,7 +142,7 @@ static bool solve_stowed(struct fleet *f, long n, unsigned pressed) {
     if (!(s->stowed & left)) {
         return false;
     }
-    ensemble_joints_solve(&f->lanes);
+    ensemble_contacts_solve(&f->lanes);
     const unsigned given_up = s->stowed & ~s->solved;
     for (int k = 0; given_up && k < f->n; k++) {
         if (ensemble_has(given_up, k)) {
@@ -186,8 +186,8 @@ static void look(struct fleet *f, long n, const wide *base) {
 
 static void commit(struct fleet *f, long n, const wide *base) {
     const double start = (double)(n - 1) * f->lanes.h, end = (double)n * f->lanes.h;
-    if (f->lanes.joints->stowed) {
-        ensemble_joints_commit(&f->lanes, end, end - start);
+    if (f->lanes.contacts->stowed) {
+        ensemble_contacts_commit(&f->lanes, end, end - start);
     }
     for (int k = 0; f->acting && k < f->n; k++) {
         if (!ensemble_has(f->acting, k)) {
@@ -198,7 +198,7 @@ static void commit(struct fleet *f, long n, const wide *base) {
         put(&f->acting, k, false);
         put(&f->live, k, r->now->n_live > 0);
         if (status == STATUS_OK) {
-            ensemble_joints_stow(&f->lanes, k, r);
+            ensemble_contacts_stow(&f->lanes, k, r);
         } else {
             ensemble_fleet_end(f, k, status);
         }
@@ -223,7 +223,7 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
     if (n > last) {
         return last;
     }
-    e->joints->solved = 0;
+    e->contacts->solved = 0;
     if (live) {
         begin_links(f, n, base);
     }

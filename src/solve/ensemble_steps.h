@@ -63,9 +63,9 @@ LANES_INLINE void end(const struct ensemble_lanes *e, int k, int p, const wide *
 LANES_INLINE void penetrate(const struct ensemble_lanes *e, int p, part_bits *flags) {
     const struct ensemble_state *t = e->next;
     for (int k = 0; k < e->n_contact; k++) {
-        const struct ensemble_contact *c = &e->contact[k];
+        const struct ensemble_gap *c = &e->gap[k];
         const part delta =
-            PART_OF(t[e->end[k][0]].u) - PART_OF(t[e->end[k][1]].u) - PART_OF(c->gap);
+            PART_OF(t[e->end[k][0]].u) - PART_OF(t[e->end[k][1]].u) - PART_OF(c->width);
         *flags |= (part_bits)(PART_OF(c->limit) - delta);
     }
 }
@@ -218,7 +218,7 @@ CLONES static void move_pushed(struct ensemble_lanes *e, const wide *base) {
     }
 }
 
-CLONES static void settle(struct ensemble_lanes *e) {
+CLONES static void catch_up(struct ensemble_lanes *e) {
     const wide still = {0.0};
     if (!e->owing) {
         return;
@@ -249,7 +249,7 @@ const struct ensemble_steps STEPS = {
     .show = show,
     .move_pushed = move_pushed,
     .commit = commit_step,
-    .settle = settle,
+    .catch_up = catch_up,
 };
 
 #endif

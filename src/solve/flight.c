@@ -236,7 +236,7 @@ static void start(struct flight *f, const struct state *now, struct state *next)
 static void finish(const struct flight *f, const struct state *old, struct state *s, long n) {
     struct totals *t = &f->results->totals;
     if (f->yields) {
-        floors_settle(f->work, old, s);
+        floors_catch_up(f->work, old, s);
     }
     complete(f, s);
     peaks_speed(f->results, 0, f->model->n_dof);

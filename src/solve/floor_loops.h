@@ -15,12 +15,12 @@
 
 // Copies of pointers: what is stored may be anything, so that those behind a pointer would be read
 // again after each store.
-struct floors_of {
+struct floors_motion {
     double *u, *v, *a;
 };
 
-LANES_INLINE struct floors_of floors_of(const struct state *s) {
-    return (struct floors_of){s->u, s->v, s->a};
+LANES_INLINE struct floors_motion floors_motion(const struct state *s) {
+    return (struct floors_motion){s->u, s->v, s->a};
 }
 
 // The lines that storeys follow, and the drifts and shears at the end of the step.
@@ -52,7 +52,7 @@ struct floors_trial {
     floor_lanes u, v, shear;
 };
 
-LANES_INLINE void floors_predict(const struct floors_of *now, double h, int i, floor_lanes *u,
+LANES_INLINE void floors_predict(const struct floors_motion *now, double h, int i, floor_lanes *u,
                                  floor_lanes *v) {
     double half = h * h / 2.0;
     *u = TRIAL_U(FLOORS_AT(now->u, i), FLOORS_AT(now->v, i), FLOORS_AT(now->a, i), h, half);
@@ -60,8 +60,8 @@ LANES_INLINE void floors_predict(const struct floors_of *now, double h, int i, f
 }
 
 LANES_INLINE void floors_try(const struct chain *c, const struct floors_lines *lines,
-                             const struct floors_of *now, double h, int i, const floor_lanes *under,
-                             struct floors_trial *t, floor_bits *beyond) {
+                             const struct floors_motion *now, double h, int i,
+                             const floor_lanes *under, struct floors_trial *t, floor_bits *beyond) {
     floors_predict(now, h, i, &t->u, &t->v);
     floor_lanes drift = t->u - FLOORS_AT(c->joint, i) * BELOW(*under, t->u);
     floors_shear(c, lines, i, &drift, &t->shear, beyond);
@@ -75,7 +75,7 @@ struct floors_scratch {
 // residual = p - M a - C v - storey shears of n floors, at the trial. True if a storey is
 // beyond its line. `external` NULL: p is that of the acceleration of the ground.
 LANES_INLINE bool floors_unbalance(const struct chain *c, const struct floors_lines *lines,
-                                   double h, int first, int n, const struct floors_of *now,
+                                   double h, int first, int n, const struct floors_motion *now,
                                    double ground, const double *external,
                                    const struct floors_scratch *to) {
     floor_bits beyond = {0};
@@ -116,7 +116,7 @@ struct floors_correction {
 // Stores what corrections lead to from the trial. True if that is not finite, or next to it.
 LANES_INLINE bool floors_reach(const struct floors_correction *k, int first, int end,
                                const struct floors_scratch *trial, const double *restrict a0,
-                               const struct floors_of *next) {
+                               const struct floors_motion *next) {
     const floor_lanes most = DBL_MAX - (floor_lanes){0.0};
     const double *q = k->q + first, *u_t = trial->u, *v_t = trial->v;
     double *next_u = next->u + first, *next_v = next->v + first, *next_a = next->a + first;

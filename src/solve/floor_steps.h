@@ -32,7 +32,7 @@ struct move {
     const struct state *now;
     const struct state *next;
     struct chain chain;
-    struct floors_of from, to;
+    struct floors_motion from, to;
     struct floors_scratch scratch;
     struct floors_correction correction;
 };
@@ -43,8 +43,8 @@ LANES_INLINE struct move move_of(struct work *w, const struct state *now,
                          .now = now,
                          .next = next,
                          .chain = w->model->chain,
-                         .from = floors_of(now),
-                         .to = floors_of(next),
+                         .from = floors_motion(now),
+                         .to = floors_motion(next),
                          .scratch = {w->floors.residual, w->floors.u_trial, w->floors.v_trial},
                          .correction = {w->correction, w->b, w->g}};
 }
@@ -126,7 +126,8 @@ FLOORS_CLONES static void raise(struct results *r, const struct model *m, const 
     }
 }
 
-FLOORS_CLONES static void settle(struct work *w, const struct state *old, const struct state *now) {
+FLOORS_CLONES static void catch_up(struct work *w, const struct state *old,
+                                   const struct state *now) {
     struct account due = account_due(w, old, now);
     account_to(&due, w->model->chain.n);
     w->floors.account.due = false;
@@ -186,7 +187,7 @@ const struct floors_steps FLOORS_STEPS = {
     .move = move,
     .fly = fly_elastic,
     .fly_on_lines = fly_on_lines,
-    .settle = settle,
+    .catch_up = catch_up,
     .raise = raise,
 };
 

@@ -122,9 +122,9 @@ static const struct floors_steps *steps(void) {
     return LANES_WIDEST_OF(&floors_wide, &floors_narrow);
 }
 
-void floors_settle(struct work *w, const struct state *old, const struct state *now) {
+void floors_catch_up(struct work *w, const struct state *old, const struct state *now) {
     if (w->floors.account.defers) {
-        steps()->settle(w, old, now);
+        steps()->catch_up(w, old, now);
         peaks_speed(w->floors.account.results, 0, w->model->n_dof);
     }
 }

@@ -73,7 +73,7 @@ void floors_defer(struct floors_account *account, const struct state *now);
 // Takes what account is due: of the step that began with what is in `old`, to the committed `now`;
 // and where accounts are put off, `now` itself, which steps take into the peaks only when they go
 // on from it.
-void floors_settle(struct work *w, const struct state *old, const struct state *now);
+void floors_catch_up(struct work *w, const struct state *old, const struct state *now);
 
 // [L/T] Largest velocity of any floor so far, up to the committed `now`, whatever is put off.
 double floors_speed(const struct work *w, const struct state *now);
@@ -87,13 +87,13 @@ bool floors_fly(const struct flight *f, const struct state *now, struct state *n
 bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next);
 
 // What of this is made of loops over floors, on vectors of one width: floors_move where the live
-// links are listed, floors_fly, the same on lines, floors_settle where accounts are put off, and a
-// state taken into the peaks.
+// links are listed, floors_fly, the same on lines, floors_catch_up where accounts are put off, and
+// a state taken into the peaks.
 struct floors_steps {
     bool (*move)(struct work *w, const struct state *now, struct state *next);
     bool (*fly)(const struct flight *f, const struct state *now, struct state *next);
     bool (*fly_on_lines)(const struct flight *f, const struct state *now, struct state *next);
-    void (*settle)(struct work *w, const struct state *old, const struct state *now);
+    void (*catch_up)(struct work *w, const struct state *old, const struct state *now);
     void (*raise)(struct results *r, const struct model *m, const struct state *s);
 };
 extern const struct floors_steps floors_narrow, floors_wide;

@@ -161,7 +161,7 @@ static int pass(struct run *r, struct event *event, double end, double h) {
         status = status == STATUS_OK && event->time > 0.0 ? commit(r) : status;
     }
     if (status == STATUS_OK) {
-        floors_settle(&r->work, r->next, r->now);
+        floors_catch_up(&r->work, r->next, r->now);
         r->results->totals.events++;
         r->events[event->link]++;
         status = r->model->link[event->link].law->rebound ? meet(r, event) : jump(r, event);
