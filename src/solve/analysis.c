@@ -10,6 +10,7 @@
 #include "solve/adaptive_newmark.h"
 #include "solve/dormand_prince.h"
 #include "solve/flight.h"
+#include "solve/peaks.h"
 #include "solve/run.h"
 
 // The steps need not end at `end`: `now` is the state within the last of them, which nobody asks

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/arena.h"
+#include "solve/peaks.h"
 #include "solve/quick.h"
 
 struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a) {

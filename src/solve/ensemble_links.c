@@ -5,6 +5,7 @@
 
 #include "solve/contact.h"
 #include "solve/event.h"
+#include "solve/peaks.h"
 
 // Lets runs know the floors of building k.
 static void show_building(struct ensemble_lanes *e, int k) {

@@ -4,7 +4,6 @@
 #ifndef JOSTLE_FEW_H
 #define JOSTLE_FEW_H
 
-#include "solve/account.h"
 #include "solve/effective.h"
 #include "solve/state.h"
 

@@ -6,6 +6,7 @@
 #define JOSTLE_FEW_STEPS_H
 
 #include "solve/few_loops.h"
+#include "solve/peaks.h"
 
 // Penetrations at the displacements u, into `delta` if that is not NULL; *sign gets negative where
 // a contact closes or is nearer than ever.

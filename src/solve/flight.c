@@ -9,6 +9,7 @@
 #include "core/number.h"
 #include "solve/contact.h"
 #include "solve/excitation.h"
+#include "solve/peaks.h"
 
 static struct gap_group group_from(const struct model *m, int k) {
     const struct link *l = &m->link[k];

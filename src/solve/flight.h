@@ -5,7 +5,7 @@
 #ifndef JOSTLE_FLIGHT_H
 #define JOSTLE_FLIGHT_H
 
-#include "solve/account.h"
+#include "solve/energy.h"
 #include "solve/work.h"
 
 // Contacts that follow each other, as do the floors at both their ends: LANES_WIDTH at most.

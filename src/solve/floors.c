@@ -9,8 +9,10 @@
 
 #include "core/arena.h"
 #include "core/number.h"
+#include "solve/chain.h"
 #include "solve/contact.h"
 #include "solve/flight.h"
+#include "solve/peaks.h"
 
 // So many floors make a block, and what is solved together.
 enum { FLOORS_LEAST = 192 };

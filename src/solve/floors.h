@@ -5,7 +5,7 @@
 #ifndef JOSTLE_FLOORS_H
 #define JOSTLE_FLOORS_H
 
-#include "solve/account.h"
+#include "solve/energy.h"
 #include "solve/state.h"
 
 // Buildings that follow each other, and their floors, from where lanes begin to where lanes end.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Envelopes over every computed step.
+#include "solve/peaks.h"
+
 #include <math.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "core/number.h"
-#include "solve/account.h"
+#include "solve/chain.h"
 
 // Floors, in whole lanes, that are looked at together for a new peak.
 enum { FLOORS_TOGETHER = 8 * LANES_WIDTH };

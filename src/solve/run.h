@@ -4,9 +4,10 @@
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
-#include "solve/account.h"
 #include "solve/dormand_prince.h"
+#include "solve/energy.h"
 #include "solve/flight.h"
+#include "solve/impacts.h"
 #include "solve/step_length.h"
 #include "solve/work.h"
 

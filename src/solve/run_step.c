@@ -6,6 +6,7 @@
 
 #include "solve/event.h"
 #include "solve/newmark.h"
+#include "solve/peaks.h"
 #include "solve/run.h"
 
 // A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
