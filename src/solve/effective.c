@@ -14,6 +14,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "solve/effective_low.h"
 
 static bool alloc_one(struct effective *e, const struct building *building, enum effective_use use,
                       struct arena *a) {

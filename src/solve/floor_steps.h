@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of floors.h, on vectors of one width: see floor_vectors.h. FLOORS_STEPS is the
-// name of what the functions make up, and FLOORS_MULTIPLY solves for a low building.
+// name of what the functions make up.
 //     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
 //     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
 //     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
@@ -11,13 +11,14 @@
 #define JOSTLE_FLOOR_STEPS_H
 
 #include "solve/contact.h"
+#include "solve/effective_low.h"
 #include "solve/floor_account.h"
 
 // effective_solve_row, in line as long as buildings are low.
 LANES_INLINE void solve_row(struct effective *e, int n, double *r, double *q) {
     int k = 0;
     for (; k < n && effective_is_low(&e[k]); k++) {
-        FLOORS_MULTIPLY(&e[k], r, q);
+        effective_multiply(&e[k], r, q);
         r += e[k].building->n_floor;
         q += e[k].building->n_floor;
     }
