@@ -13,8 +13,8 @@
 #include "solve/peaks.h"
 #include "solve/run.h"
 
-// The steps need not end at `end`: `now` is the state within the last of them, which nobody asks
-// for between the start and the end of a run that is not observed.
+// Steps go on beyond `end`, where `now` is interpolated: but only for rows, or at the end of the
+// run.
 static int advance_dormand_prince(struct run *r, double end, double h) {
     (void)h;
     while (dormand_prince_time(r->adaptive) < end) {

@@ -113,7 +113,7 @@ static void touch(struct ensemble_contacts *s, int building) {
 }
 
 // Lists contacts that are live in some lane, and their buildings.
-static void list(struct ensemble_lanes *e) {
+static void list_acting(struct ensemble_lanes *e) {
     struct ensemble_contacts *s = e->contacts;
     s->n_acting = s->n_touched = 0;
     for (int k = 0; k < e->n_contact; k++) {
@@ -153,7 +153,7 @@ void ensemble_contacts_stow(struct ensemble_lanes *e, int lane, const struct run
     s->steps[lane] = s->sweeps[lane] = 0;
     s->per_b = r->work.per_b;
     s->per_g = r->work.per_g;
-    list(e);
+    list_acting(e);
 }
 
 void ensemble_contacts_take_out(struct ensemble_lanes *e, int lane, struct run *r) {
@@ -173,7 +173,7 @@ void ensemble_contacts_take_out(struct ensemble_lanes *e, int lane, struct run *
     r->results->totals.iterations += s->sweeps[lane];
     r->results->totals.fast += s->steps[lane];
     s->stowed &= ~(1U << lane);
-    list(e);
+    list_acting(e);
 }
 
 void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r) {

@@ -11,14 +11,14 @@
 #include "solve/ensemble_links.h"
 
 // Sets the bit of run k.
-static void put(unsigned *runs, int k, bool value) {
+static void set_run(unsigned *runs, int k, bool value) {
     *runs = (*runs & ~(1U << k)) | (unsigned)value << k;
 }
 
 static void forget(struct fleet *f, int k) {
-    put(&f->live, k, false);
-    put(&f->acting, k, false);
-    put(&f->wanted, k, false);
+    set_run(&f->live, k, false);
+    set_run(&f->acting, k, false);
+    set_run(&f->wanted, k, false);
 }
 
 void ensemble_fleet_board(struct fleet *f, int k, long n) {
@@ -31,7 +31,7 @@ void ensemble_fleet_board(struct fleet *f, int k, long n) {
         b->boarded = n;
         f->n_aboard++;
         f->n_ashore--;
-        put(&f->live, k, r->now->n_live > 0);
+        set_run(&f->live, k, r->now->n_live > 0);
     }
 }
 
@@ -56,13 +56,13 @@ void ensemble_fleet_end(struct fleet *f, int k, int status) {
 }
 
 // The links of run k act in step n.
-static void act(struct fleet *f, int k, long n) {
+static void begin_links_of(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
     const struct model *m = b->run.model;
     b->before = b->run.results->totals;
     ensemble_links_begin(&f->lanes, k, &b->run, model_time(m, n - 1), model_time(m, n));
-    put(&f->acting, k, true);
-    put(&f->wanted, k, b->run.next->n_live > 0);
+    set_run(&f->acting, k, true);
+    set_run(&f->wanted, k, b->run.next->n_live > 0);
 }
 
 // Run k cannot take step n aboard, whatever its links have done in it so far.
@@ -84,7 +84,7 @@ static void take_out(struct fleet *f, int k, long n) {
     struct run *r = &f->boat[k].run;
     ensemble_contacts_take_out(&f->lanes, k, r);
     ensemble_links_recall(&f->lanes, k, r);
-    act(f, k, n);
+    begin_links_of(f, k, n);
     ensemble_contacts_give(&f->lanes, k, r);
 }
 
@@ -95,7 +95,7 @@ static void begin_links(struct fleet *f, long n, const wide *base) {
     }
     for (int k = 0; k < f->n; k++) {
         if (ensemble_has(f->live, k) && !is_stowed(f, k)) {
-            act(f, k, n);
+            begin_links_of(f, k, n);
             ensemble_links_push(&f->lanes, k, &f->boat[k].run);
         }
     }
@@ -116,13 +116,13 @@ static unsigned find_pressed(struct ensemble_lanes *e) {
 static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
     struct run *r = &f->boat[k].run;
     if (pressed && !ensemble_has(f->acting, k)) {
-        act(f, k, n);
+        begin_links_of(f, k, n);
     }
     bool closed = pressed && ensemble_links_close(&f->lanes, k, r) > 0;
     if (!closed && !ensemble_has(f->wanted, k)) {
         return false;
     }
-    put(&f->wanted, k, false);
+    set_run(&f->wanted, k, false);
     if (ensemble_links_solve(&f->lanes, r) != STATUS_OK) {
         give_up(f, k, n);
     }
@@ -153,7 +153,7 @@ static bool solve_stowed(struct fleet *f, long n, unsigned pressed) {
 }
 
 // Solves for the links of all runs aboard, which may close others.
-static void meet(struct fleet *f, long n, const wide *base) {
+static void solve_all_links(struct fleet *f, long n, const wide *base) {
     for (bool again = true; again;) {
         const unsigned pressed = find_pressed(&f->lanes);
         again = solve_stowed(f, n, pressed);
@@ -174,7 +174,7 @@ static void meet(struct fleet *f, long n, const wide *base) {
 }
 
 // Takes a closer look at the step n that has been computed, in which a peak is exceeded.
-static void look(struct fleet *f, long n, const wide *base) {
+static void raise_peaks(struct fleet *f, long n, const wide *base) {
     const unsigned leaving = ensemble_overflows(&f->lanes, base);
     for (int k = 0; leaving && k < f->n; k++) {
         if (ensemble_has(leaving, k)) {
@@ -184,7 +184,7 @@ static void look(struct fleet *f, long n, const wide *base) {
     ensemble_raise(&f->lanes, base, (double)n * f->lanes.h);
 }
 
-static void commit(struct fleet *f, long n, const wide *base) {
+static void commit_step(struct fleet *f, long n, const wide *base) {
     const double start = (double)(n - 1) * f->lanes.h, end = (double)n * f->lanes.h;
     if (f->lanes.contacts->stowed) {
         ensemble_contacts_commit(&f->lanes, end, end - start);
@@ -195,8 +195,8 @@ static void commit(struct fleet *f, long n, const wide *base) {
         }
         struct run *r = &f->boat[k].run;
         int status = ensemble_links_commit(&f->lanes, k, r);
-        put(&f->acting, k, false);
-        put(&f->live, k, r->now->n_live > 0);
+        set_run(&f->acting, k, false);
+        set_run(&f->live, k, r->now->n_live > 0);
         if (status == STATUS_OK) {
             ensemble_contacts_stow(&f->lanes, k, r);
         } else {
@@ -229,11 +229,11 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
     }
     e->n_pressed = 0;
     if (presses) {
-        meet(f, n, base);
+        solve_all_links(f, n, base);
     }
     if (ensemble_exceeds(e)) {
-        look(f, n, base);
+        raise_peaks(f, n, base);
     }
-    commit(f, n, base);
+    commit_step(f, n, base);
     return n;
 }

@@ -50,7 +50,7 @@ LANES_INLINE void find_penetration(const struct ensemble_lanes *e, int k, wide *
 }
 
 // Lists a contact that may be beyond its limit in some lanes.
-LANES_INLINE void list(struct ensemble_lanes *e, int k) {
+LANES_INLINE void list_pressed(struct ensemble_lanes *e, int k) {
     wide delta;
     find_penetration(e, k, &delta);
     const wide_bits flags = LESS(e->gap[k].limit, delta), inside = LESS(0.0, delta);
@@ -73,7 +73,7 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
         }
         const bool pressed = ensemble_any(e->aboard, &any);
         for (int k = first; pressed && k < end; k++) {
-            list(e, k);
+            list_pressed(e, k);
         }
     }
 }

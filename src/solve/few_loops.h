@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The loops of few_steps.h: those of floor_loops.h, operation by operation, so that the bits are
-// the same, over all floors at once. Only the residuals are stored, as each floor wants those of
-// its building.
+// The loops of few_steps.h, over all floors at once and in registers, of the terms of floor_terms.h
+// as are those of floor_loops.h. Only the residuals are stored, as each floor needs those of its
+// building.
 #ifndef JOSTLE_FEW_LOOPS_H
 #define JOSTLE_FEW_LOOPS_H
 

@@ -147,7 +147,7 @@ void flight_deepen(const struct flight *f, struct state *s) {
 }
 
 // Takes a step as it has been found into the account, or sees to it that the next one does.
-static void take(const struct flight *f, const struct state *now, const struct state *next) {
+static void account(const struct flight *f, const struct state *now, const struct state *next) {
     if (!f->work->floors.account.defers) {
         floors_account_now(f->work, now, next);
         return;
@@ -186,7 +186,7 @@ static long glide(struct flight *f, struct state *now, long n, long end) {
 }
 
 // False: step n is not one in free flight.
-static bool step_to(struct flight *f, const struct state *now, struct state *next, long n) {
+static bool fly_to(struct flight *f, const struct state *now, struct state *next, long n) {
     struct excitation_ahead *ahead = &f->work->ahead;
     excitation_foresee(ahead, f->model, n);
     next->time = ahead->time[n - ahead->from];
@@ -197,7 +197,7 @@ static bool step_to(struct flight *f, const struct state *now, struct state *nex
     }
     bool free = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
     if (free) {
-        take(f, now, next);
+        account(f, now, next);
     }
     return free;
 }
@@ -219,7 +219,7 @@ static bool may_start(struct flight *f, const struct state *before, const struct
     return !f->yields || is_factorised(f);
 }
 
-static void start(struct flight *f, const struct state *now, struct state *next) {
+static void start_flight(struct flight *f, const struct state *now, struct state *next) {
     const struct model *m = f->model;
     state_open_links(next);
     gaps_forget(&f->work->gaps, now);
@@ -234,7 +234,8 @@ static void start(struct flight *f, const struct state *now, struct state *next)
 }
 
 // Takes the account of n steps to the state s; what storeys that yield bear is found anew for it.
-static void finish(const struct flight *f, const struct state *old, struct state *s, long n) {
+static void finish_flight(const struct flight *f, const struct state *old, struct state *s,
+                          long n) {
     struct totals *t = &f->results->totals;
     if (f->yields) {
         floors_catch_up(f->work, old, s);
@@ -253,15 +254,15 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
         return n;
     }
     end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
-    start(f, *now, *next);
+    start_flight(f, *now, *next);
     long first = n;
-    for (; (n = glide(f, *now, n, end)) < end && step_to(f, *now, *next, n + 1); n++) {
+    for (; (n = glide(f, *now, n, end)) < end && fly_to(f, *now, *next, n + 1); n++) {
         struct state *old = *now;
         *now = *next;
         *next = old;
     }
     if (n > first) {
-        finish(f, *next, *now, n - first);
+        finish_flight(f, *next, *now, n - first);
     }
     return n;
 }

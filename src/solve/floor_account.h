@@ -150,7 +150,7 @@ struct floors_works {
     floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
 };
 
-// What a vector of floors wants of the one below it and of itself.
+// What the works of a vector of floors need of the one below it and of itself.
 struct floors_pair {
     floor_lanes u_under, v_under, v_own;  // twice the mean velocities
 };

@@ -165,7 +165,7 @@ void floors_account(struct work *w, const struct state *now, const struct state 
 }
 
 // Penetrations after a step of few floors; false: it is not finite.
-static bool look(struct work *w, struct state *next, enum few_news news) {
+static bool update_gaps(struct work *w, struct state *next, enum few_news news) {
     if (news == FEW_NEAR) {
         gaps_update(&w->gaps, next);
     } else {
@@ -176,7 +176,7 @@ static bool look(struct work *w, struct state *next, enum few_news news) {
 
 bool floors_move(struct work *w, const struct state *now, struct state *next) {
     if (w->few.serves) {
-        return look(w, next, w->few.steps->move(w, now, next));
+        return update_gaps(w, next, w->few.steps->move(w, now, next));
     }
     list_ends(&w->floors, &w->gaps, next);
     bool finite = steps()->move(w, now, next);
@@ -194,7 +194,7 @@ bool floors_correct(const struct work *w, const struct state *now, struct state 
 
 void floors_correct_touched(struct work *w, const struct state *now, struct state *next) {
     if (w->few.serves) {
-        look(w, next, w->few.steps->correct(w, now, next));
+        update_gaps(w, next, w->few.steps->correct(w, now, next));
         return;
     }
     for (int i = 0; i < w->gaps.n_touched; i++) {

@@ -92,7 +92,7 @@ LANES static bool agrees(const struct work *w, const struct state *next, int k) 
     return beyond == 0;
 }
 
-static bool settle(struct work *w, const struct state *next) {
+static bool storeys_agree(struct work *w, const struct state *next) {
     bool all = true;
     if (w->model->n_storey_history == 0) {
         return true;
@@ -160,7 +160,7 @@ static int not_finite(const struct model *m, const struct state *s, struct error
 }
 
 // Keeps where the storeys were linearised, and takes the forces at the state reached.
-static void reach(struct work *w, struct state *next) {
+static void take_forces(struct work *w, struct state *next) {
     const struct model *m = w->model;
     memcpy(w->drift, next->drift, (size_t)m->n_dof * sizeof *w->drift);
     memcpy(w->shear, next->shear, (size_t)m->n_dof * sizeof *w->shear);
@@ -184,8 +184,8 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
         if (status != STATUS_OK) {
             return status;
         }
-        reach(w, next);
-        if (settle(w, next)) {
+        take_forces(w, next);
+        if (storeys_agree(w, next)) {
             return STATUS_OK;
         }
         residuals(w, next, next->a);
