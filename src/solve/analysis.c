@@ -10,10 +10,11 @@
 #include "solve/adaptive_newmark.h"
 #include "solve/dormand_prince.h"
 #include "solve/flight.h"
+#include "solve/peaks.h"
 #include "solve/run.h"
 
-// The steps need not end at `end`: `now` is the state within the last of them, which nobody asks
-// for between the start and the end of a run that is not observed.
+// Steps go on beyond `end`, where `now` is interpolated: but only for rows, or at the end of the
+// run.
 static int advance_dormand_prince(struct run *r, double end, double h) {
     (void)h;
     while (dormand_prince_time(r->adaptive) < end) {
@@ -29,7 +30,7 @@ static int advance_dormand_prince(struct run *r, double end, double h) {
     return STATUS_OK;
 }
 
-int analysis_balanced(struct run *r) {
+int analysis_note_energies(struct run *r) {
     struct results *out = r->results;
     double residual = fabs(out->energy[ENERGY_RESIDUAL]);
     if (!isfinite(residual)) {
@@ -42,12 +43,12 @@ int analysis_balanced(struct run *r) {
 
 static int observe(struct run *r) {
     if (!r->adaptive) {
-        floors_settle(&r->work.floors.late, r->model, r->next, r->now);
+        floors_catch_up(&r->work, r->next, r->now);
         state_complete(r->now, r->model);
     }
     const struct state *s = r->now;
     energy_balance(&r->energy, r->model, s, r->results->energy);
-    int status = analysis_balanced(r);
+    int status = analysis_note_energies(r);
     const struct observer *o = r->observer;
     if (status != STATUS_OK || !o || !o->row) {
         return status;
@@ -116,7 +117,7 @@ int analysis_step(struct run *r, long n) {
     double end = model_time(m, n);
     int status = r->advance(r, end, n < m->n_step ? m->dt : end - r->now->time);
     if (status == STATUS_OK) {
-        floors_settle(&r->work.floors.late, m, r->next, r->now);
+        floors_catch_up(&r->work, r->next, r->now);
     }
     bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
     return status == STATUS_OK && row ? observe(r) : status;
@@ -143,11 +144,7 @@ static bool run_alloc(struct run *r, struct arena *a) {
     if (!state_alloc(r->next, m, a) || !work_alloc(&r->work, m, &r->results->totals, a)) {
         return false;
     }
-    r->work.floors.late = (struct floors_late){
-        .energy = &r->energy,
-        .results = r->results,
-        .possible = state_is_uniform(m) && !m->adaptive && !r->work.few.possible,
-    };
+    floors_account_to(&r->work, &r->energy, r->results);
     return r->events && r->meeting &&
            (m->adaptive ? step_length_alloc(&r->length, m, r->results, a)
                         : flight_alloc(&r->flight, m, a));

@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "core/lanes.h"
-#include "solve/chain_floor.h"
+#include "solve/floor_terms.h"
 
 // The compiler sees from the mask that there are no elements beyond whole lanes.
 static inline int whole(int n) {
@@ -18,8 +18,8 @@ LANES void chain_trial(const struct chain *c, double h, const double *restrict u
                        double *restrict v_t) {
     double half = h * h / 2.0;
     for (int i = 0, n = whole(c->n); i < n; i++) {
-        u_t[i] = u[i] + (h * v[i] + half * a[i]);
-        v_t[i] = v[i] + h * a[i];
+        u_t[i] = TRIAL_U(u[i], v[i], a[i], h, half);
+        v_t[i] = TRIAL_V(v[i], a[i], h);
     }
 }
 
@@ -27,10 +27,11 @@ LANES void chain_forces(const struct chain *c, const double *restrict u, const d
                         double *restrict drift, double *restrict shear, double *restrict damping) {
     const double *restrict k = c->stiffness;
     for (int i = 0, n = whole(c->n); i < n; i++) {
-        double d = floor_drift(c, u, i);
+        double d = u[i] - c->joint[i] * u[i - 1];
         drift[i] = d;
         shear[i] = k[i] * d;
-        damping[i] = floor_damping(c, v, i);
+        damping[i] = BANDS(c->damping_below[i], v[i - 1], c->damping[i], v[i], c->damping_above[i],
+                           v[i + 1]);
     }
 }
 
@@ -48,7 +49,8 @@ LANES void chain_residual(const struct chain *c, const double *restrict external
     const double *restrict joint = c->joint;
     const double *restrict mass = c->mass;
     for (int i = 0, n = whole(c->n); i < n; i++) {
-        r[i] = external[i] - mass[i] * a[i] - damping[i] - shear[i] + joint[i + 1] * shear[i + 1];
+        r[i] = RESIDUAL(external[i] - mass[i] * a[i], damping[i], shear[i],
+                        joint[i + 1] * shear[i + 1]);
     }
 }
 
@@ -58,8 +60,8 @@ LANES bool chain_correct(const struct chain *c, double b, double g, const double
                          double *restrict a) {
     long bad = 0;
     for (int i = 0, n = whole(c->n); i < n; i++) {
-        u[i] = u_t[i] + b * q[i];
-        v[i] = v_t[i] + g * q[i];
+        u[i] = END(u_t[i], b, q[i]);
+        v[i] = END(v_t[i], g, q[i]);
         a[i] = a_0[i] + q[i];
         double size = fabs(u[i]) + fabs(v[i]) + fabs(a[i]);
         bad |= !(size <= DBL_MAX);
@@ -81,7 +83,7 @@ LANES void chain_work_of_ground(const struct chain *c, double ground_2x, const d
                                 const double *restrict u1, double work[LANES_WIDTH]) {
     lanes_wide sum = LANES_AT(work, 0);
     for (int i = 0; i < c->n; i += LANES_WIDTH) {
-        floors_input(c, i, ground_2x, u0, u1, &sum);
+        sum -= WORK_OF_GROUND(ground_2x, LANES_AT(c->mass, i), LANES_AT(u1, i) - LANES_AT(u0, i));
     }
     *(lanes_wide *)work = sum;
 }
@@ -91,7 +93,12 @@ LANES void chain_work_of_damping(const struct chain *c, const double *restrict u
                                  const double *restrict v1, double work[LANES_WIDTH]) {
     lanes_wide sum = LANES_AT(work, 0);
     for (int i = 0; i < c->n; i += LANES_WIDTH) {
-        floors_damped(c, i, u0, u1, v0, v1, &sum);
+        const lanes_wide below = LANES_AT(v0, i - 1) + LANES_AT(v1, i - 1);
+        const lanes_wide own = LANES_AT(v0, i) + LANES_AT(v1, i);
+        const lanes_wide above = LANES_AT(v0, i + 1) + LANES_AT(v1, i + 1);
+        sum += WORK_OF_DAMPING(LANES_AT(u1, i) - LANES_AT(u0, i),
+                               BANDS(LANES_AT(c->damping_below, i), below, LANES_AT(c->damping, i),
+                                     own, LANES_AT(c->damping_below, i + 1), above));
     }
     *(lanes_wide *)work = sum;
 }

@@ -11,9 +11,6 @@ struct quick;
 // are open.
 void contact_begin(struct work *w, const struct state *now, struct state *next);
 
-// Penetrations of all links at the displacements of `next`.
-void contact_penetrations(struct work *w, struct state *next);
-
 // Makes the links live that close on the way to the penetrations of `next`, as last found;
 // returns how many.
 int contact_search(struct work *w, const struct state *now, struct state *next);

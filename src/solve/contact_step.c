@@ -100,10 +100,6 @@ void contact_begin(struct work *w, const struct state *now, struct state *next) 
     }
 }
 
-void contact_penetrations(struct work *w, struct state *next) {
-    gaps_update(&w->gaps, next);
-}
-
 // Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
 // of closure from its path without its own force, and the law's history from that.
 static void close_link(struct work *w, const struct state *now, struct state *next, int k) {

@@ -3,7 +3,8 @@
 #ifndef JOSTLE_DORMAND_PRINCE_H
 #define JOSTLE_DORMAND_PRINCE_H
 
-#include "solve/account.h"
+#include "solve/energy.h"
+#include "solve/impacts.h"
 
 struct dp;
 

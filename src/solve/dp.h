@@ -5,10 +5,11 @@
 #ifndef JOSTLE_DP_H
 #define JOSTLE_DP_H
 
-#include "solve/account.h"
 #include "solve/dp_system.h"
+#include "solve/energy.h"
 #include "solve/gaps.h"
 #include "solve/hermite.h"
+#include "solve/impacts.h"
 #include "solve/pace.h"
 #include "solve/scale.h"
 

@@ -161,12 +161,12 @@ LANES_INLINE void take_stages(struct dp *p, ptrdiff_t count) {
 }
 
 // Most small models have so many floors in whole lanes, of which vectors are then in registers.
-enum { FEW = 2 * LANES_WIDTH };
+enum { USUAL = 2 * LANES_WIDTH };
 
 FLOORS_CLONES static void take(struct dp *p) {
     ptrdiff_t count = lanes_whole(p->model->n_dof);
-    if (count == FEW) {
-        take_stages(p, FEW);
+    if (count == USUAL) {
+        take_stages(p, USUAL);
     } else {
         take_stages(p, count);
     }

@@ -170,7 +170,7 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
 }
 
 // Accelerations of all floors from r->u and r->v without links, loads and what is special, under
-// the ground acceleration `ground`; as floors_take_stage.
+// the ground acceleration `ground`; as take_floors of dp_floors.h.
 LANES static void floor_rates(const struct dp_system *s, double ground, struct dp_rates *r) {
     double *const *row = s->row;
     const double *u = r->u, *v = r->v;

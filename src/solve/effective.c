@@ -14,7 +14,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/eight.h"
+#include "solve/effective_low.h"
 
 static bool alloc_one(struct effective *e, const struct building *building, enum effective_use use,
                       struct arena *a) {
@@ -205,7 +205,7 @@ LANES void effective_solve_row(struct effective *e, int n, double *r, double *q)
         if (effective_is_low(first)) {
             effective_multiply(first, r, q);
         } else if (first->abreast > 0 && first->abreast <= n - k) {
-            eight_solve(first, r, q);
+            effective_solve_abreast(first, r, q);
             solved = first->abreast;
         } else {
             effective_solve(first, r, q);

@@ -6,9 +6,6 @@
 #ifndef JOSTLE_EFFECTIVE_H
 #define JOSTLE_EFFECTIVE_H
 
-#include <assert.h>
-#include <stddef.h>
-
 #include "core/lanes.h"
 #include "jostle/model.h"
 
@@ -62,62 +59,6 @@ static inline bool effective_is_low(const struct effective *e) {
     return e->stride <= INVERSE_FLOORS_MAX && effective_has_inverse(e);
 }
 
-// q = A^-1 r by the inverse, for at most LANES_WIDTH floors. Rows and columns beyond it are 0.
-LANES_INLINE void effective_multiply_low(const double *inverse, const double *r, double *q) {
-    lanes_wide sum = {0.0};
-    for (int i = 0; i < LANES_WIDTH; i++) {
-        sum += r[i] * LANES_AT(inverse, (ptrdiff_t)i * LANES_WIDTH);
-    }
-    *(lanes_wide *)q = sum;
-}
-
-// For n floors, at most twice as many: `most` columns, at least n and a constant. What would be
-// rows and columns beyond is 0.
-LANES_INLINE void effective_multiply_high(const double *inverse, int n, int most, const double *r,
-                                          double *q) {
-    enum { STRIDE = 2 * LANES_WIDTH, VECTORS = STRIDE / LANES_VECTOR };
-    lanes sum[VECTORS] = {{0.0}};
-    for (int i = 0; i < n; i++, inverse += STRIDE) {
-        for (int j = 0; j < most / LANES_VECTOR; j++) {
-            sum[j] += r[i] * *(const lanes *)(inverse + (ptrdiff_t)j * LANES_VECTOR);
-        }
-    }
-    for (int j = 0; j < most / LANES_VECTOR; j++) {
-        *(lanes *)(q + (ptrdiff_t)j * LANES_VECTOR) = sum[j];
-    }
-}
-
-// For a low building with its inverse, in whole lanes: what is written beyond q belongs to the next
-// building. In line for the loops over floors.
-LANES_INLINE void effective_multiply(const struct effective *e, const double *r, double *q) {
-    enum { MIDDLE = 3 * LANES_WIDTH / 2 };
-    static_assert(INVERSE_FLOORS_MAX <= 2 * LANES_WIDTH, "those are all the strides there are");
-    if (e->stride == LANES_WIDTH) {
-        effective_multiply_low(e->inverse, r, q);
-    } else if (e->building->n_floor <= MIDDLE) {
-        effective_multiply_high(e->inverse, e->building->n_floor, MIDDLE, r, q);
-    } else {
-        effective_multiply_high(e->inverse, e->building->n_floor, INVERSE_FLOORS_MAX, r, q);
-    }
-}
-
-// The same where registers hold eight numbers.
-LANES_INLINE void effective_multiply_wide(const struct effective *e, const double *r, double *q) {
-    if (e->stride == LANES_WIDTH) {
-        effective_multiply_low(e->inverse, r, q);
-        return;
-    }
-    enum { STRIDE = 2 * LANES_WIDTH };
-    lanes_wide low = {0.0}, high = {0.0};
-    const double *row = e->inverse;
-    for (int i = 0, n = e->building->n_floor; i < n; i++, row += STRIDE) {
-        low += r[i] * LANES_AT(row, 0);
-        high += r[i] * LANES_AT(row, LANES_WIDTH);
-    }
-    *(lanes_wide *)q = low;
-    *(lanes_wide *)(q + LANES_WIDTH) = high;
-}
-
 // q = A^-1 r; both (n_floor), r is overwritten.
 void effective_solve(struct effective *e, double *r, double *q);
 
@@ -125,6 +66,9 @@ void effective_solve(struct effective *e, double *r, double *q);
 // core/lanes.h: what r has behind them must be finite, and q may be written there. Takes much less
 // time than one after the other where they are low, or where several are of the same height.
 void effective_solve_row(struct effective *e, int n, double *r, double *q);
+
+// The same for those that are solved together from e[0] on (`abreast`), by their factors.
+void effective_solve_abreast(const struct effective *e, const double *r, double *q);
 
 // Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on
 // floor i + 1. Computed when first asked for after a factorisation.

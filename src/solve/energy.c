@@ -11,10 +11,12 @@
 //
 // A link that is closed or strained at t = 0 holds the energy that its force, at rest, would take
 // to bring it there; it is initial energy, and the first of the work done on the link.
+#include "solve/energy.h"
+
 #include <gsl/gsl_integration.h>
 
 #include "core/lanes.h"
-#include "solve/account.h"
+#include "solve/chain.h"
 
 enum { CQUAD_INTERVALS = 100 };
 static const double CQUAD_TOLERANCE = 1e-12;

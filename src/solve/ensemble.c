@@ -9,8 +9,8 @@
 
 #include "core/arena.h"
 #include "core/number.h"
+#include "solve/ensemble_contacts.h"
 #include "solve/ensemble_fleet.h"
-#include "solve/ensemble_joints.h"
 
 static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
 
@@ -69,7 +69,7 @@ static bool same_ground(const struct ground *a, const struct ground *b) {
 }
 
 // The ground accelerations of a run from step n on, for its lane.
-static void shake(struct fleet *f, int k, long n) {
+static void compute_ground(struct fleet *f, int k, long n) {
     const struct model *m = f->boat[k].run.model;
     const struct ground *g = &m->ground[0];
     double time[ENSEMBLE_STRETCH], value[ENSEMBLE_STRETCH] = {0.0};
@@ -85,11 +85,11 @@ static void shake(struct fleet *f, int k, long n) {
 }
 
 // The ground accelerations of the steps from n on.
-static void look_ahead(struct fleet *f, long n) {
+static void compute_grounds(struct fleet *f, long n) {
     for (int k = 0; k < f->n; k++) {
         const int same = f->boat[k].ground;
         if (same == k) {
-            shake(f, k, n);
+            compute_ground(f, k, n);
         }
         for (int i = 0; i < ENSEMBLE_STRETCH && same < k; i++) {
             f->lanes.base[i][k] = f->lanes.base[i][same];
@@ -105,9 +105,9 @@ static void balance(struct fleet *f) {
     for (int k = 0; k < f->n; k++) {
         struct run *r = &f->boat[k].run;
         if (f->boat[k].berth == BERTH_ABOARD) {
-            ensemble_joints_work(&f->lanes, k, &r->energy);
+            ensemble_contacts_work(&f->lanes, k, &r->energy);
             energy_close(&r->energy, &sums[k], r->results->energy);
-            int status = analysis_balanced(r);
+            int status = analysis_note_energies(r);
             if (status != STATUS_OK) {
                 ensemble_fleet_end(f, k, status);
             }
@@ -175,7 +175,7 @@ static void lockstep(struct fleet *f) {
     land_due(f, 0);
     for (long n = 1; f->n_aboard + f->n_ashore > 0; n++) {
         if (n > f->known) {
-            look_ahead(f, n);
+            compute_grounds(f, n);
             if (n % POLL_STEPS == 1) {
                 poll(f, (double)(n - 1) * dt);
             }

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A step in which no link acts is one of many that the lanes take at a time. In one in which links
 // act, the lanes take the floors of all runs as far as the forces are known that these begin with,
-// and then the contacts of runs that are stowed (ensemble_joints.h). The links of each other run
+// and then the contacts of runs that are stowed (ensemble_contacts.h). The links of each other run
 // then change its lane; contacts that close on the way join them. What goes beyond that, such as a
 // force that jumps or a step that has to be cut, takes the run ashore for the step.
 #include "solve/ensemble_fleet.h"
 
 #include "core/number.h"
-#include "solve/ensemble_joints.h"
+#include "solve/ensemble_contacts.h"
 #include "solve/ensemble_links.h"
 
 // Sets the bit of run k.
-static void put(unsigned *runs, int k, bool value) {
+static void set_run(unsigned *runs, int k, bool value) {
     *runs = (*runs & ~(1U << k)) | (unsigned)value << k;
 }
 
 static void forget(struct fleet *f, int k) {
-    put(&f->live, k, false);
-    put(&f->acting, k, false);
-    put(&f->wanted, k, false);
+    set_run(&f->live, k, false);
+    set_run(&f->acting, k, false);
+    set_run(&f->wanted, k, false);
 }
 
 void ensemble_fleet_board(struct fleet *f, int k, long n) {
@@ -31,13 +31,13 @@ void ensemble_fleet_board(struct fleet *f, int k, long n) {
         b->boarded = n;
         f->n_aboard++;
         f->n_ashore--;
-        put(&f->live, k, r->now->n_live > 0);
+        set_run(&f->live, k, r->now->n_live > 0);
     }
 }
 
 void ensemble_fleet_leave(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
-    ensemble_joints_take_out(&f->lanes, k, &b->run);
+    ensemble_contacts_take_out(&f->lanes, k, &b->run);
     ensemble_leave(&f->lanes, k, &b->run, model_time(b->run.model, n), n - b->boarded);
     b->berth = BERTH_ASHORE;
     f->n_aboard--;
@@ -47,7 +47,7 @@ void ensemble_fleet_leave(struct fleet *f, int k, long n) {
 
 void ensemble_fleet_end(struct fleet *f, int k, int status) {
     struct boat *b = &f->boat[k];
-    ensemble_joints_take_out(&f->lanes, k, &b->run);
+    ensemble_contacts_take_out(&f->lanes, k, &b->run);
     *(b->berth == BERTH_ABOARD ? &f->n_aboard : &f->n_ashore) -= 1;
     b->berth = BERTH_ENDED;
     ensemble_clear(&f->lanes, k);
@@ -56,13 +56,13 @@ void ensemble_fleet_end(struct fleet *f, int k, int status) {
 }
 
 // The links of run k act in step n.
-static void act(struct fleet *f, int k, long n) {
+static void begin_links_of(struct fleet *f, int k, long n) {
     struct boat *b = &f->boat[k];
     const struct model *m = b->run.model;
     b->before = b->run.results->totals;
     ensemble_links_begin(&f->lanes, k, &b->run, model_time(m, n - 1), model_time(m, n));
-    put(&f->acting, k, true);
-    put(&f->wanted, k, b->run.next->n_live > 0);
+    set_run(&f->acting, k, true);
+    set_run(&f->wanted, k, b->run.next->n_live > 0);
 }
 
 // Run k cannot take step n aboard, whatever its links have done in it so far.
@@ -76,26 +76,26 @@ static void give_up(struct fleet *f, int k, long n) {
 }
 
 static bool is_stowed(const struct fleet *f, int k) {
-    return ensemble_has(f->lanes.joints->stowed, k);
+    return ensemble_has(f->lanes.contacts->stowed, k);
 }
 
 // The links of run k, which is stowed, cannot take step n with those of others.
 static void take_out(struct fleet *f, int k, long n) {
     struct run *r = &f->boat[k].run;
-    ensemble_joints_take_out(&f->lanes, k, r);
+    ensemble_contacts_take_out(&f->lanes, k, r);
     ensemble_links_recall(&f->lanes, k, r);
-    act(f, k, n);
-    ensemble_joints_give(&f->lanes, k, r);
+    begin_links_of(f, k, n);
+    ensemble_contacts_give(&f->lanes, k, r);
 }
 
 // The step n of all floors aboard, with the forces that live links begin it with.
 static void begin_links(struct fleet *f, long n, const wide *base) {
-    if (f->lanes.joints->stowed) {
-        ensemble_joints_begin(&f->lanes);
+    if (f->lanes.contacts->stowed) {
+        ensemble_contacts_begin(&f->lanes);
     }
     for (int k = 0; k < f->n; k++) {
         if (ensemble_has(f->live, k) && !is_stowed(f, k)) {
-            act(f, k, n);
+            begin_links_of(f, k, n);
             ensemble_links_push(&f->lanes, k, &f->boat[k].run);
         }
     }
@@ -116,13 +116,13 @@ static unsigned find_pressed(struct ensemble_lanes *e) {
 static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
     struct run *r = &f->boat[k].run;
     if (pressed && !ensemble_has(f->acting, k)) {
-        act(f, k, n);
+        begin_links_of(f, k, n);
     }
     bool closed = pressed && ensemble_links_close(&f->lanes, k, r) > 0;
     if (!closed && !ensemble_has(f->wanted, k)) {
         return false;
     }
-    put(&f->wanted, k, false);
+    set_run(&f->wanted, k, false);
     if (ensemble_links_solve(&f->lanes, r) != STATUS_OK) {
         give_up(f, k, n);
     }
@@ -132,7 +132,7 @@ static bool solve_links(struct fleet *f, int k, long n, bool pressed) {
 // Solves for the links of runs that are stowed, but for those `pressed`; the others are taken out.
 // Returns whether there were any.
 static bool solve_stowed(struct fleet *f, long n, unsigned pressed) {
-    const struct ensemble_joints *s = f->lanes.joints;
+    const struct ensemble_contacts *s = f->lanes.contacts;
     const unsigned left = s->stowed & ~s->solved;
     for (int k = 0; s->stowed & pressed && k < f->n; k++) {
         if (ensemble_has(s->stowed & pressed, k)) {
@@ -142,7 +142,7 @@ static bool solve_stowed(struct fleet *f, long n, unsigned pressed) {
     if (!(s->stowed & left)) {
         return false;
     }
-    ensemble_joints_solve(&f->lanes);
+    ensemble_contacts_solve(&f->lanes);
     const unsigned given_up = s->stowed & ~s->solved;
     for (int k = 0; given_up && k < f->n; k++) {
         if (ensemble_has(given_up, k)) {
@@ -153,7 +153,7 @@ static bool solve_stowed(struct fleet *f, long n, unsigned pressed) {
 }
 
 // Solves for the links of all runs aboard, which may close others.
-static void meet(struct fleet *f, long n, const wide *base) {
+static void solve_all_links(struct fleet *f, long n, const wide *base) {
     for (bool again = true; again;) {
         const unsigned pressed = find_pressed(&f->lanes);
         again = solve_stowed(f, n, pressed);
@@ -174,7 +174,7 @@ static void meet(struct fleet *f, long n, const wide *base) {
 }
 
 // Takes a closer look at the step n that has been computed, in which a peak is exceeded.
-static void look(struct fleet *f, long n, const wide *base) {
+static void raise_peaks(struct fleet *f, long n, const wide *base) {
     const unsigned leaving = ensemble_overflows(&f->lanes, base);
     for (int k = 0; leaving && k < f->n; k++) {
         if (ensemble_has(leaving, k)) {
@@ -184,10 +184,10 @@ static void look(struct fleet *f, long n, const wide *base) {
     ensemble_raise(&f->lanes, base, (double)n * f->lanes.h);
 }
 
-static void commit(struct fleet *f, long n, const wide *base) {
+static void commit_step(struct fleet *f, long n, const wide *base) {
     const double start = (double)(n - 1) * f->lanes.h, end = (double)n * f->lanes.h;
-    if (f->lanes.joints->stowed) {
-        ensemble_joints_commit(&f->lanes, end, end - start);
+    if (f->lanes.contacts->stowed) {
+        ensemble_contacts_commit(&f->lanes, end, end - start);
     }
     for (int k = 0; f->acting && k < f->n; k++) {
         if (!ensemble_has(f->acting, k)) {
@@ -195,10 +195,10 @@ static void commit(struct fleet *f, long n, const wide *base) {
         }
         struct run *r = &f->boat[k].run;
         int status = ensemble_links_commit(&f->lanes, k, r);
-        put(&f->acting, k, false);
-        put(&f->live, k, r->now->n_live > 0);
+        set_run(&f->acting, k, false);
+        set_run(&f->live, k, r->now->n_live > 0);
         if (status == STATUS_OK) {
-            ensemble_joints_stow(&f->lanes, k, r);
+            ensemble_contacts_stow(&f->lanes, k, r);
         } else {
             ensemble_fleet_end(f, k, status);
         }
@@ -223,17 +223,17 @@ long ensemble_fleet_cruise(struct fleet *f, long n) {
     if (n > last) {
         return last;
     }
-    e->joints->solved = 0;
+    e->contacts->solved = 0;
     if (live) {
         begin_links(f, n, base);
     }
     e->n_pressed = 0;
     if (presses) {
-        meet(f, n, base);
+        solve_all_links(f, n, base);
     }
     if (ensemble_exceeds(e)) {
-        look(f, n, base);
+        raise_peaks(f, n, base);
     }
-    commit(f, n, base);
+    commit_step(f, n, base);
     return n;
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The runs of an ensemble. A run is aboard the lanes but for steps that only a run alone can take:
-// those go ashore before, and come back after. All runs are at the same step, so that they share
-// the lanes' ground motion.
+// The runs of an ensemble. A run is
+//     aboard    while its floors are in the lanes, where all runs take a step at once,
+//     stowed    while its closed contacts are there too (ensemble_contacts.h),
+//     ashore    for a step that only a run alone can take, in its struct run,
+//     landed    for its last step, which may be shorter.
+// All runs are at the same step, so that they share the lanes' ground motion.
 #ifndef JOSTLE_ENSEMBLE_FLEET_H
 #define JOSTLE_ENSEMBLE_FLEET_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The floors of a building in a step of all runs aboard at once: what chain_floor.h says, as a run
+// The floors of a building in a step of all runs aboard at once: what floor_terms.h says, as a run
 // alone goes through it where storeys are elastic and one ground moves all. Each lane sees the same
 // operations in the same order, so that its bits are those of a run alone. What one floor needs of
 // its neighbours is carried along in registers.
@@ -13,6 +13,7 @@
 #define JOSTLE_ENSEMBLE_FLOORS_H
 
 #include "solve/ensemble_lanes.h"
+#include "solve/floor_terms.h"
 
 enum { WIDTH = sizeof(part) / sizeof(double), PARTS = WIDE_RUNS / WIDTH };
 
@@ -40,7 +41,7 @@ enum { ROWS = 4, ROWS_MOST = 2 * ROWS - 1 };
 #define EACH_ROW(c, n) _Pragma("GCC unroll 8") for (int c = 0; c < (n); c++)
 
 // A building that begins a step; the arrays are of its own floors.
-struct begun {
+struct beginning {
     const struct building *shape;
     const double *x;  // its numbers
     const struct ensemble_state *now, *old;
@@ -49,32 +50,33 @@ struct begun {
     part ground, ground_2x, h, half;
 };
 
-// What the floors above and below want to know of one.
+// What the residuals of the floors above and below need of one.
 struct neighbour {
     part u, v, shear;  // at the trial, of the storey below
     part sum;          // of the velocities before and after the last step
 };
 
 // The works of the ground and of damping on floor i in the last step.
-LANES_INLINE void account_floor(const struct begun *g, enum ensemble_held held, int p, int i,
+LANES_INLINE void account_floor(const struct beginning *g, enum ensemble_held held, int p, int i,
                                 const part *below, const part *own, const part *above) {
     const double *x = g->x;
     const unsigned slot = (unsigned)(g->shape->first + i) % LANES_WIDTH;
     const part du = PART_OF(g->now[i].u) - PART_OF(g->old[i].u);
-    PART(g->works->input_2x[slot]) += g->ground_2x * (NUMBER(i, INERTIA) * du);
-    PART(g->works->damping_2x[slot]) +=
-        du * (NUMBER(i, BELOW) * *below + NUMBER(i, OWN) * *own + NUMBER(i, ABOVE) * *above);
+    PART(g->works->input_2x[slot]) += WORK_OF_GROUND(g->ground_2x, NUMBER(i, INERTIA), du);
+    PART(g->works->damping_2x[slot]) += WORK_OF_DAMPING(
+        du, BANDS(NUMBER(i, BELOW), *below, NUMBER(i, OWN), *own, NUMBER(i, ABOVE), *above));
 }
 
 // Where floor i would be at the end of the step if its acceleration stayed.
-LANES_INLINE void try_floor(const struct begun *g, int p, int i, part *u, part *v) {
+LANES_INLINE void try_floor(const struct beginning *g, int p, int i, part *u, part *v) {
     const struct ensemble_state *s = &g->now[i];
-    *u = PART_OF(s->u) + (g->h * PART_OF(s->v) + g->half * PART_OF(s->a));
-    *v = PART_OF(s->v) + g->h * PART_OF(s->a);
+    *u = TRIAL_U(PART_OF(s->u), PART_OF(s->v), PART_OF(s->a), g->h, g->half);
+    *v = TRIAL_V(PART_OF(s->v), PART_OF(s->a), g->h);
 }
 
-LANES_INLINE void meet_floor(const struct begun *g, enum ensemble_held held, int p, int i,
-                             const part *u_below, struct neighbour *own) {
+// Floor i at the trial, and its velocities for the account.
+LANES_INLINE void predict_floor(const struct beginning *g, enum ensemble_held held, int p, int i,
+                                const part *u_below, struct neighbour *own) {
     const double *x = g->x;
     try_floor(g, p, i, &own->u, &own->v);
     own->shear = NUMBER(i, STIFFNESS) * (own->u - *u_below);
@@ -82,15 +84,14 @@ LANES_INLINE void meet_floor(const struct begun *g, enum ensemble_held held, int
 }
 
 // r = -m (a_ground + a) - C v_t - K u_t of floor i.
-LANES_INLINE void begin_floor(const struct begun *g, enum ensemble_held held, int p, int i,
+LANES_INLINE void begin_floor(const struct beginning *g, enum ensemble_held held, int p, int i,
                               const struct neighbour *below, const struct neighbour *own,
                               const struct neighbour *above) {
     const double *x = g->x;
     const part damping =
-        NUMBER(i, BELOW) * below->v + NUMBER(i, OWN) * own->v + NUMBER(i, ABOVE) * above->v;
-    const part residual = NUMBER(i, INERTIA) * g->ground +
-                          NUMBER(i, INERTIA) * PART_OF(g->now[i].a) - damping - own->shear +
-                          above->shear;
+        BANDS(NUMBER(i, BELOW), below->v, NUMBER(i, OWN), own->v, NUMBER(i, ABOVE), above->v);
+    const part p_ma = NUMBER(i, INERTIA) * g->ground + NUMBER(i, INERTIA) * PART_OF(g->now[i].a);
+    const part residual = RESIDUAL(p_ma, damping, own->shear, above->shear);
     PART(g->trial[i].u) = own->u;
     PART(g->trial[i].v) = own->v;
     PART(g->trial[i].residual) = residual;
@@ -98,13 +99,13 @@ LANES_INLINE void begin_floor(const struct begun *g, enum ensemble_held held, in
 }
 
 // The trial, with its residuals. The last step is accounted for while the numbers are at hand.
-LANES_INLINE void begin_floors(const struct begun *g, enum ensemble_held held, int p) {
+LANES_INLINE void begin_floors(const struct beginning *g, enum ensemble_held held, int p) {
     const struct neighbour nothing = {{0.0}, {0.0}, {0.0}, {0.0}};
     const int top = g->shape->n_floor - 1;
     struct neighbour below = nothing, own = nothing, above = nothing;
-    meet_floor(g, held, p, 0, &nothing.u, &own);
+    predict_floor(g, held, p, 0, &nothing.u, &own);
     for (int i = 0; i < top; i++) {
-        meet_floor(g, held, p, i + 1, &own.u, &above);
+        predict_floor(g, held, p, i + 1, &own.u, &above);
         begin_floor(g, held, p, i, &below, &own, &above);
         below = own;
         own = above;
@@ -113,7 +114,7 @@ LANES_INLINE void begin_floors(const struct begun *g, enum ensemble_held held, i
 }
 
 // Takes but the works of the last step into account.
-LANES_INLINE void account_floors(const struct begun *g, enum ensemble_held held, int p) {
+LANES_INLINE void account_floors(const struct beginning *g, enum ensemble_held held, int p) {
     const part nothing = {0.0};
     const int top = g->shape->n_floor - 1;
     part below = nothing, own = PART_OF(g->old[0].v) + PART_OF(g->now[0].v);
@@ -126,10 +127,11 @@ LANES_INLINE void account_floors(const struct begun *g, enum ensemble_held held,
     account_floor(g, held, p, top, &below, &own, &nothing);
 }
 
-LANES_INLINE struct begun begun(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                                int p, const wide *ground, struct ensemble_trial *t) {
+LANES_INLINE struct beginning beginning_of(const struct ensemble_lanes *e,
+                                           const struct ensemble_building *b, int p,
+                                           const wide *ground, struct ensemble_trial *t) {
     const int first = b->shape->first;
-    return (struct begun){
+    return (struct beginning){
         .shape = b->shape,
         .x = b->number,
         .now = e->now + first,
@@ -144,7 +146,7 @@ LANES_INLINE struct begun begun(const struct ensemble_lanes *e, const struct ens
 }
 
 // A building that ends a step; arrays as above.
-struct ended {
+struct ending {
     const double *inverse, *factor;
     const struct ensemble_state *now;
     const struct ensemble_trial *trial;
@@ -157,10 +159,11 @@ struct ended {
     part_bits beyond;  // negative in lanes where a floor exceeds a peak
 };
 
-LANES_INLINE struct ended ended(const struct ensemble_lanes *e, const struct ensemble_building *b,
-                                int p, const wide *ground, const struct ensemble_trial *t) {
+LANES_INLINE struct ending ending_of(const struct ensemble_lanes *e,
+                                     const struct ensemble_building *b, int p, const wide *ground,
+                                     const struct ensemble_trial *t) {
     const int first = b->shape->first;
-    return (struct ended){
+    return (struct ending){
         .inverse = b->inverse,
         .factor = b->factor,
         .now = e->now + first,
@@ -176,11 +179,11 @@ LANES_INLINE struct ended ended(const struct ensemble_lanes *e, const struct ens
 }
 
 // The state of floor i with its correction q, and whether it exceeds a peak.
-LANES_INLINE void end_floor(struct ended *g, int p, int i, const part *u_trial, const part *v_trial,
-                            const part *q) {
+LANES_INLINE void end_floor(struct ending *g, int p, int i, const part *u_trial,
+                            const part *v_trial, const part *q) {
     const struct ensemble_peaks *peak = &g->peak[i];
-    const part u = *u_trial + g->b * *q;
-    const part v = *v_trial + g->g * *q;
+    const part u = END(*u_trial, g->b, *q);
+    const part v = END(*v_trial, g->g, *q);
     const part a = PART_OF(g->now[i].a) + *q;
     g->beyond = g->beyond | UNDER(PART_OF(peak->of[PEAK_DISPLACEMENT]), u) |
                 UNDER(PART_OF(peak->of[PEAK_VELOCITY]), v);
@@ -193,7 +196,7 @@ LANES_INLINE void end_floor(struct ended *g, int p, int i, const part *u_trial, 
 }
 
 // `count` floors from floor j on, by as many rows of the inverse, which is stored by columns.
-LANES_INLINE void end_rows(struct ended *g, enum ensemble_held held, int p, int j, int count) {
+LANES_INLINE void end_rows(struct ending *g, enum ensemble_held held, int p, int j, int count) {
     part q[ROWS_MOST];
     EACH_ROW(c, count) {
         q[c] = (part){0.0};
@@ -210,7 +213,7 @@ LANES_INLINE void end_rows(struct ended *g, enum ensemble_held held, int p, int 
     }
 }
 
-LANES_INLINE void multiply(struct ended *g, enum ensemble_held held, int p) {
+LANES_INLINE void multiply(struct ending *g, enum ensemble_held held, int p) {
     int j = 0;
     for (; j + ROWS_MOST < g->n; j += ROWS) {
         end_rows(g, held, p, j, ROWS);
@@ -240,7 +243,7 @@ LANES_INLINE void multiply(struct ended *g, enum ensemble_held held, int p) {
 }
 
 // L D L^T, from the ground up and back.
-LANES_INLINE void substitute(const struct ended *g, enum ensemble_held held, int p) {
+LANES_INLINE void substitute(const struct ending *g, enum ensemble_held held, int p) {
     const double *x = g->factor;
     const int n = g->n;
     wide *q = g->correction;
@@ -259,7 +262,7 @@ LANES_INLINE void substitute(const struct ended *g, enum ensemble_held held, int
 }
 
 // What the residuals lead to.
-LANES_INLINE void end_floors(struct ended *g, enum ensemble_held held, int p) {
+LANES_INLINE void end_floors(struct ending *g, enum ensemble_held held, int p) {
     if (g->inverse) {
         multiply(g, held, p);
         return;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Forces that contacts in lanes begin a step with, and what they have done in it: contact_step.c
 // and impacts.c for contacts that stay closed, with the same operations in the same order.
-#include "solve/ensemble_joints.h"
+#include "solve/ensemble_contacts.h"
 
 // The polynomial through the forces of the last steps: `guess` of contact_step.c.
-LANES_WHOLE void ensemble_joints_begin(struct ensemble_lanes *e) {
+LANES_WHOLE void ensemble_contacts_begin(struct ensemble_lanes *e) {
     const wide none = {0.0};
-    for (int i = 0; i < e->joints->n_acting; i++) {
-        const int k = e->joints->acting[i];
-        struct joint *j = &e->joints->joint[k];
+    for (int i = 0; i < e->contacts->n_acting; i++) {
+        const int k = e->contacts->acting[i];
+        struct closed_contact *j = &e->contacts->contact[k];
         wide next = 4.0 * (j->was + j->past[1]) - 6.0 * j->past[0] - j->past[2];
         next = WIDE_CHOOSE(j->n_past == 2, 3.0 * (j->was - j->past[0]) + j->past[1], next);
         next = WIDE_CHOOSE(j->n_past == 1, 2.0 * j->was - j->past[0], next);
@@ -21,13 +21,13 @@ LANES_WHOLE void ensemble_joints_begin(struct ensemble_lanes *e) {
 
 LANES_WHOLE_INLINE void penetration(const struct ensemble_lanes *e, int k,
                                     const struct ensemble_state *s, wide *delta) {
-    *delta = s[e->end[k][0]].u - s[e->end[k][1]].u - e->contact[k].gap;
+    *delta = s[e->end[k][0]].u - s[e->end[k][1]].u - e->gap[k].width;
 }
 
 // What impacts.c does for a live link that stays closed; *contact is the work on all of its run.
 LANES_WHOLE_INLINE void account(const struct ensemble_lanes *e, int k, double time, double h,
                                 wide *contact) {
-    struct joint *j = &e->joints->joint[k];
+    struct closed_contact *j = &e->contacts->contact[k];
     wide before, after;
     penetration(e, k, e->now, &before);
     penetration(e, k, e->next, &after);
@@ -48,11 +48,11 @@ LANES_WHOLE_INLINE void account(const struct ensemble_lanes *e, int k, double ti
     *contact += (wide)((wide_bits)work & j->live);
 }
 
-LANES_WHOLE void ensemble_joints_commit(struct ensemble_lanes *e, double time, double h) {
-    struct ensemble_joints *s = e->joints;
+LANES_WHOLE void ensemble_contacts_commit(struct ensemble_lanes *e, double time, double h) {
+    struct ensemble_contacts *s = e->contacts;
     wide contact = {0.0};
     for (int i = 0; i < s->n_acting; i++) {
-        struct joint *j = &s->joint[s->acting[i]];
+        struct closed_contact *j = &s->contact[s->acting[i]];
         account(e, s->acting[i], time, h, &contact);
         j->past[2] = j->past[1];
         j->past[1] = j->past[0];
@@ -60,7 +60,7 @@ LANES_WHOLE void ensemble_joints_commit(struct ensemble_lanes *e, double time, d
         j->was = j->force;
         j->n_past -= j->n_past < PAST_STEPS;
     }
-    s->contact += contact;
+    s->work += contact;
     s->sweeps += s->count;
     s->steps += 1;
 }

@@ -6,12 +6,12 @@
 
 #include "core/arena.h"
 #include "core/number.h"
-#include "solve/ensemble_joints.h"
+#include "solve/ensemble_contacts.h"
 
 static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
-    e->contact = lanes_wide_array(a, m->n_contact, sizeof *e->contact);
+    e->gap = lanes_wide_array(a, m->n_contact, sizeof *e->gap);
     e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
-    e->joints = ensemble_joints_create(m, a);
+    e->contacts = ensemble_contacts_create(m, a);
     e->grip = lanes_wide_array(a, m->n_contact, sizeof *e->grip);
     e->force = lanes_wide_array(a, m->n_contact, sizeof *e->force);
     e->acts = arena_alloc(a, (size_t)m->n_contact, sizeof *e->acts);
@@ -24,7 +24,7 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
         }
         e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never come aboard too
     }
-    return e->contact && e->nearest && e->joints && e->grip && e->force && e->acts && e->end &&
+    return e->gap && e->nearest && e->contacts && e->grip && e->force && e->acts && e->end &&
            e->pressed;
 }
 
@@ -164,7 +164,7 @@ bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
     const struct ground *g = &m->ground[0];
     bool small = is_small(e->h);
     for (int k = 0; k < e->n_contact; k++) {
-        small &= put(&e->contact[k].gap, lane, m->link[k].gap);
+        small &= put(&e->gap[k].width, lane, m->link[k].gap);
         fill_grip(&e->grip[k], lane, m, k);
     }
     for (int i = 0; i < g->n_signal; i++) {
@@ -221,7 +221,7 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
 bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
     const struct state *s = r->now;
     bool small = true;
-    e->steps->settle(e);
+    e->steps->catch_up(e);
     for (int i = 0; i < e->n_floor; i++) {
         struct ensemble_state *f = &e->now[i];
         small &= put(&f->u, lane, s->u[i]);
@@ -242,7 +242,7 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
             p->depth[lane] = depth;
             p->time[lane] = r->work.gaps.time[k];
         }
-        e->contact[k].limit[lane] = p->depth[lane];
+        e->gap[k].limit[lane] = p->depth[lane];
     }
     if (small) {
         e->aboard[lane] = -1;
@@ -256,7 +256,7 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
 void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double time, long n_step) {
     struct state *s = r->now;
     struct totals *t = &r->results->totals;
-    e->steps->settle(e);
+    e->steps->catch_up(e);
     for (int i = 0; i < e->n_floor; i++) {
         const struct ensemble_state *f = &e->now[i];
         s->u[i] = f->u[lane];
@@ -270,7 +270,7 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
     s->ground_a[0] = e->works->ground[lane];
     t->speed = e->works->speed[lane];
     for (int k = 0; k < e->n_contact; k++) {
-        s->delta[k] = s->u[e->end[k][0]] - s->u[e->end[k][1]] - e->contact[k].gap[lane];
+        s->delta[k] = s->u[e->end[k][0]] - s->u[e->end[k][1]] - e->gap[k].width[lane];
     }
     s->time = time;
     t->steps += n_step;

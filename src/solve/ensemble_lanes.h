@@ -97,8 +97,8 @@ struct ensemble_peak_times {
     wide of[PEAK_COUNT];  // [T]
 };
 
-struct ensemble_contact {
-    wide gap;    // [L]
+struct ensemble_gap {
+    wide width;  // [L]
     wide limit;  // [L] a contact beyond this closes or is nearer than ever: its nearest, or
                  // infinite in lanes whose runs have taken it up in this step
 };
@@ -136,7 +136,7 @@ struct ensemble_steps {
     // Computes one step with the forces that live links begin it with.
     void (*move)(struct ensemble_lanes *e, const wide *base);
 
-    // Solves for the forces of runs that are stowed: see ensemble_joints.h. NULL: none ever is.
+    // Solves for the forces of runs that are stowed: see ensemble_contacts.h. NULL: none ever is.
     void (*solve)(struct ensemble_lanes *e);
 
     // Shows the runs aboard the trial and the corrections of that step, or of the one that the
@@ -150,7 +150,7 @@ struct ensemble_steps {
     void (*commit)(struct ensemble_lanes *e, const wide *base);
 
     // Takes the works of the last step into account, where that is still owing.
-    void (*settle)(struct ensemble_lanes *e);
+    void (*catch_up)(struct ensemble_lanes *e);
 };
 extern const struct ensemble_steps ensemble_whole;  // for registers that hold all lanes
 extern const struct ensemble_steps ensemble_half;   // for those that hold half of them
@@ -176,7 +176,7 @@ struct ensemble_lanes {
     struct ensemble_peak_times *peak_time;  // (n_floor)
     struct ensemble_works *works;           // up to `now`, or the step before where that is owing,
     bool owing;                             // which is in `next` then
-    struct ensemble_contact *contact;       // (n_contact)
+    struct ensemble_gap *gap;               // (n_contact)
     struct ensemble_nearest *nearest;       // (n_contact)
     struct ensemble_grip *grip;             // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
@@ -184,7 +184,7 @@ struct ensemble_lanes {
     bool *acts;     // (n_contact) of contacts that are live in some lane
     struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits, as last looked at
     int n_pressed;
-    struct ensemble_joints *joints;  // links of runs that are stowed
+    struct ensemble_contacts *contacts;  // links of runs that are stowed
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
     const struct ensemble_steps *steps;  // borrowed
 };

@@ -5,6 +5,7 @@
 
 #include "solve/contact.h"
 #include "solve/event.h"
+#include "solve/peaks.h"
 
 // Lets runs know the floors of building k.
 static void show_building(struct ensemble_lanes *e, int k) {
@@ -36,7 +37,7 @@ static void gather_velocities(const struct ensemble_lanes *e, int k, const struc
 
 static double penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
                           int lane) {
-    return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
+    return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->gap[k].width[lane];
 }
 
 // What the live links of `to` feel of their floors in a state of the lane.
@@ -61,7 +62,7 @@ void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, dou
     next->time = end;
     contact_begin(&r->work, r->now, next);
     for (int i = 0; i < next->n_live; i++) {
-        e->contact[next->live[i]].limit[lane] = INFINITY;
+        e->gap[next->live[i]].limit[lane] = INFINITY;
     }
 }
 
@@ -83,10 +84,10 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
         show_ends(e, r, k);
         gather_velocities(e, k, e->now, lane, r->now->v);
         r->now->delta[k] =
-            e->now[e->end[k][0]].u[lane] - e->now[e->end[k][1]].u[lane] - e->contact[k].gap[lane];
+            e->now[e->end[k][0]].u[lane] - e->now[e->end[k][1]].u[lane] - e->gap[k].width[lane];
         r->next->delta[k] = penetration(e, k, e->next, lane);
         if (contact_close(&r->work, r->now, r->next, k)) {
-            e->contact[k].limit[lane] = INFINITY;
+            e->gap[k].limit[lane] = INFINITY;
             n++;
         }
     }
@@ -133,6 +134,6 @@ int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r) {
 void ensemble_links_release(struct ensemble_lanes *e, int lane, const struct run *r) {
     const struct gaps *g = &r->work.gaps;
     for (int i = 0; i < g->n_acting; i++) {
-        e->contact[g->acting[i]].limit[lane] = e->nearest[g->acting[i]].depth[lane];
+        e->gap[g->acting[i]].limit[lane] = e->nearest[g->acting[i]].depth[lane];
     }
 }

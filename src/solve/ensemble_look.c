@@ -46,14 +46,14 @@ LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *ba
 }
 
 LANES_INLINE void find_penetration(const struct ensemble_lanes *e, int k, wide *delta) {
-    *delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - e->contact[k].gap;
+    *delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - e->gap[k].width;
 }
 
 // Lists a contact that may be beyond its limit in some lanes.
-LANES_INLINE void list(struct ensemble_lanes *e, int k) {
+LANES_INLINE void list_pressed(struct ensemble_lanes *e, int k) {
     wide delta;
     find_penetration(e, k, &delta);
-    const wide_bits flags = LESS(e->contact[k].limit, delta), inside = LESS(0.0, delta);
+    const wide_bits flags = LESS(e->gap[k].limit, delta), inside = LESS(0.0, delta);
     const unsigned beyond = lanes_aboard(e, &flags);
     if (beyond != 0) {
         const unsigned closed = beyond & lanes_aboard(e, &inside);
@@ -69,11 +69,11 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
         for (int k = first; k < end; k++) {
             wide delta;
             find_penetration(e, k, &delta);
-            any |= LESS(e->contact[k].limit, delta);
+            any |= LESS(e->gap[k].limit, delta);
         }
         const bool pressed = ensemble_any(e->aboard, &any);
         for (int k = first; pressed && k < end; k++) {
-            list(e, k);
+            list_pressed(e, k);
         }
     }
 }
@@ -132,7 +132,7 @@ LANES_INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble
 // The same of a contact, where it is open.
 LANES_INLINE void draw_near(struct ensemble_lanes *e, int k, const wide_bits *aboard,
                             const wide *time) {
-    struct ensemble_contact *c = &e->contact[k];
+    struct ensemble_gap *c = &e->gap[k];
     struct ensemble_nearest *p = &e->nearest[k];
     wide delta;
     find_penetration(e, k, &delta);
@@ -191,6 +191,6 @@ LANES static void add_sums(const struct ensemble_lanes *e, struct energy_sums *s
 }
 
 void ensemble_sums(struct ensemble_lanes *e, struct energy_sums *sums) {
-    e->steps->settle(e);
+    e->steps->catch_up(e);
     add_sums(e, sums);
 }

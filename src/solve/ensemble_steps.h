@@ -21,13 +21,13 @@ enum { TOGETHER = 2 };
 
 APART void begin_once(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                       const wide *ground, struct ensemble_trial *t) {
-    const struct begun g = begun(e, b, p, ground, t);
+    const struct beginning g = beginning_of(e, b, p, ground, t);
     begin_floors(&g, HELD_ONCE, p);
 }
 
 APART void begin_each(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                       const wide *ground, struct ensemble_trial *t) {
-    const struct begun g = begun(e, b, p, ground, t);
+    const struct beginning g = beginning_of(e, b, p, ground, t);
     begin_floors(&g, HELD_BY_EACH, p);
 }
 
@@ -38,14 +38,14 @@ LANES_INLINE void begin(const struct ensemble_lanes *e, const struct ensemble_bu
 
 APART void end_once(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                     const wide *ground, const struct ensemble_trial *t, part_bits *beyond) {
-    struct ended g = ended(e, b, p, ground, t);
+    struct ending g = ending_of(e, b, p, ground, t);
     end_floors(&g, HELD_ONCE, p);
     *beyond = g.beyond;
 }
 
 APART void end_each(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
                     const wide *ground, const struct ensemble_trial *t, part_bits *beyond) {
-    struct ended g = ended(e, b, p, ground, t);
+    struct ending g = ending_of(e, b, p, ground, t);
     end_floors(&g, HELD_BY_EACH, p);
     *beyond = g.beyond;
 }
@@ -60,12 +60,12 @@ LANES_INLINE void end(const struct ensemble_lanes *e, int k, int p, const wide *
 }
 
 // Negative in lanes where a contact is nearer than ever or closed.
-LANES_INLINE void penetrate(const struct ensemble_lanes *e, int p, part_bits *flags) {
+LANES_INLINE void look_for_contacts(const struct ensemble_lanes *e, int p, part_bits *flags) {
     const struct ensemble_state *t = e->next;
     for (int k = 0; k < e->n_contact; k++) {
-        const struct ensemble_contact *c = &e->contact[k];
+        const struct ensemble_gap *c = &e->gap[k];
         const part delta =
-            PART_OF(t[e->end[k][0]].u) - PART_OF(t[e->end[k][1]].u) - PART_OF(c->gap);
+            PART_OF(t[e->end[k][0]].u) - PART_OF(t[e->end[k][1]].u) - PART_OF(c->width);
         *flags |= (part_bits)(PART_OF(c->limit) - delta);
     }
 }
@@ -104,7 +104,7 @@ CLONES static int march(struct ensemble_lanes *e, const wide *base, int n, bool 
             const long long *aboard = e->aboard + (ptrdiff_t)p * WIDTH;
             part_bits beyond = {0}, pressed = {0};
             step(e, p, base + i, &beyond);
-            penetrate(e, p, &pressed);
+            look_for_contacts(e, p, &pressed);
             const part_bits flags = beyond | pressed;
             if (part_any(aboard, &flags)) {
                 any = true;
@@ -162,7 +162,7 @@ CLONES static void show(struct ensemble_lanes *e, int eight) {
     const wide still = {0.0};
     for (int first = eight * WIDE_RUNS; first < (eight + 1) * WIDE_RUNS; first += WIDTH) {
         for (int p = 0; p < PARTS; p++) {
-            const struct begun g = begun(e, &b, p, &still, NULL);
+            const struct beginning g = beginning_of(e, &b, p, &still, NULL);
             part u[WIDTH], v[WIDTH], q[WIDTH];
             for (int i = 0; i < WIDTH; i++) {
                 try_floor(&g, p, first + i, &u[i], &v[i]);
@@ -194,8 +194,8 @@ LANES_INLINE void load_changed(const struct ensemble_lanes *e, int k, int p, int
 // Building k with those.
 LANES_INLINE void move_building(struct ensemble_lanes *e, int k, int p, const wide *ground) {
     const struct building *shape = e->building[k].shape;
-    const struct begun s = begun(e, &e->building[k], p, ground, NULL);
-    struct ended g = ended(e, &e->building[k], p, ground, NULL);
+    const struct beginning s = beginning_of(e, &e->building[k], p, ground, NULL);
+    struct ending g = ending_of(e, &e->building[k], p, ground, NULL);
     for (int first = 0; first < shape->n_floor; first += WIDTH) {
         part q[WIDTH];
         load_changed(e, k, p, first, q);
@@ -218,14 +218,14 @@ CLONES static void move_pushed(struct ensemble_lanes *e, const wide *base) {
     }
 }
 
-CLONES static void settle(struct ensemble_lanes *e) {
+CLONES static void catch_up(struct ensemble_lanes *e) {
     const wide still = {0.0};
     if (!e->owing) {
         return;
     }
     for (int k = 0; k < e->n_building; k++) {
         for (int p = 0; p < PARTS; p++) {
-            const struct begun g = begun(e, &e->building[k], p, &still, e->trial);
+            const struct beginning g = beginning_of(e, &e->building[k], p, &still, e->trial);
             if (e->building[k].held == HELD_ONCE) {
                 account_floors(&g, HELD_ONCE, p);
             } else {
@@ -249,7 +249,7 @@ const struct ensemble_steps STEPS = {
     .show = show,
     .move_pushed = move_pushed,
     .commit = commit_step,
-    .settle = settle,
+    .catch_up = catch_up,
 };
 
 #endif

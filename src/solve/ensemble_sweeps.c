@@ -9,7 +9,7 @@
 // Only the usual is done here: contacts that were closed, that Newton steps lead to their forces
 // within a few sweeps, and for which steps are short enough (resolve.c). A lane in which anything
 // else happens gives up, and its run is solved alone from where it began.
-#include "solve/ensemble_joints.h"
+#include "solve/ensemble_contacts.h"
 
 #include <float.h>
 #include <math.h>
@@ -20,7 +20,7 @@
 // As struct progress, and what runs have in common.
 struct sweeps {
     struct ensemble_lanes *e;
-    struct ensemble_joints *joints;
+    struct ensemble_contacts *contacts;
     wide tolerance, enough, loosest, largest, change, moved, echo, clear;
     wide_bits well;  // the lane has not given up,
     wide_bits busy;  // nor converged
@@ -28,7 +28,7 @@ struct sweeps {
 
 // Contact number i of those that act.
 LANES_WHOLE_INLINE int acting(const struct sweeps *s, int i) {
-    return s->joints->acting[i];
+    return s->contacts->acting[i];
 }
 
 // All bits of the lanes of `runs`.
@@ -44,7 +44,7 @@ LANES_WHOLE_INLINE void see(const struct sweeps *s, int k, wide *x) {
 
 // Asks the law in the lanes `which`, where x is seen.
 LANES_WHOLE_INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) {
-    struct joint *j = &s->joints->joint[k];
+    struct closed_contact *j = &s->contacts->contact[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
     const wide b = s->e->factors->b, g = s->e->factors->g;
     const wide d = j->d_trial + b * *x;
@@ -61,14 +61,14 @@ LANES_WHOLE_INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_b
     const wide steep = WIDE_ABSOLUTE(b * dfdd) + WIDE_ABSOLUTE(g * dfdv) + DBL_MIN;
     const wide inverse = 1.0 / ((1.0 + share) * steep);
     const wide damped = inverse * steep;
-    const wide near = QUICK_NEAR * d * s->joints->per_b;
+    const wide near = QUICK_NEAR * d * s->contacts->per_b;
     wide straight = QUICK_STRAIGHT * s->enough * WIDE_ABSOLUTE(force), reach = -1.0 - (wide){0.0};
     if (grip->law->traits & CONTACT_SMOOTH) {
         for (int lane = 0; lane < WIDE_RUNS; lane++) {
             straight[lane] = sqrt(straight[lane]);
         }
         straight = straight * inverse * (1.0 + share);
-        const wide turn = WIDE_ABSOLUTE(v) * s->joints->per_g;
+        const wide turn = WIDE_ABSOLUTE(v) * s->contacts->per_g;
         const wide nearer = WIDE_SMALLER(near, turn);
         reach = WIDE_SMALLER(nearer, straight);
     }
@@ -110,12 +110,12 @@ LANES_WHOLE_INLINE void push(struct sweeps *s, int k, int side, const wide *f) {
 LANES_WHOLE_INLINE void find_negligible(const struct sweeps *s, int k, const wide *size,
                                         wide_bits *which) {
     const struct ensemble_lanes *e = s->e;
-    const struct joint *j = &s->joints->joint[k];
+    const struct closed_contact *j = &s->contacts->contact[k];
     const int *end = e->end[k];
     const struct ensemble_trial *left = &e->trial[end[0]], *right = &e->trial[end[1]];
     const wide q = WIDE_ABSOLUTE(e->correction[end[0]]) + WIDE_ABSOLUTE(e->correction[end[1]]);
     const wide d =
-        WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->contact[k].gap + e->factors->b * q;
+        WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->gap[k].width + e->factors->b * q;
     const wide v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v) + e->factors->g * q;
     const wide rounding =
         4.0 * DBL_EPSILON * (WIDE_ABSOLUTE(j->dfdd) * d + WIDE_ABSOLUTE(j->dfdv) * v);
@@ -124,7 +124,7 @@ LANES_WHOLE_INLINE void find_negligible(const struct sweeps *s, int k, const wid
 
 // Takes note of changes df of forces in lanes that `move`.
 LANES_WHOLE_INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move) {
-    const struct joint *j = &s->joints->joint[k];
+    const struct closed_contact *j = &s->contacts->contact[k];
     const wide size = WIDE_ABSOLUTE(*df);
     const wide most = WIDE_CHOOSE(j->ask, s->change, s->moved);
     const wide_bits larger = *move & WIDE_LESS(s->enough, size) & WIDE_LESS(most, size);
@@ -140,7 +140,7 @@ LANES_WHOLE_INLINE void note(struct sweeps *s, int k, const wide *df, const wide
 // Changes forces by df in lanes that `move`, led by so much from where their laws were asked.
 LANES_WHOLE_INLINE void change(struct sweeps *s, int k, const wide *df, const wide *led,
                                const wide_bits *move) {
-    struct joint *j = &s->joints->joint[k];
+    struct closed_contact *j = &s->contacts->contact[k];
     const wide done = (wide)((wide_bits)*df & *move), undone = -done;
     j->force = WIDE_CHOOSE(*move, j->force + *df, j->force);
     j->base -= j->damped * done;
@@ -152,7 +152,7 @@ LANES_WHOLE_INLINE void change(struct sweeps *s, int k, const wide *df, const wi
 
 // A Newton step where x is seen.
 LANES_WHOLE_INLINE void step(struct sweeps *s, int k, const wide *x) {
-    const struct joint *j = &s->joints->joint[k];
+    const struct closed_contact *j = &s->contacts->contact[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
     const wide_bits here = j->live & s->busy & s->well;
     const wide dx = *x - j->asked;
@@ -176,7 +176,7 @@ LANES_WHOLE_INLINE void step(struct sweeps *s, int k, const wide *x) {
 }
 
 LANES_WHOLE_INLINE void visit(struct sweeps *s, int k) {
-    const struct joint *j = &s->joints->joint[k];
+    const struct closed_contact *j = &s->contacts->contact[k];
     wide x;
     see(s, k, &x);
     const wide dx = x - j->asked;
@@ -197,9 +197,9 @@ LANES_WHOLE_INLINE void renew(struct sweeps *s) {
 
 // Asks the laws of lanes `which`, wherever they stand.
 LANES_WHOLE_INLINE void ask_all(struct sweeps *s, const wide_bits *which) {
-    for (int i = 0; i < s->joints->n_acting; i++) {
+    for (int i = 0; i < s->contacts->n_acting; i++) {
         const int k = acting(s, i);
-        const wide_bits here = s->joints->joint[k].live & *which;
+        const wide_bits here = s->contacts->contact[k].live & *which;
         wide x;
         see(s, k, &x);
         ask(s, k, &x, &here);
@@ -220,14 +220,14 @@ LANES_WHOLE_INLINE void gather(struct sweeps *s) {
     const struct ensemble_lanes *e = s->e;
     const wide none = {0.0};
     s->largest = s->echo = none;
-    for (int i = 0; i < s->joints->n_acting; i++) {
+    for (int i = 0; i < s->contacts->n_acting; i++) {
         const int k = acting(s, i);
-        struct joint *j = &s->joints->joint[k];
+        struct closed_contact *j = &s->contacts->contact[k];
         const struct ensemble_trial *left = &e->trial[e->end[k][0]];
         const struct ensemble_trial *right = &e->trial[e->end[k][1]];
         j->ask = j->live;
         j->base = j->rate = j->asked = j->reach = j->near = j->damped = j->dfdd = j->dfdv = none;
-        j->d_trial = left->u - right->u - e->contact[k].gap;
+        j->d_trial = left->u - right->u - e->gap[k].width;
         j->v_trial = left->v - right->v;
         const wide size = WIDE_ABSOLUTE(j->force);
         s->largest = WIDE_CHOOSE(j->live & WIDE_LESS(s->largest, size), size, s->largest);
@@ -237,18 +237,18 @@ LANES_WHOLE_INLINE void gather(struct sweeps *s) {
 LANES_WHOLE_INLINE void converge(struct sweeps *s) {
     const wide tolerance = s->tolerance * s->largest;
     wide echo = WIDE_SMALLER(s->echo, 1.0 - (wide){0.0});
-    echo = (wide)((wide_bits)echo & ~s->joints->alone);
+    echo = (wide)((wide_bits)echo & ~s->contacts->alone);
     const wide_bits done =
         WIDE_AT_MOST(s->change, tolerance) & WIDE_AT_MOST(echo * s->moved, tolerance) &
         ~WIDE_LESS(s->clear, s->moved) & WIDE_AT_MOST(s->enough, 4.0 * tolerance);
-    s->joints->count -= s->busy;
+    s->contacts->count -= s->busy;
     s->busy &= s->well & ~done;
 }
 
 // Is a step short enough for the spring in the lanes `which`, at penetrations d? As fits_spring of
 // resolve.c.
 LANES_WHOLE_INLINE void refit(struct sweeps *s, int k, const wide *d, const wide_bits *which) {
-    struct joint *j = &s->joints->joint[k];
+    struct closed_contact *j = &s->contacts->contact[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
     const double h = s->e->h, none[WIDE_RUNS] = {0.0};
     struct contact_lanes law;
@@ -266,9 +266,9 @@ LANES_WHOLE_INLINE void refit(struct sweeps *s, int k, const wide *d, const wide
 // Gives up where steps are not short enough for a contact, or that is not known from its line.
 LANES_WHOLE_INLINE void judge(struct sweeps *s) {
     const wide b = s->e->factors->b, g = s->e->factors->g;
-    for (int i = 0; i < s->joints->n_acting; i++) {
+    for (int i = 0; i < s->contacts->n_acting; i++) {
         const int k = acting(s, i);
-        const struct joint *j = &s->joints->joint[k];
+        const struct closed_contact *j = &s->contacts->contact[k];
         wide x;
         see(s, k, &x);
         const wide d = j->d_trial + b * x;
@@ -283,8 +283,8 @@ LANES_WHOLE_INLINE void judge(struct sweeps *s) {
 
 // What e->correction was is kept, and comes back where lanes have given up.
 LANES_WHOLE_INLINE void keep(const struct sweeps *s) {
-    for (int i = 0; i < s->joints->n_touched; i++) {
-        const struct building *g = s->e->building[s->joints->touched[i]].shape;
+    for (int i = 0; i < s->contacts->n_touched; i++) {
+        const struct building *g = s->e->building[s->contacts->touched[i]].shape;
         for (int k = g->first; k < g->first + g->n_floor; k++) {
             s->e->kept[k] = s->e->correction[k];
         }
@@ -292,8 +292,8 @@ LANES_WHOLE_INLINE void keep(const struct sweeps *s) {
 }
 
 LANES_WHOLE_INLINE void restore(const struct sweeps *s) {
-    for (int i = 0; i < s->joints->n_touched; i++) {
-        const struct building *g = s->e->building[s->joints->touched[i]].shape;
+    for (int i = 0; i < s->contacts->n_touched; i++) {
+        const struct building *g = s->e->building[s->contacts->touched[i]].shape;
         for (int k = g->first; k < g->first + g->n_floor; k++) {
             s->e->correction[k] = WIDE_CHOOSE(s->well, s->e->correction[k], s->e->kept[k]);
         }
@@ -309,14 +309,14 @@ LANES_WHOLE_INLINE unsigned runs_of(const wide_bits *flags) {
     return runs;
 }
 
-LANES_WHOLE void ensemble_joints_solve(struct ensemble_lanes *e) {
+LANES_WHOLE void ensemble_contacts_solve(struct ensemble_lanes *e) {
     struct sweeps s;
     s.e = e;
-    s.joints = e->joints;
-    s.tolerance = e->joints->tolerance;
-    lanes_of(e->joints->stowed, &s.well);
+    s.contacts = e->contacts;
+    s.tolerance = e->contacts->tolerance;
+    lanes_of(e->contacts->stowed, &s.well);
     s.busy = s.well;
-    e->joints->count = (wide_bits){0};
+    e->contacts->count = (wide_bits){0};
     keep(&s);
     gather(&s);
     renew(&s);
@@ -327,7 +327,7 @@ LANES_WHOLE void ensemble_joints_solve(struct ensemble_lanes *e) {
             renew(&s);
             ask_again(&s);
         }
-        for (int k = 0; k < e->joints->n_acting; k++) {
+        for (int k = 0; k < e->contacts->n_acting; k++) {
             visit(&s, acting(&s, k));
         }
         converge(&s);
@@ -335,8 +335,8 @@ LANES_WHOLE void ensemble_joints_solve(struct ensemble_lanes *e) {
     s.well &= ~s.busy;
     judge(&s);
     restore(&s);
-    e->joints->solved = runs_of(&s.well);
-    for (int i = 0; e->joints->solved && i < e->joints->n_touched; i++) {
-        e->building[e->joints->touched[i]].swept = true;
+    e->contacts->solved = runs_of(&s.well);
+    for (int i = 0; e->contacts->solved && i < e->contacts->n_touched; i++) {
+        e->building[e->contacts->touched[i]].swept = true;
     }
 }

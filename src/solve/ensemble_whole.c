@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of an ensemble where a register holds all lanes.
 #include "core/lanes.h"
-#include "solve/ensemble_joints.h"
+#include "solve/ensemble_contacts.h"
 
 typedef wide part;
 typedef wide_bits part_bits;
@@ -9,7 +9,7 @@ typedef lanes_wide unaligned;
 
 #define CLONES LANES_WHOLE
 #define STEPS ensemble_whole
-#define SOLVE ensemble_joints_solve
+#define SOLVE ensemble_contacts_solve
 #define part_any ensemble_any
 
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)

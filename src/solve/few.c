@@ -33,7 +33,8 @@ bool few_alloc(struct few *few, const struct model *m, struct arena *a) {
     return !few->possible || few->table;
 }
 
-void few_factor(struct few *few, const struct work *w) {
+void few_factor(struct work *w) {
+    struct few *few = &w->few;
     bool kept = few->factors > 0 && w->model->n_storey_history == 0;
     if (few->factors == w->factors || kept) {
         return;

@@ -4,7 +4,6 @@
 #ifndef JOSTLE_FEW_H
 #define JOSTLE_FEW_H
 
-#include "solve/account.h"
 #include "solve/effective.h"
 #include "solve/state.h"
 
@@ -39,8 +38,7 @@ struct few_steps {
     // penetrations; and floors_account.
     enum few_news (*move)(struct work *w, const struct state *now, struct state *next);
     enum few_news (*correct)(const struct work *w, const struct state *now, struct state *next);
-    void (*account)(const struct few_table *t, struct energy_account *a, struct results *r,
-                    const struct model *m, const struct state *now, const struct state *next);
+    void (*account)(const struct work *w, const struct state *now, const struct state *next);
 };
 extern const struct few_steps few_narrow, few_wide;
 
@@ -61,7 +59,7 @@ struct few {
 bool few_alloc(struct few *few, const struct model *m, struct arena *a);
 
 // Takes the inverses of the buildings, which must be there, unless that has been done.
-void few_factor(struct few *few, const struct work *w);
+void few_factor(struct work *w);
 
 // Takes steps from number `n`, whose state is `s`, as far as `end`, but stops before one in which a
 // contact closes or a storey leaves its line. What is computed ahead for the flight must reach that

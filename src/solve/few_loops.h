@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The loops of few_steps.h: those of floor_loops.h, operation by operation, so that the bits are
-// the same, over all floors at once. Only the residuals are stored, as each floor wants those of
-// its building.
+// The loops of few_steps.h, over all floors at once and in registers, of the terms of floor_terms.h
+// as are those of floor_loops.h. Only the residuals are stored, as each floor needs those of its
+// building.
 #ifndef JOSTLE_FEW_LOOPS_H
 #define JOSTLE_FEW_LOOPS_H
 
@@ -55,9 +55,9 @@ LANES_INLINE void few_strain(const struct few_table *t, const struct floors_line
         floor_lanes below = j > 0 ? s->u[j - 1] : none;
         s->drift[j] = s->u[j] - JOINED(t->joint, j, BELOW(below, s->u[j]));
         if (lines) {
-            floor_lanes force = PART(t->spring, j) * (s->drift[j] - PART(t->rest, j));
+            floor_lanes force = LINE_FORCE(PART(t->spring, j), PART(t->rest, j), s->drift[j]);
             *beyond |= BEYOND(force, PART(t->limit, j));
-            s->shear[j] = PART(t->back, j) * s->drift[j] + force;
+            s->shear[j] = LINE_SHEAR(PART(t->back, j), s->drift[j], force);
         } else {
             s->shear[j] = PART(t->stiffness, j) * s->drift[j];
         }
@@ -72,12 +72,12 @@ LANES_INLINE void few_unbalance(const struct few_table *t, int n, const struct f
         floor_lanes v_above = j + 1 < n ? trial->v[j + 1] : none;
         floor_lanes shear_above = j + 1 < n ? trial->shear[j + 1] : none;
         floor_lanes inertia = PART(t->inertia, j);
-        floor_lanes damping = PART(t->damping_below, j) * BELOW(v_below, trial->v[j]) +
-                              PART(t->damping, j) * trial->v[j] +
-                              PART(t->damping_above, j) * ABOVE(trial->v[j], v_above);
+        floor_lanes damping =
+            BANDS(PART(t->damping_below, j), BELOW(v_below, trial->v[j]), PART(t->damping, j),
+                  trial->v[j], PART(t->damping_above, j), ABOVE(trial->v[j], v_above));
         *(floor_lanes *)(residual + j * FLOORS_VECTOR) =
-            inertia * ground + inertia * now->a[j] - damping - trial->shear[j] +
-            JOINED(t->joint_above, j, ABOVE(trial->shear[j], shear_above));
+            RESIDUAL(inertia * ground + inertia * now->a[j], damping, trial->shear[j],
+                     JOINED(t->joint_above, j, ABOVE(trial->shear[j], shear_above)));
     }
 }
 
@@ -128,10 +128,10 @@ LANES_INLINE void few_add_works(const struct few_table *t, int n, const struct f
         floor_lanes du = next->u[j] - now->u[j];
         floor_lanes below = BELOW(j > 0 ? sum[j - 1] : none, sum[j]);
         floor_lanes above = ABOVE(sum[j], j + 1 < n ? sum[j + 1] : none);
-        w->input[j % FLOORS_VECTORS] += ground_2x * (PART(t->inertia, j) * du);
+        w->input[j % FLOORS_VECTORS] += WORK_OF_GROUND(ground_2x, PART(t->inertia, j), du);
         w->damping[j % FLOORS_VECTORS] +=
-            du * (PART(t->damping_below, j) * below + PART(t->damping, j) * sum[j] +
-                  PART(t->damping_above, j) * above);
+            WORK_OF_DAMPING(du, BANDS(PART(t->damping_below, j), below, PART(t->damping, j), sum[j],
+                                      PART(t->damping_above, j), above));
     }
 }
 
@@ -141,8 +141,8 @@ LANES_INLINE void few_try(const struct few_table *t, const struct few_scheme *c,
                           double ground, struct few_floors *trial, double *residual,
                           floor_bits *beyond) {
     EACH_VECTOR(j, n) {
-        trial->u[j] = now->u[j] + (c->h * now->v[j] + c->half * now->a[j]);
-        trial->v[j] = now->v[j] + c->h * now->a[j];
+        trial->u[j] = TRIAL_U(now->u[j], now->v[j], now->a[j], c->h, c->half);
+        trial->v[j] = TRIAL_V(now->v[j], now->a[j], c->h);
     }
     few_strain(t, lines, n, trial, beyond);
     few_unbalance(t, n, now, trial, ground, residual);
@@ -153,8 +153,8 @@ LANES_INLINE void few_reach(const struct few_scheme *c, int n, const struct few_
                             const struct few_floors *trial, const floor_lanes *q,
                             struct few_floors *next) {
     EACH_VECTOR(j, n) {
-        next->u[j] = trial->u[j] + c->b * q[j];
-        next->v[j] = trial->v[j] + c->g * q[j];
+        next->u[j] = END(trial->u[j], c->b, q[j]);
+        next->v[j] = END(trial->v[j], c->g, q[j]);
         next->a[j] = now->a[j] + q[j];
     }
 }

@@ -6,6 +6,7 @@
 #define JOSTLE_FEW_STEPS_H
 
 #include "solve/few_loops.h"
+#include "solve/peaks.h"
 
 // Penetrations at the displacements u, into `delta` if that is not NULL; *sign gets negative where
 // a contact closes or is nearer than ever.
@@ -237,8 +238,11 @@ FLOORS_CLONES static enum few_news take_corrections(const struct work *w, const 
     return is_low(w->model) ? correct(w, now, next, VECTORS / 2) : correct(w, now, next, VECTORS);
 }
 
-LANES_INLINE void account(const struct few_table *t, struct energy_account *a, struct results *r,
-                          const struct state *now, const struct state *next, int n) {
+LANES_INLINE void account(const struct work *w, const struct state *now, const struct state *next,
+                          int n) {
+    const struct few_table *t = w->few.table;
+    struct energy_account *a = w->floors.account.energy;
+    struct results *r = w->floors.account.results;
     struct few_floors start, end;
     struct few_works works;
     floor_bits sign = {0};
@@ -256,10 +260,9 @@ LANES_INLINE void account(const struct few_table *t, struct energy_account *a, s
     }
 }
 
-FLOORS_CLONES static void take_account(const struct few_table *t, struct energy_account *a,
-                                       struct results *r, const struct model *m,
-                                       const struct state *now, const struct state *next) {
-    is_low(m) ? account(t, a, r, now, next, VECTORS / 2) : account(t, a, r, now, next, VECTORS);
+FLOORS_CLONES static void take_account(const struct work *w, const struct state *now,
+                                       const struct state *next) {
+    is_low(w->model) ? account(w, now, next, VECTORS / 2) : account(w, now, next, VECTORS);
 }
 
 const struct few_steps FEW_STEPS = {

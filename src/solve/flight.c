@@ -9,6 +9,7 @@
 #include "core/number.h"
 #include "solve/contact.h"
 #include "solve/excitation.h"
+#include "solve/peaks.h"
 
 static struct gap_group group_from(const struct model *m, int k) {
     const struct link *l = &m->link[k];
@@ -146,12 +147,12 @@ void flight_deepen(const struct flight *f, struct state *s) {
 }
 
 // Takes a step as it has been found into the account, or sees to it that the next one does.
-static void take(const struct flight *f, const struct state *now, const struct state *next) {
-    if (!f->work->floors.late.possible) {
-        floors_account(f->energy, f->results, f->model, now, next);
+static void account(const struct flight *f, const struct state *now, const struct state *next) {
+    if (!f->work->floors.account.defers) {
+        floors_account_now(f->work, now, next);
         return;
     }
-    floors_defer(&f->work->floors.late, now);
+    floors_defer(&f->work->floors.account, now);
     if (f->yields) {
         chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
                            f->energy->storey_2x);
@@ -185,7 +186,7 @@ static long glide(struct flight *f, struct state *now, long n, long end) {
 }
 
 // False: step n is not one in free flight.
-static bool step_to(struct flight *f, const struct state *now, struct state *next, long n) {
+static bool fly_to(struct flight *f, const struct state *now, struct state *next, long n) {
     struct excitation_ahead *ahead = &f->work->ahead;
     excitation_foresee(ahead, f->model, n);
     next->time = ahead->time[n - ahead->from];
@@ -196,7 +197,7 @@ static bool step_to(struct flight *f, const struct state *now, struct state *nex
     }
     bool free = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
     if (free) {
-        take(f, now, next);
+        account(f, now, next);
     }
     return free;
 }
@@ -218,13 +219,13 @@ static bool may_start(struct flight *f, const struct state *before, const struct
     return !f->yields || is_factorised(f);
 }
 
-static void start(struct flight *f, const struct state *now, struct state *next) {
+static void start_flight(struct flight *f, const struct state *now, struct state *next) {
     const struct model *m = f->model;
     state_open_links(next);
     gaps_forget(&f->work->gaps, now);
     memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
     if (f->work->few.possible) {
-        few_factor(&f->work->few, f->work);
+        few_factor(f->work);
     }
     if (f->yields) {
         memcpy(next->storey_history, now->storey_history,
@@ -233,10 +234,11 @@ static void start(struct flight *f, const struct state *now, struct state *next)
 }
 
 // Takes the account of n steps to the state s; what storeys that yield bear is found anew for it.
-static void finish(const struct flight *f, const struct state *old, struct state *s, long n) {
+static void finish_flight(const struct flight *f, const struct state *old, struct state *s,
+                          long n) {
     struct totals *t = &f->results->totals;
     if (f->yields) {
-        floors_settle(&f->work->floors.late, f->model, old, s);
+        floors_catch_up(f->work, old, s);
     }
     complete(f, s);
     peaks_speed(f->results, 0, f->model->n_dof);
@@ -252,15 +254,15 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
         return n;
     }
     end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
-    start(f, *now, *next);
+    start_flight(f, *now, *next);
     long first = n;
-    for (; (n = glide(f, *now, n, end)) < end && step_to(f, *now, *next, n + 1); n++) {
+    for (; (n = glide(f, *now, n, end)) < end && fly_to(f, *now, *next, n + 1); n++) {
         struct state *old = *now;
         *now = *next;
         *next = old;
     }
     if (n > first) {
-        finish(f, *next, *now, n - first);
+        finish_flight(f, *next, *now, n - first);
     }
     return n;
 }

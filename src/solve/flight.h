@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Free flight: steps of the model's size in which no link acts and no storey changes its branch.
 // They need no iteration and no search, and most steps are such, so they have a way of their own
-// through the solver. It gives the same bits as newmark_step and account_step.
+// through the solver. It gives the same bits as newmark_step and floors_account.
 #ifndef JOSTLE_FLIGHT_H
 #define JOSTLE_FLIGHT_H
 
-#include "solve/account.h"
+#include "solve/energy.h"
 #include "solve/work.h"
 
 // Contacts that follow each other, as do the floors at both their ends: LANES_WIDTH at most.

@@ -150,7 +150,7 @@ struct floors_works {
     floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
 };
 
-// What a vector of floors wants of the one below it and of itself.
+// What the works of a vector of floors need of the one below it and of itself.
 struct floors_pair {
     floor_lanes u_under, v_under, v_own;  // twice the mean velocities
 };
@@ -163,10 +163,11 @@ LANES_INLINE void floors_add_vector(const struct chain *c, const struct floors_s
     const floor_lanes u = FLOORS_AT(s->u0, i), moved = FLOORS_AT(s->u1, i) - u;
     const floor_lanes v_over =
         FLOORS_AT(s->v0, i + FLOORS_VECTOR) + FLOORS_AT(s->v1, i + FLOORS_VECTOR);
-    works->input[j] -= s->ground_2x * (FLOORS_AT(c->mass, i) * moved);
-    works->damping[j] += moved * (FLOORS_AT(c->damping_below, i) * BELOW(p->v_under, p->v_own) +
-                                  FLOORS_AT(c->damping, i) * p->v_own +
-                                  FLOORS_AT(c->damping_below, i + 1) * ABOVE(p->v_own, v_over));
+    works->input[j] -= WORK_OF_GROUND(s->ground_2x, FLOORS_AT(c->mass, i), moved);
+    works->damping[j] +=
+        WORK_OF_DAMPING(moved, BANDS(FLOORS_AT(c->damping_below, i), BELOW(p->v_under, p->v_own),
+                                     FLOORS_AT(c->damping, i), p->v_own,
+                                     FLOORS_AT(c->damping_below, i + 1), ABOVE(p->v_own, v_over)));
     const floor_lanes drift = u - FLOORS_AT(c->joint, i) * BELOW(p->u_under, u);
     *higher |= BEYOND(u, FLOORS_AT(s->peak_u, i)) |
                BEYOND(FLOORS_AT(s->v0, i), FLOORS_AT(s->peak_v, i)) |

@@ -9,18 +9,18 @@
 #include <stddef.h>
 
 #include "core/number.h"
-#include "solve/chain_floor.h"
 #include "solve/flight.h"
+#include "solve/floor_terms.h"
 #include "solve/floor_vectors.h"
 
 // Copies of pointers: what is stored may be anything, so that those behind a pointer would be read
 // again after each store.
-struct floors_of {
+struct floors_motion {
     double *u, *v, *a;
 };
 
-LANES_INLINE struct floors_of floors_of(const struct state *s) {
-    return (struct floors_of){s->u, s->v, s->a};
+LANES_INLINE struct floors_motion floors_motion(const struct state *s) {
+    return (struct floors_motion){s->u, s->v, s->a};
 }
 
 // The lines that storeys follow, and the drifts and shears at the end of the step.
@@ -42,9 +42,9 @@ LANES_INLINE void floors_shear(const struct chain *c, const struct floors_lines 
         *shear = FLOORS_AT(c->stiffness, i) * *drift;
         return;
     }
-    floor_lanes force = FLOORS_AT(lines->spring, i) * (*drift - FLOORS_AT(lines->rest, i));
+    floor_lanes force = LINE_FORCE(FLOORS_AT(lines->spring, i), FLOORS_AT(lines->rest, i), *drift);
     *beyond |= BEYOND(force, FLOORS_AT(lines->limit, i));
-    *shear = FLOORS_AT(lines->back, i) * *drift + force;
+    *shear = LINE_SHEAR(FLOORS_AT(lines->back, i), *drift, force);
 }
 
 // A vector of floors at the end of the step if the accelerations stay.
@@ -52,16 +52,16 @@ struct floors_trial {
     floor_lanes u, v, shear;
 };
 
-LANES_INLINE void floors_predict(const struct floors_of *now, double h, int i, floor_lanes *u,
+LANES_INLINE void floors_predict(const struct floors_motion *now, double h, int i, floor_lanes *u,
                                  floor_lanes *v) {
     double half = h * h / 2.0;
-    *u = FLOORS_AT(now->u, i) + (h * FLOORS_AT(now->v, i) + half * FLOORS_AT(now->a, i));
-    *v = FLOORS_AT(now->v, i) + h * FLOORS_AT(now->a, i);
+    *u = TRIAL_U(FLOORS_AT(now->u, i), FLOORS_AT(now->v, i), FLOORS_AT(now->a, i), h, half);
+    *v = TRIAL_V(FLOORS_AT(now->v, i), FLOORS_AT(now->a, i), h);
 }
 
 LANES_INLINE void floors_try(const struct chain *c, const struct floors_lines *lines,
-                             const struct floors_of *now, double h, int i, const floor_lanes *under,
-                             struct floors_trial *t, floor_bits *beyond) {
+                             const struct floors_motion *now, double h, int i,
+                             const floor_lanes *under, struct floors_trial *t, floor_bits *beyond) {
     floors_predict(now, h, i, &t->u, &t->v);
     floor_lanes drift = t->u - FLOORS_AT(c->joint, i) * BELOW(*under, t->u);
     floors_shear(c, lines, i, &drift, &t->shear, beyond);
@@ -75,7 +75,7 @@ struct floors_scratch {
 // residual = p - M a - C v - storey shears of n floors, at the trial. True if a storey is
 // beyond its line. `external` NULL: p is that of the acceleration of the ground.
 LANES_INLINE bool floors_unbalance(const struct chain *c, const struct floors_lines *lines,
-                                   double h, int first, int n, const struct floors_of *now,
+                                   double h, int first, int n, const struct floors_motion *now,
                                    double ground, const double *external,
                                    const struct floors_scratch *to) {
     floor_bits beyond = {0};
@@ -89,13 +89,13 @@ LANES_INLINE bool floors_unbalance(const struct chain *c, const struct floors_li
         if (external) {
             p = FLOORS_AT(external, i);
         }
-        floor_lanes damping = FLOORS_AT(c->damping_below, i) * BELOW(under.v, own.v) +
-                              FLOORS_AT(c->damping, i) * own.v +
-                              FLOORS_AT(c->damping_below, i + 1) * ABOVE(own.v, over.v);
+        floor_lanes damping =
+            BANDS(FLOORS_AT(c->damping_below, i), BELOW(under.v, own.v), FLOORS_AT(c->damping, i),
+                  own.v, FLOORS_AT(c->damping_below, i + 1), ABOVE(own.v, over.v));
         const ptrdiff_t j = i - first;
         *(floor_lanes *)(to->residual + j) =
-            p - mass * FLOORS_AT(now->a, i) - damping - own.shear +
-            FLOORS_AT(c->joint, i + 1) * ABOVE(own.shear, over.shear);
+            RESIDUAL(p - mass * FLOORS_AT(now->a, i), damping, own.shear,
+                     FLOORS_AT(c->joint, i + 1) * ABOVE(own.shear, over.shear));
         *(floor_lanes *)(to->u + j) = own.u;
         *(floor_lanes *)(to->v + j) = own.v;
         under = own;
@@ -114,17 +114,17 @@ struct floors_correction {
 };
 
 // Stores what corrections lead to from the trial. True if that is not finite, or next to it.
-LANES_INLINE bool floors_correct(const struct floors_correction *k, int first, int end,
-                                 const struct floors_scratch *trial, const double *restrict a0,
-                                 const struct floors_of *next) {
+LANES_INLINE bool floors_reach(const struct floors_correction *k, int first, int end,
+                               const struct floors_scratch *trial, const double *restrict a0,
+                               const struct floors_motion *next) {
     const floor_lanes most = DBL_MAX - (floor_lanes){0.0};
     const double *q = k->q + first, *u_t = trial->u, *v_t = trial->v;
     double *next_u = next->u + first, *next_v = next->v + first, *next_a = next->a + first;
     const double b = k->b, g = k->g;
     floor_lanes sum = {0.0};
     for (int i = 0; i < end - first; i += FLOORS_VECTOR) {
-        floor_lanes u = FLOORS_AT(u_t, i) + b * FLOORS_AT(q, i);
-        floor_lanes v = FLOORS_AT(v_t, i) + g * FLOORS_AT(q, i);
+        floor_lanes u = END(FLOORS_AT(u_t, i), b, FLOORS_AT(q, i));
+        floor_lanes v = END(FLOORS_AT(v_t, i), g, FLOORS_AT(q, i));
         floor_lanes a = FLOORS_AT(a0, first + i) + FLOORS_AT(q, i);
         *(floor_lanes *)(next_u + i) = u;
         *(floor_lanes *)(next_v + i) = v;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of floors.h, on vectors of one width: see floor_vectors.h. FLOORS_STEPS is the
-// name of what the functions make up, and FLOORS_MULTIPLY solves for a low building.
+// name of what the functions make up.
 //     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
 //     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
 //     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
@@ -11,13 +11,14 @@
 #define JOSTLE_FLOOR_STEPS_H
 
 #include "solve/contact.h"
+#include "solve/effective_low.h"
 #include "solve/floor_account.h"
 
 // effective_solve_row, in line as long as buildings are low.
 LANES_INLINE void solve_row(struct effective *e, int n, double *r, double *q) {
     int k = 0;
     for (; k < n && effective_is_low(&e[k]); k++) {
-        FLOORS_MULTIPLY(&e[k], r, q);
+        effective_multiply(&e[k], r, q);
         r += e[k].building->n_floor;
         q += e[k].building->n_floor;
     }
@@ -32,7 +33,7 @@ struct move {
     const struct state *now;
     const struct state *next;
     struct chain chain;
-    struct floors_of from, to;
+    struct floors_motion from, to;
     struct floors_scratch scratch;
     struct floors_correction correction;
 };
@@ -43,8 +44,8 @@ LANES_INLINE struct move move_of(struct work *w, const struct state *now,
                          .now = now,
                          .next = next,
                          .chain = w->model->chain,
-                         .from = floors_of(now),
-                         .to = floors_of(next),
+                         .from = floors_motion(now),
+                         .to = floors_motion(next),
                          .scratch = {w->floors.residual, w->floors.u_trial, w->floors.v_trial},
                          .correction = {w->correction, w->b, w->g}};
 }
@@ -63,7 +64,7 @@ LANES_INLINE bool move_block(const struct move *s, const struct floors_lines *li
     }
     solve_row(&w->effective[b->building], b->n_building, s->scratch.residual + (first - b->first),
               w->correction + first);
-    beyond |= floors_correct(&s->correction, b->first, b->end, &s->scratch, s->from.a, &s->to);
+    beyond |= floors_reach(&s->correction, b->first, b->end, &s->scratch, s->from.a, &s->to);
     return beyond;
 }
 
@@ -93,16 +94,18 @@ LANES_INLINE void account_to(struct account *a, int end) {
 }
 
 // What is due of the step from `old` to `now`.
-LANES_INLINE struct account account_due(const struct floors_late *late, const struct model *m,
-                                        const struct state *old, const struct state *now) {
+LANES_INLINE struct account account_due(const struct work *w, const struct state *old,
+                                        const struct state *now) {
+    const struct floors_account *to = &w->floors.account;
+    const struct model *m = w->model;
     struct account a = {&m->chain,
-                        late->energy,
-                        late->results,
+                        to->energy,
+                        to->results,
                         floors_moment_of(m, old),
                         floors_moment_of(m, now),
-                        late->due ? 0 : m->chain.n};
-    a.s0.time = late->time;
-    a.s0.ground = late->ground_a;
+                        to->due ? 0 : m->chain.n};
+    a.s0.time = to->time;
+    a.s0.ground = to->ground_a;
     return a;
 }
 
@@ -124,24 +127,24 @@ FLOORS_CLONES static void raise(struct results *r, const struct model *m, const 
     }
 }
 
-FLOORS_CLONES static void settle(struct floors_late *late, const struct model *m,
-                                 const struct state *old, const struct state *now) {
-    struct account due = account_due(late, m, old, now);
-    account_to(&due, m->chain.n);
-    late->due = false;
-    raise(late->results, m, now);
+FLOORS_CLONES static void catch_up(struct work *w, const struct state *old,
+                                   const struct state *now) {
+    struct account due = account_due(w, old, now);
+    account_to(&due, w->model->chain.n);
+    w->floors.account.due = false;
+    raise(w->floors.account.results, w->model, now);
 }
 
 FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct state *next) {
     const struct move move = move_of(w, now, next);
-    struct account due = account_due(&w->floors.late, w->model, next, now);
+    struct account due = account_due(w, next, now);
     bool beyond = false;
     for (int i = 0; i < w->floors.n_block; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
         beyond |= move_block(&move, NULL, b);
     }
-    w->floors.late.due = false;
+    w->floors.account.due = false;
     return !beyond;
 }
 
@@ -150,7 +153,7 @@ LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
                       const struct state *now, struct state *next) {
     struct work *w = f->work;
     const struct move move = move_of(w, now, next);
-    struct account due = account_due(&w->floors.late, f->model, next, now);
+    struct account due = account_due(w, next, now);
     bool free = true;
     floor_bits beyond = {0};
     for (int i = 0, group = 0; i < w->floors.n_block && free; i++) {
@@ -166,7 +169,7 @@ LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
         free = !ends;
     }
     account_to(&due, move.chain.n);
-    w->floors.late.due = false;
+    w->floors.account.due = false;
     return free;
 }
 
@@ -185,7 +188,7 @@ const struct floors_steps FLOORS_STEPS = {
     .move = move,
     .fly = fly_elastic,
     .fly_on_lines = fly_on_lines,
-    .settle = settle,
+    .catch_up = catch_up,
     .raise = raise,
 };
 

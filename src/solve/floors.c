@@ -9,8 +9,10 @@
 
 #include "core/arena.h"
 #include "core/number.h"
+#include "solve/chain.h"
 #include "solve/contact.h"
 #include "solve/flight.h"
+#include "solve/peaks.h"
 
 // So many floors make a block, and what is solved together.
 enum { FLOORS_LEAST = 192 };
@@ -103,10 +105,18 @@ void floors_trial(struct work *w, const struct state *now, int k) {
     chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
 }
 
-void floors_defer(struct floors_late *late, const struct state *now) {
-    late->due = true;
-    late->time = now->time;
-    late->ground_a = now->ground_a[0];
+void floors_account_to(struct work *w, struct energy_account *energy, struct results *results) {
+    w->floors.account = (struct floors_account){
+        .energy = energy,
+        .results = results,
+        .defers = state_is_uniform(w->model) && !w->model->adaptive && !w->few.possible,
+    };
+}
+
+void floors_defer(struct floors_account *account, const struct state *now) {
+    account->due = true;
+    account->time = now->time;
+    account->ground_a = now->ground_a[0];
 }
 
 // Those with the widest vectors that the processor has registers for.
@@ -114,34 +124,84 @@ static const struct floors_steps *steps(void) {
     return LANES_WIDEST_OF(&floors_wide, &floors_narrow);
 }
 
-void floors_settle(struct floors_late *late, const struct model *m, const struct state *old,
-                   const struct state *now) {
-    if (late->possible) {
-        steps()->settle(late, m, old, now);
-        peaks_speed(late->results, 0, m->n_dof);
+void floors_catch_up(struct work *w, const struct state *old, const struct state *now) {
+    if (w->floors.account.defers) {
+        steps()->catch_up(w, old, now);
+        peaks_speed(w->floors.account.results, 0, w->model->n_dof);
     }
 }
 
 double floors_speed(const struct work *w, const struct state *now) {
-    const struct floors_late *late = &w->floors.late;
+    const struct floors_account *account = &w->floors.account;
     double speed = w->totals->speed;
-    for (int i = 0, n = late->possible ? w->model->n_dof : 0; i < n; i++) {
-        double peak = late->results->peak[PEAK_VELOCITY][i];
+    for (int i = 0, n = account->defers ? w->model->n_dof : 0; i < n; i++) {
+        double peak = account->results->peak[PEAK_VELOCITY][i];
         speed = number_max(speed, number_max(peak, fabs(now->v[i])));
     }
     return speed;
 }
 
-void floors_account(struct energy_account *a, struct results *r, const struct model *m,
-                    const struct state *now, const struct state *next) {
-    energy_step(a, m, now, next);
-    steps()->raise(r, m, next);
-    peaks_speed(r, 0, m->n_dof);
+void floors_account_now(struct work *w, const struct state *now, const struct state *next) {
+    const struct floors_account *to = &w->floors.account;
+    if (w->few.serves) {
+        w->few.steps->account(w, now, next);
+        return;
+    }
+    energy_step(to->energy, w->model, now, next);
+    steps()->raise(to->results, w->model, next);
+    peaks_speed(to->results, 0, w->model->n_dof);
+}
+
+void floors_account(struct work *w, const struct state *now, const struct state *next) {
+    struct floors_account *to = &w->floors.account;
+    if (!state_is_linear(w->model)) {
+        energy_step(to->energy, w->model, now, next);
+        peaks_all_floors(to->results, w->model, next);
+    } else if (to->defers) {
+        floors_defer(to, now);
+    } else {
+        floors_account_now(w, now, next);
+    }
+}
+
+// Penetrations after a step of few floors; false: it is not finite.
+static bool update_gaps(struct work *w, struct state *next, enum few_news news) {
+    if (news == FEW_NEAR) {
+        gaps_update(&w->gaps, next);
+    } else {
+        gaps_keep(&w->gaps);
+    }
+    return news != FEW_INFINITE;
 }
 
 bool floors_move(struct work *w, const struct state *now, struct state *next) {
+    if (w->few.serves) {
+        return update_gaps(w, next, w->few.steps->move(w, now, next));
+    }
     list_ends(&w->floors, &w->gaps, next);
-    return steps()->move(w, now, next);
+    bool finite = steps()->move(w, now, next);
+    gaps_update(&w->gaps, next);
+    return finite;
+}
+
+bool floors_correct(const struct work *w, const struct state *now, struct state *next, int first,
+                    int n) {
+    const struct chain part = {.n = n};
+    int j = first;
+    return chain_correct(&part, w->b, w->g, w->correction + j, w->u_trial + j, w->v_trial + j,
+                         now->a + j, next->u + j, next->v + j, next->a + j);
+}
+
+void floors_correct_touched(struct work *w, const struct state *now, struct state *next) {
+    if (w->few.serves) {
+        update_gaps(w, next, w->few.steps->correct(w, now, next));
+        return;
+    }
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        floors_correct(w, now, next, g->first, lanes_whole(g->n_floor));
+    }
+    gaps_update_touched(&w->gaps, next);
 }
 
 bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {

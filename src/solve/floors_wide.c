@@ -6,7 +6,6 @@
 
 #define FLOORS_WIDE
 #define FLOORS_STEPS floors_wide
-#define FLOORS_MULTIPLY effective_multiply_wide
 
 #include "solve/floor_steps.h"
 

@@ -8,7 +8,7 @@
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "core/number.h"
-#include "solve/account.h"
+#include "solve/peaks.h"
 
 // Where the end of a link stands among the displacements; a wall is the zero behind them.
 static int end_of(const struct model *m, int k, int side) {

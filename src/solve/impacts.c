@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The account of every impact: from closure to opening, located within their steps.
+#include "solve/impacts.h"
+
 #include <math.h>
 #include <stdlib.h>
 
 #include "core/arena.h"
 #include "core/number.h"
-#include "solve/account.h"
 #include "solve/crossing.h"
+#include "solve/energy.h"
+#include "solve/peaks.h"
 
 bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *a) {
     log->open = arena_alloc(a, (size_t)m->n_contact, sizeof *log->open);

@@ -73,38 +73,6 @@ static void solve_residuals(struct work *w) {
     }
 }
 
-// The state that the correction leads to, n floors from `first` on. False: not finite.
-static bool correct(const struct work *w, const struct state *now, struct state *next, int first,
-                    int n) {
-    const struct chain part = {.n = n};
-    int j = first;
-    return chain_correct(&part, w->b, w->g, w->correction + j, w->u_trial + j, w->v_trial + j,
-                         now->a + j, next->u + j, next->v + j, next->a + j);
-}
-
-// Penetrations after a step of few floors; false: it is not finite.
-static bool see(struct work *w, struct state *next, enum few_news news) {
-    if (news == FEW_NEAR) {
-        contact_penetrations(w, next);
-    } else {
-        gaps_keep(&w->gaps);
-    }
-    return news != FEW_INFINITE;
-}
-
-// The same where only the corrections of buildings with live links have changed since.
-static void correct_touched(struct work *w, const struct state *now, struct state *next) {
-    if (w->few.serves) {
-        see(w, next, w->few.steps->correct(w, now, next));
-        return;
-    }
-    for (int i = 0; i < w->gaps.n_touched; i++) {
-        const struct building *g = &w->model->building[w->gaps.touched[i]];
-        correct(w, now, next, g->first, lanes_whole(g->n_floor));
-    }
-    gaps_update_touched(&w->gaps, next);
-}
-
 // Do the storeys of building k bear, at the drifts that the solution found, the shears that their
 // linearisation predicted? Displacements below are known from those above and the drifts.
 LANES static bool agrees(const struct work *w, const struct state *next, int k) {
@@ -124,7 +92,7 @@ LANES static bool agrees(const struct work *w, const struct state *next, int k) 
     return beyond == 0;
 }
 
-static bool settle(struct work *w, const struct state *next) {
+static bool storeys_agree(struct work *w, const struct state *next) {
     bool all = true;
     if (w->model->n_storey_history == 0) {
         return true;
@@ -170,7 +138,7 @@ static int solve_links(struct work *w, const struct state *now, struct state *ne
         if (status != STATUS_OK) {
             return status;
         }
-        correct_touched(w, now, next);
+        floors_correct_touched(w, now, next);
         wanted = false;
     }
     return STATUS_OK;
@@ -192,7 +160,7 @@ static int not_finite(const struct model *m, const struct state *s, struct error
 }
 
 // Keeps where the storeys were linearised, and takes the forces at the state reached.
-static void reach(struct work *w, struct state *next) {
+static void take_forces(struct work *w, struct state *next) {
     const struct model *m = w->model;
     memcpy(w->drift, next->drift, (size_t)m->n_dof * sizeof *w->drift);
     memcpy(w->shear, next->shear, (size_t)m->n_dof * sizeof *w->shear);
@@ -208,16 +176,16 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
     for (int i = 0; i < m->iterations; i++) {
         w->totals->iterations++;
         solve_residuals(w);
-        if (!correct(w, now, next, 0, m->chain.n)) {
+        if (!floors_correct(w, now, next, 0, m->chain.n)) {
             return not_finite(m, next, e);
         }
-        contact_penetrations(w, next);
+        gaps_update(&w->gaps, next);
         int status = solve_links(w, now, next);
         if (status != STATUS_OK) {
             return status;
         }
-        reach(w, next);
-        if (settle(w, next)) {
+        take_forces(w, next);
+        if (storeys_agree(w, next)) {
             return STATUS_OK;
         }
         residuals(w, next, next->a);
@@ -229,24 +197,11 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-// The state under the forces that live links have, and its penetrations. False: not finite.
-static bool move(struct work *w, const struct state *now, struct state *next) {
-    if (w->few.serves) {
-        if (w->few.factors == 0) {  // what is linear stays
-            few_factor(&w->few, w);
-        }
-        return see(w, next, w->few.steps->move(w, now, next));
-    }
-    bool finite = floors_move(w, now, next);
-    contact_penetrations(w, next);
-    return finite;
-}
-
 // The same where the floors are linear.
 static int solve_linear(struct work *w, const struct state *now, struct state *next,
                         struct error *e) {
     w->totals->iterations++;
-    if (!move(w, now, next)) {
+    if (!floors_move(w, now, next)) {
         return not_finite(w->model, next, e);
     }
     return solve_links(w, now, next);

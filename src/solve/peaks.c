@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Envelopes over every computed step.
+#include "solve/peaks.h"
+
 #include <math.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "core/number.h"
-#include "solve/account.h"
+#include "solve/chain.h"
 
 // Floors, in whole lanes, that are looked at together for a new peak.
-enum { BLOCK = 8 * LANES_WIDTH };
+enum { FLOORS_TOGETHER = 8 * LANES_WIDTH };
 // Contacts likewise, of which few come nearer than ever.
-enum { FEW = 4 * LANES_WIDTH };
+enum { CONTACTS_TOGETHER = 4 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
@@ -94,8 +96,8 @@ LANES static bool any_exceeds(int n, const double *restrict x, const double *res
 }
 
 void peaks_penetrations(struct results *r, int n, const struct state *s) {
-    for (int first = 0; first < n; first += FEW) {
-        int end = n - first < FEW ? n : first + FEW;
+    for (int first = 0; first < n; first += CONTACTS_TOGETHER) {
+        int end = n - first < CONTACTS_TOGETHER ? n : first + CONTACTS_TOGETHER;
         bool any = any_exceeds(end - first, s->delta + first, r->deepest + first);
         for (int k = first; any && k < end; k++) {
             peaks_penetration(r, k, s->delta[k], s->time);
@@ -112,8 +114,8 @@ void peaks_links(struct results *r, const struct model *m, const struct state *s
 
 void peaks_all_floors(struct results *r, const struct model *m, const struct state *s) {
     const struct floor_values value = values_of(s);
-    for (int first = 0; first < m->n_dof; first += BLOCK) {
-        int n = m->n_dof - first < BLOCK ? m->n_dof - first : BLOCK;
+    for (int first = 0; first < m->n_dof; first += FLOORS_TOGETHER) {
+        int n = m->n_dof - first < FLOORS_TOGETHER ? m->n_dof - first : FLOORS_TOGETHER;
         if (chain_exceeds(first, lanes_whole(n), value.of, r->peak)) {
             peaks_floors(r, first, n, s);
         }

@@ -4,9 +4,10 @@
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
-#include "solve/account.h"
 #include "solve/dormand_prince.h"
+#include "solve/energy.h"
 #include "solve/flight.h"
+#include "solve/impacts.h"
 #include "solve/step_length.h"
 #include "solve/work.h"
 
@@ -41,7 +42,7 @@ int analysis_begin(struct run *r, const struct model *m, const struct observer *
 int analysis_step(struct run *r, long n);
 
 // Takes note of the energies of a row that have been put in `results`. STATUS_FAILED: not finite.
-int analysis_balanced(struct run *r);
+int analysis_note_energies(struct run *r);
 
 // Ends an analysis whose steps gave `status`, which it returns: *out has the results if it is 0.
 int analysis_end(struct run *r, int status, struct results **out);

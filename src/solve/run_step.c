@@ -6,6 +6,7 @@
 
 #include "solve/event.h"
 #include "solve/newmark.h"
+#include "solve/peaks.h"
 #include "solve/run.h"
 
 // A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
@@ -38,11 +39,7 @@ int run_poll(struct run *r, double time) {
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
     struct results *out = r->results;
-    if (r->work.few.serves) {
-        r->work.few.steps->account(r->work.few.table, &r->energy, out, r->model, r->now, r->next);
-    } else {
-        account_step(&r->energy, out, &r->work.floors.late, r->model, r->now, r->next);
-    }
+    floors_account(&r->work, r->now, r->next);
     gaps_peaks(&r->work.gaps, r->next);
     int status = impacts_step(&r->impacts, &r->energy, out, r->model, r->now, r->next, r->error);
     struct state *old = r->now;
@@ -106,13 +103,13 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
 }
 
 // Lets the force of the event's link jump.
-static int jump(struct run *r, const struct event *event) {
+static int let_jump(struct run *r, const struct event *event) {
     event_apply(r->now, r->model, event->link);
     return impacts_toggle(&r->impacts, r->results, r->model, r->now, event->link, r->error);
 }
 
 // Lets the bodies of a rigid contact meet.
-static int meet(struct run *r, const struct event *event) {
+static int let_meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
     if (event_is_idle(r->now, m, event->link)) {
         impulse_hold(r->now, m, event->link, r->meeting);
@@ -155,7 +152,7 @@ static int endless(const struct run *r, const struct event *event) {
 }
 
 // Goes to the event and lets happen what happens there.
-static int pass(struct run *r, struct event *event, double end, double h) {
+static int pass_event(struct run *r, struct event *event, double end, double h) {
     int status = STATUS_OK;
     if (r->events[event->link] == EVENTS_ENDLESS) {
         return endless(r, event);
@@ -165,10 +162,10 @@ static int pass(struct run *r, struct event *event, double end, double h) {
         status = status == STATUS_OK && event->time > 0.0 ? commit(r) : status;
     }
     if (status == STATUS_OK) {
-        floors_settle(&r->work.floors.late, r->model, r->next, r->now);
+        floors_catch_up(&r->work, r->next, r->now);
         r->results->totals.events++;
         r->events[event->link]++;
-        status = r->model->link[event->link].law->rebound ? meet(r, event) : jump(r, event);
+        status = r->model->link[event->link].law->rebound ? let_meet(r, event) : let_jump(r, event);
         peaks_update(r->results, r->model, r->now);
     }
     return status == STATUS_OK ? poll_now(r, r->now->time) : status;
@@ -196,7 +193,7 @@ int run_step(struct run *r, double end, double h, int cuts, double *rest) {
     if (event.link < 0) {
         return commit(r);
     }
-    status = pass(r, &event, end, h);
+    status = pass_event(r, &event, end, h);
     *rest = h - event.time;
     return status;
 }

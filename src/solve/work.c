@@ -127,5 +127,8 @@ int work_factor(struct work *w, double h) {
     w->effective = e;
     w->h = h;
     w->few.serves = w->few.possible && e == w->home && w->model->n_storey_history == 0;
+    if (w->few.serves) {
+        few_factor(w);
+    }
     return STATUS_OK;
 }

@@ -53,6 +53,16 @@ else
     echo "not ok docs/README.md leads to every page, but not to$missing"
     status=1
 fi
+missing=
+for file in src/solve/*.[ch]; do
+    grep -qE "(^|[^a-z_])${file##*/}([^a-z_]|\$)" docs/architecture.md || missing="$missing $file"
+done
+if [ -z "$missing" ]; then
+    echo "ok docs/architecture.md says what each file of src/solve is for"
+else
+    echo "not ok docs/architecture.md says what each file of src/solve is for, but not$missing"
+    status=1
+fi
 for page in docs/jostle.1 docs/jostle-deck.5; do
     if ! command -v groff >/dev/null; then
         echo "ok $page is a man page # SKIP no groff"

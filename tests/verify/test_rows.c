@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "solve/eight.h"
+#include "solve/effective.h"
 #include "solve/gaps.h"
 #include "support/analysis.h"
 #include "support/random.h"
@@ -43,7 +43,7 @@ static void check_row(int buildings, int floors, struct random *random) {
     }
     fill(random, r, buildings * floors);
     assert_int_equal(e[0].abreast, buildings);
-    eight_solve(e, r, q);
+    effective_solve_abreast(e, r, q);
     for (int k = 0; k < buildings; k++) {
         const ptrdiff_t first = (ptrdiff_t)k * floors;
         effective_solve(&e[k], r + first, alone);

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/ensemble_joints.h"
+#include "solve/ensemble_contacts.h"
 
 #include <math.h>
 
 #include "core/arena.h"
+#include "solve/peaks.h"
 #include "solve/quick.h"
 
-struct ensemble_joints *ensemble_joints_create(const struct model *m, struct arena *a) {
-    struct ensemble_joints *s = lanes_wide_array(a, 1, sizeof *s);
+struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a) {
+    struct ensemble_contacts *s = lanes_wide_array(a, 1, sizeof *s);
     if (s) {
-        s->joint = lanes_wide_array(a, m->n_contact, sizeof *s->joint);
+        s->contact = lanes_wide_array(a, m->n_contact, sizeof *s->contact);
         s->runs = arena_alloc(a, (size_t)m->n_contact, sizeof *s->runs);
         s->acting = arena_alloc(a, (size_t)m->n_contact, sizeof *s->acting);
         s->touched = arena_alloc(a, (size_t)m->n_building, sizeof *s->touched);
     }
-    return s && s->joint && s->runs && s->acting && s->touched ? s : NULL;
+    return s && s->contact && s->runs && s->acting && s->touched ? s : NULL;
 }
 
 // Finds the floors that feel the force of a contact; false: those of other runs differ.
@@ -55,7 +56,7 @@ static bool suits(struct ensemble_lanes *e, int lane, const struct run *r, int k
            r->work.quick[k].checked == r->work.h && yields(e, k, lane, &r->work);
 }
 
-static void stow(struct joint *j, int lane, const struct run *r, int k) {
+static void stow(struct closed_contact *j, int lane, const struct run *r, int k) {
     const struct link_state *l = &r->now->link[k];
     const struct link_peak *p = &r->results->link[k];
     const struct impact *i = &r->results->impact[r->impacts.open[k]];
@@ -78,7 +79,7 @@ static void stow(struct joint *j, int lane, const struct run *r, int k) {
     j->fits_to[lane] = r->work.quick[k].fits_to;
 }
 
-static void take_out(struct joint *j, int lane, struct run *r, int k, long n_step) {
+static void take_out(struct closed_contact *j, int lane, struct run *r, int k, long n_step) {
     struct link_state *l = &r->now->link[k];
     struct link_peak *p = &r->results->link[k];
     struct impact *i = &r->results->impact[r->impacts.open[k]];
@@ -101,7 +102,7 @@ static void take_out(struct joint *j, int lane, struct run *r, int k, long n_ste
     peaks_penetration(r->results, k, j->deep[lane], j->deep_time[lane]);
 }
 
-static void touch(struct ensemble_joints *s, int building) {
+static void touch(struct ensemble_contacts *s, int building) {
     int i = 0;
     while (i < s->n_touched && s->touched[i] != building) {
         i++;
@@ -112,8 +113,8 @@ static void touch(struct ensemble_joints *s, int building) {
 }
 
 // Lists contacts that are live in some lane, and their buildings.
-static void list(struct ensemble_lanes *e) {
-    struct ensemble_joints *s = e->joints;
+static void list_acting(struct ensemble_lanes *e) {
+    struct ensemble_contacts *s = e->contacts;
     s->n_acting = s->n_touched = 0;
     for (int k = 0; k < e->n_contact; k++) {
         if (s->runs[k] != 0) {
@@ -124,8 +125,8 @@ static void list(struct ensemble_lanes *e) {
     }
 }
 
-void ensemble_joints_stow(struct ensemble_lanes *e, int lane, const struct run *r) {
-    struct ensemble_joints *s = e->joints;
+void ensemble_contacts_stow(struct ensemble_lanes *e, int lane, const struct run *r) {
+    struct ensemble_contacts *s = e->contacts;
     const struct state *now = r->now;
     bool all = e->steps->solve && r->model->iterations >= ENSEMBLE_SWEEPS;
     int n_closed = 0;
@@ -140,23 +141,23 @@ void ensemble_joints_stow(struct ensemble_lanes *e, int lane, const struct run *
     for (int i = 0; i < now->n_live; i++) {
         const int k = now->live[i];
         if (now->link[k].closed) {
-            stow(&s->joint[k], lane, r, k);
+            stow(&s->contact[k], lane, r, k);
             s->runs[k] |= 1U << lane;
-            e->contact[k].limit[lane] = INFINITY;
+            e->gap[k].limit[lane] = INFINITY;
         }
     }
     s->stowed |= 1U << lane;
     s->tolerance[lane] = r->model->tolerance;
     s->alone[lane] = n_closed == 1 ? -1 : 0;
-    s->contact[lane] = r->energy.contact;
+    s->work[lane] = r->energy.contact;
     s->steps[lane] = s->sweeps[lane] = 0;
     s->per_b = r->work.per_b;
     s->per_g = r->work.per_g;
-    list(e);
+    list_acting(e);
 }
 
-void ensemble_joints_take_out(struct ensemble_lanes *e, int lane, struct run *r) {
-    struct ensemble_joints *s = e->joints;
+void ensemble_contacts_take_out(struct ensemble_lanes *e, int lane, struct run *r) {
+    struct ensemble_contacts *s = e->contacts;
     if (!ensemble_has(s->stowed, lane)) {
         return;
     }
@@ -164,31 +165,31 @@ void ensemble_joints_take_out(struct ensemble_lanes *e, int lane, struct run *r)
     for (int i = 0; i < now->n_live; i++) {
         const int k = now->live[i];
         if (now->link[k].closed) {
-            take_out(&s->joint[k], lane, r, k, s->steps[lane]);
+            take_out(&s->contact[k], lane, r, k, s->steps[lane]);
             s->runs[k] &= ~(1U << lane);
         }
     }
-    r->energy.contact = s->contact[lane];
+    r->energy.contact = s->work[lane];
     r->results->totals.iterations += s->sweeps[lane];
     r->results->totals.fast += s->steps[lane];
     s->stowed &= ~(1U << lane);
-    list(e);
+    list_acting(e);
 }
 
-void ensemble_joints_give(struct ensemble_lanes *e, int lane, struct run *r) {
-    struct ensemble_joints *s = e->joints;
+void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r) {
+    struct ensemble_contacts *s = e->contacts;
     if (!ensemble_has(s->solved, lane)) {
         return;
     }
     for (int i = 0; i < r->next->n_live; i++) {
         const int k = r->next->live[i];
-        r->next->link[k].force = s->joint[k].force[lane];
+        r->next->link[k].force = s->contact[k].force[lane];
     }
     r->results->totals.iterations += s->count[lane];
     r->results->totals.fast++;
     s->solved &= ~(1U << lane);
 }
 
-void ensemble_joints_work(const struct ensemble_lanes *e, int lane, struct energy_account *a) {
-    a->contact = ensemble_has(e->joints->stowed, lane) ? e->joints->contact[lane] : a->contact;
+void ensemble_contacts_work(const struct ensemble_lanes *e, int lane, struct energy_account *a) {
+    a->contact = ensemble_has(e->contacts->stowed, lane) ? e->contacts->work[lane] : a->contact;
 }

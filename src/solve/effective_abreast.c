@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Tridiagonal solves of up to eight buildings of the same height in lanes.
+//
 // A solve is two chains, each value waiting for the one before,
 //     x_i = r_i - l_(i-1) x_(i-1) upwards,   y_i = x_i / d_i - l_i y_(i+1) downwards,
 // so one building cannot be spread over lanes, but eight can share them: squares of four floors of
 // four buildings are transposed on the way in and out; the factors are held that way. While four
 // wait for one another, the other four go on.
-#include "solve/eight.h"
+#include "solve/effective.h"
 
 enum { FOUR = LANES_VECTOR, FOURS = EFFECTIVE_ABREAST / FOUR };
 
@@ -35,13 +37,13 @@ LANES_INLINE void store_floor(double *const q[FOUR], int i, const lanes *row) {
 }
 
 // Where the floors of each begin; those that there are not are the last one again.
-struct eight {
+struct abreast {
     const double *r[EFFECTIVE_ABREAST], *factor, *pivot;
     double *q[EFFECTIVE_ABREAST];
 };
 
-LANES_INLINE struct eight gather(const struct effective *e, const double *r, double *q) {
-    struct eight b = {.factor = e->factor, .pivot = e->pivot};
+LANES_INLINE struct abreast gather(const struct effective *e, const double *r, double *q) {
+    struct abreast b = {.factor = e->factor, .pivot = e->pivot};
     for (int k = 0; k < EFFECTIVE_ABREAST; k++) {
         const ptrdiff_t own = k < e->abreast ? k : e->abreast - 1;
         b.r[k] = r + own * e->building->n_floor;
@@ -54,7 +56,7 @@ LANES_INLINE struct eight gather(const struct effective *e, const double *r, dou
 #define HELD(x, i, j)                                                                              \
     (*(const lanes *)((x) + (ptrdiff_t)(i)*EFFECTIVE_ABREAST + (ptrdiff_t)(j)*FOUR))
 
-LANES_INLINE void upwards(const struct eight *b, int n, lanes (*restrict x)[FOURS]) {
+LANES_INLINE void upwards(const struct abreast *b, int n, lanes (*restrict x)[FOURS]) {
     int i = 1;
     lanes last[FOURS];
     for (int j = 0; j < FOURS; j++) {
@@ -80,7 +82,7 @@ LANES_INLINE void upwards(const struct eight *b, int n, lanes (*restrict x)[FOUR
     }
 }
 
-LANES_INLINE void downwards(const struct eight *b, int n, lanes (*restrict x)[FOURS]) {
+LANES_INLINE void downwards(const struct abreast *b, int n, lanes (*restrict x)[FOURS]) {
     int i = n;
     lanes last[FOURS] = {{0.0}};
     for (; i >= FOUR; i -= FOUR) {
@@ -101,8 +103,8 @@ LANES_INLINE void downwards(const struct eight *b, int n, lanes (*restrict x)[FO
     }
 }
 
-LANES void eight_solve(const struct effective *e, const double *r, double *q) {
-    const struct eight b = gather(e, r, q);
+LANES void effective_solve_abreast(const struct effective *e, const double *r, double *q) {
+    const struct abreast b = gather(e, r, q);
     const int n = e->building->n_floor;
     lanes x[FLOORS_MAX][FOURS];
     upwards(&b, n, x);
