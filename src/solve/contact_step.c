@@ -56,17 +56,6 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
     }
 }
 
-// Opens the links that were live in `next`, when it was another state, and are not closed in `now`.
-static void open_others(const struct state *now, struct state *next) {
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        if (!now->link[k].closed) {
-            next->link[k] = (struct link_state){0};
-        }
-    }
-    next->n_live = 0;
-}
-
 // Do the same links act as in the last step and the one before?
 static bool is_steady(const struct gaps *g, const struct state *now, const struct state *next) {
     bool same = now->n_live == g->n_acting && next->n_live == g->n_acting;
@@ -79,8 +68,8 @@ static bool is_steady(const struct gaps *g, const struct state *now, const struc
 
 // Makes the links that are closed in `now` live in `next`, and none else.
 static void enliven_closed(struct gaps *g, const struct state *now, struct state *next) {
-    open_others(now, next);
-    gaps_forget(g, now);
+    state_open_links(next);
+    gaps_forget(g);
     for (int i = 0; i < now->n_live; i++) {
         int k = now->live[i];
         if (now->link[k].closed) {

@@ -222,7 +222,7 @@ static bool may_start(struct flight *f, const struct state *before, const struct
 static void start_flight(struct flight *f, const struct state *now, struct state *next) {
     const struct model *m = f->model;
     state_open_links(next);
-    gaps_forget(&f->work->gaps, now);
+    gaps_forget(&f->work->gaps);
     memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
     if (f->work->few.possible) {
         few_factor(f->work);

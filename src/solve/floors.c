@@ -43,10 +43,8 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
     int most = 0;
     *f = (struct floors){
         .block = arena_alloc(a, (size_t)m->n_building, sizeof *f->block),
-        .first_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->first_end),
-        .following_end = arena_alloc(a, 2 * (size_t)m->n_link, sizeof *f->following_end),
     };
-    if (!f->block || !f->first_end || !f->following_end) {
+    if (!f->block) {
         return false;
     }
     for (int k = 0, first = 0; k < m->n_building; f->n_block++) {
@@ -56,45 +54,35 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
         first = b.end;
         k += b.n_building;
     }
-    for (int k = 0; k < m->n_building; k++) {
-        f->first_end[k] = -1;
-    }
     f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
     f->u_trial = lanes_array(a, most);
     f->v_trial = lanes_array(a, most);
     return f->residual && f->u_trial && f->v_trial;
 }
 
-// Lists the ends of live links by building, in the order of the links.
-static void list_ends(struct floors *f, const struct gaps *gaps, const struct state *s) {
-    for (int i = s->n_live - 1; i >= 0; i--) {
-        const struct gap_run *run = &gaps->run[gaps->run_of[s->live[i]]];
-        for (int side = 1; side >= 0; side--) {
-            int end = 2 * s->live[i] + side;
-            int k = run->building[side];
-            if (k != WALL) {
-                f->following_end[end] = f->first_end[k];
-                f->first_end[k] = end;
-            }
-        }
+// Takes the forces of a run's links into the residual of building k, which is at one of its sides.
+static void push_run(const struct gaps *g, int run, int k, const struct link_state *link,
+                     const struct floor_block *b, double *residual) {
+    const struct gap_run *r = &g->run[run];
+    const struct gap_share *share = &g->share[run];
+    const bool left = r->building[0] == k;
+    double *end = residual + ((left ? r->left : r->right) - b->first);
+    for (int i = share->first; i < share->first + share->n; i++) {
+        double force = link[g->acting[i]].force;
+        end[g->acting[i] - r->first] += left ? -force : force;
     }
 }
 
-// Takes the forces of live links into the residual of a block, and the trial of their buildings for
-// the contact iteration. The lists are used up.
 void floors_push(struct work *w, const struct state *now, const struct state *next,
                  const struct floor_block *b) {
-    const struct model *m = w->model;
-    struct floors *f = &w->floors;
+    const struct gaps *g = &w->gaps;
     for (int k = b->building; k < b->building + b->n_building; k++) {
-        if (f->first_end[k] >= 0) {
+        if (g->is_touched[k]) {
             floors_trial(w, now, k);
         }
-        for (int end = f->first_end[k]; end >= 0; end = f->following_end[end]) {
-            double force = next->link[end / 2].force;
-            f->residual[m->link[end / 2].dof[end % 2] - b->first] += end % 2 == 0 ? -force : force;
+        for (int i = g->start[k]; g->is_touched[k] && i < g->start[k + 1]; i++) {
+            push_run(g, g->of_building[i], k, next->link, b, w->floors.residual);
         }
-        f->first_end[k] = -1;
     }
 }
 
@@ -178,7 +166,6 @@ bool floors_move(struct work *w, const struct state *now, struct state *next) {
     if (w->few.serves) {
         return update_gaps(w, next, w->few.steps->move(w, now, next));
     }
-    list_ends(&w->floors, &w->gaps, next);
     bool finite = steps()->move(w, now, next);
     gaps_update(&w->gaps, next);
     return finite;

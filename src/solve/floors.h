@@ -32,11 +32,9 @@ struct flight;
 
 struct floors {
     int n_block;
-    struct floor_block *block;       // (n_block)
-    double *residual;                // [F] of a block
-    double *u_trial, *v_trial;       // of a block: its end of the step if the accelerations stay
-    int *first_end, *following_end;  // (n_building), (2 n_link) live links by building: end i % 2
-                                     // of link i / 2; -1: none
+    struct floor_block *block;  // (n_block)
+    double *residual;           // [F] of a block
+    double *u_trial, *v_trial;  // of a block: its end of the step if the accelerations stay
     struct floors_account account;
 };
 
@@ -86,9 +84,8 @@ bool floors_fly(const struct flight *f, const struct state *now, struct state *n
 // The same where storeys follow straight lines; nor may one leave its line.
 bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next);
 
-// What of this is made of loops over floors, on vectors of one width: floors_move where the live
-// links are listed, floors_fly, the same on lines, floors_catch_up where accounts are put off, and
-// a state taken into the peaks.
+// What of this is made of loops over floors, on vectors of one width: floors_move, floors_fly, the
+// same on lines, floors_catch_up where accounts are put off, and a state taken into the peaks.
 struct floors_steps {
     bool (*move)(struct work *w, const struct state *now, struct state *next);
     bool (*fly)(const struct flight *f, const struct state *now, struct state *next);

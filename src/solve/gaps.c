@@ -40,15 +40,10 @@ static void find_runs(struct gaps *g) {
     }
 }
 
-// The building at one side of a run; a run within one building is at its left side only.
-static int building_at(const struct gap_run *r, int side) {
-    return side == 1 && r->building[0] == r->building[1] ? WALL : r->building[side];
-}
-
 // Lists the runs at each building, by counting.
 static void sort_runs(struct gaps *g) {
     for (int i = 0; i < 2 * g->n_run; i++) {
-        int k = building_at(&g->run[i / 2], i % 2);
+        int k = g->run[i / 2].building[i % 2];
         if (k != WALL) {
             g->start[k]++;
         }
@@ -57,7 +52,7 @@ static void sort_runs(struct gaps *g) {
         g->start[k] += g->start[k - 1];
     }
     for (int i = 2 * g->n_run - 1; i >= 0; i--) {
-        int k = building_at(&g->run[i / 2], i % 2);
+        int k = g->run[i / 2].building[i % 2];
         if (k != WALL) {
             g->of_building[--g->start[k]] = i / 2;
         }
@@ -77,6 +72,7 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
         .beyond = arena_alloc(a, n_link, sizeof *g->beyond),
         .all = arena_alloc(a, n_link, sizeof *g->all),
         .acting = arena_alloc(a, n_link, sizeof *g->acting),
+        .share = arena_alloc(a, n_link, sizeof *g->share),
         .run = arena_alloc(a, n_link, sizeof *g->run),
         .start = arena_alloc(a, n_building + 1, sizeof *g->start),
         .of_building = arena_alloc(a, 2 * n_link, sizeof *g->of_building),
@@ -86,8 +82,8 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
         .is_touched = arena_alloc(a, n_building, sizeof *g->is_touched),
     };
     if (!g->gap || !g->limit || !g->nearest || !g->time || !g->run_of || !g->beyond || !g->all ||
-        !g->acting || !g->run || !g->start || !g->of_building || !g->visited || !g->pressed ||
-        !g->touched || !g->is_touched) {
+        !g->acting || !g->share || !g->run || !g->start || !g->of_building || !g->visited ||
+        !g->pressed || !g->touched || !g->is_touched) {
         return false;
     }
     find_runs(g);
@@ -216,10 +212,11 @@ void gaps_finish(const struct gaps *g, struct results *r) {
     }
 }
 
-void gaps_forget(struct gaps *g, const struct state *s) {
+void gaps_forget(struct gaps *g) {
     for (int i = 0; i < g->n_acting; i++) {
         int k = g->acting[i];
-        g->limit[k] = s->link[k].closed ? INFINITY : number_min(g->nearest[k], 0.0);
+        g->limit[k] = number_min(g->nearest[k], 0.0);
+        g->share[g->run_of[k]].n = 0;
     }
     for (int i = 0; i < g->n_touched; i++) {
         g->is_touched[g->touched[i]] = false;

@@ -33,9 +33,12 @@ struct gaps {
     int *visited;              // (n_run) scratch: runs that an update goes over
     int *all;                  // (n_run) all runs
     int n_pressed, *pressed;   // runs in which a link that does not act was inside then
-    int n_acting, *acting;     // links that act in this step
-    int n_touched, *touched;   // their buildings
-    bool *is_touched;          // (n_building)
+    int n_acting, *acting;     // links that act in this step,
+    struct gap_share {
+        int first, n;
+    } * share;                // (n_run) of run i: acting[first] and those behind it
+    int n_touched, *touched;  // their buildings
+    bool *is_touched;         // (n_building)
 };
 
 bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a);
@@ -67,22 +70,24 @@ static inline void gaps_note(struct gaps *g, int k, double d, double time) {
 // Takes those of contacts into the peaks; nothing where `g` was never allocated and is all zero.
 void gaps_finish(const struct gaps *g, struct results *r);
 
-// No building is touched any more, and no link acts but those that are closed in `s`.
-void gaps_forget(struct gaps *g, const struct state *s);
+// No link acts, and no building is touched any more.
+void gaps_forget(struct gaps *g);
 
-// Link k acts, and touches its buildings, as those of its run before it do.
+// Link k acts, and touches its buildings, as those of its run before it do. Links of a run have to
+// follow each other for its share to be right.
 static inline void gaps_touch(struct gaps *g, int k) {
-    const struct gap_run *r = &g->run[g->run_of[k]];
-    bool seen = g->n_acting > 0 && g->run_of[g->acting[g->n_acting - 1]] == g->run_of[k];
-    g->acting[g->n_acting++] = k;
-    g->limit[k] = INFINITY;
-    for (int i = 0; i < 2 && !seen; i++) {
-        int b = r->building[i];
+    const int run = g->run_of[k];
+    struct gap_share *share = &g->share[run];
+    for (int i = 0; i < 2 && share->n == 0; i++) {
+        int b = g->run[run].building[i];
         if (b != WALL && !g->is_touched[b]) {
             g->is_touched[b] = true;
             g->touched[g->n_touched++] = b;
         }
     }
+    share->first = share->n++ == 0 ? g->n_acting : share->first;
+    g->acting[g->n_acting++] = k;
+    g->limit[k] = INFINITY;
 }
 
 #endif

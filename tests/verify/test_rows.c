@@ -157,7 +157,7 @@ static void assert_penetrations(const struct model *m, const struct state *s) {
     }
 }
 
-// Unequal heights, a wall, a contact of one floor and a damper within and between buildings.
+// Unequal heights, a wall, a contact of one floor and a link that stands askew.
 static void penetrations_of_runs_of_links_are_those_of_each(void **state) {
     (void)state;
     struct model *m = analysis_model("building A -floors 9 -mass 300t -stiffness 345MN/m\n"
@@ -177,7 +177,7 @@ static void penetrations_of_runs_of_links_are_those_of_each(void **state) {
         fill(&random, s.u, m->n_dof);
         gaps_update(&gaps, &s);
         assert_penetrations(m, &s);
-        gaps_forget(&gaps, &s);
+        gaps_forget(&gaps);
         int k = random_below(&random, m->n_link);
         gaps_touch(&gaps, k);
         for (int j = 0; j < gaps.n_touched; j++) {
@@ -213,10 +213,44 @@ static void contacts_inside_are_in_a_pressed_run(void **state) {
     s.u[3] = 0.021;
     gaps_update_touched(&gaps, &s);
     assert_int_equal(gaps.n_pressed, 1);
-    gaps_forget(&gaps, &s);
+    gaps_forget(&gaps);
     s.u[3] = 0.0;
     gaps_update(&gaps, &s);
     assert_int_equal(gaps.n_pressed, 1);
+    arena_free(a);
+    model_free(m);
+}
+
+// The share of a run names its own links that act, in their order, and nothing is left of it after.
+static void links_that_act_are_in_the_share_of_their_run(void **state) {
+    (void)state;
+    struct model *m = analysis_model("building A -floors 6 -mass 300t -stiffness 345MN/m\n"
+                                     "building B -floors 6 -mass 300t -stiffness 345MN/m\n"
+                                     "building C -floors 6 -mass 300t -stiffness 345MN/m\n"
+                                     "contact A B -gap 20mm -law linear -k 100MN/m\n"
+                                     "contact B C -gap 20mm -law linear -k 100MN/m\n"
+                                     "duration 1s\nstep fixed 0.01s\n");
+    const int acting[] = {1, 4, 5, 7, 11};
+    const int n = sizeof acting / sizeof *acting;
+    struct arena *a = arena_create();
+    struct gaps gaps;
+    assert_true(gaps_alloc(&gaps, m, a));
+    for (int round = 0; round < 2; round++) {
+        for (int i = 0; i < n; i++) {
+            gaps_touch(&gaps, acting[i]);
+        }
+        assert_int_equal(gaps.n_touched, 3);
+        for (int run = 0, i = 0; run < gaps.n_run; run++) {
+            assert_int_equal(gaps.share[run].first, i);
+            for (int j = 0; j < gaps.share[run].n; j++, i++) {
+                assert_int_equal(gaps.acting[i], acting[i]);
+                assert_int_equal(gaps.run_of[acting[i]], run);
+            }
+        }
+        assert_int_equal(gaps.share[0].n + gaps.share[1].n, n);
+        gaps_forget(&gaps);
+        assert_int_equal(gaps.share[0].n + gaps.share[1].n, 0);
+    }
     arena_free(a);
     model_free(m);
 }
@@ -228,6 +262,7 @@ int main(void) {
         cmocka_unit_test(what_is_put_off_to_the_next_step_is_what_each_step_shows),
         cmocka_unit_test(penetrations_of_runs_of_links_are_those_of_each),
         cmocka_unit_test(contacts_inside_are_in_a_pressed_run),
+        cmocka_unit_test(links_that_act_are_in_the_share_of_their_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
