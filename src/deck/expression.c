@@ -108,7 +108,8 @@ static bool literal_unit(struct deck *d, const struct word *w, const char **at,
     note_gravity(d, unit, size);
     if (**at == '^') {
         return fail(d, w, *at, *at + 1,
-                    "this is no power of a unit; put the quantity in brackets to raise it");
+                    "this is no power of a unit, as in m^1.5; put the quantity in brackets to "
+                    "raise it");
     }
     out->known = true;
     out->value = unit_convert(out->value, size, unit_size(&d->units, out->dimension));
@@ -251,7 +252,9 @@ static bool unexpected(struct parser *p) {
     size_t bytes = text_character(p->at, (size_t)(p->end - p->at));
     struct word part = report_part(p->deck, p->word, p->at, p->at + (bytes ? bytes : 1));
     struct text_short t;
-    deck_error(p->deck, &part, "unexpected '%s'", text_short(&t, part.text));
+    bool double_star = *p->at == '*' && p->at > p->word->text && p->at[-1] == '*';
+    deck_error(p->deck, &part, "unexpected '%s'%s", text_short(&t, part.text),
+               double_star ? "; a power is written ^" : "");
     return false;
 }
 
@@ -374,6 +377,17 @@ static bool dollar(struct deck *d, const struct word *w, const char **at, struct
     return parameter_number(d, w, from, to, out);
 }
 
+// How it is right, where the number `q` is followed by `c`.
+static const char *advice(const struct quantity *q, char c) {
+    if (c == ',' || c == ';') {
+        return "decimals have a point, and values of a list are parted by blanks";
+    }
+    if (q->known && !strchr("+-*/", c)) {
+        return "units are written as in kN*s/m or N/m^1.5";
+    }
+    return "expressions stand in ${...}, texts in quotes";
+}
+
 bool expression_number(struct deck *d, const struct word *w, const char *from,
                        struct quantity *out) {
     const char *at = from;
@@ -394,7 +408,6 @@ bool expression_number(struct deck *d, const struct word *w, const char *from,
     if ((*at == '*' || *at == '/') && starts_unit(at[1])) {
         return unknown_unit(d, w, at + 1);
     }
-    return fail(d, w, at, at + strlen(at),
-                "unexpected '%s' behind the number; expressions stand in ${...}, texts in quotes",
-                text_short(&t, at));
+    return fail(d, w, at, at + strlen(at), "unexpected '%s' behind the number; %s",
+                text_short(&t, at), advice(out, *at));
 }

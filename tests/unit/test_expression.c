@@ -83,14 +83,19 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("${sin}", "10: a '(' must stand behind a function"),
         CASE("${sin(1,2)}", "15: this function takes one value"),
         CASE("${min(1)}", "10: at least two values are needed here"),
-        CASE("${2mm^x}",
-             "13: this is no power of a unit; put the quantity in brackets to raise it"),
+        CASE("${2mm^x}", "13: this is no power of a unit, as in m^1.5; put the quantity in "
+                         "brackets to raise it"),
         CASE("$f", "9: parameter 'f' is a text; a number is needed"),
         CASE("$m", "8: gap has the dimension of a mass (t); a length is needed"),
         CASE("5mn", "9: unknown unit 'mn'; did you mean 'MN'?"),
         CASE("5m/x", "11: unknown unit 'x'"),
         CASE("1e999", "8: the number is too large; at most 1.8e308 is possible"),
         CASE("1e308km", "13: the value is too large in this unit"),
+        CASE("2,5", "9: unexpected ',5' behind the number; decimals have a point, and values of a "
+                    "list are parted by blanks"),
+        CASE("2m.s", "10: unexpected '.s' behind the number; units are written as in kN*s/m or "
+                     "N/m^1.5"),
+        CASE("${2**3}", "12: unexpected '*'; a power is written ^"),
         CASE("2+3",
              "9: unexpected '+3' behind the number; expressions stand in ${...}, texts in quotes"),
         CASE("two", "8: gap needs a number, not 'two'; did you mean '$two'?"),
