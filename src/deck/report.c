@@ -86,3 +86,15 @@ struct word report_part(struct deck *d, const struct word *w, const char *from, 
     }
     return part;
 }
+
+bool report_false(struct deck *d, const struct word *w, const char *from, const char *to,
+                  const char *format, ...) {
+    char message[MESSAGE_MAX];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    struct word part = report_part(d, w, from, to);
+    report(d, &part, SEVERITY_ERROR, message);
+    return false;
+}

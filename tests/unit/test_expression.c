@@ -98,6 +98,12 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("${2**3}", "12: unexpected '*'; a power is written ^"),
         CASE("2+3",
              "9: unexpected '+3' behind the number; expressions stand in ${...}, texts in quotes"),
+        CASE("2*N/m",
+             "9: unexpected '*N/m' behind the number; a unit stands right behind its number"),
+        CASE("2\u00b5m",
+             "9: unexpected '\u00b5m' behind the number; units are written as in kN*s/m or "
+             "N/m^1.5"),
+        CASE("${2 mm}", "12: unexpected 'm'; a unit stands right behind its number"),
         CASE("two", "8: gap needs a number, not 'two'; did you mean '$two'?"),
         CASE("nan", "8: gap needs a number, not 'nan'"),
         CASE("$", "8: a name or '{' must stand behind '$'"),
