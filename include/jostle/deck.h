@@ -168,16 +168,16 @@ const char *deck_parameters(struct deck *d);
 const char *deck_includes(struct deck *d);
 
 // Report at a word (NULL: at the deck as a whole). deck_unknown adds the nearest of `known` (n
-// texts) and, if there are few of them, lists them: "unknown contact law 'herz'; did you mean
-// 'hertz'?".
+// texts), which it returns, or NULL and, if there are few of them, lists them: "unknown contact law
+// 'herz'; did you mean 'hertz'?".
 void deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 // The same with the message of `e`; diagnostics.system remembers that it was STATUS_SYSTEM.
 void deck_error_of(struct deck *d, const struct word *w, const struct error *e);
 void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-void deck_unknown(struct deck *d, const struct word *w, const char *what, const char *const *known,
-                  int n);
+const char *deck_unknown(struct deck *d, const struct word *w, const char *what,
+                         const char *const *known, int n);
 
 // The statements that the language itself carries out, for help texts: name, usage, meaning.
 struct deck_statement {

@@ -8,14 +8,6 @@
 #include "command/law_words.h"
 #include "command/sweeps.h"
 
-static void print_study(const struct model *m) {
-    if (m->deck->sweeps) {
-        printf("\n");
-        sweeps_print(m->deck);
-        printf("the model of the first run:\n");
-    }
-}
-
 static int check_command(int argc, char **argv);
 
 const struct command command_check = {
@@ -223,7 +215,7 @@ static int check(void *options, const struct model *m) {
     const struct unit_system *s = &m->deck->units;
     printf("%s%sunits %s %s %s, mass in %s\n", m->deck->title, m->deck->title[0] ? "\n" : "",
            s->force_name, s->length_name, s->time_name, t.mass);
-    print_study(m);
+    sweeps_print_first(m->deck, "\n", "");
     for (int k = 0; k < m->n_building; k++) {
         print_building(m, &m->building[k], &t);
     }

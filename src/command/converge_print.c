@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "command/sweeps.h"
+
 enum { SHOWN_MAX = 20, LABEL_WIDTH = 23, SHOWN_LEVELS = 3 };
 
 static const char *const owner_names[] = {"model", "building", "link"};
@@ -71,8 +73,9 @@ static void print_result(const struct model *m, const struct refinement *r,
 
 static void print_heading(const struct refinement *r, const struct model *m) {
     const char *unit = m->adaptive ? " " : m->deck->units.time_name;
-    printf("%s%s%d levels, %s", m->deck->title, m->deck->title[0] ? "\n" : "", r->n_level,
-           m->adaptive ? "tolerances" : "steps");
+    printf("%s%s", m->deck->title, m->deck->title[0] ? "\n" : "");
+    sweeps_print_first(m->deck, "", "");
+    printf("%d levels, %s", r->n_level, m->adaptive ? "tolerances" : "steps");
     for (int i = 0; i < r->n_level; i++) {
         printf(" %.6g", r->step[i]);
     }

@@ -3,6 +3,7 @@
 #include <gsl/gsl_math.h>
 
 #include "command/deck_command.h"
+#include "command/sweeps.h"
 
 static int modes_command(int argc, char **argv);
 
@@ -69,6 +70,7 @@ static void print_shapes(const struct building *g, int first, int last) {
 
 static int print_modes(void *options, const struct model *m) {
     (void)options;
+    sweeps_print_first(m->deck, "", "\n");
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         printf("%sbuilding %s, %d floor%s\n\n", k ? "\n" : "", g->name, g->n_floor,

@@ -16,8 +16,8 @@ static int plot_command(int argc, char **argv);
 
 const struct command command_plot = {
     .name = "plot",
-    .usage = "FILE.h5 [KIND] [-o FILE.png|.svg|.pdf] [--compare OTHER.h5] [--script DIR] [--force] "
-             "[--edp EDP] ...",
+    .usage = "FILE.h5 [KIND] [-o FILE.png|.svg|.pdf] [--compare OTHER.h5] [--script DIR]\n"
+             "                   [--force] [--edp EDP] ...",
     .summary = "draws the results by gnuplot",
     .run = plot_command,
 };

@@ -212,7 +212,8 @@ static int parse_number(const struct command *c, int option, const char *text,
     switch (option) {
         case OPTION_SCALE:
             good = read_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0;
-            return good ? -1 : command_usage(c, "--scale takes a factor, not 0, not '%s'", text);
+            return good ? -1
+                        : command_usage(c, "--scale takes a factor other than 0, not '%s'", text);
         case OPTION_PGA:
             good = read_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0;
             return good ? -1

@@ -48,7 +48,8 @@ static int take_failed(const struct command *c, struct suite_options *o) {
 }
 
 int suite_options_take(const struct command *c, int letter, struct suite_options *o) {
-    static const char *const name[] = {"--edp", "--im", "--over", "--at", "--limit", "--failed"};
+    static const char *const name[] = {"--edp", "--im or --against", "--over",
+                                       "--at",  "--limit",           "--failed"};
     o->first = o->first ? o->first : name[letter - SUITE_EDP];
     struct suite_request *q = &o->request;
     switch (letter) {

@@ -75,3 +75,11 @@ void sweeps_print(const struct deck *d) {
         sweeps_print_along(s, &d->units, stdout);
     }
 }
+
+void sweeps_print_first(const struct deck *d, const char *before, const char *behind) {
+    if (d->sweeps) {
+        printf("%s", before);
+        sweeps_print(d);
+        printf("the model of the first run:\n%s", behind);
+    }
+}

@@ -2,6 +2,7 @@
 // Numbers, characters and near words.
 #include "core/text.h"
 
+#include <ctype.h>
 #include <float.h>
 #include <langinfo.h>
 #include <locale.h>
@@ -119,7 +120,10 @@ enum text_number text_number(const char *text, const char **end, double *value) 
     return TEXT_NUMBER_OK;
 }
 
-enum { WORD_MAX = 64 };
+enum {
+    WORD_MAX = 64,
+    SHARED_MIN = 3,  // letters that words share at least, of which one goes on where the other ends
+};
 
 static int lower(char c) {
     return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
@@ -159,6 +163,30 @@ static int edit_distance(const char *a, int n, const char *b, int m, int (*fold)
     return last[m];
 }
 
+// True if one word goes on where the other ends: `known` anyhow, `word` by no letter or digit.
+static bool is_relative(const char *word, const char *known) {
+    size_t shared = 0;
+    while (word[shared] && word[shared] == known[shared]) {
+        shared++;
+    }
+    bool whole = !word[shared] || (!known[shared] && !isalnum((unsigned char)word[shared]));
+    return whole && shared >= SHARED_MIN;
+}
+
+// The only known word of which that is so; NULL: there is none, or there are several.
+static const char *only_relative(const char *word, const char *const *known, int n) {
+    const char *relative = NULL;
+    for (int i = 0; i < n; i++) {
+        if (is_relative(word, known[i])) {
+            if (relative) {
+                return NULL;
+            }
+            relative = known[i];
+        }
+    }
+    return relative;
+}
+
 const char *text_nearest(const char *word, const char *const *known, int n) {
     size_t length = strlen(word);
     if (length >= WORD_MAX || length == 0) {
@@ -180,7 +208,7 @@ const char *text_nearest(const char *word, const char *const *known, int n) {
             nearest = known[i];
         }
     }
-    return nearest;
+    return nearest ? nearest : only_relative(word, known, n);
 }
 
 static bool is_between(unsigned char c, int low, int high) {

@@ -21,7 +21,8 @@ enum text_number text_number(const char *text, const char **end, double *value);
 // The nearest of the `n` texts in `known`; NULL: none is near. Edits are insertion, removal and
 // replacement of a letter and the swap of two neighbours, at most a third of the word's length (at
 // least 1) and fewer than it has letters, of which the dash of an option is none; upper and lower
-// case count as equal, but break ties.
+// case count as equal, but break ties. Where no word is so near, it is the only one that begins
+// with it, or that it begins with and goes on by no letter: `kelvin`, `-mass=300t`.
 const char *text_nearest(const char *word, const char *const *known, int n);
 
 // Reads a whole regular file into the arena with a final 0. Errors name the path: STATUS_INPUT

@@ -9,9 +9,7 @@
 //
 // A literal takes the longest unit that stands right behind it: in 300t/g the g is the unit, in
 // 300t / g a parameter.
-#include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
+#include <ctype.h>
 #include <string.h>
 
 #include "core/text.h"
@@ -27,22 +25,6 @@ struct parser {
     int depth;
 };
 
-__attribute__((format(printf, 5, 6))) static bool fail(struct deck *d, const struct word *w,
-                                                       const char *from, const char *to,
-                                                       const char *format, ...);
-
-static bool fail(struct deck *d, const struct word *w, const char *from, const char *to,
-                 const char *format, ...) {
-    struct error e;
-    va_list list;
-    va_start(list, format);
-    vsnprintf(e.message, sizeof e.message, format, list);
-    va_end(list);
-    struct word part = report_part(d, w, from, to);
-    deck_error(d, &part, "%s", e.message);
-    return false;
-}
-
 static bool sum(struct parser *p, struct quantity *out);
 
 static void skip_blanks(struct parser *p) {
@@ -57,84 +39,6 @@ static char next(struct parser *p) {
     return p->at < p->end ? *p->at : '\0';
 }
 
-// Marks where the unit g is used: gravity must stand above.
-static void note_gravity(struct deck *d, const char *unit, double size) {
-    const char *end;
-    struct dimension dimension;
-    double other;
-    if (!d->reader->gravity_used &&
-        unit_parse(unit, 2 * d->units.gravity, &end, &dimension, &other) && other != size) {
-        d->reader->gravity_used = true;
-    }
-}
-
-static bool starts_unit(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%';
-}
-
-// The end of the run of letters at `at`, of at least one character.
-static const char *letters_end(const char *at) {
-    do {
-        at++;
-    } while (starts_unit(*at));
-    return at;
-}
-
-// Reports the unit at `at`, which is a known one only behind one that joins with none.
-static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
-    int n = 0;
-    double si;
-    const char *end;
-    struct dimension dimension;
-    if (unit_parse(at, d->units.gravity, &end, &dimension, &si)) {
-        deck_error(d, w, "rad and deg do not join with other units; f = omega / (2 pi) in Hz");
-        return false;
-    }
-    while (unit_names[n]) {
-        n++;
-    }
-    struct word part = report_part(d, w, at, letters_end(at));
-    deck_unknown(d, &part, "unit", unit_names, n);
-    return false;
-}
-
-static bool literal_unit(struct deck *d, const struct word *w, const char **at,
-                         struct quantity *out) {
-    const char *unit = *at;
-    double size;
-    if (!unit_parse(unit, d->units.gravity, at, &out->dimension, &size)) {
-        return !starts_unit(*unit) || unknown_unit(d, w, unit);
-    }
-    note_gravity(d, unit, size);
-    if (**at == '^') {
-        return fail(d, w, *at, *at + 1,
-                    "this is no power of a unit; put the quantity in brackets to raise it");
-    }
-    out->known = true;
-    out->value = unit_convert(out->value, size, unit_size(&d->units, out->dimension));
-    if (!isfinite(out->value) || !isfinite(size) || !(size > 0)) {
-        return fail(d, w, unit, *at, "the value is too large in this unit");
-    }
-    return true;
-}
-
-bool expression_literal(struct deck *d, const struct word *w, const char **at,
-                        struct quantity *out) {
-    const char *start = *at;
-    *out = (struct quantity){0};
-    enum text_number found = text_number(start, at, &out->value);
-    if (found == TEXT_NUMBER_RANGE) {
-        return fail(d, w, start, *at, "the number is too large; at most 1.8e308 is possible");
-    }
-    if (found == TEXT_NUMBER_NONE) {
-        struct word part = report_part(d, w, start, w->text + strlen(w->text));
-        struct text_short t;
-        deck_error(d, &part, "'%s' is not a number", text_short(&t, part.text));
-        return false;
-    }
-    return literal_unit(d, w, at, out);
-}
-
 static bool parameter_number(struct deck *d, const struct word *w, const char *from, const char *to,
                              struct quantity *out) {
     const struct parameter *parameter = parameter_get(d, w, from, to);
@@ -143,8 +47,8 @@ static bool parameter_number(struct deck *d, const struct word *w, const char *f
     }
     if (parameter->kind == PARAMETER_TEXT) {
         struct text_short t;
-        return fail(d, w, from, to, "parameter '%s' is a text; a number is needed",
-                    text_short(&t, parameter->name));
+        return report_false(d, w, from, to, "parameter '%s' is a text; a number is needed",
+                            text_short(&t, parameter->name));
     }
     *out = parameter->number;
     return true;
@@ -166,7 +70,7 @@ bool expression_is_reserved(const char *name, size_t n) {
 
 static bool close_bracket(struct parser *p, const char *open) {
     if (next(p) != ')') {
-        return fail(p->deck, p->word, open, open + 1, "the ')' to this '(' is missing");
+        return report_false(p->deck, p->word, open, open + 1, "the ')' to this '(' is missing");
     }
     p->at++;
     return true;
@@ -176,7 +80,8 @@ static bool close_bracket(struct parser *p, const char *open) {
 static bool choice(struct parser *p, int sign, const char *name, const char *name_end,
                    struct quantity *out) {
     if (next(p) != ',') {
-        return fail(p->deck, p->word, name, name_end, "at least two values are needed here");
+        return report_false(p->deck, p->word, name, name_end,
+                            "at least two values are needed here");
     }
     while (next(p) == ',') {
         const char *from = ++p->at;
@@ -186,7 +91,7 @@ static bool choice(struct parser *p, int sign, const char *name, const char *nam
             return false;
         }
         if (quantity_choose(&p->deck->units, sign, out, &other, &e) != STATUS_OK) {
-            return fail(p->deck, p->word, from, p->at, "%s", e.message);
+            return report_false(p->deck, p->word, from, p->at, "%s", e.message);
         }
     }
     return true;
@@ -219,10 +124,10 @@ static bool call(struct parser *p, const char *name, const char *name_end, struc
     }
     struct error e;
     if (quantity_function(&p->deck->units, name, (size_t)(name_end - name), out, &e) != STATUS_OK) {
-        return fail(p->deck, p->word, from, p->at, "%s", e.message);
+        return report_false(p->deck, p->word, from, p->at, "%s", e.message);
     }
     if (next(p) == ',') {
-        return fail(p->deck, p->word, p->at, p->at + 1, "this function takes one value");
+        return report_false(p->deck, p->word, p->at, p->at + 1, "this function takes one value");
     }
     return close_bracket(p, open);
 }
@@ -239,26 +144,31 @@ static bool name_or_call(struct parser *p, struct quantity *out) {
         return true;
     }
     if (expression_is_reserved(name, (size_t)(end - name))) {
-        return fail(p->deck, p->word, name, end, "a '(' must stand behind a function");
+        return report_false(p->deck, p->word, name, end, "a '(' must stand behind a function");
     }
     return parameter_number(p->deck, p->word, name, end, out);
 }
 
 static bool unexpected(struct parser *p) {
     if (next(p) == 0) {
-        return fail(p->deck, p->word, p->end, p->end, "the expression is not complete");
+        return report_false(p->deck, p->word, p->end, p->end, "the expression is not complete");
     }
     size_t bytes = text_character(p->at, (size_t)(p->end - p->at));
     struct word part = report_part(p->deck, p->word, p->at, p->at + (bytes ? bytes : 1));
     struct text_short t;
-    deck_error(p->deck, &part, "unexpected '%s'", text_short(&t, part.text));
+    const char before = p->at > p->word->text ? p->at[-1] : '\0';
+    const char *hint = before == '*' && *p->at == '*' ? "; a power is written ^"
+                       : before == ' ' && isalpha((unsigned char)*p->at)
+                           ? "; a unit stands right behind its number"
+                           : "";
+    deck_error(p->deck, &part, "unexpected '%s'%s", text_short(&t, part.text), hint);
     return false;
 }
 
 static bool primary(struct parser *p, struct quantity *out) {
     char c = next(p);
     if ((c >= '0' && c <= '9') || (c == '.' && p->at[1] >= '0' && p->at[1] <= '9')) {
-        return expression_literal(p->deck, p->word, &p->at, out);
+        return literal_read(p->deck, p->word, &p->at, out);
     }
     if (c == '(') {
         const char *open = p->at++;
@@ -287,7 +197,7 @@ static bool combine(struct parser *p, const char *op, struct quantity *a,
         from = op + 1 + strspn(op + 1, " \t");
         to = p->at;
     }
-    return fail(p->deck, p->word, from, to, "%s", e.message);
+    return report_false(p->deck, p->word, from, to, "%s", e.message);
 }
 
 static bool sign(struct parser *p, struct quantity *out);
@@ -307,8 +217,8 @@ static bool power(struct parser *p, struct quantity *out) {
 static bool sign(struct parser *p, struct quantity *out) {
     char c = next(p);
     if (p->depth == DEPTH_MAX) {
-        return fail(p->deck, p->word, p->at, p->at + (c != 0),
-                    "more than %d levels of brackets, signs and powers", DEPTH_MAX);
+        return report_false(p->deck, p->word, p->at, p->at + (c != 0),
+                            "more than %d levels of brackets, signs and powers", DEPTH_MAX);
     }
     p->depth++;
     bool ok;
@@ -361,14 +271,14 @@ static bool dollar(struct deck *d, const struct word *w, const char **at, struct
     if (*from == '{') {
         const char *close = strchr(from, '}');
         if (!close) {
-            return fail(d, w, *at, from + 1, "the '}' to this '${' is missing");
+            return report_false(d, w, *at, from + 1, "the '}' to this '${' is missing");
         }
         *at = close + 1;
         return expression_evaluate(d, w, from + 1, close, out);
     }
     const char *to = parameter_name_end(from);
     if (to == from) {
-        return fail(d, w, *at, from, "a name or '{' must stand behind '$'");
+        return report_false(d, w, *at, from, "a name or '{' must stand behind '$'");
     }
     *at = to;
     return parameter_number(d, w, from, to, out);
@@ -385,16 +295,7 @@ bool expression_number(struct deck *d, const struct word *w, const char *from,
         ok = dollar(d, w, &at, out);
         out->value = ok && negative ? -out->value : out->value;
     } else {
-        ok = expression_literal(d, w, &at, out);
+        ok = literal_read(d, w, &at, out);
     }
-    if (!ok || *at == 0) {
-        return ok;
-    }
-    struct text_short t;
-    if ((*at == '*' || *at == '/') && starts_unit(at[1])) {
-        return unknown_unit(d, w, at + 1);
-    }
-    return fail(d, w, at, at + strlen(at),
-                "unexpected '%s' behind the number; expressions stand in ${...}, texts in quotes",
-                text_short(&t, at));
+    return ok && (*at == 0 || literal_end(d, w, at, out));
 }

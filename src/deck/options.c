@@ -42,8 +42,10 @@ static const struct row *find_row(const struct row_set *set, int n_set, const ch
     return NULL;
 }
 
-static void report_unknown(struct deck *d, const struct word *w, const struct row_set *set,
-                           int n_set) {
+// Reports the option at s->word[at]. The row that it is likely to mean counts as given: it is not
+// said to be missing too.
+static void report_unknown(struct deck *d, const struct statement *s, int at,
+                           const struct row_set *set, int n_set) {
     const char *known[64];
     int n = 0;
     for (int i = 0; i < n_set; i++) {
@@ -56,7 +58,12 @@ static void report_unknown(struct deck *d, const struct word *w, const struct ro
             known[n++] = name;
         }
     }
-    deck_unknown(d, w, "option", known, n);
+    const struct word *key = &s->word[at];
+    const char *near = deck_unknown(d, key, "option", known, n);
+    if (near && !deck_option(s, near + 1, &n)) {
+        const struct row *row = find_row(set, n_set, near + 1, &at);
+        set[at].argument[row - set[at].row] = (struct argument){.given = true, .key = *key};
+    }
 }
 
 // Gives every row its fallback.
@@ -107,7 +114,7 @@ static bool read_option(struct deck *d, const struct statement *s, int at,
     int i;
     const struct row *row = find_row(set, n_set, key->text + 1, &i);
     if (!row) {
-        report_unknown(d, key, set, n_set);
+        report_unknown(d, s, at, set, n_set);
         return false;
     }
     struct argument *argument = &set[i].argument[row - set[i].row];

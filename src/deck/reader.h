@@ -188,11 +188,16 @@ bool expression_evaluate(struct deck *d, const struct word *w, const char *from,
 // Reads the rest of the word, from `from`, as a number: a literal, $name or ${expression}.
 bool expression_number(struct deck *d, const struct word *w, const char *from,
                        struct quantity *out);
-// A literal with its unit at *at, which moves behind it.
-bool expression_literal(struct deck *d, const struct word *w, const char **at,
-                        struct quantity *out);
 // True if `name` (n bytes) means something in expressions and cannot be a parameter.
 bool expression_is_reserved(const char *name, size_t n);
+
+// literal.c
+
+// A literal with its unit at *at, which moves behind it.
+bool literal_read(struct deck *d, const struct word *w, const char **at, struct quantity *out);
+// Reports what stands at `at`, behind the `number` where the word should end; false.
+bool literal_end(struct deck *d, const struct word *w, const char *at,
+                 const struct quantity *number);
 
 // quantity.c: arithmetic with dimensions; STATUS_INPUT with the cause
 
@@ -219,5 +224,8 @@ const char *quantity_describe(const struct unit_system *u, struct dimension dime
 
 // The part of `w` from `from` to `to` as a word of its own, for messages.
 struct word report_part(struct deck *d, const struct word *w, const char *from, const char *to);
+// Reports an error at that part; false.
+bool report_false(struct deck *d, const struct word *w, const char *from, const char *to,
+                  const char *format, ...) __attribute__((format(printf, 5, 6)));
 
 #endif

@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "deck/reader.h"
 
-enum { MESSAGE_MAX = 1024, LISTED_MAX = 10 };
+enum { MESSAGE_MAX = 1024, LISTED_MAX = 24 };
 
 static void report(struct deck *d, const struct word *w, enum severity severity,
                    const char *message) {
@@ -49,18 +49,18 @@ void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
     report(d, w, SEVERITY_WARNING, message);
 }
 
-void deck_unknown(struct deck *d, const struct word *w, const char *what, const char *const *known,
-                  int n) {
+const char *deck_unknown(struct deck *d, const struct word *w, const char *what,
+                         const char *const *known, int n) {
     struct text_short word;
     text_short(&word, w->text);
     const char *nearest = text_nearest(w->text, known, n);
     if (nearest) {
         deck_error(d, w, "unknown %s '%s'; did you mean '%s'?", what, word.text, nearest);
-        return;
+        return nearest;
     }
     if (n == 0 || n > LISTED_MAX) {
         deck_error(d, w, "unknown %s '%s'", what, word.text);
-        return;
+        return NULL;
     }
     char list[MESSAGE_MAX / 2] = "";
     for (int i = 0; i < n; i++) {
@@ -70,6 +70,7 @@ void deck_unknown(struct deck *d, const struct word *w, const char *what, const 
                  text_short(&name, known[i]));
     }
     deck_error(d, w, "unknown %s '%s'; known: %s", what, word.text, list);
+    return NULL;
 }
 
 struct word report_part(struct deck *d, const struct word *w, const char *from, const char *to) {
@@ -84,4 +85,16 @@ struct word report_part(struct deck *d, const struct word *w, const char *from, 
         part.text = "";
     }
     return part;
+}
+
+bool report_false(struct deck *d, const struct word *w, const char *from, const char *to,
+                  const char *format, ...) {
+    char message[MESSAGE_MAX];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    struct word part = report_part(d, w, from, to);
+    report(d, &part, SEVERITY_ERROR, message);
+    return false;
 }

@@ -7,7 +7,8 @@
 // Between `${` and `}` blanks belong to the word. `#` at the start of a word starts a comment up to
 // the end of the line, which it never joins; inside a word `#` is a character like others, as in
 // file names. Lines end with LF or CR LF. Other control characters and bytes that are not UTF-8 are
-// errors, also in comments.
+// errors, also in comments, and so are the quotes, dashes and blanks of word processors outside
+// quotes.
 //
 // A wrong line spoils its statement: the statement is left out, and reading goes on behind it.
 #include <stdlib.h>
@@ -24,6 +25,7 @@ struct scan {
     int column;                 // of `at`
     bool wrong;                 // something was reported
     bool joined;                // the next line belongs to the statement
+    bool stray;                 // it is meant to
     bool torn;                  // and the end of a quoted text, which is not looked for there
     const struct sweep *known;  // stands on these lines: nothing is wrong with them
 };
@@ -115,11 +117,43 @@ static void scan_braces(struct scan *s) {
     advance(s);
 }
 
+// What word processors make of plain characters, and what is right. Dashes and apostrophes may
+// stand inside a word, a file's name; the others nowhere outside quotes.
+static const struct look_alike {
+    const char *characters;
+    bool inside;  // they are wrong inside a word too
+    const char *message;
+} look_alikes[] = {
+    {"\u00A0\u2002\u2003\u2009\u200B\u202F", true,
+     "a blank that parts no words, as word processors set it; write a plain one"},
+    {"\u2010\u2011\u2013\u2014\u2212", false,
+     "a dash that is no '-'; options and negative numbers begin with a plain '-'"},
+    {"\u201C\u201D\u201E", true, "a quote that quotes nothing; texts stand in plain ones, \"...\""},
+    {"\u2018\u2019'", false, "an apostrophe quotes nothing; texts stand in plain quotes, \"...\""},
+};
+
+// What is wrong with the character at s->at in a word that begins at `start`; NULL: nothing.
+static const char *find_look_alike(const struct scan *s, const char *start) {
+    char c[5] = "";
+    memcpy(c, s->at, text_character(s->at, (size_t)(s->end - s->at)));
+    for (size_t i = 0; i < sizeof look_alikes / sizeof look_alikes[0]; i++) {
+        const struct look_alike *l = &look_alikes[i];
+        if ((l->inside || s->at == start) && strstr(l->characters, c)) {
+            return l->message;
+        }
+    }
+    return NULL;
+}
+
 static void scan_bare(struct scan *s) {
     const char *start = s->at;
     int column = s->column;
     while (s->at < s->end && !is_blank(*s->at) && *s->at != '#' && !s->wrong) {
-        if (*s->at == '"') {
+        const bool plain = (unsigned char)*s->at < 0x80 && *s->at != '\'';
+        const char *message = plain ? NULL : find_look_alike(s, start);
+        if (message) {
+            fail(s, s->column, 1, message);
+        } else if (*s->at == '"') {
             fail(s, s->column, 1, "a quote inside a word; put the whole word in quotes");
         } else if (*s->at == '$' && s->at + 1 < s->end && s->at[1] == '{') {
             scan_braces(s);
@@ -154,6 +188,7 @@ static void scan_words(struct scan *s) {
             return;
         } else if (is_stray_join(s)) {
             fail(s, s->column, 1, "'\\' joins lines only as the very last character");
+            s->stray = true;
         } else if (*s->at == '"') {
             scan_quoted(s);
         } else {
@@ -172,7 +207,8 @@ static void check_characters(struct scan *s) {
             snprintf(message, sizeof message, "byte 0x%02X is not UTF-8 text", (unsigned char)*p);
         } else if (*p != '\t' && text_is_control(p, bytes)) {
             unsigned code = (unsigned char)p[bytes - 1];
-            snprintf(message, sizeof message, "control character U+%04X", code);
+            snprintf(message, sizeof message, "control character U+%04X%s", code,
+                     *p == '\r' ? "; lines end with LF or CR LF" : "");
         } else {
             p += bytes;
             continue;
@@ -194,6 +230,7 @@ static void scan_line(struct scan *s, struct frame *f) {
     s->end -= s->end > start && s->end[-1] == '\r';
     s->column = 1;
     s->joined = false;
+    s->stray = false;
     bool was_wrong = s->wrong;
     s->wrong = false;
     if (!s->known) {
@@ -205,7 +242,7 @@ static void scan_line(struct scan *s, struct frame *f) {
         scan_words(s);
     }
     if (s->wrong) {  // the rest of the line is unread; guess where the statement ends
-        s->joined = s->end > start && s->end[-1] == '\\';
+        s->joined = s->stray || (s->end > start && s->end[-1] == '\\');
     } else if (s->joined && f->offset == s->source->size) {
         fail(s, s->column, 1, "'\\' joins the next line, but there is none");
     }

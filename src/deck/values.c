@@ -181,13 +181,19 @@ static bool read_texts(struct deck *d, const struct row *row, const struct word 
     if (!text) {
         return false;
     }
+    struct text_short t;
     bool ok = true;
     for (int i = 0; i < n_word; i++) {
         text[i] = deck_text(d, &word[i]);
-        if (text[i] && !text[i][0]) {
+        bool good = text[i] && text[i][0];
+        if (text[i] && !good) {
             deck_error(d, &word[i], "%s is an empty text", row->key);
+        } else if (good && row->kind == ROW_TEXTS && strchr(text[i], ',')) {
+            deck_error(d, &word[i], "'%s' has a comma; values of a list are parted by blanks",
+                       text_short(&t, text[i]));
+            good = false;
         }
-        ok = ok && text[i] && text[i][0];
+        ok = ok && good;
     }
     out->n = n_word;
     out->text = text;

@@ -7,6 +7,8 @@
 #include "core/arena.h"
 #include "deck/reader.h"
 
+static const char wall[] = "wall";
+
 void *builder_array(struct builder *b, size_t n, size_t size) {
     void *p = arena_alloc(b->arena, n, size);
     b->no_memory |= !p;
@@ -87,14 +89,18 @@ struct building_draft *builder_add_building(struct builder *b, const char *name)
     return d;
 }
 
-static int find_or_report(struct builder *b, const struct word *w, const char *name,
-                          size_t length) {
+// In a torn deck the building may stand in what could not be read, so nothing more is said.
+static int find_or_report(struct builder *b, const struct word *w, const char *name, size_t length,
+                          enum wall_use walls) {
     int i = builder_find_building(b, name, length);
-    if (i < 0) {
+    if (i < 0 && !b->deck->torn) {
         size_t n = (size_t)b->buildings.n;
-        const char **known = builder_array(b, n, sizeof *known);
+        const char **known = builder_array(b, n + 1, sizeof *known);
         for (size_t k = 0; known && k < n; k++) {
             known[k] = builder_draft(b, (int)k)->name;
+        }
+        if (known && walls == WALL_ALLOWED) {
+            known[n++] = wall;
         }
         const char *text = arena_text(b->arena, name, length);
         b->no_memory |= !text;
@@ -109,7 +115,7 @@ static int find_or_report(struct builder *b, const struct word *w, const char *n
 
 int builder_building(struct builder *b, const struct word *w) {
     const char *name = deck_text(b->deck, w);
-    return name ? find_or_report(b, w, name, strlen(name)) : -1;
+    return name ? find_or_report(b, w, name, strlen(name), WALL_REFUSED) : -1;
 }
 
 // One floor number of a selection; 0 after a report.
@@ -137,7 +143,7 @@ static int parse_floor(struct builder *b, const struct word *w, const char **tex
 static bool take_floors(struct builder *b, const struct word *w, int first, int last, int *floor,
                         struct selection *out) {
     if (last < first) {
-        deck_error(b->deck, w, "floors %d:%d run backwards", first, last);
+        deck_error(b->deck, w, "floors %d:%d run backwards; write %d:%d", first, last, last, first);
         return false;
     }
     for (int i = first; i <= last; i++) {
@@ -198,7 +204,7 @@ bool builder_select(struct builder *b, const struct word *w, enum wall_use walls
     if (!text) {
         return false;
     }
-    if (strcmp(text, "wall") == 0) {
+    if (strcmp(text, wall) == 0) {
         if (walls == WALL_REFUSED) {
             deck_error(b->deck, w, "a building is needed here, not a wall");
         }
@@ -206,6 +212,10 @@ bool builder_select(struct builder *b, const struct word *w, enum wall_use walls
     }
     const char *colon = strchr(text, ':');
     size_t length = colon ? (size_t)(colon - text) : strlen(text);
-    out->building = find_or_report(b, w, text, length);
+    if (walls == WALL_ALLOWED && length == strlen(wall) && strncmp(text, wall, length) == 0) {
+        deck_error(b->deck, w, "a wall has no floors; it faces those of the other side");
+        return false;
+    }
+    out->building = find_or_report(b, w, text, length, walls);
     return out->building >= 0 && select_floors(b, w, colon ? colon + 1 : NULL, out);
 }

@@ -70,7 +70,8 @@ bool pairs_read(struct builder *b, const struct statement *s, struct pairs *out)
     }
     bool walled = side[0].building == WALL || side[1].building == WALL;
     if (!walled && side[0].n_floor != side[1].n_floor) {
-        deck_error(b->deck, &s->word[2], "%d floors on the left, but %d on the right",
+        deck_error(b->deck, &s->word[2],
+                   "%d on the left, but %d on the right: floors face each other one to one",
                    side[0].n_floor, side[1].n_floor);
         return false;
     }

@@ -113,9 +113,11 @@ struct area canvas_inset(struct area a, double left, double right, double bottom
 
 // Numbers too long to stand beside an axis are shown in this power of ten; 0: as they are.
 static int axis_power(const struct axis *axis) {
-    const double largest = fmax(fabs(axis->span.low), fabs(axis->span.high));
-    const double least = axis->span.low < 0 ? 0.02 : 0.005;
-    return axis->kind == AXIS_FULL ? script_exponent(largest, least, 1e4) : 0;
+    const struct span s = axis->scale.high > axis->scale.low ? axis->scale : axis->span;
+    const double largest = fmax(fabs(s.low), fabs(s.high));
+    const double least = s.low < 0 ? 0.02 : 0.005;
+    const double most = s.low <= -1e3 ? 1e3 : 1e4;
+    return axis->kind == AXIS_FULL ? script_exponent(largest, least, most) : 0;
 }
 
 static void axis_text(const struct axis *axis, const struct unit_system *units, char *text,
@@ -211,10 +213,13 @@ static void write_scale(const struct canvas *c, char letter, const struct axis *
             axis->kind == AXIS_FULL ? "%h" : "");
 }
 
-static void write_upright(const struct canvas *c, const char *text, double x, double y) {
+// In the middle of `a`, or downwards from its top where it is longer: below is room, above may
+// stand the name of another axis.
+static void write_upright(const struct canvas *c, const char *text, double x, struct area a) {
     fprintf(c->to, "set label ");
     script_text(c->to, text);
-    write_place(c, x, y);
+    const double highest = a.top + 0.5 - character * script_columns(text) / 2;
+    write_place(c, x, fmin((a.top + a.bottom) / 2, highest));
     fprintf(c->to, " center rotate by 90\n");
 }
 
@@ -224,14 +229,13 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
     axis_text(axis, units, text, sizeof text);
     const char *unit = strstr(text, " [");
     const bool fits = !unit || character * script_columns(text) <= a.top - a.bottom;
-    const double middle = (a.top + a.bottom) / 2;
     if (fits) {
-        write_upright(c, text, a.left - 4.4, middle);
+        write_upright(c, text, a.left - 4.4, a);
         return;
     }
     snprintf(name, sizeof name, "%.*s", (int)(unit - text), text);
-    write_upright(c, name, a.left - 5.35, middle);
-    write_upright(c, unit + 1, a.left - 4.05, middle);
+    write_upright(c, name, a.left - 5.35, a);
+    write_upright(c, unit + 1, a.left - 4.05, a);
 }
 
 void canvas_panel(const struct canvas *c, struct area a, const struct unit_system *units,

@@ -54,6 +54,7 @@ struct axis {
     const char *unit;  // in place of `dimension`; "": a number
     struct dimension dimension;
     struct span span;
+    struct span scale;  // numbers have the power of ten that these need; empty: those of `span`
     enum axis_kind kind;
     double step;  // between tics at least; 0: any
 };

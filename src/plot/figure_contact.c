@@ -20,6 +20,7 @@ struct view {
     int contact[RUNS_MAX];  // the hardest; -1: none
     long impact[RUNS_MAX];  // its hardest impact; -1: none
     struct span force;      // of the contacts
+    struct span all;        // and of the links: they share the name of the axis, and its unit
 };
 
 static const char *lacks(const struct runs *s) {
@@ -201,9 +202,23 @@ static struct span strip_span(const struct view *v, int strip) {
         return span_with_room(v->force, 0);
     }
     struct span span = span_none;
-    span_add(&span, link_of(v->s->r[0], v->strip[strip])->peak.force);
-    span_add(&span, -link_of(v->s->r[0], v->strip[strip])->peak.force);
+    for (int k = 0; k < v->s->n; k++) {
+        const int i = index_in(v, k, v->strip[strip]);
+        if (i >= 0) {
+            span_add(&span, link_of(v->s->r[k], i)->peak.force);
+            span_add(&span, -link_of(v->s->r[k], i)->peak.force);
+        }
+    }
     return span_with_room(span, NAN);
+}
+
+static struct span all_spans(const struct view *v) {
+    struct span all = span_none;
+    for (int i = 0; i < v->n; i++) {
+        span_add(&all, strip_span(v, i).low);
+        span_add(&all, strip_span(v, i).high);
+    }
+    return all;
 }
 
 static void write_strip(const struct view *v, struct canvas *c, struct area a, int strip) {
@@ -212,7 +227,8 @@ static void write_strip(const struct view *v, struct canvas *c, struct area a, i
                            .dimension = dimension_time,
                            .span = {0, runs_duration(v->s)},
                            .kind = last ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
-    const struct axis y = {.dimension = dimension_force, .span = strip_span(v, strip)};
+    const struct axis y = {
+        .dimension = dimension_force, .span = strip_span(v, strip), .scale = v->all};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     canvas_caption(c, a, link_of(v->s->r[0], v->strip[strip])->name);
     const char *before = "plot";
@@ -245,7 +261,7 @@ static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
     const struct axis x = {
         .name = "time from closure", .dimension = dimension_time, .span = span_with_room(time, 0)};
     const struct axis y = {
-        .name = NULL, .dimension = dimension_force, .span = span_with_room(force, 0)};
+        .dimension = dimension_force, .span = span_with_room(force, 0), .scale = v->all};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "hardest: %s", link_of(v->s->r[0], v->contact[0])->name);
     canvas_caption(c, a, text);
@@ -305,8 +321,8 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     const double right = zoom ? 0.62 : 1;
     struct canvas strips = *c;
     strips.area.bottom += 3.2;
-    const struct axis force = {
-        .name = "force", .dimension = dimension_force, .span = strip_span(&v, 0)};
+    v.all = all_spans(&v);
+    const struct axis force = {.name = "force", .dimension = dimension_force, .span = v.all};
     canvas_upright(c, canvas_inset(canvas_part(&strips, 0, right, 0, 1), 5.8, 0.5, 0.2, 1.6),
                    &s->r[0]->units, &force);
     for (int i = 0; i < v.n; i++) {

@@ -87,13 +87,24 @@ static void write_residual(const struct runs *s, struct canvas *c, struct area a
     canvas_panel_end(c);
 }
 
+// What the work on contacts and links was done on.
+static const char *work_name(const struct runs *s) {
+    bool contacts = false, links = false;
+    for (int k = 0; k < s->n; k++) {
+        contacts = contacts || s->r[k]->n_contact > 0;
+        links = links || s->r[k]->n_link > 0;
+    }
+    return !links ? "contacts" : contacts ? "contacts and links" : "links";
+}
+
 static void write_head(const struct runs *s, struct canvas *c) {
     const struct report *r = s->r[0];
     char text[256], unit[64], in[32], contact[32];
     script_unit(&r->units, dimension_energy, unit, sizeof unit);
     script_number(r->initial_energy + r->energy[ENERGY_INPUT], in, sizeof in);
     script_number(r->energy[ENERGY_CONTACT], contact, sizeof contact);
-    snprintf(text, sizeof text, "energy: %s %s in, %s %s into contacts", in, unit, contact, unit);
+    snprintf(text, sizeof text, "energy: %s %s in, %s %s into %s", in, unit, contact, unit,
+             work_name(s));
     canvas_head(c, runs_title(s), s->n > 1 ? "where the energy went" : text);
     for (int p = 0; p < PARTS; p++) {
         bool any = false;
@@ -103,7 +114,7 @@ static void write_head(const struct runs *s, struct canvas *c) {
         }
         if (any) {
             canvas_legend(c, (struct mark){.kind = MARK_AREA, .colour = parts[p].colour},
-                          parts[p].name);
+                          parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name);
         }
     }
     canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = "#404040"},

@@ -25,7 +25,7 @@ int result_check_path(const char *path, enum result_existing existing, struct er
         return STATUS_OK;
     }
     if (S_ISDIR(found.st_mode)) {
-        return error_set(e, STATUS_INPUT, "%s is a folder; a file is to be written", path);
+        return error_set(e, STATUS_INPUT, "%s is a directory; a file is to be written", path);
     }
     if (!S_ISREG(found.st_mode)) {
         return error_set(e, STATUS_INPUT,

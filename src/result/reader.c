@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/arena.h"
@@ -278,7 +279,10 @@ static int open_file(struct result_file *f, struct error *e) {
     }
     h5_start();
     if (H5Fis_hdf5(file) <= 0) {
-        return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", file);
+        struct stat s;
+        const bool directory = stat(file, &s) == 0 && S_ISDIR(s.st_mode);
+        return error_set(e, STATUS_INPUT, "%s is %s", file,
+                         directory ? "a directory" : "not an HDF5 file");
     }
     f->h.file = H5Fopen(file, H5F_ACC_RDONLY, H5P_DEFAULT);
     if (h5_failed(&f->h, f->h.file)) {

@@ -44,6 +44,14 @@ run "$jostle" converge pair.deck -n 3 --rtol 1e-9
 expect "several buildings and contacts make one table" '[ $status -eq 1 ] && [ "$(grep -c "^building" "$out")" -eq 2 ]'
 expect "the verdict of nothing converged is cut to a page" '[ "$(wc -l <"$out")" -lt 60 ]'
 
+sed 's/^param dt .*/sweep dt values 0.4ms 0.2ms/' bodies.deck >study.deck
+for command in converge modes check; do
+    run "$jostle" $command study.deck
+    expect "$command of a study says that it looks at the first run" '[ $status -eq 0 ] && grep -qx "study of 2 runs" "$out" && grep -qx "the model of the first run:" "$out"'
+done
+run "$jostle" converge study.deck
+expect "and looks at it" 'grep -qx "4 levels, steps 0.0004 0.0002 0.0001 5e-05 s" "$out"'
+
 run "$jostle" converge
 expect "a deck is needed" '[ $status -eq 2 ] && said "one deck is expected"'
 run "$jostle" converge bodies.deck -n 2

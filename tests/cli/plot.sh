@@ -87,6 +87,13 @@ for kind in $kinds; do
 done
 
 # Script and data: they belong together, and stand where they are put.
+two_buildings mixed.deck 'link A:1 B:1 -dashpot 10kN*s/m'
+sed -i 's/-cycles 4$/-cycles 4 -buildings A/; s/1e6 -e/1e9 -e/' mixed.deck
+run "$jostle" run -q mixed.deck
+rm -rf scripts
+run "$jostle" plot mixed.h5 contact --script scripts
+expect "small link forces beside large contact forces are in the unit of their common axis" '[ $status -eq 0 ] && grep -q "force \[10³ kN\]" scripts/contact.gp && [ "$(grep -c "^set ytics (" scripts/contact.gp)" -ge 3 ] && ! grep -q "^set ytics [0-9]" scripts/contact.gp'
+
 rm -rf scripts
 run "$jostle" plot pair.h5 overview --script scripts
 expect "no two blocks of a picture have one name" '[ "$(grep -c "<< EOD" scripts/overview.dat)" -gt 5 ] && [ -z "$(grep "<< EOD" scripts/overview.dat | sort | uniq -d)" ] && ! grep -q EOD scripts/overview.gp'

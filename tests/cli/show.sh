@@ -38,5 +38,5 @@ for command in show plot; do
         expect "$command refuses a file that is $file" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "$file.h5"'
     done
     run "$jostle" $command .
-    expect "$command refuses a folder" '[ $status -ge 2 ] && [ ! -s "$out" ] && [ -s "$err" ]'
+    expect "$command refuses a folder" '[ $status -eq 2 ] && [ ! -s "$out" ] && said ". is a directory"'
 done

@@ -99,7 +99,7 @@ run "$jostle" run grid.deck -o one.h5
 expect "an existing file is refused" '[ $status -eq 2 ] && said "one.h5 exists; --force overwrites it"'
 mkdir folder.h5
 run "$jostle" run grid.deck -o folder.h5 --force
-expect "so is a folder, before a run is made" '[ $status -eq 2 ] && said "folder.h5 is a folder" && [ ! -s "$out" ] && [ ! -e folder.h5.runs ]'
+expect "so is a folder, before a run is made" '[ $status -eq 2 ] && said "folder.h5 is a directory" && [ ! -s "$out" ] && [ ! -e folder.h5.runs ]'
 rmdir folder.h5
 rm -f ./*.h5 ./*.tsv
 

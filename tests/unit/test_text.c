@@ -90,6 +90,16 @@ static void the_nearest_word_is_found_within_a_third_of_the_letters(void **state
     assert_null(text_nearest("wang", known, 5));
 }
 
+static void a_word_is_near_the_only_one_that_goes_on_where_it_ends(void **state) {
+    (void)state;
+    const char *const known[] = {"kelvin-voigt", "ye-kelvin", "ye-hertz-damp", "-mass"};
+    assert_string_equal(text_nearest("kelvin", known, 4), "kelvin-voigt");
+    assert_string_equal(text_nearest("-mass=300t", known, 4), "-mass");
+    assert_null(text_nearest("ye-", known, 4));
+    assert_null(text_nearest("ke", known, 4));
+    assert_null(text_nearest("-massive", known, 4));
+}
+
 static void columns_count_characters(void **state) {
     (void)state;
     assert_int_equal(text_columns("Stoß", strlen("Stoß")), 4);
@@ -239,6 +249,7 @@ int main(void) {
         cmocka_unit_test(numbers_are_the_doubles_nearest_to_their_texts),
         cmocka_unit_test(what_is_no_finite_number_is_told_apart),
         cmocka_unit_test(the_nearest_word_is_found_within_a_third_of_the_letters),
+        cmocka_unit_test(a_word_is_near_the_only_one_that_goes_on_where_it_ends),
         cmocka_unit_test(columns_count_characters),
         cmocka_unit_test(only_well_formed_utf8_is_text),
         cmocka_unit_test(a_cut_never_splits_a_character),

@@ -85,15 +85,17 @@ static int count_floors(const struct argument *a) {
     return n >= floors_range.min && n <= floors_range.max && n == floor(n) ? (int)n : 0;
 }
 
-// The name and the number of floors are kept even where the rest is wrong, so that later statements
-// do not complain about an unknown building.
+// The name and the number of floors are kept even where the rest is wrong, and the deck is torn
+// where the name is, so that later statements do not complain about an unknown building.
 static void build(struct builder *b, const struct statement *s) {
     b->any_building = true;
     if (!builder_plain(b, s, 1, 1, statement_building.usage)) {
+        b->deck->torn = true;
         return;
     }
     const char *name = deck_text(b->deck, &s->word[1]);
     bool named = name && check_name(b, &s->word[1], name);
+    b->deck->torn = b->deck->torn || !named;
     struct argument a[N_ROW] = {0};
     bool good = deck_options(b->deck, s, &(struct row_set){rows, N_ROW, a}, 1);
     if (!named) {

@@ -6,7 +6,8 @@
 enum { MODES, ALPHA, BETA, N_ROW };
 
 static const struct range mode_range = {.min = 1.0, .max = FLOORS_MAX, .text = ">= 1 and <= 1000"};
-static const struct range ratio_range = {.min = 0.0, .max = 2.0, .text = ">= 0 and <= 2"};
+static const struct range ratio_range = {
+    .min = 0.0, .max = 2.0, .text = ">= 0 and <= 2 (5 % is 0.05)"};
 
 static const struct row rows[N_ROW] = {
     [MODES] = {"modes", ROW_LIST, 0, {0}, &mode_range, NAN, "the two modes of Rayleigh ratios"},
@@ -70,6 +71,18 @@ static void coefficients(struct builder *b, struct building_draft *d, const stru
     }
 }
 
+// A ratio of 2 is more often 2 % than twice the critical damping.
+static void warn_overdamped(struct builder *b, const struct argument *ratio) {
+    for (int i = 0; i < ratio->n; i++) {
+        if (ratio->number[i] >= 1.0) {
+            deck_warning(b->deck, &ratio->word[i],
+                         "ratio %g is %g %% of the critical damping; 2 %% is 2%% or 0.02",
+                         ratio->number[i], 100.0 * ratio->number[i]);
+            return;
+        }
+    }
+}
+
 static void rayleigh(struct builder *b, struct building_draft *d, const struct argument *a,
                      const struct statement *s) {
     if (a[ALPHA].given || a[BETA].given) {
@@ -87,6 +100,7 @@ static void rayleigh(struct builder *b, struct building_draft *d, const struct a
                                    : "one or two ratios");
         return;
     }
+    warn_overdamped(b, &ratio);
     double *value = builder_spread(b, &ratio, 2, "modes");
     if (value) {
         d->damping.kind = DAMPING_RATIOS;
@@ -103,6 +117,9 @@ static void list(struct builder *b, struct building_draft *d, const struct argum
         return;
     }
     value.key = s->word[3];
+    if (kind == DAMPING_MODAL) {
+        warn_overdamped(b, &value);
+    }
     d->damping.value =
         builder_spread(b, &value, d->n_floor, kind == DAMPING_MODAL ? "modes" : "storeys");
     d->damping.kind = d->damping.value ? kind : DAMPING_NONE;

@@ -16,7 +16,8 @@ static const struct row rows[N_ROW] = {
                   {0, 0, 1},
                   &range_positive,
                   NAN,
-                  "time from row to row, a multiple of the step; default 0.01 s"},
+                  "time between rows, a multiple of fixed steps; default 0.01 s, adaptive at most "
+                  "duration / 100"},
     [FIELDS] = {"fields", ROW_TEXTS, 0, {0}, NULL, NAN, "histories written; all if not given"},
     [PRECISION] = {"precision", ROW_TEXT, 0, {0}, NULL, NAN, "single: histories in 32 bits"},
     [COMPRESS] = {"compress",
