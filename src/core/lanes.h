@@ -8,22 +8,25 @@
 #include <stdint.h>  // any header of the library says which library it is
 #include <string.h>
 
-// In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
-// takes what the processor has. Each element sees the same operations in the same order either way,
-// so the bits are the same. Elsewhere, and under sanitizers, which run before such choices can be
-// made, it is compiled once. LANES_WIDEST is the processor that has lanes_wide in one register, and
-// LANES_HALF one that has lanes.
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// LANES_WIDEST is the processor that has lanes_wide in one register, and LANES_HALF one that has
+// lanes; neither is named where there is nobody to ask for the processor at hand.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__)
 #define LANES_HALF "avx2"
 #if __GNUC__ >= 12
 #define LANES_WIDEST "x86-64-v4"
+#endif
+#endif
+
+// In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
+// takes what the processor has. Each element sees the same operations in the same order either way,
+// so the bits are the same. Elsewhere, and under sanitizers, which the loader asks before they can
+// answer, it is compiled once.
+#if !defined(LANES_HALF) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define LANES
+#elif defined(LANES_WIDEST)
 #define LANES __attribute__((target_clones("default", LANES_HALF, "arch=" LANES_WIDEST)))
 #else
 #define LANES __attribute__((target_clones("default", LANES_HALF)))
-#endif
-#else
-#define LANES
 #endif
 
 // In front of a function that only a processor is asked to run that has lanes_wide in one register:
