@@ -27,13 +27,7 @@ void *lanes_wide_array(struct arena *a, int n, size_t size) {
 }
 
 bool lanes_hold_wide(void) {
-#if defined(__AVX512F__)
-    return true;
-#elif defined(LANES_WIDEST)
-    return __builtin_cpu_supports(LANES_WIDEST);
-#else
-    return false;
-#endif
+    return LANES_WIDEST_OF(true, false);
 }
 
 bool lanes_hold_half(void) {

@@ -8,37 +8,48 @@
 #include <stdint.h>  // any header of the library says which library it is
 #include <string.h>
 
-// In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
-// takes what the processor has. Each element sees the same operations in the same order either way,
-// so the bits are the same. Elsewhere, and under sanitizers, which run before such choices can be
-// made, it is compiled once. LANES_WIDEST is the processor that has lanes_wide in one register, and
-// LANES_HALF one that has lanes.
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) &&       \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// LANES_WIDEST is the processor that has lanes_wide in one register, and LANES_HALF one that has
+// lanes; neither is named where there is nobody to ask for the processor at hand, or no need to, as
+// the compiler was told its name (-march=native): functions for one of fewer traits could not have
+// those in them that are in line. Of x86-64 and its levels gcc says __k8__, and of no newer name.
+#if defined(__x86_64__) && defined(__k8__) && defined(__GLIBC__) && defined(__GNUC__) &&           \
+    !defined(__clang__)
 #define LANES_HALF "avx2"
 #if __GNUC__ >= 12
 #define LANES_WIDEST "x86-64-v4"
+#endif
+#endif
+
+// In front of a function: it is compiled for the baseline, for AVX2 and for AVX-512, and the loader
+// takes what the processor has. Each element sees the same operations in the same order either way,
+// so the bits are the same. Elsewhere, and under sanitizers, which the loader asks before they can
+// answer, it is compiled once.
+#if !defined(LANES_HALF) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define LANES
+#elif defined(LANES_WIDEST)
 #define LANES __attribute__((target_clones("default", LANES_HALF, "arch=" LANES_WIDEST)))
 #else
 #define LANES __attribute__((target_clones("default", LANES_HALF)))
 #endif
-#else
-#define LANES
-#endif
 
-// In front of a function that only a processor is asked to run that has lanes_wide in one register:
-// and of all that have such lanes in them, as compilers take lanes apart that the processor they
-// are compiled for does not have, before they expand one function in another.
-#ifdef LANES_WIDEST
+// LANES_WHOLE is in front of a function that only a processor is asked to run that has lanes_wide
+// in one register: and of all that have such lanes in them, as compilers take lanes apart that the
+// processor they are compiled for does not have, before they expand one function in another.
+// LANES_HOLD_WIDE says whether that at hand is one, and is not defined where none can be.
+#if defined(__AVX512F__)
+#define LANES_WHOLE
+#define LANES_HOLD_WIDE true
+#elif defined(LANES_WIDEST)
 #define LANES_WHOLE __attribute__((target("arch=" LANES_WIDEST)))
+#define LANES_HOLD_WIDE __builtin_cpu_supports(LANES_WIDEST)
 #else
 #define LANES_WHOLE
 #endif
 
 // What is made of such functions, where the processor at hand has those registers, or else what all
-// have; the first is not there to be linked where no processor is asked.
-#ifdef LANES_WIDEST
-#define LANES_WIDEST_OF(wide, narrow) (__builtin_cpu_supports(LANES_WIDEST) ? (wide) : (narrow))
+// have; the first is not there to be linked where no processor has them.
+#ifdef LANES_HOLD_WIDE
+#define LANES_WIDEST_OF(wide, narrow) (LANES_HOLD_WIDE ? (wide) : (narrow))
 #else
 #define LANES_WIDEST_OF(wide, narrow) (narrow)
 #endif

@@ -2,7 +2,7 @@
 // The floors of a step in vectors of eight, for processors with such registers.
 #include "core/lanes.h"
 
-#ifdef LANES_WIDEST
+#ifdef LANES_HOLD_WIDE
 
 #define FLOORS_WIDE
 #define DP_FLOORS dp_wide

@@ -2,7 +2,7 @@
 // Steps of few floors in vectors of eight, for processors with such registers.
 #include "core/lanes.h"
 
-#ifdef LANES_WIDEST
+#ifdef LANES_HOLD_WIDE
 
 #define FLOORS_WIDE
 #define FEW_STEPS few_wide

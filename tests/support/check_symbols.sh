@@ -3,7 +3,7 @@
 # check_symbols.sh LIBRARY: every global symbol starts with the name of its module, and no static
 # variable changes outside src/command. The names of a module: its file (finish_links.c: finish or
 # finish_links), its folder, a header of that folder, and the words below. A count is `n_` and what
-# is counted.
+# is counted. No product is fused with a sum either: the bits must not depend on the processor.
 set -euo pipefail
 library=$1
 status=0
@@ -58,4 +58,9 @@ while IFS= read -r source; do
     done < <(objdump -t "$object" |
         awk 'NF > 4 && $(NF - 2) ~ /^\.(data|bss|tdata|tbss)$/ && $NF !~ /^\./ { print $NF }')
 done < <(find src -name '*.c' -not -path src/main.c | sort)
+
+while read -r member; do
+    bad "$library" "$member" "fuses products with sums"
+done < <(objdump -d --no-show-raw-insn "$library" |
+    awk '/file format/ { sub(/:$/, "", $1); member = $1 } /\tvf(n|)m(add|sub)/ { print member }' | sort -u)
 exit $status

@@ -2,6 +2,8 @@
 # What the tests of the command line share; sourced by tests/cli/*.sh from the project's folder. Goes
 # to an empty folder, which is removed at the end.
 set -u
+# Where no locale is set, as on a bare system, gnuplot warns of a degree sign that no script asks for.
+export LC_ALL=C.UTF-8
 root=$PWD
 jostle=$(realpath "${JOSTLE:-build/jostle}")
 folder=$(mktemp -d "${TMPDIR:-/tmp}/jostle-cli-XXXXXX")
