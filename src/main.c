@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "command/command.h"
+#include "command/crash.h"
 #include "core/text.h"
 #include "jostle/result.h"
 
@@ -84,6 +85,7 @@ static int dispatch(int argc, char **argv) {
 }
 
 int main(int argc, char **argv) {
+    crash_catch();
     gsl_set_error_handler_off();
     result_init();
     // A closed pipe and a file grown too large are write errors like any other.

@@ -34,6 +34,8 @@ struct h5 {
     const struct unit_system *units;  // borrowed
     struct h5_use *use;               // (n_use) of scales; heap
     size_t n_use, use_capacity;
+    unsigned n_ask;  // calls of h5_has_room
+    void *reserve;   // heap; NULL: it is spent
     bool failed;
     char cause[H5_CAUSE_MAX];
 };
@@ -52,10 +54,18 @@ struct h5_dataset {
     bool many_users;     // a scale that thousands of datasets refer to
 };
 
+// Is there memory for what the library does next, which comes to harm where it runs out? A failure
+// if not.
+bool h5_has_room(struct h5 *h);
+
+// Frees what h5_create keeps for closing the file; the first failure does so too.
+void h5_spend_reserve(struct h5 *h);
+
 // Creates the file over `path`; h->file is negative after a failure.
 void h5_create(struct h5 *h, const char *path);
 void h5_open_types(struct h5 *h);  // of texts: all that reading needs
 void h5_close_types(struct h5 *h);
+void h5_close_file(struct h5 *h);  // after all its objects; does nothing if there is none
 
 // Records the first failure when `result` is negative; true if anything has failed so far.
 bool h5_failed(struct h5 *h, long long result);
@@ -113,7 +123,7 @@ void h5_put_member(struct h5 *h, hid_t object, const struct column_table *t, int
 
 // Reading; texts and arrays are from `a`.
 struct arena;
-bool h5_has(const struct h5 *h, hid_t parent, const char *name);
+bool h5_has(struct h5 *h, hid_t parent, const char *name);
 hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name);
 char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name);
 long h5_get_long(struct h5 *h, hid_t object, const char *name);

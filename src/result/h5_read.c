@@ -9,8 +9,8 @@
 #include "core/arena.h"
 #include "result/h5.h"
 
-bool h5_has(const struct h5 *h, hid_t parent, const char *name) {
-    return !h->failed && H5Lexists(parent, name, H5P_DEFAULT) > 0;
+bool h5_has(struct h5 *h, hid_t parent, const char *name) {
+    return h5_has_room(h) && H5Lexists(parent, name, H5P_DEFAULT) > 0;
 }
 
 hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name) {
@@ -26,7 +26,7 @@ hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name) {
 
 // The scalar attribute `name`, whose type must be of `class`.
 static hid_t open_attribute(struct h5 *h, hid_t object, const char *name, H5T_class_t class) {
-    if (h->failed) {
+    if (!h5_has_room(h)) {
         return -1;
     }
     hid_t attribute = H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;

@@ -14,8 +14,12 @@
 // What a file may claim before it is taken for damaged.
 enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
 
+static bool is_for_want_of_memory(const struct result_file *f) {
+    return strcmp(f->h.cause, "out of memory") == 0;
+}
+
 static int damaged(const struct result_file *f, struct error *e) {
-    if (strcmp(f->h.cause, "out of memory") == 0) {
+    if (is_for_want_of_memory(f)) {
         return error_no_memory(e);
     }
     return error_set(e, STATUS_INPUT, "%s is damaged: %s", f->path, f->h.cause);
@@ -24,6 +28,9 @@ static int damaged(const struct result_file *f, struct error *e) {
 static int check_format(struct result_file *f, struct error *e) {
     struct arena *a = f->report->arena;
     const char *format = h5_get_text(&f->h, a, f->root, "format");
+    if (f->h.failed && is_for_want_of_memory(f)) {
+        return error_no_memory(e);
+    }
     if (!format || strcmp(format, "jostle") != 0) {
         return error_set(e, STATUS_INPUT, "%s is not a result file of jostle", f->path);
     }
@@ -276,6 +283,9 @@ static int open_file(struct result_file *f, struct error *e) {
         return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", file,
                          strerror(errno));
     }
+    if (!h5_has_room(&f->h)) {
+        return damaged(f, e);
+    }
     if (H5Fis_hdf5(file) <= 0) {
         return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", file);
     }
@@ -335,9 +345,7 @@ void result_close(struct result_file *f) {
     if (f->root >= 0 && f->root != f->h.file) {
         h5_close(&f->h, f->root);
     }
-    if (f->h.file >= 0) {
-        H5Fclose(f->h.file);
-    }
+    h5_close_file(&f->h);
     report_free(f->report);
     free(f);
 }

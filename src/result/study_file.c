@@ -124,9 +124,7 @@ static void close_all(struct study_writer *w) {
     h5_close(&w->h, w->status);
     h5_close(&w->h, w->message);
     h5_close_types(&w->h);
-    if (w->h.file >= 0) {
-        h5_failed(&w->h, H5Fclose(w->h.file));
-    }
+    h5_close_file(&w->h);
 }
 
 static int write_part(struct study_writer *w, const char *path, const char *part, struct error *e) {
@@ -140,7 +138,10 @@ static int write_part(struct study_writer *w, const char *path, const char *part
         if (status == STATUS_OK && w->content->write_run) {
             status = put_histories(w, &b, path, e);
         }
-        h5_put_text(&w->h, w->h.file, "status", "complete");
+        if (status == STATUS_OK) {
+            h5_put_text(&w->h, w->h.file, "status", "complete");
+        }
+        h5_spend_reserve(&w->h);
         close_all(w);
     }
     block_close(&b);

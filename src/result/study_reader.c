@@ -275,7 +275,8 @@ static void get_all(struct study_file *f) {
 }
 
 bool study_file_is_study(const char *path) {
-    if (access(path, R_OK) != 0 || H5Fis_hdf5(path) <= 0) {
+    struct h5 h = {.file = -1};
+    if (access(path, R_OK) != 0 || !h5_has_room(&h) || H5Fis_hdf5(path) <= 0) {
         return false;
     }
     hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -295,15 +296,13 @@ int study_reader_fail(const struct study_file *f, struct error *e) {
 // Without the buffers of 64 KiB that the library gives each dataset: boxes are read as they stand
 // in the file, and merging opens many files with many datasets each.
 static void open_file(struct study_file *f, const char *path) {
-    hid_t list = H5Pcreate(H5P_FILE_ACCESS);
     f->h.file = -1;
+    hid_t list = h5_has_room(&f->h) ? H5Pcreate(H5P_FILE_ACCESS) : -1;
     if (!h5_failed(&f->h, list) && !h5_failed(&f->h, H5Pset_sieve_buf_size(list, SIEVE_BYTES))) {
         f->h.file = H5Fopen(path, H5F_ACC_RDONLY, list);
         h5_failed(&f->h, f->h.file);
     }
-    if (list >= 0) {
-        H5Pclose(list);
-    }
+    H5Pclose(list);
 }
 
 int study_file_open(const char *path, struct study_file **out, struct error *e) {
@@ -342,9 +341,7 @@ void study_file_close(struct study_file *f) {
     h5_close(&f->h, f->status);
     h5_close(&f->h, f->message);
     h5_close_types(&f->h);
-    if (f->h.file >= 0) {
-        H5Fclose(f->h.file);
-    }
+    h5_close_file(&f->h);
     arena_free(f->view.arena);
     free(f->item);
     free(f->dataset);

@@ -46,10 +46,10 @@ static int open_part(struct merge *m, int k, struct error *e) {
         return error_set(e, errno == ENOENT || errno == ENOTDIR ? STATUS_INPUT : STATUS_SYSTEM,
                          "cannot open %s: %s", path, strerror(errno));
     }
-    if (!study_file_is_study(path)) {
+    int status = study_file_open(path, &in->file, e);
+    if (status == STATUS_INPUT && !study_file_is_study(path)) {
         return error_set(e, STATUS_INPUT, "%s is not the file of a part of a study", path);
     }
-    int status = study_file_open(path, &in->file, e);
     if (status != STATUS_OK) {
         return status;
     }
