@@ -38,6 +38,9 @@ fi
 run timeout 1 "$jostle" run -q long.deck
 expect "a run that timeout ends tells of it, and leaves no file" '[ $status -eq 124 ] && said "interrupted by signal 15" && only long.deck'
 
+run bash -c "ulimit -St 1; exec '$jostle' run -q long.deck"
+expect "a run whose time is up tells of it, and leaves no file" '[ $status -eq 3 ] && said "interrupted by signal" && only long.deck'
+
 # Bodies that touch and rattle: a step takes many impacts.
 cat >rattle.deck <<END
 building B0 -floors 5 -mass 187214 -stiffness 1.2348e+08 -height 3
