@@ -2,10 +2,14 @@
 // Failures, types, groups and links: what h5_write.c and h5_read.c share.
 #include "result/h5.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 // In bytes. What the library takes before it is asked for again fits into ROOM: half a mebibyte for
 // a file, one for converting what it reads, and some KiB for each object. RESERVE is so large that
@@ -80,6 +84,19 @@ bool h5_has_room(struct h5 *h) {
         h5_fail(h, "out of memory");
     }
     return !h->failed;
+}
+
+int h5_check_file(const char *path, struct error *e) {
+    struct stat found;
+    const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) {
+        const bool missing = errno == ENOENT || errno == ENOTDIR;
+        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", path,
+                         strerror(errno));
+    }
+    const bool regular = fstat(file, &found) == 0 && S_ISREG(found.st_mode);
+    close(file);
+    return regular ? STATUS_OK : error_set(e, STATUS_INPUT, "%s is no regular file", path);
 }
 
 void h5_spend_reserve(struct h5 *h) {

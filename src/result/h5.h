@@ -58,6 +58,10 @@ struct h5_dataset {
 // if not.
 bool h5_has_room(struct h5 *h);
 
+// Is there a regular file that can be read? Errors: STATUS_INPUT (none, or another kind of file),
+// STATUS_SYSTEM.
+int h5_check_file(const char *path, struct error *e);
+
 // Frees what h5_create keeps for closing the file; the first failure does so too.
 void h5_spend_reserve(struct h5 *h);
 

@@ -2,7 +2,6 @@
 // Opens a result file and reads everything but its histories into a report.
 #include "result/reader.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -278,10 +277,9 @@ static int open_file(struct result_file *f, struct error *e) {
     if (!file) {
         return error_no_memory(e);
     }
-    if (access(file, R_OK) != 0) {
-        const bool missing = errno == ENOENT || errno == ENOTDIR;
-        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", file,
-                         strerror(errno));
+    int status = h5_check_file(file, e);
+    if (status != STATUS_OK) {
+        return status;
     }
     if (!h5_has_room(&f->h)) {
         return damaged(f, e);

@@ -276,7 +276,8 @@ static void get_all(struct study_file *f) {
 
 bool study_file_is_study(const char *path) {
     struct h5 h = {.file = -1};
-    if (access(path, R_OK) != 0 || !h5_has_room(&h) || H5Fis_hdf5(path) <= 0) {
+    struct error e;
+    if (h5_check_file(path, &e) != STATUS_OK || !h5_has_room(&h) || H5Fis_hdf5(path) <= 0) {
         return false;
     }
     hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
@@ -306,6 +307,10 @@ static void open_file(struct study_file *f, const char *path) {
 }
 
 int study_file_open(const char *path, struct study_file **out, struct error *e) {
+    int status = h5_check_file(path, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
     struct study_file *f = calloc(1, sizeof *f);
     struct arena *a = f ? arena_create() : NULL;
     if (!a) {
@@ -323,7 +328,7 @@ int study_file_open(const char *path, struct study_file **out, struct error *e) 
         get_all(f);
     }
     if (f->h.failed) {
-        int status = study_reader_fail(f, e);
+        status = study_reader_fail(f, e);
         study_file_close(f);
         return status;
     }
