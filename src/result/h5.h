@@ -128,6 +128,10 @@ void h5_put_member(struct h5 *h, hid_t object, const struct column_table *t, int
 // Reading; texts and arrays are from `a`.
 struct arena;
 bool h5_has(struct h5 *h, hid_t parent, const char *name);
+
+// Is all there that the shape of the dataset promises? If not, the file is damaged, and the library
+// would read behind what it has.
+bool h5_is_stored(hid_t dataset);
 hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name);
 char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name);
 long h5_get_long(struct h5 *h, hid_t object, const char *name);

@@ -9,6 +9,22 @@
 #include "core/arena.h"
 #include "result/h5.h"
 
+bool h5_is_stored(hid_t dataset) {
+    hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
+    const hssize_t n = H5Sget_simple_extent_npoints(space);
+    const size_t size = H5Tget_size(type);
+    const hsize_t stored = H5Dget_storage_size(dataset);
+    H5Tclose(type);
+    H5Sclose(space);
+    if (n < 0 || size == 0 || (hsize_t)n <= stored / size) {
+        return n >= 0 && size > 0;
+    }
+    hid_t list = H5Dget_create_plist(dataset);
+    const bool in_chunks = H5Pget_layout(list) == H5D_CHUNKED;  // compressed, or not all written
+    H5Pclose(list);
+    return in_chunks;
+}
+
 bool h5_has(struct h5 *h, hid_t parent, const char *name) {
     return h5_has_room(h) && H5Lexists(parent, name, H5P_DEFAULT) > 0;
 }
@@ -119,8 +135,8 @@ static hid_t open_list(struct h5 *h, hid_t parent, const char *name, hsize_t *n)
     const bool good = space >= 0 && H5Sget_simple_extent_ndims(space) == 1 &&
                       H5Sget_simple_extent_dims(space, n, NULL) == 1;
     H5Sclose(space);
-    if (!good) {
-        h5_fail(h, "dataset '%s' has not one dimension", name);
+    if (!good || !h5_is_stored(dataset)) {
+        h5_fail(h, "dataset '%s' %s", name, good ? "is not all there" : "has not one dimension");
         H5Dclose(dataset);
         return -1;
     }

@@ -165,6 +165,21 @@ static int write_all(struct study_writer *w, const struct result_options *o, con
     return result_publish(part, o->path, o->existing, e);
 }
 
+bool study_file_is_study(const char *path) {
+    struct h5 h = {.file = -1};
+    struct error e;
+    if (h5_check_file(path, &e) != STATUS_OK || !h5_has_room(&h) || H5Fis_hdf5(path) <= 0) {
+        return false;
+    }
+    hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (file < 0) {
+        return false;
+    }
+    const bool is = H5Lexists(file, "sweep", H5P_DEFAULT) > 0;
+    H5Fclose(file);
+    return is;
+}
+
 int study_file_check(const struct study_content *c, const struct result_options *o,
                      struct error *e) {
     int status = part_check(c->first, o, e);

@@ -52,8 +52,8 @@ static size_t values_of_run(const struct study_file *f, hid_t dataset) {
     hsize_t dim[H5S_MAX_RANK];
     hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     const int n = H5Sget_simple_extent_dims(space, dim, NULL);
-    bool good = H5Tget_class(type) == H5T_FLOAT && (n == f->n_dim || n == f->n_dim + 1) &&
-                H5DSis_scale(dataset) == 0;
+    bool good = H5Tget_class(type) == H5T_FLOAT && h5_is_stored(dataset) &&
+                (n == f->n_dim || n == f->n_dim + 1) && H5DSis_scale(dataset) == 0;
     for (int i = 0; good && i < f->n_dim; i++) {
         good = dim[i] == (hsize_t)f->dim[i]->n;
     }
@@ -95,6 +95,9 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     t->n_value += n;
     if (t->n_value > VALUES_LIMIT) {
         h5_fail(&f->h, "a run has more than %d values", VALUES_LIMIT);
+    }
+    if (!h5_is_stored(dataset)) {
+        h5_fail(&f->h, "dataset '%s' is not all there", name);
     }
     return f->h.failed ? -1 : 0;
 }
@@ -272,21 +275,6 @@ static void get_all(struct study_file *f) {
     get_group(&(struct spot){.file = f, .parent = "energy"});
     get_group(&(struct spot){.file = f, .parent = "totals"});
     v->table.item = f->item;
-}
-
-bool study_file_is_study(const char *path) {
-    struct h5 h = {.file = -1};
-    struct error e;
-    if (h5_check_file(path, &e) != STATUS_OK || !h5_has_room(&h) || H5Fis_hdf5(path) <= 0) {
-        return false;
-    }
-    hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (file < 0) {
-        return false;
-    }
-    const bool is = H5Lexists(file, "sweep", H5P_DEFAULT) > 0;
-    H5Fclose(file);
-    return is;
 }
 
 int study_reader_fail(const struct study_file *f, struct error *e) {
