@@ -28,7 +28,7 @@ sweep() {
     fine=0
     short=0
     bad=
-    for limit in $(seq 500 701 24000); do
+    for limit in $(seq 500 1103 24000); do
         starts "$limit" || continue
         rm -f "$file" "$file".part "$file".runs
         run bash -c 'ulimit -c 0; ulimit -d "$0"; exec "$@"' "$limit" "$jostle" "$@"
