@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dispatch and exit status, nothing else.
 #include <errno.h>
+#include <fcntl.h>
 #include <gsl/gsl_errno.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "command/command.h"
+#include "command/crash.h"
 #include "core/text.h"
 
 static void print_help(FILE *to) {
@@ -82,7 +85,19 @@ static int dispatch(int argc, char **argv) {
     return asks ? help(argc - 1, argv + 1) : dispatch_command(argc - 1, argv + 1);
 }
 
+// A file that is opened where a standard stream is closed would get what is printed there. What
+// takes its place cannot be written to, so that errors are as they would be.
+static void hold_streams(void) {
+    for (int i = STDIN_FILENO; i <= STDERR_FILENO; i++) {
+        if (fcntl(i, F_GETFD) < 0) {
+            open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
+}
+
 int main(int argc, char **argv) {
+    hold_streams();
+    crash_catch();
     gsl_set_error_handler_off();
     // A closed pipe and a file grown too large are write errors like any other.
     signal(SIGPIPE, SIG_IGN);

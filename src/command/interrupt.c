@@ -29,6 +29,7 @@ void interrupt_catch(void) {
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     sigaction(SIGHUP, &action, NULL);
+    sigaction(SIGXCPU, &action, NULL);
 }
 
 int interrupt_number(void) {

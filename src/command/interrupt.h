@@ -5,8 +5,8 @@
 
 #include "jostle/error.h"
 
-// From now on SIGINT, SIGTERM and SIGHUP are noted; one that comes a second or two after the first
-// ends the program at once.
+// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU (ulimit -St) are noted; one that comes a second
+// or two after the first ends the program at once.
 void interrupt_catch(void);
 
 // The signal noted; 0: none.

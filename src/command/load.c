@@ -26,6 +26,9 @@ int load_model(const struct load_request *request, struct model **out) {
             status = guide(*out, request->guidance, &e);
         }
         print_diagnostics(deck, request->quiet);
+        if (status == STATUS_INPUT && deck->diagnostics.system) {
+            e.status = STATUS_SYSTEM;  // a file could not be read
+        }
     }
     if (status == STATUS_OK) {
         return EXIT_DONE;

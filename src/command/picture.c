@@ -165,7 +165,9 @@ static int run_gnuplot(const char *folder, struct error *e) {
     if (WIFEXITED(state) && WEXITSTATUS(state) == 0) {
         return STATUS_OK;
     }
-    if (WIFEXITED(state) && WEXITSTATUS(state) == NOT_FOUND) {
+    char line[256];
+    first_message(folder, line, sizeof line);
+    if (WIFEXITED(state) && WEXITSTATUS(state) == NOT_FOUND && !line[0]) {
         return error_set(e, STATUS_SYSTEM,
                          "cannot run gnuplot: it is not installed; --script DIR "
                          "writes the picture as a script");
@@ -173,8 +175,6 @@ static int run_gnuplot(const char *folder, struct error *e) {
     if (WIFSIGNALED(state)) {
         return error_set(e, STATUS_SYSTEM, "gnuplot was ended by signal %d", WTERMSIG(state));
     }
-    char line[256];
-    first_message(folder, line, sizeof line);
     return error_set(e, STATUS_SYSTEM, "gnuplot failed: %s", line[0] ? line : "no message");
 }
 

@@ -145,7 +145,7 @@ int diagnostics_cause(const struct diagnostics *d, struct error *e) {
                                   : error_set(e, status, "%s: %s", item->file, item->message);
         }
     }
-    return status;
+    return d->out_of_memory ? error_no_memory(e) : status;
 }
 
 void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour) {

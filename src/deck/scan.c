@@ -25,7 +25,7 @@ struct scan {
     int column;                 // of `at`
     bool wrong;                 // something was reported
     bool joined;                // the next line belongs to the statement
-    bool stray;                 // a `\\` that does not join was meant to
+    bool stray;                 // a `\` that does not join was meant to
     bool torn;                  // and the end of a quoted text, which is not looked for there
     const struct sweep *known;  // stands on these lines: nothing is wrong with them
 };

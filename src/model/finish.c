@@ -18,30 +18,34 @@ static void check_deck(struct builder *b) {
     }
 }
 
-int builder_finish(struct builder *b, struct model *m, struct error *e) {
-    struct diagnostics *found = &b->deck->diagnostics;
-    check_deck(b);
-    if (found->n_error > 0) {
-        return error_set(e, STATUS_INPUT, "%d error%s in %s", found->n_error,
-                         found->n_error == 1 ? "" : "s", b->deck->path);
+static int has_errors(const struct builder *b, struct error *e) {
+    const struct diagnostics *found = &b->deck->diagnostics;
+    if (b->no_memory || found->out_of_memory) {
+        return error_no_memory(e);
     }
-    int status = finish_buildings(b, m, e);
+    return found->n_error > 0 ? error_set(e, STATUS_INPUT, "%d error%s in %s", found->n_error,
+                                          found->n_error == 1 ? "" : "s", b->deck->path)
+                              : STATUS_OK;
+}
+
+int builder_finish(struct builder *b, struct model *m, struct error *e) {
+    check_deck(b);
+    int status = has_errors(b, e);
+    if (status == STATUS_OK) {
+        status = finish_buildings(b, m, e);
+    }
     if (status != STATUS_OK) {
         return status;
     }
-    if (!b->no_memory && found->n_error == 0) {
+    if (has_errors(b, e) == STATUS_OK) {
         finish_chain(b, m);
         finish_links(b, m);
         finish_loads(b, m);
         finish_time(b, m);
     }
-    if (b->no_memory || found->out_of_memory) {
-        return error_no_memory(e);
+    status = has_errors(b, e);
+    if (status == STATUS_OK) {
+        finish_warnings(b, m);
     }
-    if (found->n_error > 0) {
-        return error_set(e, STATUS_INPUT, "%d error%s in %s", found->n_error,
-                         found->n_error == 1 ? "" : "s", b->deck->path);
-    }
-    finish_warnings(b, m);
-    return STATUS_OK;
+    return status;
 }

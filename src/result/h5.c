@@ -2,18 +2,26 @@
 // Failures, types, groups and links: what h5_write.c and h5_read.c share.
 #include "result/h5.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-enum { CONVERSION_BUFFER = 16384 };  // bytes
+// In bytes. What the library takes before it is asked for again fits into ROOM: half a mebibyte for
+// a file, one for converting what it reads, and some KiB for each object. RESERVE is so large that
+// the C library maps it by itself, away from the pages that core/heap.c has got ready.
+enum { CONVERSION_BUFFER = 16384, ROOM = 2 << 20, RESERVE = 4 << 20, ASK_EVERY = 16 };
 
-// The library's work at exit would touch what is left of a file that could not be closed, because
-// the disk is full, and crash; all files are closed long before.
-void h5_start(void) {
-    H5dont_atexit();
-    H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+// The compiler must not see that nothing is done with it.
+static bool is_there(size_t bytes) {
+    void *volatile block = malloc(bytes);
+    const bool is = block;
+    free(block);
+    return is;
 }
 
 // Keeps the description of the innermost error: the first one visited.
@@ -42,6 +50,7 @@ static void unwrap(char *cause) {
 bool h5_failed(struct h5 *h, long long result) {
     if (result < 0 && !h->failed) {
         h->failed = true;
+        h5_spend_reserve(h);
         snprintf(h->cause, sizeof h->cause, "unknown error of the HDF5 library");
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, h);
         unwrap(h->cause);
@@ -54,10 +63,48 @@ void h5_fail(struct h5 *h, const char *format, ...) {
         return;
     }
     h->failed = true;
+    h5_spend_reserve(h);
     va_list list;
     va_start(list, format);
     vsnprintf(h->cause, sizeof h->cause, format, list);
     va_end(list);
+}
+
+bool h5_has_room(struct h5 *h) {
+    if (!h->failed && h->n_ask++ % ASK_EVERY == 0 && !is_there(ROOM)) {
+        h5_fail(h, "out of memory");
+    }
+    return !h->failed;
+}
+
+// The library's work at exit would touch what is left of a file that could not be closed, because
+// the disk is full, and crash; all files are closed long before.
+bool h5_start(struct h5 *h) {
+    if (h5_has_room(h)) {
+        H5dont_atexit();
+        H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+    }
+    return !h->failed;
+}
+
+int h5_check_file(const char *path, struct error *e) {
+    struct stat found;
+    const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) {
+        const bool missing = errno == ENOENT || errno == ENOTDIR;
+        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", path,
+                         strerror(errno));
+    }
+    const mode_t mode = fstat(file, &found) == 0 ? found.st_mode : 0;
+    close(file);
+    return S_ISREG(mode) ? STATUS_OK
+                         : error_set(e, STATUS_INPUT, "%s is %s", path,
+                                     S_ISDIR(mode) ? "a directory" : "no regular file");
+}
+
+void h5_spend_reserve(struct h5 *h) {
+    free(h->reserve);
+    h->reserve = NULL;
 }
 
 // What writing needs. Chunks are written whole and never kept in memory by the library. It converts
@@ -87,7 +134,11 @@ static void open_lists(struct h5 *h) {
 
 // Datasets are written whole or in large blocks: no buffer of the library's between.
 void h5_create(struct h5 *h, const char *path) {
-    h5_start();
+    h->reserve = malloc(RESERVE);
+    if (!h->reserve || !h5_start(h)) {
+        h5_fail(h, "out of memory");
+        return;
+    }
     hid_t list = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
     if (!h5_failed(h, list) && !h5_failed(h, access) &&
         !h5_failed(h, H5Pset_obj_track_times(list, false)) &&
@@ -127,6 +178,14 @@ void h5_close_types(struct h5 *h) {
     free(h->use);
     h->use = NULL;
     h->n_use = h->use_capacity = 0;
+    h5_spend_reserve(h);
+}
+
+void h5_close_file(struct h5 *h) {
+    if (h->file >= 0) {
+        h5_failed(h, H5Fclose(h->file));
+    }
+    h->file = -1;
 }
 
 hid_t h5_group(struct h5 *h, hid_t parent, const char *name) {

@@ -34,6 +34,8 @@ struct h5 {
     const struct unit_system *units;  // borrowed
     struct h5_use *use;               // (n_use) of scales; heap
     size_t n_use, use_capacity;
+    unsigned n_ask;  // calls of h5_has_room
+    void *reserve;   // heap; NULL: it is spent
     bool failed;
     char cause[H5_CAUSE_MAX];
 };
@@ -52,14 +54,26 @@ struct h5_dataset {
     bool many_users;     // a scale that thousands of datasets refer to
 };
 
-// Keeps the library from printing its own errors and from working at exit. All that opens files
-// calls it first, and nothing else, as starting the library takes longer than reading a deck.
-void h5_start(void);
+// Is there memory for what the library does next, which comes to harm where it runs out? A failure
+// if not.
+bool h5_has_room(struct h5 *h);
+
+// The same before a file is opened; keeps the library from printing its own errors and from working
+// at exit. Nothing else calls it, as starting the library takes longer than reading a deck.
+bool h5_start(struct h5 *h);
+
+// Is there a regular file that can be read? Errors: STATUS_INPUT (none, or another kind of file),
+// STATUS_SYSTEM.
+int h5_check_file(const char *path, struct error *e);
+
+// Frees what h5_create keeps for closing the file; the first failure does so too.
+void h5_spend_reserve(struct h5 *h);
 
 // Creates the file over `path`; h->file is negative after a failure.
 void h5_create(struct h5 *h, const char *path);
 void h5_open_types(struct h5 *h);  // of texts: all that reading needs
 void h5_close_types(struct h5 *h);
+void h5_close_file(struct h5 *h);  // after all its objects; does nothing if there is none
 
 // Records the first failure when `result` is negative; true if anything has failed so far.
 bool h5_failed(struct h5 *h, long long result);
@@ -117,7 +131,11 @@ void h5_put_member(struct h5 *h, hid_t object, const struct column_table *t, int
 
 // Reading; texts and arrays are from `a`.
 struct arena;
-bool h5_has(const struct h5 *h, hid_t parent, const char *name);
+bool h5_has(struct h5 *h, hid_t parent, const char *name);
+
+// Is all there that the shape of the dataset promises? If not, the file is damaged, and the library
+// would read behind what it has.
+bool h5_is_stored(hid_t dataset);
 hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name);
 char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name);
 long h5_get_long(struct h5 *h, hid_t object, const char *name);

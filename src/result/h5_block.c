@@ -30,7 +30,7 @@ static void close_spaces(hid_t file, hid_t memory) {
 static void put(struct h5 *h, hid_t dataset, const struct h5_block *part, hid_t type,
                 const void *value) {
     hid_t file = -1, memory = -1;
-    if (!h->failed && select_box(h, dataset, part, &file, &memory)) {
+    if (h5_has_room(h) && select_box(h, dataset, part, &file, &memory)) {
         h5_failed(h, H5Dwrite(dataset, type, memory, file, H5P_DEFAULT, value));
     }
     close_spaces(file, memory);
@@ -38,7 +38,7 @@ static void put(struct h5 *h, hid_t dataset, const struct h5_block *part, hid_t 
 
 static void get(struct h5 *h, hid_t dataset, const struct h5_block *part, hid_t type, void *value) {
     hid_t file = -1, memory = -1;
-    if (!h->failed && select_box(h, dataset, part, &file, &memory)) {
+    if (h5_has_room(h) && select_box(h, dataset, part, &file, &memory)) {
         h5_failed(h, H5Dread(dataset, type, memory, file, H5P_DEFAULT, value));
     }
     close_spaces(file, memory);

@@ -9,8 +9,24 @@
 #include "core/arena.h"
 #include "result/h5.h"
 
-bool h5_has(const struct h5 *h, hid_t parent, const char *name) {
-    return !h->failed && H5Lexists(parent, name, H5P_DEFAULT) > 0;
+bool h5_is_stored(hid_t dataset) {
+    hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
+    const hssize_t n = H5Sget_simple_extent_npoints(space);
+    const size_t size = H5Tget_size(type);
+    const hsize_t stored = H5Dget_storage_size(dataset);
+    H5Tclose(type);
+    H5Sclose(space);
+    if (n < 0 || size == 0 || (hsize_t)n <= stored / size) {
+        return n >= 0 && size > 0;
+    }
+    hid_t list = H5Dget_create_plist(dataset);
+    const bool in_chunks = H5Pget_layout(list) == H5D_CHUNKED;  // compressed, or not all written
+    H5Pclose(list);
+    return in_chunks;
+}
+
+bool h5_has(struct h5 *h, hid_t parent, const char *name) {
+    return h5_has_room(h) && H5Lexists(parent, name, H5P_DEFAULT) > 0;
 }
 
 hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name) {
@@ -26,7 +42,7 @@ hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name) {
 
 // The scalar attribute `name`, whose type must be of `class`.
 static hid_t open_attribute(struct h5 *h, hid_t object, const char *name, H5T_class_t class) {
-    if (h->failed) {
+    if (!h5_has_room(h)) {
         return -1;
     }
     hid_t attribute = H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
@@ -119,8 +135,8 @@ static hid_t open_list(struct h5 *h, hid_t parent, const char *name, hsize_t *n)
     const bool good = space >= 0 && H5Sget_simple_extent_ndims(space) == 1 &&
                       H5Sget_simple_extent_dims(space, n, NULL) == 1;
     H5Sclose(space);
-    if (!good) {
-        h5_fail(h, "dataset '%s' has not one dimension", name);
+    if (!good || !h5_is_stored(dataset)) {
+        h5_fail(h, "dataset '%s' %s", name, good ? "is not all there" : "has not one dimension");
         H5Dclose(dataset);
         return -1;
     }

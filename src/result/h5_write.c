@@ -116,7 +116,7 @@ static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
 }
 
 hid_t h5_dataset(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
-    hid_t dataset = h->failed ? -1 : create(h, parent, d);
+    hid_t dataset = h5_has_room(h) ? create(h, parent, d) : -1;
     if (dataset < 0) {
         return dataset;
     }
@@ -184,7 +184,7 @@ hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *lon
 
 void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
                  const double *value) {
-    if (h->failed) {
+    if (!h5_has_room(h)) {
         return;
     }
     const hsize_t start[2] = {first, 0};

@@ -39,7 +39,7 @@ static int read_column(const struct result_file *f, const char *path, int column
     hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     int status = STATUS_OK;
     if (space < 0 || H5Tget_class(type) != H5T_FLOAT ||
-        !shape_fits(space, f->report->n_row, column)) {
+        !shape_fits(space, f->report->n_row, column) || !h5_is_stored(dataset)) {
         status = error_set(e, STATUS_INPUT, "%s is damaged: dataset /%s has the wrong shape",
                            f->path, path);
     } else if (!read_selected(dataset, space, f->report->n_row, column, out)) {

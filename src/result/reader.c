@@ -2,12 +2,10 @@
 // Opens a result file and reads everything but its histories into a report.
 #include "result/reader.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/arena.h"
@@ -15,8 +13,12 @@
 // What a file may claim before it is taken for damaged.
 enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
 
+static bool is_for_want_of_memory(const struct result_file *f) {
+    return strcmp(f->h.cause, "out of memory") == 0;
+}
+
 static int damaged(const struct result_file *f, struct error *e) {
-    if (strcmp(f->h.cause, "out of memory") == 0) {
+    if (is_for_want_of_memory(f)) {
         return error_no_memory(e);
     }
     return error_set(e, STATUS_INPUT, "%s is damaged: %s", f->path, f->h.cause);
@@ -25,6 +27,9 @@ static int damaged(const struct result_file *f, struct error *e) {
 static int check_format(struct result_file *f, struct error *e) {
     struct arena *a = f->report->arena;
     const char *format = h5_get_text(&f->h, a, f->root, "format");
+    if (f->h.failed && is_for_want_of_memory(f)) {
+        return error_no_memory(e);
+    }
     if (!format || strcmp(format, "jostle") != 0) {
         return error_set(e, STATUS_INPUT, "%s is not a result file of jostle", f->path);
     }
@@ -272,17 +277,15 @@ static int open_file(struct result_file *f, struct error *e) {
     if (!file) {
         return error_no_memory(e);
     }
-    if (access(file, R_OK) != 0) {
-        const bool missing = errno == ENOENT || errno == ENOTDIR;
-        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", file,
-                         strerror(errno));
+    int status = h5_check_file(file, e);
+    if (status != STATUS_OK) {
+        return status;
     }
-    h5_start();
+    if (!h5_start(&f->h)) {
+        return damaged(f, e);
+    }
     if (H5Fis_hdf5(file) <= 0) {
-        struct stat s;
-        const bool directory = stat(file, &s) == 0 && S_ISDIR(s.st_mode);
-        return error_set(e, STATUS_INPUT, "%s is %s", file,
-                         directory ? "a directory" : "not an HDF5 file");
+        return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", file);
     }
     f->h.file = H5Fopen(file, H5F_ACC_RDONLY, H5P_DEFAULT);
     if (h5_failed(&f->h, f->h.file)) {
@@ -340,9 +343,7 @@ void result_close(struct result_file *f) {
     if (f->root >= 0 && f->root != f->h.file) {
         h5_close(&f->h, f->root);
     }
-    if (f->h.file >= 0) {
-        H5Fclose(f->h.file);
-    }
+    h5_close_file(&f->h);
     report_free(f->report);
     free(f);
 }

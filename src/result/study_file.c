@@ -124,9 +124,7 @@ static void close_all(struct study_writer *w) {
     h5_close(&w->h, w->status);
     h5_close(&w->h, w->message);
     h5_close_types(&w->h);
-    if (w->h.file >= 0) {
-        h5_failed(&w->h, H5Fclose(w->h.file));
-    }
+    h5_close_file(&w->h);
 }
 
 static int write_part(struct study_writer *w, const char *path, const char *part, struct error *e) {
@@ -140,7 +138,10 @@ static int write_part(struct study_writer *w, const char *path, const char *part
         if (status == STATUS_OK && w->content->write_run) {
             status = put_histories(w, &b, path, e);
         }
-        h5_put_text(&w->h, w->h.file, "status", "complete");
+        if (status == STATUS_OK) {
+            h5_put_text(&w->h, w->h.file, "status", "complete");
+        }
+        h5_spend_reserve(&w->h);
         close_all(w);
     }
     block_close(&b);
@@ -162,6 +163,21 @@ static int write_all(struct study_writer *w, const struct result_options *o, con
         return status;
     }
     return result_publish(part, o->path, o->existing, e);
+}
+
+bool study_file_is_study(const char *path) {
+    struct h5 h = {.file = -1};
+    struct error e;
+    if (h5_check_file(path, &e) != STATUS_OK || !h5_start(&h) || H5Fis_hdf5(path) <= 0) {
+        return false;
+    }
+    hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (file < 0) {
+        return false;
+    }
+    const bool is = H5Lexists(file, "sweep", H5P_DEFAULT) > 0;
+    H5Fclose(file);
+    return is;
 }
 
 int study_file_check(const struct study_content *c, const struct result_options *o,

@@ -52,8 +52,8 @@ static size_t values_of_run(const struct study_file *f, hid_t dataset) {
     hsize_t dim[H5S_MAX_RANK];
     hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     const int n = H5Sget_simple_extent_dims(space, dim, NULL);
-    bool good = H5Tget_class(type) == H5T_FLOAT && (n == f->n_dim || n == f->n_dim + 1) &&
-                H5DSis_scale(dataset) == 0;
+    bool good = H5Tget_class(type) == H5T_FLOAT && h5_is_stored(dataset) &&
+                (n == f->n_dim || n == f->n_dim + 1) && H5DSis_scale(dataset) == 0;
     for (int i = 0; good && i < f->n_dim; i++) {
         good = dim[i] == (hsize_t)f->dim[i]->n;
     }
@@ -95,6 +95,9 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     t->n_value += n;
     if (t->n_value > VALUES_LIMIT) {
         h5_fail(&f->h, "a run has more than %d values", VALUES_LIMIT);
+    }
+    if (!h5_is_stored(dataset)) {
+        h5_fail(&f->h, "dataset '%s' is not all there", name);
     }
     return f->h.failed ? -1 : 0;
 }
@@ -274,19 +277,6 @@ static void get_all(struct study_file *f) {
     v->table.item = f->item;
 }
 
-bool study_file_is_study(const char *path) {
-    h5_start();
-    if (access(path, R_OK) != 0 || H5Fis_hdf5(path) <= 0) {
-        return false;
-    }
-    hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
-    const bool is = file >= 0 && H5Lexists(file, "sweep", H5P_DEFAULT) > 0;
-    if (file >= 0) {
-        H5Fclose(file);
-    }
-    return is;
-}
-
 int study_reader_fail(const struct study_file *f, struct error *e) {
     const int status = strcmp(f->h.cause, "out of memory") == 0 ? STATUS_SYSTEM : STATUS_INPUT;
     return error_set(e, status, "cannot read %s: %s", f->view.path, f->h.cause);
@@ -295,19 +285,20 @@ int study_reader_fail(const struct study_file *f, struct error *e) {
 // Without the buffers of 64 KiB that the library gives each dataset: boxes are read as they stand
 // in the file, and merging opens many files with many datasets each.
 static void open_file(struct study_file *f, const char *path) {
-    h5_start();
-    hid_t list = H5Pcreate(H5P_FILE_ACCESS);
     f->h.file = -1;
+    hid_t list = h5_start(&f->h) ? H5Pcreate(H5P_FILE_ACCESS) : -1;
     if (!h5_failed(&f->h, list) && !h5_failed(&f->h, H5Pset_sieve_buf_size(list, SIEVE_BYTES))) {
         f->h.file = H5Fopen(path, H5F_ACC_RDONLY, list);
         h5_failed(&f->h, f->h.file);
     }
-    if (list >= 0) {
-        H5Pclose(list);
-    }
+    H5Pclose(list);
 }
 
 int study_file_open(const char *path, struct study_file **out, struct error *e) {
+    int status = h5_check_file(path, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
     struct study_file *f = calloc(1, sizeof *f);
     struct arena *a = f ? arena_create() : NULL;
     if (!a) {
@@ -325,7 +316,7 @@ int study_file_open(const char *path, struct study_file **out, struct error *e) 
         get_all(f);
     }
     if (f->h.failed) {
-        int status = study_reader_fail(f, e);
+        status = study_reader_fail(f, e);
         study_file_close(f);
         return status;
     }
@@ -343,9 +334,7 @@ void study_file_close(struct study_file *f) {
     h5_close(&f->h, f->status);
     h5_close(&f->h, f->message);
     h5_close_types(&f->h);
-    if (f->h.file >= 0) {
-        H5Fclose(f->h.file);
-    }
+    h5_close_file(&f->h);
     arena_free(f->view.arena);
     free(f->item);
     free(f->dataset);

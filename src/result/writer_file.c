@@ -16,9 +16,7 @@ static void writer_free(struct result_writer *w) {
     writer_close_streams(w);
     if (has_file(w)) {
         h5_close_types(w->h);
-        if (w->own.file >= 0) {
-            h5_failed(w->h, H5Fclose(w->own.file));
-        }
+        h5_close_file(w->h);
     }
     report_free(w->report);
     free(w->rows);
@@ -35,6 +33,7 @@ void result_abort(struct result_writer *w) {
     if (w->own.file >= 0) {
         unlink(w->part);
     }
+    h5_spend_reserve(&w->own);
     writer_free(w);
 }
 
@@ -128,8 +127,7 @@ int result_create_in(const struct result_place *place, const struct model *m, co
 static int close_file(struct result_writer *w, struct error *e) {
     writer_close_streams(w);
     h5_close_types(w->h);
-    h5_failed(w->h, H5Fclose(w->own.file));
-    w->own.file = -1;
+    h5_close_file(w->h);
     return w->h->failed ? writer_failed(w, e) : STATUS_OK;
 }
 

@@ -37,6 +37,18 @@ bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
            *n <= CONTENT_MAX;
 }
 
+bool entry_is_foreign(const unsigned char *entry) {
+    const uint32_t kind = ENTRY_HEAD_TEXT;
+    unsigned char here[sizeof kind];
+    memcpy(here, &kind, sizeof kind);
+    for (size_t i = 0; i < sizeof kind; i++) {
+        if (entry[i] != here[sizeof kind - 1 - i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
 bool entry_is_sound(const unsigned char *entry, size_t n) {
     uint64_t sum;
     memcpy(&sum, entry + ENTRY_HEAD + n, sizeof sum);

@@ -18,6 +18,8 @@ size_t entry_seal(unsigned char *entry, enum entry_kind kind, size_t n);
 
 // Reads the head: false if it cannot be one.
 bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n);
+// Is it a head from a machine with another order of bytes?
+bool entry_is_foreign(const unsigned char *entry);
 bool entry_is_sound(const unsigned char *entry, size_t n);
 
 // Largest content of a run of `n_value` values.

@@ -125,8 +125,14 @@ static bool is_of_another(const char *found) {
            found[MAGIC_VERSION + 1] == magic[MAGIC_VERSION + 1];
 }
 
+static int take_foreign(struct journal *j, struct error *e) {
+    j->head = calloc(1, 1);
+    return j->head ? STATUS_OK : error_no_memory(e);
+}
+
 // Reads the magic word and the head. A file that is neither is not ours, unless it was torn there.
-// What another version has written is nothing that this one reads: its head is empty.
+// What another version has written, or a machine with another order of bytes, is nothing that this
+// one reads: its head is empty.
 static int load_head(struct journal *j, struct error *e) {
     char found[sizeof magic];
     enum entry_kind kind;
@@ -137,11 +143,14 @@ static int load_head(struct journal *j, struct error *e) {
     }
     if (memcmp(found, magic, (size_t)got) != 0) {
         if ((size_t)got == sizeof magic && is_of_another(found)) {
-            j->head = calloc(1, 1);
-            return j->head ? STATUS_OK : error_no_memory(e);
+            return take_foreign(j, e);
         }
         return error_set(e, STATUS_INPUT,
                          "%s is not the journal of a study; move it out of the way", j->path);
+    }
+    if (read_at(j, j->buffer, ENTRY_HEAD, sizeof magic) == ENTRY_HEAD &&
+        entry_is_foreign(j->buffer)) {
+        return take_foreign(j, e);
     }
     int status = load_entry(j, sizeof magic, &kind, &n, e);
     if (status != 1 || kind != ENTRY_HEAD_TEXT) {

@@ -3,8 +3,9 @@
 // killed program loses the runs in flight and a power cut what was not yet synchronised.
 //
 // A file starts with a magic word. An entry is {kind, bytes of content}, the content, and the
-// checksum of both; numbers are in the machine's byte order. The first entry is the head: lines of
-// text that say which study this is. What follows the last sound entry is dropped.
+// checksum of both; numbers and the checksum are in the machine's order of bytes, and a journal
+// from a machine with another one is not read. The first entry is the head: lines of text that say
+// which study this is. What follows the last sound entry is dropped.
 #ifndef JOSTLE_JOURNAL_H
 #define JOSTLE_JOURNAL_H
 

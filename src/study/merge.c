@@ -3,7 +3,6 @@
 // from those that have them. What parts have in common is compared first, so that nothing is
 // written where something does not fit.
 #include <assert.h>
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,14 +41,10 @@ static const char *path_of(const struct merge *m, int k) {
 static int open_part(struct merge *m, int k, struct error *e) {
     struct input *in = &m->input[k];
     const char *path = path_of(m, k);
-    if (access(path, R_OK) != 0) {
-        return error_set(e, errno == ENOENT || errno == ENOTDIR ? STATUS_INPUT : STATUS_SYSTEM,
-                         "cannot open %s: %s", path, strerror(errno));
-    }
-    if (!study_file_is_study(path)) {
+    int status = study_file_open(path, &in->file, e);
+    if (status == STATUS_INPUT && access(path, F_OK) == 0 && !study_file_is_study(path)) {
         return error_set(e, STATUS_INPUT, "%s is not the file of a part of a study", path);
     }
-    int status = study_file_open(path, &in->file, e);
     if (status != STATUS_OK) {
         return status;
     }

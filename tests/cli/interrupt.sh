@@ -22,9 +22,38 @@ for signal in INT TERM HUP; do
     expect "SIG$signal leaves no file" 'only long.deck'
 done
 
+# What is opened where a standard stream is closed would get what is printed there.
+sed 's/^param gap.*/sweep gap values 4mm 5mm/' long.deck >study.deck
+"$jostle" run study.deck >&- 2>&- <&- &
+child=$!
+for _ in $(seq 100); do
+    [ -s study.h5.runs ] && break
+    sleep 0.05
+done
+sleep 0.2
+kill -s ABRT $child
+wait $child
+expect "closed streams do not turn messages into the journal" '[ "$(head -c 8 study.h5.runs | tr "\n" .)" = jostle2. ]'
+rm -f study.deck study.h5.runs
+
+# As a damaged HDF5 file may end it; under the sanitizers the signal is theirs.
+if [ -z "${JOSTLE_SANITIZED-}" ]; then
+    "$jostle" run long.deck >"$out" 2>"$err" </dev/null &
+    child=$!
+    sleep 0.3
+    kill -s SEGV $child
+    wait $child
+    status=$?
+    expect "a crash is an error with a message, and leaves no result" '[ $status -eq 3 ] && said "ended by a segmentation fault" && [ ! -e long.h5 ]'
+    rm -f long.h5.part
+fi
+
 # timeout(1) signals twice at once.
 run timeout 1 "$jostle" run -q long.deck
 expect "a run that timeout ends tells of it, and leaves no file" '[ $status -eq 124 ] && said "interrupted by signal 15" && only long.deck'
+
+run bash -c "ulimit -St 1; exec '$jostle' run -q long.deck"
+expect "a run whose time is up tells of it, and leaves no file" '[ $status -eq 3 ] && said "interrupted by signal" && only long.deck'
 
 # Bodies that touch and rattle: a step takes many impacts.
 cat >rattle.deck <<END

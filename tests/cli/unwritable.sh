@@ -16,6 +16,22 @@ expect "the result file is complete all the same" '"$jostle" show full.h5 >/dev/
 "$jostle" check pair.deck 2>"$err" | true
 expect "a reader that goes away does no harm" '! grep -qi "signal" "$err"'
 
+mkfifo pipe
+for command in "show pipe" "plot pipe" "merge pipe full.h5 -o whole.h5"; do
+    # shellcheck disable=SC2086
+    run timeout 10 "$jostle" $command
+    expect "${command%% *} does not wait for a pipe" '[ $status -eq 2 ] && said "pipe is no"'
+done
+# Shared libraries are files, too: without one to spare, such a program does not even start.
+(ulimit -n 3 && "$jostle" --version) >"$out" 2>&1 && starts=1
+for command in "run pair.deck -o few.h5" "show full.h5" "merge full.h5 -o whole.h5"; do
+    [ -n "${starts-}" ] || break
+    # shellcheck disable=SC2086
+    run bash -c "ulimit -n 3; exec '$jostle' $command"
+    expect "${command%% *} without a file to spare ends with 3" '[ $status -eq 3 ] && said "Too many open files" && [ ! -e few.h5 ] && [ ! -e whole.h5 ]'
+done
+rm pipe
+
 mkdir locked
 chmod a-w locked
 if touch locked/probe 2>/dev/null; then

@@ -157,6 +157,28 @@ static void a_flipped_byte_never_gives_a_wrong_value(void **state) {
     }
 }
 
+// As a machine would write it whose numbers start with their highest byte.
+static void a_journal_from_a_machine_with_another_order_of_bytes_is_not_read(void **state) {
+    (void)state;
+    enum { MAGIC = 8, WORD = 4 };
+    const char *path = write_journal("foreign.runs");
+    char kind[WORD], turned[WORD];
+    int file = open(path, O_RDWR);
+    assert_int_equal(pread(file, kind, WORD, MAGIC), WORD);
+    for (int i = 0; i < WORD; i++) {
+        turned[i] = kind[WORD - 1 - i];
+    }
+    assert_int_equal(pwrite(file, turned, WORD, MAGIC), WORD);
+    const off_t size = lseek(file, 0, SEEK_END);
+    struct journal j;
+    struct error e;
+    assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
+    assert_string_equal(j.head, "");  // which is the head of no study
+    journal_close(&j);
+    assert_int_equal(lseek(file, 0, SEEK_END), size);
+    close(file);
+}
+
 static void a_journal_is_open_once(void **state) {
     (void)state;
     struct journal j, other;
@@ -177,6 +199,7 @@ int main(void) {
         cmocka_unit_test(a_run_more_goes_behind_the_others),
         cmocka_unit_test(a_file_cut_anywhere_keeps_the_entries_before_the_cut),
         cmocka_unit_test(a_flipped_byte_never_gives_a_wrong_value),
+        cmocka_unit_test(a_journal_from_a_machine_with_another_order_of_bytes_is_not_read),
         cmocka_unit_test(a_journal_is_open_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
