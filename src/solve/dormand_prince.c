@@ -171,6 +171,15 @@ static int too_crowded(struct dp *p, struct error *e) {
                      m->deck->units.time_name);
 }
 
+static int stuck(const struct dp *p, int k, struct error *e) {
+    const struct model *m = p->model;
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s the bodies of contact %s stick together, where %s jumps at "
+                     "v = 0, which dormand-prince does not follow; use integrator newmark or step "
+                     "fixed DT",
+                     p->now.time, m->deck->units.time_name, m->link[k].name, m->link[k].law->name);
+}
+
 // Lets an event at `now` happen, and starts again from there.
 static int happen(struct dp *p, struct error *e) {
     const struct dp_event *event = &p->event;
@@ -184,6 +193,9 @@ static int happen(struct dp *p, struct error *e) {
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
     rates_now(p);
+    if (event->kind == DP_TURN && dp_kink_sticks(p, event->index)) {
+        return stuck(p, event->index, e);
+    }
     dp_stages_gaps(p, &p->now, p->rate[0]);
     dp_peaks_now(p);
     return too_crowded(p, e);

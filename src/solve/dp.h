@@ -114,6 +114,10 @@ double dp_event_noise(const struct dp *p, int k);
 struct dp_event dp_kink_before(const struct dp *p, int k, struct dp_event other);
 double dp_kink_at_end(const struct dp *p, int k, double *rate);
 
+// dp_kink.c: has the velocity of closed contact k, now on the other branch, come to 0 where its
+// force jumps, so that either branch leads back there?
+bool dp_kink_sticks(struct dp *p, int k);
+
 // Takes the step again so that it ends at its event.
 void dp_event_locate(struct dp *p);
 

@@ -11,6 +11,9 @@ enum { HALVINGS = 60 };
 // A rate is taken over this share of the step.
 static const double PROBE = 1e-4;
 
+// Of the larger force on both sides: a jump.
+static const double JUMP = 1e-9;
+
 static double before_kink(const struct dp *p, int k, double d, double v) {
     const struct link *l = &p->model->link[k];
     double start = p->now.delta[k];
@@ -60,4 +63,15 @@ double dp_kink_at_end(const struct dp *p, int k, double *rate) {
     double value = before_kink(p, k, m.d[1], m.v[1]);
     *rate = (before_kink(p, k, m.d[1] + m.v[1] * time, m.v[1] + m.a[1] * time) - value) / time;
     return value;
+}
+
+bool dp_kink_sticks(struct dp *p, int k) {
+    const struct model *m = p->model;
+    enum phase *phase = &p->system.phase[k];
+    double change = dp_system_across(&m->link[k], m, p->now.a, p->now.ground_a);
+    double after = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
+    *phase = -*phase;
+    double before = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
+    *phase = -*phase;
+    return *phase * change < 0.0 && fabs(after - before) > JUMP * fmax(fabs(after), fabs(before));
 }
