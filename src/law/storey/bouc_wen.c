@@ -5,9 +5,10 @@
 //
 // with d_y = V_y / k. Independent of the rate: the increment of z follows from that of the drift.
 // It is found by the classical Runge-Kutta method in steps of 0.02 d_y from the committed point
-// (error about 1e-9), until z has reached its end value; the tangent is dz/d drift there.
-// beta >= |gamma| keeps the loops from creating energy (Erlicher & Point 2004). With the sum of
-// beta and gamma 1, V_y is the strength of the yielding part.
+// that end at z = 0, where the slope has a kink (error about 1e-9), until z has reached its end
+// value; the tangent is dz/d drift there. beta >= |gamma| keeps the loops from creating energy
+// (Erlicher & Point 2004). With the sum of beta and gamma 1, V_y is the strength of the yielding
+// part.
 #include <math.h>
 
 #include "law/storey_list.h"
