@@ -33,6 +33,11 @@ struct contact_response {
     double dfdv;   // [F T/L]
 };
 
+// From a penetration and a velocity to others.
+struct contact_way {
+    double d0, v0, d, v;
+};
+
 // The same of so many links at once.
 enum { CONTACT_LANES = 8 };
 struct contact_lanes {
@@ -73,6 +78,11 @@ struct contact_law {
     // (n_constant, CONTACT_LANES), d and v; where d < 0 anything will do. NULL: one at a time.
     void (*force_lanes)(const double *constant, const double *d, const double *v,
                         struct contact_lanes *response);
+
+    // How far the end of `way`, whose d does not turn, is before the first kink of the force on it
+    // but those at d = 0 and v = 0, in any unit: continuous, and 0 or less beyond the kink.
+    // INFINITY: there is none. NULL: the law has no others.
+    double (*kink)(const double *constant, const double *history, const struct contact_way *way);
 
     // Brings the history from the committed step to (d, v). NULL if it does not change in contact.
     void (*commit)(const double *constant, double *history, double d, double v);

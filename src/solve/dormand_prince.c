@@ -171,6 +171,15 @@ static int too_crowded(struct dp *p, struct error *e) {
                      m->deck->units.time_name);
 }
 
+static int stuck(const struct dp *p, int k, struct error *e) {
+    const struct model *m = p->model;
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s the bodies of contact %s stick together, where %s jumps at "
+                     "v = 0, which dormand-prince does not follow; use integrator newmark or step "
+                     "fixed DT",
+                     p->now.time, m->deck->units.time_name, m->link[k].name, m->link[k].law->name);
+}
+
 // Lets an event at `now` happen, and starts again from there.
 static int happen(struct dp *p, struct error *e) {
     const struct dp_event *event = &p->event;
@@ -184,6 +193,9 @@ static int happen(struct dp *p, struct error *e) {
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
     rates_now(p);
+    if (event->kind == DP_TURN && dp_kink_sticks(p, event->index)) {
+        return stuck(p, event->index, e);
+    }
     dp_stages_gaps(p, &p->now, p->rate[0]);
     dp_peaks_now(p);
     return too_crowded(p, e);
@@ -283,11 +295,26 @@ static double change_for(double error) {
     return error < DBL_MAX ? SAFETY * fifth_root_of_inverse(error) : SHRINK_MOST;
 }
 
+static double error_of(const struct dp *p) {
+    return dp_stages_error(p) * (p->closed_now ? UNSEEN : 1.0);
+}
+
+// Rejects the step for its error: the next one is shorter.
+static int reject(struct dp *p, double error, struct error *e) {
+    p->results->totals.cuts++;
+    if (p->h <= p->model->control.shortest || p->now.time + p->h / 2.0 == p->now.time) {
+        return too_short(p, p->h, error, e);
+    }
+    p->trial = p->h * fmin(number_max(change_for(error), SHRINK_MOST), SAFETY);
+    p->trial = fmax(p->trial, p->model->control.shortest);
+    return STATUS_OK;
+}
+
 // Tries steps until one meets the tolerance.
 static int attempt(struct dp *p, struct error *e) {
     for (;;) {
         take(p);
-        double error = dp_stages_error(p) * (p->closed_now ? UNSEEN : 1.0);
+        double error = error_of(p);
         double step;
         if (pace_is_slow(&p->pace, p->model, p->now.time, &step)) {
             return too_slow(p, step, e);
@@ -296,12 +323,9 @@ static int attempt(struct dp *p, struct error *e) {
             p->trial = p->h * number_min(change_for(error), GROW_MOST);
             return STATUS_OK;
         }
-        p->results->totals.cuts++;
-        if (p->h <= p->model->control.shortest || p->now.time + p->h / 2.0 == p->now.time) {
-            return too_short(p, p->h, error, e);
+        if (reject(p, error, e) != STATUS_OK) {
+            return e->status;
         }
-        p->trial = p->h * fmin(number_max(change_for(error), SHRINK_MOST), SAFETY);
-        p->trial = fmax(p->trial, p->model->control.shortest);
     }
 }
 
@@ -310,26 +334,46 @@ static bool at_once(const struct dp *p) {
     return p->event.kind != DP_NONE && p->now.time + p->event.place * p->h == p->now.time;
 }
 
-int dormand_prince_step(struct dp *p, struct error *e) {
-    int status = finish(p, e);
-    while (status == STATUS_OK) {
-        status = attempt(p, e);
-        if (status != STATUS_OK) {
-            break;
+// Makes the step end at its event. It is part of one that met the tolerance, but beyond the event
+// the laws are not what they were, and may have made up for an error before it: then the step is
+// rejected. *taken: it is not.
+static int stop_at_event(struct dp *p, bool *taken, struct error *e) {
+    dp_event_locate(p);
+    double error = error_of(p);
+    *taken = error <= 1.0;
+    return *taken ? STATUS_OK : reject(p, error, e);
+}
+
+// Takes a step up to its first event, if there is any.
+static int stride(struct dp *p, struct error *e) {
+    bool taken = false;
+    while (!taken) {
+        if (attempt(p, e) != STATUS_OK) {
+            return e->status;
         }
         dp_stages_gaps(p, &p->next, p->rate[1]);
         dp_event_first(p);
-        if (!at_once(p)) {
-            break;
+        int status = STATUS_OK;
+        if (at_once(p)) {
+            p->h = 0.0;
+            status = happen(p, e);
+        } else if (p->event.kind != DP_NONE) {
+            status = stop_at_event(p, &taken, e);
+        } else {
+            taken = true;
         }
-        p->h = 0.0;
-        status = happen(p, e);
+        if (status != STATUS_OK) {
+            return status;
+        }
     }
+    return STATUS_OK;
+}
+
+int dormand_prince_step(struct dp *p, struct error *e) {
+    int status = finish(p, e);
+    status = status == STATUS_OK ? stride(p, e) : status;
     if (status != STATUS_OK) {
         return status;
-    }
-    if (p->event.kind != DP_NONE) {
-        dp_event_locate(p);
     }
     dp_account_step(p);
     dp_peaks_step(p);

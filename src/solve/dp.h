@@ -20,6 +20,7 @@ enum dp_event_kind {
     DP_CLOSE,   // a contact closes
     DP_OPEN,    // or opens
     DP_MEET,    // the bodies of a rigid contact meet
+    DP_KINK,    // the force of a closed contact has a kink
     DP_TURN,    // the velocity of a closed contact changes its sign
     DP_BRANCH,  // a storey comes to the end of its line
     DP_UNLOAD,  // the drift of a yielding storey turns round
@@ -105,6 +106,18 @@ struct motion dp_event_floor(const struct dp *p, int i);
 struct motion dp_event_link(const struct dp *p, int k);
 struct motion dp_event_storey(const struct dp *p, int i);
 void dp_event_first(struct dp *p);
+
+// Ways of link k that mean nothing [L].
+double dp_event_noise(const struct dp *p, int k);
+
+// dp_kink.c: the first kink in the step of the force of closed contact k, whose law has any, or
+// `other` if that is earlier; how far the end of the step is before the kink, and the rate of that.
+struct dp_event dp_kink_before(const struct dp *p, int k, struct dp_event other);
+double dp_kink_at_end(const struct dp *p, int k, double *rate);
+
+// dp_kink.c: has the velocity of closed contact k, now on the other branch, come to 0 where its
+// force jumps, so that either branch leads back there?
+bool dp_kink_sticks(struct dp *p, int k);
 
 // Takes the step again so that it ends at its event.
 void dp_event_locate(struct dp *p);

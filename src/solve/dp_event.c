@@ -25,7 +25,7 @@ enum { ITERATIONS_MAX = 60 };
 // instant may be wrong by the tolerance, but not where that would be before a turn, which would
 // come again; where a history is committed, or velocities jump, it may not.
 static const double located[] = {
-    [DP_CLOSE] = 3e-3, [DP_OPEN] = 3e-3,   [DP_TURN] = 1e-4,
+    [DP_CLOSE] = 3e-3, [DP_OPEN] = 3e-3,   [DP_KINK] = 3e-3,   [DP_TURN] = 1e-4,
     [DP_MEET] = 1e-7,  [DP_BRANCH] = 1e-7, [DP_UNLOAD] = 1e-7,
 };
 
@@ -103,7 +103,7 @@ static double reach(const struct pieces *s, int i, double target) {
     return hermite_root(&path, s->x[i], s->x[i + 1]);
 }
 
-static double noise(const struct dp *p, int k) {
+double dp_event_noise(const struct dp *p, int k) {
     const struct link *l = &p->model->link[k];
     double size = fabs(l->gap);
     for (int i = 0; i < 2; i++) {
@@ -118,7 +118,7 @@ static double noise(const struct dp *p, int k) {
 
 static struct dp_event closing(const struct dp *p, int k, const struct motion *m) {
     struct pieces s = cut(m);
-    double least = noise(p, k);
+    double least = dp_event_noise(p, k);
     for (int i = 0; i < s.n; i++) {
         if (s.d[i + 1] > least && s.d[i + 1] > s.d[i]) {
             return (struct dp_event){.kind = p->model->link[k].law->rebound ? DP_MEET : DP_CLOSE,
@@ -145,7 +145,7 @@ static struct dp_event leaving(const struct dp *p, int k, const struct motion *m
         return nothing;
     }
     struct pieces s = cut(m);
-    double least = noise(p, k);
+    double least = dp_event_noise(p, k);
     int phase = p->system.phase[k];
     for (int i = 0; i < s.n; i++) {
         double rise = s.d[i + 1] - s.d[i];
@@ -163,7 +163,11 @@ static struct dp_event leaving(const struct dp *p, int k, const struct motion *m
 
 static struct dp_event link_event(const struct dp *p, int k) {
     struct motion m = dp_event_link(p, k);
-    return p->now.link[k].closed ? leaving(p, k, &m) : closing(p, k, &m);
+    if (!p->now.link[k].closed) {
+        return closing(p, k, &m);
+    }
+    struct dp_event event = leaving(p, k, &m);
+    return p->model->link[k].law->kink ? dp_kink_before(p, k, event) : event;
 }
 
 // The drift between low and high at which the law leaves the tangent of its branch.
@@ -274,6 +278,9 @@ static bool is_of_storey(const struct dp_event *e) {
 // What passes through zero at the event, at the end of the step, and its rate.
 static double value_at_end(const struct dp *p, double *rate) {
     const struct dp_event *e = &p->event;
+    if (e->kind == DP_KINK) {
+        return dp_kink_at_end(p, e->index, rate);
+    }
     struct motion m = is_of_storey(e) ? dp_event_storey(p, e->index) : dp_event_link(p, e->index);
     if (e->kind == DP_TURN || e->kind == DP_UNLOAD) {
         *rate = m.a[1];
@@ -304,11 +311,12 @@ void dp_event_locate(struct dp *p) {
             next = 0.5 * (low + high);
         }
         double correction = fabs(next - h) / whole;
-        if (correction <= near * near) {
+        bool passed = value <= 0.0 || p->event.kind != DP_KINK;
+        if (correction <= near * near && passed) {
             break;
         }
         bool last = correction <= near;
-        h = next;
+        h = passed ? next : fmin(next + near * near * whole, whole);
         if (last) {
             dp_stages_take(p, h, p->now.time + h);
             dp_stages_gaps(p, &p->next, p->rate[1]);
@@ -374,6 +382,9 @@ int dp_event_apply(struct dp *p, const struct dp_event *event, struct error *e) 
         case DP_OPEN:
             p->last_link = k;
             return toggle(p, k, e);
+        case DP_KINK:
+            p->last_link = k;
+            return STATUS_OK;
         case DP_TURN:
             p->last_link = k;
             p->system.phase[k] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;

@@ -8,11 +8,14 @@
 #include "core/number.h"
 #include "solve/dp.h"
 
-// Distance in the step of the three values, and how far the interpolation of an acceleration may be
-// too low.
-static const double BESIDE = 0.02, BEYOND = 1.1;
+// Distance in the step of the three values; how far the interpolation of an acceleration may be too
+// low, and how far so beside the ends, where the step ends at no peak.
+static const double BESIDE = 0.02, BEYOND = 1.1, NEARLY = 0.999;
 
-enum { ITERATIONS_MAX = 40 };
+// Place of the third stage.
+static const double INNER = 0.3;
+
+enum { ITERATIONS_MAX = 40, TRIES = 3 };
 static const double PLACED = 1e-4;  // of the step, of an extremum of a force; its error is a square
 
 static void note(struct dp *p, enum peak q, int i, double value, double time) {
@@ -79,12 +82,13 @@ static double acceleration_place(const struct dp *p, const struct building *g, i
     struct polynomial u = hermite_position(&m);
     double square = p->h * p->h;
     double ground0 = p->now.ground_a[g->ground];
-    double ground1 = p->next.ground_a[g->ground];
-    struct polynomial a = {{2.0 * u.c[2] / square + ground0,
-                            6.0 * u.c[3] / square + ground1 - ground0, 12.0 * u.c[4] / square,
-                            20.0 * u.c[5] / square, 0.0, 0.0}};
-    double best = fmax(fabs(total(p->stage[0], g, i)), fabs(total(p->stage[6], g, i)));
-    best = fmax(best, p->results->peak[PEAK_ACCELERATION][i] / BEYOND);
+    double rise = p->next.ground_a[g->ground] - ground0;
+    double bend = (ground0 + INNER * rise - p->stage[2]->ground.a[g->ground]) /
+                  (INNER * (1.0 - INNER));  // the ground's parabola, of a sine
+    struct polynomial a = {{2.0 * u.c[2] / square + ground0, 6.0 * u.c[3] / square + rise - bend,
+                            12.0 * u.c[4] / square + bend, 20.0 * u.c[5] / square, 0.0, 0.0}};
+    double ends = fmax(fabs(total(p->stage[0], g, i)), fabs(total(p->stage[6], g, i)));
+    double best = fmax(NEARLY * ends, p->results->peak[PEAK_ACCELERATION][i] / BEYOND);
     double place = -1.0;
     double x[2];
     int n = hermite_extrema(&a, x);
@@ -98,11 +102,9 @@ static double acceleration_place(const struct dp *p, const struct building *g, i
     return place;
 }
 
-static void inner_acceleration(struct dp *p, const struct building *g, int i) {
-    double x = acceleration_place(p, g, i);
-    if (x < 0.0) {
-        return;
-    }
+// Notes the acceleration at place x, or at the top of the parabola about it if that is as near as
+// the values it is put through. Returns where the top is.
+static double note_acceleration(struct dp *p, double x, int i) {
     double beside = fmin(BESIDE, fmin(x, 1.0 - x));
     double low = dp_account_acceleration(p, x - beside, i);
     double high = dp_account_acceleration(p, x + beside, i);
@@ -112,6 +114,18 @@ static void inner_acceleration(struct dp *p, const struct building *g, int i) {
     double shift = fabs(bend) > fabs(slope) ? -slope / bend : 0.0;
     note(p, PEAK_ACCELERATION, i, middle + shift * slope / 2.0,
          p->now.time + (x + shift * beside) * p->h);
+    return bend * middle < 0.0 ? x - slope / bend * beside : x;
+}
+
+static void inner_acceleration(struct dp *p, const struct building *g, int i) {
+    double x = acceleration_place(p, g, i);
+    for (int n = 0; n < TRIES && x > 0.0 && x < 1.0; n++) {
+        double top = note_acceleration(p, x, i);
+        if (fabs(top - x) < BESIDE) {
+            return;
+        }
+        x = top;
+    }
 }
 
 static void inner_step(struct dp *p, int i) {

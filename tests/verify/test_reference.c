@@ -195,9 +195,7 @@ static void fixed_steps_agree(void **state) {
 }
 
 static void adaptive_steps_agree(void **state) {
-    bool amplifies = strcmp(*state, "F_towers_wang") == 0;  // errors of 1e-8 140 times
-    struct analysis a = run_adaptive(*state, amplifies ? "step adaptive -tolerance 1e-9"
-                                                       : "step adaptive -tolerance 1e-8");
+    struct analysis a = run_adaptive(*state, "step adaptive -tolerance 1e-8");
     compare(*state, &a, &adaptive);
 }
 

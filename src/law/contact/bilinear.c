@@ -178,6 +178,15 @@ static struct contact_response bilinear_force(const double *c, const double *h, 
     };
 }
 
+// Where S reaches its limits.
+static double bilinear_kink(const double *c, const double *h, const struct contact_way *way) {
+    double top = h[OFFSET] + c[YIELD];
+    if (way->d > way->d0) {
+        return way->d0 < top ? top - way->d : INFINITY;
+    }
+    return way->d0 > h[OFFSET] ? way->d - h[OFFSET] : INFINITY;
+}
+
 static void bilinear_commit(const double *c, double *history, double d, double v) {
     (void)v;
     history[OFFSET] = fmin(fmax(history[OFFSET], d - c[YIELD]), d);
@@ -206,6 +215,7 @@ const struct contact_law contact_bilinear = {
     .prepare = bilinear_prepare,
     .close = bilinear_close,
     .force = bilinear_force,
+    .kink = bilinear_kink,
     .commit = bilinear_commit,
     .calibrate = bilinear_calibrate,
 };

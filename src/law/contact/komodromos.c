@@ -15,15 +15,26 @@ static int komodromos_prepare(const double *value, double m_eff, double *constan
     return STATUS_OK;
 }
 
+static double with_tension(const double *c, double d, double v) {
+    return c[DASHPOT_STIFFNESS] * d + c[DASHPOT_COEFFICIENT] * v;
+}
+
 static struct contact_response komodromos_force(const double *c, const double *h, double d,
                                                 double v) {
     (void)h;
-    double force = c[DASHPOT_STIFFNESS] * d + c[DASHPOT_COEFFICIENT] * v;
+    double force = with_tension(c, d, v);
     if (force <= 0.0) {
         return (struct contact_response){0};
     }
     return (struct contact_response){
         .force = force, .dfdd = c[DASHPOT_STIFFNESS], .dfdv = c[DASHPOT_COEFFICIENT]};
+}
+
+// Where the force comes to zero, or from it.
+static double komodromos_kink(const double *c, const double *h, const struct contact_way *way) {
+    (void)h;
+    double force = with_tension(c, way->d, way->v);
+    return with_tension(c, way->d0, way->v0) > 0.0 ? force : -force;
 }
 
 const struct contact_law contact_komodromos = {
@@ -42,5 +53,6 @@ const struct contact_law contact_komodromos = {
     .traits = CONTACT_JUMPS | CONTACT_NEEDS_MASS,
     .prepare = komodromos_prepare,
     .force = komodromos_force,
+    .kink = komodromos_kink,
     .exact = restitution_no_tension,
 };

@@ -101,12 +101,16 @@ static struct contact_response spring(const double *c, double d) {
     return r;
 }
 
+static double share_of(const double *h, double v) {
+    return 1.0 + h[DAMPING] * fmin(v, 0.0);
+}
+
 static struct contact_response rubber_force(const double *c, const double *h, double d, double v) {
     struct contact_response r = spring(c, d);
     if (v >= 0.0) {
         return r;
     }
-    double factor = 1.0 + h[DAMPING] * v;
+    double factor = share_of(h, v);
     if (factor <= 0.0) {
         return (struct contact_response){0};
     }
@@ -115,6 +119,17 @@ static struct contact_response rubber_force(const double *c, const double *h, do
         .dfdd = r.dfdd * factor,
         .dfdv = r.force * h[DAMPING],
     };
+}
+
+// At du, and where parting bodies lose touch.
+static double rubber_kink(const double *c, const double *h, const struct contact_way *way) {
+    double share = share_of(h, way->v);
+    double kink = share_of(h, way->v0) > 0.0 ? share : -share;
+    if (way->d0 < c[ULTIMATE] && way->d > way->d0) {
+        return fmin(kink, c[ULTIMATE] - way->d);
+    }
+    bool leaves = way->d0 > c[ULTIMATE] && way->d < way->d0;
+    return leaves ? fmin(kink, way->d - c[ULTIMATE]) : kink;
 }
 
 const struct contact_law contact_rubber = {
@@ -135,5 +150,6 @@ const struct contact_law contact_rubber = {
     .prepare = rubber_prepare,
     .close = rubber_close,
     .force = rubber_force,
+    .kink = rubber_kink,
     .exact = restitution_release_q,
 };

@@ -89,6 +89,10 @@ static double column_at(const double *c, int column, double d, double *slope) {
     return p[column] + *slope * (d - p[CURVE_PENETRATION]);
 }
 
+static double last_penetration(const double *c) {
+    return c[N_CONSTANT + ((ptrdiff_t)c[N_POINT] - 1) * CURVE_COLUMNS + CURVE_PENETRATION];
+}
+
 static struct contact_response table_force(const double *c, const double *h, double d, double v) {
     (void)v;
     struct contact_response r = {0};
@@ -96,12 +100,38 @@ static struct contact_response table_force(const double *c, const double *h, dou
     if (d >= h[DEEPEST]) {
         return r;
     }
-    double last = c[N_CONSTANT + ((ptrdiff_t)c[N_POINT] - 1) * CURVE_COLUMNS + CURVE_PENETRATION];
+    double last = last_penetration(c);
     double slope;
     double share = column_at(c, SHARE, d / h[DEEPEST] * last, &slope);
     r.dfdd = r.dfdd * share + r.force / h[DEEPEST] * slope * last;
     r.force *= share;
     return r;
+}
+
+// The next point of the curve in the direction of `way`, which is up to the last but one and down
+// to the second; where there is none, infinite.
+static double point_beyond(const double *c, double d, double way) {
+    const double *p = interval(c, d);
+    const double *first = c + N_CONSTANT;
+    const double *last = first + ((ptrdiff_t)c[N_POINT] - 1) * CURVE_COLUMNS;
+    if (way > 0.0) {
+        p += CURVE_COLUMNS;
+        return p < last ? p[CURVE_PENETRATION] : INFINITY;
+    }
+    p -= p > first && p[CURVE_PENETRATION] == d ? CURVE_COLUMNS : 0;
+    return p > first ? p[CURVE_PENETRATION] : -INFINITY;
+}
+
+// At the points of L and, below D, at those of s and at D itself.
+static double table_kink(const double *c, const double *h, const struct contact_way *way) {
+    double rise = way->d - way->d0;
+    double kink = point_beyond(c, way->d0, rise);
+    if (way->d0 < h[DEEPEST] || (way->d0 == h[DEEPEST] && rise < 0.0)) {
+        double scale = last_penetration(c) / h[DEEPEST];
+        double of_share = point_beyond(c, way->d0 * scale, rise) / scale;
+        kink = rise > 0.0 ? fmin(fmin(kink, of_share), h[DEEPEST]) : fmax(kink, of_share);
+    }
+    return rise > 0.0 ? kink - way->d : way->d - kink;
 }
 
 static void table_commit(const double *c, double *history, double d, double v) {
@@ -125,5 +155,6 @@ const struct contact_law contact_table = {
     .prepare = table_prepare,
     .close = table_close,
     .force = table_force,
+    .kink = table_kink,
     .commit = table_commit,
 };

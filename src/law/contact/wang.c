@@ -95,6 +95,12 @@ static struct contact_response wang_force(const double *c, const double *h, doub
     return r;
 }
 
+// The release ends at d_e, before d = 0.
+static double wang_kink(const double *c, const double *h, const struct contact_way *way) {
+    double residual = c[SHARE] * h[DEEPEST];
+    return way->d < way->d0 && way->d0 > residual ? way->d - residual : INFINITY;
+}
+
 static void wang_commit(const double *c, double *history, double d, double v) {
     (void)c, (void)v;
     history[DEEPEST] = fmax(history[DEEPEST], d);
@@ -122,5 +128,6 @@ const struct contact_law contact_wang = {
     .prepare = wang_prepare,
     .close = wang_close,
     .force = wang_force,
+    .kink = wang_kink,
     .commit = wang_commit,
 };

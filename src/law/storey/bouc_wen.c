@@ -5,9 +5,10 @@
 //
 // with d_y = V_y / k. Independent of the rate: the increment of z follows from that of the drift.
 // It is found by the classical Runge-Kutta method in steps of 0.02 d_y from the committed point
-// (error about 1e-9), until z has reached its end value; the tangent is dz/d drift there.
-// beta >= |gamma| keeps the loops from creating energy (Erlicher & Point 2004). With the sum of
-// beta and gamma 1, V_y is the strength of the yielding part.
+// that end at z = 0, where the slope has a kink (error about 1e-9), until z has reached its end
+// value; the tangent is dz/d drift there. beta >= |gamma| keeps the loops from creating energy
+// (Erlicher & Point 2004). With the sum of beta and gamma 1, V_y is the strength of the yielding
+// part.
 #include <math.h>
 
 #include "law/storey_list.h"
@@ -64,13 +65,24 @@ static double runge_kutta(const double *c, double z, double h) {
     return z + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
 }
 
+// The drift from z < 0 to 0, by Simpson's rule: the integral of dz / slope.
+static double way_to_zero(const double *c, double z) {
+    return -z / 6.0 * (1.0 / slope(c, z) + 4.0 / slope(c, z / 2.0) + 1.0);
+}
+
+// The same through z = 0, where the slope has a kink.
+static double through_zero(const double *c, double z, double h) {
+    double end = runge_kutta(c, z, h);
+    return z < 0.0 && end > 0.0 ? runge_kutta(c, 0.0, h - way_to_zero(c, z)) : end;
+}
+
 // z after the drift s >= 0 from z.
 static double advance(const double *c, double z, double s) {
     double left = fmin(s, ENOUGH);
     for (; left > STEP; left -= STEP) {
-        z = runge_kutta(c, z, STEP);
+        z = through_zero(c, z, STEP);
     }
-    return runge_kutta(c, z, left);
+    return through_zero(c, z, left);
 }
 
 static double z_at(const double *c, const double *h, double drift, double *sign) {
