@@ -190,8 +190,8 @@ static void bouc_wen_has_its_closed_forms(void **state) {
         if (n == 1) {
             assert_close(at(&b, 2.5 * uy).shear, 0.25 * YIELD + 0.9 * YIELD * z, 1e-7);
         }
-        // On to the other side: at z = 0 the curve has a kink of its slope (n = 1) or of that of its
-        // slope, wherever it falls into the steps of the integration.
+        // On to the other side: at z = 0 the curve has a kink of its slope (n = 1) or of that of
+        // its slope, wherever it falls into the steps of the integration.
         double back = n == 1 ? log(1.0 + 0.4 * z1) / 0.4 : atan(sqrt(0.4) * tanh(3.0)) / sqrt(0.4);
         for (int i = 1; i < 20; i++) {
             double s = 0.037 * i;
