@@ -52,8 +52,8 @@ static size_t values_of_run(const struct study_file *f, hid_t dataset) {
     hsize_t dim[H5S_MAX_RANK];
     hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     const int n = H5Sget_simple_extent_dims(space, dim, NULL);
-    bool good = H5Tget_class(type) == H5T_FLOAT && h5_is_stored(dataset) &&
-                (n == f->n_dim || n == f->n_dim + 1) && H5DSis_scale(dataset) == 0;
+    bool good = H5Tget_class(type) == H5T_FLOAT && (n == f->n_dim || n == f->n_dim + 1) &&
+                H5DSis_scale(dataset) == 0;
     for (int i = 0; good && i < f->n_dim; i++) {
         good = dim[i] == (hsize_t)f->dim[i]->n;
     }
@@ -61,6 +61,12 @@ static size_t values_of_run(const struct study_file *f, hid_t dataset) {
     H5Sclose(space);
     const hsize_t width = good && n > f->n_dim ? dim[n - 1] : 1;
     return good && width <= VALUES_LIMIT ? (size_t)width : 0;
+}
+
+static void check_stored(struct study_file *f, hid_t dataset, const char *name) {
+    if (dataset >= 0 && !h5_is_stored(dataset)) {
+        h5_fail(&f->h, "dataset '%s' is not all there", name);
+    }
 }
 
 static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void *context) {
@@ -96,9 +102,7 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     if (t->n_value > VALUES_LIMIT) {
         h5_fail(&f->h, "a run has more than %d values", VALUES_LIMIT);
     }
-    if (!h5_is_stored(dataset)) {
-        h5_fail(&f->h, "dataset '%s' is not all there", name);
-    }
+    check_stored(f, dataset, name);
     return f->h.failed ? -1 : 0;
 }
 
@@ -220,6 +224,8 @@ static herr_t visit_scale(hid_t dataset, unsigned dimension, hid_t scale, void *
 static void get_sweeps(struct study_file *f) {
     f->status = h5_open_object(&f->h, f->h.file, "status");
     f->message = h5_open_object(&f->h, f->h.file, "message");
+    check_stored(f, f->status, "status");
+    check_stored(f, f->message, "message");
     hid_t space = f->h.failed ? -1 : H5Dget_space(f->status);
     const int n = space >= 0 ? H5Sget_simple_extent_ndims(space) : 0;
     if (space >= 0) {
@@ -291,7 +297,9 @@ static void open_file(struct study_file *f, const char *path) {
         f->h.file = H5Fopen(path, H5F_ACC_RDONLY, list);
         h5_failed(&f->h, f->h.file);
     }
-    H5Pclose(list);
+    if (list >= 0) {
+        H5Pclose(list);
+    }
 }
 
 int study_file_open(const char *path, struct study_file **out, struct error *e) {

@@ -34,7 +34,7 @@ sweep() {
         run bash -c 'ulimit -c 0; ulimit -d "$0"; exec "$@"' "$limit" "$jostle" "$@"
         if [ $status -eq 0 ] && [ ! -s "$err" ]; then
             fine=$((fine + 1))
-        elif [ $status -eq 3 ] && said "out of memory" && [ ! -e "$file" ] && [ ! -e "$file".part ]; then
+        elif [ $status -eq 3 ] && said "out of memory" && [ "$(wc -l <"$err")" -eq 1 ] && [ ! -e "$file" ] && [ ! -e "$file".part ]; then
             short=$((short + 1))
         else
             bad="$bad $limit:$status"

@@ -40,3 +40,29 @@ for command in show plot; do
     run "$jostle" $command .
     expect "$command refuses a folder" '[ $status -eq 2 ] && [ ! -s "$out" ] && said ". is a directory"'
 done
+
+# A dataset that was never written has a shape, but no bytes.
+if python3 -c 'import h5py' 2>/dev/null; then
+    sed 's/^param gap.*/sweep gap values 2mm 5mm/' pair.deck >study.deck
+    for name in status message contacts/envelope/force; do
+        rm -f study.h5
+        run "$jostle" run -q study.deck
+        python3 - "$name" <<'END'
+import sys, h5py
+name = sys.argv[1]
+with h5py.File("study.h5", "r+") as f:
+    old = f[name]
+    attributes = {k: v for k, v in old.attrs.items() if k != "DIMENSION_LIST"}
+    scales = [d[0] for d in old.dims]
+    del f[name]
+    new = f.create_dataset(name, old.shape, old.dtype)
+    new.attrs.update(attributes)
+    for d, scale in zip(new.dims, scales):
+        d.attach_scale(scale)
+END
+        run "$jostle" show study.h5
+        expect "show of a study without the values of $name says so" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "dataset '"'${name##*/}'"' is not all there"'
+    done
+else
+    skip "show of a study without values says so" "no h5py"
+fi
