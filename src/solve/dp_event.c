@@ -297,6 +297,7 @@ void dp_event_locate(struct dp *p) {
     double high = whole;
     double h = p->event.place * whole;
     double near = fmin(located[p->event.kind], sqrt(p->model->control.tolerance));
+    bool is_kink = p->event.kind == DP_KINK;  // which has to be passed, or it would come again
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         dp_stages_take(p, h, p->now.time + h);
         dp_stages_gaps(p, &p->next, p->rate[1]);
@@ -311,13 +312,12 @@ void dp_event_locate(struct dp *p) {
             next = 0.5 * (low + high);
         }
         double correction = fabs(next - h) / whole;
-        bool passed = value <= 0.0 || p->event.kind != DP_KINK;
+        bool passed = value <= 0.0 || !is_kink;
         if (correction <= near * near && passed) {
             break;
         }
-        bool last = correction <= near;
         h = passed ? next : fmin(next + near * near * whole, whole);
-        if (last) {
+        if (correction <= near && !is_kink) {
             dp_stages_take(p, h, p->now.time + h);
             dp_stages_gaps(p, &p->next, p->rate[1]);
             break;

@@ -53,8 +53,9 @@ struct dp_event dp_kink_before(const struct dp *p, int k, struct dp_event other)
         *(before_kink_at(p, k, &path, middle) > 0.0 ? &low : &high) = middle;
     }
     const struct dp_event kink = {.kind = DP_KINK, .index = k, .place = high, .direction = -1.0};
-    bool first = high < other.place && fabs(hermite_value(&path, high) - m.d[0]) > noise;
-    return first ? kink : other;
+    bool moves = fabs(hermite_value(&path, high) - m.d[0]) > noise &&
+                 p->now.time + high * p->h > p->now.time;
+    return moves && high < other.place ? kink : other;
 }
 
 double dp_kink_at_end(const struct dp *p, int k, double *rate) {

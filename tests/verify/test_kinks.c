@@ -7,13 +7,18 @@
 #include "support/analysis.h"
 #include "support/support.h"
 
-// Restitution of one impact of 25 t on 40 t, with a tolerance of 1e-8.
+// One impact of 25 t on 40 t, with a tolerance of 1e-8.
+static struct analysis impact(const char *law, double velocity) {
+    return analysis_of("building A -floors 1 -mass 25t -stiffness 0\n"
+                       "building B -floors 1 -mass 40t -stiffness 0\n"
+                       "initial A:1 -velocity %.17g\ncontact A B -gap 1mm -law %s\n"
+                       "step adaptive -tolerance 1e-8\nduration 0.3\n",
+                       velocity, law);
+}
+
+// Its restitution.
 static double restitution(const char *law, double velocity) {
-    struct analysis a = analysis_of("building A -floors 1 -mass 25t -stiffness 0\n"
-                                    "building B -floors 1 -mass 40t -stiffness 0\n"
-                                    "initial A:1 -velocity %.17g\ncontact A B -gap 1mm -law %s\n"
-                                    "step adaptive -tolerance 1e-8\nduration 0.3\n",
-                                    velocity, law);
+    struct analysis a = impact(law, velocity);
     assert_int_equal(a.results->n_impact, 1);
     assert_true(a.results->impact[0].complete);
     double e = a.results->impact[0].v_rebound / a.results->impact[0].v_approach;
@@ -85,9 +90,33 @@ static void a_step_that_ends_at_an_event_meets_the_tolerance(void **state) {
     }
 }
 
+// Closure, turn and opening, and the kinks between them; a step that ended before a kink would come
+// to it again, and one at d = 0 is none of them.
+static void a_kink_is_one_event(void **state) {
+    (void)state;
+    static const struct {
+        const char *law;
+        long events;
+    } of[] = {
+        {"komodromos -k 93.5MN/m -e 0.65", 4},
+        {"bilinear -k1 560MN/m -k2 60MN/m -dy 0.2mm", 5},
+        {"bilinear -k1 560MN/m -k2 60MN/m -dy 20mm", 3},
+        {"wang -k 2.75e9N/m^1.5 -e 0.6 -residual 0.25", 4},
+        {"wang -k 2.75e9N/m^1.5 -e 0.6 -residual 0", 3},
+    };
+    for (size_t k = 0; k < sizeof of / sizeof of[0]; k++) {
+        for (int i = 0; i < 8; i++) {
+            struct analysis a = impact(of[k].law, 0.1 + 0.11 * i);
+            assert_int_equal(a.results->totals.events, of[k].events);
+            analysis_free(&a);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(impacts_with_kinks_are_as_accurate_as_others),
+        cmocka_unit_test(a_kink_is_one_event),
         cmocka_unit_test(a_step_that_ends_at_an_event_meets_the_tolerance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

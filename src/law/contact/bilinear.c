@@ -184,7 +184,7 @@ static double bilinear_kink(const double *c, const double *h, const struct conta
     if (way->d > way->d0) {
         return way->d0 < top ? top - way->d : INFINITY;
     }
-    return way->d0 > h[OFFSET] ? way->d - h[OFFSET] : INFINITY;
+    return h[OFFSET] > 0.0 && way->d0 > h[OFFSET] ? way->d - h[OFFSET] : INFINITY;
 }
 
 static void bilinear_commit(const double *c, double *history, double d, double v) {

@@ -98,7 +98,8 @@ static struct contact_response wang_force(const double *c, const double *h, doub
 // The release ends at d_e, before d = 0.
 static double wang_kink(const double *c, const double *h, const struct contact_way *way) {
     double residual = c[SHARE] * h[DEEPEST];
-    return way->d < way->d0 && way->d0 > residual ? way->d - residual : INFINITY;
+    bool comes = residual > 0.0 && way->d < way->d0 && way->d0 > residual;
+    return comes ? way->d - residual : INFINITY;
 }
 
 static void wang_commit(const double *c, double *history, double d, double v) {
