@@ -3,15 +3,20 @@
 # A run that is stopped by a signal says so, writes nothing and leaves nothing.
 . tests/support/cli.sh
 
+# appears FILE: waits until it is there and has content, up to 5 s.
+appears() {
+    for _ in $(seq 100); do
+        [ -s "$1" ] && break
+        sleep 0.05
+    done
+}
+
 two_buildings long.deck 'duration 1000000s'
 for signal in INT TERM HUP; do
     # A shell's background jobs ignore SIGINT; the program takes it back.
     "$jostle" run long.deck >"$out" 2>"$err" </dev/null &
     child=$!
-    for _ in $(seq 100); do
-        [ -e long.h5.part ] && break
-        sleep 0.05
-    done
+    appears long.h5.part
     expect "a run keeps its rows in a .part file ($signal)" '[ -e long.h5.part ] && [ ! -e long.h5 ]'
     sleep 0.2
     kill -s $signal $child
@@ -26,10 +31,7 @@ done
 sed 's/^param gap.*/sweep gap values 4mm 5mm/' long.deck >study.deck
 "$jostle" run study.deck >&- 2>&- <&- &
 child=$!
-for _ in $(seq 100); do
-    [ -s study.h5.runs ] && break
-    sleep 0.05
-done
+appears study.h5.runs
 sleep 0.2
 kill -s ABRT $child
 wait $child
@@ -40,7 +42,7 @@ rm -f study.deck study.h5.runs
 if [ -z "${JOSTLE_SANITIZED-}" ]; then
     "$jostle" run long.deck >"$out" 2>"$err" </dev/null &
     child=$!
-    sleep 0.3
+    appears long.h5.part
     kill -s SEGV $child
     wait $child
     status=$?
