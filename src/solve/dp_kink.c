@@ -69,10 +69,11 @@ double dp_kink_at_end(const struct dp *p, int k, double *rate) {
 bool dp_kink_sticks(struct dp *p, int k) {
     const struct model *m = p->model;
     enum phase *phase = &p->system.phase[k];
+    const int sign = *phase;
     double change = dp_system_across(&m->link[k], m, p->now.a, p->now.ground_a);
     double after = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
     *phase = -*phase;
     double before = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
     *phase = -*phase;
-    return *phase * change < 0.0 && fabs(after - before) > JUMP * fmax(fabs(after), fabs(before));
+    return sign * change < 0.0 && fabs(after - before) > JUMP * fmax(fabs(after), fabs(before));
 }
