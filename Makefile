@@ -50,6 +50,9 @@ FAIL_ALLOC = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
 
 # --- files ---------------------------------------------------------------------------------------
 B        := $(strip $(BUILD))
+ifneq ($(words $(subst :, : ,$(subst %, % ,$(subst ',' ' ,$(B))))),1)
+$(error BUILD is '$(B)': make can build in no folder whose name has a blank or one of : % ')
+endif
 PROGRAM  := $(B)/jostle
 LIBRARY  := $(B)/libjostle.a
 SOURCES  := $(sort $(shell find src -name '*.c'))
@@ -69,6 +72,10 @@ SAYS_VERSION := $(patsubst %.c,$(B)/object/%.o,$(shell grep -rl --include='*.c' 
 
 BUILT = $(if $(shell $(CC) -dM -E -x c /dev/null | grep __clang__),clang,gcc) \
         $(shell $(CC) -dumpversion | cut -d . -f 1) $(shell uname -m) $(strip $(CFLAGS))
+
+# A text as one word of the shell, whatever is in it, and a path of what is installed.
+QUOTED = '$(subst ','\'',$(1))'
+TO     = $(call QUOTED,$(DESTDIR)$(1))
 
 Q     = $(if $(filter 1,$(V)),,@)
 SAY   = $(if $(filter 1,$(V)),@:,@printf '  %-7s %s\n')
@@ -107,7 +114,7 @@ $(SAYS_VERSION): $(B)/version
 # A file that holds $(1) and is touched only when that changes: what depends on it is made anew.
 define remember
 @mkdir -p $(@D)
-@printf '%s\n' '$(subst ','\'',$(1))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(1))' > $@
+@printf '%s\n' $(call QUOTED,$(1)) | cmp -s - $@ || printf '%s\n' $(call QUOTED,$(1)) > $@
 endef
 
 .PHONY: FORCE
@@ -244,26 +251,27 @@ verification: $(PROGRAM)  ## run the cases of docs/verification.md and write it 
 # --- installing ----------------------------------------------------------------------------------
 .PHONY: install uninstall clean setup setup-lint help
 install: all  ## program, library, headers, man pages, completion; DESTDIR and prefix are honoured
-	install -d $(DESTDIR)$(bindir) $(DESTDIR)$(libdir)/pkgconfig $(DESTDIR)$(includedir)/jostle
-	install -m 755 $(PROGRAM) $(DESTDIR)$(bindir)/jostle
-	install -m 644 $(LIBRARY) $(DESTDIR)$(libdir)/libjostle.a
-	install -m 644 $(HEADERS) $(DESTDIR)$(includedir)/jostle
-	@VERSION='$(VERSION)' PREFIX='$(prefix)' LIBDIR='$(libdir)' INCLUDEDIR='$(includedir)' \
-	    LIBS='-pthread $(LIBS)' sh tests/support/pkgconfig.sh > $(DESTDIR)$(libdir)/pkgconfig/jostle.pc
-	install -d $(DESTDIR)$(mandir)/man1 $(DESTDIR)$(mandir)/man5 $(DESTDIR)$(completiondir)
-	install -m 644 docs/jostle.1 $(DESTDIR)$(mandir)/man1
-	install -m 644 docs/jostle-deck.5 $(DESTDIR)$(mandir)/man5
-	install -m 644 docs/jostle.bash $(DESTDIR)$(completiondir)/jostle
-	install -d $(DESTDIR)$(docdir)
-	install -m 644 CITATION.cff $(DESTDIR)$(docdir)
-	cp -R input $(DESTDIR)$(docdir)
+	install -d $(call TO,$(bindir)) $(call TO,$(libdir)/pkgconfig) $(call TO,$(includedir)/jostle)
+	install -m 755 $(PROGRAM) $(call TO,$(bindir)/jostle)
+	install -m 644 $(LIBRARY) $(call TO,$(libdir)/libjostle.a)
+	install -m 644 $(HEADERS) $(call TO,$(includedir)/jostle)
+	@VERSION='$(VERSION)' PREFIX=$(call QUOTED,$(prefix)) LIBDIR=$(call QUOTED,$(libdir)) \
+	    INCLUDEDIR=$(call QUOTED,$(includedir)) LIBS='-pthread $(LIBS)' \
+	    sh tests/support/pkgconfig.sh > $(call TO,$(libdir)/pkgconfig/jostle.pc)
+	install -d $(call TO,$(mandir)/man1) $(call TO,$(mandir)/man5) $(call TO,$(completiondir))
+	install -m 644 docs/jostle.1 $(call TO,$(mandir)/man1)
+	install -m 644 docs/jostle-deck.5 $(call TO,$(mandir)/man5)
+	install -m 644 docs/jostle.bash $(call TO,$(completiondir)/jostle)
+	install -d $(call TO,$(docdir))
+	install -m 644 CITATION.cff $(call TO,$(docdir))
+	cp -R input $(call TO,$(docdir))
 
 uninstall:  ## remove what install put there
-	rm -f $(DESTDIR)$(bindir)/jostle $(DESTDIR)$(libdir)/libjostle.a
-	rm -f $(DESTDIR)$(libdir)/pkgconfig/jostle.pc
-	rm -f $(DESTDIR)$(mandir)/man1/jostle.1 $(DESTDIR)$(mandir)/man5/jostle-deck.5
-	rm -f $(DESTDIR)$(completiondir)/jostle
-	rm -rf $(DESTDIR)$(includedir)/jostle $(DESTDIR)$(docdir)
+	rm -f $(call TO,$(bindir)/jostle) $(call TO,$(libdir)/libjostle.a)
+	rm -f $(call TO,$(libdir)/pkgconfig/jostle.pc)
+	rm -f $(call TO,$(mandir)/man1/jostle.1) $(call TO,$(mandir)/man5/jostle-deck.5)
+	rm -f $(call TO,$(completiondir)/jostle)
+	rm -rf $(call TO,$(includedir)/jostle) $(call TO,$(docdir))
 
 clean:  ## remove build/
 	rm -rf $(B)

@@ -24,11 +24,13 @@ static void note(int number) {
 }
 
 void interrupt_catch(void) {
-    struct sigaction action = {.sa_handler = note};
+    struct sigaction action = {.sa_handler = note}, old;
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
+    if (sigaction(SIGHUP, NULL, &old) == 0 && old.sa_handler != SIG_IGN) {  // nohup ignores it
+        sigaction(SIGHUP, &action, NULL);
+    }
     sigaction(SIGXCPU, &action, NULL);
 }
 

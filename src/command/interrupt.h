@@ -6,7 +6,7 @@
 #include "jostle/error.h"
 
 // From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU (ulimit -St) are noted; one that comes a second
-// or two after the first ends the program at once.
+// or two after the first ends the program at once. A SIGHUP that is ignored stays so.
 void interrupt_catch(void);
 
 // The signal noted; 0: none.

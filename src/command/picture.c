@@ -13,6 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "command/interrupt.h"
+
 enum { PATH_SIZE = 4096, NOT_FOUND = 127 };
 
 static int cannot_write(const char *path, struct error *e) {
@@ -109,7 +111,6 @@ static int keep_script(const struct picture_request *q, struct error *e) {
 static void become_gnuplot(const char *folder) {
     signal(SIGPIPE, SIG_DFL);
     signal(SIGXFSZ, SIG_DFL);
-    signal(SIGINT, SIG_DFL);
     if (chdir(folder) != 0) {
         _exit(NOT_FOUND - 1);
     }
@@ -119,6 +120,9 @@ static void become_gnuplot(const char *folder) {
         dup2(messages, STDERR_FILENO);
     }
     execlp("gnuplot", "gnuplot", "figure.gp", (char *)NULL);
+    if (errno != ENOENT) {
+        dprintf(STDERR_FILENO, "error: it cannot be started: %s\n", strerror(errno));
+    }
     _exit(errno == ENOENT ? NOT_FOUND : NOT_FOUND - 1);
 }
 
@@ -139,10 +143,9 @@ static void first_message(const char *folder, char *line, int size) {
     }
 }
 
-// Starts gnuplot and waits. An interrupt ends the child only, so that the folder can be removed.
+// Starts gnuplot and waits; a signal that is caught ends it, so that the folder can be removed.
 static int spawn(const char *folder, int *state, struct error *e) {
     fflush(NULL);
-    void (*const before)(int) = signal(SIGINT, SIG_IGN);
     pid_t child = fork();
     if (child == 0) {
         become_gnuplot(folder);
@@ -150,9 +153,11 @@ static int spawn(const char *folder, int *state, struct error *e) {
     int cause = child < 0 ? errno : 0;
     while (cause == 0 && waitpid(child, state, 0) < 0) {
         cause = errno == EINTR ? 0 : errno;
+        if (interrupt_number()) {
+            kill(child, SIGTERM);
+        }
     }
-    signal(SIGINT, before);
-    return cause == 0 ? STATUS_OK
+    return cause == 0 ? interrupt_check(e)
                       : error_set(e, STATUS_SYSTEM, "cannot run gnuplot: %s", strerror(cause));
 }
 
@@ -236,6 +241,9 @@ static int draw_in(const struct picture_request *q, const char *folder, const ch
         status = write_pair(q, picture, &pair, e);
     }
     if (status == STATUS_OK) {
+        status = interrupt_check(e);
+    }
+    if (status == STATUS_OK) {
         status = run_gnuplot(folder, e);
     }
     if (status == STATUS_OK) {
@@ -264,6 +272,7 @@ static int draw(const struct picture_request *q, struct error *e) {
 }
 
 int picture_make(const struct picture_request *q, struct error *e) {
+    interrupt_catch();
     int status = q->script_folder ? keep_script(q, e) : STATUS_OK;
     return status == STATUS_OK && q->output ? draw(q, e) : status;
 }

@@ -47,26 +47,41 @@ static bool grow(struct study_file *f) {
     return true;
 }
 
-// The values of a run in a dataset over all sweeps; 0: it is another one.
-static size_t values_of_run(const struct study_file *f, hid_t dataset) {
-    hsize_t dim[H5S_MAX_RANK];
-    hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
-    const int n = H5Sget_simple_extent_dims(space, dim, NULL);
-    bool good = H5Tget_class(type) == H5T_FLOAT && (n == f->n_dim || n == f->n_dim + 1) &&
-                H5DSis_scale(dataset) == 0;
-    for (int i = 0; good && i < f->n_dim; i++) {
-        good = dim[i] == (hsize_t)f->dim[i]->n;
-    }
+// Numbers that are no scale: what runs gave. Scales, and texts and whole numbers of links, are not.
+static bool is_result(struct study_file *f, hid_t dataset) {
+    hid_t type = H5Dget_type(dataset);
+    const htri_t scale = H5DSis_scale(dataset);
+    const bool number = H5Tget_class(type) == H5T_FLOAT;
     H5Tclose(type);
-    H5Sclose(space);
-    const hsize_t width = good && n > f->n_dim ? dim[n - 1] : 1;
-    return good && width <= VALUES_LIMIT ? (size_t)width : 0;
+    return !h5_failed(&f->h, scale) && scale == 0 && number;
 }
 
 static void check_stored(struct study_file *f, hid_t dataset, const char *name) {
     if (dataset >= 0 && !h5_is_stored(dataset)) {
         h5_fail(&f->h, "dataset '%s' is not all there", name);
     }
+}
+
+// The values of a run in a dataset over all sweeps; 0: of links that the study does not have, or
+// it is damaged.
+static size_t values_of_run(struct study_file *f, hid_t dataset, const char *name) {
+    hsize_t dim[H5S_MAX_RANK];
+    hid_t space = H5Dget_space(dataset);
+    const int n = H5Sget_simple_extent_dims(space, dim, NULL);
+    H5Sclose(space);
+    bool good = n == f->n_dim || n == f->n_dim + 1;
+    for (int i = 0; good && i < f->n_dim; i++) {
+        good = dim[i] == (hsize_t)f->dim[i]->n;
+    }
+    const hsize_t width = good && n > f->n_dim ? dim[n - 1] : 1;
+    if (!good) {
+        h5_fail(&f->h, "dataset '%s' does not have the dimensions of the study", name);
+    } else if (width > VALUES_LIMIT) {
+        h5_fail(&f->h, "a run has more than %d values of '%s'", VALUES_LIMIT, name);
+    } else {
+        check_stored(f, dataset, name);
+    }
+    return f->h.failed ? 0 : (size_t)width;
 }
 
 static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void *context) {
@@ -80,7 +95,7 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     const bool result =
         object.type == H5O_TYPE_DATASET && !study_samples_has(f->dim, f->n_dim, name);
     hid_t dataset = result ? h5_open_object(&f->h, group, name) : -1;
-    const size_t n = dataset >= 0 ? values_of_run(f, dataset) : 0;
+    const size_t n = dataset >= 0 && is_result(f, dataset) ? values_of_run(f, dataset, name) : 0;
     if (n == 0) {
         h5_close(&f->h, dataset);
         return f->h.failed ? -1 : 0;
@@ -102,7 +117,6 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     if (t->n_value > VALUES_LIMIT) {
         h5_fail(&f->h, "a run has more than %d values", VALUES_LIMIT);
     }
-    check_stored(f, dataset, name);
     return f->h.failed ? -1 : 0;
 }
 

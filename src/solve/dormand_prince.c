@@ -355,6 +355,7 @@ static int stride(struct dp *p, struct error *e) {
         dp_event_first(p);
         int status = STATUS_OK;
         if (at_once(p)) {
+            p->trial = fmin(p->trial, p->h);  // a longer one may see another event first, and so on
             p->h = 0.0;
             status = happen(p, e);
         } else if (p->event.kind != DP_NONE) {

@@ -230,6 +230,11 @@ int journal_load(struct journal *j, journal_file_function *file, void *context, 
     return ftruncate(j->file, j->end) == 0 ? STATUS_OK : cannot(j, "write", e);
 }
 
+bool journal_is_new(const struct journal *j, const char *head) {
+    const size_t whole = sizeof magic + ENTRY_HEAD + strlen(head) + ENTRY_TAIL;
+    return !j->head && lseek(j->file, 0, SEEK_END) < (off_t)whole;
+}
+
 int journal_reset(struct journal *j, const char *head, struct error *e) {
     const size_t n = strlen(head);
     memset(j->offset, 0, (size_t)j->n_run * sizeof *j->offset);

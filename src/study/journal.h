@@ -24,16 +24,20 @@ struct journal {
     unsigned char *buffer;  // (capacity) for one entry
     size_t capacity;
     long n_done, n_failed;  // runs in it
-    char *head;             // found in the file; NULL: it is new
+    char *head;             // found in the file; NULL: there is none, or a damaged one
 };
 
 // A file that runs read: the entries of kind file.
 typedef int journal_file_function(void *context, const char *path, uint64_t sum, struct error *e);
 
 // Opens the journal, or makes an empty one, and locks it. With an old one `head` is filled and the
-// caller decides by it: journal_load or journal_reset. Errors: STATUS_INPUT (no journal),
-// STATUS_SYSTEM (cannot be read or written, another program writes it).
+// caller decides by it: journal_load or journal_reset (without a head if journal_is_new). Errors:
+// STATUS_INPUT (no journal), STATUS_SYSTEM (cannot be read or written, another program writes it).
 int journal_open(struct journal *j, const char *path, long n_run, size_t n_value, struct error *e);
+
+// Does the file end before its head, if that is `head`, as one that was torn when it was made? What
+// is longer and has no sound head is damaged, and may hold runs.
+bool journal_is_new(const struct journal *j, const char *head);
 
 // Reads the entries behind the head; `file` is called for each file, and its errors are returned.
 int journal_load(struct journal *j, journal_file_function *file, void *context, struct error *e);

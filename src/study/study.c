@@ -45,8 +45,15 @@ static int open_journal(struct study *s, struct error *e) {
     if (!head) {
         return error_no_memory(e);
     }
-    if (!s->journal.head || s->request->journal == STUDY_RESTART) {
+    if (s->request->journal == STUDY_RESTART || journal_is_new(&s->journal, head)) {
         return journal_reset(&s->journal, head, e);
+    }
+    if (!s->journal.head) {
+        return error_set(
+            e, STATUS_INPUT,
+            "%s may hold runs of this study, but its head is damaged; --restart begins "
+            "anew",
+            s->journal.path);
     }
     if (strcmp(s->journal.head, head) != 0) {
         int length;

@@ -36,7 +36,7 @@ sleep 0.2
 kill -s ABRT $child
 wait $child
 expect "closed streams do not turn messages into the journal" '[ "$(head -c 8 study.h5.runs | tr "\n" .)" = jostle2. ]'
-rm -f study.deck study.h5.runs
+rm -f study.h5.runs
 
 # As a damaged HDF5 file may end it; under the sanitizers the signal is theirs.
 if [ -z "${JOSTLE_SANITIZED-}" ]; then
@@ -49,6 +49,19 @@ if [ -z "${JOSTLE_SANITIZED-}" ]; then
     expect "a crash is an error with a message, and leaves no result" '[ $status -eq 3 ] && said "ended by a segmentation fault" && [ ! -e long.h5 ]'
     rm -f long.h5.part
 fi
+
+nohup "$jostle" run study.deck >"$out" 2>"$err" </dev/null &
+child=$!
+for _ in $(seq 100); do
+    [ -s study.h5.runs ] && break
+    sleep 0.05
+done
+kill -s HUP $child
+sleep 0.2
+expect "under nohup a study does not end with its terminal" 'kill -0 $child'
+kill -s TERM $child
+wait $child
+rm -f study.h5.runs study.deck
 
 # timeout(1) signals twice at once.
 run timeout 1 "$jostle" run -q long.deck

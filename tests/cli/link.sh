@@ -12,6 +12,9 @@ link() {
         -o "$build/libjostle.a" -o "$build/object/src/main.o" PROGRAM="$here/jostle" "$here/jostle" "$@"
 }
 
+case $build$here in
+*[[:space:]:%\']*) flags= ;;  # such names make has no rules for
+esac
 case $flags in
 '' | *fsanitize* | *coverage* | *profile*)
     skip "the program is linked without archives" "not an ordinary build"

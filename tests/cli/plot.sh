@@ -58,6 +58,26 @@ mkdir none
 run env PATH="$here/none" "$jostle" plot pair.h5 energy -o energy.png --script scripts
 expect "without gnuplot the script is still written" '[ $status -eq 3 ] && said "not installed" && [ -s scripts/energy.gp ] && [ ! -e energy.png ]'
 
+touch none/gnuplot
+run env PATH="$here/none" "$jostle" plot pair.h5 energy -o energy.png
+expect "a gnuplot that may not be run is named as the cause" '[ $status -eq 3 ] && said "gnuplot failed: error: it cannot be started: Permission denied" && [ ! -e energy.png ]'
+mkdir slow slow/tmp
+printf '#!/bin/sh\necho started\nexec sleep 60\n' >slow/gnuplot
+chmod +x slow/gnuplot
+for signal in INT TERM HUP; do
+    TMPDIR=$here/slow/tmp PATH=$here/slow:$PATH "$jostle" plot pair.h5 energy -o energy.png >"$out" 2>"$err" &
+    child=$!
+    for _ in $(seq 100); do
+        grep -qs started slow/tmp/*/messages && break
+        sleep 0.05
+    done
+    kill -s "$signal" $child
+    wait $child
+    status=$?
+    expect "SIG$signal ends gnuplot and leaves no folder behind" '[ $status -eq 3 ] && said "interrupted by signal" && [ -z "$(ls slow/tmp)" ] && [ ! -e energy.png ]'
+done
+rm -r none slow
+
 if ! command -v gnuplot >/dev/null; then
     skip "pictures" "no gnuplot"
     exit

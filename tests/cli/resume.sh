@@ -97,6 +97,22 @@ printf '\377' | dd of=part.h5.runs bs=1 seek=5000 conv=notrunc 2>/dev/null
 run "$jostle" run study.deck -q -o part.h5
 expect "a damaged entry too, with what follows" '[ $status -eq 0 ] && same whole.h5 part.h5'
 rm part.h5
+for at in 8 12 13 16 40; do
+    cp kept.runs part.h5.runs
+    printf '\377' | dd of=part.h5.runs bs=1 seek=$at conv=notrunc 2>/dev/null
+    cp part.h5.runs damaged.runs
+    run "$jostle" run study.deck -q -o part.h5
+    expect "byte $at of the head damaged: the runs are not thrown away" '[ $status -eq 2 ] && said "part.h5.runs may hold runs of this study, but its head is damaged; --restart begins anew" && cmp part.h5.runs damaged.runs && [ ! -e part.h5 ]'
+done
+run "$jostle" run study.deck -q -o part.h5 --restart
+expect "but with --restart" '[ $status -eq 0 ] && same whole.h5 part.h5'
+for n in 0 5 8 12 30 100; do
+    rm part.h5
+    head -c $n kept.runs >part.h5.runs
+    run "$jostle" run study.deck -q -o part.h5
+    expect "a head torn at byte $n is begun anew" '[ $status -eq 0 ] && same whole.h5 part.h5'
+done
+rm part.h5
 echo 'not a journal' >part.h5.runs
 run "$jostle" run study.deck -q -o part.h5
 expect "a file of another kind is left alone" '[ $status -eq 2 ] && said "part.h5.runs is not the journal of a study" && [ "$(cat part.h5.runs)" = "not a journal" ]'

@@ -84,6 +84,9 @@ static long load(const char *path, int *n_file) {
         return -1;
     }
     long n = 0;
+    const off_t size = lseek(j.file, 0, SEEK_END);
+    const size_t whole = 8 + 8 + strlen(head) + 8;  // magic word, start of the entry, its checksum
+    assert_true(journal_is_new(&j, head) == (size < (off_t)whole));
     if (j.head && strcmp(j.head, head) == 0) {
         assert_int_equal(journal_load(&j, note_file, n_file, &e), STATUS_OK);
         check_runs(&j);

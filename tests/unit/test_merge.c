@@ -122,6 +122,44 @@ static void numbers_of_runs_that_cannot_be_are_damage(void **state) {
     }
 }
 
+// Puts an empty dataset of these dimensions in the place of another one of the last part.
+static void replace_last(const struct parts *p, const char *dataset, int n_dim,
+                         const hsize_t *dim) {
+    const hsize_t chunk[] = {1, 1, 1};
+    hid_t file = H5Fopen(p->path[N_PART], H5F_ACC_RDWR, H5P_DEFAULT);
+    hid_t space = H5Screate_simple(n_dim, dim, NULL);
+    hid_t list = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(list, n_dim, chunk);
+    assert_true(H5Ldelete(file, dataset, H5P_DEFAULT) >= 0);
+    hid_t set = H5Dcreate2(file, dataset, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, list, H5P_DEFAULT);
+    assert_true(set >= 0);
+    H5Dclose(set);
+    H5Pclose(list);
+    H5Sclose(space);
+    H5Fclose(file);
+}
+
+static void results_of_dimensions_that_the_study_does_not_have_are_damage(void **state) {
+    (void)state;
+    static const struct {
+        int n_dim;
+        hsize_t dim[3];
+        const char *why;
+    } bad[] = {
+        {1, {5}, "dataset 'drift' does not have the dimensions of the study"},
+        {1, {7}, "dataset 'drift' does not have the dimensions of the study"},
+        {2, {5, 1}, "dataset 'drift' does not have the dimensions of the study"},
+        {3, {6, 1, 1}, "dataset 'drift' does not have the dimensions of the study"},
+        {2, {6, 1 << 27}, "a run has more than 67108864 values of 'drift'"},
+    };
+    struct parts p;
+    make_parts(&p);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        replace_last(&p, "/buildings/A/envelope/drift", bad[i].n_dim, bad[i].dim);
+        refused(&p, bad[i].why);
+    }
+}
+
 static void a_status_that_there_is_not_is_damage(void **state) {
     (void)state;
     const int status[6] = {0, 0, 0, 0, 77, 0};
@@ -157,6 +195,7 @@ int main(void) {
         cmocka_unit_test(parts_that_disagree_on_a_run_are_refused),
         cmocka_unit_test(so_are_outcomes_that_disagree),
         cmocka_unit_test(numbers_of_runs_that_cannot_be_are_damage),
+        cmocka_unit_test(results_of_dimensions_that_the_study_does_not_have_are_damage),
         cmocka_unit_test(a_status_that_there_is_not_is_damage),
         cmocka_unit_test(merging_that_is_stopped_leaves_nothing),
     };
