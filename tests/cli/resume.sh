@@ -29,7 +29,8 @@ while { [ $killed -lt $kills ] || [ $kept -eq 0 ]; } && [ $starts -lt 500 ]; do
     status=$?
     starts=$((starts + 1))
     [ $status -ne 137 ] || killed=$((killed + 1))
-    if [ $status -eq 0 ]; then
+    # A kill may come when all is done but the end of the process.
+    if [ $status -eq 0 ] || [ -e killed.h5 ]; then
         same whole.h5 killed.h5 || break
         rm killed.h5
     fi
