@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An open study file, shared by study_reader.c (values), study_part.c and study_report.c.
+// An open study file, shared by study_reader.c, study_runs.c, study_part.c and study_report.c.
 #ifndef JOSTLE_STUDY_READER_H
 #define JOSTLE_STUDY_READER_H
 

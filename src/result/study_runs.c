@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the runs of an open study file gave.
+#include <stdio.h>
+
+#include "result/study_box.h"
+#include "result/study_reader.h"
+
+static void read_outcome(struct study_file *f, struct h5_block box, struct study_outcome *out) {
+    int status = 0;
+    char *message = NULL;
+    box.stride = box.width = 1;
+    h5_get_integers(&f->h, f->status, &box, &status);
+    h5_get_texts(&f->h, f->message, &box, &message);
+    if (status < STUDY_DONE || status > STUDY_MISSING) {
+        h5_fail(&f->h, "a run has the status %d", status);
+        status = STUDY_MISSING;
+    }
+    *out = (struct study_outcome){.status = status};
+    if (message) {
+        snprintf(out->message, sizeof out->message, "%s", message);
+        H5free_memory(message);
+    }
+}
+
+static void read_values(struct study_file *f, struct h5_block box, double *value) {
+    const struct study_table *t = &f->view.table;
+    for (int i = 0; i < t->n_item && !f->h.failed; i++) {
+        box.stride = t->n_value;
+        box.width = t->item[i].n;
+        box.start[f->n_dim] = 0;
+        box.count[f->n_dim] = t->item[i].n;
+        h5_get_block(&f->h, f->dataset[i], &box, value + t->item[i].first);
+    }
+}
+
+int study_file_read(struct study_file *f, long first, long n, struct study_outcome *outcome,
+                    double *value, struct error *e) {
+    for (long at = 0; at < n && !f->h.failed;) {
+        const struct study_view *v = &f->view;
+        const struct h5_block box = study_box(f->dim, f->n_dim, first + at, n - at);
+        for (long i = 0; i < (long)box.n; i++) {
+            read_outcome(f, study_box(f->dim, f->n_dim, first + at + i, 1), &outcome[at + i]);
+        }
+        read_values(f, box, value + (size_t)at * v->table.n_value);
+        at += (long)box.n;
+    }
+    return f->h.failed ? study_reader_fail(f, e) : STATUS_OK;
+}
