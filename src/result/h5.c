@@ -77,6 +77,10 @@ bool h5_has_room(struct h5 *h) {
     return !h->failed;
 }
 
+bool h5_lacks_memory(const struct h5 *h) {
+    return strcmp(h->cause, "out of memory") == 0;
+}
+
 // The library's work at exit would touch what is left of a file that could not be closed, because
 // the disk is full, and crash; all files are closed long before.
 bool h5_start(struct h5 *h) {

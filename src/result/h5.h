@@ -58,6 +58,9 @@ struct h5_dataset {
 // if not.
 bool h5_has_room(struct h5 *h);
 
+// Is want of memory what has failed?
+bool h5_lacks_memory(const struct h5 *h);
+
 // The same before a file is opened; keeps the library from printing its own errors and from working
 // at exit. Nothing else calls it, as starting the library takes longer than reading a deck.
 bool h5_start(struct h5 *h);

@@ -13,12 +13,8 @@
 // What a file may claim before it is taken for damaged.
 enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
 
-static bool is_for_want_of_memory(const struct result_file *f) {
-    return strcmp(f->h.cause, "out of memory") == 0;
-}
-
 static int damaged(const struct result_file *f, struct error *e) {
-    if (is_for_want_of_memory(f)) {
+    if (h5_lacks_memory(&f->h)) {
         return error_no_memory(e);
     }
     return error_set(e, STATUS_INPUT, "%s is damaged: %s", f->path, f->h.cause);
@@ -27,7 +23,7 @@ static int damaged(const struct result_file *f, struct error *e) {
 static int check_format(struct result_file *f, struct error *e) {
     struct arena *a = f->report->arena;
     const char *format = h5_get_text(&f->h, a, f->root, "format");
-    if (f->h.failed && is_for_want_of_memory(f)) {
+    if (f->h.failed && h5_lacks_memory(&f->h)) {
         return error_no_memory(e);
     }
     if (!format || strcmp(format, "jostle") != 0) {

@@ -296,7 +296,7 @@ static void get_all(struct study_file *f) {
 }
 
 int study_reader_fail(const struct study_file *f, struct error *e) {
-    const int status = strcmp(f->h.cause, "out of memory") == 0 ? STATUS_SYSTEM : STATUS_INPUT;
+    const int status = h5_lacks_memory(&f->h) ? STATUS_SYSTEM : STATUS_INPUT;
     return error_set(e, status, "cannot read %s: %s", f->view.path, f->h.cause);
 }
 
