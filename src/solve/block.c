@@ -21,11 +21,26 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/arena.h"
+#include "core/lanes.h"
 #include "solve/contact.h"
 #include "solve/quick.h"
 
+// Links of a cluster.
+enum { BLOCK_MAX = 400 };
+
 enum { WHOLE_STEPS = 12, PARTS = 20 };
 static const double HELD = 1.0 - 1e-10;
+
+bool block_alloc(struct block *b, const struct model *m, struct arena *a) {
+    b->most = m->n_link < BLOCK_MAX ? m->n_link : BLOCK_MAX;
+    size_t n = (size_t)b->most;
+    b->matrix = arena_alloc(a, n * n, sizeof *b->matrix);
+    b->vector = arena_alloc(a, n, sizeof *b->vector);
+    b->order = arena_alloc(a, n, sizeof *b->order);
+    b->kept_q = lanes_array(a, m->n_dof);
+    return b->matrix && b->vector && b->order && b->kept_q;
+}
 
 // Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different
 // buildings.
@@ -63,7 +78,7 @@ static void linearise(struct work *w, const struct state *now, const struct stat
         double force;
         enum branch branch = line_answer(&line, w->quick[k].force, &force);
         double share = share_at(&line, branch, force) / w->quick[k].flexibility;
-        double *row = w->matrix + (size_t)i * (size_t)c->n;
+        double *row = w->block.matrix + (size_t)i * (size_t)c->n;
         for (int j = 0; j < c->n; j++) {
             row[j] = i == j
                          ? 1.0
@@ -79,9 +94,9 @@ static bool newton_step(struct work *w, const struct state *now, const struct st
     size_t n = (size_t)c->n;
     int sign;
     linearise(w, now, next, c, df);
-    gsl_matrix_view a = gsl_matrix_view_array(w->matrix, n, n);
+    gsl_matrix_view a = gsl_matrix_view_array(w->block.matrix, n, n);
     gsl_vector_view x = gsl_vector_view_array(df, n);
-    gsl_permutation p = {.size = n, .data = w->order};
+    gsl_permutation p = {.size = n, .data = w->block.order};
     if (gsl_linalg_LU_decomp(&a.matrix, &p, &sign) != 0 ||
         gsl_linalg_LU_svx(&a.matrix, &p, &x.vector) != 0) {
         return false;
@@ -112,14 +127,14 @@ static void copy_buildings(const struct work *w, const struct cluster *c, double
 }
 
 static void keep(struct work *w, const struct cluster *c) {
-    copy_buildings(w, c, w->kept_q, w->correction);
+    copy_buildings(w, c, w->block.kept_q, w->correction);
     for (int i = 0; i < c->n; i++) {
         w->quick[c->link[i]].kept = w->quick[c->link[i]].force;
     }
 }
 
 static void restore(struct work *w, const struct cluster *c) {
-    copy_buildings(w, c, w->correction, w->kept_q);
+    copy_buildings(w, c, w->correction, w->block.kept_q);
     for (int i = 0; i < c->n; i++) {
         w->quick[c->link[i]].force = w->quick[c->link[i]].kept;
     }
@@ -130,7 +145,7 @@ static double sweep(struct work *w, const struct state *now, struct state *next,
                     const struct cluster *c) {
     double moved = 0.0;
     for (int i = 0; i < c->n; i++) {
-        moved += fabs(contact_settle(w, now, next, c->link[i])) * w->quick[c->link[i]].flexibility;
+        moved += fabs(contact_answer(w, now, next, c->link[i])) * w->quick[c->link[i]].flexibility;
     }
     w->totals->iterations++;
     return moved;
@@ -141,10 +156,10 @@ static double sweep(struct work *w, const struct state *now, struct state *next,
 static bool whole_steps(struct work *w, const struct state *now, struct state *next,
                         const struct cluster *c, double *nearest) {
     for (int i = 0; i < WHOLE_STEPS; i++) {
-        if (!newton_step(w, now, next, c, w->vector)) {
+        if (!newton_step(w, now, next, c, w->block.vector)) {
             return false;
         }
-        apply(w, c, 1.0, w->vector);
+        apply(w, c, 1.0, w->block.vector);
         double moved = sweep(w, now, next, c);
         if (moved <= 0.5 * *nearest) {
             *nearest = moved;
@@ -181,7 +196,7 @@ static void limit(const struct work *w, const struct cluster *c, double *df) {
 // so its derivative is bisected.
 static bool part_step(struct work *w, const struct state *now, struct state *next,
                       const struct cluster *c) {
-    double *df = w->vector;
+    double *df = w->block.vector;
     if (!newton_step(w, now, next, c, df)) {
         return false;
     }
@@ -203,7 +218,7 @@ static bool part_step(struct work *w, const struct state *now, struct state *nex
 
 bool block_step(struct work *w, const struct state *now, struct state *next,
                 const struct cluster *c, double *nearest) {
-    if (c->n > w->block_max) {
+    if (c->n > w->block.most) {
         return false;
     }
     *nearest = fmin(*nearest, sweep(w, now, next, c));

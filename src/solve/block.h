@@ -5,6 +5,20 @@
 
 #include "solve/cluster.h"
 
+struct work;
+
+// Scratch of a cluster, and of the whole for what is to be restored.
+struct block {
+    int most;        // links of a cluster; larger ones are left to sweeps, as the matrix is full
+    double *matrix;  // (most, most)
+    double *vector;  // (most)
+    size_t *order;   // (most)
+    double *kept_q;  // [L/T^2] (n_dof)
+};
+
+// Room for the clusters of a model; false: no memory.
+bool block_alloc(struct block *b, const struct model *m, struct arena *a);
+
 // Tries Newton steps on the forces of the cluster: several whole ones, kept if a sweep behind them
 // moves the links by no more than half of *nearest, the least so far; else as much of one as leads
 // lowest on the function that sweeps minimise. False: neither was of use, and one sweep was done.

@@ -3,6 +3,20 @@
 // links put in order of the building that stands for all that are joined with theirs, by counting.
 #include "solve/cluster.h"
 
+#include <string.h>
+
+#include "core/arena.h"
+
+bool cluster_alloc(struct clusters *c, const struct model *m, struct arena *a) {
+    size_t n = (size_t)m->n_building;
+    c->parent = arena_alloc(a, n, sizeof *c->parent);
+    c->end = arena_alloc(a, n, sizeof *c->end);
+    c->leader = arena_alloc(a, n, sizeof *c->leader);
+    c->nearest = arena_alloc(a, n, sizeof *c->nearest);
+    c->link = arena_alloc(a, (size_t)m->n_link, sizeof *c->link);
+    return c->parent && c->end && c->leader && c->nearest && c->link;
+}
+
 static int leader(int *parent, int i) {
     while (parent[i] != i) {
         parent[i] = parent[parent[i]];
@@ -11,46 +25,46 @@ static int leader(int *parent, int i) {
     return i;
 }
 
-static int building_of(const struct work *w, int k) {
-    const struct link *l = &w->model->link[k];
-    return l->building[0] == WALL ? l->building[1] : l->building[0];
+// The building that stands for the cluster of link l.
+static int leader_of(const struct clusters *c, const struct link *l) {
+    return leader(c->parent, l->building[0] == WALL ? l->building[1] : l->building[0]);
 }
 
-static void join(struct work *w, const struct state *next) {
-    for (int i = 0; i < w->model->n_building; i++) {
-        w->parent[i] = i;
-        w->start[i] = 0;
+static void join(struct clusters *c, const struct model *m, const struct state *s) {
+    for (int i = 0; i < m->n_building; i++) {
+        c->parent[i] = i;
     }
-    for (int i = 0; i < next->n_live; i++) {
-        const struct link *l = &w->model->link[next->live[i]];
+    for (int i = 0; i < s->n_live; i++) {
+        const struct link *l = &m->link[s->live[i]];
         if (l->building[0] != WALL && l->building[1] != WALL) {
-            w->parent[leader(w->parent, l->building[0])] = leader(w->parent, l->building[1]);
+            c->parent[leader(c->parent, l->building[0])] = leader(c->parent, l->building[1]);
         }
     }
 }
 
-int cluster_find(struct work *w, const struct state *next) {
+int cluster_find(struct clusters *c, const struct model *m, const struct state *s) {
     int n = 0;
-    join(w, next);
-    for (int i = 0; i < next->n_live; i++) {
-        w->start[leader(w->parent, building_of(w, next->live[i]))]++;
+    join(c, m, s);
+    memset(c->end, 0, (size_t)m->n_building * sizeof *c->end);
+    for (int i = 0; i < s->n_live; i++) {
+        c->end[leader_of(c, &m->link[s->live[i]])]++;
     }
-    for (int i = 0, sum = 0; i < w->model->n_building; i++) {
-        int count = w->start[i];
-        w->start[i] = sum;
+    for (int i = 0, sum = 0; i < m->n_building; i++) {
+        int count = c->end[i];
+        c->end[i] = sum;  // where they start, until they have been put there
         sum += count;
         if (count > 0) {
-            w->cluster[n++] = i;
+            c->leader[n++] = i;
         }
     }
-    for (int i = 0; i < next->n_live; i++) {
-        int k = next->live[i];
-        w->grouped[w->start[leader(w->parent, building_of(w, k))]++] = k;
+    for (int i = 0; i < s->n_live; i++) {
+        int k = s->live[i];
+        c->link[c->end[leader_of(c, &m->link[k])]++] = k;
     }
     return n;
 }
 
-struct cluster cluster_at(const struct work *w, int i) {
-    int first = i > 0 ? w->start[w->cluster[i - 1]] : 0;
-    return (struct cluster){w->start[w->cluster[i]] - first, w->grouped + first};
+struct cluster cluster_at(const struct clusters *c, int i) {
+    int first = i > 0 ? c->end[c->leader[i - 1]] : 0;
+    return (struct cluster){c->end[c->leader[i]] - first, c->link + first};
 }

@@ -3,19 +3,30 @@
 #ifndef JOSTLE_CLUSTER_H
 #define JOSTLE_CLUSTER_H
 
-#include "solve/work.h"
+#include "solve/state.h"
 
 // Links connected by buildings that they share.
 struct cluster {
     int n;
-    int *link;  // (n) borrowed from struct work
+    const int *link;  // (n) borrowed from struct clusters
 };
 
-// Puts the live links of `next` in order of their clusters, into w->grouped; returns how many
-// clusters there are.
-int cluster_find(struct work *w, const struct state *next);
+// Room to find all of them; arrays (n_building) but where another shape is given.
+struct clusters {
+    int *parent;      // of each building, towards the one that stands for its cluster
+    int *end;         // of the links of each that stands for one, in `link`
+    int *leader;      // the building that stands for each cluster
+    int *link;        // (n_link) live links, by cluster
+    double *nearest;  // [L/T^2] of each: the least that a sweep moved its links by, for contact.c
+};
+
+// Room for the clusters of a model; false: no memory.
+bool cluster_alloc(struct clusters *c, const struct model *m, struct arena *a);
+
+// Puts the live links of `s` in order of their clusters; returns how many clusters there are.
+int cluster_find(struct clusters *c, const struct model *m, const struct state *s);
 
 // Cluster i of those found.
-struct cluster cluster_at(const struct work *w, int i);
+struct cluster cluster_at(const struct clusters *c, int i);
 
 #endif

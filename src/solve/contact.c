@@ -113,7 +113,7 @@ static bool negligible(const struct work *w, const struct line *l, enum branch b
     return maybe && fabs(df) <= noise(l, branch, f, d, v);
 }
 
-double contact_settle(struct work *w, const struct state *now, struct state *next, int k) {
+double contact_answer(struct work *w, const struct state *now, struct state *next, int k) {
     struct quick *p = &w->quick[k];
     struct line line = contact_line(w, now, next, k);
     double force;
@@ -126,11 +126,11 @@ double contact_settle(struct work *w, const struct state *now, struct state *nex
 
 // Gives the link its exact answer. Newton steps may follow where the law leaves no choice between
 // its branches.
-static void answer(struct work *w, const struct state *now, struct state *next, struct quick *p,
-                   struct progress *s) {
+static void answer_exactly(struct work *w, const struct state *now, struct state *next,
+                           struct quick *p, struct progress *s) {
     int k = p->index;
     const struct contact_law *law = p->link->law;
-    double df = contact_settle(w, now, next, k);
+    double df = contact_answer(w, now, next, k);
     bool jumps = law->traits & CONTACT_JUMPS;
     bool pulls = law->traits & CONTACT_MAY_PULL;
     p->trusted = p->branch == BRANCH_CLOSED && law->force && !p->clamped &&
@@ -158,7 +158,7 @@ static void visit(struct work *w, const struct state *now, struct state *next, e
         if (i == end) {
             return;
         }
-        answer(w, now, next, w->acting[i], s);
+        answer_exactly(w, now, next, w->acting[i], s);
     }
 }
 
@@ -213,10 +213,10 @@ static void clamp(struct work *w) {
 // Block steps on all clusters; true if one was of use.
 static bool block_steps(struct work *w, const struct state *now, struct state *next) {
     bool any = false;
-    int n = cluster_find(w, next);
+    int n = cluster_find(&w->clusters, w->model, next);
     for (int i = 0; i < n; i++) {
-        struct cluster c = cluster_at(w, i);
-        any |= c.n > 1 && block_step(w, now, next, &c, &w->nearest[i]);
+        struct cluster c = cluster_at(&w->clusters, i);
+        any |= c.n > 1 && block_step(w, now, next, &c, &w->clusters.nearest[i]);
     }
     return any;
 }
@@ -243,7 +243,7 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
     double before = INFINITY;
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
-        w->nearest[i] = INFINITY;
+        w->clusters.nearest[i] = INFINITY;
     }
     enum answers answers = ANSWERS_NEWTON;
     for (int i = 0; i < w->model->iterations; i++) {

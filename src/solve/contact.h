@@ -33,6 +33,6 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
 void contact_apply(struct work *w, struct quick *p, double df);
 
 // Gives link k its exact answer while the other forces are held; returns the change of its force.
-double contact_settle(struct work *w, const struct state *now, struct state *next, int k);
+double contact_answer(struct work *w, const struct state *now, struct state *next, int k);
 
 #endif

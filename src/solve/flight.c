@@ -223,7 +223,7 @@ static void start_flight(struct flight *f, const struct state *now, struct state
     const struct model *m = f->model;
     state_open_links(next);
     gaps_forget(&f->work->gaps);
-    memset(f->work->settled, 0, (size_t)m->n_building * sizeof *f->work->settled);
+    memset(f->work->storeys.agree, 0, (size_t)m->n_building * sizeof *f->work->storeys.agree);
     if (f->work->few.possible) {
         few_factor(f->work);
     }

@@ -85,8 +85,8 @@ static void note(void *context, int k, const struct passage *p) {
 }
 
 // Strikes contacts at rest until the bodies of none approach.
-static void settle(struct state *s, const struct model *m, const struct least_bounce *least,
-                   struct meeting *meeting) {
+static void strike_those_at_rest(struct state *s, const struct model *m,
+                                 const struct least_bounce *least, struct meeting *meeting) {
     struct together t;
     for (int i = 0; i < SWEEPS_BY_LAW; i++) {
         if (!sweep(s, m, REBOUND_BY_LAW, least, meeting)) {
@@ -163,7 +163,7 @@ void impulse_meet(struct state *s, const struct model *m, int k, enum rebound re
     if (rebound == REBOUND_NONE) {
         hold_touching(s, m, least);
     }
-    settle(s, m, least, meeting);
+    strike_those_at_rest(s, m, least, meeting);
     part(s, m, least);
     follow(s, m);
 }

@@ -8,7 +8,7 @@
 // This form serves any beta >= 0, and loses no digits for small steps, where A -> M.
 //
 // Storeys: Newton with their consistent tangents, building by building; a building whose storeys
-// turn out to be on the branch that was assumed is settled, and an elastic one always is. Links:
+// turn out to be on the branch that was assumed is done with, and an elastic one always is. Links:
 // contact.c solves them exactly about each linearisation. Both are consistent, so the two together
 // are Newton's method on all unknowns.
 //
@@ -35,7 +35,7 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     excitation_floors(next, m, end);
     memcpy(next->storey_history, now->storey_history,
            (size_t)m->n_storey_history * sizeof *next->storey_history);
-    memset(w->settled, 0, (size_t)m->n_building * sizeof *w->settled);
+    memset(w->storeys.agree, 0, (size_t)m->n_building * sizeof *w->storeys.agree);
     memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
 }
 
@@ -43,32 +43,34 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
 // `next`.
 static void residuals(struct work *w, struct state *next, const double *a) {
     const struct model *m = w->model;
-    chain_residual(&m->chain, next->external, a, next->damping_force, next->shear, w->residual);
-    state_add_link_forces(next, m, w->residual);
+    chain_residual(&m->chain, next->external, a, next->damping_force, next->shear,
+                   w->storeys.residual);
+    state_add_link_forces(next, m, w->storeys.residual);
 }
 
-// Buildings from k on that are not settled.
-static int unsettled(const struct work *w, int k) {
+// Buildings from k on whose storeys do not agree yet.
+static int disagreeing(const struct work *w, int k) {
     int n = 0;
-    while (k + n < w->model->n_building && !w->settled[k + n]) {
+    while (k + n < w->model->n_building && !w->storeys.agree[k + n]) {
         n++;
     }
     return n;
 }
 
-// Adds what the residuals lead to to the corrections of buildings that are not settled.
+// Adds what the residuals lead to to the corrections of these buildings.
 static void solve_residuals(struct work *w) {
     const struct building *building = w->model->building;
+    const struct storeys *s = &w->storeys;
     for (int k = 0; k < w->model->n_building; k++) {
-        int n = unsettled(w, k);
+        int n = disagreeing(w, k);
         int first = building[k].first;
         if (n == 0) {
             continue;
         }
-        effective_solve_row(&w->effective[k], n, w->residual + first, w->change + first);
+        effective_solve_row(&w->effective[k], n, s->residual + first, s->change + first);
         k += n - 1;
         for (int i = first; i < building[k].first + building[k].n_floor; i++) {
-            w->correction[i] += w->change[i];
+            w->correction[i] += s->change[i];
         }
     }
 }
@@ -79,8 +81,8 @@ LANES static bool agrees(const struct work *w, const struct state *next, int k) 
     const struct building *g = &w->model->building[k];
     const double *tangent = w->effective[k].tangent, *stiffness = g->stiffness;
     const double *u = next->u + g->first;
-    const double *drift = next->drift + g->first, *drift_0 = w->drift + g->first;
-    const double *shear = next->shear + g->first, *shear_0 = w->shear + g->first;
+    const double *drift = next->drift + g->first, *drift_0 = w->storeys.drift + g->first;
+    const double *shear = next->shear + g->first, *shear_0 = w->storeys.shear + g->first;
     const double tolerance = w->model->tolerance;
     long beyond = 0;
     for (int i = 0, n = g->n_floor; i < n; i++) {
@@ -98,28 +100,26 @@ static bool storeys_agree(struct work *w, const struct state *next) {
         return true;
     }
     for (int k = 0; k < w->model->n_building; k++) {
-        w->settled[k] = w->model->building[k].elastic || agrees(w, next, k);
-        all &= w->settled[k];
+        w->storeys.agree[k] = w->model->building[k].elastic || agrees(w, next, k);
+        all &= w->storeys.agree[k];
     }
     return all;
 }
 
-// Takes the tangents at the drifts reached of the buildings that are not settled, and factorises
-// again.
+// Takes the tangents at the drifts reached where the storeys did not agree, and factorises again.
 static int relinearise(struct work *w, const struct state *next) {
     const struct model *m = w->model;
     w->factors++;
     for (int k = 0; k < m->n_building; k++) {
-        if (w->settled[k]) {
+        if (w->storeys.agree[k]) {
             continue;
         }
         const struct building *g = &m->building[k];
-        for (int i = 0; i < g->n_floor; i++) {
-            const struct storey *s = &m->storey[g->first + i];
-            w->effective[k].tangent[i] = s->law
-                                             ->shear(s->constant, next->storey_history + s->history,
-                                                     next->drift[g->first + i])
-                                             .tangent;
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            const struct storey *s = &m->storey[i];
+            const double *history = next->storey_history + s->history;
+            w->effective[k].tangent[i - g->first] =
+                s->law->shear(s->constant, history, next->drift[i]).tangent;
         }
         int status = effective_factor(&w->effective[k], w->b, w->g);
         if (status != STATUS_OK) {
@@ -162,8 +162,8 @@ static int not_finite(const struct model *m, const struct state *s, struct error
 // Keeps where the storeys were linearised, and takes the forces at the state reached.
 static void take_forces(struct work *w, struct state *next) {
     const struct model *m = w->model;
-    memcpy(w->drift, next->drift, (size_t)m->n_dof * sizeof *w->drift);
-    memcpy(w->shear, next->shear, (size_t)m->n_dof * sizeof *w->shear);
+    memcpy(w->storeys.drift, next->drift, (size_t)m->n_dof * sizeof *next->drift);
+    memcpy(w->storeys.shear, next->shear, (size_t)m->n_dof * sizeof *next->shear);
     state_internal_forces(next, m, next->u, next->v);
 }
 

@@ -8,48 +8,43 @@
 #include "core/lanes.h"
 #include "solve/quick.h"
 
-// Clusters beyond this size are left to sweeps: the block matrix is full.
-enum { BLOCK_MAX = 400 };
-
 static bool alloc_floors(struct work *w, const struct model *m, struct arena *a) {
-    double **const part[] = {&w->u_trial,  &w->v_trial,    &w->drift,  &w->shear,
-                             &w->residual, &w->correction, &w->change, &w->kept_q};
+    struct storeys *s = &w->storeys;
+    double **const part[] = {&w->u_trial, &w->v_trial,  &w->correction, &s->drift,
+                             &s->shear,   &s->residual, &s->change};
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         *part[i] = lanes_array(a, m->n_dof);
         if (!*part[i]) {
             return false;
         }
     }
-    return true;
+    s->agree = arena_alloc(a, (size_t)m->n_building, sizeof *s->agree);
+    return s->agree && floors_alloc(&w->floors, m, a) && few_alloc(&w->few, m, a);
 }
 
 static bool alloc_links(struct work *w, const struct model *m, struct arena *a) {
     size_t n_link = (size_t)m->n_link;
-    size_t n_block = (size_t)w->block_max;
     w->quick = lanes_lines(a, n_link, sizeof *w->quick);
     w->acting = arena_alloc(a, n_link, sizeof(void *));
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->toggled = arena_alloc(a, n_link, sizeof *w->toggled);
-    w->grouped = arena_alloc(a, n_link, sizeof *w->grouped);
-    w->vector = arena_alloc(a, n_block, sizeof *w->vector);
-    w->order = arena_alloc(a, n_block, sizeof *w->order);
-    w->matrix = arena_alloc(a, n_block * n_block, sizeof *w->matrix);
-    return w->quick && gaps_alloc(&w->gaps, m, a) && w->acting && w->rigid && w->toggled &&
-           w->grouped && w->vector && w->order && w->matrix;
+    return w->quick && w->acting && w->rigid && w->toggled && gaps_alloc(&w->gaps, m, a) &&
+           cluster_alloc(&w->clusters, m, a) && block_alloc(&w->block, m, a);
 }
 
-// The most links with a force law at any floor; `residual` counts them.
-static double crowd_of(const struct work *w, const struct model *m) {
+// The most links with a force law at any floor, counted in `count` (n_dof), which is 0 before and
+// after.
+static double most_links(const struct model *m, double *count) {
     double most = 1.0;
     for (int i = 0; i < 2 * m->n_link; i++) {
         const struct link *l = &m->link[i / 2];
         int dof = l->dof[i % 2];
         if (dof != WALL && l->law->force) {
-            w->residual[dof] += 1.0;
-            most = fmax(most, w->residual[dof]);
+            count[dof] += 1.0;
+            most = fmax(most, count[dof]);
         }
     }
-    memset(w->residual, 0, (size_t)m->n_dof * sizeof *w->residual);
+    memset(count, 0, (size_t)m->n_dof * sizeof *count);
     return most;
 }
 
@@ -71,24 +66,16 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
         .ahead.from = -EXCITATION_AHEAD,
         .unresolved = -1,
         .held = -1,
-        .block_max = m->n_link < BLOCK_MAX ? m->n_link : BLOCK_MAX,
     };
     size_t n = (size_t)m->n_building;
     w->home = arena_alloc(a, n, sizeof *w->home);
     w->other = arena_alloc(a, n, sizeof *w->other);
     w->effective = w->home;
-    w->settled = arena_alloc(a, n, sizeof *w->settled);
-    w->parent = arena_alloc(a, n, sizeof *w->parent);
-    w->start = arena_alloc(a, n, sizeof *w->start);
-    w->cluster = arena_alloc(a, n, sizeof *w->cluster);
-    w->nearest = arena_alloc(a, n, sizeof *w->nearest);
-    if (!w->nearest || !w->home || !w->other || !w->settled || !w->parent || !w->start ||
-        !w->cluster || !alloc_floors(w, m, a) || !floors_alloc(&w->floors, m, a) ||
-        !few_alloc(&w->few, m, a) || !alloc_links(w, m, a)) {
+    if (!w->home || !w->other || !alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
         return false;
     }
     fill_links(w, m);
-    w->crowd = crowd_of(w, m);
+    w->crowd = most_links(m, w->storeys.residual);
     return effective_alloc(w->home, m->building, m->n_building, EFFECTIVE_LONG, a) &&
            effective_alloc(w->other, m->building, m->n_building, EFFECTIVE_BRIEFLY, a);
 }

@@ -4,6 +4,7 @@
 #ifndef JOSTLE_WORK_H
 #define JOSTLE_WORK_H
 
+#include "solve/block.h"
 #include "solve/chain.h"
 #include "solve/effective.h"
 #include "solve/excitation.h"
@@ -25,50 +26,54 @@ enum splitting {
     SPLIT_ALWAYS,  // all
 };
 
+// Newton's iteration on the storeys, in newmark.c.
+struct storeys {
+    double *drift, *shear;  // (n_dof) [L] [F] where they were linearised
+    double *residual;       // (n_dof) [F]
+    double *change;         // (n_dof) [L/T^2] of the correction
+    bool *agree;            // (n_building) those of a building bear what their tangents predicted
+};
+
 struct quick;
 
 struct work {
-    const struct model *model;    // borrowed
-    struct totals *totals;        // borrowed: counters
-    struct effective *effective;  // (n_building) of the step in hand: `home` or `other`
-    struct effective *home;       // (n_building) for steps of the model's size
-    struct effective *other;      // (n_building) for those that were cut
+    const struct model *model;  // borrowed
+    struct totals *totals;      // borrowed: counters
+
+    // The step in hand.
     double h;                     // [T] step of the factors; 0: none yet
-    long factors;                 // counts the factorisations of the step in hand
     double b, per_b;              // beta h^2, which may be 0, and 1 / b
     double g, per_g;              // gamma h and 1 / g
+    struct effective *effective;  // (n_building) `home` or `other`
+    struct effective *home;       // (n_building) for steps of the model's size
+    struct effective *other;      // (n_building) for those that were cut
+    long factors;                 // counts its factorisations
     enum strictness strictness;
     enum splitting splitting;
     int unresolved;  // link that last asked for a shorter step; -1: none did
     int held;        // link that stays open or closed in this step; -1: none
 
+    // Its floors.
     struct excitation_ahead ahead;  // of steps of the model's size
     struct floors floors;
     struct few few;             // what models with few floors need
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
                                 // linear models, for buildings that gaps.touched lists
-    double *drift, *shear;      // (n_dof) [L] [F] of storeys where they were linearised
-    double *residual;           // (n_dof) [F] not of linear models
     double *correction;         // (n_dof) [L/T^2] of the accelerations
-    double *change;             // (n_dof) of the correction
-    bool *settled;              // (n_building) storeys agree with the tangents used
+    struct storeys storeys;
 
+    // Its links.
     struct gaps gaps;
-    struct quick *quick;            // (n_link) what the solution for its force needs of each link
-    int n_acting;                   // live links whose forces are being solved for,
-    struct quick **acting;          // (n_link) in ascending order
-    double crowd;                   // most links with a force law that any floor has
-    bool commits;                   // some law remembers what happens in contact
-    int n_toggled, *toggled;        // links that have closed or opened in the step in hand
-    int n_rigid, *rigid;            // contacts of laws without a force
-    double *kept_q;                 // (n_dof) to step back to
-    int *parent, *start, *cluster;  // (n_building) scratch of cluster.c
-    double others_d, others_v;      // [L] [L/T] rounding that links bring to each other
-    double *nearest;                // (n_building) least change of a cluster in a sweep so far
-    int *grouped;                   // (n_link) live links by cluster
-    double *matrix, *vector;        // (block_max, block_max), (block_max) of the block solve
-    size_t *order;                  // (block_max)
-    int block_max;
+    struct quick *quick;        // (n_link) what the solution for its force needs of each link
+    int n_acting;               // live links whose forces are being solved for,
+    struct quick **acting;      // (n_link) in ascending order
+    double crowd;               // most links with a force law that any floor has
+    bool commits;               // some law remembers what happens in contact
+    int n_toggled, *toggled;    // links that have closed or opened in the step in hand
+    int n_rigid, *rigid;        // contacts of laws without a force
+    double others_d, others_v;  // [L] [L/T] rounding that links bring to each other
+    struct clusters clusters;
+    struct block block;
 };
 
 bool work_alloc(struct work *w, const struct model *m, struct totals *totals, struct arena *a);
