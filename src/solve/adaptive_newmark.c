@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/adaptive_newmark.h"
+// Newmark's method with steps as long as the tolerance allows (step_length.c), which end at events.
+#include "solve/method.h"
 
 // Takes a step on the way to `limit`, or finds that it was too long.
 static int attempt(struct run *r, double limit) {
@@ -24,12 +25,32 @@ static int attempt(struct run *r, double limit) {
     return status;
 }
 
-int adaptive_newmark_advance(struct run *r, double end, double h) {
-    (void)h;
+// To the next row of the output.
+static int advance(struct run *r, long *n, long end) {
+    (void)end;
+    double limit = model_time(r->model, ++*n);
     int status = STATUS_OK;
     run_forget_events(r);
-    while (status == STATUS_OK && r->now->time < end) {
-        status = attempt(r, end);
+    while (status == STATUS_OK && r->now->time < limit) {
+        status = attempt(r, limit);
     }
     return status;
 }
+
+static bool alloc(struct run *r, struct arena *a) {
+    return run_step_alloc(r, a) && step_length_alloc(&r->length, r->model, r->results, a);
+}
+
+static void start(struct run *r) {
+    step_length_start(&r->length, r->now);
+}
+
+const struct method adaptive_newmark = {
+    .integrator = INTEGRATOR_NEWMARK,
+    .adaptive = true,
+    .alloc = alloc,
+    .start = start,
+    .advance = advance,
+    .complete = run_step_complete,
+    .finish = run_step_finish,
+};

@@ -7,28 +7,8 @@
 
 #include "core/arena.h"
 #include "core/wall.h"
-#include "solve/adaptive_newmark.h"
-#include "solve/dormand_prince.h"
-#include "solve/flight.h"
+#include "solve/method.h"
 #include "solve/peaks.h"
-#include "solve/run.h"
-
-// Steps go on beyond `end`, where `now` is interpolated: but only for rows, or at the end of the
-// run.
-static int advance_dormand_prince(struct run *r, double end, double h) {
-    (void)h;
-    while (dormand_prince_time(r->adaptive) < end) {
-        int status = dormand_prince_step(r->adaptive, r->error);
-        status = status == STATUS_OK ? run_poll(r, dormand_prince_time(r->adaptive)) : status;
-        if (status != STATUS_OK) {
-            return status;
-        }
-    }
-    if (r->observer || end == r->model->duration) {
-        dormand_prince_row(r->adaptive, end, r->now, &r->energy);
-    }
-    return STATUS_OK;
-}
 
 int analysis_note_energies(struct run *r) {
     struct results *out = r->results;
@@ -42,9 +22,8 @@ int analysis_note_energies(struct run *r) {
 }
 
 static int observe(struct run *r) {
-    if (!r->adaptive) {
-        floors_catch_up(&r->work, r->next, r->now);
-        state_complete(r->now, r->model);
+    if (r->method->complete) {
+        r->method->complete(r);
     }
     const struct state *s = r->now;
     energy_balance(&r->energy, r->model, s, r->results->energy);
@@ -71,7 +50,8 @@ static int observe(struct run *r) {
     return o->row(o->context, &row, r->error);
 }
 
-// Steps from n of the deck as far as the next row of the output, or the next poll.
+// The next step of the model, after n, that is a row of the output, or at which the observer is
+// asked.
 static long stretch_end(const struct run *r, long n) {
     long every = r->model->output.every;
     if (!r->observer) {
@@ -82,30 +62,16 @@ static long stretch_end(const struct run *r, long n) {
     return row < asked ? row : asked;
 }
 
-// Goes from step n of the deck to a later one, which is returned in n: through as many as are in
-// free flight, or through one. Dormand & Prince's steps need no rows where nobody looks.
-static int proceed(struct run *r, long *n) {
+static bool is_shown(const struct run *r, long n) {
     const struct model *m = r->model;
-    if (r->adaptive && !r->observer) {
-        *n = m->n_step;
-        return r->advance(r, m->duration, m->dt);
-    }
-    long reached = flight_take(&r->flight, &r->now, &r->next, *n, stretch_end(r, *n));
-    if (reached > *n) {
-        *n = reached;
-        return run_poll(r, r->now->time);
-    }
-    double end = model_time(m, ++*n);
-    return r->advance(r, end, *n < m->n_step ? m->dt : end - r->now->time);
+    return (r->observer && n % m->output.every == 0) || n == m->n_step;
 }
 
 static int loop(struct run *r) {
-    const struct model *m = r->model;
     int status = STATUS_OK;
-    for (long n = 0; status == STATUS_OK && n < m->n_step;) {
-        status = proceed(r, &n);
-        bool shown = r->observer && n % m->output.every == 0;
-        if (status == STATUS_OK && (shown || n == m->n_step)) {
+    for (long n = 0; status == STATUS_OK && n < r->model->n_step;) {
+        status = r->method->advance(r, &n, stretch_end(r, n));
+        if (status == STATUS_OK && is_shown(r, n)) {
             status = observe(r);
         }
     }
@@ -113,14 +79,11 @@ static int loop(struct run *r) {
 }
 
 int analysis_step(struct run *r, long n) {
-    const struct model *m = r->model;
-    double end = model_time(m, n);
-    int status = r->advance(r, end, n < m->n_step ? m->dt : end - r->now->time);
+    int status = fixed_newmark_step(r, n);
     if (status == STATUS_OK) {
         floors_catch_up(&r->work, r->next, r->now);
     }
-    bool row = (r->observer && n % m->output.every == 0) || n == m->n_step;
-    return status == STATUS_OK && row ? observe(r) : status;
+    return status == STATUS_OK && is_shown(r, n) ? observe(r) : status;
 }
 
 static bool run_alloc(struct run *r, struct arena *a) {
@@ -128,26 +91,9 @@ static bool run_alloc(struct run *r, struct arena *a) {
     r->now = &r->store[0];
     r->next = &r->store[1];
     r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
-    if (!r->row_force || !energy_alloc(&r->energy, m, a) || !state_alloc(r->now, m, a) ||
-        !impacts_alloc(&r->impacts, m, a) || !peaks_alloc(r->results, m, a)) {
-        return false;
-    }
-    if (m->integrator == INTEGRATOR_DORMAND_PRINCE) {
-        r->advance = advance_dormand_prince;
-        r->adaptive = dormand_prince_create(m, r->results, &r->impacts, a);
-        return r->adaptive != NULL;
-    }
-    r->advance = m->adaptive ? adaptive_newmark_advance : run_advance_fixed;
-    r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
-    r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
-    r->flight = (struct flight){.work = &r->work, .results = r->results, .energy = &r->energy};
-    if (!state_alloc(r->next, m, a) || !work_alloc(&r->work, m, &r->results->totals, a)) {
-        return false;
-    }
-    floors_account_to(&r->work, &r->energy, r->results);
-    return r->events && r->meeting &&
-           (m->adaptive ? step_length_alloc(&r->length, m, r->results, a)
-                        : flight_alloc(&r->flight, m, a));
+    return r->row_force && energy_alloc(&r->energy, m, a) && state_alloc(r->now, m, a) &&
+           impacts_alloc(&r->impacts, m, a) && peaks_alloc(r->results, m, a) &&
+           r->method->alloc(r, a);
 }
 
 static int run_start(struct run *r) {
@@ -158,10 +104,8 @@ static int run_start(struct run *r) {
     if (energy_start_links(&r->energy, r->model, r->now, link, r->error) != STATUS_OK) {
         return r->error->status;
     }
-    if (r->adaptive) {
-        dormand_prince_start(r->adaptive, r->now, &r->energy);
-    } else if (r->model->adaptive) {
-        step_length_start(&r->length, r->now);
+    if (r->method->start) {
+        r->method->start(r);
     }
     return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
 }
@@ -170,8 +114,14 @@ int analysis_begin(struct run *r, const struct model *m, const struct observer *
                    struct error *e) {
     struct arena *a = arena_create();
     struct results *results = a ? arena_alloc(a, 1, sizeof *results) : NULL;
-    *r = (struct run){.model = m, .observer = observer, .results = results, .error = e};
-    r->start = wall_seconds();
+    *r = (struct run){
+        .model = m,
+        .method = method_of(m),
+        .observer = observer,
+        .results = results,
+        .error = e,
+        .start = wall_seconds(),
+    };
     if (!results) {
         arena_free(a);
         error_no_memory(e);
@@ -188,7 +138,9 @@ int analysis_end(struct run *r, int status, struct results **out) {
         results_free(results);
         return status;
     }
-    gaps_finish(&r->work.gaps, results);
+    if (r->method->finish) {
+        r->method->finish(r);
+    }
     impacts_finish(&r->impacts, results, r->model, r->now);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = wall_seconds() - r->start;

@@ -3,10 +3,14 @@
 // nodes of a quadrature whose weights are those of the solution, so that they have its order 5; up
 // to a place within the step, its continuous extension has order 4. Positions and velocities there
 // are those of the Hermite polynomial of degree 5, and everything else follows from them.
+#include "solve/dp_account.h"
+
 #include <math.h>
 #include <string.h>
 
-#include "solve/dp.h"
+#include "solve/dp_motion.h"
+#include "solve/dp_peaks.h"
+#include "solve/dp_stages.h"
 
 // Adds the works of the step to the account, but those on links. The weight of the second stage is
 // always 0.
@@ -77,39 +81,10 @@ void dp_account_step(struct dp *p) {
     integrate(p, dp_stages_whole, &p->energy);
 }
 
-// The motion of n floors from `first` on at place x, into the second stage: its weight in the works
-// is 0, so it is free between steps.
-static void interpolate(struct dp *p, double x, int first, int n) {
-    for (int i = first; i < first + n; i++) {
-        struct motion m = dp_event_floor(p, i);
-        struct polynomial u = hermite_position(&m);
-        p->stage[1]->u[i] = hermite_value(&u, x);
-        p->stage[1]->v[i] = hermite_slope(&u, x) / p->h;
-    }
-}
-
-double dp_account_acceleration(struct dp *p, double x, int i) {
-    const struct model *m = p->model;
-    const struct building *g = &m->building[p->system.building[i]];
-    bool roof = i + 1 == g->first + g->n_floor;
-    if (g->damping_full) {
-        interpolate(p, x, g->first, g->n_floor);
-    } else {
-        interpolate(p, x, i > g->first ? i - 1 : i, 1 + (i > g->first) + !roof);
-    }
-    for (int n = 0; n < p->now.n_live; n++) {
-        const int *dof = m->link[p->now.live[n]].dof;
-        if ((dof[0] == i || dof[1] == i) && dof[0] != WALL && dof[1] != WALL) {
-            interpolate(p, x, dof[0] == i ? dof[1] : dof[0], 1);
-        }
-    }
-    return dp_system_acceleration(&p->system, &p->now, p->now.time + x * p->h, p->stage[1], i);
-}
-
 // The state at place x of the step, and the rates there.
 static const struct dp_rates *rates_at(struct dp *p, double x) {
     struct dp_rates *r = p->stage[1];
-    dp_stages_between(p, x, r->u, r->v);
+    dp_motion_between(p, x, r->u, r->v);
     dp_system_rates(&p->system, &p->now, p->now.time + x * p->h, r);
     return r;
 }
@@ -150,7 +125,7 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
     integrate(p, weight, energy);
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
-        struct motion motion = dp_event_link(p, k);
+        struct motion motion = dp_motion_link(p, k);
         struct polynomial path = hermite_position(&motion);
         double impulse;
         energy->contact += link_work(p, weight, i, hermite_value(&path, x), &impulse);

@@ -16,7 +16,7 @@
 
 #include <string.h>
 
-#include "solve/dp.h"
+#include "solve/dp_stages.h"
 #include "solve/floor_vectors.h"
 
 // The stages that sums go over: the first ones, or those that the solution is made of.

@@ -2,9 +2,11 @@
 // Kinks of contact forces at other places than d = 0 and v = 0: where tension is cut off, at the
 // yield of a contact, the residual penetration, the points of a curve. A step across one has an
 // error of second order that the estimate sees by chance, a hundred times the tolerance and more.
+#include "solve/dp_kink.h"
+
 #include <math.h>
 
-#include "solve/dp.h"
+#include "solve/dp_motion.h"
 
 enum { HALVINGS = 60 };
 
@@ -17,7 +19,7 @@ static const double JUMP = 1e-9;
 static double before_kink(const struct dp *p, int k, double d, double v) {
     const struct link *l = &p->model->link[k];
     double start = p->now.delta[k];
-    double passed = copysign(dp_event_noise(p, k), d - start);  // the kink where the step starts
+    double passed = copysign(dp_motion_noise(p, k), d - start);  // the kink where the step starts
     const struct contact_way way = {start + passed, p->rate[0][k], d, v};
     return l->law->kink(l->constant, p->now.link_history + l->history, &way);
 }
@@ -40,9 +42,9 @@ static double first_turn(const struct motion *m, const struct polynomial *path, 
 }
 
 struct dp_event dp_kink_before(const struct dp *p, int k, struct dp_event other) {
-    struct motion m = dp_event_link(p, k);
+    struct motion m = dp_motion_link(p, k);
     struct polynomial path = hermite_position(&m);
-    double noise = dp_event_noise(p, k);
+    double noise = dp_motion_noise(p, k);
     double low = 0.0;
     double high = first_turn(&m, &path, noise);
     if (before_kink_at(p, k, &path, high) > 0.0) {
@@ -59,7 +61,7 @@ struct dp_event dp_kink_before(const struct dp *p, int k, struct dp_event other)
 }
 
 double dp_kink_at_end(const struct dp *p, int k, double *rate) {
-    struct motion m = dp_event_link(p, k);
+    struct motion m = dp_motion_link(p, k);
     double time = PROBE * p->h;
     double value = before_kink(p, k, m.d[1], m.v[1]);
     *rate = (before_kink(p, k, m.d[1] + m.v[1] * time, m.v[1] + m.a[1] * time) - value) / time;

@@ -3,10 +3,13 @@
 // displacements, velocities and drifts have it on their interpolation. Of an acceleration, the
 // interpolation gives the place only: the right-hand side is evaluated there and beside it, and a
 // parabola put through the three. Most steps are far from any peak, and cost a few comparisons.
+#include "solve/dp_peaks.h"
+
 #include <math.h>
 
 #include "core/number.h"
-#include "solve/dp.h"
+#include "solve/dp_motion.h"
+#include "solve/dp_stages.h"
 
 // Distance in the step of the three values; how far the interpolation of an acceleration may be too
 // low, and how far so beside the ends, where the step ends at no peak.
@@ -40,7 +43,7 @@ static bool may_exceed(double peak, double value, double rate, double h) {
 }
 
 static void inner_displacement(struct dp *p, int i) {
-    struct motion m = dp_event_floor(p, i);
+    struct motion m = dp_motion_floor(p, i);
     struct polynomial u = hermite_position(&m);
     double x[TURNS_MAX];
     int n = hermite_turns(&m, x);
@@ -50,7 +53,7 @@ static void inner_displacement(struct dp *p, int i) {
 }
 
 static void inner_drift(struct dp *p, int i) {
-    struct motion m = dp_event_storey(p, i);
+    struct motion m = dp_motion_storey(p, i);
     struct polynomial drift = hermite_position(&m);
     double x[TURNS_MAX];
     int n = hermite_turns(&m, x);
@@ -62,7 +65,7 @@ static void inner_drift(struct dp *p, int i) {
 
 // The velocity turns where the relative acceleration is zero.
 static void inner_velocity(struct dp *p, int i) {
-    struct motion m = dp_event_floor(p, i);
+    struct motion m = dp_motion_floor(p, i);
     struct polynomial v = hermite_velocity(&m);
     struct polynomial u = hermite_position(&m);
     double a0 = v.c[1];
@@ -78,7 +81,7 @@ static double total(const struct dp_rates *r, const struct building *g, int i) {
 // Where the interpolated total acceleration has its largest value inside; < 0: at an end, or far
 // below the peak so far.
 static double acceleration_place(const struct dp *p, const struct building *g, int i) {
-    struct motion m = dp_event_floor(p, i);
+    struct motion m = dp_motion_floor(p, i);
     struct polynomial u = hermite_position(&m);
     double square = p->h * p->h;
     double ground0 = p->now.ground_a[g->ground];
@@ -106,9 +109,9 @@ static double acceleration_place(const struct dp *p, const struct building *g, i
 // the values it is put through. Returns where the top is.
 static double note_acceleration(struct dp *p, double x, int i) {
     double beside = fmin(BESIDE, fmin(x, 1.0 - x));
-    double low = dp_account_acceleration(p, x - beside, i);
-    double high = dp_account_acceleration(p, x + beside, i);
-    double middle = dp_account_acceleration(p, x, i);
+    double low = dp_motion_acceleration(p, x - beside, i);
+    double high = dp_motion_acceleration(p, x + beside, i);
+    double middle = dp_motion_acceleration(p, x, i);
     double bend = low - 2.0 * middle + high;
     double slope = (high - low) / 2.0;
     double shift = fabs(bend) > fabs(slope) ? -slope / bend : 0.0;
@@ -243,7 +246,7 @@ static void open_step(struct dp *p, int k) {
     double d = fmax(p->now.delta[k], p->next.delta[k]);
     bool turns = p->rate[0][k] > 0.0 && p->rate[1][k] < 0.0;
     if (d > most || (turns && d + p->h * p->rate[0][k] > most)) {
-        struct motion m = dp_event_link(p, k);
+        struct motion m = dp_motion_link(p, k);
         link_penetration(p, k, &m);
     }
 }
@@ -288,7 +291,7 @@ static double inner_force(const struct dp *p, int i, const struct motion *m, dou
 void dp_peaks_link(struct dp *p, int i, struct impact_share *share) {
     int k = p->now.live[i];
     bool both = p->model->link[k].bilateral;
-    struct motion m = dp_event_link(p, k);
+    struct motion m = dp_motion_link(p, k);
     double time;
     double force = inner_force(p, i, &m, &time);
     share->penetration = link_penetration(p, k, &m);

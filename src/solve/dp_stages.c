@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step as a whole (dp_floors.h has the method), what links see of it, and what lies between its
-// ends.
+// The stages of a step as a whole; dp_floors.h has the method.
+#include "solve/dp_stages.h"
+
 #include <math.h>
 
 #include "core/lanes.h"
-#include "solve/dp.h"
+
+void dp_stages_first(struct dp *p) {
+    dp_system_rates(&p->system, &p->now, p->now.time, p->stage[0]);
+}
 
 void dp_stages_take(struct dp *p, double h, double end) {
     p->h = h;
@@ -32,40 +36,6 @@ void dp_stages_gaps(const struct dp *p, struct state *s, double *rate) {
         s->delta[k] = state_gap(&m->link[k], m, s->u, s->ground_u) - m->link[k].gap;
         rate[k] = state_rate(s, m, k);
     }
-}
-
-enum { ENDS = 6 };
-
-// u and v as sums over what is known at both ends.
-LANES static void sum_ends(int n, const double *const *of, const double *to_u, const double *to_v,
-                           double *restrict u, double *restrict v) {
-    for (int i = 0, end = lanes_whole(n); i < end; i++) {
-        u[i] = v[i] = 0.0;
-        for (int q = 0; q < ENDS; q++) {
-            u[i] += to_u[q] * of[q][i];
-            v[i] += to_v[q] * of[q][i];
-        }
-    }
-}
-
-// The Hermite polynomial of degree 5 and its slope.
-void dp_stages_between(const struct dp *p, double x, double *u, double *v) {
-    const struct state *now = &p->now;
-    const struct state *next = &p->next;
-    double h = p->h;
-    double y = 1.0 - x;
-    double x2 = x * x;
-    double y2 = y * y;
-    double rise = x2 * x * (10.0 + x * (6.0 * x - 15.0));
-    double slope = 30.0 * x2 * y2 / h;
-    const double *const of[ENDS] = {now->u, now->v, now->a, next->u, next->v, next->a};
-    const double to_u[ENDS] = {
-        1.0 - rise, h * x * y2 * y * (1.0 + 3.0 * x),  h * h * x2 * y2 * y / 2.0,
-        rise,       -h * x2 * x * y * (1.0 + 3.0 * y), h * h * x2 * x * y2 / 2.0};
-    const double to_v[ENDS] = {
-        -slope, y2 * (1.0 + x * (2.0 - 15.0 * x)), h * x * y2 * (2.0 - 5.0 * x) / 2.0,
-        slope,  x2 * (1.0 + y * (2.0 - 15.0 * y)), -h * x2 * y * (2.0 - 5.0 * y) / 2.0};
-    sum_ends(p->model->n_dof, of, to_u, to_v, u, v);
 }
 
 double dp_stages_error(const struct dp *p) {

@@ -4,33 +4,37 @@
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
-#include "solve/dormand_prince.h"
 #include "solve/energy.h"
 #include "solve/flight.h"
 #include "solve/impacts.h"
 #include "solve/step_length.h"
 #include "solve/work.h"
 
+struct dp;
+struct method;
+
 struct run {
     const struct model *model;
+    const struct method *method;
     const struct observer *observer;
     struct state *now, *next;
     struct state store[2];
-    // Takes `now` to the time `end`, h later.
-    int (*advance)(struct run *r, double end, double h);
-    struct work work;           // of Newmark's method
-    struct flight flight;       // of fixed steps
-    struct step_length length;  // of its adaptive steps
-    struct dp *adaptive;        // Dormand & Prince's method; NULL: Newmark's
     struct energy_account energy;
     struct impact_log impacts;
-    int *events;              // (n_contact) at which the current step of the deck was split
-    long events_before;       // totals.events at the start of it
-    struct meeting *meeting;  // (n_contact) scratch of rigid impacts
     struct results *results;
     struct error *error;
     double *row_force;  // [F] (n_link) scratch of a row
     double start;       // [s] of the wall clock
+
+    // Newmark's method.
+    struct work work;
+    struct flight flight;       // fixed steps
+    struct step_length length;  // adaptive steps
+    int *events;                // (n_contact) at which the current step of the deck was split
+    long events_before;         // totals.events at the start of it
+    struct meeting *meeting;    // (n_contact) scratch of rigid impacts
+
+    struct dp *dp;  // Dormand & Prince's method
 };
 
 // Everything up to the state at t = 0 and its row. Not 0: as of analysis_run; analysis_end must be
@@ -47,18 +51,30 @@ int analysis_note_energies(struct run *r);
 // Ends an analysis whose steps gave `status`, which it returns: *out has the results if it is 0.
 int analysis_end(struct run *r, int status, struct results **out);
 
-// Steps between two questions to the observer whether to go on, and the question, if it is time.
+// Steps between two questions to the observer whether to go on, and the question: if it is time,
+// and now.
 enum { RUN_POLL_STEPS = 4096 };
 int run_poll(struct run *r, double time);
+int run_poll_now(struct run *r, double time);
+
+// Room for steps of Newmark's method; false: no memory.
+bool run_step_alloc(struct run *r, struct arena *a);
 
 // Steps to `end`, h later, or to the first event on the way; *rest is what is left of h. A step of
 // so many `cuts` is taken as it is where it cannot be cut. STATUS_RETRY: a shorter one is wanted.
 int run_step(struct run *r, double end, double h, int cuts, double *rest);
 
-// Goes to `end`, h later, by one step or as many as it takes.
-int run_advance_fixed(struct run *r, double end, double h);
+// A step that is not solved is halved at most this often; 2^-30 of it is then taken as it is.
+enum { RUN_CUTS_MAX = 30 };
+
+// What struct method asks for, of such steps.
+void run_step_complete(struct run *r);
+void run_step_finish(struct run *r);
 
 // Starts to count the events of each contact anew, if there were any.
 void run_forget_events(struct run *r);
+
+// Step n of the deck (from 1), of a run with fixed steps, by one or as many as it takes.
+int fixed_newmark_step(struct run *r, long n);
 
 #endif

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step of an analysis: taken, committed and accounted for, split where forces jump or bodies
-// meet, and cut where it is not solved.
+// A step of Newmark's method: taken, committed and accounted for, and split where forces jump or
+// bodies meet.
 #include <math.h>
 #include <string.h>
 
+#include "core/arena.h"
 #include "solve/event.h"
 #include "solve/newmark.h"
 #include "solve/peaks.h"
 #include "solve/run.h"
-
-// A step that is not solved is halved at most this often; 2^-30 of a step is then taken as it is.
-enum { CUTS_MAX = 30 };
 
 // Tries at the instant of an event, and how near d = 0 is near enough, as a share of the way that
 // the link would make in the whole step. Rigid contacts keep what they penetrate.
@@ -22,18 +20,35 @@ static const double SHORTEST_BOUNCE = 0.01;
 // Events nearer to each other than this share of their time are at the same instant.
 static const double TOGETHER = 1e-6;
 
-// A run in which steps were cut more often than this, and this often per step of the deck, will not
-// end in a reasonable time.
-enum { CUTS_BUDGET = 2000000, CUTS_BUDGET_PER_STEP = 100 };
-
-static int poll_now(struct run *r, double time) {
+int run_poll_now(struct run *r, double time) {
     const struct observer *o = r->observer;
     return o && o->poll ? o->poll(o->context, time, r->error) : STATUS_OK;
 }
 
 int run_poll(struct run *r, double time) {
     bool due = r->results->totals.steps % RUN_POLL_STEPS == 0;
-    return due ? poll_now(r, time) : STATUS_OK;
+    return due ? run_poll_now(r, time) : STATUS_OK;
+}
+
+bool run_step_alloc(struct run *r, struct arena *a) {
+    const struct model *m = r->model;
+    r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
+    r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
+    if (!r->events || !r->meeting || !state_alloc(r->next, m, a) ||
+        !work_alloc(&r->work, m, &r->results->totals, a)) {
+        return false;
+    }
+    floors_account_to(&r->work, &r->energy, r->results);
+    return true;
+}
+
+void run_step_complete(struct run *r) {
+    floors_catch_up(&r->work, r->next, r->now);
+    state_complete(r->now, r->model);
+}
+
+void run_step_finish(struct run *r) {
+    gaps_finish(&r->work.gaps, r->results);
 }
 
 // Takes `next` as the new committed state.
@@ -47,29 +62,6 @@ static int commit(struct run *r) {
     r->next = old;
     out->totals.steps++;
     return status == STATUS_OK ? run_poll(r, r->now->time) : status;
-}
-
-static int give_up(struct run *r, double h) {
-    const struct model *m = r->model;
-    const char *unit = m->deck->units.time_name;
-    int k = r->work.unresolved;
-    return error_set(
-        r->error, STATUS_FAILED,
-        "at t = %.6g %s a step of %.3g %s is still too long for contact %s, after %ld cuts; "
-        "it wants a softer or a damped contact, or a much shorter step",
-        r->now->time, unit, h, unit, k < 0 ? "forces" : m->link[k].name, r->results->totals.cuts);
-}
-
-// May a step of size h, itself of so many cuts, be cut once more?
-static int spend_cut(struct run *r, double h, int cuts) {
-    if (cuts == CUTS_MAX) {
-        return error_set(
-            r->error, STATUS_FAILED,
-            "no step is short enough at t = %.9g: the numbers are beyond double precision",
-            r->now->time);
-    }
-    long budget = CUTS_BUDGET + CUTS_BUDGET_PER_STEP * r->model->n_step;
-    return r->results->totals.cuts++ < budget ? poll_now(r, r->now->time) : give_up(r, h);
 }
 
 // Steps to the instant of an event with its link held as it was. Where the step is long the instant
@@ -168,11 +160,11 @@ static int pass_event(struct run *r, struct event *event, double end, double h) 
         status = r->model->link[event->link].law->rebound ? let_meet(r, event) : let_jump(r, event);
         peaks_update(r->results, r->model, r->now);
     }
-    return status == STATUS_OK ? poll_now(r, r->now->time) : status;
+    return status == STATUS_OK ? run_poll_now(r, r->now->time) : status;
 }
 
 int run_step(struct run *r, double end, double h, int cuts, double *rest) {
-    r->work.strictness = cuts < CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
+    r->work.strictness = cuts < RUN_CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
     *rest = 0.0;
     int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
     if (status != STATUS_OK) {
@@ -198,32 +190,9 @@ int run_step(struct run *r, double end, double h, int cuts, double *rest) {
     return status;
 }
 
-// Goes from the committed state to `end`, h later; a step that is not solved is cut in two.
-static int advance(struct run *r, double end, double h, int cuts) {
-    while (h > 0.0) {
-        double rest;
-        int status = run_step(r, end, h, cuts, &rest);
-        if (status == STATUS_RETRY) {
-            status = spend_cut(r, h, cuts++);
-            rest = h / 2.0;
-            status = status == STATUS_OK ? advance(r, end - rest, rest, cuts) : status;
-        }
-        if (status != STATUS_OK) {
-            return status;
-        }
-        h = rest;
-    }
-    return STATUS_OK;
-}
-
 void run_forget_events(struct run *r) {
     if (r->results->totals.events > r->events_before) {
         memset(r->events, 0, (size_t)r->model->n_contact * sizeof *r->events);
         r->events_before = r->results->totals.events;
     }
-}
-
-int run_advance_fixed(struct run *r, double end, double h) {
-    run_forget_events(r);
-    return advance(r, end, h, 0);
 }
