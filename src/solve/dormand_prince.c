@@ -119,7 +119,7 @@ static void swap_ends(struct dp *p) {
     now->time = next->time;
 }
 
-// Goes to the end of the last step, and lets happen there what has to happen.
+// Arrives at the end of the last step, and lets happen there what has to happen.
 static int arrive(struct dp *p, struct error *e) {
     if (p->h == 0.0) {
         return STATUS_OK;
@@ -143,6 +143,13 @@ static bool at_once(const struct dp *p) {
     return p->event.kind != DP_NONE && p->now.time + p->event.place * p->h == p->now.time;
 }
 
+// Takes the step back, and lets its event happen where it would have begun.
+static int happen_at_once(struct dp *p, struct error *e) {
+    p->trial = fmin(p->trial, p->h);  // a longer one may see another event first, and so on
+    p->h = 0.0;
+    return dp_happen(p, e);
+}
+
 // Makes the step end at its event. It is part of one that met the tolerance, but beyond the event
 // the laws are not what they were, and may have made up for an error before it: then the step is
 // rejected. *taken: it is not.
@@ -153,35 +160,28 @@ static int stop_at_event(struct dp *p, bool *taken, struct error *e) {
     return *taken ? STATUS_OK : dp_control_reject(p, error, e);
 }
 
-// Takes a step up to its first event, if there is any.
-static int stride(struct dp *p, struct error *e) {
-    bool taken = false;
-    while (!taken) {
-        if (dp_control_attempt(p, e) != STATUS_OK) {
-            return e->status;
-        }
-        dp_stages_gaps(p, &p->next, p->rate[1]);
-        dp_event_first(p);
-        int status = STATUS_OK;
-        if (at_once(p)) {
-            p->trial = fmin(p->trial, p->h);  // a longer one may see another event first, and so on
-            p->h = 0.0;
-            status = dp_happen(p, e);
-        } else if (p->event.kind != DP_NONE) {
-            status = stop_at_event(p, &taken, e);
-        } else {
-            taken = true;
-        }
-        if (status != STATUS_OK) {
-            return status;
-        }
+// Tries a step up to its first event, if there is any. *taken: that is the step.
+static int try(struct dp *p, bool *taken, struct error *e) {
+    if (dp_control_attempt(p, e) != STATUS_OK) {
+        return e->status;
     }
+    dp_stages_gaps(p, &p->next, p->rate[1]);
+    dp_event_first(p);
+    if (at_once(p)) {
+        return happen_at_once(p, e);
+    }
+    if (p->event.kind != DP_NONE) {
+        return stop_at_event(p, taken, e);
+    }
+    *taken = true;
     return STATUS_OK;
 }
 
 static int step(struct dp *p, struct error *e) {
     int status = arrive(p, e);
-    status = status == STATUS_OK ? stride(p, e) : status;
+    for (bool taken = false; status == STATUS_OK && !taken;) {
+        status = try(p, &taken, e);
+    }
     if (status != STATUS_OK) {
         return status;
     }
