@@ -63,10 +63,10 @@ LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_line
                                 const struct few_floors *next, const double *shown, double time,
                                 double ground, struct state *s) {
     enum nearness near = few_nearness(f, shown, s->ground_u);
-    if (near == NEARNESS_CLOSED || !few_raise(f->results, n, next, time, ground)) {
+    if (near == NEARNESS_CLOSED || !few_raise(f->account->results, n, next, time, ground)) {
         return false;
     }
-    few_get_peaks(f->work->few.table, f->results, n);
+    few_get_peaks(f->work->few.table, f->account->results, n);
     if (near == NEARNESS_DEEPEST) {
         few_store(next, lines, n, s);
         s->time = time;
@@ -103,7 +103,7 @@ LANES_INLINE void few_work(const struct flight *f, const struct few_table *t,
                            struct few_works *works) {
     few_add_works(t, n, before, now, ground_2x, works);
     if (lines) {
-        few_add_storey_works(n, before, now, f->energy->storey_2x);
+        few_add_storey_works(n, before, now, f->account->energy->storey_2x);
     }
 }
 
@@ -125,8 +125,8 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     double ground = s->ground_a[0], then = few_ground(w, from + 1), ground_2x = 0.0;
     floor_bits beyond = {0};
     few_load(s, lines, n, &now);
-    few_load_works(f->energy, &works);
-    few_get_peaks(table, f->results, n);
+    few_load_works(f->account->energy, &works);
+    few_get_peaks(table, f->account->results, n);
     if (lines) {
         few_get_lines(table, lines, n);
     }
@@ -158,7 +158,7 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     }
     few_work(f, table, lines, n, &before, &now, ground_2x, &works);
     few_store(&now, lines, n, s);
-    few_store_works(&works, f->energy);
+    few_store_works(&works, f->account->energy);
     if (step > from) {
         s->time = w->ahead.time[step - w->ahead.from];
         s->ground_a[0] = w->ahead.ground[step - w->ahead.from];

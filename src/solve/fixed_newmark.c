@@ -65,8 +65,7 @@ static int advance(struct run *r, long *n, long end) {
 }
 
 static bool alloc(struct run *r, struct arena *a) {
-    r->flight = (struct flight){.work = &r->work, .results = r->results, .energy = &r->energy};
-    return run_step_alloc(r, a) && flight_alloc(&r->flight, r->model, a);
+    return run_step_alloc(r, a) && flight_alloc(&r->flight, &r->work, a);
 }
 
 const struct method fixed_newmark = {

@@ -118,11 +118,16 @@ static bool branches_alloc(struct flight *f, const struct model *m, struct arena
     return true;
 }
 
-bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
-    f->model = m;
-    f->possible = is_possible(m);
-    f->yields = m->n_storey_history > 0;
-    f->uniform = state_is_uniform(m);
+bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
+    const struct model *m = w->model;
+    *f = (struct flight){
+        .model = m,
+        .work = w,
+        .account = &w->floors.account,
+        .possible = is_possible(m),
+        .yields = m->n_storey_history > 0,
+        .uniform = state_is_uniform(m),
+    };
     size_t n = f->possible ? (size_t)m->n_contact : 0;
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
@@ -136,7 +141,7 @@ bool flight_alloc(struct flight *f, const struct model *m, struct arena *a) {
     if (f->possible) {
         group_contacts(f, m);
         assign_groups(f);
-        f->work->few.flight = f;
+        w->few.flight = f;
     }
     return true;
 }
@@ -148,14 +153,14 @@ void flight_deepen(const struct flight *f, struct state *s) {
 
 // Takes a step as it has been found into the account, or sees to it that the next one does.
 static void account(const struct flight *f, const struct state *now, const struct state *next) {
-    if (!f->work->floors.account.defers) {
+    if (!f->account->defers) {
         floors_account_now(f->work, now, next);
         return;
     }
     floors_defer(&f->work->floors.account, now);
     if (f->yields) {
         chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
-                           f->energy->storey_2x);
+                           f->account->energy->storey_2x);
     }
 }
 
@@ -236,12 +241,12 @@ static void start_flight(struct flight *f, const struct state *now, struct state
 // Takes the account of n steps to the state s; what storeys that yield bear is found anew for it.
 static void finish_flight(const struct flight *f, const struct state *old, struct state *s,
                           long n) {
-    struct totals *t = &f->results->totals;
+    struct totals *t = &f->account->results->totals;
     if (f->yields) {
         floors_catch_up(f->work, old, s);
     }
     complete(f, s);
-    peaks_speed(f->results, 0, f->model->n_dof);
+    peaks_speed(f->account->results, 0, f->model->n_dof);
     t->steps += n;
     t->iterations += n;
 }

@@ -5,7 +5,6 @@
 #ifndef JOSTLE_FLIGHT_H
 #define JOSTLE_FLIGHT_H
 
-#include "solve/energy.h"
 #include "solve/work.h"
 
 // Contacts that follow each other, as do the floors at both their ends: LANES_WIDTH at most.
@@ -16,13 +15,12 @@ struct gap_group {
 };
 
 struct flight {
-    const struct model *model;  // borrowed, as are the next three
+    const struct model *model;  // borrowed, as are the next two
     struct work *work;
-    struct results *results;
-    struct energy_account *energy;
-    bool possible;  // with this model
-    bool yields;    // not all storeys are elastic
-    bool uniform;   // one ground moves all, and there are no loads
+    const struct floors_account *account;  // where works and peaks go
+    bool possible;                         // with this model
+    bool yields;                           // not all storeys are elastic
+    bool uniform;                          // one ground moves all, and there are no loads
 
     double *back, *spring, *rest, *limit;  // (n_dof) the storeys' branches: struct storey_branch
 
@@ -32,8 +30,9 @@ struct flight {
     int *group_end;           // by block of floors: after it the groups before this can be seen to
 };
 
-// Room for the flights of a model; false: no memory.
-bool flight_alloc(struct flight *f, const struct model *m, struct arena *a);
+// Room for the flights of a run with this scratch, which has to know its accounts; false: no
+// memory.
+bool flight_alloc(struct flight *f, struct work *w, struct arena *a);
 
 // Steps from step `n` of the model, whose state is `*now`, as far as step `end`, but stops before a
 // step in which a link would act or a storey change its branch. Returns the step that it has

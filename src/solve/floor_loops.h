@@ -31,7 +31,8 @@ struct floors_lines {
 
 LANES_INLINE struct floors_lines floors_lines_of(const struct flight *f, const struct state *s) {
     return (struct floors_lines){
-        f->back, f->spring, f->rest, f->limit, f->results->peak[PEAK_SHEAR], s->drift, s->shear};
+        f->back,  f->spring, f->rest, f->limit, f->account->results->peak[PEAK_SHEAR],
+        s->drift, s->shear};
 }
 
 // Shears of the storeys below a vector of floors: elastic ones, or where `lines` is not NULL, of
