@@ -21,7 +21,7 @@
 static bool alloc_stages(struct dp *p, struct arena *a) {
     bool good = true;
     for (int s = 0; s < DP_STAGES; s++) {
-        good = good && dp_system_alloc_rates(&p->rates[s], p->model, a);
+        good = good && dp_rates_alloc(&p->rates[s], p->model, a);
     }
     return good;
 }

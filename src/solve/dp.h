@@ -3,7 +3,7 @@
 #ifndef JOSTLE_DP_H
 #define JOSTLE_DP_H
 
-#include "solve/dp_system.h"
+#include "solve/dp_rates.h"
 #include "solve/energy.h"
 #include "solve/gaps.h"
 #include "solve/impacts.h"

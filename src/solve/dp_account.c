@@ -85,7 +85,7 @@ void dp_account_step(struct dp *p) {
 static const struct dp_rates *rates_at(struct dp *p, double x) {
     struct dp_rates *r = p->stage[1];
     dp_motion_between(p, x, r->u, r->v);
-    dp_system_rates(&p->system, &p->now, p->now.time + x * p->h, r);
+    dp_rates_at(&p->system, &p->now, p->now.time + x * p->h, r);
     return r;
 }
 

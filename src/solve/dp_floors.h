@@ -143,10 +143,10 @@ LANES_INLINE void take_stage(struct dp *p, int s, double t, ptrdiff_t count) {
     gather(p, sums, a);
     const struct stage stage = {
         .sums = sums, .a = a, .u0 = p->now.u, .v0 = p->now.v, .to = node[s] * p->h, .h = p->h};
-    double ground = dp_system_ground(&p->system, t, r);
+    double ground = dp_rates_ground(&p->system, t, r);
     take_floors(sums->n, &stage, p->system.row, ground, count, r);
     if (p->system.special || p->now.n_live > 0) {
-        dp_system_add(&p->system, &p->now, t, r);
+        dp_rates_add(&p->system, &p->now, t, r);
     }
 }
 

@@ -141,5 +141,5 @@ double dp_motion_acceleration(struct dp *p, double x, int i) {
             interpolate(p, x, dof[0] == i ? dof[1] : dof[0], 1);
         }
     }
-    return dp_system_acceleration(&p->system, &p->now, p->now.time + x * p->h, p->stage[1], i);
+    return dp_rates_acceleration(&p->system, &p->now, p->now.time + x * p->h, p->stage[1], i);
 }

@@ -7,7 +7,7 @@
 #include "core/lanes.h"
 
 void dp_stages_first(struct dp *p) {
-    dp_system_rates(&p->system, &p->now, p->now.time, p->stage[0]);
+    dp_rates_at(&p->system, &p->now, p->now.time, p->stage[0]);
 }
 
 void dp_stages_take(struct dp *p, double h, double end) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The right-hand side of the equations of motion for the method of Dormand & Prince, with every
-// law held on the branch that it is on at the start of the step.
+// The system of equations of motion for the method of Dormand & Prince, with every law held on the
+// branch that it is on at the start of the step.
 #ifndef JOSTLE_DP_SYSTEM_H
 #define JOSTLE_DP_SYSTEM_H
 
 #include <assert.h>
+#include <float.h>
 
 #include "solve/forcing.h"
 #include "solve/state.h"
@@ -51,22 +52,8 @@ struct dp_system {
     bool *calls;             // (n_dof) the storey's law is called, as it is not made of lines
 };
 
-// The system at one instant. Links are those live in the state at the start of the step.
-struct dp_rates {
-    double *u, *v;                 // [L] [L/T] (n_dof)
-    double *a;                     // [L/T^2] (n_dof)
-    struct forcing_values ground;  // (n_ground)
-    double *force;                 // [F] (n_live)
-    double *power;                 // [F L/T] (n_live) of those forces
-    double *dfdd, *dfdv;           // [F/L] [F T/L] (n_live) their slopes
-    // [F L/T] of loads, of full dampings and on storeys that are not elastic; not where nothing is
-    // special
-    double input, damping, storey;
-};
-
 // Room for a system; false: no memory.
 bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a);
-bool dp_system_alloc_rates(struct dp_rates *r, const struct model *m, struct arena *a);
 
 // The branches at state `now`: forcing, storeys and links.
 void dp_system_start(struct dp_system *s, const struct state *now);
@@ -83,23 +70,6 @@ double dp_system_storey_noise(const struct dp_system *s, const struct state *now
 // Shear of the storey below floor i at `drift`, on its branch [F].
 double dp_system_shear(const struct dp_system *s, const struct state *now, int i, double drift);
 
-// Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`: those
-// of linear floors, and what dp_system_add adds to them.
-void dp_system_add(const struct dp_system *s, const struct state *now, double t,
-                   struct dp_rates *r);
-void dp_system_rates(const struct dp_system *s, const struct state *now, double t,
-                     struct dp_rates *r);
-
-// The ground's motion at time t into r->ground. Returns its acceleration where there is one ground
-// only, else 0.
-static inline double dp_system_ground(const struct dp_system *s, double t, struct dp_rates *r) {
-    if (s->model->n_ground == 1 && !s->forcing.sines) {
-        return r->ground.a[0] = forcing_lines(&s->forcing, 0, t);
-    }
-    forcing_ground(&s->forcing, t, &r->ground);
-    return s->model->n_ground == 1 ? r->ground.a[0] : 0.0;
-}
-
 // state_gap of an array of core/lanes.h: a wall stands at the zero in front of it.
 static inline double dp_system_across(const struct link *l, const struct model *m, const double *x,
                                       const double *ground) {
@@ -107,14 +77,26 @@ static inline double dp_system_across(const struct link *l, const struct model *
     return x[l->dof[0]] - x[l->dof[1]] + state_ground_gap(l, m, ground);
 }
 
-// The total acceleration of floor i alone, from the motion of its building and of the floors that
-// its links join it to.
-double dp_system_acceleration(const struct dp_system *s, const struct state *now, double t,
-                              struct dp_rates *r, int i);
-
 // The response of link k at (d, v) on its branch; d and v may lie beyond it.
-struct contact_response dp_system_response(const struct dp_system *s, const struct state *now,
-                                           int k, double d, double v);
+static inline struct contact_response
+dp_system_response(const struct dp_system *s, const struct state *now, int k, double d, double v) {
+    const struct link *l = &s->model->link[k];
+    const double *history = now->link_history + l->history;
+    int phase = s->phase[k];
+    if (phase == PHASE_ANY) {
+        return l->law->force(l->constant, history, d, v);
+    }
+    double inside = d > 0.0 ? d : 0.0;
+    double seen = phase * v > 0.0 ? v : phase * DBL_MIN;
+    struct contact_response r = l->law->force(l->constant, history, inside, seen);
+    if (seen != v) {
+        r.force += r.dfdv * v;
+    }
+    if (inside != d) {
+        r.force += r.dfdd * d;
+    }
+    return r;
+}
 
 // Brings the histories of `now` to its present drifts, penetrations and velocities.
 void dp_system_commit(const struct dp_system *s, struct state *now);
