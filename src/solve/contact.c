@@ -21,6 +21,7 @@
 
 #include "core/number.h"
 #include "solve/block.h"
+#include "solve/link_terms.h"
 #include "solve/quick.h"
 #include "solve/resolve.h"
 #include "solve/rest.h"
@@ -231,9 +232,8 @@ static double changed(const struct progress *s) {
 static bool converged(const struct work *w, enum answers answers, const struct progress *s) {
     double tolerance = w->model->tolerance * s->largest;
     double echo = w->n_acting == 1 ? 0.0 : s->answered ? 1.0 : number_min(s->echo, 1.0);
-    return s->moved[LAW_UNKNOWN] <= tolerance && echo * s->moved[LAW_KNOWN] <= tolerance &&
-           !(s->moved[LAW_KNOWN] > s->clear) &&
-           (answers == ANSWERS_EXACT || s->enough <= 4.0 * tolerance);
+    return IS_SETTLED(s, echo, tolerance) && !(s->moved[LAW_KNOWN] > s->clear) &&
+           (answers == ANSWERS_EXACT || IS_MEASURED(s->enough, tolerance));
 }
 
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals

@@ -7,14 +7,15 @@
 #include "core/number.h"
 #include "solve/contact.h"
 #include "solve/crossing.h"
+#include "solve/link_terms.h"
 #include "solve/quick.h"
 
 // A first guess of the force: the polynomial through the last steps, as many as there were with the
 // link closed, up to four.
 static inline double guess(double f, int n_past, const double past[PAST_STEPS]) {
-    double next = n_past == PAST_STEPS ? 4.0 * (f + past[1]) - 6.0 * past[0] - past[2]
-                  : n_past == 2        ? 3.0 * (f - past[0]) + past[1]
-                  : n_past == 1        ? 2.0 * f - past[0]
+    double next = n_past == PAST_STEPS ? CUBIC_GUESS(f, past)
+                  : n_past == 2        ? PARABOLIC_GUESS(f, past)
+                  : n_past == 1        ? LINEAR_GUESS(f, past)
                                        : f;
     return f > 0.0 ? number_max(next, 0.0) : f;
 }

@@ -151,8 +151,6 @@ void ensemble_contacts_stow(struct ensemble_lanes *e, int lane, const struct run
     s->alone[lane] = n_closed == 1 ? -1 : 0;
     s->work[lane] = r->energy.contact;
     s->steps[lane] = s->sweeps[lane] = 0;
-    s->per_b = r->work.per_b;
-    s->per_g = r->work.per_g;
     list_acting(e);
 }
 

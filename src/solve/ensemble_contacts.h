@@ -11,6 +11,11 @@
 // Quick sweeps: contact.c does other things after these.
 enum { ENSEMBLE_SWEEPS = 4 };
 
+// As struct tangent.
+struct tangent_lanes {
+    wide base, rate, asked, reach, near, damped;
+};
+
 // A contact in the lanes of runs that are stowed and in which it is live. Names of the step under
 // way are as in struct quick.
 struct closed_contact {
@@ -21,8 +26,8 @@ struct closed_contact {
     wide own_impulse, own_work;             // and of its impact
     wide own_force, own_depth;              // largest of it,
     wide most, most_time, deep, deep_time;  // and ever
-    wide force, base, rate, asked, reach, near, damped;
-    wide d_trial, v_trial, dfdd, dfdv;
+    wide force, d_trial, v_trial, dfdd, dfdv;
+    struct tangent_lanes tangent;
     wide fits_to;
     wide_bits ask;
 };
@@ -34,7 +39,6 @@ struct ensemble_contacts {
     unsigned solved;                 // those whose forces have been found in the step under way
     int n_acting, *acting;           // (n_contact) live in some lane, in ascending order
     int n_touched, *touched;         // (n_building) their buildings
-    double per_b, per_g;
     wide tolerance;
     wide_bits alone;          // only one contact is live
     wide work;                // [F L] on all links so far

@@ -51,9 +51,13 @@ static bool alloc_buildings(struct ensemble_lanes *e, const struct model *m, str
 
 static void fill_factors(struct ensemble_factors *f, const struct model *m) {
     const wide none = {0.0};
-    const double h = m->dt;
-    *f = (struct ensemble_factors){h - none, h * h / 2.0 - none, m->beta * h * h - none,
-                                   m->gamma * h - none};
+    const double h = m->dt, b = m->beta * h * h, g = m->gamma * h;
+    *f = (struct ensemble_factors){.h = h - none,
+                                   .half = h * h / 2.0 - none,
+                                   .b = b - none,
+                                   .g = g - none,
+                                   .per_b = 1.0 / b - none,
+                                   .per_g = 1.0 / g - none};
 }
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,

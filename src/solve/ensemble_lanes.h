@@ -31,6 +31,7 @@ struct ensemble_trial {
 struct ensemble_factors {
     wide h, half;  // h and h^2 / 2
     wide b, g;     // beta h^2 and gamma h
+    wide per_b, per_g;
 };
 
 // What the contact iteration of a run reads of its floors, and changes: arrays of its struct work.

@@ -9,25 +9,21 @@
 #include "core/lanes.h"
 #include "solve/work.h"
 
-// A Newton step is trusted if it changes force and penetration by no more than this share, and if
-// the law is no steeper than this against the flexibility of the link.
-static const double QUICK_NEAR = 0.1;
-static const double QUICK_STEEPEST = 0.1;
-
-// Changes of this share of what is enough are not made.
-static const double QUICK_NEGLECTED = 0.1;
-
-// A force f may follow the slope of its law by a change c as long as 4 c^2 / f does not matter.
-static const double QUICK_STRAIGHT = 0.1 / 4.0;
-
-// What was settled while forces were larger by this factor still is.
-static const double QUICK_LOOSER = 4.0;
-
 // Links that are gathered, asked and visited together in the first sweep.
 enum { QUICK_GROUP = 16 };
 
+// A law for Newton steps: with the correction x = asked it was asked, and a step from asked + dx
+// changes the force by base + rate dx.
+struct tangent {
+    double base, rate;  // [F] [F T^2/L]
+    double asked;       // [L/T^2] difference of the corrections of the link's ends
+    double reach;       // [L/T^2] how far from there until the law must be asked again
+    double near;        // [L/T^2] how far a step may lead from there
+    double damped;      // 1 / (1 + S_ll t)
+};
+
 // One link, in four lines of the cache: what every visit of a sweep looks at, what a step needs
-// too, what asking the law needs, and the rest.
+// too, which is from tangent.near on, what asking the law needs, and the rest.
 struct quick {
     alignas(LANES_LINE) int end[2];  // among the arrays of struct chain
     enum branch branch;              // that its force is on
@@ -35,15 +31,10 @@ struct quick {
     bool trusted;                    // it is on the closed branch: a Newton step may start there
     bool open;                       // its force is 0 as long as d <= 0
     bool clamped;                    // its law may pull, but is not let
-    // The force, and what the law said when it was asked, with the correction x = asked.
-    double force;       // [F]
-    double base, rate;  // a Newton step from asked + dx changes the force by base + rate dx
-    double asked;       // [L/T^2] difference of the corrections of its ends
-    double reach;       // [L/T^2] how far from there until the law must be asked again
-    double unmoved;     // 1 / the most that |S_lm| of all other links may add up to
+    double force;                    // [F]
+    double unmoved;                  // 1 / the most that |S_lm| of all other links may add up to
+    struct tangent tangent;
 
-    double near;              // [L/T^2] how far a step may lead from there
-    double damped;            // 1 / (1 + S_ll t)
     double flexibility;       // S_ll
     double others;            // the sum of |S_lm| as a share of that, at most
     const double *column[2];  // what floors feel of its force: of A^-1,

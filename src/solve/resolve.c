@@ -22,8 +22,7 @@ bool resolve_negligible(const struct work *w, const struct state *now, double ve
     return fabs(velocity) <= NEGLIGIBLE * floors_speed(w, now);
 }
 
-// Is a step short enough for the spring of a law that has the tangents `r` at (d, v)? That of a
-// smooth one is no more than four times as stiff at twice the penetration.
+// Is a step short enough for the spring of a law that has the tangents `r` at (d, v)?
 static bool fits_spring(const struct work *w, struct quick *p, struct contact_response r,
                         double d) {
     if (d <= p->fits_to) {
@@ -32,15 +31,16 @@ static bool fits_spring(const struct work *w, struct quick *p, struct contact_re
     double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
                            ? r.dfdd
                            : p->kind->force(p->constant, p->history, d, 0.0).dfdd;
-    double coarse = stiffness * p->flexibility * w->h * w->h;
-    p->fits_to = (p->kind->traits & CONTACT_SMOOTH) && 4.0 * coarse <= RESOLVE_COARSEST_SPRING
-                     ? 2.0 * d
-                     : 0.0;
+    double coarse = SPRING_COARSENESS(stiffness, p->flexibility, w->h);
+    bool smooth = p->kind->traits & CONTACT_SMOOTH;
+    p->fits_to =
+        smooth && RESOLVE_STIFFER * coarse <= RESOLVE_COARSEST_SPRING ? RESOLVE_DEEPER * d : 0.0;
     return coarse <= RESOLVE_COARSEST_SPRING;
 }
 
 static bool fits(const struct work *w, struct quick *p, struct contact_response r, double d) {
-    return w->g * p->flexibility * r.dfdv <= RESOLVE_COARSEST_DASHPOT && fits_spring(w, p, r, d);
+    return DASHPOT_COARSENESS(r.dfdv, p->flexibility, w->g) <= RESOLVE_COARSEST_DASHPOT &&
+           fits_spring(w, p, r, d);
 }
 
 static bool resolved_at(const struct work *w, struct quick *p, double d, double v) {

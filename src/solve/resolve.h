@@ -11,6 +11,14 @@ static const double RESOLVE_COARSEST_SPRING = 0.09869604401089358;
 // The decay that the dashpot of a law may cause.
 static const double RESOLVE_COARSEST_DASHPOT = 0.5;
 
+// What is compared with these, of numbers of one run or of several.
+#define SPRING_COARSENESS(stiffness, flexibility, h) ((stiffness) * (flexibility) * (h) * (h))
+#define DASHPOT_COARSENESS(dfdv, flexibility, g) ((g) * (flexibility) * (dfdv))
+
+// A smooth law is no more than so many times as stiff at a penetration so many times as deep.
+static const double RESOLVE_STIFFER = 4.0;
+static const double RESOLVE_DEEPER = 2.0;
+
 // resolve_suffices, whatever is known.
 bool resolve_judge(struct work *w, const struct state *now, const struct state *next,
                    struct quick *p);
@@ -26,7 +34,7 @@ static inline bool resolve_suffices(struct work *w, const struct state *now,
                                     const struct state *next, struct quick *p) {
     double x = w->correction[p->end[0]] - w->correction[p->end[1]];
     if (p->checked >= w->h && !p->ask && p->d_trial + w->b * x <= p->fits_to &&
-        w->g * p->flexibility * p->dfdv <= RESOLVE_COARSEST_DASHPOT) {
+        DASHPOT_COARSENESS(p->dfdv, p->flexibility, w->g) <= RESOLVE_COARSEST_DASHPOT) {
         p->checked = w->h;
         return true;
     }
