@@ -56,7 +56,7 @@ static bool suits(struct ensemble_lanes *e, int lane, const struct run *r, int k
            r->work.quick[k].checked == r->work.h && yields(e, k, lane, &r->work);
 }
 
-static void stow(struct closed_contact *j, int lane, const struct run *r, int k) {
+static void put_in(struct closed_contact *j, int lane, const struct run *r, int k) {
     const struct link_state *l = &r->now->link[k];
     const struct link_peak *p = &r->results->link[k];
     const struct impact *i = &r->results->impact[r->impacts.open[k]];
@@ -125,7 +125,7 @@ static void list_acting(struct ensemble_lanes *e) {
     }
 }
 
-void ensemble_contacts_stow(struct ensemble_lanes *e, int lane, const struct run *r) {
+void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct run *r) {
     struct ensemble_contacts *s = e->contacts;
     const struct state *now = r->now;
     bool all = e->steps->solve && r->model->iterations >= ENSEMBLE_SWEEPS;
@@ -141,12 +141,12 @@ void ensemble_contacts_stow(struct ensemble_lanes *e, int lane, const struct run
     for (int i = 0; i < now->n_live; i++) {
         const int k = now->live[i];
         if (now->link[k].closed) {
-            stow(&s->contact[k], lane, r, k);
+            put_in(&s->contact[k], lane, r, k);
             s->runs[k] |= 1U << lane;
             e->gap[k].limit[lane] = INFINITY;
         }
     }
-    s->stowed |= 1U << lane;
+    s->active |= 1U << lane;
     s->tolerance[lane] = r->model->tolerance;
     s->alone[lane] = n_closed == 1 ? -1 : 0;
     s->work[lane] = r->energy.contact;
@@ -154,9 +154,9 @@ void ensemble_contacts_stow(struct ensemble_lanes *e, int lane, const struct run
     list_acting(e);
 }
 
-void ensemble_contacts_take_out(struct ensemble_lanes *e, int lane, struct run *r) {
+void ensemble_contacts_leave(struct ensemble_lanes *e, int lane, struct run *r) {
     struct ensemble_contacts *s = e->contacts;
-    if (!ensemble_has(s->stowed, lane)) {
+    if (!ensemble_has(s->active, lane)) {
         return;
     }
     const struct state *now = r->now;
@@ -170,7 +170,7 @@ void ensemble_contacts_take_out(struct ensemble_lanes *e, int lane, struct run *
     r->energy.contact = s->work[lane];
     r->results->totals.iterations += s->sweeps[lane];
     r->results->totals.fast += s->steps[lane];
-    s->stowed &= ~(1U << lane);
+    s->active &= ~(1U << lane);
     list_acting(e);
 }
 
@@ -189,5 +189,5 @@ void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r) {
 }
 
 void ensemble_contacts_work(const struct ensemble_lanes *e, int lane, struct energy_account *a) {
-    a->contact = ensemble_has(e->contacts->stowed, lane) ? e->contacts->work[lane] : a->contact;
+    a->contact = ensemble_has(e->contacts->active, lane) ? e->contacts->work[lane] : a->contact;
 }

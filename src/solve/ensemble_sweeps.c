@@ -310,7 +310,7 @@ LANES_WHOLE void ensemble_contacts_solve(struct ensemble_lanes *e) {
     s.e = e;
     s.contacts = e->contacts;
     s.tolerance = e->contacts->tolerance;
-    lanes_of(e->contacts->stowed, &s.well);
+    lanes_of(e->contacts->active, &s.well);
     s.busy = s.well;
     e->contacts->count = (wide_bits){0};
     keep(&s);
