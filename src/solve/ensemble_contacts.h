@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Links of runs in lockstep, a run a lane. Those of a run are there while all
 // its live links are contacts that have been closed for some steps and stay so, in one group of
-// quick.h: then the lanes have what struct link_state, its impact and the peaks say of them.
+// sweep.h: then the lanes have what struct link_state, its impact and the peaks say of them.
 // Anything else, such as a contact that closes or opens, takes the links of the run out, for the
 // functions that a run alone has.
 #ifndef JOSTLE_ENSEMBLE_CONTACTS_H
@@ -9,7 +9,7 @@
 
 #include "solve/ensemble_lanes.h"
 
-// Quick sweeps: contact.c does other things after these.
+// Newton sweeps: contact.c does other things after these.
 enum { ENSEMBLE_SWEEPS = 4 };
 
 // As struct tangent.
@@ -18,7 +18,7 @@ struct tangent_lanes {
 };
 
 // A contact in the lanes of active runs in which it is live. Names of the step under
-// way are as in struct quick.
+// way are as in struct link_scratch.
 struct closed_contact {
     wide_bits live;
     wide_bits n_past;

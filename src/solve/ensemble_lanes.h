@@ -78,7 +78,8 @@ struct ensemble_building {
 // Constants of laws whose contacts are solved for in lanes.
 enum { ENSEMBLE_CONSTANTS = 2 };
 
-// What solving for the force of a contact in lanes needs to know of it; names as in struct quick.
+// What solving for the force of a contact in lanes needs to know of it; names as in struct
+// link_scratch.
 struct ensemble_grip {
     wide flexibility, others, unmoved;
     wide constant[ENSEMBLE_CONSTANTS];

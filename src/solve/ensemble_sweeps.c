@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quick sweeps (quick.c) over the live contacts of runs in lockstep: what that file says of one
+// Newton sweeps (sweep.c) over the live contacts of runs in lockstep: what that file says of one
 // link of one run holds here for a contact in each lane, by the same arithmetic (link_terms.h).
 // Lanes in which a contact is not live, or that have converged, look on.
 //
@@ -259,7 +259,7 @@ LANES_WHOLE_INLINE void refit(struct sweeps *s, int k, const wide *d, const wide
     s->well &= ~*which | WIDE_AT_MOST(coarse, coarsest);
 }
 
-// Gives up where steps are not short enough for a contact, or that is not known from its line.
+// Gives up where steps are not short enough for a contact, or where its law is not known.
 LANES_WHOLE_INLINE void judge(struct sweeps *s) {
     const wide b = s->e->factors->b, g = s->e->factors->g;
     for (int i = 0; i < s->contacts->n_acting; i++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arithmetic of the force of a link, written once for the links of one run (contact_step.c,
-// quick.c, contact.c) and for a contact in each of several, one a lane (ensemble_impacts.c,
+// sweep.c, contact.c) and for a contact in each of several, one a lane (ensemble_impacts.c,
 // ensemble_sweeps.c). They agree to the bit because these are the same operations in the same
 // order. Macros where that is enough, as each has another type.
 //
@@ -45,7 +45,7 @@ LINK_INLINE void link_root(link_number *x) {
     }
 }
 #else
-#include "solve/quick.h"
+#include "solve/sweep.h"
 
 typedef double link_number;
 #define LINK_INLINE LANES_INLINE

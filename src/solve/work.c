@@ -6,7 +6,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/quick.h"
+#include "solve/sweep.h"
 
 // Clusters beyond this size are left to sweeps: the block matrix is full.
 enum { BLOCK_MAX = 400 };
@@ -26,7 +26,7 @@ static bool alloc_floors(struct work *w, const struct model *m, struct arena *a)
 static bool alloc_links(struct work *w, const struct model *m, struct arena *a) {
     size_t n_link = (size_t)m->n_link;
     size_t n_block = (size_t)w->block_max;
-    w->quick = lanes_lines(a, n_link, sizeof *w->quick);
+    w->link = lanes_lines(a, n_link, sizeof *w->link);
     w->acting = arena_alloc(a, n_link, sizeof(void *));
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->toggled = arena_alloc(a, n_link, sizeof *w->toggled);
@@ -34,7 +34,7 @@ static bool alloc_links(struct work *w, const struct model *m, struct arena *a) 
     w->vector = arena_alloc(a, n_block, sizeof *w->vector);
     w->order = arena_alloc(a, n_block, sizeof *w->order);
     w->matrix = arena_alloc(a, n_block * n_block, sizeof *w->matrix);
-    return w->quick && gaps_alloc(&w->gaps, m, a) && w->acting && w->rigid && w->toggled &&
+    return w->link && gaps_alloc(&w->gaps, m, a) && w->acting && w->rigid && w->toggled &&
            w->grouped && w->vector && w->order && w->matrix;
 }
 
@@ -55,7 +55,7 @@ static double crowd_of(const struct work *w, const struct model *m) {
 
 static void fill_links(struct work *w, const struct model *m) {
     for (int k = 0; k < m->n_link; k++) {
-        quick_init(&w->quick[k], m, k);
+        sweep_init(&w->link[k], m, k);
         w->commits |= m->link[k].law->commit != NULL;
         if (m->link[k].law->rebound) {
             w->rigid[w->n_rigid++] = k;

@@ -25,7 +25,7 @@ enum splitting {
     SPLIT_ALWAYS,  // all
 };
 
-struct quick;
+struct link_scratch;
 
 struct work {
     const struct model *model;    // borrowed
@@ -54,9 +54,9 @@ struct work {
     bool *settled;              // (n_building) storeys agree with the tangents used
 
     struct gaps gaps;
-    struct quick *quick;            // (n_link) what the solution for its force needs of each link
+    struct link_scratch *link;      // (n_link) what the solution for its force needs of each link
     int n_acting;                   // live links whose forces are being solved for,
-    struct quick **acting;          // (n_link) in ascending order
+    struct link_scratch **acting;   // (n_link) in ascending order
     double crowd;                   // most links with a force law that any floor has
     bool commits;                   // some law remembers what happens in contact
     int n_toggled, *toggled;        // links that have closed or opened in the step in hand

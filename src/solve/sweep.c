@@ -12,7 +12,7 @@
 //     |df_l| <= t / (1 + s) sum over m of |S_lm df_m| <= s sum of |S_lm| / S_ll max |df_m|,
 // so that another sweep would change forces by such a share of what this one did. Where that does
 // not matter no such sweep is made.
-#include "solve/quick.h"
+#include "solve/sweep.h"
 
 #include <float.h>
 #include <math.h>
@@ -21,9 +21,9 @@
 #include "core/number.h"
 #include "solve/link_terms.h"
 
-void quick_init(struct quick *p, const struct model *m, int k) {
+void sweep_init(struct link_scratch *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
-    *p = (struct quick){
+    *p = (struct link_scratch){
         .link = l,
         .index = k,
         .kind = l->law,
@@ -46,7 +46,7 @@ static double sum_of_sizes(const double *x, int n) {
 }
 
 // How the ends yield.
-static void find_columns(const struct work *w, struct quick *p) {
+static void find_columns(const struct work *w, struct link_scratch *p) {
     const struct link *l = p->link;
     p->factors = w->factors;
     p->flexibility = 0.0;
@@ -70,7 +70,7 @@ static void find_columns(const struct work *w, struct quick *p) {
 }
 
 // Asks the law of a link that sees x. False: a Newton step is not safe.
-static inline bool ask(const struct work *w, struct quick *p, double x, struct progress *s) {
+static inline bool ask(const struct work *w, struct link_scratch *p, double x, struct progress *s) {
     double d = END(p->d_trial, w->b, x);
     double v = END(p->v_trial, w->g, x);
     if (!p->trusted || !(d > 0.0 || p->bilateral)) {
@@ -93,7 +93,7 @@ static inline bool ask(const struct work *w, struct quick *p, double x, struct p
 }
 
 // Where d and v are without corrections, and how the ends yield, unless that has stayed.
-static inline void gather(struct work *w, const struct state *next, struct quick *p) {
+static inline void gather(struct work *w, const struct state *next, struct link_scratch *p) {
     int left = p->end[0];
     int right = p->end[1];
     p->trusted = p->branch == BRANCH_CLOSED && p->kind->force && !p->clamped;
@@ -110,35 +110,36 @@ static inline void gather(struct work *w, const struct state *next, struct quick
     }
 }
 
-void quick_gather(struct work *w, const struct state *next, struct progress *s) {
+void sweep_begin(struct work *w, const struct state *next, struct progress *s) {
     *s = (struct progress){0};
     w->n_acting = next->n_live;
     for (int i = 0; i < w->n_acting; i++) {
         int k = next->live[i];
-        w->acting[i] = &w->quick[k];
-        w->quick[k].force = next->link[k].force;
+        w->acting[i] = &w->link[k];
+        w->link[k].force = next->link[k].force;
         s->largest = number_max(s->largest, fabs(next->link[k].force));
     }
 }
 
 // What a link sees.
-static inline double sees(const struct work *w, const struct quick *p) {
+static inline double sees(const struct work *w, const struct link_scratch *p) {
     return w->correction[p->end[0]] - w->correction[p->end[1]];
 }
 
-void quick_take(struct work *w, const struct state *next, int first, int end, struct progress *s) {
+void sweep_gather(struct work *w, const struct state *next, int first, int end,
+                  struct progress *s) {
     for (int i = first; i < end; i++) {
-        struct quick *p = w->acting[i];
+        struct link_scratch *p = w->acting[i];
         gather(w, next, p);
         ask(w, p, sees(w, p), s);
     }
     s->loosest = s->enough;
 }
 
-void quick_ask(struct work *w, struct progress *s) {
+void sweep_ask_again(struct work *w, struct progress *s) {
     bool looser = s->loosest > LINK_LOOSER * s->enough;
     for (int i = 0, n = looser ? w->n_acting : 0; i < n; i++) {
-        struct quick *p = w->acting[i];
+        struct link_scratch *p = w->acting[i];
         p->ask = true;
         ask(w, p, sees(w, p), s);
     }
@@ -156,17 +157,17 @@ static inline void push(double *restrict q, const double *restrict column, int n
     }
 }
 
-static inline void push_ends(const struct work *w, const struct quick *p, double df) {
+static inline void push_ends(const struct work *w, const struct link_scratch *p, double df) {
     push(w->correction + p->first[0], p->column[0], p->lanes[0], -df);
     push(w->correction + p->first[1], p->column[1], p->lanes[1], df);
 }
 
-void quick_push(const struct work *w, const struct quick *p, double df) {
+void sweep_push(const struct work *w, const struct link_scratch *p, double df) {
     push_ends(w, p, df);
 }
 
 // Is a change of the force no more than the rounding of d and v makes of it?
-static inline bool negligible(const struct work *w, const struct quick *p, double df) {
+static inline bool negligible(const struct work *w, const struct link_scratch *p, double df) {
     const int left = p->end[0], right = p->end[1];
     double q = fabs(w->correction[left]) + fabs(w->correction[right]);
     double d = fabs(w->u_trial[left]) + fabs(w->u_trial[right]) + p->gap + w->b * q;
@@ -175,7 +176,7 @@ static inline bool negligible(const struct work *w, const struct quick *p, doubl
 }
 
 // Takes note of the change df of a force whose law is known as well as need be, or is not.
-static inline void note(const struct work *w, const struct quick *p, double df,
+static inline void note(const struct work *w, const struct link_scratch *p, double df,
                         struct progress *s) {
     double *most = &s->moved[p->ask ? LAW_UNKNOWN : LAW_KNOWN];
     if (fabs(df) > *most && fabs(df) > s->enough && !negligible(w, p, df)) {
@@ -185,12 +186,12 @@ static inline void note(const struct work *w, const struct quick *p, double df,
 
 // Changes of others up to this leave a link within the reach of its tangent that is `far` from
 // where that begins.
-static inline double room(const struct quick *p, double far) {
+static inline double room(const struct link_scratch *p, double far) {
     return number_max(p->tangent.reach - far, 0.0) * p->unmoved;
 }
 
 // A Newton step of a link that sees x; false: not safe.
-static inline bool step(const struct work *w, struct quick *p, double x, struct progress *s,
+static inline bool step(const struct work *w, struct link_scratch *p, double x, struct progress *s,
                         double *clear) {
     struct tangent *t = &p->tangent;
     double dx = x - t->asked;
@@ -213,7 +214,7 @@ static inline bool step(const struct work *w, struct quick *p, double x, struct 
 }
 
 // Does a link that sees x stay open?
-static inline bool stays_open(const struct work *w, const struct quick *p, double x,
+static inline bool stays_open(const struct work *w, const struct link_scratch *p, double x,
                               double *clear) {
     double d = p->d_trial + w->b * x;
     if (!(p->open && d <= 0.0)) {
@@ -223,11 +224,11 @@ static inline bool stays_open(const struct work *w, const struct quick *p, doubl
     return true;
 }
 
-LANES int quick_sweep(struct work *w, int first, int end, struct progress *s) {
+LANES int sweep_newton(struct work *w, int first, int end, struct progress *s) {
     double clear = s->clear, largest = s->largest;
     int i = first;
     for (; i < end; i++) {
-        struct quick *p = w->acting[i];
+        struct link_scratch *p = w->acting[i];
         double x = sees(w, p);
         double dx = x - p->tangent.asked;
         bool known = (!p->ask && IS_ON_TANGENT(&p->tangent, dx)) || ask(w, p, x, s);
