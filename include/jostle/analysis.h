@@ -90,7 +90,7 @@ struct totals {
     long events;  // steps split where a law that jumps closed or opened; adaptive: ended where a
                   // law changed its branch
     long iterations;  // Newton iterations: storeys and contacts
-    long fast;        // contact solves settled by quick sweeps, that take Newton steps
+    long fast;        // contact solves settled by Newton sweeps, that take Newton steps
     long scalar;      // by further sweeps, of exact scalar answers
     long block;       // that took Newton steps on clusters of links
     long unsolved;    // accepted at the smallest step without meeting the tolerance

@@ -24,7 +24,7 @@
 #include "core/arena.h"
 #include "core/lanes.h"
 #include "solve/contact.h"
-#include "solve/quick.h"
+#include "solve/sweep.h"
 
 // Links of a cluster.
 enum { BLOCK_MAX = 400 };
@@ -76,15 +76,15 @@ static void linearise(struct work *w, const struct state *now, const struct stat
         int k = c->link[i];
         struct line line = contact_line(w, now, next, k);
         double force;
-        enum branch branch = line_answer(&line, w->quick[k].force, &force);
-        double share = share_at(&line, branch, force) / w->quick[k].flexibility;
+        enum branch branch = line_answer(&line, w->link[k].force, &force);
+        double share = share_at(&line, branch, force) / w->link[k].flexibility;
         double *row = w->block.matrix + (size_t)i * (size_t)c->n;
         for (int j = 0; j < c->n; j++) {
             row[j] = i == j
                          ? 1.0
                          : share * flexibility(w, &w->model->link[k], &w->model->link[c->link[j]]);
         }
-        r[i] = force - w->quick[k].force;
+        r[i] = force - w->link[k].force;
     }
 }
 
@@ -110,7 +110,7 @@ static bool newton_step(struct work *w, const struct state *now, const struct st
 
 static void apply(struct work *w, const struct cluster *c, double part, const double *df) {
     for (int i = 0; i < c->n; i++) {
-        contact_apply(w, &w->quick[c->link[i]], part * df[i]);
+        contact_apply(w, &w->link[c->link[i]], part * df[i]);
     }
 }
 
@@ -129,14 +129,14 @@ static void copy_buildings(const struct work *w, const struct cluster *c, double
 static void keep(struct work *w, const struct cluster *c) {
     copy_buildings(w, c, w->block.kept_q, w->correction);
     for (int i = 0; i < c->n; i++) {
-        w->quick[c->link[i]].kept = w->quick[c->link[i]].force;
+        w->link[c->link[i]].kept = w->link[c->link[i]].force;
     }
 }
 
 static void restore(struct work *w, const struct cluster *c) {
     copy_buildings(w, c, w->correction, w->block.kept_q);
     for (int i = 0; i < c->n; i++) {
-        w->quick[c->link[i]].force = w->quick[c->link[i]].kept;
+        w->link[c->link[i]].force = w->link[c->link[i]].kept;
     }
 }
 
@@ -145,7 +145,7 @@ static double sweep(struct work *w, const struct state *now, struct state *next,
                     const struct cluster *c) {
     double moved = 0.0;
     for (int i = 0; i < c->n; i++) {
-        moved += fabs(contact_answer(w, now, next, c->link[i])) * w->quick[c->link[i]].flexibility;
+        moved += fabs(contact_answer(w, now, next, c->link[i])) * w->link[c->link[i]].flexibility;
     }
     w->totals->iterations++;
     return moved;
@@ -176,7 +176,7 @@ static double descent(struct work *w, const struct state *now, struct state *nex
     for (int i = 0; i < c->n; i++) {
         int k = c->link[i];
         struct line line = contact_line(w, now, next, k);
-        sum += df[i] * w->quick[k].flexibility * line_excess(&line, w->quick[k].force);
+        sum += df[i] * w->link[k].flexibility * line_excess(&line, w->link[k].force);
     }
     return sum;
 }
@@ -186,8 +186,8 @@ static void limit(const struct work *w, const struct cluster *c, double *df) {
     for (int i = 0; i < c->n; i++) {
         int k = c->link[i];
         const struct link *l = &w->model->link[k];
-        if (w->quick[k].clamped || !(l->bilateral || (l->law->traits & CONTACT_MAY_PULL))) {
-            df[i] = fmax(df[i], -w->quick[k].force);
+        if (w->link[k].clamped || !(l->bilateral || (l->law->traits & CONTACT_MAY_PULL))) {
+            df[i] = fmax(df[i], -w->link[k].force);
         }
     }
 }

@@ -4,7 +4,7 @@
 // With A the effective masses and B the links' directions, accelerations are a = a_free - A^-1 B'
 // f, so that link l sees d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l
 // with the flexibility S = B A^-1 B'. S is never formed: a column of A^-1 carries each change of a
-// force into the accelerations. Quick sweeps (quick.c) take Newton steps, link by link, and give a
+// force into the accelerations. Newton sweeps (sweep.c) take Newton steps, link by link, and give a
 // link its exact answer (line.c) with the others held where such a step is not safe; they do as
 // long as changes shrink fast. From then on every link gets its exact answer in each sweep, which
 // is coordinate descent on a convex function where laws do not pull, and so converges whatever the
@@ -21,12 +21,13 @@
 
 #include "core/number.h"
 #include "solve/block.h"
-#include "solve/quick.h"
+#include "solve/link_terms.h"
 #include "solve/resolve.h"
 #include "solve/rest.h"
+#include "solve/sweep.h"
 
-// Quick sweeps end, and block steps are tried, after so many sweeps, where the last one brought the
-// change of the forces down by less than the factor SLOW.
+// Newton sweeps end, and block steps are tried, after so many sweeps, where the last one brought
+// the change of the forces down by less than the factor SLOW.
 enum { PLAIN_SWEEPS = 4 };
 
 static const double SLOW = 0.2;
@@ -37,12 +38,12 @@ enum { PULLING_SWEEPS = 25 };
 // Changes of a force less than this share of it may come from the rounding of others.
 static const double SMALL = 1e-8;
 
-static double ends_difference(const struct quick *p, const double *x) {
+static double ends_difference(const struct link_scratch *p, const double *x) {
     return x[p->end[0]] - x[p->end[1]];
 }
 
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
-    const struct quick *p = &w->quick[k];
+    const struct link_scratch *p = &w->link[k];
     const struct link *l = p->link;
     double s = p->flexibility;
     double corrected = ends_difference(p, w->correction) + s * p->force;
@@ -64,9 +65,9 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
     return line;
 }
 
-void contact_apply(struct work *w, struct quick *p, double df) {
+void contact_apply(struct work *w, struct link_scratch *p, double df) {
     p->force += df;
-    quick_push(w, p, df);
+    sweep_push(w, p, df);
 }
 
 // Rounding that the forces of other links bring into x (n_dof).
@@ -114,12 +115,12 @@ static bool negligible(const struct work *w, const struct line *l, enum branch b
 }
 
 double contact_answer(struct work *w, const struct state *now, struct state *next, int k) {
-    struct quick *p = &w->quick[k];
+    struct link_scratch *p = &w->link[k];
     struct line line = contact_line(w, now, next, k);
     double force;
     p->branch = line_answer(&line, p->force, &force);
     double df = force - p->force;
-    quick_push(w, p, df);
+    sweep_push(w, p, df);
     p->force = force;
     return df;
 }
@@ -127,7 +128,7 @@ double contact_answer(struct work *w, const struct state *now, struct state *nex
 // Gives the link its exact answer. Newton steps may follow where the law leaves no choice between
 // its branches.
 static void answer_exactly(struct work *w, const struct state *now, struct state *next,
-                           struct quick *p, struct progress *s) {
+                           struct link_scratch *p, struct progress *s) {
     int k = p->index;
     const struct contact_law *law = p->link->law;
     double df = contact_answer(w, now, next, k);
@@ -154,7 +155,7 @@ enum answers { ANSWERS_EXACT, ANSWERS_NEWTON };
 static void visit(struct work *w, const struct state *now, struct state *next, enum answers answers,
                   int first, int end, struct progress *s) {
     for (int i = first;; i++) {
-        i = answers == ANSWERS_NEWTON ? quick_sweep(w, i, end, s) : i;
+        i = answers == ANSWERS_NEWTON ? sweep_newton(w, i, end, s) : i;
         if (i == end) {
             return;
         }
@@ -173,11 +174,11 @@ static void renew(const struct work *w, struct progress *s) {
 // The first sweep, by groups of links that the cache holds until they have been visited.
 static void first_sweep(struct work *w, const struct state *now, struct state *next,
                         struct progress *s) {
-    quick_gather(w, next, s);
+    sweep_begin(w, next, s);
     renew(w, s);
     for (int first = 0, end; first < w->n_acting; first = end) {
-        end = first + QUICK_GROUP < w->n_acting ? first + QUICK_GROUP : w->n_acting;
-        quick_take(w, next, first, end, s);
+        end = first + SWEEP_GROUP < w->n_acting ? first + SWEEP_GROUP : w->n_acting;
+        sweep_gather(w, next, first, end, s);
         visit(w, now, next, ANSWERS_NEWTON, first, end, s);
     }
 }
@@ -186,7 +187,7 @@ static void sweep(struct work *w, const struct state *now, struct state *next, e
                   struct progress *s) {
     renew(w, s);
     if (answers == ANSWERS_NEWTON) {
-        quick_ask(w, s);
+        sweep_ask_again(w, s);
     }
     visit(w, now, next, answers, 0, w->n_acting, s);
 }
@@ -205,7 +206,7 @@ static bool is_hopeful(struct work *w, const struct state *now, const struct sta
 // Without their tension there is just one.
 static void clamp(struct work *w) {
     for (int i = 0; i < w->n_acting; i++) {
-        struct quick *p = w->acting[i];
+        struct link_scratch *p = w->acting[i];
         p->clamped = !p->link->bilateral && (p->link->law->traits & CONTACT_MAY_PULL);
     }
 }
@@ -231,9 +232,8 @@ static double changed(const struct progress *s) {
 static bool converged(const struct work *w, enum answers answers, const struct progress *s) {
     double tolerance = w->model->tolerance * s->largest;
     double echo = w->n_acting == 1 ? 0.0 : s->answered ? 1.0 : number_min(s->echo, 1.0);
-    return s->moved[LAW_UNKNOWN] <= tolerance && echo * s->moved[LAW_KNOWN] <= tolerance &&
-           !(s->moved[LAW_KNOWN] > s->clear) &&
-           (answers == ANSWERS_EXACT || s->enough <= 4.0 * tolerance);
+    return IS_SETTLED(s, echo, tolerance) && !(s->moved[LAW_KNOWN] > s->clear) &&
+           (answers == ANSWERS_EXACT || IS_MEASURED(s->enough, tolerance));
 }
 
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
@@ -280,7 +280,7 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
 
 // A link whose law would pull where it was not let has neither an open nor a closed solution.
 static enum branch judge_clamped(struct work *w, const struct state *now, const struct state *next,
-                                 const struct quick *p) {
+                                 const struct link_scratch *p) {
     if (!p->clamped || p->force != 0.0 || p->branch != BRANCH_CLOSED) {
         return p->branch;
     }
@@ -292,7 +292,8 @@ static enum branch judge_clamped(struct work *w, const struct state *now, const 
 // Takes what was found for a link. One that found neither an open nor a closed solution opens
 // inside the step, unless it has bounced to rest; then false, as where the step is not short
 // enough.
-static bool take(struct work *w, const struct state *now, struct state *next, struct quick *p) {
+static bool take(struct work *w, const struct state *now, struct state *next,
+                 struct link_scratch *p) {
     int k = p->index;
     bool strict = w->strictness == STEP_STRICT;
     if (strict && !resolve_suffices(w, now, next, p)) {

@@ -7,14 +7,15 @@
 #include "core/number.h"
 #include "solve/contact.h"
 #include "solve/crossing.h"
-#include "solve/quick.h"
+#include "solve/link_terms.h"
+#include "solve/sweep.h"
 
 // A first guess of the force: the polynomial through the last steps, as many as there were with the
 // link closed, up to four.
 static inline double guess(double f, int n_past, const double past[PAST_STEPS]) {
-    double next = n_past == PAST_STEPS ? 4.0 * (f + past[1]) - 6.0 * past[0] - past[2]
-                  : n_past == 2        ? 3.0 * (f - past[0]) + past[1]
-                  : n_past == 1        ? 2.0 * f - past[0]
+    double next = n_past == PAST_STEPS ? CUBIC_GUESS(f, past)
+                  : n_past == 2        ? PARABOLIC_GUESS(f, past)
+                  : n_past == 1        ? LINEAR_GUESS(f, past)
                                        : f;
     return f > 0.0 ? number_max(next, 0.0) : f;
 }
@@ -26,7 +27,7 @@ static inline int past_after(int n_past, const struct contact_law *law) {
 }
 
 // What the law of a link remembers.
-static void keep_history(const struct state *now, struct state *next, struct quick *p) {
+static void keep_history(const struct state *now, struct state *next, struct link_scratch *p) {
     const struct link *l = p->link;
     double *history = next->link_history + l->history;
     memcpy(history, now->link_history + l->history, (size_t)l->law->n_history * sizeof *history);
@@ -35,7 +36,7 @@ static void keep_history(const struct state *now, struct state *next, struct qui
 
 // Link k, closed so far and live, begins the step as it ended the last.
 static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
-    struct quick *p = &w->quick[k];
+    struct link_scratch *p = &w->link[k];
     const struct link_state *from = &now->link[k];
     next->link[k] = (struct link_state){
         .force = guess(from->force, from->n_past, from->past),
@@ -92,7 +93,7 @@ void contact_begin(struct work *w, const struct state *now, struct state *next) 
 // Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
 // of closure from its path without its own force, and the law's history from that.
 static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
-    struct quick *p = &w->quick[k];
+    struct link_scratch *p = &w->link[k];
     const struct link *l = p->link;
     state_enliven(next, k);
     gaps_touch(&w->gaps, k);

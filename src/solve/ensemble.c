@@ -10,7 +10,7 @@
 #include "core/arena.h"
 #include "core/number.h"
 #include "solve/ensemble_contacts.h"
-#include "solve/ensemble_fleet.h"
+#include "solve/ensemble_lockstep.h"
 
 static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
 
@@ -69,8 +69,8 @@ static bool same_ground(const struct ground *a, const struct ground *b) {
 }
 
 // The ground accelerations of a run from step n on, for its lane.
-static void compute_ground(struct fleet *f, int k, long n) {
-    const struct model *m = f->boat[k].run.model;
+static void compute_ground(struct lockstep *l, int k, long n) {
+    const struct model *m = l->slot[k].run.model;
     const struct ground *g = &m->ground[0];
     double time[ENSEMBLE_STRETCH], value[ENSEMBLE_STRETCH] = {0.0};
     for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
@@ -80,141 +80,142 @@ static void compute_ground(struct fleet *f, int k, long n) {
         signal_add_values(&g->signal[i], ENSEMBLE_STRETCH, time, value);
     }
     for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
-        f->lanes.base[i][k] = value[i];
+        l->lanes.base[i][k] = value[i];
     }
 }
 
 // The ground accelerations of the steps from n on.
-static void compute_grounds(struct fleet *f, long n) {
-    for (int k = 0; k < f->n; k++) {
-        const int same = f->boat[k].ground;
+static void compute_grounds(struct lockstep *l, long n) {
+    for (int k = 0; k < l->n; k++) {
+        const int same = l->slot[k].ground;
         if (same == k) {
-            compute_ground(f, k, n);
+            compute_ground(l, k, n);
         }
         for (int i = 0; i < ENSEMBLE_STRETCH && same < k; i++) {
-            f->lanes.base[i][k] = f->lanes.base[i][same];
+            l->lanes.base[i][k] = l->lanes.base[i][same];
         }
     }
-    f->known = n + ENSEMBLE_STRETCH - 1;
+    l->known = n + ENSEMBLE_STRETCH - 1;
 }
 
-// The energies of a row of those aboard.
-static void balance(struct fleet *f) {
+// The energies of a row of runs in lanes.
+static void balance(struct lockstep *l) {
     struct energy_sums sums[WIDE_RUNS];
-    ensemble_sums(&f->lanes, sums);
-    for (int k = 0; k < f->n; k++) {
-        struct run *r = &f->boat[k].run;
-        if (f->boat[k].berth == BERTH_ABOARD) {
-            ensemble_contacts_work(&f->lanes, k, &r->energy);
+    ensemble_sums(&l->lanes, sums);
+    for (int k = 0; k < l->n; k++) {
+        struct run *r = &l->slot[k].run;
+        if (l->slot[k].mode == SLOT_IN_LANES) {
+            ensemble_contacts_work(&l->lanes, k, &r->energy);
             energy_close(&r->energy, &sums[k], r->results->energy);
             int status = analysis_note_energies(r);
             if (status != STATUS_OK) {
-                ensemble_fleet_end(f, k, status);
+                ensemble_lockstep_end(l, k, status);
             }
         }
     }
 }
 
-static void poll(struct fleet *f, double time) {
-    const struct observer *o = f->observer;
-    for (int k = 0; o && o->poll && k < f->n; k++) {
-        struct boat *b = &f->boat[k];
-        int status = b->berth == BERTH_ABOARD ? o->poll(o->context, time, &b->member->error) : 0;
+static void poll(struct lockstep *l, double time) {
+    const struct observer *o = l->observer;
+    for (int k = 0; o && o->poll && k < l->n; k++) {
+        struct slot *slot = &l->slot[k];
+        int status =
+            slot->mode == SLOT_IN_LANES ? o->poll(o->context, time, &slot->member->error) : 0;
         if (status != STATUS_OK) {
-            ensemble_fleet_end(f, k, status);
+            ensemble_lockstep_end(l, k, status);
         }
     }
 }
 
-// Step n of those ashore, some of which come aboard then.
-static void step_ashore(struct fleet *f, long n) {
-    for (int k = 0; f->n_ashore > 0 && k < f->n; k++) {
-        struct boat *b = &f->boat[k];
-        if (b->berth != BERTH_ASHORE && b->berth != BERTH_STAYS) {
+// Step n of runs that are alone, some of which enter their lanes then.
+static void step_alone(struct lockstep *l, long n) {
+    for (int k = 0; l->n_alone > 0 && k < l->n; k++) {
+        struct slot *slot = &l->slot[k];
+        if (slot->mode != SLOT_ALONE && slot->mode != SLOT_STAYS_ALONE) {
             continue;
         }
-        int status = analysis_step(&b->run, n);
+        int status = analysis_step(&slot->run, n);
         if (status == STATUS_OK) {
-            ensemble_fleet_board(f, k, n);
+            ensemble_lockstep_enter(l, k, n);
         } else {
-            ensemble_fleet_end(f, k, status);
+            ensemble_lockstep_end(l, k, status);
         }
     }
 }
 
-// The last step of a run, which it takes ashore.
-static void land(struct fleet *f, int k) {
-    struct boat *b = &f->boat[k];
-    const long last = b->run.model->n_step;
-    if (b->berth == BERTH_ABOARD) {
-        ensemble_fleet_leave(f, k, last - 1);
+// The last step of a run, which it takes alone.
+static void take_last_step(struct lockstep *l, int k) {
+    struct slot *slot = &l->slot[k];
+    const long last = slot->run.model->n_step;
+    if (slot->mode == SLOT_IN_LANES) {
+        ensemble_lockstep_leave(l, k, last - 1);
     }
-    ensemble_lanes_merge(&f->lanes, k, b->run.results);
-    ensemble_fleet_end(f, k, analysis_step(&b->run, last));
+    ensemble_lanes_merge(&l->lanes, k, slot->run.results);
+    ensemble_lockstep_end(l, k, analysis_step(&slot->run, last));
 }
 
-// Lands the runs that have but one step left after step n, and looks for the next that will.
-static void land_due(struct fleet *f, long n) {
-    if (n < f->due) {
+// Ends the runs that have but one step left after step n, and looks for the next that will.
+static void end_due(struct lockstep *l, long n) {
+    if (n < l->due) {
         return;
     }
-    f->due = LONG_MAX;
-    for (int k = 0; k < f->n; k++) {
-        const struct boat *b = &f->boat[k];
-        const long due = b->run.model->n_step - 1;
-        if (b->berth != BERTH_ENDED && due == n) {
-            land(f, k);
-        } else if (b->berth != BERTH_ENDED) {
-            f->due = number_least(f->due, due);
+    l->due = LONG_MAX;
+    for (int k = 0; k < l->n; k++) {
+        const struct slot *slot = &l->slot[k];
+        const long due = slot->run.model->n_step - 1;
+        if (slot->mode != SLOT_ENDED && due == n) {
+            take_last_step(l, k);
+        } else if (slot->mode != SLOT_ENDED) {
+            l->due = number_least(l->due, due);
         }
     }
 }
 
-static void lockstep(struct fleet *f) {
-    const double dt = f->boat[0].run.model->dt;
-    land_due(f, 0);
-    for (long n = 1; f->n_aboard + f->n_ashore > 0; n++) {
-        if (n > f->known) {
-            compute_grounds(f, n);
+static void lockstep(struct lockstep *l) {
+    const double dt = l->slot[0].run.model->dt;
+    end_due(l, 0);
+    for (long n = 1; l->n_in_lanes + l->n_alone > 0; n++) {
+        if (n > l->known) {
+            compute_grounds(l, n);
             if (n % POLL_STEPS == 1) {
-                poll(f, (double)(n - 1) * dt);
+                poll(l, (double)(n - 1) * dt);
             }
         }
-        n = ensemble_fleet_cruise(f, n);
-        if (n % f->every == 0 && f->n_aboard > 0) {
-            balance(f);
+        n = ensemble_lockstep_advance(l, n);
+        if (n % l->every == 0 && l->n_in_lanes > 0) {
+            balance(l);
         }
-        step_ashore(f, n);
-        land_due(f, n);
+        step_alone(l, n);
+        end_due(l, n);
     }
 }
 
-static int first_with_ground(const struct fleet *f, const struct model *m) {
+static int first_with_ground(const struct lockstep *l, const struct model *m) {
     int k = 0;
-    while (k < f->n && !same_ground(f->boat[k].run.model->ground, m->ground)) {
+    while (k < l->n && !same_ground(l->slot[k].run.model->ground, m->ground)) {
         k++;
     }
     return k;
 }
 
-// Starts a run, and takes it aboard if it can go in lanes.
-static void start(struct fleet *f, struct ensemble_member *member) {
+// Starts a run, in a lane if it can go there.
+static void start(struct lockstep *l, struct ensemble_member *member) {
     const struct model *m = member->model;
-    const int k = f->n;
-    struct boat *b = &f->boat[k];
-    b->member = member;
+    const int k = l->n;
+    struct slot *slot = &l->slot[k];
+    slot->member = member;
     member->results = NULL;
-    b->ground = first_with_ground(f, m);
-    b->berth = BERTH_STAYS;
-    f->n++;
-    f->n_ashore++;
-    int status = analysis_begin(&b->run, m, f->observer, &member->error);
+    slot->ground = first_with_ground(l, m);
+    slot->mode = SLOT_STAYS_ALONE;
+    l->n++;
+    l->n_alone++;
+    int status = analysis_begin(&slot->run, m, l->observer, &member->error);
     if (status != STATUS_OK) {
-        ensemble_fleet_end(f, k, status);
-    } else if (work_factor(&b->run.work, m->dt) == STATUS_OK &&
-               ensemble_lanes_fill(&f->lanes, k, &b->run)) {
-        b->berth = BERTH_ASHORE;
-        ensemble_fleet_board(f, k, 0);
+        ensemble_lockstep_end(l, k, status);
+    } else if (work_factor(&slot->run.work, m->dt) == STATUS_OK &&
+               ensemble_lanes_fill(&l->lanes, k, &slot->run)) {
+        slot->mode = SLOT_ALONE;
+        ensemble_lockstep_enter(l, k, 0);
     }
 }
 
@@ -222,17 +223,17 @@ static void start(struct fleet *f, struct ensemble_member *member) {
 static int run_alike(const struct ensemble_steps *steps, struct ensemble_member **member, int n,
                      const struct observer *observer, struct arena *a, struct error *e) {
     const struct model *m = member[0]->model;
-    struct fleet *f = a ? arena_alloc(a, 1, sizeof *f) : NULL;
-    if (!f || !ensemble_lanes_alloc(&f->lanes, m, steps, a)) {
+    struct lockstep *l = a ? arena_alloc(a, 1, sizeof *l) : NULL;
+    if (!l || !ensemble_lanes_alloc(&l->lanes, m, steps, a)) {
         return error_no_memory(e);
     }
-    f->observer = observer;
-    f->every = observer ? m->output.every : INT_MAX;
+    l->observer = observer;
+    l->every = observer ? m->output.every : INT_MAX;
     for (int k = 0; k < n; k++) {
-        start(f, member[k]);
+        start(l, member[k]);
     }
-    ensemble_lanes_share(&f->lanes, n);
-    lockstep(f);
+    ensemble_lanes_share(&l->lanes, n);
+    lockstep(l);
     return STATUS_OK;
 }
 

@@ -5,7 +5,7 @@
 
 #include "core/arena.h"
 #include "solve/peaks.h"
-#include "solve/quick.h"
+#include "solve/sweep.h"
 
 struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a) {
     struct ensemble_contacts *s = lanes_wide_array(a, 1, sizeof *s);
@@ -20,7 +20,7 @@ struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct
 
 // Finds the floors that feel the force of a contact; false: those of other runs differ.
 static bool reaches(struct ensemble_grip *g, const struct ensemble_building *building,
-                    const struct quick *q) {
+                    const struct link_scratch *q) {
     bool same = true;
     for (int i = 0; i < 2; i++) {
         if (g->building[i] != WALL) {
@@ -38,7 +38,7 @@ static bool reaches(struct ensemble_grip *g, const struct ensemble_building *bui
 // How the ends of contact k yield, unless that has stayed; false: it is not known.
 static bool yields(struct ensemble_lanes *e, int k, int lane, const struct work *w) {
     struct ensemble_grip *g = &e->grip[k];
-    const struct quick *q = &w->quick[k];
+    const struct link_scratch *q = &w->link[k];
     if (g->factors[lane] != w->factors && q->factors == w->factors) {
         g->factors[lane] = w->factors;
         g->flexibility[lane] = q->flexibility;
@@ -53,10 +53,10 @@ static bool yields(struct ensemble_lanes *e, int k, int lane, const struct work 
 static bool suits(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct link_state *l = &r->now->link[k];
     return l->t_close < r->now->time && l->n_past > 0 && !e->grip[k].apart &&
-           r->work.quick[k].checked == r->work.h && yields(e, k, lane, &r->work);
+           r->work.link[k].checked == r->work.h && yields(e, k, lane, &r->work);
 }
 
-static void stow(struct closed_contact *j, int lane, const struct run *r, int k) {
+static void put_in(struct closed_contact *j, int lane, const struct run *r, int k) {
     const struct link_state *l = &r->now->link[k];
     const struct link_peak *p = &r->results->link[k];
     const struct impact *i = &r->results->impact[r->impacts.open[k]];
@@ -76,7 +76,7 @@ static void stow(struct closed_contact *j, int lane, const struct run *r, int k)
     j->most_time[lane] = p->force_time;
     j->deep[lane] = r->results->deepest[k];
     j->deep_time[lane] = p->penetration_time;
-    j->fits_to[lane] = r->work.quick[k].fits_to;
+    j->fits_to[lane] = r->work.link[k].fits_to;
 }
 
 static void take_out(struct closed_contact *j, int lane, struct run *r, int k, long n_step) {
@@ -98,7 +98,7 @@ static void take_out(struct closed_contact *j, int lane, struct run *r, int k, l
     i->steps += n_step;
     p->force = j->most[lane];
     p->force_time = j->most_time[lane];
-    r->work.quick[k].fits_to = j->fits_to[lane];
+    r->work.link[k].fits_to = j->fits_to[lane];
     peaks_penetration(r->results, k, j->deep[lane], j->deep_time[lane]);
 }
 
@@ -125,7 +125,7 @@ static void list_acting(struct ensemble_lanes *e) {
     }
 }
 
-void ensemble_contacts_stow(struct ensemble_lanes *e, int lane, const struct run *r) {
+void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct run *r) {
     struct ensemble_contacts *s = e->contacts;
     const struct state *now = r->now;
     bool all = e->steps->solve && r->model->iterations >= ENSEMBLE_SWEEPS;
@@ -135,30 +135,28 @@ void ensemble_contacts_stow(struct ensemble_lanes *e, int lane, const struct run
         all = !closed || suits(e, lane, r, now->live[i]);
         n_closed += closed;
     }
-    if (!all || n_closed == 0 || n_closed > QUICK_GROUP) {
+    if (!all || n_closed == 0 || n_closed > SWEEP_GROUP) {
         return;
     }
     for (int i = 0; i < now->n_live; i++) {
         const int k = now->live[i];
         if (now->link[k].closed) {
-            stow(&s->contact[k], lane, r, k);
+            put_in(&s->contact[k], lane, r, k);
             s->runs[k] |= 1U << lane;
             e->gap[k].limit[lane] = INFINITY;
         }
     }
-    s->stowed |= 1U << lane;
+    s->active |= 1U << lane;
     s->tolerance[lane] = r->model->tolerance;
     s->alone[lane] = n_closed == 1 ? -1 : 0;
     s->work[lane] = r->energy.contact;
     s->steps[lane] = s->sweeps[lane] = 0;
-    s->per_b = r->work.per_b;
-    s->per_g = r->work.per_g;
     list_acting(e);
 }
 
-void ensemble_contacts_take_out(struct ensemble_lanes *e, int lane, struct run *r) {
+void ensemble_contacts_leave(struct ensemble_lanes *e, int lane, struct run *r) {
     struct ensemble_contacts *s = e->contacts;
-    if (!ensemble_has(s->stowed, lane)) {
+    if (!ensemble_has(s->active, lane)) {
         return;
     }
     const struct state *now = r->now;
@@ -172,7 +170,7 @@ void ensemble_contacts_take_out(struct ensemble_lanes *e, int lane, struct run *
     r->energy.contact = s->work[lane];
     r->results->totals.iterations += s->sweeps[lane];
     r->results->totals.fast += s->steps[lane];
-    s->stowed &= ~(1U << lane);
+    s->active &= ~(1U << lane);
     list_acting(e);
 }
 
@@ -191,5 +189,5 @@ void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r) {
 }
 
 void ensemble_contacts_work(const struct ensemble_lanes *e, int lane, struct energy_account *a) {
-    a->contact = ensemble_has(e->contacts->stowed, lane) ? e->contacts->work[lane] : a->contact;
+    a->contact = ensemble_has(e->contacts->active, lane) ? e->contacts->work[lane] : a->contact;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The floors of a building in a step of all runs aboard at once: what floor_terms.h says, as a run
+// The floors of a building in a step of all runs at once: what floor_terms.h says, as a run
 // alone goes through it where storeys are elastic and one ground moves all. Each lane sees the same
 // operations in the same order, so that its bits are those of a run alone. What one floor needs of
 // its neighbours is carried along in registers.

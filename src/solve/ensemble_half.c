@@ -13,9 +13,9 @@ typedef lanes unaligned;
 #define SOLVE NULL
 #define part_transpose lanes_transpose
 
-LANES_INLINE bool part_any(const long long *aboard, const lanes_bits *flags) {
+LANES_INLINE bool part_any(const long long *active, const lanes_bits *flags) {
     lanes_bits in;
-    memcpy(&in, aboard, sizeof in);
+    memcpy(&in, active, sizeof in);
     const lanes_bits set = *flags & in;
     return (set[0] | set[1] | set[2] | set[3]) < 0;
 }

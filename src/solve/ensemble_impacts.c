@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Forces that contacts in lanes begin a step with, and what they have done in it: contact_step.c
-// and impacts.c for contacts that stay closed, with the same operations in the same order.
+// and impacts.c for contacts that stay closed.
+#define LINKS_IN_LANES
 #include "solve/ensemble_contacts.h"
+#include "solve/link_terms.h"
 
 // The polynomial through the forces of the last steps: `guess` of contact_step.c.
 LANES_WHOLE void ensemble_contacts_begin(struct ensemble_lanes *e) {
@@ -9,9 +11,9 @@ LANES_WHOLE void ensemble_contacts_begin(struct ensemble_lanes *e) {
     for (int i = 0; i < e->contacts->n_acting; i++) {
         const int k = e->contacts->acting[i];
         struct closed_contact *j = &e->contacts->contact[k];
-        wide next = 4.0 * (j->was + j->past[1]) - 6.0 * j->past[0] - j->past[2];
-        next = WIDE_CHOOSE(j->n_past == 2, 3.0 * (j->was - j->past[0]) + j->past[1], next);
-        next = WIDE_CHOOSE(j->n_past == 1, 2.0 * j->was - j->past[0], next);
+        wide next = CUBIC_GUESS(j->was, j->past);
+        next = WIDE_CHOOSE(j->n_past == 2, PARABOLIC_GUESS(j->was, j->past), next);
+        next = WIDE_CHOOSE(j->n_past == 1, LINEAR_GUESS(j->was, j->past), next);
         const wide above = WIDE_LARGER(next, none);
         j->force = WIDE_CHOOSE(WIDE_LESS(none, j->was), above, j->was);
         e->force[k] = (wide)((wide_bits)j->force & j->live);

@@ -22,7 +22,7 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
         for (int i = 0; i < 2; i++) {
             e->end[k][i] = dof[i] == WALL ? m->n_dof : dof[i];
         }
-        e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never come aboard too
+        e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never enter too
     }
     return e->gap && e->nearest && e->contacts && e->grip && e->force && e->acts && e->end &&
            e->pressed;
@@ -51,9 +51,13 @@ static bool alloc_buildings(struct ensemble_lanes *e, const struct model *m, str
 
 static void fill_factors(struct ensemble_factors *f, const struct model *m) {
     const wide none = {0.0};
-    const double h = m->dt;
-    *f = (struct ensemble_factors){h - none, h * h / 2.0 - none, m->beta * h * h - none,
-                                   m->gamma * h - none};
+    const double h = m->dt, b = m->beta * h * h, g = m->gamma * h;
+    *f = (struct ensemble_factors){.h = h - none,
+                                   .half = h * h / 2.0 - none,
+                                   .b = b - none,
+                                   .g = g - none,
+                                   .per_b = 1.0 / b - none,
+                                   .per_g = 1.0 / g - none};
 }
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
@@ -80,7 +84,7 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
     };
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        ensemble_clear(e, lane);
+        ensemble_lanes_clear(e, lane);
     }
     if (e->factors) {
         fill_factors(e->factors, m);
@@ -218,7 +222,7 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
     }
 }
 
-bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
+bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, const struct run *r) {
     const struct state *s = r->now;
     bool small = true;
     e->steps->catch_up(e);
@@ -245,7 +249,7 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
         e->gap[k].limit[lane] = p->depth[lane];
     }
     if (small) {
-        e->aboard[lane] = -1;
+        e->active[lane] = -1;
         e->show.u_trial[lane] = r->work.u_trial;
         e->show.v_trial[lane] = r->work.v_trial;
         e->show.correction[lane] = r->work.correction;
@@ -253,7 +257,8 @@ bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r) {
     return small;
 }
 
-void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double time, long n_step) {
+void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, double time,
+                          long n_step) {
     struct state *s = r->now;
     struct totals *t = &r->results->totals;
     e->steps->catch_up(e);
@@ -275,11 +280,11 @@ void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double ti
     s->time = time;
     t->steps += n_step;
     t->iterations += n_step;
-    ensemble_clear(e, lane);
+    ensemble_lanes_clear(e, lane);
 }
 
-void ensemble_clear(struct ensemble_lanes *e, int lane) {
-    e->aboard[lane] = 0;
+void ensemble_lanes_clear(struct ensemble_lanes *e, int lane) {
+    e->active[lane] = 0;
     e->show.u_trial[lane] = e->show.v_trial[lane] = e->show.correction[lane] = e->hidden;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The state of up to WIDE_RUNS runs of models of the same shape, a value of each in a lane. Lanes
-// of runs that are not aboard hold numbers without meaning.
+// of runs that are not active hold numbers without meaning.
 #ifndef JOSTLE_ENSEMBLE_LANES_H
 #define JOSTLE_ENSEMBLE_LANES_H
 
@@ -31,6 +31,7 @@ struct ensemble_trial {
 struct ensemble_factors {
     wide h, half;  // h and h^2 / 2
     wide b, g;     // beta h^2 and gamma h
+    wide per_b, per_g;
 };
 
 // What the contact iteration of a run reads of its floors, and changes: arrays of its struct work.
@@ -68,7 +69,7 @@ struct ensemble_building {
     double *number;   // (n_floor, NUMBER_COUNT)
     double *factor;   // (n_floor, FACTOR_COUNT)
     double *inverse;  // (n_floor, n_floor) A^-1; NULL: solves go through the factors
-    bool exceeds;     // a run aboard exceeds a peak of it in the step under way
+    bool exceeds;     // an active run exceeds a peak of it in the step under way
     // Links have changed its corrections since it was moved:
     bool pushed;  // those that have been shown,
     bool swept;   // or else those in the lanes
@@ -77,7 +78,8 @@ struct ensemble_building {
 // Constants of laws whose contacts are solved for in lanes.
 enum { ENSEMBLE_CONSTANTS = 2 };
 
-// What solving for the force of a contact in lanes needs to know of it; names as in struct quick.
+// What solving for the force of a contact in lanes needs to know of it; names as in struct
+// link_scratch.
 struct ensemble_grip {
     wide flexibility, others, unmoved;
     wide constant[ENSEMBLE_CONSTANTS];
@@ -88,7 +90,7 @@ struct ensemble_grip {
     bool apart;                     // solved for run by run
 };
 
-// Largest values since the runs came aboard, or before: never above those of the runs.
+// Largest values since the runs entered, or before: never above those of the runs.
 struct ensemble_peaks {
     wide of[PEAK_COUNT];
 };
@@ -126,7 +128,7 @@ struct ensemble_works {
 
 struct ensemble_lanes;
 
-// Steps of the floors of all runs aboard at once; `base` is the ground acceleration at its end.
+// Steps of the floors of all runs at once; `base` is the ground acceleration at its end.
 struct ensemble_steps {
     // Takes up to `n` steps, of which the ground accelerations are in `base`, until one of them
     // asks for a closer look: that one is computed, but not committed. Returns the number
@@ -136,10 +138,10 @@ struct ensemble_steps {
     // Computes one step with the forces that live links begin it with.
     void (*move)(struct ensemble_lanes *e, const wide *base);
 
-    // Solves for the forces of runs that are stowed: see ensemble_contacts.h. NULL: none ever is.
+    // Solves for the forces of contacts in lanes: see ensemble_contacts.h. NULL: none ever are.
     void (*solve)(struct ensemble_lanes *e);
 
-    // Shows the runs aboard the trial and the corrections of that step, or of the one that the
+    // Shows the active runs the trial and the corrections of that step, or of the one that the
     // march has stopped at: of floors WIDE_RUNS * eight to WIDE_RUNS * eight + WIDE_RUNS - 1.
     void (*show)(struct ensemble_lanes *e, int eight);
 
@@ -161,14 +163,14 @@ struct ensemble_lanes {
     double h;
     struct ensemble_factors *factors;
 
-    long long aboard[WIDE_RUNS];         // all bits of the lanes whose runs are aboard
+    long long active[WIDE_RUNS];         // all bits of the lanes that a run is in
     struct ensemble_building *building;  // (n_building)
     struct ensemble_state *now, *next;   // (n_floor) of all buildings, with zeros beyond
     struct ensemble_trial *trial;        // (n_floor) scratch of the step under way
     wide *correction;                    // [L/T^2] (n_floor) of the accelerations in it, before
                                          // links that are solved for run by run have changed them
     wide *kept;                          // (n_floor) scratch: what they were before all links
-    struct ensemble_shown show;          // by lanes, of runs that are aboard
+    struct ensemble_shown show;          // by lanes, of active runs
     double *hidden;                      // (n_floor) stands there for the others
     bool *shown;                         // (n_floor / WIDE_RUNS) floors that runs know in this step
     wide_bits *beyond;                   // (n_building) negative in lanes where it exceeds a peak
@@ -184,7 +186,7 @@ struct ensemble_lanes {
     bool *acts;     // (n_contact) of contacts that are live in some lane
     struct ensemble_pressed *pressed;  // (n_contact) those beyond their limits, as last looked at
     int n_pressed;
-    struct ensemble_contacts *contacts;  // links of runs that are stowed
+    struct ensemble_contacts *contacts;  // of runs whose links are in lanes too
     wide *base;  // [L/T^2] (ENSEMBLE_STRETCH) ground accelerations of coming steps
     const struct ensemble_steps *steps;  // borrowed
 };
@@ -194,12 +196,12 @@ static inline bool ensemble_has(unsigned runs, int k) {
     return runs >> k & 1U;
 }
 
-// Is a flag negative in a lane whose run is aboard? By halves: compilers take lanes apart one by
+// Is a flag negative in an active lane? By halves: compilers take lanes apart one by
 // one.
-LANES_INLINE bool ensemble_any(const long long *aboard, const wide_bits *flags) {
+LANES_INLINE bool ensemble_any(const long long *active, const wide_bits *flags) {
     lanes_bits flag[2], in[2];
     memcpy(flag, flags, sizeof flag);
-    memcpy(in, aboard, sizeof in);
+    memcpy(in, active, sizeof in);
     const lanes_bits any = (flag[0] & in[0]) | (flag[1] & in[1]);
     return (any[0] | any[1] | any[2] | any[3]) < 0;
 }
@@ -215,29 +217,30 @@ bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r);
 // Holds once what is the same in all of the first n lanes, when they have been filled.
 void ensemble_lanes_share(struct ensemble_lanes *e, int n);
 
-// Takes the floors of the committed state of a run aboard. False: a number is too large.
-bool ensemble_board(struct ensemble_lanes *e, int lane, const struct run *r);
+// Takes the floors of the committed state of a run into its lane. False: a number is too large.
+bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, const struct run *r);
 
-// Gives a run the state of its lane, at time `time`, after `n_step` steps aboard.
-void ensemble_leave(struct ensemble_lanes *e, int lane, struct run *r, double time, long n_step);
+// Gives a run the state of its lane, at time `time`, after `n_step` steps there.
+void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, double time,
+                          long n_step);
 
 // The lane takes no part any more.
-void ensemble_clear(struct ensemble_lanes *e, int lane);
+void ensemble_lanes_clear(struct ensemble_lanes *e, int lane);
 
 // Takes the envelopes of a lane into those of its run, at the end.
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r);
 
-// Whether one of those aboard exceeds a peak in the step that has been computed and pressed.
+// Whether an active run exceeds a peak in the step that has been computed and pressed.
 bool ensemble_exceeds(struct ensemble_lanes *e);
 
-// The lanes aboard whose numbers have grown too large in the step that has been computed, one bit
+// The active lanes whose numbers have grown too large in the step that has been computed, one bit
 // each. `base` is its ground acceleration here and below.
 unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *base);
 
-// Finds the contacts that it has pressed beyond their limits in lanes aboard.
+// Finds the contacts that it has pressed beyond their limits in active lanes.
 void ensemble_press(struct ensemble_lanes *e);
 
-// Takes the step that has been computed, to `time`, into the peaks of those aboard that
+// Takes the step that has been computed, to `time`, into the peaks of active runs that
 // ensemble_exceeds has found to be exceeded.
 void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time);
 

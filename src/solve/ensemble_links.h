@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The links of a run whose floors are in a lane, while they are not: a step in which some act is
-// taken by all floors aboard at once, and then by the links of each such run as they would be if it
+// taken by all floors at once, and then by the links of each such run as they would be if it
 // were alone. In struct run only the arrays of links, and what they feel of their floors, are up to
 // date then.
 #ifndef JOSTLE_ENSEMBLE_LINKS_H

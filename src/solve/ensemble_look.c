@@ -13,14 +13,14 @@ enum { TOGETHER = 8 };
 
 #define LESS(a, b) ((wide_bits)((a) - (b)))  // negative where a < b
 
-// The bits of lanes aboard in which flags are negative.
-LANES_INLINE unsigned lanes_aboard(const struct ensemble_lanes *e, const wide_bits *flags) {
+// The bits of active lanes in which flags are negative.
+LANES_INLINE unsigned active_runs(const struct ensemble_lanes *e, const wide_bits *flags) {
     static const wide_bits bit = {1, 2, 4, 8, 16, 32, 64, 128};
     const wide_bits own = (*flags >> SIGN) & bit;
-    lanes_bits part[2], aboard[2];
+    lanes_bits part[2], active[2];
     memcpy(part, &own, sizeof part);
-    memcpy(aboard, e->aboard, sizeof aboard);
-    const lanes_bits set = (part[0] & aboard[0]) | (part[1] & aboard[1]);
+    memcpy(active, e->active, sizeof active);
+    const lanes_bits set = (part[0] & active[0]) | (part[1] & active[1]);
     return (unsigned)(set[0] | set[1] | set[2] | set[3]);
 }
 
@@ -42,7 +42,7 @@ LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *ba
             overflow(e, b->shape->first + i, base, &flags);
         }
     }
-    return lanes_aboard(e, &flags);
+    return active_runs(e, &flags);
 }
 
 LANES_INLINE void find_penetration(const struct ensemble_lanes *e, int k, wide *delta) {
@@ -54,9 +54,9 @@ LANES_INLINE void list_pressed(struct ensemble_lanes *e, int k) {
     wide delta;
     find_penetration(e, k, &delta);
     const wide_bits flags = LESS(e->gap[k].limit, delta), inside = LESS(0.0, delta);
-    const unsigned beyond = lanes_aboard(e, &flags);
+    const unsigned beyond = active_runs(e, &flags);
     if (beyond != 0) {
-        const unsigned closed = beyond & lanes_aboard(e, &inside);
+        const unsigned closed = beyond & active_runs(e, &inside);
         e->pressed[e->n_pressed++] = (struct ensemble_pressed){k, closed, beyond & ~closed};
     }
 }
@@ -71,7 +71,7 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
             find_penetration(e, k, &delta);
             any |= LESS(e->gap[k].limit, delta);
         }
-        const bool pressed = ensemble_any(e->aboard, &any);
+        const bool pressed = ensemble_any(e->active, &any);
         for (int k = first; pressed && k < end; k++) {
             list_pressed(e, k);
         }
@@ -81,7 +81,7 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
 LANES bool ensemble_exceeds(struct ensemble_lanes *e) {
     bool any = false;
     for (int k = 0; k < e->n_building; k++) {
-        e->building[k].exceeds = ensemble_any(e->aboard, &e->beyond[k]);
+        e->building[k].exceeds = ensemble_any(e->active, &e->beyond[k]);
         any |= e->building[k].exceeds;
     }
     for (int i = 0; !any && i < e->n_pressed; i++) {
@@ -90,15 +90,15 @@ LANES bool ensemble_exceeds(struct ensemble_lanes *e) {
     return any;
 }
 
-// Where `size` is greater than the peak of a run aboard, the peak and its time.
-LANES_INLINE void raise(const wide_bits *aboard, const wide *size, const wide *time, wide *peak,
+// Where `size` is greater than the peak of an active run, the peak and its time.
+LANES_INLINE void raise(const wide_bits *active, const wide *size, const wide *time, wide *peak,
                         wide *peak_time) {
-    wide_bits above = (LESS(*peak, *size) >> SIGN) & *aboard;
+    wide_bits above = (LESS(*peak, *size) >> SIGN) & *active;
     *peak = WIDE_CHOOSE(above, *size, *peak);
     *peak_time = WIDE_CHOOSE(above, *time, *peak_time);
 }
 
-LANES_INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *aboard,
+LANES_INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *active,
                               const wide *base, const wide *time, const wide *drift,
                               const wide *shear) {
     const wide total = e->next[i].a + *base;
@@ -110,51 +110,51 @@ LANES_INLINE void raise_floor(struct ensemble_lanes *e, int i, const wide_bits *
         [PEAK_SHEAR] = WIDE_ABSOLUTE(*shear),
     };
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(aboard, &value[q], time, &e->peak[i].of[q], &e->peak_time[i].of[q]);
+        raise(active, &value[q], time, &e->peak[i].of[q], &e->peak_time[i].of[q]);
     }
-    const wide_bits faster = (LESS(e->works->speed, value[PEAK_VELOCITY]) >> SIGN) & *aboard;
+    const wide_bits faster = (LESS(e->works->speed, value[PEAK_VELOCITY]) >> SIGN) & *active;
     e->works->speed = WIDE_CHOOSE(faster, value[PEAK_VELOCITY], e->works->speed);
 }
 
 LANES_INLINE void raise_building(struct ensemble_lanes *e, const struct ensemble_building *b,
-                                 const wide_bits *aboard, const wide *base, const wide *time) {
+                                 const wide_bits *active, const wide *base, const wide *time) {
     const enum ensemble_held held = b->held;
     const struct ensemble_state *s = e->next + b->shape->first;
     wide u_below = {0.0};
     for (int i = 0; i < b->shape->n_floor; i++) {
         const wide drift = s[i].u - u_below;
         const wide shear = ENSEMBLE_AT(b->number, i * NUMBER_COUNT + NUMBER_STIFFNESS) * drift;
-        raise_floor(e, b->shape->first + i, aboard, base, time, &drift, &shear);
+        raise_floor(e, b->shape->first + i, active, base, time, &drift, &shear);
         u_below = s[i].u;
     }
 }
 
 // The same of a contact, where it is open.
-LANES_INLINE void draw_near(struct ensemble_lanes *e, int k, const wide_bits *aboard,
+LANES_INLINE void draw_near(struct ensemble_lanes *e, int k, const wide_bits *active,
                             const wide *time) {
     struct ensemble_gap *c = &e->gap[k];
     struct ensemble_nearest *p = &e->nearest[k];
     wide delta;
     find_penetration(e, k, &delta);
     const wide_bits nearer =
-        (LESS(c->limit, delta) >> SIGN) & ~(LESS(0.0, delta) >> SIGN) & *aboard;
+        (LESS(c->limit, delta) >> SIGN) & ~(LESS(0.0, delta) >> SIGN) & *active;
     c->limit = WIDE_CHOOSE(nearer, delta, c->limit);
     p->depth = WIDE_CHOOSE(nearer, delta, p->depth);
     p->time = WIDE_CHOOSE(nearer, *time, p->time);
 }
 
 LANES void ensemble_raise(struct ensemble_lanes *e, const wide *base, double time) {
-    wide_bits aboard;
-    memcpy(&aboard, e->aboard, sizeof aboard);
+    wide_bits active;
+    memcpy(&active, e->active, sizeof active);
     const wide now = time - (wide){0.0};
     for (int k = 0; k < e->n_building; k++) {
         if (e->building[k].exceeds) {
-            raise_building(e, &e->building[k], &aboard, base, &now);
+            raise_building(e, &e->building[k], &active, base, &now);
         }
     }
     for (int i = 0; i < e->n_pressed; i++) {
         if (e->pressed[i].nearer) {
-            draw_near(e, e->pressed[i].contact, &aboard, &now);
+            draw_near(e, e->pressed[i].contact, &active, &now);
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of struct ensemble_steps, for parts of one size: see ensemble_floors.h. A few buildings
 // are taken through the whole step before the next ones, while their numbers are at hand.
-// part_any says whether a flag is negative in a lane that is aboard, and part_transpose makes the
+// part_any says whether a flag is negative in an active lane, and part_transpose makes the
 // numbers of WIDTH floors by lanes those of the lanes by floors, or back. CLONES stands in front of
 // functions; STEPS is the name of what they make up, and SOLVE its function for contacts.
 #ifndef JOSTLE_ENSEMBLE_STEPS_H
@@ -101,14 +101,14 @@ CLONES static int march(struct ensemble_lanes *e, const wide *base, int n, bool 
     for (int i = 0; i < n; i++) {
         bool any = false, near = false;
         for (int p = 0; p < PARTS; p++) {
-            const long long *aboard = e->aboard + (ptrdiff_t)p * WIDTH;
+            const long long *active = e->active + (ptrdiff_t)p * WIDTH;
             part_bits beyond = {0}, pressed = {0};
             step(e, p, base + i, &beyond);
             look_for_contacts(e, p, &pressed);
             const part_bits flags = beyond | pressed;
-            if (part_any(aboard, &flags)) {
+            if (part_any(active, &flags)) {
                 any = true;
-                near |= part_any(aboard, &pressed);
+                near |= part_any(active, &pressed);
             }
         }
         e->owing = false;

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quick sweeps (quick.c) over the live contacts of runs in lockstep: what that file says of one
-// link of one run holds here for a contact in each lane, with the same operations in the same
-// order, so that the bits are those of a run alone. With x the difference of the corrections at the
-// ends of a contact, its law is taken for the line df = base + rate (x - asked), and
-//     df = (F - f) / (1 + S_ll t),   q -= df times the columns of A^-1.
+// Newton sweeps (sweep.c) over the live contacts of runs in lockstep: what that file says of one
+// link of one run holds here for a contact in each lane, by the same arithmetic (link_terms.h).
 // Lanes in which a contact is not live, or that have converged, look on.
 //
 // Only the usual is done here: contacts that were closed, that Newton steps lead to their forces
 // within a few sweeps, and for which steps are short enough (resolve.c). A lane in which anything
 // else happens gives up, and its run is solved alone from where it began.
-#include "solve/ensemble_contacts.h"
-
-#include <float.h>
+#define LINKS_IN_LANES
 #include <math.h>
 
-#include "solve/quick.h"
+#include "solve/ensemble_contacts.h"
+#include "solve/link_terms.h"
 #include "solve/resolve.h"
 
 // As struct progress, and what runs have in common.
 struct sweeps {
     struct ensemble_lanes *e;
     struct ensemble_contacts *contacts;
-    wide tolerance, enough, loosest, largest, change, moved, echo, clear;
+    wide tolerance, enough, loosest, largest, moved[2], echo, clear;
     wide_bits well;  // the lane has not given up,
     wide_bits busy;  // nor converged
 };
@@ -42,46 +38,47 @@ LANES_WHOLE_INLINE void see(const struct sweeps *s, int k, wide *x) {
     *x = s->e->correction[end[0]] - s->e->correction[end[1]];
 }
 
+// Asks the law where d and v are so.
+LANES_WHOLE_INLINE void ask_law(const struct ensemble_grip *grip, const wide *d, const wide *v,
+                                wide *force, wide *dfdd, wide *dfdv) {
+    struct contact_lanes law;
+    grip->law->force_lanes((const double *)grip->constant, (const double *)d, (const double *)v,
+                           &law);
+    *force = (wide)LANES_AT(law.force, 0);
+    *dfdd = (wide)LANES_AT(law.dfdd, 0);
+    *dfdv = (wide)LANES_AT(law.dfdv, 0);
+}
+
+// Takes a tangent in the lanes `which`.
+LANES_WHOLE_INLINE void take_tangent(struct tangent_lanes *to, const struct tangent_lanes *t,
+                                     const wide_bits *which) {
+    to->base = WIDE_CHOOSE(*which, t->base, to->base);
+    to->rate = WIDE_CHOOSE(*which, t->rate, to->rate);
+    to->asked = WIDE_CHOOSE(*which, t->asked, to->asked);
+    to->reach = WIDE_CHOOSE(*which, t->reach, to->reach);
+    to->near = WIDE_CHOOSE(*which, t->near, to->near);
+    to->damped = WIDE_CHOOSE(*which, t->damped, to->damped);
+}
+
 // Asks the law in the lanes `which`, where x is seen.
 LANES_WHOLE_INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) {
     struct closed_contact *j = &s->contacts->contact[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
-    const wide b = s->e->factors->b, g = s->e->factors->g;
-    const wide d = j->d_trial + b * *x;
-    const wide v = j->v_trial + g * *x;
-    struct contact_lanes law;
-    grip->law->force_lanes((const double *)grip->constant, (const double *)&d, (const double *)&v,
-                           &law);
-    const wide force = (wide)LANES_AT(law.force, 0);
-    const wide dfdd = (wide)LANES_AT(law.dfdd, 0), dfdv = (wide)LANES_AT(law.dfdv, 0);
-    const wide slope = b * dfdd + g * dfdv;
-    const wide share = grip->flexibility * slope;
-    s->well &= ~*which |
-               (WIDE_LESS(0.0, d) & WIDE_AT_MOST(0.0, share) & WIDE_AT_MOST(share, QUICK_STEEPEST));
-    const wide steep = WIDE_ABSOLUTE(b * dfdd) + WIDE_ABSOLUTE(g * dfdv) + DBL_MIN;
-    const wide inverse = 1.0 / ((1.0 + share) * steep);
-    const wide damped = inverse * steep;
-    const wide near = QUICK_NEAR * d * s->contacts->per_b;
-    wide straight = QUICK_STRAIGHT * s->enough * WIDE_ABSOLUTE(force), reach = -1.0 - (wide){0.0};
-    if (grip->law->traits & CONTACT_SMOOTH) {
-        for (int lane = 0; lane < WIDE_RUNS; lane++) {
-            straight[lane] = sqrt(straight[lane]);
-        }
-        straight = straight * inverse * (1.0 + share);
-        const wide turn = WIDE_ABSOLUTE(v) * s->contacts->per_g;
-        const wide nearer = WIDE_SMALLER(near, turn);
-        reach = WIDE_SMALLER(nearer, straight);
-    }
-    const wide echo = share * grip->others;
-    j->asked = WIDE_CHOOSE(*which, *x, j->asked);
+    const struct ensemble_factors *w = s->e->factors;
+    const wide d = END(j->d_trial, w->b, *x), v = END(j->v_trial, w->g, *x);
+    wide force, dfdd, dfdv;
+    ask_law(grip, &d, &v, &force, &dfdd, &dfdv);
+    const wide near = LINK_NEAR * d * w->per_b;
+    const struct link_asked law = {*x, v, near, j->force, s->enough, force, dfdd, dfdv};
+    const wide share = grip->flexibility * SLOPE(w, &law);
+    struct tangent_lanes tangent;
+    link_linearise(w, &law, &share, grip->law->traits & CONTACT_SMOOTH, &tangent);
+    take_tangent(&j->tangent, &tangent, which);
     j->dfdd = WIDE_CHOOSE(*which, dfdd, j->dfdd);
     j->dfdv = WIDE_CHOOSE(*which, dfdv, j->dfdv);
-    j->damped = WIDE_CHOOSE(*which, damped, j->damped);
-    j->rate = WIDE_CHOOSE(*which, slope * damped, j->rate);
-    j->base = WIDE_CHOOSE(*which, (force - j->force) * damped, j->base);
-    j->near = WIDE_CHOOSE(*which, near, j->near);
-    j->reach = WIDE_CHOOSE(*which, reach, j->reach);
     j->ask &= ~*which;
+    s->well &= ~*which | (WIDE_LESS(0.0, d) & IS_SHALLOW(share));
+    const wide echo = share * grip->others;
     s->echo = WIDE_CHOOSE(*which & WIDE_LESS(s->echo, echo), echo, s->echo);
 }
 
@@ -117,23 +114,22 @@ LANES_WHOLE_INLINE void find_negligible(const struct sweeps *s, int k, const wid
     const wide d =
         WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->gap[k].width + e->factors->b * q;
     const wide v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v) + e->factors->g * q;
-    const wide rounding =
-        4.0 * DBL_EPSILON * (WIDE_ABSOLUTE(j->dfdd) * d + WIDE_ABSOLUTE(j->dfdv) * v);
-    *which &= WIDE_AT_MOST(*size, rounding * j->damped);
+    *which &= AT_MOST(*size, ROUNDING(j->tangent.damped, j->dfdd, d, j->dfdv, v));
 }
 
 // Takes note of changes df of forces in lanes that `move`.
 LANES_WHOLE_INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move) {
     const struct closed_contact *j = &s->contacts->contact[k];
     const wide size = WIDE_ABSOLUTE(*df);
-    const wide most = WIDE_CHOOSE(j->ask, s->change, s->moved);
+    wide *known = &s->moved[LAW_KNOWN], *unknown = &s->moved[LAW_UNKNOWN];
+    const wide most = WIDE_CHOOSE(j->ask, *unknown, *known);
     const wide_bits larger = *move & WIDE_LESS(s->enough, size) & WIDE_LESS(most, size);
     if (wide_any(&larger)) {
         wide_bits negligible = larger;
         find_negligible(s, k, &size, &negligible);
         const wide_bits matters = larger & ~negligible;
-        s->change = WIDE_CHOOSE(matters & j->ask, size, s->change);
-        s->moved = WIDE_CHOOSE(matters & ~j->ask, size, s->moved);
+        *unknown = WIDE_CHOOSE(matters & j->ask, size, *unknown);
+        *known = WIDE_CHOOSE(matters & ~j->ask, size, *known);
     }
 }
 
@@ -143,8 +139,8 @@ LANES_WHOLE_INLINE void change(struct sweeps *s, int k, const wide *df, const wi
     struct closed_contact *j = &s->contacts->contact[k];
     const wide done = (wide)((wide_bits)*df & *move), undone = -done;
     j->force = WIDE_CHOOSE(*move, j->force + *df, j->force);
-    j->base -= j->damped * done;
-    j->ask = (*move & ~WIDE_AT_MOST(*led, j->reach)) | (~*move & j->ask);
+    j->tangent.base -= j->tangent.damped * done;
+    j->ask = (*move & ~AT_MOST(*led, j->tangent.reach)) | (~*move & j->ask);
     push(s, k, 0, &undone);
     push(s, k, 1, &done);
     note(s, k, &done, move);
@@ -153,19 +149,17 @@ LANES_WHOLE_INLINE void change(struct sweeps *s, int k, const wide *df, const wi
 // A Newton step where x is seen.
 LANES_WHOLE_INLINE void step(struct sweeps *s, int k, const wide *x) {
     const struct closed_contact *j = &s->contacts->contact[k];
+    const struct tangent_lanes *t = &j->tangent;
     const struct ensemble_grip *grip = &s->e->grip[k];
     const wide_bits here = j->live & s->busy & s->well;
-    const wide dx = *x - j->asked;
-    const wide df = j->base + j->rate * dx;
-    const wide_bits idle = WIDE_AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEGLECTED * s->enough) &
-                           WIDE_AT_MOST(WIDE_ABSOLUTE(dx), j->reach);
-    const wide led = WIDE_ABSOLUTE(dx - grip->flexibility * df);
-    const wide_bits safe = WIDE_AT_MOST(led, j->near) &
-                           WIDE_AT_MOST(WIDE_ABSOLUTE(df), QUICK_NEAR * WIDE_ABSOLUTE(j->force));
+    const wide dx = *x - t->asked;
+    const wide df = CHANGE(t, dx);
+    const wide led = LED(dx, grip->flexibility, df);
+    const wide_bits idle = IS_IDLE(t, dx, df, s->enough), safe = IS_SAFE(t, led, df, j->force);
     s->well &= ~here | idle | safe;
     const wide_bits move = here & ~idle & safe;
-    const wide far = WIDE_CHOOSE(idle, WIDE_ABSOLUTE(dx), led);
-    const wide left = j->reach - far;
+    const wide far = WIDE_CHOOSE(idle, ABSOLUTE(dx), led);
+    const wide left = t->reach - far;
     const wide room = WIDE_LARGER(left, (wide){0.0}) * grip->unmoved;
     s->clear = WIDE_CHOOSE(here & WIDE_LESS(room, s->clear), room, s->clear);
     if (wide_any(&move)) {
@@ -179,9 +173,8 @@ LANES_WHOLE_INLINE void visit(struct sweeps *s, int k) {
     const struct closed_contact *j = &s->contacts->contact[k];
     wide x;
     see(s, k, &x);
-    const wide dx = x - j->asked;
-    const wide_bits known =
-        ~j->ask & (WIDE_AT_MOST(WIDE_ABSOLUTE(dx), j->reach) | (wide_bits)(dx == 0.0));
+    const wide dx = x - j->tangent.asked;
+    const wide_bits known = ~j->ask & IS_ON_TANGENT(&j->tangent, dx);
     const wide_bits unknown = j->live & s->busy & ~known;
     if (wide_any(&unknown)) {
         ask(s, k, &x, &unknown);
@@ -191,7 +184,7 @@ LANES_WHOLE_INLINE void visit(struct sweeps *s, int k) {
 
 LANES_WHOLE_INLINE void renew(struct sweeps *s) {
     s->enough = s->tolerance * s->largest;
-    s->largest = s->change = s->moved = (wide){0.0};
+    s->largest = s->moved[LAW_KNOWN] = s->moved[LAW_UNKNOWN] = (wide){0.0};
     s->clear = INFINITY - (wide){0.0};
 }
 
@@ -208,7 +201,7 @@ LANES_WHOLE_INLINE void ask_all(struct sweeps *s, const wide_bits *which) {
 
 // Asks all laws again where what is enough has become much less.
 LANES_WHOLE_INLINE void ask_again(struct sweeps *s) {
-    const wide_bits looser = s->busy & WIDE_LESS(QUICK_LOOSER * s->enough, s->loosest);
+    const wide_bits looser = s->busy & WIDE_LESS(LINK_LOOSER * s->enough, s->loosest);
     if (wide_any(&looser)) {
         ask_all(s, &looser);
     }
@@ -226,7 +219,8 @@ LANES_WHOLE_INLINE void gather(struct sweeps *s) {
         const struct ensemble_trial *left = &e->trial[e->end[k][0]];
         const struct ensemble_trial *right = &e->trial[e->end[k][1]];
         j->ask = j->live;
-        j->base = j->rate = j->asked = j->reach = j->near = j->damped = j->dfdd = j->dfdv = none;
+        j->tangent = (struct tangent_lanes){.base = none};
+        j->dfdd = j->dfdv = none;
         j->d_trial = left->u - right->u - e->gap[k].width;
         j->v_trial = left->v - right->v;
         const wide size = WIDE_ABSOLUTE(j->force);
@@ -238,9 +232,9 @@ LANES_WHOLE_INLINE void converge(struct sweeps *s) {
     const wide tolerance = s->tolerance * s->largest;
     wide echo = WIDE_SMALLER(s->echo, 1.0 - (wide){0.0});
     echo = (wide)((wide_bits)echo & ~s->contacts->alone);
-    const wide_bits done =
-        WIDE_AT_MOST(s->change, tolerance) & WIDE_AT_MOST(echo * s->moved, tolerance) &
-        ~WIDE_LESS(s->clear, s->moved) & WIDE_AT_MOST(s->enough, 4.0 * tolerance);
+    const wide_bits done = IS_SETTLED(s, echo, tolerance) &
+                           ~WIDE_LESS(s->clear, s->moved[LAW_KNOWN]) &
+                           IS_MEASURED(s->enough, tolerance);
     s->contacts->count -= s->busy;
     s->busy &= s->well & ~done;
 }
@@ -250,20 +244,22 @@ LANES_WHOLE_INLINE void converge(struct sweeps *s) {
 LANES_WHOLE_INLINE void refit(struct sweeps *s, int k, const wide *d, const wide_bits *which) {
     struct closed_contact *j = &s->contacts->contact[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
-    const double h = s->e->h, none[WIDE_RUNS] = {0.0};
-    struct contact_lanes law;
-    grip->law->force_lanes((const double *)grip->constant, (const double *)d, none, &law);
-    const wide still = (wide)LANES_AT(law.dfdd, 0);
+    const double h = s->e->h;
+    const wide none = {0.0};
+    wide force, still, dashpot;
+    ask_law(grip, d, &none, &force, &still, &dashpot);
     const wide_bits simple = (wide_bits)(j->dfdv == 0.0) & WIDE_LESS(0.0, j->dfdd);
-    const wide coarse = WIDE_CHOOSE(simple, j->dfdd, still) * grip->flexibility * h * h;
-    const double farthest = grip->law->traits & CONTACT_SMOOTH ? 2.0 : 0.0;
-    const wide to = (wide)((wide_bits)(farthest * *d) &
-                           WIDE_AT_MOST(4.0 * coarse, RESOLVE_COARSEST_SPRING - (wide){0.0}));
+    const wide stiffness = WIDE_CHOOSE(simple, j->dfdd, still);
+    const wide coarse = SPRING_COARSENESS(stiffness, grip->flexibility, h);
+    const double farthest = grip->law->traits & CONTACT_SMOOTH ? RESOLVE_DEEPER : 0.0;
+    const wide coarsest = RESOLVE_COARSEST_SPRING - none;
+    const wide to =
+        (wide)((wide_bits)(farthest * *d) & WIDE_AT_MOST(RESOLVE_STIFFER * coarse, coarsest));
     j->fits_to = WIDE_CHOOSE(*which, to, j->fits_to);
-    s->well &= ~*which | WIDE_AT_MOST(coarse, RESOLVE_COARSEST_SPRING - (wide){0.0});
+    s->well &= ~*which | WIDE_AT_MOST(coarse, coarsest);
 }
 
-// Gives up where steps are not short enough for a contact, or that is not known from its line.
+// Gives up where steps are not short enough for a contact, or where its law is not known.
 LANES_WHOLE_INLINE void judge(struct sweeps *s) {
     const wide b = s->e->factors->b, g = s->e->factors->g;
     for (int i = 0; i < s->contacts->n_acting; i++) {
@@ -272,7 +268,7 @@ LANES_WHOLE_INLINE void judge(struct sweeps *s) {
         wide x;
         see(s, k, &x);
         const wide d = j->d_trial + b * x;
-        const wide dashpot = g * s->e->grip[k].flexibility * j->dfdv;
+        const wide dashpot = DASHPOT_COARSENESS(j->dfdv, s->e->grip[k].flexibility, g);
         s->well &= ~j->live | (~j->ask & WIDE_AT_MOST(dashpot, RESOLVE_COARSEST_DASHPOT));
         const wide_bits deeper = j->live & s->well & ~WIDE_AT_MOST(d, j->fits_to);
         if (wide_any(&deeper)) {
@@ -314,7 +310,7 @@ LANES_WHOLE void ensemble_contacts_solve(struct ensemble_lanes *e) {
     s.e = e;
     s.contacts = e->contacts;
     s.tolerance = e->contacts->tolerance;
-    lanes_of(e->contacts->stowed, &s.well);
+    lanes_of(e->contacts->active, &s.well);
     s.busy = s.well;
     e->contacts->count = (wide_bits){0};
     keep(&s);

@@ -32,10 +32,6 @@ struct few_floors {
     floor_lanes u[VECTORS], v[VECTORS], a[VECTORS], drift[VECTORS], shear[VECTORS];
 };
 
-struct few_works {
-    floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
-};
-
 static const floor_lanes none = {0.0};
 
 // Numbers of Newmark's method, in a copy that no store to memory can change: struct work.
@@ -119,7 +115,7 @@ LANES_INLINE void few_compare(double *const peak[PEAK_COUNT], const struct floor
 
 LANES_INLINE void few_add_works(const struct few_table *t, int n, const struct few_floors *now,
                                 const struct few_floors *next, double ground_2x,
-                                struct few_works *w) {
+                                struct floors_works *w) {
     floor_lanes sum[VECTORS];
     EACH_VECTOR(j, n) {
         sum[j] = now->v[j] + next->v[j];
@@ -184,20 +180,6 @@ LANES_INLINE void few_store(const struct few_floors *x, const struct floors_line
     if (lines) {
         few_put(x->drift, n, lines->drift);
         few_put(x->shear, n, lines->shear);
-    }
-}
-
-LANES_INLINE void few_load_works(const struct energy_account *a, struct few_works *w) {
-    EACH_VECTOR(j, FLOORS_VECTORS) {
-        w->input[j] = PART(a->input_2x, j);
-        w->damping[j] = PART(a->damping_2x, j);
-    }
-}
-
-LANES_INLINE void few_store_works(const struct few_works *w, struct energy_account *a) {
-    EACH_VECTOR(j, FLOORS_VECTORS) {
-        *(floor_lanes *)(a->input_2x + j * FLOORS_VECTOR) = w->input[j];
-        *(floor_lanes *)(a->damping_2x + j * FLOORS_VECTOR) = w->damping[j];
     }
 }
 

@@ -58,52 +58,59 @@ LANES_INLINE double few_ground(const struct work *w, long step) {
     return w->ahead.ground[step - w->ahead.from];
 }
 
-// Takes a step in flight into the peaks. False: it is none.
-LANES_INLINE bool few_take_note(const struct flight *f, const struct floors_lines *lines, int n,
-                                const struct few_floors *next, const double *shown, double time,
-                                double ground, struct state *s) {
-    enum nearness near = few_nearness(f, shown, s->ground_u);
-    if (near == NEARNESS_CLOSED || !few_raise(f->account->results, n, next, time, ground)) {
+// A flight of a model of n vectors. `lines` NULL: all storeys are elastic.
+struct few_flight {
+    const struct flight *flight;
+    const struct floors_lines *lines;
+    int n;
+    struct state *state;  // of the step that it began with
+    const double *u;      // displacements at the end of the step in hand, where the gaps want them
+};
+
+// Takes the step to `next` into the peaks. False: it is none in free flight.
+LANES_INLINE bool few_take_note(const struct few_flight *c, const struct few_floors *next,
+                                double time, double ground) {
+    const struct flight *f = c->flight;
+    enum nearness near = few_nearness(f, c->u, c->state->ground_u);
+    if (near == NEARNESS_CLOSED || !few_raise(f->account->results, c->n, next, time, ground)) {
         return false;
     }
-    few_get_peaks(f->work->few.table, f->account->results, n);
+    few_get_peaks(f->work->few.table, f->account->results, c->n);
     if (near == NEARNESS_DEEPEST) {
-        few_store(next, lines, n, s);
-        s->time = time;
-        flight_deepen(f, s);
+        few_store(next, c->lines, c->n, c->state);
+        c->state->time = time;
+        flight_deepen(f, c->state);
     }
     return true;
 }
 
-// Is the step to `next` one in free flight? Then it is taken into the peaks. *end becomes that step
-// if `ahead`, of the trial from there, is negative.
-LANES_INLINE bool few_confirm(const struct flight *f, struct few_table *t,
-                              const struct floors_lines *lines, int n, struct few_floors *next,
-                              const double *shown, double ground, struct state *s,
-                              const floor_bits *ahead, long step, long *end) {
-    const struct work *w = f->work;
+// Is step `step`, to `next`, one in free flight? Then it is taken into the peaks. *end becomes that
+// step if `ahead`, of the trial from there, is negative.
+LANES_INLINE bool few_confirm(const struct few_flight *c, struct few_table *t,
+                              struct few_floors *next, double ground, const floor_bits *ahead,
+                              long step, long *end) {
+    const struct work *w = c->flight->work;
     double *const peak[PEAK_COUNT] = {t->peak[0], t->peak[1], t->peak[2], t->peak[3], t->peak[4]};
     floor_bits beyond = {0}, news = *ahead;
-    few_strain(t, lines, n, next, &beyond);
-    few_compare(peak, lines, n, next, ground, &news);
-    few_look(f, shown, NULL, &news);
+    few_strain(t, c->lines, c->n, next, &beyond);
+    few_compare(peak, c->lines, c->n, next, ground, &news);
+    few_look(c->flight, c->u, NULL, &news);
     news |= beyond;
     if (!floors_any(&news)) {
         return true;
     }
     *end = floors_any(ahead) ? step : *end;
     return !floors_any(&beyond) &&
-           few_take_note(f, lines, n, next, shown, w->ahead.time[step - w->ahead.from], ground, s);
+           few_take_note(c, next, w->ahead.time[step - w->ahead.from], ground);
 }
 
 // The works of the step from `before` to `now`.
-LANES_INLINE void few_work(const struct flight *f, const struct few_table *t,
-                           const struct floors_lines *lines, int n, const struct few_floors *before,
-                           const struct few_floors *now, double ground_2x,
-                           struct few_works *works) {
-    few_add_works(t, n, before, now, ground_2x, works);
-    if (lines) {
-        few_add_storey_works(n, before, now, f->account->energy->storey_2x);
+LANES_INLINE void few_work(const struct few_flight *c, const struct few_table *t,
+                           const struct few_floors *before, const struct few_floors *now,
+                           double ground_2x, struct floors_works *works) {
+    few_add_works(t, c->n, before, now, ground_2x, works);
+    if (c->lines) {
+        few_add_storey_works(c->n, before, now, c->flight->account->energy->storey_2x);
     }
 }
 
@@ -119,13 +126,14 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
     struct few_table *volatile table = w->few.table;
     const struct few_scheme scheme = few_scheme_of(w);
     alignas(LANES_LINE) double shown[FEW_MAX + 2 * LANES_WIDTH] = {0.0};
+    const struct few_flight c = {f, lines, n, s, shown};
     alignas(LANES_LINE) double residual[FEW_MAX];
     struct few_floors before, now, trial;
-    struct few_works works;
+    struct floors_works works;
     double ground = s->ground_a[0], then = few_ground(w, from + 1), ground_2x = 0.0;
     floor_bits beyond = {0};
     few_load(s, lines, n, &now);
-    few_load_works(f->account->energy, &works);
+    floors_load_works(f->account->energy, &works);
     few_get_peaks(table, f->account->results, n);
     if (lines) {
         few_get_lines(table, lines, n);
@@ -140,13 +148,13 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
         floor_lanes q[VECTORS];
         const double later = few_ground(w, step + 2 < end ? step + 2 : end);
         few_solve(&w->few, n, residual, q);
-        few_work(f, t, lines, n, &before, &now, ground_2x, &works);
+        few_work(&c, t, &before, &now, ground_2x, &works);
         before = now;
         few_reach(&scheme, n, &now, &trial, q, &next);
         few_put(next.u, n, shown);
         beyond = (floor_bits){0};
         few_try(t, &scheme, lines, n, &next, later, &ahead, residual, &beyond);
-        if (!few_confirm(f, t, lines, n, &next, shown, then, s, &beyond, step + 1, &end)) {
+        if (!few_confirm(&c, t, &next, then, &beyond, step + 1, &end)) {
             break;
         }
         ground_2x = ground + then;
@@ -156,9 +164,9 @@ LANES_INLINE long few_fly(const struct flight *f, const struct floors_lines *lin
         then = later;
         step++;
     }
-    few_work(f, table, lines, n, &before, &now, ground_2x, &works);
+    few_work(&c, table, &before, &now, ground_2x, &works);
     few_store(&now, lines, n, s);
-    few_store_works(&works, f->account->energy);
+    floors_store_works(&works, f->account->energy);
     if (step > from) {
         s->time = w->ahead.time[step - w->ahead.from];
         s->ground_a[0] = w->ahead.ground[step - w->ahead.from];
@@ -244,15 +252,15 @@ LANES_INLINE void account(const struct work *w, const struct state *now, const s
     struct energy_account *a = w->floors.account.energy;
     struct results *r = w->floors.account.results;
     struct few_floors start, end;
-    struct few_works works;
+    struct floors_works works;
     floor_bits sign = {0};
     few_load(now, NULL, n, &start);
     few_load(next, NULL, n, &end);
     few_strain(t, NULL, n, &end, &sign);
-    few_load_works(a, &works);
+    floors_load_works(a, &works);
     const double ground = next->ground_a[0], ground_2x = ground + now->ground_a[0];
     few_add_works(t, n, &start, &end, ground_2x, &works);
-    few_store_works(&works, a);
+    floors_store_works(&works, a);
     few_compare(r->peak, NULL, n, &end, ground, &sign);
     if (floors_any(&sign)) {
         (void)few_raise(r, n, &end, next->time, ground);

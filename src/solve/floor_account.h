@@ -145,11 +145,6 @@ struct floors_step {
     double ground, ground_2x;
 };
 
-// Twice the works of the ground and of damping; floor i % LANES_WIDTH counts.
-struct floors_works {
-    floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
-};
-
 // What the works of a vector of floors need of the one below it and of itself.
 struct floors_pair {
     floor_lanes u_under, v_under, v_own;  // twice the mean velocities
@@ -197,10 +192,7 @@ LANES_INLINE void floors_add(const struct chain *c, int first, int end,
                                FLOORS_AT(s.v0, under) + FLOORS_AT(s.v1, under),
                                FLOORS_AT(s.v0, first) + FLOORS_AT(s.v1, first)};
     struct floors_works works;
-    EACH_OF_LANES(j) {
-        works.input[j] = FLOORS_AT(account->input_2x, j * FLOORS_VECTOR);
-        works.damping[j] = FLOORS_AT(account->damping_2x, j * FLOORS_VECTOR);
-    }
+    floors_load_works(account, &works);
     for (int part = first; part < end; part = floors_part(part, end)) {
         floor_bits higher = {0};
         for (int i = part; i < floors_part(part, end); i += LANES_WIDTH) {
@@ -212,10 +204,7 @@ LANES_INLINE void floors_add(const struct chain *c, int first, int end,
             floors_turn(c, part, floors_part(part, end), s0, s1, p);
         }
     }
-    EACH_OF_LANES(j) {
-        *(floor_lanes *)(account->input_2x + j * FLOORS_VECTOR) = works.input[j];
-        *(floor_lanes *)(account->damping_2x + j * FLOORS_VECTOR) = works.damping[j];
-    }
+    floors_store_works(&works, account);
 }
 
 #endif

@@ -151,6 +151,25 @@ LANES_INLINE void floors_follow(const struct chain *c, const struct floors_lines
     }
 }
 
+// Twice the works of the ground and of damping; floor i % LANES_WIDTH counts.
+struct floors_works {
+    floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
+};
+
+LANES_INLINE void floors_load_works(const struct energy_account *a, struct floors_works *w) {
+    EACH_OF_LANES(j) {
+        w->input[j] = FLOORS_AT(a->input_2x, j * FLOORS_VECTOR);
+        w->damping[j] = FLOORS_AT(a->damping_2x, j * FLOORS_VECTOR);
+    }
+}
+
+LANES_INLINE void floors_store_works(const struct floors_works *w, struct energy_account *a) {
+    EACH_OF_LANES(j) {
+        *(floor_lanes *)(a->input_2x + j * FLOORS_VECTOR) = w->input[j];
+        *(floor_lanes *)(a->damping_2x + j * FLOORS_VECTOR) = w->damping[j];
+    }
+}
+
 // Penetrations of a vector of contacts of a group, from number i on.
 LANES_INLINE void floors_delta(const struct gap_group *g, ptrdiff_t i, const double *gap,
                                const double *u, const double *ground, floor_lanes *delta) {

@@ -22,9 +22,8 @@ bool resolve_negligible(const struct work *w, const struct state *now, double ve
     return fabs(velocity) <= NEGLIGIBLE * floors_speed(w, now);
 }
 
-// Is a step short enough for the spring of a law that has the tangents `r` at (d, v)? That of a
-// smooth one is no more than four times as stiff at twice the penetration.
-static bool fits_spring(const struct work *w, struct quick *p, struct contact_response r,
+// Is a step short enough for the spring of a law that has the tangents `r` at (d, v)?
+static bool fits_spring(const struct work *w, struct link_scratch *p, struct contact_response r,
                         double d) {
     if (d <= p->fits_to) {
         return true;
@@ -32,18 +31,20 @@ static bool fits_spring(const struct work *w, struct quick *p, struct contact_re
     double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
                            ? r.dfdd
                            : p->kind->force(p->constant, p->history, d, 0.0).dfdd;
-    double coarse = stiffness * p->flexibility * w->h * w->h;
-    p->fits_to = (p->kind->traits & CONTACT_SMOOTH) && 4.0 * coarse <= RESOLVE_COARSEST_SPRING
-                     ? 2.0 * d
-                     : 0.0;
+    double coarse = SPRING_COARSENESS(stiffness, p->flexibility, w->h);
+    bool smooth = p->kind->traits & CONTACT_SMOOTH;
+    p->fits_to =
+        smooth && RESOLVE_STIFFER * coarse <= RESOLVE_COARSEST_SPRING ? RESOLVE_DEEPER * d : 0.0;
     return coarse <= RESOLVE_COARSEST_SPRING;
 }
 
-static bool fits(const struct work *w, struct quick *p, struct contact_response r, double d) {
-    return w->g * p->flexibility * r.dfdv <= RESOLVE_COARSEST_DASHPOT && fits_spring(w, p, r, d);
+static bool fits(const struct work *w, struct link_scratch *p, struct contact_response r,
+                 double d) {
+    return DASHPOT_COARSENESS(r.dfdv, p->flexibility, w->g) <= RESOLVE_COARSEST_DASHPOT &&
+           fits_spring(w, p, r, d);
 }
 
-static bool resolved_at(const struct work *w, struct quick *p, double d, double v) {
+static bool resolved_at(const struct work *w, struct link_scratch *p, double d, double v) {
     double depth = number_max(d, 0.0);
     return fits(w, p, p->kind->force(p->constant, p->history, depth, v), depth);
 }
@@ -56,14 +57,14 @@ static bool at_rest(const struct work *w, const struct path *p) {
 
 // The start of the step was the end of the last one, and need not be looked at again where that was
 // resolved with a step as long.
-static bool starts_resolved(const struct work *w, const struct state *now, struct quick *p) {
+static bool starts_resolved(const struct work *w, const struct state *now, struct link_scratch *p) {
     int k = p->index;
     return !now->link[k].closed || p->checked >= w->h ||
            resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
 }
 
 // A settled link has its tangents already, so near to the end of the step that it does not matter.
-static bool ends_resolved(const struct work *w, struct quick *p, const struct path *path) {
+static bool ends_resolved(const struct work *w, struct link_scratch *p, const struct path *path) {
     return p->branch != BRANCH_CLOSED ||
            (!p->ask
                 ? fits(w, p, (struct contact_response){.dfdd = p->dfdd, .dfdv = p->dfdv}, path->d1)
@@ -71,7 +72,7 @@ static bool ends_resolved(const struct work *w, struct quick *p, const struct pa
 }
 
 static bool resolved(struct work *w, const struct state *now, const struct state *next,
-                     struct quick *p, double x, double d) {
+                     struct link_scratch *p, double x, double d) {
     int k = p->index;
     struct path path = {.d0 = now->delta[k], .d1 = d, .v1 = p->v_trial + w->g * x, .h = w->h};
     if (starts_resolved(w, now, p) && ends_resolved(w, p, &path)) {
@@ -88,7 +89,7 @@ static bool resolved(struct work *w, const struct state *now, const struct state
 }
 
 bool resolve_judge(struct work *w, const struct state *now, const struct state *next,
-                   struct quick *p) {
+                   struct link_scratch *p) {
     double x = w->correction[p->end[0]] - w->correction[p->end[1]];
     if (p->bilateral || p->kind->rebound || resolved(w, now, next, p, x, p->d_trial + w->b * x)) {
         return true;

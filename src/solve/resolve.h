@@ -3,7 +3,7 @@
 #ifndef JOSTLE_RESOLVE_H
 #define JOSTLE_RESOLVE_H
 
-#include "solve/quick.h"
+#include "solve/sweep.h"
 
 // Largest k S h^2 of a spring k: (pi / 10)^2.
 static const double RESOLVE_COARSEST_SPRING = 0.09869604401089358;
@@ -11,9 +11,17 @@ static const double RESOLVE_COARSEST_SPRING = 0.09869604401089358;
 // The decay that the dashpot of a law may cause.
 static const double RESOLVE_COARSEST_DASHPOT = 0.5;
 
+// What is compared with these, of numbers of one run or of several.
+#define SPRING_COARSENESS(stiffness, flexibility, h) ((stiffness) * (flexibility) * (h) * (h))
+#define DASHPOT_COARSENESS(dfdv, flexibility, g) ((g) * (flexibility) * (dfdv))
+
+// A smooth law is no more than so many times as stiff at a penetration so many times as deep.
+static const double RESOLVE_STIFFER = 4.0;
+static const double RESOLVE_DEEPER = 2.0;
+
 // resolve_suffices, whatever is known.
 bool resolve_judge(struct work *w, const struct state *now, const struct state *next,
-                   struct quick *p);
+                   struct link_scratch *p);
 
 // A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
 // gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
@@ -23,10 +31,10 @@ bool resolve_judge(struct work *w, const struct state *now, const struct state *
 // the start has been looked at, the end has its tangents, and its spring is no stiffer than has
 // been looked at.
 static inline bool resolve_suffices(struct work *w, const struct state *now,
-                                    const struct state *next, struct quick *p) {
+                                    const struct state *next, struct link_scratch *p) {
     double x = w->correction[p->end[0]] - w->correction[p->end[1]];
     if (p->checked >= w->h && !p->ask && p->d_trial + w->b * x <= p->fits_to &&
-        w->g * p->flexibility * p->dfdv <= RESOLVE_COARSEST_DASHPOT) {
+        DASHPOT_COARSENESS(p->dfdv, p->flexibility, w->g) <= RESOLVE_COARSEST_DASHPOT) {
         p->checked = w->h;
         return true;
     }

@@ -6,7 +6,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/quick.h"
+#include "solve/sweep.h"
 
 static bool alloc_floors(struct work *w, const struct model *m, struct arena *a) {
     struct storeys *s = &w->storeys;
@@ -24,11 +24,11 @@ static bool alloc_floors(struct work *w, const struct model *m, struct arena *a)
 
 static bool alloc_links(struct work *w, const struct model *m, struct arena *a) {
     size_t n_link = (size_t)m->n_link;
-    w->quick = lanes_lines(a, n_link, sizeof *w->quick);
+    w->link = lanes_lines(a, n_link, sizeof *w->link);
     w->acting = arena_alloc(a, n_link, sizeof(void *));
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->toggled = arena_alloc(a, n_link, sizeof *w->toggled);
-    return w->quick && w->acting && w->rigid && w->toggled && gaps_alloc(&w->gaps, m, a) &&
+    return w->link && w->acting && w->rigid && w->toggled && gaps_alloc(&w->gaps, m, a) &&
            cluster_alloc(&w->clusters, m, a) && block_alloc(&w->block, m, a);
 }
 
@@ -50,7 +50,7 @@ static double most_links(const struct model *m, double *count) {
 
 static void fill_links(struct work *w, const struct model *m) {
     for (int k = 0; k < m->n_link; k++) {
-        quick_init(&w->quick[k], m, k);
+        sweep_init(&w->link[k], m, k);
         w->commits |= m->link[k].law->commit != NULL;
         if (m->link[k].law->rebound) {
             w->rigid[w->n_rigid++] = k;

@@ -34,7 +34,7 @@ struct storeys {
     bool *agree;            // (n_building) those of a building bear what their tangents predicted
 };
 
-struct quick;
+struct link_scratch;
 
 struct work {
     const struct model *model;  // borrowed
@@ -64,14 +64,14 @@ struct work {
 
     // Its links.
     struct gaps gaps;
-    struct quick *quick;        // (n_link) what the solution for its force needs of each link
-    int n_acting;               // live links whose forces are being solved for,
-    struct quick **acting;      // (n_link) in ascending order
-    double crowd;               // most links with a force law that any floor has
-    bool commits;               // some law remembers what happens in contact
-    int n_toggled, *toggled;    // links that have closed or opened in the step in hand
-    int n_rigid, *rigid;        // contacts of laws without a force
-    double others_d, others_v;  // [L] [L/T] rounding that links bring to each other
+    struct link_scratch *link;     // (n_link) what the solution for its force needs of each link
+    int n_acting;                  // live links whose forces are being solved for,
+    struct link_scratch **acting;  // (n_link) in ascending order
+    double crowd;                  // most links with a force law that any floor has
+    bool commits;                  // some law remembers what happens in contact
+    int n_toggled, *toggled;       // links that have closed or opened in the step in hand
+    int n_rigid, *rigid;           // contacts of laws without a force
+    double others_d, others_v;     // [L] [L/T] rounding that links bring to each other
     struct clusters clusters;
     struct block block;
 };

@@ -11,7 +11,7 @@
 
 #include "core/arena.h"
 #include "solve/newmark.h"
-#include "solve/quick.h"
+#include "solve/sweep.h"
 #include "solve/rest.h"
 #include "support/analysis.h"
 #include "support/random.h"
@@ -150,7 +150,7 @@ static struct span graph(const struct bench *b, int k, double moved) {
             double d = b->next.delta[k] + i * around_d;
             double v = state_rate(&b->next, b->model, k) + j * around_v;
             widen(&span, l->law->force(l->constant, history, fmax(d, 0.0), v).force);
-            if (d <= 0.0 || b->work.quick[k].branch == BRANCH_NONE) {
+            if (d <= 0.0 || b->work.link[k].branch == BRANCH_NONE) {
                 widen(&span, 0.0);
             }
         }
@@ -171,7 +171,7 @@ static double largest_force(const struct bench *b) {
 static bool rests(const struct bench *b, int k) {
     double v = state_rate(&b->next, b->model, k) - rest_velocity(&b->now, b->model, b->work.h, k);
     double around = rounding(b, b->work.v_trial, b->next.v) +
-                    b->work.g * b->work.quick[k].flexibility * LARGEST_TOLERANCE * largest_force(b);
+                    b->work.g * b->work.link[k].flexibility * LARGEST_TOLERANCE * largest_force(b);
     double f = b->next.link[k].force;
     return f > 0.0 ? fabs(v) <= around : f == 0.0 && v <= around;
 }
@@ -186,7 +186,7 @@ static bool obeys(const struct bench *b, int k) {
         return rests(b, k);
     }
     double allowed = LARGEST_TOLERANCE * largest_force(b);
-    struct span span = graph(b, k, b->work.quick[k].flexibility * allowed);
+    struct span span = graph(b, k, b->work.link[k].flexibility * allowed);
     allowed += FORCE_TOLERANCE * fabs(f);
     return f >= span.low - allowed && f <= span.high + allowed;
 }
@@ -202,7 +202,7 @@ static enum kind kind_of(const struct model *m) {
 
 static bool undecided(const struct bench *b) {
     for (int i = 0; i < b->next.n_live; i++) {
-        if (b->work.quick[b->next.live[i]].branch == BRANCH_NONE) {
+        if (b->work.link[b->next.live[i]].branch == BRANCH_NONE) {
             return true;
         }
     }
@@ -224,7 +224,7 @@ static void report(const struct bench *b, uint64_t seed, int step, const char *w
     for (int k = 0; getenv("JOSTLE_VERBOSE") && k < b->model->n_contact; k++) {
         print_error("%s %s closed %d branch %d f %.17g d %.17g v %.17g %s\n",
                     b->model->link[k].name, b->model->link[k].law->name, b->now.link[k].closed,
-                    b->next.link[k].is_live ? (int)b->work.quick[k].branch : -1,
+                    b->next.link[k].is_live ? (int)b->work.link[k].branch : -1,
                     b->next.link[k].force, b->next.delta[k], state_rate(&b->next, b->model, k),
                     obeys(b, k) ? "" : "WRONG");
     }

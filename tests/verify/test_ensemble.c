@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "jostle/ensemble.h"
-#include "solve/ensemble_fleet.h"
+#include "solve/ensemble_lockstep.h"
 #include "support/analysis.h"
 #include "support/random_deck.h"
 #include "support/support.h"
@@ -229,7 +229,7 @@ static void many_contacts_that_stay_closed_have_the_same_bits(void **state) {
 }
 
 // Links act in most steps; forces that jump and a stiff contact whose steps are cut take runs
-// ashore in between. Only building C differs from run to run.
+// alone in between. Only building C differs from run to run.
 static void a_row_in_heavy_contact_has_the_same_bits(void **state) {
     (void)state;
     struct ensemble_member member[ENSEMBLE_MAX];
@@ -277,7 +277,7 @@ static void a_run_that_fails_leaves_the_others_alone(void **state) {
 }
 
 // Damping so negative that the step's matrix is not positive definite, but that of half a step is.
-static void runs_that_never_come_aboard_have_the_same_bits(void **state) {
+static void runs_that_never_enter_a_lane_have_the_same_bits(void **state) {
     (void)state;
     struct ensemble_member member[5];
     for (int k = 0; k < 5; k++) {
@@ -373,7 +373,7 @@ int main(void) {
         cmocka_unit_test(many_contacts_that_stay_closed_have_the_same_bits),
         cmocka_unit_test(a_row_in_heavy_contact_has_the_same_bits),
         cmocka_unit_test(a_run_that_fails_leaves_the_others_alone),
-        cmocka_unit_test(runs_that_never_come_aboard_have_the_same_bits),
+        cmocka_unit_test(runs_that_never_enter_a_lane_have_the_same_bits),
         cmocka_unit_test(runs_of_another_kind_go_alone),
         cmocka_unit_test(runs_of_two_kinds_and_many_durations_have_the_same_bits),
         cmocka_unit_test(a_poll_ends_all_runs),

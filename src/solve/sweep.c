@@ -1,35 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With the corrections q of the accelerations, a link sees x = q_left - q_right, and
-//     d = d_trial + beta h^2 x,   v = v_trial + gamma h x,   F = F(d, v).
-// Its own force f moves it by S_ll per unit against itself, so Newton's method for F = f takes
-//     df = (F - f) / (1 + S_ll t),   t = beta h^2 dF/dd + gamma h dF/dv,
-// and q changes by df times the columns of A^-1 of both ends. A^-1 is almost diagonal, for
-// beta h^2 K << M: links disturb each other where they share a floor, and little else.
+// The arithmetic of a step is in link_terms.h. A^-1 is almost diagonal, for beta h^2 K << M: links
+// disturb each other where they share a floor, and little else.
 //
 // Laws are asked before the first sweep, some links at a time so that the cache holds them until
-// they are visited; there laws need not wait for each other. From then on a law is taken for the
-// line df = base + rate dx from there, which costs little. It must be asked again, at once,
-// where that is not enough: with F = k d^n a change of d by dx changes F by (n - 1) / (2 n) c^2 / f
-// more than the line says, c = t dx. A dashpot that grows with d^(1/4) has at most 3/2 of that; 4
-// are taken, and both parts of t by their size, as they may cancel where a law pulls. A link of a
-// smooth law within that reach is settled, and passed over where the line asks for no change that
-// matters.
+// they are visited; there laws need not wait for each other. From then on a law is taken for its
+// tangent, which costs little, and asked again, at once, where that is not enough. A link of a
+// smooth law within that reach is settled, and passed over where the tangent asks for no change
+// that matters.
 //
 // What is left to a settled link are the changes of others after its own. They change its force by
 //     |df_l| <= t / (1 + s) sum over m of |S_lm df_m| <= s sum of |S_lm| / S_ll max |df_m|,
 // so that another sweep would change forces by such a share of what this one did. Where that does
 // not matter no such sweep is made.
-#include "solve/quick.h"
+#include "solve/sweep.h"
 
 #include <float.h>
 #include <math.h>
 
 #include "core/lanes.h"
 #include "core/number.h"
+#include "solve/link_terms.h"
 
-void quick_init(struct quick *p, const struct model *m, int k) {
+void sweep_init(struct link_scratch *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
-    *p = (struct quick){
+    *p = (struct link_scratch){
         .link = l,
         .index = k,
         .kind = l->law,
@@ -52,7 +46,7 @@ static double sum_of_sizes(const double *x, int n) {
 }
 
 // How the ends yield.
-static void find_columns(const struct work *w, struct quick *p) {
+static void find_columns(const struct work *w, struct link_scratch *p) {
     const struct link *l = p->link;
     p->factors = w->factors;
     p->flexibility = 0.0;
@@ -75,41 +69,31 @@ static void find_columns(const struct work *w, struct quick *p) {
     p->unmoved = 1.0 / (p->flexibility * p->others + DBL_MIN);
 }
 
-// Asks the law of a link that sees x, and draws its line from there. False: a Newton step is not
-// safe.
-static inline bool ask(const struct work *w, struct quick *p, double x, struct progress *s) {
-    double d = p->d_trial + w->b * x;
-    double v = p->v_trial + w->g * x;
+// Asks the law of a link that sees x. False: a Newton step is not safe.
+static inline bool ask(const struct work *w, struct link_scratch *p, double x, struct progress *s) {
+    double d = END(p->d_trial, w->b, x);
+    double v = END(p->v_trial, w->g, x);
     if (!p->trusted || !(d > 0.0 || p->bilateral)) {
         return false;
     }
     p->ask = true;
     struct contact_response law = p->kind->force(p->constant, p->history, d, v);
-    double slope = w->b * law.dfdd + w->g * law.dfdv;
-    double share = p->flexibility * slope;
-    if (!(share >= 0.0 && share <= QUICK_STEEPEST)) {
+    double share = p->flexibility * SLOPE(w, &law);
+    if (!IS_SHALLOW(share)) {
         return false;
     }
     p->ask = false;
-    p->asked = x;
     p->dfdd = law.dfdd;
     p->dfdv = law.dfdv;
-    double steep = fabs(w->b * law.dfdd) + fabs(w->g * law.dfdv) + DBL_MIN;
-    double inverse = 1.0 / ((1.0 + share) * steep);  // one division for both
-    p->damped = inverse * steep;
-    p->rate = slope * p->damped;
-    p->base = (law.force - p->force) * p->damped;
-    p->near = p->bilateral ? INFINITY : QUICK_NEAR * d * w->per_b;
-    double straight = sqrt(QUICK_STRAIGHT * s->enough * fabs(law.force)) * inverse * (1.0 + share);
-    double turn = fabs(v) * w->per_g;
-    p->reach =
-        p->kind->traits & CONTACT_SMOOTH ? number_min(number_min(p->near, turn), straight) : -1.0;
+    double near = p->bilateral ? INFINITY : LINK_NEAR * d * w->per_b;
+    struct link_asked asked = {x, v, near, p->force, s->enough, law.force, law.dfdd, law.dfdv};
+    link_linearise(w, &asked, &share, p->kind->traits & CONTACT_SMOOTH, &p->tangent);
     s->echo = number_max(s->echo, share * p->others);
     return true;
 }
 
 // Where d and v are without corrections, and how the ends yield, unless that has stayed.
-static inline void gather(struct work *w, const struct state *next, struct quick *p) {
+static inline void gather(struct work *w, const struct state *next, struct link_scratch *p) {
     int left = p->end[0];
     int right = p->end[1];
     p->trusted = p->branch == BRANCH_CLOSED && p->kind->force && !p->clamped;
@@ -126,35 +110,36 @@ static inline void gather(struct work *w, const struct state *next, struct quick
     }
 }
 
-void quick_gather(struct work *w, const struct state *next, struct progress *s) {
+void sweep_begin(struct work *w, const struct state *next, struct progress *s) {
     *s = (struct progress){0};
     w->n_acting = next->n_live;
     for (int i = 0; i < w->n_acting; i++) {
         int k = next->live[i];
-        w->acting[i] = &w->quick[k];
-        w->quick[k].force = next->link[k].force;
+        w->acting[i] = &w->link[k];
+        w->link[k].force = next->link[k].force;
         s->largest = number_max(s->largest, fabs(next->link[k].force));
     }
 }
 
 // What a link sees.
-static inline double sees(const struct work *w, const struct quick *p) {
+static inline double sees(const struct work *w, const struct link_scratch *p) {
     return w->correction[p->end[0]] - w->correction[p->end[1]];
 }
 
-void quick_take(struct work *w, const struct state *next, int first, int end, struct progress *s) {
+void sweep_gather(struct work *w, const struct state *next, int first, int end,
+                  struct progress *s) {
     for (int i = first; i < end; i++) {
-        struct quick *p = w->acting[i];
+        struct link_scratch *p = w->acting[i];
         gather(w, next, p);
         ask(w, p, sees(w, p), s);
     }
     s->loosest = s->enough;
 }
 
-void quick_ask(struct work *w, struct progress *s) {
-    bool looser = s->loosest > QUICK_LOOSER * s->enough;
+void sweep_ask_again(struct work *w, struct progress *s) {
+    bool looser = s->loosest > LINK_LOOSER * s->enough;
     for (int i = 0, n = looser ? w->n_acting : 0; i < n; i++) {
-        struct quick *p = w->acting[i];
+        struct link_scratch *p = w->acting[i];
         p->ask = true;
         ask(w, p, sees(w, p), s);
     }
@@ -172,27 +157,26 @@ static inline void push(double *restrict q, const double *restrict column, int n
     }
 }
 
-static inline void push_ends(const struct work *w, const struct quick *p, double df) {
+static inline void push_ends(const struct work *w, const struct link_scratch *p, double df) {
     push(w->correction + p->first[0], p->column[0], p->lanes[0], -df);
     push(w->correction + p->first[1], p->column[1], p->lanes[1], df);
 }
 
-void quick_push(const struct work *w, const struct quick *p, double df) {
+void sweep_push(const struct work *w, const struct link_scratch *p, double df) {
     push_ends(w, p, df);
 }
 
 // Is a change of the force no more than the rounding of d and v makes of it?
-static inline bool negligible(const struct work *w, const struct quick *p, double df) {
+static inline bool negligible(const struct work *w, const struct link_scratch *p, double df) {
     const int left = p->end[0], right = p->end[1];
     double q = fabs(w->correction[left]) + fabs(w->correction[right]);
     double d = fabs(w->u_trial[left]) + fabs(w->u_trial[right]) + p->gap + w->b * q;
     double v = fabs(w->v_trial[left]) + fabs(w->v_trial[right]) + w->g * q;
-    double change = 4.0 * DBL_EPSILON * (fabs(p->dfdd) * d + fabs(p->dfdv) * v);
-    return fabs(df) <= change * p->damped;
+    return fabs(df) <= ROUNDING(p->tangent.damped, p->dfdd, d, p->dfdv, v);
 }
 
 // Takes note of the change df of a force whose law is known as well as need be, or is not.
-static inline void note(const struct work *w, const struct quick *p, double df,
+static inline void note(const struct work *w, const struct link_scratch *p, double df,
                         struct progress *s) {
     double *most = &s->moved[p->ask ? LAW_UNKNOWN : LAW_KNOWN];
     if (fabs(df) > *most && fabs(df) > s->enough && !negligible(w, p, df)) {
@@ -200,42 +184,37 @@ static inline void note(const struct work *w, const struct quick *p, double df,
     }
 }
 
-// Does the line of the law hold for a link that sees x?
-static inline bool is_known(const struct quick *p, double x) {
-    double dx = x - p->asked;
-    return fabs(dx) <= p->reach || dx == 0.0;
-}
-
-// Changes of others up to this leave a link within the reach of its line that is `far` from where
-// that was drawn.
-static inline double room(const struct quick *p, double far) {
-    return number_max(p->reach - far, 0.0) * p->unmoved;
+// Changes of others up to this leave a link within the reach of its tangent that is `far` from
+// where that begins.
+static inline double room(const struct link_scratch *p, double far) {
+    return number_max(p->tangent.reach - far, 0.0) * p->unmoved;
 }
 
 // A Newton step of a link that sees x; false: not safe.
-static inline bool step(const struct work *w, struct quick *p, double x, struct progress *s,
+static inline bool step(const struct work *w, struct link_scratch *p, double x, struct progress *s,
                         double *clear) {
-    double dx = x - p->asked;
-    double df = p->base + p->rate * dx;
-    if (fabs(df) <= QUICK_NEGLECTED * s->enough && fabs(dx) <= p->reach) {
+    struct tangent *t = &p->tangent;
+    double dx = x - t->asked;
+    double df = CHANGE(t, dx);
+    if (IS_IDLE(t, dx, df, s->enough)) {
         *clear = number_min(*clear, room(p, fabs(dx)));
         return true;
     }
-    double far = fabs(dx - p->flexibility * df);
-    if (!(far <= p->near && fabs(df) <= QUICK_NEAR * fabs(p->force))) {
+    double led = LED(dx, p->flexibility, df);
+    if (!IS_SAFE(t, led, df, p->force)) {
         return false;
     }
     p->force += df;
-    p->base -= p->damped * df;
-    p->ask = !(far <= p->reach);
-    *clear = number_min(*clear, room(p, far));
+    t->base -= t->damped * df;
+    p->ask = !(led <= t->reach);
+    *clear = number_min(*clear, room(p, led));
     push_ends(w, p, df);
     note(w, p, df, s);
     return true;
 }
 
 // Does a link that sees x stay open?
-static inline bool stays_open(const struct work *w, const struct quick *p, double x,
+static inline bool stays_open(const struct work *w, const struct link_scratch *p, double x,
                               double *clear) {
     double d = p->d_trial + w->b * x;
     if (!(p->open && d <= 0.0)) {
@@ -245,13 +224,14 @@ static inline bool stays_open(const struct work *w, const struct quick *p, doubl
     return true;
 }
 
-LANES int quick_sweep(struct work *w, int first, int end, struct progress *s) {
+LANES int sweep_newton(struct work *w, int first, int end, struct progress *s) {
     double clear = s->clear, largest = s->largest;
     int i = first;
     for (; i < end; i++) {
-        struct quick *p = w->acting[i];
+        struct link_scratch *p = w->acting[i];
         double x = sees(w, p);
-        bool known = (!p->ask && is_known(p, x)) || ask(w, p, x, s);
+        double dx = x - p->tangent.asked;
+        bool known = (!p->ask && IS_ON_TANGENT(&p->tangent, dx)) || ask(w, p, x, s);
         if (known ? !step(w, p, x, s, &clear) : !stays_open(w, p, x, &clear)) {
             break;
         }

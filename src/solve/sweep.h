@@ -1,49 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quick sweeps over the live links: Newton steps one link after the other, from data that stand
+// Newton sweeps over the live links: Newton steps one link after the other, from data that stand
 // side by side.
-#ifndef JOSTLE_QUICK_H
-#define JOSTLE_QUICK_H
+#ifndef JOSTLE_SWEEP_H
+#define JOSTLE_SWEEP_H
 
 #include <stdalign.h>
 
 #include "core/lanes.h"
 #include "solve/work.h"
 
-// A Newton step is trusted if it changes force and penetration by no more than this share, and if
-// the law is no steeper than this against the flexibility of the link.
-static const double QUICK_NEAR = 0.1;
-static const double QUICK_STEEPEST = 0.1;
-
-// Changes of this share of what is enough are not made.
-static const double QUICK_NEGLECTED = 0.1;
-
-// A force f may follow the slope of its law by a change c as long as 4 c^2 / f does not matter.
-static const double QUICK_STRAIGHT = 0.1 / 4.0;
-
-// What was settled while forces were larger by this factor still is.
-static const double QUICK_LOOSER = 4.0;
-
 // Links that are gathered, asked and visited together in the first sweep.
-enum { QUICK_GROUP = 16 };
+enum { SWEEP_GROUP = 16 };
+
+// A law for Newton steps: with the correction x = asked it was asked, and a step from asked + dx
+// changes the force by base + rate dx.
+struct tangent {
+    double base, rate;  // [F] [F T^2/L]
+    double asked;       // [L/T^2] difference of the corrections of the link's ends
+    double reach;       // [L/T^2] how far from there until the law must be asked again
+    double near;        // [L/T^2] how far a step may lead from there
+    double damped;      // 1 / (1 + S_ll t)
+};
 
 // One link, in four lines of the cache: what every visit of a sweep looks at, what a step needs
-// too, what asking the law needs, and the rest.
-struct quick {
+// too, which is from tangent.near on, what asking the law needs, and the rest.
+struct link_scratch {
     alignas(LANES_LINE) int end[2];  // among the arrays of struct chain
     enum branch branch;              // that its force is on
     bool ask;                        // the law must be asked again, if it is trusted
     bool trusted;                    // it is on the closed branch: a Newton step may start there
     bool open;                       // its force is 0 as long as d <= 0
     bool clamped;                    // its law may pull, but is not let
-    // The force, and what the law said when it was asked, with the correction x = asked.
-    double force;       // [F]
-    double base, rate;  // a Newton step from asked + dx changes the force by base + rate dx
-    double asked;       // [L/T^2] difference of the corrections of its ends
-    double reach;       // [L/T^2] how far from there until the law must be asked again
-    double unmoved;     // 1 / the most that |S_lm| of all other links may add up to
+    double force;                    // [F]
+    double unmoved;                  // 1 / the most that |S_lm| of all other links may add up to
+    struct tangent tangent;
 
-    double near;              // [L/T^2] how far a step may lead from there
-    double damped;            // 1 / (1 + S_ll t)
     double flexibility;       // S_ll
     double others;            // the sum of |S_lm| as a share of that, at most
     const double *column[2];  // what floors feel of its force: of A^-1,
@@ -81,28 +72,28 @@ struct progress {
     double echo;      // by how much the changes of others may still change one of those, as a
                       // share of the largest; of sweeps before too
     double clear;   // [F] changes of others up to this leave open links open, and the others within
-                    // the reach of their lines
+                    // the reach of their tangents
     bool answered;  // some link got its exact answer: echo knows nothing of it
 };
 
 // What does not change of link k.
-void quick_init(struct quick *p, const struct model *m, int k);
+void sweep_init(struct link_scratch *p, const struct model *m, int k);
 
 // The live links of `next` act from now on; *progress is that of a guess.
-void quick_gather(struct work *w, const struct state *next, struct progress *progress);
+void sweep_begin(struct work *w, const struct state *next, struct progress *progress);
 
 // Gathers what changes from step to step of acting links `first` to end - 1, and asks their laws.
-void quick_take(struct work *w, const struct state *next, int first, int end,
-                struct progress *progress);
+void sweep_gather(struct work *w, const struct state *next, int first, int end,
+                  struct progress *progress);
 
 // Asks all laws again if what is enough has become much less.
-void quick_ask(struct work *w, struct progress *progress);
+void sweep_ask_again(struct work *w, struct progress *progress);
 
 // Moves the ends of the link by what a change df of its force does to them.
-void quick_push(const struct work *w, const struct quick *p, double df);
+void sweep_push(const struct work *w, const struct link_scratch *p, double df);
 
 // Takes Newton steps on acting links `first` to end - 1, until one that is not safe; returns its
 // number, or `end`.
-int quick_sweep(struct work *w, int first, int end, struct progress *progress);
+int sweep_newton(struct work *w, int first, int end, struct progress *progress);
 
 #endif
