@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time loop: step, commit, account, and show a row to the observer now and then.
+// The time loop: the method of the run advances it towards the next row, which is shown to the
+// observer.
 #include "jostle/analysis.h"
 
 #include <math.h>
@@ -9,6 +10,16 @@
 #include "core/wall.h"
 #include "solve/method.h"
 #include "solve/peaks.h"
+
+int run_poll_now(struct run *r, double time) {
+    const struct observer *o = r->observer;
+    return o && o->poll ? o->poll(o->context, time, r->error) : STATUS_OK;
+}
+
+int run_poll(struct run *r, double time) {
+    bool due = r->results->totals.steps % RUN_POLL_STEPS == 0;
+    return due ? run_poll_now(r, time) : STATUS_OK;
+}
 
 int analysis_note_energies(struct run *r) {
     struct results *out = r->results;

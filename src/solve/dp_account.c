@@ -115,23 +115,23 @@ static void row_storeys(const struct dp *p, struct state *row) {
     }
 }
 
-void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy) {
-    const struct model *m = p->model;
-    size_t size = (size_t)m->n_dof * sizeof(double);
-    double x = t < p->next.time ? (t - p->now.time) / p->h : 1.0;
+// The account of energy up to place x of the step.
+static void account_up_to(const struct dp *p, double x, struct energy_account *energy) {
     double weight[DP_STAGES];
     dp_stages_weights(x, weight);
     *energy = p->before;
     integrate(p, weight, energy);
     for (int i = 0; i < p->now.n_live; i++) {
-        int k = p->now.live[i];
-        struct motion motion = dp_motion_link(p, k);
+        struct motion motion = dp_motion_link(p, p->now.live[i]);
         struct polynomial path = hermite_position(&motion);
         double impulse;
         energy->contact += link_work(p, weight, i, hermite_value(&path, x), &impulse);
     }
-    const struct dp_rates *rates = x < 1.0 ? rates_at(p, x) : p->stage[DP_STAGES - 1];
-    row->time = t;
+}
+
+static void row_floors(const struct dp *p, const struct dp_rates *rates, struct state *row) {
+    const struct model *m = p->model;
+    size_t size = (size_t)m->n_dof * sizeof(double);
     memcpy(row->u, rates->u, size);
     memcpy(row->v, rates->v, size);
     memcpy(row->a, rates->a, size);
@@ -141,6 +141,14 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
         int ground = m->building[p->system.building[i]].ground;
         row->total[i] = row->a[i] + row->ground_a[ground];
     }
+}
+
+void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy) {
+    double x = t < p->next.time ? (t - p->now.time) / p->h : 1.0;
+    account_up_to(p, x, energy);
+    const struct dp_rates *rates = x < 1.0 ? rates_at(p, x) : p->stage[DP_STAGES - 1];
+    row->time = t;
+    row_floors(p, rates, row);
     row_storeys(p, row);
     row_links(p, rates, row);
 }

@@ -20,16 +20,6 @@ static const double SHORTEST_BOUNCE = 0.01;
 // Events nearer to each other than this share of their time are at the same instant.
 static const double TOGETHER = 1e-6;
 
-int run_poll_now(struct run *r, double time) {
-    const struct observer *o = r->observer;
-    return o && o->poll ? o->poll(o->context, time, r->error) : STATUS_OK;
-}
-
-int run_poll(struct run *r, double time) {
-    bool due = r->results->totals.steps % RUN_POLL_STEPS == 0;
-    return due ? run_poll_now(r, time) : STATUS_OK;
-}
-
 bool run_step_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
