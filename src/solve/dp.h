@@ -40,26 +40,33 @@ struct dp {
     struct impact_log *impacts;  // borrowed
     struct dp_system system;
     const struct dp_floors *floors;
-    struct gaps gaps;        // only the runs of links
-    struct state now, next;  // the ends of the step; histories and closed links are in `now`
-    struct dp_rates rates[DP_STAGES];   // in any order
-    struct dp_rates *stage[DP_STAGES];  // the first at `now`, the last at `next`
-    struct meeting *meeting;            // (n_contact) scratch of rigid impacts
-    double *rate[2];                    // [L/T] (n_link) of penetrations at both ends
-    double *reach;                      // [L] (n_contact) upper bounds of penetrations in the step
-    bool closes, deepens;               // can any be above 0, or above its peak?
-    struct scales scales;               // of errors
-    bool grown;                         // since the scales were made
     struct energy_account before, energy;  // up to the start and to the end of the step
 
-    double h;               // [T] the step; 0: none has been made
-    double trial;           // [T] what the error control would take next
-    bool closed_now;        // a contact has closed at `now`
+    // The step.
+    double h;                           // [T] its length; 0: none has been made
+    struct state now, next;             // its ends; histories and closed links are in `now`
+    struct dp_rates rates[DP_STAGES];   // in any order
+    struct dp_rates *stage[DP_STAGES];  // the first at `now`, the last at `next`
+
+    // Its links.
+    struct gaps gaps;         // only the runs of links
+    double *rate[2];          // [L/T] (n_link) of penetrations at both ends
+    double *reach;            // [L] (n_contact) upper bounds of penetrations
+    bool closes, deepens;     // can any be above 0, or above its peak?
+    struct meeting *meeting;  // (n_contact) scratch of rigid impacts
+
+    // Its length.
+    double trial;          // [T] what the error control would take next
+    struct scales scales;  // of errors
+    bool grown;            // motions have, since the scales were made
+    bool closed_now;       // a contact has closed at `now`
+    struct pace pace;      // of all steps
+
+    // Its event.
     struct dp_event event;  // at the end of the step
     int last_link;          // of the last event; -1: none
     long events_before;     // events when time was last seen to move
     double time_before;     // [T] then
-    struct pace pace;       // of all steps
 };
 
 #endif

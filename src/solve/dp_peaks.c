@@ -90,7 +90,7 @@ static double acceleration_place(const struct dp *p, const struct building *g, i
                   (INNER * (1.0 - INNER));  // the ground's parabola, of a sine
     struct polynomial a = {{2.0 * u.c[2] / square + ground0, 6.0 * u.c[3] / square + rise - bend,
                             12.0 * u.c[4] / square + bend, 20.0 * u.c[5] / square, 0.0, 0.0}};
-    double ends = fmax(fabs(total(p->stage[0], g, i)), fabs(total(p->stage[6], g, i)));
+    double ends = fmax(fabs(total(p->stage[0], g, i)), fabs(total(p->stage[DP_STAGES - 1], g, i)));
     double best = fmax(NEARLY * ends, p->results->peak[PEAK_ACCELERATION][i] / BEYOND);
     double place = -1.0;
     double x[2];

@@ -153,23 +153,28 @@ static int pass_event(struct run *r, struct event *event, double end, double h) 
     return status == STATUS_OK ? run_poll_now(r, r->now->time) : status;
 }
 
+// Is the step of size h that has been found short enough? STATUS_RETRY: no.
+static int judge(struct run *r, double h) {
+    struct work *w = &r->work;
+    if (!r->model->adaptive) {
+        bool strict = w->strictness == STEP_STRICT;
+        return strict && event_is_abrupt(w, r->now, r->next) ? STATUS_RETRY : STATUS_OK;
+    }
+    int status = step_length_judge(&r->length, r->now, r->next, h);
+    w->unresolved = status == STATUS_OK ? w->unresolved : -1;
+    return status;
+}
+
 int run_step(struct run *r, double end, double h, int cuts, double *rest) {
     r->work.strictness = cuts < RUN_CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
     *rest = 0.0;
     int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
+    status = status == STATUS_OK ? judge(r, h) : status;
     if (status != STATUS_OK) {
         return status;
     }
-    if (r->model->adaptive && step_length_judge(&r->length, r->now, r->next, h) != STATUS_OK) {
-        r->work.unresolved = -1;
-        return STATUS_RETRY;
-    }
     if (r->work.n_toggled == 0 && r->work.n_rigid == 0) {
         return commit(r);
-    }
-    if (r->work.strictness == STEP_STRICT && !r->model->adaptive &&
-        event_is_abrupt(&r->work, r->now, r->next)) {
-        return STATUS_RETRY;
     }
     struct event event = event_first(&r->work, r->now, r->next, h, r->events, -1);
     if (event.link < 0) {
