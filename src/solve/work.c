@@ -84,7 +84,7 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
     w->nearest = arena_alloc(a, n, sizeof *w->nearest);
     if (!w->nearest || !w->home || !w->other || !w->settled || !w->parent || !w->start ||
         !w->cluster || !alloc_floors(w, m, a) || !floors_alloc(&w->floors, m, a) ||
-        !few_alloc(&w->few, m, a) || !alloc_links(w, m, a)) {
+        !small_alloc(&w->small, m, a) || !alloc_links(w, m, a)) {
         return false;
     }
     fill_links(w, m);
@@ -112,7 +112,7 @@ int work_factor(struct work *w, double h) {
     }
     struct effective *e = h == w->model->dt ? w->home : w->other;
     w->h = 0.0;
-    w->few.serves = false;
+    w->small.serves = false;
     w->factors++;
     w->b = w->model->beta * h * h;
     w->g = w->model->gamma * h;
@@ -126,9 +126,9 @@ int work_factor(struct work *w, double h) {
     }
     w->effective = e;
     w->h = h;
-    w->few.serves = w->few.possible && e == w->home && w->model->n_storey_history == 0;
-    if (w->few.serves) {
-        few_factor(w);
+    w->small.serves = w->small.possible && e == w->home && w->model->n_storey_history == 0;
+    if (w->small.serves) {
+        small_factor(w);
     }
     return STATUS_OK;
 }

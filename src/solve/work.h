@@ -7,10 +7,10 @@
 #include "solve/chain.h"
 #include "solve/effective.h"
 #include "solve/excitation.h"
-#include "solve/few.h"
 #include "solve/floors.h"
 #include "solve/gaps.h"
 #include "solve/line.h"
+#include "solve/small_model.h"
 #include "solve/state.h"
 
 // What to do where a contact or storey iteration does not converge.
@@ -44,7 +44,7 @@ struct work {
 
     struct excitation_ahead ahead;  // of steps of the model's size
     struct floors floors;
-    struct few few;             // what models with few floors need
+    struct small_model small;   // steps of models with few floors
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
                                 // linear models, for buildings that gaps.touched lists
     double *drift, *shear;      // (n_dof) [L] [F] of storeys where they were linearised
