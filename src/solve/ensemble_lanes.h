@@ -198,10 +198,7 @@ static inline bool ensemble_has(unsigned runs, int k) {
 
 // The first of them from run k on; WIDE_RUNS: none.
 static inline int ensemble_next(unsigned runs, int k) {
-    while (runs >> k != 0 && !ensemble_has(runs, k)) {
-        k++;
-    }
-    return runs >> k != 0 ? k : (int)WIDE_RUNS;
+    return __builtin_ctz(runs >> k << k | 1U << WIDE_RUNS);
 }
 
 // For each of them.
