@@ -61,21 +61,21 @@ static void put_in(struct closed_contact *j, int lane, const struct run *r, int 
     const struct link_peak *p = &r->results->link[k];
     const struct impact *i = &r->results->impact[r->impacts.open[k]];
     j->live[lane] = -1;
-    j->was[lane] = l->force;
+    j->before[lane] = l->force;
     j->n_past[lane] = l->n_past;
     for (int n = 0; n < PAST_STEPS; n++) {
         j->past[n][lane] = l->past[n];
     }
     j->impulse[lane] = p->impulse;
     j->work[lane] = p->dissipated;
-    j->own_impulse[lane] = i->impulse;
-    j->own_work[lane] = i->dissipated;
-    j->own_force[lane] = i->peak_force;
-    j->own_depth[lane] = i->max_penetration;
-    j->most[lane] = p->force;
-    j->most_time[lane] = p->force_time;
-    j->deep[lane] = r->results->deepest[k];
-    j->deep_time[lane] = p->penetration_time;
+    j->impact_impulse[lane] = i->impulse;
+    j->impact_work[lane] = i->dissipated;
+    j->impact_force[lane] = i->peak_force;
+    j->impact_depth[lane] = i->max_penetration;
+    j->peak_force[lane] = p->force;
+    j->peak_force_time[lane] = p->force_time;
+    j->deepest[lane] = r->results->deepest[k];
+    j->deepest_time[lane] = p->penetration_time;
     j->fits_to[lane] = r->work.link[k].fits_to;
 }
 
@@ -84,22 +84,22 @@ static void take_out(struct closed_contact *j, int lane, struct run *r, int k, l
     struct link_peak *p = &r->results->link[k];
     struct impact *i = &r->results->impact[r->impacts.open[k]];
     j->live[lane] = 0;
-    l->force = j->was[lane];
+    l->force = j->before[lane];
     l->n_past = (int)j->n_past[lane];
     for (int n = 0; n < PAST_STEPS; n++) {
         l->past[n] = j->past[n][lane];
     }
     p->impulse = j->impulse[lane];
     p->dissipated = j->work[lane];
-    i->impulse = j->own_impulse[lane];
-    i->dissipated = j->own_work[lane];
-    i->peak_force = j->own_force[lane];
-    i->max_penetration = j->own_depth[lane];
+    i->impulse = j->impact_impulse[lane];
+    i->dissipated = j->impact_work[lane];
+    i->peak_force = j->impact_force[lane];
+    i->max_penetration = j->impact_depth[lane];
     i->steps += n_step;
-    p->force = j->most[lane];
-    p->force_time = j->most_time[lane];
+    p->force = j->peak_force[lane];
+    p->force_time = j->peak_force_time[lane];
     r->work.link[k].fits_to = j->fits_to[lane];
-    peaks_penetration(r->results, k, j->deep[lane], j->deep_time[lane]);
+    peaks_penetration(r->results, k, j->deepest[lane], j->deepest_time[lane]);
 }
 
 static void touch(struct ensemble_contacts *s, int building) {

@@ -22,11 +22,10 @@ struct tangent_lanes {
 struct closed_contact {
     wide_bits live;
     wide_bits n_past;
-    wide was, past[PAST_STEPS];             // [F] of the committed state, and before it
-    wide impulse, work;                     // of the contact, as in struct link_peak,
-    wide own_impulse, own_work;             // and of its impact
-    wide own_force, own_depth;              // largest of it,
-    wide most, most_time, deep, deep_time;  // and ever
+    wide before, past[PAST_STEPS];  // [F] force of the committed state, and of those before it
+    // Of the contact, as in struct link_peak:
+    wide impulse, work, peak_force, peak_force_time, deepest, deepest_time;
+    wide impact_impulse, impact_work, impact_force, impact_depth;  // and of its impact
     wide force, d_trial, v_trial, dfdd, dfdv;
     struct tangent_lanes tangent;
     wide fits_to;

@@ -11,42 +11,37 @@ LANES_WHOLE void ensemble_contacts_begin(struct ensemble_lanes *e) {
     for (int i = 0; i < e->contacts->n_acting; i++) {
         const int k = e->contacts->acting[i];
         struct closed_contact *j = &e->contacts->contact[k];
-        wide next = CUBIC_GUESS(j->was, j->past);
-        next = WIDE_CHOOSE(j->n_past == 2, PARABOLIC_GUESS(j->was, j->past), next);
-        next = WIDE_CHOOSE(j->n_past == 1, LINEAR_GUESS(j->was, j->past), next);
+        wide next = CUBIC_GUESS(j->before, j->past);
+        next = WIDE_CHOOSE(j->n_past == 2, PARABOLIC_GUESS(j->before, j->past), next);
+        next = WIDE_CHOOSE(j->n_past == 1, LINEAR_GUESS(j->before, j->past), next);
         const wide above = WIDE_LARGER(next, none);
-        j->force = WIDE_CHOOSE(WIDE_LESS(none, j->was), above, j->was);
+        j->force = WIDE_CHOOSE(WIDE_LESS(none, j->before), above, j->before);
         e->force[k] = (wide)((wide_bits)j->force & j->live);
         e->acts[k] = true;
     }
-}
-
-LANES_WHOLE_INLINE void penetration(const struct ensemble_lanes *e, int k,
-                                    const struct ensemble_state *s, wide *delta) {
-    *delta = s[e->end[k][0]].u - s[e->end[k][1]].u - e->gap[k].width;
 }
 
 // What impacts.c does for a live link that stays closed; *contact is the work on all of its run.
 LANES_WHOLE_INLINE void account(const struct ensemble_lanes *e, int k, double time, double h,
                                 wide *contact) {
     struct closed_contact *j = &e->contacts->contact[k];
-    wide before, after;
-    penetration(e, k, e->now, &before);
-    penetration(e, k, e->next, &after);
+    const wide start = ENSEMBLE_PENETRATION(e, k, e->now);
+    const wide end = ENSEMBLE_PENETRATION(e, k, e->next);
     const wide now = time - (wide){0.0};
-    const wide_bits stronger = WIDE_LESS(j->most, j->force), deeper = WIDE_LESS(j->deep, after);
-    j->most = WIDE_CHOOSE(stronger, j->force, j->most);
-    j->most_time = WIDE_CHOOSE(stronger, now, j->most_time);
-    j->deep = WIDE_CHOOSE(deeper, after, j->deep);
-    j->deep_time = WIDE_CHOOSE(deeper, now, j->deep_time);
-    const wide mean = (j->was + j->force) / 2.0;
-    const wide impulse = mean * h, work = mean * (after - before);
+    const wide_bits stronger = WIDE_LESS(j->peak_force, j->force),
+                    deeper = WIDE_LESS(j->deepest, end);
+    j->peak_force = WIDE_CHOOSE(stronger, j->force, j->peak_force);
+    j->peak_force_time = WIDE_CHOOSE(stronger, now, j->peak_force_time);
+    j->deepest = WIDE_CHOOSE(deeper, end, j->deepest);
+    j->deepest_time = WIDE_CHOOSE(deeper, now, j->deepest_time);
+    const wide mean = (j->before + j->force) / 2.0;
+    const wide impulse = mean * h, work = mean * (end - start);
     j->impulse += impulse;
     j->work += work;
-    j->own_impulse += impulse;
-    j->own_work += work;
-    j->own_force = WIDE_LARGER(j->own_force, j->force);
-    j->own_depth = WIDE_LARGER(j->own_depth, after);
+    j->impact_impulse += impulse;
+    j->impact_work += work;
+    j->impact_force = WIDE_LARGER(j->impact_force, j->force);
+    j->impact_depth = WIDE_LARGER(j->impact_depth, end);
     *contact += (wide)((wide_bits)work & j->live);
 }
 
@@ -58,8 +53,8 @@ LANES_WHOLE void ensemble_contacts_commit(struct ensemble_lanes *e, double time,
         account(e, s->acting[i], time, h, &contact);
         j->past[2] = j->past[1];
         j->past[1] = j->past[0];
-        j->past[0] = j->was;
-        j->was = j->force;
+        j->past[0] = j->before;
+        j->before = j->force;
         j->n_past -= j->n_past < PAST_STEPS;
     }
     s->work += contact;

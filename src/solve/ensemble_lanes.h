@@ -196,6 +196,19 @@ static inline bool ensemble_has(unsigned runs, int k) {
     return runs >> k & 1U;
 }
 
+// The first of them from run k on; WIDE_RUNS: none.
+static inline int ensemble_next(unsigned runs, int k) {
+    return __builtin_ctz(runs >> k << k | 1U << WIDE_RUNS);
+}
+
+// For each of them.
+#define EACH_RUN(k, runs)                                                                          \
+    for (int k = ensemble_next(runs, 0); k < WIDE_RUNS; k = ensemble_next(runs, k + 1))
+
+// Penetrations of contact k in the states `s` of all floors.
+#define ENSEMBLE_PENETRATION(e, k, s)                                                              \
+    ((s)[(e)->end[k][0]].u - (s)[(e)->end[k][1]].u - (e)->gap[k].width)
+
 // Is a flag negative in an active lane? By halves: compilers take lanes apart one by
 // one.
 LANES_INLINE bool ensemble_any(const long long *active, const wide_bits *flags) {

@@ -78,13 +78,12 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
     int n = 0;
     for (int i = 0; i < e->n_pressed; i++) {
         const int k = e->pressed[i].contact;
-        if (!(e->pressed[i].closed >> lane & 1U)) {
+        if (!ensemble_has(e->pressed[i].closed, lane)) {
             continue;
         }
         show_ends(e, r, k);
         gather_velocities(e, k, e->now, lane, r->now->v);
-        r->now->delta[k] =
-            e->now[e->end[k][0]].u[lane] - e->now[e->end[k][1]].u[lane] - e->gap[k].width[lane];
+        r->now->delta[k] = penetration(e, k, e->now, lane);
         r->next->delta[k] = penetration(e, k, e->next, lane);
         if (contact_close(&r->work, r->now, r->next, k)) {
             e->gap[k].limit[lane] = INFINITY;
@@ -119,7 +118,7 @@ int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r) {
     struct state *next = r->next;
     for (int i = 0; i < e->n_pressed; i++) {
         const int k = e->pressed[i].contact;
-        if (e->pressed[i].closed >> lane & 1U) {
+        if (ensemble_has(e->pressed[i].closed, lane)) {
             peaks_penetration(r->results, k, next->delta[k], next->time);
         }
     }

@@ -76,10 +76,6 @@ static void give_up(struct lockstep *l, int k, long n) {
     ensemble_lockstep_leave(l, k, n - 1);
 }
 
-static bool contacts_in_lanes(const struct lockstep *l, int k) {
-    return ensemble_has(l->lanes.contacts->active, k);
-}
-
 // The contacts of run k, which are in its lane, cannot take step n there.
 static void take_contacts_out(struct lockstep *l, int k, long n) {
     struct run *r = &l->slot[k].run;
@@ -94,11 +90,9 @@ static void begin_links(struct lockstep *l, long n, const wide *base) {
     if (l->lanes.contacts->active) {
         ensemble_contacts_begin(&l->lanes);
     }
-    for (int k = 0; k < l->n; k++) {
-        if (ensemble_has(l->live, k) && !contacts_in_lanes(l, k)) {
-            begin_links_of(l, k, n);
-            ensemble_links_push(&l->lanes, k, &l->slot[k].run);
-        }
+    EACH_RUN(k, l->live & ~l->lanes.contacts->active) {
+        begin_links_of(l, k, n);
+        ensemble_links_push(&l->lanes, k, &l->slot[k].run);
     }
     l->lanes.steps->move(&l->lanes, base);
 }
@@ -135,20 +129,15 @@ static bool solve_links(struct lockstep *l, int k, long n, bool pressed) {
 static bool solve_in_lanes(struct lockstep *l, long n, unsigned pressed) {
     const struct ensemble_contacts *s = l->lanes.contacts;
     const unsigned left = s->active & ~s->solved;
-    for (int k = 0; s->active & pressed && k < l->n; k++) {
-        if (ensemble_has(s->active & pressed, k)) {
-            take_contacts_out(l, k, n);
-        }
+    EACH_RUN(k, s->active & pressed) {
+        take_contacts_out(l, k, n);
     }
     if (!(s->active & left)) {
         return false;
     }
     ensemble_contacts_solve(&l->lanes);
-    const unsigned given_up = s->active & ~s->solved;
-    for (int k = 0; given_up && k < l->n; k++) {
-        if (ensemble_has(given_up, k)) {
-            take_contacts_out(l, k, n);
-        }
+    EACH_RUN(k, s->active & ~s->solved) {
+        take_contacts_out(l, k, n);
     }
     return true;
 }
@@ -159,16 +148,15 @@ static void solve_all_links(struct lockstep *l, long n, const wide *base) {
         const unsigned pressed = find_pressed(&l->lanes);
         again = solve_in_lanes(l, n, pressed);
         const unsigned asked = pressed | l->wanted;
-        for (int k = 0; asked && k < l->n; k++) {
-            again |= ensemble_has(asked, k) && solve_links(l, k, n, ensemble_has(pressed, k));
+        EACH_RUN(k, asked) {
+            again |= solve_links(l, k, n, ensemble_has(pressed, k));
         }
         if (again) {
             l->lanes.steps->move_pushed(&l->lanes, base);
         }
     }
-    for (int k = 0; l->acting && k < l->n; k++) {
-        if (ensemble_has(l->acting, k) &&
-            ensemble_links_finish(&l->lanes, k, &l->slot[k].run) != STATUS_OK) {
+    EACH_RUN(k, l->acting) {
+        if (ensemble_links_finish(&l->lanes, k, &l->slot[k].run) != STATUS_OK) {
             give_up(l, k, n);
         }
     }
@@ -177,10 +165,8 @@ static void solve_all_links(struct lockstep *l, long n, const wide *base) {
 // Takes a closer look at the step n that has been computed, in which a peak is exceeded.
 static void raise_peaks(struct lockstep *l, long n, const wide *base) {
     const unsigned leaving = ensemble_overflows(&l->lanes, base);
-    for (int k = 0; leaving && k < l->n; k++) {
-        if (ensemble_has(leaving, k)) {
-            give_up(l, k, n);
-        }
+    EACH_RUN(k, leaving) {
+        give_up(l, k, n);
     }
     ensemble_raise(&l->lanes, base, (double)n * l->lanes.h);
 }
@@ -190,10 +176,7 @@ static void commit_step(struct lockstep *l, long n, const wide *base) {
     if (l->lanes.contacts->active) {
         ensemble_contacts_commit(&l->lanes, end, end - start);
     }
-    for (int k = 0; l->acting && k < l->n; k++) {
-        if (!ensemble_has(l->acting, k)) {
-            continue;
-        }
+    EACH_RUN(k, l->acting) {
         struct run *r = &l->slot[k].run;
         int status = ensemble_links_commit(&l->lanes, k, r);
         set_run(&l->acting, k, false);

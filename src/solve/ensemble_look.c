@@ -45,14 +45,9 @@ LANES unsigned ensemble_overflows(const struct ensemble_lanes *e, const wide *ba
     return active_runs(e, &flags);
 }
 
-LANES_INLINE void find_penetration(const struct ensemble_lanes *e, int k, wide *delta) {
-    *delta = e->next[e->end[k][0]].u - e->next[e->end[k][1]].u - e->gap[k].width;
-}
-
 // Lists a contact that may be beyond its limit in some lanes.
 LANES_INLINE void list_pressed(struct ensemble_lanes *e, int k) {
-    wide delta;
-    find_penetration(e, k, &delta);
+    const wide delta = ENSEMBLE_PENETRATION(e, k, e->next);
     const wide_bits flags = LESS(e->gap[k].limit, delta), inside = LESS(0.0, delta);
     const unsigned beyond = active_runs(e, &flags);
     if (beyond != 0) {
@@ -67,8 +62,7 @@ LANES void ensemble_press(struct ensemble_lanes *e) {
         const int end = first + TOGETHER < e->n_contact ? first + TOGETHER : e->n_contact;
         wide_bits any = {0};
         for (int k = first; k < end; k++) {
-            wide delta;
-            find_penetration(e, k, &delta);
+            const wide delta = ENSEMBLE_PENETRATION(e, k, e->next);
             any |= LESS(e->gap[k].limit, delta);
         }
         const bool pressed = ensemble_any(e->active, &any);
@@ -134,8 +128,7 @@ LANES_INLINE void draw_near(struct ensemble_lanes *e, int k, const wide_bits *ac
                             const wide *time) {
     struct ensemble_gap *c = &e->gap[k];
     struct ensemble_nearest *p = &e->nearest[k];
-    wide delta;
-    find_penetration(e, k, &delta);
+    const wide delta = ENSEMBLE_PENETRATION(e, k, e->next);
     const wide_bits nearer =
         (LESS(c->limit, delta) >> SIGN) & ~(LESS(0.0, delta) >> SIGN) & *active;
     c->limit = WIDE_CHOOSE(nearer, delta, c->limit);

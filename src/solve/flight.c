@@ -141,7 +141,7 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
     if (f->possible) {
         group_contacts(f, m);
         assign_groups(f);
-        w->few.flight = f;
+        w->small.flight = f;
     }
     return true;
 }
@@ -178,11 +178,11 @@ static void complete(const struct flight *f, struct state *s) {
 // Steps from n towards `end` that bring no news; returns the one reached.
 static long glide(struct flight *f, struct state *now, long n, long end) {
     long reached = n;
-    while (f->work->few.possible && reached < end) {
+    while (f->work->small.possible && reached < end) {
         struct excitation_ahead *ahead = &f->work->ahead;
         excitation_foresee(ahead, f->model, reached + 1);
         long known = number_least(end, ahead->from + EXCITATION_AHEAD - 1);
-        reached = few_take(f, now, reached, known);
+        reached = small_take(f, now, reached, known);
         if (reached < known) {
             break;
         }
@@ -229,8 +229,8 @@ static void start_flight(struct flight *f, const struct state *now, struct state
     state_open_links(next);
     gaps_forget(&f->work->gaps);
     memset(f->work->storeys.agree, 0, (size_t)m->n_building * sizeof *f->work->storeys.agree);
-    if (f->work->few.possible) {
-        few_factor(f->work);
+    if (f->work->small.possible) {
+        small_factor(f->work);
     }
     if (f->yields) {
         memcpy(next->storey_history, now->storey_history,

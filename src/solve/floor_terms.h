@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arithmetic of a step of Newmark's method at one floor i, written once for all that take
-// steps: chain.c one floor after the other, floor_loops.h and few_loops.h a vector of floors, and
+// steps: chain.c one floor after the other, floor_loops.h and small_loops.h a vector of floors, and
 // ensemble_floors.h a floor of several runs. They agree to the bit because these are the same
 // operations in the same order. Macros, as each has another type.
 //     trial      u_t = u + (h v + h^2 a / 2),   v_t = v + h a

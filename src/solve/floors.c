@@ -97,7 +97,7 @@ void floors_account_to(struct work *w, struct energy_account *energy, struct res
     w->floors.account = (struct floors_account){
         .energy = energy,
         .results = results,
-        .defers = state_is_uniform(w->model) && !w->model->adaptive && !w->few.possible,
+        .defers = state_is_uniform(w->model) && !w->model->adaptive && !w->small.possible,
     };
 }
 
@@ -131,8 +131,8 @@ double floors_speed(const struct work *w, const struct state *now) {
 
 void floors_account_now(struct work *w, const struct state *now, const struct state *next) {
     const struct floors_account *to = &w->floors.account;
-    if (w->few.serves) {
-        w->few.steps->account(w, now, next);
+    if (w->small.serves) {
+        w->small.steps->account(w, now, next);
         return;
     }
     energy_step(to->energy, w->model, now, next);
@@ -153,18 +153,18 @@ void floors_account(struct work *w, const struct state *now, const struct state 
 }
 
 // Penetrations after a step of few floors; false: it is not finite.
-static bool update_gaps(struct work *w, struct state *next, enum few_news news) {
-    if (news == FEW_NEAR) {
+static bool update_gaps(struct work *w, struct state *next, enum small_news news) {
+    if (news == SMALL_NEAR) {
         gaps_update(&w->gaps, next);
     } else {
         gaps_keep(&w->gaps);
     }
-    return news != FEW_INFINITE;
+    return news != SMALL_INFINITE;
 }
 
 bool floors_move(struct work *w, const struct state *now, struct state *next) {
-    if (w->few.serves) {
-        return update_gaps(w, next, w->few.steps->move(w, now, next));
+    if (w->small.serves) {
+        return update_gaps(w, next, w->small.steps->move(w, now, next));
     }
     bool finite = steps()->move(w, now, next);
     gaps_update(&w->gaps, next);
@@ -180,8 +180,8 @@ bool floors_correct(const struct work *w, const struct state *now, struct state 
 }
 
 void floors_correct_touched(struct work *w, const struct state *now, struct state *next) {
-    if (w->few.serves) {
-        update_gaps(w, next, w->few.steps->correct(w, now, next));
+    if (w->small.serves) {
+        update_gaps(w, next, w->small.steps->correct(w, now, next));
         return;
     }
     for (int i = 0; i < w->gaps.n_touched; i++) {

@@ -19,7 +19,7 @@ static bool alloc_floors(struct work *w, const struct model *m, struct arena *a)
         }
     }
     s->agree = arena_alloc(a, (size_t)m->n_building, sizeof *s->agree);
-    return s->agree && floors_alloc(&w->floors, m, a) && few_alloc(&w->few, m, a);
+    return s->agree && floors_alloc(&w->floors, m, a) && small_alloc(&w->small, m, a);
 }
 
 static bool alloc_links(struct work *w, const struct model *m, struct arena *a) {
@@ -99,7 +99,7 @@ int work_factor(struct work *w, double h) {
     }
     struct effective *e = h == w->model->dt ? w->home : w->other;
     w->h = 0.0;
-    w->few.serves = false;
+    w->small.serves = false;
     w->factors++;
     w->b = w->model->beta * h * h;
     w->g = w->model->gamma * h;
@@ -113,9 +113,9 @@ int work_factor(struct work *w, double h) {
     }
     w->effective = e;
     w->h = h;
-    w->few.serves = w->few.possible && e == w->home && w->model->n_storey_history == 0;
-    if (w->few.serves) {
-        few_factor(w);
+    w->small.serves = w->small.possible && e == w->home && w->model->n_storey_history == 0;
+    if (w->small.serves) {
+        small_factor(w);
     }
     return STATUS_OK;
 }

@@ -8,10 +8,10 @@
 #include "solve/chain.h"
 #include "solve/effective.h"
 #include "solve/excitation.h"
-#include "solve/few.h"
 #include "solve/floors.h"
 #include "solve/gaps.h"
 #include "solve/line.h"
+#include "solve/small_model.h"
 #include "solve/state.h"
 
 // What to do where a contact or storey iteration does not converge.
@@ -56,7 +56,7 @@ struct work {
     // Its floors.
     struct excitation_ahead ahead;  // of steps of the model's size
     struct floors floors;
-    struct few few;             // what models with few floors need
+    struct small_model small;   // steps of models with few floors
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
                                 // linear models, for buildings that gaps.touched lists
     double *correction;         // (n_dof) [L/T^2] of the accelerations

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The loops of few_steps.h, over all floors at once and in registers, of the terms of floor_terms.h
-// as are those of floor_loops.h. Only the residuals are stored, as each floor needs those of its
-// building.
-#ifndef JOSTLE_FEW_LOOPS_H
-#define JOSTLE_FEW_LOOPS_H
+// The loops of small_steps.h, over all floors at once and in registers, of the terms of
+// floor_terms.h as are those of floor_loops.h. Only the residuals are stored, as each floor needs
+// those of its building.
+#ifndef JOSTLE_SMALL_LOOPS_H
+#define JOSTLE_SMALL_LOOPS_H
 
 #include <stdalign.h>
 
 #include "solve/floor_loops.h"
 
 enum {
-    VECTORS = FEW_MAX / FLOORS_VECTOR,
+    VECTORS = SMALL_MAX / FLOORS_VECTOR,
 };
 
 // Vector j of an array.
@@ -24,29 +24,29 @@ enum {
 
 // Vectors of a model, of which there are two numbers, so that loops over them can be unrolled.
 LANES_INLINE bool is_low(const struct model *m) {
-    return m->n_dof <= FEW_MAX / 2;
+    return m->n_dof <= SMALL_MAX / 2;
 }
 
 // All floors, at one instant; drifts and shears where storeys follow lines.
-struct few_floors {
+struct small_floors {
     floor_lanes u[VECTORS], v[VECTORS], a[VECTORS], drift[VECTORS], shear[VECTORS];
 };
 
 static const floor_lanes none = {0.0};
 
 // Numbers of Newmark's method, in a copy that no store to memory can change: struct work.
-struct few_scheme {
+struct small_scheme {
     double h, half, b, g;
 };
 
-LANES_INLINE struct few_scheme few_scheme_of(const struct work *w) {
-    return (struct few_scheme){.h = w->h, .half = w->h * w->h / 2.0, .b = w->b, .g = w->g};
+LANES_INLINE struct small_scheme small_scheme_of(const struct work *w) {
+    return (struct small_scheme){.h = w->h, .half = w->h * w->h / 2.0, .b = w->b, .g = w->g};
 }
 
 // Drifts and shears at the displacements of s. `lines` NULL: storeys are elastic. *beyond gets
 // negative where one is beyond its line.
-LANES_INLINE void few_strain(const struct few_table *t, const struct floors_lines *lines, int n,
-                             struct few_floors *s, floor_bits *beyond) {
+LANES_INLINE void small_strain(const struct small_table *t, const struct floors_lines *lines, int n,
+                               struct small_floors *s, floor_bits *beyond) {
     EACH_VECTOR(j, n) {
         floor_lanes below = j > 0 ? s->u[j - 1] : none;
         s->drift[j] = s->u[j] - JOINED(t->joint, j, BELOW(below, s->u[j]));
@@ -61,8 +61,9 @@ LANES_INLINE void few_strain(const struct few_table *t, const struct floors_line
 }
 
 // residual = -m a_ground - M a - C v - storey shears at the trial.
-LANES_INLINE void few_unbalance(const struct few_table *t, int n, const struct few_floors *now,
-                                const struct few_floors *trial, double ground, double *residual) {
+LANES_INLINE void small_unbalance(const struct small_table *t, int n,
+                                  const struct small_floors *now, const struct small_floors *trial,
+                                  double ground, double *residual) {
     EACH_VECTOR(j, n) {
         floor_lanes v_below = j > 0 ? trial->v[j - 1] : none;
         floor_lanes v_above = j + 1 < n ? trial->v[j + 1] : none;
@@ -78,16 +79,17 @@ LANES_INLINE void few_unbalance(const struct few_table *t, int n, const struct f
 }
 
 // The corrections q of all floors, LANES_WIDTH at a time.
-LANES_INLINE void few_solve(const struct few *few, int n, const double *residual, floor_lanes *q) {
+LANES_INLINE void small_solve(const struct small_model *small, int n, const double *residual,
+                              floor_lanes *q) {
     EACH_VECTOR(j, n / FLOORS_VECTORS) {
-        const struct few_rows *rows = &few->rows[j];
-        const double *row = few->table->inverse[rows->from] + j * LANES_WIDTH;
+        const struct small_rows *rows = &small->rows[j];
+        const double *row = small->table->inverse[rows->from] + j * LANES_WIDTH;
         floor_lanes sum[FLOORS_VECTORS];
         EACH_VECTOR(part, FLOORS_VECTORS) {
             sum[part] = residual[rows->from] * PART(row, part);
         }
-        row += FEW_MAX;
-        _Pragma("GCC unroll 2") for (int k = rows->from + 1; k < rows->to; k++, row += FEW_MAX) {
+        row += SMALL_MAX;
+        _Pragma("GCC unroll 2") for (int k = rows->from + 1; k < rows->to; k++, row += SMALL_MAX) {
             EACH_VECTOR(part, FLOORS_VECTORS) {
                 sum[part] += residual[k] * PART(row, part);
             }
@@ -99,8 +101,9 @@ LANES_INLINE void few_solve(const struct few *few, int n, const double *residual
 }
 
 // *sign gets negative where a floor is beyond its peaks. Elastic shears are so only with drifts.
-LANES_INLINE void few_compare(double *const peak[PEAK_COUNT], const struct floors_lines *lines,
-                              int n, const struct few_floors *s, double ground, floor_bits *sign) {
+LANES_INLINE void small_compare(double *const peak[PEAK_COUNT], const struct floors_lines *lines,
+                                int n, const struct small_floors *s, double ground,
+                                floor_bits *sign) {
     EACH_VECTOR(j, n) {
         floor_lanes total = s->a[j] + ground;
         *sign |= BEYOND(s->u[j], PART(peak[PEAK_DISPLACEMENT], j)) |
@@ -113,9 +116,9 @@ LANES_INLINE void few_compare(double *const peak[PEAK_COUNT], const struct floor
     }
 }
 
-LANES_INLINE void few_add_works(const struct few_table *t, int n, const struct few_floors *now,
-                                const struct few_floors *next, double ground_2x,
-                                struct floors_works *w) {
+LANES_INLINE void small_add_works(const struct small_table *t, int n,
+                                  const struct small_floors *now, const struct small_floors *next,
+                                  double ground_2x, struct floors_works *w) {
     floor_lanes sum[VECTORS];
     EACH_VECTOR(j, n) {
         sum[j] = now->v[j] + next->v[j];
@@ -132,22 +135,22 @@ LANES_INLINE void few_add_works(const struct few_table *t, int n, const struct f
 }
 
 // The trial and its residuals.
-LANES_INLINE void few_try(const struct few_table *t, const struct few_scheme *c,
-                          const struct floors_lines *lines, int n, const struct few_floors *now,
-                          double ground, struct few_floors *trial, double *residual,
-                          floor_bits *beyond) {
+LANES_INLINE void small_try(const struct small_table *t, const struct small_scheme *c,
+                            const struct floors_lines *lines, int n, const struct small_floors *now,
+                            double ground, struct small_floors *trial, double *residual,
+                            floor_bits *beyond) {
     EACH_VECTOR(j, n) {
         trial->u[j] = TRIAL_U(now->u[j], now->v[j], now->a[j], c->h, c->half);
         trial->v[j] = TRIAL_V(now->v[j], now->a[j], c->h);
     }
-    few_strain(t, lines, n, trial, beyond);
-    few_unbalance(t, n, now, trial, ground, residual);
+    small_strain(t, lines, n, trial, beyond);
+    small_unbalance(t, n, now, trial, ground, residual);
 }
 
 // What the corrections q of the accelerations lead to.
-LANES_INLINE void few_reach(const struct few_scheme *c, int n, const struct few_floors *now,
-                            const struct few_floors *trial, const floor_lanes *q,
-                            struct few_floors *next) {
+LANES_INLINE void small_reach(const struct small_scheme *c, int n, const struct small_floors *now,
+                              const struct small_floors *trial, const floor_lanes *q,
+                              struct small_floors *next) {
     EACH_VECTOR(j, n) {
         next->u[j] = END(trial->u[j], c->b, q[j]);
         next->v[j] = END(trial->v[j], c->g, q[j]);
@@ -155,14 +158,14 @@ LANES_INLINE void few_reach(const struct few_scheme *c, int n, const struct few_
     }
 }
 
-LANES_INLINE void few_put(const floor_lanes *x, int n, double *array) {
+LANES_INLINE void small_put(const floor_lanes *x, int n, double *array) {
     EACH_VECTOR(j, n) {
         *(floor_lanes *)(array + j * FLOORS_VECTOR) = x[j];
     }
 }
 
-LANES_INLINE void few_load(const struct state *s, const struct floors_lines *lines, int n,
-                           struct few_floors *x) {
+LANES_INLINE void small_load(const struct state *s, const struct floors_lines *lines, int n,
+                             struct small_floors *x) {
     EACH_VECTOR(j, n) {
         x->u[j] = PART(s->u, j);
         x->v[j] = PART(s->v, j);
@@ -172,20 +175,20 @@ LANES_INLINE void few_load(const struct state *s, const struct floors_lines *lin
     }
 }
 
-LANES_INLINE void few_store(const struct few_floors *x, const struct floors_lines *lines, int n,
-                            const struct state *s) {
-    few_put(x->u, n, s->u);
-    few_put(x->v, n, s->v);
-    few_put(x->a, n, s->a);
+LANES_INLINE void small_store(const struct small_floors *x, const struct floors_lines *lines, int n,
+                              const struct state *s) {
+    small_put(x->u, n, s->u);
+    small_put(x->v, n, s->v);
+    small_put(x->a, n, s->a);
     if (lines) {
-        few_put(x->drift, n, lines->drift);
-        few_put(x->shear, n, lines->shear);
+        small_put(x->drift, n, lines->drift);
+        small_put(x->shear, n, lines->shear);
     }
 }
 
 // peak_raise of all floors.
-LANES_INLINE void few_raise_peak(const struct results *r, enum peak kind, int n,
-                                 const floor_lanes *x, double time) {
+LANES_INLINE void small_raise_peak(const struct results *r, enum peak kind, int n,
+                                   const floor_lanes *x, double time) {
     double *peak = r->peak[kind], *when = r->peak_time[kind];
     EACH_VECTOR(j, n) {
         floor_bits more = BEYOND(x[j], PART(peak, j)) >> 63;
@@ -197,7 +200,7 @@ LANES_INLINE void few_raise_peak(const struct results *r, enum peak kind, int n,
 }
 
 // *sign gets negative where floors are not finite.
-LANES_INLINE void few_weigh(int n, const struct few_floors *s, floor_bits *sign) {
+LANES_INLINE void small_weigh(int n, const struct small_floors *s, floor_bits *sign) {
     EACH_VECTOR(j, n) {
         floor_lanes size = s->u[j] + s->v[j] + s->a[j];
         *sign |= BEYOND(size, DBL_MAX + none);
@@ -205,19 +208,19 @@ LANES_INLINE void few_weigh(int n, const struct few_floors *s, floor_bits *sign)
 }
 
 // Takes floors into the peaks. False: they are not finite.
-LANES_INLINE bool few_raise(const struct results *r, int n, const struct few_floors *s, double time,
-                            double ground) {
+LANES_INLINE bool small_raise(const struct results *r, int n, const struct small_floors *s,
+                              double time, double ground) {
     floor_bits sign = {0};
     floor_lanes total[VECTORS];
-    few_weigh(n, s, &sign);
+    small_weigh(n, s, &sign);
     EACH_VECTOR(j, n) {
         total[j] = s->a[j] + ground;
     }
-    few_raise_peak(r, PEAK_DISPLACEMENT, n, s->u, time);
-    few_raise_peak(r, PEAK_VELOCITY, n, s->v, time);
-    few_raise_peak(r, PEAK_ACCELERATION, n, total, time);
-    few_raise_peak(r, PEAK_DRIFT, n, s->drift, time);
-    few_raise_peak(r, PEAK_SHEAR, n, s->shear, time);
+    small_raise_peak(r, PEAK_DISPLACEMENT, n, s->u, time);
+    small_raise_peak(r, PEAK_VELOCITY, n, s->v, time);
+    small_raise_peak(r, PEAK_ACCELERATION, n, total, time);
+    small_raise_peak(r, PEAK_DRIFT, n, s->drift, time);
+    small_raise_peak(r, PEAK_SHEAR, n, s->shear, time);
     return !floors_any(&sign);
 }
 
@@ -229,8 +232,8 @@ enum nearness {
 };
 
 // That of the contacts of all groups at the displacements u.
-LANES_INLINE enum nearness few_nearness(const struct flight *f, const double *u,
-                                        const double *ground) {
+LANES_INLINE enum nearness small_nearness(const struct flight *f, const double *u,
+                                          const double *ground) {
     const double *gap = f->gap;
     floor_bits closed = {0}, nearer = {0};
     for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++, gap += LANES_WIDTH) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of few floors in vectors of four, for all processors.
-#define FEW_STEPS few_narrow
+#define SMALL_STEPS small_narrow
 
-#include "solve/few_steps.h"
+#include "solve/small_steps.h"

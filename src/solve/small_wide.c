@@ -5,8 +5,8 @@
 #ifdef LANES_HOLD_WIDE
 
 #define FLOORS_WIDE
-#define FEW_STEPS few_wide
+#define SMALL_STEPS small_wide
 
-#include "solve/few_steps.h"
+#include "solve/small_steps.h"
 
 #endif

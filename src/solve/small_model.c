@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/few.h"
+#include "solve/small_model.h"
 
 #include <limits.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "core/lanes.h"
 #include "solve/flight.h"
 
-static void fill_table(struct few_table *t, const struct model *m) {
+static void fill_table(struct small_table *t, const struct model *m) {
     const struct chain *c = &m->chain;
     size_t n = (size_t)m->n_dof * sizeof(double);
     memcpy(t->stiffness, c->stiffness, n);
@@ -21,42 +21,42 @@ static void fill_table(struct few_table *t, const struct model *m) {
     memcpy(t->damping_above, c->damping_above, n);
 }
 
-bool few_alloc(struct few *few, const struct model *m, struct arena *a) {
-    few->possible = state_is_uniform(m) && !m->chain.full_damping && m->n_dof <= FEW_MAX;
-    if (few->possible) {
-        few->table = (void *)lanes_array(a, sizeof *few->table / sizeof(double));
-        if (few->table) {
-            few->steps = LANES_WIDEST_OF(&few_wide, &few_narrow);
-            fill_table(few->table, m);
+bool small_alloc(struct small_model *small, const struct model *m, struct arena *a) {
+    small->possible = state_is_uniform(m) && !m->chain.full_damping && m->n_dof <= SMALL_MAX;
+    if (small->possible) {
+        small->table = (void *)lanes_array(a, sizeof *small->table / sizeof(double));
+        if (small->table) {
+            small->steps = LANES_WIDEST_OF(&small_wide, &small_narrow);
+            fill_table(small->table, m);
         }
     }
-    return !few->possible || few->table;
+    return !small->possible || small->table;
 }
 
-void few_factor(struct work *w) {
-    struct few *few = &w->few;
-    bool kept = few->factors > 0 && w->model->n_storey_history == 0;
-    if (few->factors == w->factors || kept) {
+void small_factor(struct work *w) {
+    struct small_model *small = &w->small;
+    bool kept = small->factors > 0 && w->model->n_storey_history == 0;
+    if (small->factors == w->factors || kept) {
         return;
     }
-    few->factors = w->factors;
-    memset(few->rows, 0, sizeof few->rows);
+    small->factors = w->factors;
+    memset(small->rows, 0, sizeof small->rows);
     for (int k = 0; k < w->model->n_building; k++) {
         const struct building *g = &w->model->building[k];
         const int end = g->first + g->n_floor;
         for (int i = 0; i < g->n_floor; i++) {
-            memcpy(few->table->inverse[g->first + i] + g->first,
+            memcpy(small->table->inverse[g->first + i] + g->first,
                    effective_column(&w->effective[k], i), (size_t)g->n_floor * sizeof(double));
         }
         for (int j = g->first / LANES_WIDTH; j * LANES_WIDTH < end; j++) {
-            struct few_rows *r = &few->rows[j];
+            struct small_rows *r = &small->rows[j];
             r->from = r->to == 0 ? g->first : r->from;
             r->to = end;
         }
     }
 }
 
-long few_take(const struct flight *f, struct state *s, long n, long end) {
-    const struct few_steps *steps = f->work->few.steps;
+long small_take(const struct flight *f, struct state *s, long n, long end) {
+    const struct small_steps *steps = f->work->small.steps;
     return (f->yields ? steps->fly_on_lines : steps->fly)(f, s, n, end);
 }
