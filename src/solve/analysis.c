@@ -158,6 +158,7 @@ static int run_start(struct run *r) {
     if (energy_start_links(&r->energy, r->model, r->now, link, r->error) != STATUS_OK) {
         return r->error->status;
     }
+    state_commit_links(r->now, r->model);
     if (r->adaptive) {
         dormand_prince_start(r->adaptive, r->now, &r->energy);
     } else if (r->model->adaptive) {
