@@ -115,6 +115,7 @@ static int run_start(struct run *r) {
     if (energy_start_links(&r->energy, r->model, r->now, link, r->error) != STATUS_OK) {
         return r->error->status;
     }
+    state_commit_links(r->now, r->model);
     if (r->method->start) {
         r->method->start(r);
     }

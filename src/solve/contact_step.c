@@ -151,13 +151,7 @@ int contact_search(struct work *w, const struct state *now, struct state *next) 
 }
 
 void contact_finish(const struct work *w, struct state *next) {
-    const struct model *m = w->model;
-    for (int i = 0, n = w->commits ? next->n_live : 0; i < n; i++) {
-        int k = next->live[i];
-        const struct link *l = &m->link[k];
-        if (next->link[k].closed && l->law->commit) {
-            l->law->commit(l->constant, next->link_history + l->history, fmax(next->delta[k], 0.0),
-                           state_rate(next, m, k));
-        }
+    if (w->commits) {
+        state_commit_links(next, w->model);
     }
 }

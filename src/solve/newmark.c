@@ -214,12 +214,7 @@ static void finish(struct work *w, struct state *next) {
     if (!state_is_linear(m)) {
         state_totals(next, m);
     }
-    for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
-        const struct storey *s = &m->storey[i];
-        if (s->law->commit) {
-            s->law->commit(s->constant, next->storey_history + s->history, next->drift[i]);
-        }
-    }
+    state_commit_storeys(next, m);
     contact_finish(w, next);
 }
 

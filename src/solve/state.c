@@ -205,12 +205,33 @@ void state_equilibrium(struct state *s, const struct model *m) {
     state_totals(s, m);
 }
 
+void state_commit_storeys(struct state *s, const struct model *m) {
+    for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
+        const struct storey *law = &m->storey[i];
+        if (law->law->commit) {
+            law->law->commit(law->constant, s->storey_history + law->history, s->drift[i]);
+        }
+    }
+}
+
+void state_commit_links(struct state *s, const struct model *m) {
+    for (int i = 0; i < s->n_live; i++) {
+        int k = s->live[i];
+        const struct link *l = &m->link[k];
+        if (s->link[k].closed && l->law->commit) {
+            l->law->commit(l->constant, s->link_history + l->history, fmax(s->delta[k], 0.0),
+                           state_rate(s, m, k));
+        }
+    }
+}
+
 void state_start(struct state *s, const struct model *m) {
     memcpy(s->u, m->displacement, (size_t)m->n_dof * sizeof *s->u);
     memcpy(s->v, m->velocity, (size_t)m->n_dof * sizeof *s->v);
     s->time = 0.0;
     excitation_at(s, m, 0.0);
     state_internal_forces(s, m, s->u, s->v);
+    state_commit_storeys(s, m);
     start_links(s, m);
     state_equilibrium(s, m);
 }

@@ -66,8 +66,14 @@ static inline void state_enliven(struct state *s, int k) {
 // Opens link k and takes it out of `live`.
 void state_open_link(struct state *s, int k);
 
+// Takes the drifts of a solved state into the histories of the storeys, and the penetrations of its
+// closed links into theirs.
+void state_commit_storeys(struct state *s, const struct model *m);
+void state_commit_links(struct state *s, const struct model *m);
+
 // The state at t = 0: initial displacements and velocities, links closed where delta > 0 or about
-// to close (delta = 0, rate > 0), accelerations from equilibrium.
+// to close (delta = 0, rate > 0), accelerations from equilibrium. Storeys have got there straight;
+// what that leaves in the histories of links is up to state_commit_links.
 void state_start(struct state *s, const struct model *m);
 
 // Accelerations that bring the forces of `s` into equilibrium, with the forces of rigid contacts at

@@ -42,6 +42,10 @@ run "$jostle" run -q loose.deck
 two_buildings long.deck 'output -every 1 -fields displacement' 'duration 5'
 run "$jostle" run -q long.deck
 expect "decks with few fields and without contacts run" '[ $status -eq 0 ] && only {pair,lean,alone,packed,loose,long}.{deck,h5}'
+sed 's/^units .*/units kN cm ms/; s/^param gap .*/sweep gap values 5mm 8mm/' pair.deck >study.deck
+echo 'output -histories' >>study.deck
+run "$jostle" run -q study.deck
+expect "a study with histories runs" '[ $status -eq 0 ]'
 expect "compressed histories take less room" '[ "$(wc -c <packed.h5)" -lt "$(wc -c <loose.h5)" ]'
 if command -v h5diff >/dev/null; then
     run h5diff packed.h5 loose.h5 /buildings/A/displacement /buildings/A/displacement
@@ -56,7 +60,7 @@ else
     skip "histories that fit in one block are contiguous" "no h5dump"
 fi
 if python3 -c 'import h5py' 2>/dev/null; then
-    run python3 "$root/tests/support/check_result.py" {pair,lean,alone,packed,long}.h5
+    run python3 "$root/tests/support/check_result.py" {pair,lean,alone,packed,long,study}.h5
     expect "names, units and dimension scales are right" '[ $status -eq 0 ]'
 else
     skip "names, units and dimension scales are right" "no h5py"

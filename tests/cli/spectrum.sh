@@ -85,6 +85,27 @@ expect "and cannot be scaled to a peak" '[ $status -eq 2 ] && said "every value 
 
 run env PATH= "$jostle" spectrum centro.AT2 napa.AT2 -o picture.png --script scripts
 expect "without gnuplot the command ends with 3, the script is there all the same" '[ $status -eq 3 ] && [ ! -s "$out" ] && said "gnuplot" && [ -s scripts/spectrum.gp ] && [ -s scripts/spectrum.dat ] && [ ! -e picture.png ]'
+# The values that the script in `scripts` draws at a period of 0.5 s, in the order of its curves.
+curves() {
+    for column in $(grep -o 'using 1[:0-9]*' scripts/spectrum.gp | cut -d : -f 2- | tr : ' '); do
+        LC_ALL=C awk -v c="$column" '$1 == 0.5 { printf "%.7g\n", $c }' scripts/spectrum.dat
+    done
+}
+
+# printed NAME DAMPING...: the PSA of that record or statistic there, for each ratio.
+printed() {
+    local name=$1 ratio
+    shift
+    for ratio in "$@"; do
+        LC_ALL=C awk -F '\t' -v n="$name" -v z="$ratio" '$2 == n && $3 == z && $4 == 0.5 { printf "%.7g\n", $5 }' printed.tsv
+    done
+}
+
+"$jostle" spectrum centro.AT2 napa.AT2 --damping 0.125,0.25 --periods 0.25,0.5,1 --tsv >printed.tsv
+run "$jostle" spectrum centro.AT2 napa.AT2 --damping 0.125,0.25 --periods 0.25,0.5,1 --script scripts --force
+expect "of several damping ratios the means are drawn" '[ $status -eq 0 ] && [ "$(curves)" = "$(printed mean 0.125 0.25)" ]'
+run "$jostle" spectrum centro.AT2 napa.AT2 --damping 0.25 --periods 0.25,0.5,1 --script scripts --force
+expect "of one the band, the records and the mean" '[ $status -eq 0 ] && [ "$(curves)" = "$(for n in 16% 84% centro napa mean; do printed $n 0.25; done)" ]'
 if command -v gnuplot >/dev/null; then
     for ending in png svg pdf; do
         run "$jostle" spectrum centro.AT2 napa.AT2 -o picture.$ending

@@ -137,6 +137,12 @@ drawn() {
     [ $status -eq 0 ] && (cd scripts && gnuplot "$kind.gp") >said 2>&1
     [ ! -s said ] && [ "$(wc -c <"scripts/$kind.png")" -gt 9000 ]
 }
+# Between two samples a percentile is on a straight line.
+"$jostle" show whole.h5 --long --edp drift-ratio | LC_ALL=C awk -F '\t' '$3 == 0 && $4 == "drift-ratio" { print $2, 100 * $6 }' |
+    sort -k 1,1n -k 2,2n | awk 'NR % 2 { low = $2; next } { print $1, low + 0.84 * ($2 - low), (low + $2) / 2, low + 0.16 * ($2 - low) }' >percentiles
+run "$jostle" plot whole.h5 ida --at wide=0 --script scripts
+sed -n '/^\$percentiles/,/^EOD/p' scripts/ida.dat | grep '^ *[0-9]' >drawn
+expect "the percentiles of ida are those of the values printed, in per cent" '[ $status -eq 0 ] && grep -q "drift ratio \[%\]" scripts/ida.gp && paste -d " " percentiles drawn | awk "{ for (i = 1; i < 5; i++) if (\$i - \$(i + 4) > 1e-5 * \$i || \$(i + 4) - \$i > 1e-5 * \$i) exit 1 } END { exit NR != 3 || NF != 8 }"'
 if command -v gnuplot >/dev/null; then
     expect "ida is drawn" 'drawn ida whole.h5 --at wide=0 --limit 0.1%'
     expect "with failures" 'drawn ida failed.h5 --at wide=0 && grep -q "next run failed" scripts/ida.gp && grep -q "2 of 6 runs failed, counted above" scripts/ida.gp'

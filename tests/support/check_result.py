@@ -6,6 +6,7 @@ usage: check_result.py FILE.h5 ...      exit status 0: all good, 1: faults, 77: 
 Where xarray can be imported, every group (of many, the first and the last)
 must open with its dimensions and coordinates.
 """
+import re
 import sys
 
 try:
@@ -20,6 +21,21 @@ PEAKS = "displacement velocity acceleration drift storey_shear".split()
 ENERGY = "input kinetic strain damping hysteretic contact residual".split()
 CONTACT = "name left right law left_floor right_floor gap".split()
 CONTACT_ENVELOPE = "force force_time penetration impulse impacts dissipated".split()
+# Powers of force, length and time of what is measured, by the names of the datasets; in the group
+# energy all is energy, in ground all is acceleration, a name that ends in _time is a time, and what
+# is not named here is a plain number, a name or a text.
+POWERS = {
+    (1, 0, 0): "force peak_force storey_shear",
+    (0, 1, 0): "displacement drift penetration max_penetration deformation gap height",
+    (0, 0, 1): "time period t_start t_end duration step",
+    (0, 1, -1): "velocity v_approach v_rebound",
+    (0, 1, -2): "acceleration",
+    (1, -1, 0): "stiffness",
+    (1, -1, 2): "mass effective_mass",
+    (1, 0, 1): "impulse",
+    (1, 1, 0): "dissipated work",
+}
+POWERS = {name: powers for powers, names in POWERS.items() for name in names.split()}
 GROUPS_MAX = 12  # xarray reads the whole file anew for each group: only the first and last ones
 IMPACT = ("contact t_start t_end v_approach v_rebound peak_force max_penetration impulse "
           "dissipated").split()
@@ -115,8 +131,40 @@ class Checker:
         self.expect(np.array_equal(hits, f["contacts/envelope/impacts"][:]),
                     "impacts and /contacts/envelope/impacts differ")
 
+    def powers(self, path):
+        """The powers of force, length and time of a dataset, by its place."""
+        *groups, name = path.split("/")
+        if name == "time" or name.endswith("_time"):
+            return (0, 0, 1)
+        if groups and groups[-1] in ("energy", "ground"):
+            return (1, 1, 0) if groups[-1] == "energy" else (0, 1, -2)
+        return POWERS.get(name, (0, 0, 0))
+
+    def units(self, f):
+        """All is in the units of force, length and time that the file names; sweeps are in theirs."""
+        base = [f.attrs["unit_" + name] for name in ("force", "length", "time")]
+        unit = dict(zip(base, ((1, 0, 0), (0, 1, 0), (0, 0, 1))))
+        swept = list(f["sweep"]) if "sweep" in f else []
+
+        def read(text):
+            powers = np.zeros(3)
+            for sign, name, power in re.findall(r"([*/]?)([^*/^]+)\^?(\d*)", text):
+                times = int(power or 1) * (-1 if sign == "/" else 1)
+                powers += times * np.array(unit.get(name, (1, -1, 2)))  # others name a mass
+            return tuple(powers) if text != "1" else (0, 0, 0)
+
+        def visit(path, item):
+            if isinstance(item, h5py.Dataset) and path.split("/")[-1] not in swept:
+                text = item.attrs.get("units", "")
+                self.expect(read(text) == self.powers(path), f"/{path} is in '{text}'")
+
+        f.visititems(visit)
+
     def hdf5(self):
         with h5py.File(self.path, "r") as f:
+            self.units(f)
+            if "sweep" in f:
+                return []
             for key in ROOT:
                 self.expect(key in f.attrs, f"attribute {key} is missing")
             self.expect(f.attrs["format"] == "jostle", "format is not jostle")

@@ -218,8 +218,12 @@ static void twins_share_frequencies_but_not_damping(void **state) {
     (void)state;
     struct model *m = analysis_model("building A -floors 3 -mass 2 -stiffness 800\n"
                                      "building B -floors 3 -mass 2 -stiffness 800\n"
+                                     "building C -floors 3 -mass 2 -stiffness 3200\n"
+                                     "building D -floors 3 -mass 8 -stiffness 800\n"
                                      "damping B rayleigh 5%%" REST);
     assert_true(m->building[0].omega[2] == m->building[1].omega[2]);
+    assert_close(m->building[2].omega[2], 2.0 * m->building[0].omega[2], 1e-12);
+    assert_close(m->building[3].omega[2], 0.5 * m->building[0].omega[2], 1e-12);
     assert_true(ratio_of(&m->building[0], 1) == 0.0);
     assert_close(ratio_of(&m->building[1], 1), 0.05, 1e-12);
     model_free(m);

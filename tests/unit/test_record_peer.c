@@ -103,6 +103,9 @@ static void a_time_step_that_contradicts_the_file_is_refused(void **state) {
     assert_refused(r, "a.txt:4: -dt 0.02 contradicts the time step of 0.01 s in the file");
     reading_of_text(r, "time (s),a (g)\n0,.1\n.01,-.1\n");
     assert_refused(r, "a.txt:2: -dt 0.02 contradicts the time step of 0.01 s in the file");
+    r->request.dt = 0.005;
+    reading_of_text(r, PEER_TITLE "NPTS= 2, DT= .01 SEC\n.1 -.1\n");
+    assert_refused(r, "a.txt:4: -dt 0.005 contradicts the time step of 0.01 s in the file");
     r->request.dt = 0.01;
     reading_of_text(r, PEER_TITLE "NPTS= 2, DT= .01 SEC\n.1 -.1\n");
     assert_read(r, "peer", 2, 0.01);

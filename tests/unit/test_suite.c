@@ -6,6 +6,7 @@
 
 #include "core/arena.h"
 #include "jostle/result.h"
+#include "study/fragility.h"
 #include "study/suite.h"
 #include "support/suite.h"
 #include "support/support.h"
@@ -109,12 +110,50 @@ static void sweeps_play_the_parts_they_are_given(void **state) {
     study_file_close(f);
 }
 
+// An oscillator of mass 1 that starts with the velocity v reaches v / omega, omega v and k v /
+// omega.
+static void demands_on_an_oscillator_are_those_of_the_closed_form(void **state) {
+    (void)state;
+    struct study_file *f = suite_ran(suite_oscillators);
+    static const struct {
+        const char *edp;
+        double value;  // of v = 2 and k = 400
+    } demand[] = {
+        {"displacement", 0.1}, {"velocity", 2.0},      {"acceleration", 40.0},
+        {"drift", 0.1},        {"storey-shear", 40.0},
+    };
+    for (size_t i = 0; i < sizeof demand / sizeof demand[0]; i++) {
+        struct suite *s = arranged(f, (struct suite_request){.edp = demand[i].edp, .over = "k"});
+        assert_close(suite_value(s, 0, 2, 1), demand[i].value, PEAK);
+        suite_free(s);
+    }
+    study_file_close(f);
+}
+
+// Of v = 1: drifts of 1/50, 1/10, 1/20, 1/30 and 1/40. Of v = 3 the run of k = 100 failed.
+static void runs_at_the_limit_do_not_exceed_it(void **state) {
+    (void)state;
+    struct study_file *f = suite_ran(suite_oscillators);
+    struct suite *s = arranged(f, (struct suite_request){.over = "k"});
+    struct fragility_level level[3];
+    fragility_count(s, 0, suite_value(s, 0, 3, 0), level);
+    assert_true(level[0].n == 5 && level[0].exceeded == 2);
+    assert_true(level[2].n == 5 && level[2].exceeded == 5);
+    suite_free(s);
+    s = arranged(f, (struct suite_request){.over = "k", .failed = SUITE_FAILED_LEFT_OUT});
+    fragility_count(s, 0, suite_value(s, 0, 3, 0), level);
+    assert_true(level[2].n == 4 && level[2].exceeded == 4);
+    suite_free(s);
+    study_file_close(f);
+}
+
 static const char pairs[] = "units kN m s\n"
                             "sweep sa values 1m/s^2 2m/s^2\n"
                             "building A -floors 2 -mass 100t -stiffness 50MN/m -height 4 2\n"
                             "building B -floors 3 -mass 80t -stiffness 20MN/m -height 3\n"
                             "contact A B -gap 1mm -law linear -k 1e5\n"
                             "link A:1 B:1 -dashpot 100 -name damper\n"
+                            "link A:2 B:2 -stiffness 100 -name spring\n"
                             "ground sine -amplitude $sa -frequency 2 -cycles 4\n"
                             "step fixed 2ms\n";
 
@@ -139,8 +178,15 @@ static void demands_are_the_largest_or_the_sum_of_the_places_named(void **state)
     assert_close(value_of(f, "force"), fmax(one, two), 0);
     assert_close(value_of(f, "impacts"),
                  value_of(f, "impacts:A:1-B:1") + value_of(f, "impacts:A:2-B:2"), 0);
-    assert_close(value_of(f, "link-force"), value_of(f, "link-force:damper"), 0);
-    assert_true(value_of(f, "link-work") > 0 && value_of(f, "dissipated") >= 0);
+    assert_close(value_of(f, "impulse"),
+                 value_of(f, "impulse:A:1-B:1") + value_of(f, "impulse:A:2-B:2"), 0);
+    const double damper = value_of(f, "link-force:damper"),
+                 spring = value_of(f, "link-force:spring");
+    assert_close(value_of(f, "link-force"), fmax(damper, spring), 0);
+    assert_close(100.0 * value_of(f, "link-deformation:spring"), spring, 1e-14);
+    assert_close(value_of(f, "link-work"),
+                 value_of(f, "link-work:damper") + value_of(f, "link-work:spring"), 0);
+    assert_true(value_of(f, "link-work:damper") > 0 && value_of(f, "dissipated") >= 0);
     assert_close(value_of(f, "hysteretic"), 0, 0);
     struct suite *s = arranged(f, (struct suite_request){.edp = NULL});
     assert_string_equal(s->edp.text, "drift-ratio");
@@ -165,7 +211,7 @@ static void demands_that_are_not_there_say_what_is(void **state) {
         {"drift:A:1x", "a floor is a number from 1"},
         {"drift:A:99999999999999999999", "building A has 2 floors"},
         {"force:A", "unknown contact; 2 known: A:1-B:1 ... A:2-B:2"},
-        {"link-force:A", "unknown link; 1 known: damper"},
+        {"link-force:A", "unknown link; 2 known: damper ... spring"},
         {"hysteretic:A", "one number for the whole"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -191,6 +237,8 @@ static void limits_have_the_dimension_of_their_demand(void **state) {
     assert_close(limit, 2.5, 0);
     assert_int_equal(edp_limit(&s->edp, u, "2mm", &limit, &e), STATUS_INPUT);
     assert_string_equal(e.message, "limit 2mm is a length; force needs a force (kN)");
+    assert_int_equal(edp_limit(&s->edp, u, "-2MN", &limit, &e), STATUS_INPUT);
+    assert_string_equal(e.message, "limit -2MN is below 0, where force never is");
     assert_int_equal(edp_limit(&s->edp, u, "2MN!", &limit, &e), STATUS_INPUT);
     assert_int_equal(edp_limit(&s->edp, u, "many", &limit, &e), STATUS_INPUT);
     assert_int_equal(edp_limit(&s->edp, u, "1e308MN", &limit, &e), STATUS_INPUT);
@@ -198,6 +246,10 @@ static void limits_have_the_dimension_of_their_demand(void **state) {
     s = arranged(f, (struct suite_request){.edp = "drift-ratio"});
     assert_int_equal(edp_limit(&s->edp, u, "2%", &limit, &e), STATUS_OK);
     assert_close(limit, 0.02, 1e-15);
+    suite_free(s);
+    s = arranged(f, (struct suite_request){.edp = "penetration"});
+    assert_int_equal(edp_limit(&s->edp, u, "-2mm", &limit, &e), STATUS_OK);
+    assert_close(limit, -0.002, 1e-15);
     suite_free(s);
     s = arranged(f, (struct suite_request){.edp = "acceleration"});
     assert_int_equal(edp_limit(&s->edp, u, "0.5g", &limit, &e), STATUS_OK);
@@ -211,6 +263,8 @@ int main(void) {
         cmocka_unit_test(runs_are_arranged_by_ascending_intensity_and_sample),
         cmocka_unit_test(failed_runs_are_named_and_count_as_asked_for),
         cmocka_unit_test(sweeps_play_the_parts_they_are_given),
+        cmocka_unit_test(demands_on_an_oscillator_are_those_of_the_closed_form),
+        cmocka_unit_test(runs_at_the_limit_do_not_exceed_it),
         cmocka_unit_test(demands_are_the_largest_or_the_sum_of_the_places_named),
         cmocka_unit_test(demands_that_are_not_there_say_what_is),
         cmocka_unit_test(limits_have_the_dimension_of_their_demand),

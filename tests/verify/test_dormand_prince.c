@@ -49,6 +49,19 @@ static void peaks_of_accelerations_are_those_of_forces(void **state) {
     }
 }
 
+// A mass of 2 under 10 for half a second, after which it keeps its velocity; so says the impulse.
+static void a_load_that_ends_at_once_leaves_a_constant_velocity(void **state) {
+    (void)state;
+    const char *path = support_write("load.txt", "10\n10\n");
+    struct analysis a = analysis_of("building A -floors 1 -mass 2 -stiffness 0\n"
+                                    "load A:1 history %s -dt 0.5\nintegrator dormand-prince\n"
+                                    "step adaptive -tolerance 1e-6\nduration 2\n",
+                                    path);
+    assert_close(a.rows.velocity[a.rows.n - 1], 2.5, 1e-13);
+    assert_close(analysis_displacement(&a, 0, 2.0), 0.625 + 2.5 * 1.5, 1e-13);
+    analysis_free(&a);
+}
+
 static double end_of_impacts(double tolerance, double *residual) {
     struct analysis a = analysis_of(
         "building A -floors 2 -mass 3e5 -stiffness 3.45e8\ndamping A rayleigh 0.05 -modes 1 2\n"
@@ -346,6 +359,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_free_vibration_follows_the_cosine_and_its_peaks_are_exact),
         cmocka_unit_test(peaks_of_accelerations_are_those_of_forces),
+        cmocka_unit_test(a_load_that_ends_at_once_leaves_a_constant_velocity),
         cmocka_unit_test(error_and_energy_residual_go_with_the_tolerance),
         cmocka_unit_test(two_buildings_are_followed_to_less_than_a_micrometre),
         cmocka_unit_test(a_motion_dies_away_however_long_steps_may_be),

@@ -41,6 +41,7 @@ static void a_linear_spring_gives_half_a_period(void **state) {
     assert_near(i->dissipated, 0.0, 1e-6 * MASS * V0 * V0);
     assert_close(restitution(&a), 1.0, 1e-6);
     assert_true(i->complete);
+    assert_near((double)i->steps, (i->t_end - i->t_start) / 1e-5, 1.0);
     analysis_free(&a);
 }
 
