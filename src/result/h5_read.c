@@ -3,11 +3,31 @@
 // anything is allocated or converted.
 #include <assert.h>
 #include <limits.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "result/h5.h"
+
+// How many bytes one stored byte can stand for. Deflate makes 1032 of one at most (zlib's technical
+// details); of other filters, in a file that somebody has packed anew, nothing is known.
+static hsize_t packing(hid_t dataset) {
+    enum { DEFLATE = 1032 };
+    hid_t list = H5Dget_create_plist(dataset);
+    const int n = H5Pget_layout(list) == H5D_CHUNKED ? H5Pget_nfilters(list) : 0;
+    hsize_t most = 1;
+    for (int i = 0; i < n; i++) {
+        unsigned flags, config;
+        size_t values = 0;
+        const H5Z_filter_t filter =
+            H5Pget_filter2(list, (unsigned)i, &flags, &values, NULL, 0, NULL, &config);
+        const bool keeps = filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_FLETCHER32;
+        most = keeps ? most : filter == H5Z_FILTER_DEFLATE && most == 1 ? DEFLATE : UINT64_MAX;
+    }
+    H5Pclose(list);
+    return most;
+}
 
 bool h5_is_stored(hid_t dataset) {
     hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
@@ -16,13 +36,8 @@ bool h5_is_stored(hid_t dataset) {
     const hsize_t stored = H5Dget_storage_size(dataset);
     H5Tclose(type);
     H5Sclose(space);
-    if (n < 0 || size == 0 || (hsize_t)n <= stored / size) {
-        return n >= 0 && size > 0;
-    }
-    hid_t list = H5Dget_create_plist(dataset);
-    const bool in_chunks = H5Pget_layout(list) == H5D_CHUNKED;  // compressed, or not all written
-    H5Pclose(list);
-    return in_chunks;
+    return n >= 0 && size > 0 &&
+           ((hsize_t)n <= stored / size || (hsize_t)n / packing(dataset) <= stored / size);
 }
 
 bool h5_has(struct h5 *h, hid_t parent, const char *name) {
