@@ -150,6 +150,12 @@ static void open_types(struct h5 *h) {
     h5_failed(h, H5Tset_cset(h->text, H5T_CSET_UTF8));
 }
 
+int h5_descriptor(struct h5 *h) {
+    void *handle = NULL;
+    return h5_failed(h, H5Fget_vfd_handle(h->file, H5P_DEFAULT, &handle)) ? -1
+                                                                          : *(const int *)handle;
+}
+
 // Datasets are written whole or in large blocks: no buffer of the library's between.
 void h5_create(struct h5 *h, const char *path) {
     h->reserve = malloc(RESERVE);
@@ -160,8 +166,9 @@ void h5_create(struct h5 *h, const char *path) {
     hid_t list = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
     if (!h5_failed(h, list) && !h5_failed(h, access) &&
         !h5_failed(h, H5Pset_obj_track_times(list, false)) &&
+        !h5_failed(h, H5Pset_fapl_sec2(access)) &&
         !h5_failed(h, H5Pset_sieve_buf_size(access, 0))) {
-        h->file = H5Fcreate(path, H5F_ACC_TRUNC, list, access);
+        h->file = H5Fcreate(path, H5F_ACC_EXCL, list, access);
         h5_failed(h, h->file);
     }
     if (list >= 0) {
@@ -170,10 +177,19 @@ void h5_create(struct h5 *h, const char *path) {
     if (access >= 0) {
         H5Pclose(access);
     }
+    h->lock = h->file >= 0 ? fcntl(h5_descriptor(h), F_DUPFD_CLOEXEC, 0)
+                           : -1;  // the lock outlives that of the library
     if (!h->failed) {
         open_types(h);
         open_lists(h);
     }
+}
+
+void h5_unlock(struct h5 *h) {
+    if (h->lock >= 0) {
+        close(h->lock);
+    }
+    h->lock = -1;
 }
 
 void h5_open(struct h5 *h, const char *path, size_t sieve) {

@@ -41,6 +41,7 @@ struct h5_heap {
 
 struct h5 {
     hid_t file;
+    int lock;                     // descriptor that keeps the lock of a file that is written
     hid_t text;                   // type of texts: UTF-8, any length
     hid_t references;             // type of lists of references to objects
     hid_t scalar;                 // space of an attribute
@@ -92,8 +93,11 @@ int h5_check_file(const char *path, struct error *e);
 // Frees what h5_create keeps for closing the file; the first failure does so too.
 void h5_spend_reserve(struct h5 *h);
 
-// Creates the file over `path`; h->file is negative after a failure.
+// Creates the file, which must not be there, and locks it; h->file is negative if that failed.
 void h5_create(struct h5 *h, const char *path);
+void h5_unlock(struct h5 *h);
+// The descriptor of the open file.
+int h5_descriptor(struct h5 *h);
 // Opens a file for reading, with buffers of `sieve` bytes for each dataset that is read piece by
 // piece.
 void h5_open(struct h5 *h, const char *path, size_t sieve);

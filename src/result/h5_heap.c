@@ -40,16 +40,14 @@ static herr_t keep(hid_t from, hid_t to, H5T_cdata_t *data, size_t n, size_t str
 // Where the file is, and its addresses start.
 static void locate(struct h5 *h, struct h5_heap *heap) {
     size_t address = 0, length = 0;
-    void *handle = NULL;
     struct stat found;
     hid_t list = H5Fget_create_plist(h->file);
     if (h5_failed(h, list) || h5_failed(h, H5Pget_userblock(list, &heap->base)) ||
-        h5_failed(h, H5Pget_sizes(list, &address, &length)) ||
-        h5_failed(h, H5Fget_vfd_handle(h->file, H5P_DEFAULT, &handle))) {
+        h5_failed(h, H5Pget_sizes(list, &address, &length))) {
         return;
     }
     H5Pclose(list);
-    heap->file = *(const int *)handle;
+    heap->file = h5_descriptor(h);
     if (address != sizeof(uint64_t) || length != sizeof(uint64_t) ||
         fstat(heap->file, &found) != 0) {
         h5_fail(h, "its addresses have not %zu bytes", sizeof(uint64_t));
