@@ -21,6 +21,15 @@ static uint64_t program_sum(void) {
     return checksum_file("/proc/self/exe", &sum, &e) == STATUS_OK ? sum : 0;
 }
 
+static void report_damage(const struct study_progress *p, const char *path) {
+    if (p->n_damaged > 0) {
+        fprintf(stderr,
+                "jostle: warning: %s.runs is damaged in %ld %s; of %ld runs %ld were found in it, "
+                "the others are run again\n",
+                path, p->n_damaged, p->n_damaged == 1 ? "place" : "places", p->n_run, p->n_kept);
+    }
+}
+
 // What ended the study, and what is left of it.
 static int report_error(const struct study_progress *p, const char *path, struct error *e) {
     int status = command_fail(e);
@@ -53,6 +62,9 @@ int run_study(const struct model *first, const struct run_options *o,
     study_display_start(&display, o->load.quiet ? DISPLAY_NOTHING : DISPLAY_PROGRESS);
     int status = study_run(&request, &p, &e);
     study_display_end(&display);
+    if (!o->load.quiet) {
+        report_damage(&p, result->path);
+    }
     if (status != STATUS_OK) {
         return report_error(&p, result->path, &e);
     }

@@ -72,13 +72,19 @@ void h5_fail(struct h5 *h, const char *format, ...) {
 
 bool h5_has_room(struct h5 *h) {
     if (!h->failed && h->n_ask++ % ASK_EVERY == 0 && !is_there(ROOM)) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
     }
     return !h->failed;
 }
 
+static const char no_memory[] = "out of memory";
+
+void h5_no_memory(struct h5 *h) {
+    h5_fail(h, "%s", no_memory);
+}
+
 bool h5_lacks_memory(const struct h5 *h) {
-    return strcmp(h->cause, "out of memory") == 0;
+    return strcmp(h->cause, no_memory) == 0;
 }
 
 // The library's work at exit would touch what is left of a file that could not be closed, because
@@ -136,18 +142,33 @@ static void open_lists(struct h5 *h) {
     h5_failed(h, H5Pset_buffer(h->transfer, CONVERSION_BUFFER, NULL, NULL));
 }
 
+static void open_types(struct h5 *h) {
+    h->text = H5Tcopy(H5T_C_S1);
+    if (h5_failed(h, h->text) || h5_failed(h, H5Tset_size(h->text, H5T_VARIABLE))) {
+        return;
+    }
+    h5_failed(h, H5Tset_cset(h->text, H5T_CSET_UTF8));
+}
+
+int h5_descriptor(struct h5 *h) {
+    void *handle = NULL;
+    return h5_failed(h, H5Fget_vfd_handle(h->file, H5P_DEFAULT, &handle)) ? -1
+                                                                          : *(const int *)handle;
+}
+
 // Datasets are written whole or in large blocks: no buffer of the library's between.
 void h5_create(struct h5 *h, const char *path) {
     h->reserve = malloc(RESERVE);
     if (!h->reserve || !h5_start(h)) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
         return;
     }
     hid_t list = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
     if (!h5_failed(h, list) && !h5_failed(h, access) &&
         !h5_failed(h, H5Pset_obj_track_times(list, false)) &&
+        !h5_failed(h, H5Pset_fapl_sec2(access)) &&
         !h5_failed(h, H5Pset_sieve_buf_size(access, 0))) {
-        h->file = H5Fcreate(path, H5F_ACC_TRUNC, list, access);
+        h->file = H5Fcreate(path, H5F_ACC_EXCL, list, access);
         h5_failed(h, h->file);
     }
     if (list >= 0) {
@@ -156,18 +177,36 @@ void h5_create(struct h5 *h, const char *path) {
     if (access >= 0) {
         H5Pclose(access);
     }
+    h->lock = h->file >= 0 ? fcntl(h5_descriptor(h), F_DUPFD_CLOEXEC, 0)
+                           : -1;  // the lock outlives that of the library
     if (!h->failed) {
-        h5_open_types(h);
+        open_types(h);
         open_lists(h);
     }
 }
 
-void h5_open_types(struct h5 *h) {
-    h->text = H5Tcopy(H5T_C_S1);
-    if (h5_failed(h, h->text) || h5_failed(h, H5Tset_size(h->text, H5T_VARIABLE))) {
-        return;
+void h5_unlock(struct h5 *h) {
+    if (h->lock >= 0) {
+        close(h->lock);
     }
-    h5_failed(h, H5Tset_cset(h->text, H5T_CSET_UTF8));
+    h->lock = -1;
+}
+
+void h5_open(struct h5 *h, const char *path, size_t sieve) {
+    h->file = -1;
+    hid_t access = h5_start(h) ? H5Pcreate(H5P_FILE_ACCESS) : -1;
+    if (!h5_failed(h, access) && !h5_failed(h, H5Pset_fapl_sec2(access)) &&
+        !h5_failed(h, H5Pset_sieve_buf_size(access, sieve))) {
+        h->file = H5Fopen(path, H5F_ACC_RDONLY, access);
+        h5_failed(h, h->file);
+    }
+    if (access >= 0) {
+        H5Pclose(access);
+    }
+    if (!h->failed) {
+        open_types(h);
+        h5_heap_open(h);
+    }
 }
 
 void h5_close_types(struct h5 *h) {
@@ -179,6 +218,7 @@ void h5_close_types(struct h5 *h) {
         }
         *held[i] = 0;
     }
+    h5_heap_close(h);
     free(h->use);
     h->use = NULL;
     h->n_use = h->use_capacity = 0;

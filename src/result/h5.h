@@ -12,6 +12,7 @@
 #include "result/layout.h"
 
 enum { H5_CAUSE_MAX = 256, H5_DIMENSIONS_MAX = STUDY_SWEEPS_MAX + 1 };
+struct arena;
 struct h5_use;
 
 // The chunks of a dataset.
@@ -21,8 +22,26 @@ struct h5_chunk {
     int compress;  // level of deflate; 0: none
 };
 
+// A reference to an object of the global heap as it stands in the file.
+struct h5_reference {
+    unsigned char byte[16];
+};
+
+// The global heap of a file, and the collection of it that was read last.
+struct h5_heap {
+    hid_t reference;       // type of a reference
+    int file;              // the library's
+    hsize_t base;          // where the addresses of the file start
+    uint64_t end;          // size of the file
+    uint64_t left;         // of what may be read
+    unsigned char *bytes;  // (size) of the collection; heap
+    uint64_t address, size;
+    uint64_t at;  // the object found last
+};
+
 struct h5 {
     hid_t file;
+    int lock;                     // descriptor that keeps the lock of a file that is written
     hid_t text;                   // type of texts: UTF-8, any length
     hid_t references;             // type of lists of references to objects
     hid_t scalar;                 // space of an attribute
@@ -32,6 +51,7 @@ struct h5 {
     hid_t access;                     // of datasets in chunks
     hid_t transfer;                   // for writing
     const struct unit_system *units;  // borrowed
+    struct h5_heap heap;              // for reading
     struct h5_use *use;               // (n_use) of scales; heap
     size_t n_use, use_capacity;
     unsigned n_ask;  // calls of h5_has_room
@@ -58,7 +78,8 @@ struct h5_dataset {
 // if not.
 bool h5_has_room(struct h5 *h);
 
-// Is want of memory what has failed?
+// Want of memory is what has failed; is it?
+void h5_no_memory(struct h5 *h);
 bool h5_lacks_memory(const struct h5 *h);
 
 // The same before a file is opened; keeps the library from printing its own errors and from working
@@ -72,9 +93,14 @@ int h5_check_file(const char *path, struct error *e);
 // Frees what h5_create keeps for closing the file; the first failure does so too.
 void h5_spend_reserve(struct h5 *h);
 
-// Creates the file over `path`; h->file is negative after a failure.
+// Creates the file, which must not be there, and locks it; h->file is negative if that failed.
 void h5_create(struct h5 *h, const char *path);
-void h5_open_types(struct h5 *h);  // of texts: all that reading needs
+void h5_unlock(struct h5 *h);
+// The descriptor of the open file.
+int h5_descriptor(struct h5 *h);
+// Opens a file for reading, with buffers of `sieve` bytes for each dataset that is read piece by
+// piece.
+void h5_open(struct h5 *h, const char *path, size_t sieve);
 void h5_close_types(struct h5 *h);
 void h5_close_file(struct h5 *h);  // after all its objects; does nothing if there is none
 
@@ -98,6 +124,10 @@ void h5_attach(struct h5 *h, hid_t dataset, const hid_t *scale, int n_dim);
 // Lists in each scale the datasets that have come to use it since the last call. A scale can be
 // listed once: when all its users are there.
 void h5_list_uses(struct h5 *h);
+// Is the open dataset a scale?
+bool h5_is_scale(hid_t dataset);
+// The first scale of a dimension of the open dataset (n_dim), open.
+hid_t h5_get_scale(struct h5 *h, hid_t dataset, int n_dim, int dimension);
 // Creates, writes and closes.
 void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *data);
 // Creates the dimension scale `name` with the numbers 1..n; open.
@@ -120,8 +150,15 @@ void h5_put_texts(struct h5 *h, hid_t dataset, const struct h5_block *part,
 
 void h5_get_block(struct h5 *h, hid_t dataset, const struct h5_block *part, double *value);
 void h5_get_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, int *value);
-// The texts are the library's: to be given to H5free_memory.
-void h5_get_texts(struct h5 *h, hid_t dataset, const struct h5_block *part, char **text);
+// References to texts.
+void h5_get_references(struct h5 *h, hid_t dataset, const struct h5_block *part,
+                       struct h5_reference *reference);
+
+// What a reference stands for: *n items of `item` bytes, until the next call; none after a failure.
+const void *h5_heap_get(struct h5 *h, const struct h5_reference *r, size_t item, size_t *n);
+char *h5_heap_text(struct h5 *h, struct arena *a, const struct h5_reference *r);
+void h5_heap_open(struct h5 *h);
+void h5_heap_close(struct h5 *h);
 
 // The open object at a path.
 hid_t h5_open_object(struct h5 *h, hid_t parent, const char *path);
@@ -133,7 +170,6 @@ void h5_put_member(struct h5 *h, hid_t object, const struct column_table *t, int
                    const void *base);
 
 // Reading; texts and arrays are from `a`.
-struct arena;
 bool h5_has(struct h5 *h, hid_t parent, const char *name);
 
 // Is all there that the shape of the dataset promises? If not, the file is damaged, and the library
@@ -147,6 +183,8 @@ double h5_get_double(struct h5 *h, hid_t object, const char *name);
 void h5_get_units(struct h5 *h, struct arena *a, struct unit_system *units);
 // Length of the one-dimensional dataset; checked to be at most `limit`.
 size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit);
+// The `n` texts of a one-dimensional dataset.
+char **h5_get_texts(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n);
 // The `n` values of a one-dimensional dataset as doubles.
 double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n);
 void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct column_table *t, int c,

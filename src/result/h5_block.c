@@ -50,7 +50,7 @@ void h5_put_block(struct h5 *h, hid_t dataset, const struct h5_block *part, cons
     const size_t width = (size_t)part->width;
     double *row = h->failed ? NULL : malloc(((size_t)part->n * width + 1) * sizeof *row);
     if (!row) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
         return;
     }
     for (size_t i = 0; i < part->n; i++) {
@@ -79,6 +79,7 @@ void h5_get_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, i
     get(h, dataset, part, H5T_NATIVE_INT, value);
 }
 
-void h5_get_texts(struct h5 *h, hid_t dataset, const struct h5_block *part, char **text) {
-    get(h, dataset, part, h->text, text);
+void h5_get_references(struct h5 *h, hid_t dataset, const struct h5_block *part,
+                       struct h5_reference *reference) {
+    get(h, dataset, part, h->heap.reference, reference);
 }

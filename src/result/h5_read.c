@@ -3,11 +3,31 @@
 // anything is allocated or converted.
 #include <assert.h>
 #include <limits.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "result/h5.h"
+
+// How many bytes one stored byte can stand for. Deflate makes 1032 of one at most (zlib's technical
+// details); of other filters, in a file that somebody has packed anew, nothing is known.
+static hsize_t packing(hid_t dataset) {
+    enum { DEFLATE = 1032 };
+    hid_t list = H5Dget_create_plist(dataset);
+    const int n = H5Pget_layout(list) == H5D_CHUNKED ? H5Pget_nfilters(list) : 0;
+    hsize_t most = 1;
+    for (int i = 0; i < n; i++) {
+        unsigned flags, config;
+        size_t values = 0;
+        const H5Z_filter_t filter =
+            H5Pget_filter2(list, (unsigned)i, &flags, &values, NULL, 0, NULL, &config);
+        const bool keeps = filter == H5Z_FILTER_SHUFFLE || filter == H5Z_FILTER_FLETCHER32;
+        most = keeps ? most : filter == H5Z_FILTER_DEFLATE && most == 1 ? DEFLATE : UINT64_MAX;
+    }
+    H5Pclose(list);
+    return most;
+}
 
 bool h5_is_stored(hid_t dataset) {
     hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
@@ -16,13 +36,8 @@ bool h5_is_stored(hid_t dataset) {
     const hsize_t stored = H5Dget_storage_size(dataset);
     H5Tclose(type);
     H5Sclose(space);
-    if (n < 0 || size == 0 || (hsize_t)n <= stored / size) {
-        return n >= 0 && size > 0;
-    }
-    hid_t list = H5Dget_create_plist(dataset);
-    const bool in_chunks = H5Pget_layout(list) == H5D_CHUNKED;  // compressed, or not all written
-    H5Pclose(list);
-    return in_chunks;
+    return n >= 0 && size > 0 &&
+           ((hsize_t)n <= stored / size || (hsize_t)n / packing(dataset) <= stored / size);
 }
 
 bool h5_has(struct h5 *h, hid_t parent, const char *name) {
@@ -69,17 +84,10 @@ char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name)
     if (attribute < 0) {
         return NULL;
     }
-    char *library = NULL, *text = NULL;
-    if (!h5_failed(h, H5Aread(attribute, h->text, &library))) {
-        const char *value = library ? library : "";
-        text = arena_text(a, value, strlen(value));
-        H5free_memory(library);
-        if (!text) {
-            h5_fail(h, "out of memory");
-        }
-    }
+    struct h5_reference reference;
+    h5_failed(h, H5Aread(attribute, h->heap.reference, &reference));
     H5Aclose(attribute);
-    return text;
+    return h->failed ? NULL : h5_heap_text(h, a, &reference);
 }
 
 long h5_get_long(struct h5 *h, hid_t object, const char *name) {
@@ -156,7 +164,8 @@ size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit)
     return h->failed ? 0 : (size_t)n;
 }
 
-// Reads `n` values as `memory_type`; the dataset must have just as many, of that class.
+// Reads `n` values as `memory_type`; the dataset must have just as many, of that class, or texts
+// for references.
 static void read_list(struct h5 *h, hid_t parent, const char *name, hid_t memory_type, size_t n,
                       void *to) {
     hsize_t length = 0;
@@ -164,11 +173,13 @@ static void read_list(struct h5 *h, hid_t parent, const char *name, hid_t memory
     if (dataset < 0) {
         return;
     }
+    const H5T_class_t class =
+        memory_type == h->heap.reference ? H5T_STRING : H5Tget_class(memory_type);
     hid_t type = H5Dget_type(dataset);
     if (length != n) {
         h5_fail(h, "dataset '%s' has %llu values, not %zu", name, (unsigned long long)length, n);
-    } else if (type < 0 || H5Tget_class(type) != H5Tget_class(memory_type) ||
-               (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) <= 0)) {
+    } else if (type < 0 || H5Tget_class(type) != class ||
+               (class == H5T_STRING && H5Tis_variable_str(type) <= 0)) {
         h5_fail(h, "dataset '%s' is not of the kind expected", name);
     } else if (n > 0) {
         h5_failed(h, H5Dread(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to));
@@ -182,23 +193,33 @@ static void read_list(struct h5 *h, hid_t parent, const char *name, hid_t memory
 double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n) {
     double *value = arena_alloc(a, n, sizeof *value);
     if (!value) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
         return NULL;
     }
     read_list(h, parent, name, H5T_NATIVE_DOUBLE, n, value);
     return value;
 }
 
-static void scatter_text(struct h5 *h, struct arena *a, const struct column_table *t, int c,
-                         void *base, size_t n, char **text) {
-    for (size_t i = 0; i < n; i++) {
-        const char *value = text[i] ? text[i] : "";
-        const char *copy = arena_text(a, value, strlen(value));
-        if (!copy) {
-            h5_fail(h, "out of memory");
-        }
-        memcpy(layout_to(t, c, base, i), &copy, sizeof copy);
-        H5free_memory(text[i]);
+char **h5_get_texts(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n) {
+    struct h5_reference *reference = calloc(n + 1, sizeof *reference);
+    char **text = arena_alloc(a, n, sizeof *text);
+    if (reference && text) {
+        read_list(h, parent, name, h->heap.reference, n, reference);
+    } else {
+        h5_no_memory(h);
+    }
+    for (size_t i = 0; i < n && !h->failed; i++) {
+        text[i] = h5_heap_text(h, a, &reference[i]);
+    }
+    free(reference);
+    return h->failed ? NULL : text;
+}
+
+static void get_text_column(struct h5 *h, struct arena *a, hid_t parent,
+                            const struct column_table *t, int c, void *base, size_t n) {
+    char **text = h5_get_texts(h, a, parent, t->column[c].name, n);
+    for (size_t i = 0; text && i < n; i++) {
+        memcpy(layout_to(t, c, base, i), &text[i], sizeof text[i]);
     }
 }
 
@@ -222,24 +243,23 @@ static void scatter_whole(struct h5 *h, const struct column_table *t, int c, voi
 
 void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct column_table *t, int c,
                    void *base, size_t n) {
+    const enum column_kind kind = t->column[c].kind;
+    if (kind == COLUMN_TEXT) {
+        get_text_column(h, a, parent, t, c, base, n);
+        return;
+    }
     union {
         double number;
         long whole;
-        char *text;
     } *data = calloc(n + 1, sizeof *data);
-    static_assert(sizeof *data == sizeof(long) && sizeof *data == sizeof(char *), "as written");
+    static_assert(sizeof *data == sizeof(long), "as written");
     if (!data) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
         return;
     }
-    const enum column_kind kind = t->column[c].kind;
-    const hid_t type = kind == COLUMN_DOUBLE ? H5T_NATIVE_DOUBLE
-                       : kind == COLUMN_TEXT ? h->text
-                                             : H5T_NATIVE_LONG;
+    const hid_t type = kind == COLUMN_DOUBLE ? H5T_NATIVE_DOUBLE : H5T_NATIVE_LONG;
     read_list(h, parent, t->column[c].name, type, n, data);
-    if (!h->failed && kind == COLUMN_TEXT) {
-        scatter_text(h, a, t, c, base, n, &data->text);
-    } else if (!h->failed && (kind == COLUMN_INT || kind == COLUMN_FLAG)) {
+    if (!h->failed && (kind == COLUMN_INT || kind == COLUMN_FLAG)) {
         scatter_whole(h, t, c, base, n, &data->whole);
     } else if (!h->failed) {
         for (size_t i = 0; i < n; i++) {

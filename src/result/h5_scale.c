@@ -7,6 +7,7 @@
 // thousands of datasets that share the times of a long row that takes most of the time of a run, so
 // here all uses are kept and each list is written once.
 #include <stdlib.h>
+#include <string.h>
 
 #include "result/h5.h"
 
@@ -28,7 +29,7 @@ static struct h5_use *new_use(struct h5 *h) {
         size_t capacity = 2 * h->use_capacity + 64;
         struct h5_use *use = realloc(h->use, capacity * sizeof *use);
         if (!use) {
-            h5_fail(h, "out of memory");
+            h5_no_memory(h);
             return NULL;
         }
         h->use = use;
@@ -78,6 +79,54 @@ void h5_attach(struct h5 *h, hid_t dataset, const hid_t *scale, int n_dim) {
     put_list(h, dataset, "DIMENSION_LIST", h->references, (hsize_t)n_dim, list);
 }
 
+bool h5_is_scale(hid_t dataset) {
+    return H5Aexists(dataset, "CLASS") > 0;
+}
+
+// The references to lists of scales, one for each dimension.
+static bool get_lists(struct h5 *h, hid_t dataset, int n_dim, struct h5_reference *list) {
+    hid_t attribute = H5Aexists(dataset, "DIMENSION_LIST") > 0
+                          ? H5Aopen(dataset, "DIMENSION_LIST", H5P_DEFAULT)
+                          : -1;
+    if (attribute < 0) {
+        return false;
+    }
+    hid_t type = H5Aget_type(attribute), space = H5Aget_space(attribute);
+    hid_t item = H5Tget_class(type) == H5T_VLEN ? H5Tget_super(type) : -1;
+    const bool good = item >= 0 && H5Tequal(item, H5T_STD_REF_OBJ) > 0 &&
+                      H5Sget_simple_extent_npoints(space) == n_dim &&
+                      !h5_failed(h, H5Aread(attribute, h->heap.reference, list));
+    if (item >= 0) {
+        H5Tclose(item);
+    }
+    H5Tclose(type);
+    H5Sclose(space);
+    H5Aclose(attribute);
+    return good;
+}
+
+hid_t h5_get_scale(struct h5 *h, hid_t dataset, int n_dim, int dimension) {
+    struct h5_reference list[H5_DIMENSIONS_MAX];
+    hobj_ref_t scale;
+    size_t n = 0;
+    if (h->failed || n_dim > H5_DIMENSIONS_MAX) {
+        return -1;
+    }
+    const void *found = get_lists(h, dataset, n_dim, list)
+                            ? h5_heap_get(h, &list[dimension], sizeof scale, &n)
+                            : NULL;
+    if (n < 1) {
+        h5_fail(h, "dimension %d has no scale", dimension + 1);
+        return -1;
+    }
+    memcpy(&scale, found, sizeof scale);
+    hid_t object = H5Rdereference2(h->file, H5P_DEFAULT, H5R_OBJECT, &scale);
+    if (!h5_failed(h, object) && H5Iget_type(object) != H5I_DATASET) {
+        h5_fail(h, "the scale of dimension %d is no dataset", dimension + 1);
+    }
+    return object;
+}
+
 static int compare(const void *a, const void *b) {
     const struct h5_use *x = a;
     const struct h5_use *y = b;
@@ -95,7 +144,7 @@ static void list_uses_of(struct h5 *h, hid_t type, const struct h5_use *use, siz
     struct entry *entry = calloc(n, sizeof *entry);
     hid_t scale = entry ? H5Rdereference2(h->file, H5P_DEFAULT, H5R_OBJECT, &use->scale) : -1;
     if (!entry) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
     } else if (!h5_failed(h, scale)) {
         for (size_t i = 0; i < n; i++) {
             entry[i] = (struct entry){use[i].dataset, use[i].dimension};

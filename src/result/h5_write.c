@@ -160,7 +160,7 @@ void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *
 hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *long_name, size_t n) {
     int *number = malloc((n + 1) * sizeof *number);
     if (!number) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
         return -1;
     }
     for (size_t i = 0; i < n; i++) {
@@ -255,7 +255,7 @@ void h5_put_column(struct h5 *h, hid_t parent, const struct column_table *t, int
                    const void *base, size_t n, hid_t scale) {
     union value *data = calloc(n + 1, sizeof *data);
     if (!data) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
         return;
     }
     gather(t, c, base, n, data);

@@ -43,7 +43,8 @@ static int read_column(const struct result_file *f, const char *path, int column
         status = error_set(e, STATUS_INPUT, "%s is damaged: dataset /%s has the wrong shape",
                            f->path, path);
     } else if (!read_selected(dataset, space, f->report->n_row, column, out)) {
-        status = error_set(e, STATUS_SYSTEM, "cannot read dataset /%s of %s", path, f->path);
+        status =
+            error_set(e, STATUS_INPUT, "%s is damaged: dataset /%s cannot be read", f->path, path);
     }
     H5Tclose(type);
     H5Sclose(space);

@@ -5,24 +5,63 @@
 #include <fcntl.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-int part_claim(const char *path, const char *part, struct error *e) {
-    int old = open(part, O_RDWR);
-    if (old >= 0) {
-        const int locked = flock(old, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-        close(old);
-        if (locked) {
-            return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing %s", path,
-                             part);
-        }
+// Is the open file still the one of this name?
+static bool is_named(int file, const char *path) {
+    struct stat own, named;
+    return fstat(file, &own) == 0 && stat(path, &named) == 0 && own.st_dev == named.st_dev &&
+           own.st_ino == named.st_ino;
+}
+
+static int taken(const char *path, const char *part, struct error *e) {
+    return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing %s", path, part);
+}
+
+static int cannot_write(const char *path, const struct h5 *h, struct error *e) {
+    return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, h->cause);
+}
+
+// Removes what a killed run has left. Whoever removes a file has it locked, and whoever writes one
+// keeps it locked until it has its name, so that nobody removes or names the file of another.
+static int remove_old(const char *path, const char *part, struct error *e) {
+    const int old = open(part, O_RDWR | O_CLOEXEC);
+    if (old < 0) {
+        return errno == ENOENT
+                   ? STATUS_OK
+                   : error_set(e, STATUS_SYSTEM, "cannot write %s: %s is in the way: %s", path,
+                               part, strerror(errno));
+    }
+    const bool locked = flock(old, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (!locked && is_named(old, part)) {
         unlink(part);
     }
-    int file = open(part, O_RDWR | O_CREAT | O_EXCL, 0666);
-    if (file < 0) {
-        return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, strerror(errno));
+    close(old);
+    return locked ? taken(path, part, e) : STATUS_OK;
+}
+
+// Between its making and its lock another run may have taken the file for an old one.
+int part_create(struct h5 *h, const char *path, const char *part, struct error *e) {
+    int status = remove_old(path, part, e);
+    if (status != STATUS_OK) {
+        return status;
     }
-    close(file);
+    h5_create(h, part);
+    if (h->file < 0) {
+        status = remove_old(path, part, e);
+        return status != STATUS_OK ? status : cannot_write(path, h, e);
+    }
+    if (!is_named(h->lock, part)) {
+        h5_close_types(h);
+        h5_close_file(h);
+        h5_unlock(h);
+        return taken(path, part, e);
+    }
+    if (h->failed) {
+        unlink(part);
+        return cannot_write(path, h, e);
+    }
     return STATUS_OK;
 }
 

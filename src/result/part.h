@@ -10,10 +10,10 @@
 // a building that cannot stand in the file).
 int part_check(const struct report *r, const struct result_options *o, struct error *e);
 
-// Makes sure that the file `part` of the result `path` is ours and empty: one left by a killed run
-// is removed, one that another run is writing (the library holds a lock on it) is left alone.
-// Errors: STATUS_SYSTEM.
-int part_claim(const char *path, const char *part, struct error *e);
+// Creates the file `part` of the result `path`, locked until h5_unlock: one left by a killed run is
+// removed, one that another run is writing is left alone. Errors: STATUS_SYSTEM; h->file is
+// negative if there is no file of ours.
+int part_create(struct h5 *h, const char *path, const char *part, struct error *e);
 
 // What every result says of itself at its root; its status is "running".
 void part_attributes(struct h5 *h, hid_t root, const struct report *r);

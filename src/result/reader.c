@@ -12,6 +12,7 @@
 
 // What a file may claim before it is taken for damaged.
 enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
+enum { SIEVE_BYTES = 1 << 16 };
 
 static int damaged(const struct result_file *f, struct error *e) {
     if (h5_lacks_memory(&f->h)) {
@@ -75,7 +76,7 @@ static void get_envelope(struct result_file *f, hid_t building, struct report_bu
     for (int p = 0; p < PEAK_COUNT && !f->h.failed; p++) {
         const char *time = arena_format(f->report->arena, "%s_time", peak_names[p]);
         if (!time) {
-            h5_fail(&f->h, "out of memory");
+            h5_no_memory(&f->h);
             break;
         }
         const size_t n = (size_t)b->n_floor;
@@ -113,7 +114,7 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
         struct report_building *b = &r->building[position];
         b->name = arena_text(r->arena, name, strlen(name));
         if (!b->name) {
-            h5_fail(&f->h, "out of memory");
+            h5_no_memory(&f->h);
         }
         for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
             r->fields |= h5_has(&f->h, group, field_names[i]) ? 1U << i : 0;
@@ -139,7 +140,7 @@ static void get_buildings(struct result_file *f) {
         r->n_building = (int)info.nlinks;
         r->building = arena_alloc(r->arena, info.nlinks, sizeof *r->building);
         if (!r->building) {
-            h5_fail(&f->h, "out of memory");
+            h5_no_memory(&f->h);
         } else {
             h5_failed(&f->h,
                       H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit_building, f));
@@ -154,7 +155,7 @@ static struct report_link *get_links(struct result_file *f, hid_t group, const c
     const size_t n = h5_get_length(&f->h, group, scale, LIST_LIMIT);
     struct report_link *link = arena_alloc(a, n, sizeof *link);
     if (!link) {
-        h5_fail(&f->h, "out of memory");
+        h5_no_memory(&f->h);
         return NULL;
     }
     for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
@@ -199,7 +200,7 @@ static void get_impacts(struct result_file *f) {
     const size_t n = h5_get_length(&f->h, group, "impact", LIST_LIMIT);
     r->impact = arena_alloc(r->arena, n, sizeof *r->impact);
     if (!r->impact) {
-        h5_fail(&f->h, "out of memory");
+        h5_no_memory(&f->h);
         h5_close(&f->h, group);
         return;
     }
@@ -283,11 +284,12 @@ static int open_file(struct result_file *f, struct error *e) {
     if (H5Fis_hdf5(file) <= 0) {
         return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", file);
     }
-    f->h.file = H5Fopen(file, H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (h5_failed(&f->h, f->h.file)) {
-        return error_set(e, STATUS_INPUT, "cannot read %s: %s", file, f->h.cause);
+    h5_open(&f->h, file, SIEVE_BYTES);
+    if (f->h.failed) {
+        return h5_lacks_memory(&f->h)
+                   ? error_no_memory(e)
+                   : error_set(e, STATUS_INPUT, "cannot read %s: %s", file, f->h.cause);
     }
-    h5_open_types(&f->h);
     f->root = f->h.file;
     return run > 0 ? open_run(f, file, run, e) : STATUS_OK;
 }

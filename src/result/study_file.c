@@ -131,7 +131,9 @@ static int write_part(struct study_writer *w, const char *path, const char *part
     struct block b = {0};
     int status = block_init(&b, w->content, e);
     if (status == STATUS_OK) {
-        h5_create(&w->h, part);
+        status = part_create(&w->h, path, part, e);
+    }
+    if (status == STATUS_OK) {
         study_tree(w);
         status = put_runs(w, &b, e);
         h5_list_uses(&w->h);
@@ -141,9 +143,9 @@ static int write_part(struct study_writer *w, const char *path, const char *part
         if (status == STATUS_OK) {
             h5_put_text(&w->h, w->h.file, "status", "complete");
         }
-        h5_spend_reserve(&w->h);
-        close_all(w);
     }
+    h5_spend_reserve(&w->h);
+    close_all(w);
     block_close(&b);
     if (status == STATUS_OK && w->h.failed) {
         status = error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, w->h.cause);
@@ -153,16 +155,14 @@ static int write_part(struct study_writer *w, const char *path, const char *part
 
 static int write_all(struct study_writer *w, const struct result_options *o, const char *part,
                      struct error *e) {
-    int status = part_claim(o->path, part, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    status = write_part(w, o->path, part, e);
-    if (status != STATUS_OK) {
+    int status = write_part(w, o->path, part, e);
+    if (status == STATUS_OK) {
+        status = result_publish(part, o->path, o->existing, e);
+    } else if (w->h.lock >= 0) {
         unlink(part);
-        return status;
     }
-    return result_publish(part, o->path, o->existing, e);
+    h5_unlock(&w->h);
+    return status;
 }
 
 bool study_file_is_study(const char *path) {
@@ -192,7 +192,7 @@ int study_file_write(const struct study_content *c, const struct result_options 
     if (status != STATUS_OK) {
         return status;
     }
-    struct study_writer w = {.h = {.file = -1, .units = &c->first->units},
+    struct study_writer w = {.h = {.file = -1, .lock = -1, .units = &c->first->units},
                              .content = c,
                              .command_line = o->command_line,
                              .status = -1,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The group /part of the file of one part: which study it is, the sweeps of that, and the files its
 // runs have read. The values of the runs have the dimension "run" in place of those of the sweeps.
-#include <hdf5_hl.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,7 +69,7 @@ static void put_sources(struct study_writer *w, hid_t group) {
         }
         put_texts(w, group, "file_sum", "checksum of the file", text, n);
     } else {
-        h5_fail(&w->h, "out of memory");
+        h5_no_memory(&w->h);
     }
     free(digits);
     free(text);
@@ -94,7 +93,7 @@ static herr_t visit_sweep(hid_t group, const char *name, const H5L_info_t *info,
     struct study_file *f = context;
     struct study_view *v = &f->view;
     hid_t scale = h5_open_object(&f->h, group, name);
-    if (scale >= 0 && H5DSis_scale(scale) == 0) {  // random values along a sample, read with it
+    if (scale >= 0 && !h5_is_scale(scale)) {  // random values along a sample, read with it
         h5_close(&f->h, scale);
         return 0;
     }
@@ -136,12 +135,13 @@ static void get_sources(struct study_file *f, hid_t group) {
     const size_t n = h5_get_length(&f->h, group, "file", SOURCES_LIMIT);
     const size_t n_sum = h5_get_length(&f->h, group, "file_sum", SOURCES_LIMIT);
     struct study_source *source = arena_alloc(f->view.arena, n, sizeof *source);
-    if (!source || n != n_sum) {
-        h5_fail(&f->h, source ? "it has %zu files, but %zu checksums" : "out of memory", n, n_sum);
-        return;
+    if (!source) {
+        h5_no_memory(&f->h);
+    } else if (n != n_sum) {
+        h5_fail(&f->h, "it has %zu files, but %zu checksums", n, n_sum);
     }
-    char **path = study_reader_texts(f, group, "file", n);
-    char **sum = study_reader_texts(f, group, "file_sum", n);
+    char **path = h5_get_texts(&f->h, f->view.arena, group, "file", n);
+    char **sum = h5_get_texts(&f->h, f->view.arena, group, "file_sum", n);
     for (size_t i = 0; i < n && !f->h.failed; i++) {
         source[i] = (struct study_source){path[i], strtoull(sum[i], NULL, 16)};
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opens a study file: its sweeps, and the table of what its runs gave.
-#include <hdf5_hl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +10,7 @@
 
 // What a file may claim before it is taken for damaged.
 enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
+// Boxes are read as they stand in the file, and merging opens many files with many datasets each.
 enum { SIEVE_BYTES = 1024 };
 
 // Where the items of a group belong.
@@ -23,7 +23,7 @@ struct spot {
 static char *text_of(struct study_file *f, const char *text) {
     char *copy = arena_text(f->view.arena, text, strlen(text));
     if (!copy) {
-        h5_fail(&f->h, "out of memory");
+        h5_no_memory(&f->h);
     }
     return copy;
 }
@@ -38,7 +38,7 @@ static bool grow(struct study_file *f) {
     hid_t *dataset = realloc(f->dataset, (size_t)capacity * sizeof *dataset);
     f->dataset = dataset ? dataset : f->dataset;
     if (!item || !dataset || capacity > ITEMS_LIMIT) {
-        h5_fail(&f->h, "out of memory");
+        h5_no_memory(&f->h);
         return false;
     }
     f->capacity = capacity;
@@ -46,12 +46,11 @@ static bool grow(struct study_file *f) {
 }
 
 // Numbers that are no scale: what runs gave. Scales, and texts and whole numbers of links, are not.
-static bool is_result(struct study_file *f, hid_t dataset) {
+static bool is_result(hid_t dataset) {
     hid_t type = H5Dget_type(dataset);
-    const htri_t scale = H5DSis_scale(dataset);
     const bool number = H5Tget_class(type) == H5T_FLOAT;
     H5Tclose(type);
-    return !h5_failed(&f->h, scale) && scale == 0 && number;
+    return number && !h5_is_scale(dataset);
 }
 
 static void check_stored(struct study_file *f, hid_t dataset, const char *name) {
@@ -93,7 +92,7 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     const bool result =
         object.type == H5O_TYPE_DATASET && !study_samples_has(f->dim, f->n_dim, name);
     hid_t dataset = result ? h5_open_object(&f->h, group, name) : -1;
-    const size_t n = dataset >= 0 && is_result(f, dataset) ? values_of_run(f, dataset, name) : 0;
+    const size_t n = dataset >= 0 && is_result(dataset) ? values_of_run(f, dataset, name) : 0;
     if (n == 0) {
         h5_close(&f->h, dataset);
         return f->h.failed ? -1 : 0;
@@ -147,38 +146,11 @@ static herr_t visit_building(hid_t group, const char *name, const H5L_info_t *in
     return f->h.failed ? -1 : 0;
 }
 
-char **study_reader_texts(struct study_file *f, hid_t group, const char *name, size_t n) {
-    char **text = arena_alloc(f->view.arena, n + 1, sizeof *text);
-    if (!text) {
-        h5_fail(&f->h, "out of memory");
-        return NULL;
-    }
-    hid_t dataset = h5_open_object(&f->h, group, name);
-    hid_t type = dataset >= 0 ? H5Dget_type(dataset) : -1;
-    if (type >= 0 && H5Tis_variable_str(type) <= 0) {
-        h5_fail(&f->h, "dataset '%s' is not of the kind expected", name);
-    }
-    const struct h5_block all = {.count = {n}, .n = n, .stride = 1, .width = 1};
-    if (n > 0 && !f->h.failed) {
-        h5_get_texts(&f->h, dataset, &all, text);
-    }
-    for (size_t i = 0; i < n && !f->h.failed; i++) {
-        char *library = text[i];
-        text[i] = text_of(f, library ? library : "");
-        H5free_memory(library);
-    }
-    if (type >= 0) {
-        H5Tclose(type);
-    }
-    h5_close(&f->h, dataset);
-    return text;
-}
-
 static const char *const *get_links(struct study_file *f, const char *name, const char *scale,
                                     int *n) {
     hid_t group = h5_get_group(&f->h, f->h.file, name);
     const size_t length = h5_get_length(&f->h, group, scale, ITEMS_LIMIT);
-    char **text = f->h.failed ? NULL : study_reader_texts(f, group, "name", length);
+    char **text = f->h.failed ? NULL : h5_get_texts(&f->h, f->view.arena, group, "name", length);
     h5_close(&f->h, group);
     *n = (int)length;
     get_both((struct spot){.file = f, .parent = name, .scale = scale});
@@ -190,7 +162,7 @@ struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale,
     struct study_view *v = &f->view;
     struct sweep *s = arena_alloc(v->arena, 1, sizeof *s);
     if (!s) {
-        h5_fail(&f->h, "out of memory");
+        h5_no_memory(&f->h);
         return NULL;
     }
     s->name = text_of(f, name);
@@ -202,7 +174,7 @@ struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale,
         study_samples_get(&f->h, v->arena, group, scale, s);
         *units = h5_get_text(&f->h, v->arena, scale, "units");
     } else {
-        s->label = (const char *const *)study_reader_texts(f, group, s->name, (size_t)s->n);
+        s->label = (const char *const *)h5_get_texts(&f->h, v->arena, group, s->name, (size_t)s->n);
         s->text = s->label;
     }
     H5Tclose(type);
@@ -212,7 +184,7 @@ struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale,
 // The scale of dimension `i` of /status.
 static void get_dimension(struct study_file *f, hid_t scale, int i) {
     char name[256] = "";
-    if (h5_failed(&f->h, H5Iget_name(scale, name, sizeof name))) {
+    if (f->h.failed || h5_failed(&f->h, H5Iget_name(scale, name, sizeof name))) {
         return;
     }
     const char *slash = strrchr(name, '/');
@@ -224,13 +196,6 @@ static void get_dimension(struct study_file *f, hid_t scale, int i) {
         f->n_dim++;
         f->view.n_run *= f->dim[i]->n;
     }
-}
-
-static herr_t visit_scale(hid_t dataset, unsigned dimension, hid_t scale, void *context) {
-    (void)dataset;
-    struct study_file *f = context;
-    get_dimension(f, scale, (int)dimension);
-    return f->h.failed ? -1 : 1;
 }
 
 static void get_sweeps(struct study_file *f) {
@@ -248,10 +213,9 @@ static void get_sweeps(struct study_file *f) {
     }
     f->view.n_run = 1;
     for (int i = 0; i < n && !f->h.failed; i++) {
-        if (H5DSiterate_scales(f->status, (unsigned)i, NULL, visit_scale, f) < 0 ||
-            f->n_dim != i + 1) {
-            h5_fail(&f->h, "dimension %d has no scale", i + 1);
-        }
+        hid_t scale = h5_get_scale(&f->h, f->status, n, i);
+        get_dimension(f, scale, i);
+        h5_close(&f->h, scale);
     }
     if (h5_has(&f->h, f->h.file, "part")) {
         study_part_get(f);
@@ -300,20 +264,6 @@ int study_reader_fail(const struct study_file *f, struct error *e) {
     return error_set(e, status, "cannot read %s: %s", f->view.path, f->h.cause);
 }
 
-// Without the buffers of 64 KiB that the library gives each dataset: boxes are read as they stand
-// in the file, and merging opens many files with many datasets each.
-static void open_file(struct study_file *f, const char *path) {
-    f->h.file = -1;
-    hid_t list = h5_start(&f->h) ? H5Pcreate(H5P_FILE_ACCESS) : -1;
-    if (!h5_failed(&f->h, list) && !h5_failed(&f->h, H5Pset_sieve_buf_size(list, SIEVE_BYTES))) {
-        f->h.file = H5Fopen(path, H5F_ACC_RDONLY, list);
-        h5_failed(&f->h, f->h.file);
-    }
-    if (list >= 0) {
-        H5Pclose(list);
-    }
-}
-
 int study_file_open(const char *path, struct study_file **out, struct error *e) {
     int status = h5_check_file(path, e);
     if (status != STATUS_OK) {
@@ -327,12 +277,11 @@ int study_file_open(const char *path, struct study_file **out, struct error *e) 
     }
     f->view.arena = a;
     f->status = f->message = -1;
-    open_file(f, path);
+    h5_open(&f->h, path, SIEVE_BYTES);
     f->view.path = path;
     const char *copy = f->h.failed ? NULL : text_of(f, path);
     if (copy) {
         f->view.path = copy;
-        h5_open_types(&f->h);
         get_all(f);
     }
     if (f->h.failed) {

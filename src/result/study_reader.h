@@ -21,9 +21,6 @@ struct study_file {
 struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name,
                                  const char **units);
 
-// The `n` texts of a dataset, from the view's arena.
-char **study_reader_texts(struct study_file *f, hid_t group, const char *name, size_t n);
-
 // The error for what the file's h5 has noted.
 int study_reader_fail(const struct study_file *f, struct error *e);
 

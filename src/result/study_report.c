@@ -34,7 +34,7 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     const size_t n_floor = h5_get_length(h, group, "floor", FLOORS_MAX);
     char *copy = arena_text(r->arena, name, strlen(name));
     if (!copy) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
     }
     if (!h->failed && (position < 0 || position >= r->n_building || r->building[position].name)) {
         h5_fail(h, "building '%s' has the position %ld", name, position);
@@ -62,7 +62,7 @@ static void get_buildings(struct study_file *f, struct report *r) {
         r->n_building = (int)info.nlinks;
         h5_failed(h, H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, NULL, visit_building, &v));
     } else {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
     }
     h5_close(h, group);
 }
@@ -73,7 +73,7 @@ static struct report_link *get_links(struct study_file *f, struct report *r, con
     const size_t n = h5_get_length(&f->h, group, scale, LINKS_LIMIT);
     struct report_link *link = arena_alloc(r->arena, n, sizeof *link);
     if (!link) {
-        h5_fail(&f->h, "out of memory");
+        h5_no_memory(&f->h);
     }
     for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
         if (study_tree_is_fixed(&layout_link.column[c])) {

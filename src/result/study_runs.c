@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the runs of an open study file gave.
-#include <stdio.h>
+#include <string.h>
 
 #include "result/study_box.h"
 #include "result/study_reader.h"
 
 static void read_outcome(struct study_file *f, struct h5_block box, struct study_outcome *out) {
     int status = 0;
-    char *message = NULL;
+    struct h5_reference message = {.byte = {0}};
     box.stride = box.width = 1;
     h5_get_integers(&f->h, f->status, &box, &status);
-    h5_get_texts(&f->h, f->message, &box, &message);
+    h5_get_references(&f->h, f->message, &box, &message);
     if (status < STUDY_DONE || status > STUDY_MISSING) {
         h5_fail(&f->h, "a run has the status %d", status);
         status = STUDY_MISSING;
     }
     *out = (struct study_outcome){.status = status};
-    if (message) {
-        snprintf(out->message, sizeof out->message, "%s", message);
-        H5free_memory(message);
-    }
+    size_t n;
+    const char *text = h5_heap_get(&f->h, &message, 1, &n);
+    n = n < sizeof out->message ? n : sizeof out->message - 1;
+    memcpy(out->message, text, n);
 }
 
 static void read_values(struct study_file *f, struct h5_block box, double *value) {

@@ -29,7 +29,7 @@ void study_samples_name(struct h5 *h, hid_t object, const struct sweep *const *s
                         const char *attribute) {
     char *names = names_of(sweep, n);
     if (!names) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
     } else if (names[0]) {
         h5_put_text(h, object, attribute, names);
     }
@@ -78,7 +78,7 @@ static struct sweep *get_values(struct h5 *h, struct arena *a, hid_t group, cons
                                 int n) {
     struct sweep *s = arena_alloc(a, 1, sizeof *s);
     if (!s) {
-        h5_fail(h, "out of memory");
+        h5_no_memory(h);
         return NULL;
     }
     *s = (struct sweep){.name = name, .n = n};

@@ -17,6 +17,7 @@ static void writer_free(struct result_writer *w) {
     if (has_file(w)) {
         h5_close_types(w->h);
         h5_close_file(w->h);
+        h5_unlock(w->h);
     }
     report_free(w->report);
     free(w->rows);
@@ -38,17 +39,9 @@ void result_abort(struct result_writer *w) {
 }
 
 static int create_file(struct result_writer *w, struct error *e) {
-    int status = part_claim(w->path, w->part, e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    h5_create(&w->own, w->part);
+    const int status = part_create(&w->own, w->path, w->part, e);
     w->root = w->own.file;
-    if (w->own.failed) {
-        unlink(w->part);
-        return writer_failed(w, e);
-    }
-    return STATUS_OK;
+    return status;
 }
 
 static char *joined(const char *path, const char *ending) {
@@ -83,7 +76,7 @@ static struct result_writer *new_writer(const struct model *m) {
     struct result_writer *w = calloc(1, sizeof *w);
     if (w) {
         w->model = m;
-        w->own = (struct h5){.file = -1, .units = &m->deck->units};
+        w->own = (struct h5){.file = -1, .lock = -1, .units = &m->deck->units};
     }
     return w;
 }

@@ -114,7 +114,7 @@ static void put_ground(struct result_writer *w) {
     hid_t group = h5_group(w->h, w->root, "ground");
     int *owner = calloc((size_t)m->n_ground + 1, sizeof *owner);
     if (!owner) {
-        h5_fail(w->h, "out of memory");
+        h5_no_memory(w->h);
         h5_close(w->h, group);
         return;
     }

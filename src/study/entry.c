@@ -10,7 +10,7 @@ enum { CONTENT_MAX = 1 << 30 };
 
 // How the content of a run starts; the message and, if it is done, the values follow.
 struct run_head {
-    int64_t run;
+    int64_t run, n_file;
     int32_t status;
     int32_t n_message;
 };
@@ -59,11 +59,13 @@ size_t entry_run_size(size_t n_value) {
     return sizeof(struct run_head) + STUDY_MESSAGE_MAX + n_value * sizeof(double);
 }
 
-size_t entry_put_run(unsigned char *entry, long run, const struct study_outcome *outcome,
-                     const double *value, size_t n_value) {
+size_t entry_put_run(unsigned char *entry, struct entry_run run,
+                     const struct study_outcome *outcome, const double *value, size_t n_value) {
     const size_t n_message = strlen(outcome->message);
-    const struct run_head head = {
-        .run = run, .status = outcome->status, .n_message = (int32_t)n_message};
+    const struct run_head head = {.run = run.number,
+                                  .n_file = run.n_file,
+                                  .status = outcome->status,
+                                  .n_message = (int32_t)n_message};
     unsigned char *to = entry_content(entry);
     memcpy(to, &head, sizeof head);
     memcpy(to + sizeof head, outcome->message, n_message);
@@ -75,7 +77,7 @@ size_t entry_put_run(unsigned char *entry, long run, const struct study_outcome 
     return n;
 }
 
-bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, long *run,
+bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, struct entry_run *run,
                    struct study_outcome *outcome, double *value) {
     struct run_head head;
     const unsigned char *from = entry + ENTRY_HEAD;
@@ -90,7 +92,7 @@ bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, long *r
         n != sizeof head + (size_t)head.n_message + n_bytes) {
         return false;
     }
-    *run = (long)head.run;
+    *run = (struct entry_run){.number = (long)head.run, .n_file = (long)head.n_file};
     *outcome = (struct study_outcome){.status = head.status};
     memcpy(outcome->message, from + sizeof head, (size_t)head.n_message);
     if (value && done) {

@@ -10,6 +10,11 @@
 enum entry_kind { ENTRY_HEAD_TEXT = 0x64616568, ENTRY_FILE = 0x656c6966, ENTRY_RUN = 0x206e7572 };
 enum { ENTRY_HEAD = 8, ENTRY_TAIL = 8 };  // bytes before and behind the content
 
+// Which run it is, and how many entries of files stand before it: it may have read them.
+struct entry_run {
+    long number, n_file;
+};
+
 // The content of the entry at `entry`.
 unsigned char *entry_content(unsigned char *entry);
 
@@ -25,13 +30,13 @@ bool entry_is_sound(const unsigned char *entry, size_t n);
 // Largest content of a run of `n_value` values.
 size_t entry_run_size(size_t n_value);
 // Fill the content and return its size; values of a failed run are not written.
-size_t entry_put_run(unsigned char *entry, long run, const struct study_outcome *outcome,
-                     const double *value, size_t n_value);
+size_t entry_put_run(unsigned char *entry, struct entry_run run,
+                     const struct study_outcome *outcome, const double *value, size_t n_value);
 size_t entry_file_size(const char *path);
 size_t entry_put_file(unsigned char *entry, const char *path, uint64_t sum);
 
 // Read the content, `n` bytes; false if it cannot be one. `value` NULL: the values are not wanted.
-bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, long *run,
+bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, struct entry_run *run,
                    struct study_outcome *outcome, double *value);
 bool entry_get_file(const unsigned char *entry, size_t n, const char **path, uint64_t *sum);
 

@@ -12,7 +12,7 @@
 #include "core/checksum.h"
 #include "study/entry.h"
 
-static const char magic[8] = "jostle2\n";
+static const char magic[8] = "jostle3\n";
 enum { MAGIC_VERSION = 6 };  // where its digit stands
 
 static int cannot(const struct journal *j, const char *what, struct error *e) {
@@ -195,38 +195,75 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
     return status;
 }
 
-// Takes the entry in the buffer; 0 if it is not one of this study.
+// Takes the entry in the buffer; 0 if it is not one of this study, or lacks a file.
 static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_function *file,
                 void *context, struct error *e) {
-    long run;
+    struct entry_run run;
     struct study_outcome outcome;
     const char *path = NULL;
     uint64_t sum = 0;
     if (kind == ENTRY_RUN && entry_get_run(j->buffer, n, j->n_value, &run, &outcome, NULL) &&
-        run >= 0 && run < j->n_run) {
-        j->n_done += j->offset[run] == 0;
-        j->n_failed += j->offset[run] == 0 && outcome.status == STUDY_FAILED;
-        j->offset[run] = j->end;
+        run.number >= 0 && run.number < j->n_run && run.n_file <= j->n_file) {
+        int64_t *offset = &j->offset[run.number];
+        j->n_done += *offset == 0;
+        j->n_failed += *offset == 0 && outcome.status == STUDY_FAILED;
+        *offset = j->end;
         return 1;
     }
     if (kind == ENTRY_FILE && entry_get_file(j->buffer, n, &path, &sum)) {
         int status = file(context, path, sum, e);
+        j->n_file++;
         return status == STATUS_OK ? 1 : status;
     }
     return 0;
 }
 
+// Loads the next sound entry from *at on as load_entry does; *at is where it starts.
+static int find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,
+                      struct error *e) {
+    enum { BLOCK = 1 << 14 };
+    unsigned char block[BLOCK];
+    ssize_t got;
+    while ((got = read_at(j, block, BLOCK, *at)) >= ENTRY_HEAD) {
+        for (ssize_t i = 0; i + ENTRY_HEAD <= got; i++, ++*at) {
+            const int sound = entry_size(block + i, kind, n) ? load_entry(j, *at, kind, n, e) : 0;
+            if (sound != 0) {
+                return sound;
+            }
+        }
+    }
+    return got < 0 ? cannot(j, "read", e) : 0;
+}
+
+// Does the file end amid an entry, as where the program was killed as it wrote?
+static bool is_torn(const struct journal *j, off_t at) {
+    unsigned char start[ENTRY_HEAD];
+    enum entry_kind kind;
+    size_t n;
+    const off_t left = lseek(j->file, 0, SEEK_END) - at;
+    return left < ENTRY_HEAD ||
+           (read_at(j, start, ENTRY_HEAD, at) == ENTRY_HEAD && entry_size(start, &kind, &n) &&
+            left < (off_t)(ENTRY_HEAD + n + ENTRY_TAIL));
+}
+
 int journal_load(struct journal *j, journal_file_function *file, void *context, struct error *e) {
     enum entry_kind kind = ENTRY_RUN;
     size_t n = 0;
+    off_t at = j->end;
     int sound;
-    while ((sound = load_entry(j, j->end, &kind, &n, e)) == 1 &&
-           (sound = take(j, kind, n, file, context, e)) == 1) {
-        j->end += (off_t)(ENTRY_HEAD + n + ENTRY_TAIL);
+    while ((sound = find_entry(j, &at, &kind, &n, e)) == 1) {
+        j->n_damaged += at > j->end;
+        j->end = at;
+        const int taken = take(j, kind, n, file, context, e);
+        if (taken < 0) {
+            return taken;
+        }
+        at = j->end += (off_t)(ENTRY_HEAD + n + ENTRY_TAIL);
     }
     if (sound < 0) {
         return sound;
     }
+    j->n_damaged += !is_torn(j, j->end);
     return ftruncate(j->file, j->end) == 0 ? STATUS_OK : cannot(j, "write", e);
 }
 
@@ -240,6 +277,7 @@ int journal_reset(struct journal *j, const char *head, struct error *e) {
     memset(j->offset, 0, (size_t)j->n_run * sizeof *j->offset);
     j->n_done = 0;
     j->n_failed = 0;
+    j->n_file = 0;
     j->end = sizeof magic;
     if (!reserve(j, ENTRY_HEAD + n + ENTRY_TAIL)) {
         return error_no_memory(e);
@@ -255,13 +293,17 @@ int journal_add_file(struct journal *j, const char *path, uint64_t sum, struct e
     if (!reserve(j, ENTRY_HEAD + entry_file_size(path) + ENTRY_TAIL)) {
         return error_no_memory(e);
     }
-    return append(j, ENTRY_FILE, entry_put_file(j->buffer, path, sum), e);
+    const int status = append(j, ENTRY_FILE, entry_put_file(j->buffer, path, sum), e);
+    j->n_file += status == STATUS_OK;
+    return status;
 }
 
 int journal_add_run(struct journal *j, long run, const struct study_outcome *outcome,
                     const double *value, struct error *e) {
     const off_t at = j->end;
-    int status = append(j, ENTRY_RUN, entry_put_run(j->buffer, run, outcome, value, j->n_value), e);
+    const struct entry_run entry = {.number = run, .n_file = j->n_file};
+    const size_t n = entry_put_run(j->buffer, entry, outcome, value, j->n_value);
+    int status = append(j, ENTRY_RUN, n, e);
     if (status == STATUS_OK) {
         j->offset[run] = at;
         j->n_done++;
@@ -274,13 +316,13 @@ int journal_read(struct journal *j, long run, struct study_outcome *outcome, dou
                  struct error *e) {
     enum entry_kind kind = ENTRY_FILE;
     size_t n = 0;
-    long found = -1;
+    struct entry_run found = {.number = -1};
     int sound = load_entry(j, (off_t)j->offset[run], &kind, &n, e);
     if (sound < 0) {
         return sound;
     }
     if (sound == 0 || kind != ENTRY_RUN ||
-        !entry_get_run(j->buffer, n, j->n_value, &found, outcome, value) || found != run) {
+        !entry_get_run(j->buffer, n, j->n_value, &found, outcome, value) || found.number != run) {
         return error_set(e, STATUS_SYSTEM, "%s was damaged while the study ran: run %ld is lost",
                          j->path, run + 1);
     }

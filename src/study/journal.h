@@ -5,7 +5,8 @@
 // A file starts with a magic word. An entry is {kind, bytes of content}, the content, and the
 // checksum of both; numbers and the checksum are in the machine's order of bytes, and a journal
 // from a machine with another one is not read. The first entry is the head: lines of text that say
-// which study this is. What follows the last sound entry is dropped.
+// which study this is. What is no sound entry is passed over; behind an entry of a file that is
+// lost, so are the runs that may have read that file, which may have changed.
 #ifndef JOSTLE_JOURNAL_H
 #define JOSTLE_JOURNAL_H
 
@@ -24,6 +25,8 @@ struct journal {
     unsigned char *buffer;  // (capacity) for one entry
     size_t capacity;
     long n_done, n_failed;  // runs in it
+    long n_file;            // entries of files up to its end
+    long n_damaged;         // places that were passed over
     char *head;             // found in the file; NULL: there is none, or a damaged one
 };
 

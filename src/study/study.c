@@ -133,6 +133,7 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
     p->n_kept = s->journal.n_done;
     p->n_done = s->journal.n_done;
     p->n_failed = s->journal.n_failed;
+    p->n_damaged = s->journal.n_damaged;
     int status = pool_run(s->request, &s->plan, &s->journal, &s->ledger, p, e);
     struct error sync;
     int synced = journal_sync(&s->journal, &sync);

@@ -68,3 +68,19 @@ case $status in
 0) expect "little memory is enough for a small deck" '[ -s little.h5 ]' ;;
 *) expect "too little memory ends with 3 and a message" '{ [ $status -eq 3 ] && said "out of memory"; } || [ $status -eq 127 ]' ;;
 esac
+
+# Several at once: one writes, whoever comes upon its file or its name ends, and nothing is lost.
+two_buildings once.deck 'duration 2'
+lost=0
+for _ in $(seq 12); do
+    for i in 1 2 3; do
+        ("$jostle" run -q once.deck >"$out.$i" 2>&1 </dev/null; echo $? >>"$out.$i") &
+    done
+    wait
+    [ "$(cat "$out".[123] | grep -c '^0$')" -eq 1 ] || lost=$((lost + 1))
+    [ "$(cat "$out".[123] | grep -cE 'another run is writing once.h5.part|once.h5 exists')" -eq 2 ] || lost=$((lost + 1))
+    "$jostle" show once.h5 >"$out" 2>"$err" || lost=$((lost + 1))
+    [ ! -e once.h5.part ] || lost=$((lost + 1))
+    rm once.h5
+done
+expect "of runs that write one file at once one does, and the others say so" '[ $lost -eq 0 ]'

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The journal of a study: what is entered is read back; a torn tail and any damaged byte cost the
-// entries from there on, and never give a wrong value.
+// The journal of a study: what is entered is read back; a damaged byte costs the entry it stands
+// in, or, in that of a file, the runs that may have read the file, and never gives a wrong value.
 #include <fcntl.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,7 +76,7 @@ static void check_runs(struct journal *j) {
 }
 
 // Opens and loads a journal; the number of runs in it, -1: it is refused.
-static long load(const char *path, int *n_file) {
+static long load_and_count(const char *path, int *n_file, long *n_damaged) {
     struct journal j;
     struct error e;
     *n_file = 0;
@@ -91,8 +92,16 @@ static long load(const char *path, int *n_file) {
         assert_int_equal(journal_load(&j, note_file, n_file, &e), STATUS_OK);
         check_runs(&j);
         n = j.n_done;
+        *n_damaged = j.n_damaged;
     }
     journal_close(&j);
+    return n;
+}
+
+static long load(const char *path, int *n_file) {
+    long n_damaged = 0;
+    const long n = load_and_count(path, n_file, &n_damaged);
+    assert_int_equal(n_damaged, 0);
     return n;
 }
 
@@ -123,6 +132,13 @@ static void a_run_more_goes_behind_the_others(void **state) {
     assert_int_equal(load(path, &n_file), before + 1);
 }
 
+static void write_bytes(const char *path, const char *bytes, size_t n) {
+    FILE *to = fopen(path, "wb");
+    assert_non_null(to);
+    assert_int_equal(fwrite(bytes, 1, n, to), n);
+    fclose(to);
+}
+
 static void a_file_cut_anywhere_keeps_the_entries_before_the_cut(void **state) {
     (void)state;
     size_t size;
@@ -131,10 +147,7 @@ static void a_file_cut_anywhere_keeps_the_entries_before_the_cut(void **state) {
     const char *path = support_path("short.runs");
     long last = 0;
     for (size_t n = 0; n <= size; n++) {
-        FILE *to = fopen(path, "wb");
-        assert_non_null(to);
-        assert_int_equal(fwrite(text, 1, n, to), n);
-        fclose(to);
+        write_bytes(path, text, n);
         const long kept = load(path, &n_file);
         assert_true(kept >= last && kept <= last + 1);
         last = kept;
@@ -142,22 +155,119 @@ static void a_file_cut_anywhere_keeps_the_entries_before_the_cut(void **state) {
     assert_int_equal(last, 4);
 }
 
-static void a_flipped_byte_never_gives_a_wrong_value(void **state) {
+// Where the entry of the file and those of the runs start, and the last one ends.
+enum { ENTRIES = 5 };
+
+static void find_entries(const char *text, size_t size, size_t start[ENTRIES + 1]) {
+    size_t at = 8;
+    for (int i = -1; i <= ENTRIES; i++) {
+        uint32_t n = 0;
+        if (i >= 0) {
+            start[i] = at;
+        }
+        if (at < size) {
+            memcpy(&n, text + at + 4, sizeof n);
+        }
+        at += 8 + n + 8;
+    }
+    assert_int_equal(start[ENTRIES], size);
+}
+
+static void a_flipped_byte_costs_its_entry(void **state) {
     (void)state;
-    size_t size;
+    size_t size, start[ENTRIES + 1];
     int n_file;
     char *text = (char *)support_read(write_journal("flip.runs"), &size);
     const char *path = support_path("flipped.runs");
+    find_entries(text, size, start);
     for (size_t at = 0; at < size; at++) {
+        long n_damaged = 0;
         text[at] ^= 0x10;
-        FILE *to = fopen(path, "wb");
-        assert_non_null(to);
-        assert_int_equal(fwrite(text, 1, size, to), size);
-        fclose(to);
-        const long kept = load(path, &n_file);
-        assert_true(at < 8 ? kept == -1 : kept >= 0 && kept < 4);
+        write_bytes(path, text, size);
+        const long kept = load_and_count(path, &n_file, &n_damaged);
+        assert_int_equal(kept, at < 8          ? -1
+                               : at < start[1] ? 0  // of the head, or of the file
+                                               : 3);
+        // With a length that is too long the last entry looks as if it had not all been written.
+        const size_t last = start[ENTRIES - 1];
+        if (at < last + 4 || at >= last + 8) {
+            assert_int_equal(n_damaged, at < start[0] ? 0 : 1);
+        }
+        // The next one finds the same, although it may have been cut behind the last entry.
+        n_damaged = 0;
+        assert_int_equal(load_and_count(path, &n_file, &n_damaged), kept);
         text[at] ^= 0x10;
     }
+}
+
+static void bytes_that_are_gone_or_too_many_cost_their_entry(void **state) {
+    (void)state;
+    size_t size, start[ENTRIES + 1];
+    int n_file;
+    const char *text = support_read(write_journal("moved.runs"), &size);
+    const char *path = support_path("shifted.runs");
+    char *moved = malloc(size + 100);
+    find_entries(text, size, start);
+    for (size_t at = start[1]; at + 3 < start[ENTRIES - 1]; at++) {
+        long n_damaged = 0;
+        memcpy(moved, text, at);
+        memcpy(moved + at, text + at + 3, size - at - 3);
+        write_bytes(path, moved, size - 3);
+        const long kept = load_and_count(path, &n_file, &n_damaged);
+        assert_true(kept >= 2 && n_damaged == 1);  // three bytes may be of two entries
+        memset(moved + at, 'r', 100);
+        memcpy(moved + at + 100, text + at, size - at);
+        write_bytes(path, moved, size + 100);
+        assert_true(load_and_count(path, &n_file, &n_damaged) >= 3 && n_damaged == 1);
+    }
+    free(moved);
+}
+
+static void a_long_stretch_without_an_entry_is_passed_over(void **state) {
+    (void)state;
+    enum { STRETCH = 3000001 };
+    size_t size, start[ENTRIES + 1];
+    int n_file;
+    long n_damaged = 0;
+    const char *text = support_read(write_journal("long.runs"), &size);
+    const char *path = support_path("stretched.runs");
+    char *bytes = calloc(1, size + STRETCH);
+    find_entries(text, size, start);
+    memcpy(bytes, text, start[2]);
+    memcpy(bytes + start[2] + STRETCH, text + start[2], size - start[2]);
+    write_bytes(path, bytes, size + STRETCH);
+    assert_int_equal(load_and_count(path, &n_file, &n_damaged), 4);
+    assert_int_equal(n_damaged, 1);
+    free(bytes);
+}
+
+// A file whose entry is lost may have changed: the runs that may have read it are made again, and
+// those that are entered then are kept.
+static void runs_behind_a_lost_file_are_lost_and_stay_so(void **state) {
+    (void)state;
+    size_t size, start[ENTRIES + 1];
+    int n_file = 0;
+    struct journal j;
+    struct error e;
+    char *text = (char *)support_read(write_journal("lost.runs"), &size);
+    const char *path = support_path("refound.runs");
+    const double value[VALUES] = {value_of(2, 0), value_of(2, 1), value_of(2, 2)};
+    find_entries(text, size, start);
+    text[start[1] - 1] ^= 1;
+    write_bytes(path, text, size);
+    assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
+    assert_int_equal(journal_load(&j, note_file, &n_file, &e), STATUS_OK);
+    assert_int_equal(n_file, 0);
+    assert_int_equal(j.n_done, 0);
+    assert_int_equal(journal_add_file(&j, file_path, 42, &e), STATUS_OK);
+    assert_int_equal(
+        journal_add_run(&j, 2, &(struct study_outcome){.status = STUDY_DONE}, value, &e),
+        STATUS_OK);
+    journal_close(&j);
+    long n_damaged;
+    assert_int_equal(load_and_count(path, &n_file, &n_damaged), 1);
+    assert_int_equal(n_file, 1);
+    assert_int_equal(n_damaged, 1);
 }
 
 // As a machine would write it whose numbers start with their highest byte.
@@ -201,7 +311,10 @@ int main(void) {
         cmocka_unit_test(what_is_entered_is_read_back),
         cmocka_unit_test(a_run_more_goes_behind_the_others),
         cmocka_unit_test(a_file_cut_anywhere_keeps_the_entries_before_the_cut),
-        cmocka_unit_test(a_flipped_byte_never_gives_a_wrong_value),
+        cmocka_unit_test(a_flipped_byte_costs_its_entry),
+        cmocka_unit_test(bytes_that_are_gone_or_too_many_cost_their_entry),
+        cmocka_unit_test(a_long_stretch_without_an_entry_is_passed_over),
+        cmocka_unit_test(runs_behind_a_lost_file_are_lost_and_stay_so),
         cmocka_unit_test(a_journal_from_a_machine_with_another_order_of_bytes_is_not_read),
         cmocka_unit_test(a_journal_is_open_once),
     };
