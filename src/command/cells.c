@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/text.h"
+
 static void begin(struct cells *c) {
     if (c->within) {
         fputc(c->form == CELLS_TSV ? '\t' : ',', c->to);
@@ -42,12 +44,9 @@ void cells_text(struct cells *c, const char *text) {
 }
 
 void cells_number(struct cells *c, double value) {
+    struct text_exact t;
     begin(c);
-    if (isnan(value)) {
-        fputs("nan", c->to);  // whatever its sign
-    } else {
-        fprintf(c->to, "%.17g", value);
-    }
+    fputs(isnan(value) ? "nan" : text_exact(&t, value), c->to);  // a NaN has no sign here
 }
 
 void cells_empty(struct cells *c) {

@@ -74,7 +74,7 @@ static void print_kind(enum page page, const struct statement_kind *kind) {
     rows_heading(page, 2, kind->name);
     rows_entry(page, "what", kind->summary);
     rows_code(page, "usage", usage);
-    rows_code(page, "example", kind->example);
+    rows_example(page, kind->example);
     rows_print(page, kind->row, kind->n_row);
     for (int i = 0; i < kind->n_variant; i++) {
         print_variant(page, kind, &kind->variant[i]);

@@ -13,8 +13,9 @@ static int fragility_command(int argc, char **argv);
 
 const struct command command_fragility = {
     .name = "fragility",
-    .usage = "FILE.h5 [--tsv|--csv] --edp EDP --limit VALUE[,VALUE...] [--im NAME] "
-             "[--over NAME] [--at NAME=VALUE] [--method counts|ida]",
+    .usage = "FILE.h5 [--tsv|--csv] --edp EDP --limit VALUE[,VALUE...]\n"
+             "                        [--im NAME] [--over NAME] [--at NAME=VALUE]\n"
+             "                        [--failed above|left-out] [--method counts|ida]",
     .summary = "fits lognormal fragility curves to a study",
     .run = fragility_command,
 };

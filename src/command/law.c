@@ -179,21 +179,14 @@ static int write_history(const struct options *o, const struct law_impact *i, st
 
 // What stands above the picture and its panels.
 struct texts {
-    char title[512], subtitle[256], time[128], depth[128];
+    char title[512], subtitle[256];
 };
 
-// The texts of a picture of one impact, but its title.
-static void key_numbers(const struct law_impacts *l, struct texts *t) {
+// The line below the title of one impact.
+static void subtitle(const struct law_impacts *l, struct texts *t) {
     const struct law_impact *i = &l->impact[0];
-    char bodies[128], asked[48] = "";
-    if (!isnan(i->nominal)) {
-        snprintf(asked, sizeof asked, " (asked %.4g)", i->nominal);
-    }
+    char bodies[128];
     law_print_bodies(l, bodies, sizeof bodies);
-    snprintf(t->time, sizeof t->time, "largest %.4g kN, over %.4g ms", i->impact.peak_force / 1e3,
-             1e3 * i->impact.duration);
-    snprintf(t->depth, sizeof t->depth, "e %.4g%s, %.4g mm", i->impact.restitution, asked,
-             1e3 * i->impact.max_penetration);
     if (l->measured.n > 0) {
         snprintf(t->subtitle, sizeof t->subtitle, "%s; error of the fit %.3g %%", bodies,
                  100.0 * i->fit.normalised_error);
@@ -211,7 +204,7 @@ static int write_figure(void *context, const struct figure_files *to, struct err
     struct texts t = {.title = "Isolated impact"};
     if (l->n == 1) {
         law_words(l->impact[0].choice.law, l->impact[0].value, t.title, sizeof t.title);
-        key_numbers(l, &t);
+        subtitle(l, &t);
     } else {
         law_print_bodies(l, t.subtitle, sizeof t.subtitle);
     }
@@ -226,8 +219,8 @@ static int write_figure(void *context, const struct figure_files *to, struct err
     const struct impact_figure figure = {
         .title = t.title,
         .subtitle = t.subtitle,
-        .time_caption = t.time,
-        .depth_caption = t.depth,
+        .impact = l->n == 1 ? &l->impact[0].impact : NULL,
+        .nominal = l->impact[0].nominal,
         .version = JOSTLE_VERSION,
         .n_curve = n,
         .curve = curve,

@@ -53,7 +53,7 @@ static void print_example(enum page page, const struct contact_law *law) {
     }
     snprintf(command, sizeof command, "jostle law %s %s -m1 25t -m2 40t -v 0.5m/s", law->name,
              law->example);
-    rows_code(page, "example", command);
+    rows_example(page, command);
     if (page == PAGE_MARKDOWN) {
         printf("\n![Force of %s in this impact](pictures/law_%s.svg)\n", law->name, law->name);
     }

@@ -13,8 +13,13 @@ enum column { OPTION, UNIT, RANGE, DEFAULT, MEANING, N_COLUMN };
 static const char *const headings[N_COLUMN] = {"option", "unit", "range", "default", "meaning"};
 
 struct line {
-    char cell[N_COLUMN][CELL];
+    char cell[MEANING][CELL];
+    const char *meaning;
 };
+
+static const char *text_of(const struct line *l, int column) {
+    return column == MEANING ? l->meaning : l->cell[column];
+}
 
 static bool is_number(const struct row *row) {
     return row->kind == ROW_NUMBER || row->kind == ROW_LIST || row->kind == ROW_INTEGER;
@@ -77,13 +82,13 @@ static struct line make_line(const struct row *row, const char *power) {
     put_unit(row, power, l.cell[UNIT]);
     put_default(row, l.cell[UNIT], l.cell[DEFAULT]);
     snprintf(l.cell[RANGE], CELL, "%s", row->range ? row->range->text : "");
-    snprintf(l.cell[MEANING], CELL, "%s", row->doc);
+    l.meaning = row->doc;
     return l;
 }
 
 static void widen(int *width, const struct line *l) {
     for (int c = 0; c < N_COLUMN; c++) {
-        int n = text_columns(l->cell[c], strlen(l->cell[c]));
+        int n = text_columns(text_of(l, c), strlen(text_of(l, c)));
         width[c] = n > width[c] ? n : width[c];
     }
 }
@@ -112,7 +117,7 @@ static void print_text(const struct line *l, const int *width) {
         printf("%s%*s  ", text, width[c] - text_columns(text, strlen(text)), "");
         column += width[c] + 2;
     }
-    wrap(l->cell[MEANING], column);
+    wrap(l->meaning, column);
 }
 
 static void print_line(enum page page, const struct line *l, const int *width) {
@@ -123,7 +128,7 @@ static void print_line(enum page page, const struct line *l, const int *width) {
     printf("|");
     for (int c = 0; c < N_COLUMN; c++) {
         const char *quote = c == OPTION && l->cell[c][0] == '-' ? "`" : "";
-        printf(" %s%s%s |", quote, l->cell[c], quote);
+        printf(" %s%s%s |", quote, text_of(l, c), quote);
     }
     printf("\n");
 }
@@ -135,9 +140,10 @@ void rows_print(enum page page, const struct row *row, int n_row) {
     int width[N_COLUMN] = {0};
     struct line head;
     const char *power = power_key(row, n_row);
-    for (int c = 0; c < N_COLUMN; c++) {
+    for (int c = 0; c < MEANING; c++) {
         snprintf(head.cell[c], CELL, "%s", headings[c]);
     }
+    head.meaning = headings[MEANING];
     widen(width, &head);
     for (int i = 0; i < n_row; i++) {
         struct line l = make_line(&row[i], power);
@@ -170,6 +176,14 @@ void rows_code(enum page page, const char *label, const char *text) {
         printf("- %s: `%s`\n", label, text);
     } else {
         rows_entry(page, label, text);
+    }
+}
+
+void rows_example(enum page page, const char *text) {
+    if (page == PAGE_TEXT && text) {
+        printf("  %-9s%s\n", "example", text);
+    } else {
+        rows_code(page, "example", text);
     }
 }
 

@@ -19,6 +19,9 @@ void rows_entry(enum page page, const char *label, const char *text);
 // The same for text that is typed as it stands: a usage, a formula.
 void rows_code(enum page page, const char *label, const char *text);
 
+// The same on one line, however long: what is copied to be run.
+void rows_example(enum page page, const char *text);
+
 // A heading of the given depth, from 1.
 void rows_heading(enum page page, int depth, const char *text);
 

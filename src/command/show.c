@@ -24,7 +24,7 @@ static const char details[] =
     "            separated by tabs. Of a study: run, parameters, status, table, name, quantity,\n"
     "            location, value, unit\n"
     "  --csv     the same separated by commas, quoted where that is needed (RFC 4180)\n"
-    "  --json    everything but the histories as JSON; a missing number is null\n"
+    "  --json    of one run: everything but the histories as JSON; a missing number is null\n"
     "  --long    of a study: what engineers ask for, a line each: parameters, edp, location,\n"
     "            value, unit, status (done or failed); as TSV, or as CSV with --csv\n"
     "  --edp EDP\n"

@@ -55,11 +55,8 @@ static void close_list(struct json *j, char bracket) {
 }
 
 static void value(FILE *to, double number) {
-    if (isfinite(number)) {
-        fprintf(to, "%.17g", number);
-    } else {
-        fputs("null", to);
-    }
+    struct text_exact t;
+    fputs(isfinite(number) ? text_exact(&t, number) : "null", to);
 }
 
 static void put_text(struct json *j, const char *name, const char *text) {

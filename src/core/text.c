@@ -310,3 +310,13 @@ const char *text_short(struct text_short *s, const char *text) {
     }
     return s->text;
 }
+
+const char *text_exact(struct text_exact *t, double value) {
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(t->text, sizeof t->text, "%.*g", digits, value);
+        if (strtod(t->text, NULL) == value) {
+            break;
+        }
+    }
+    return t->text;
+}

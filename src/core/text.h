@@ -51,6 +51,12 @@ size_t text_cut(const char *text, size_t n);
 // bytes `?`.
 void text_clean(char *to, size_t size, const char *text, size_t n);
 
+// The shortest of 15 to 17 digits that is read as this number again: 0.1, not 0.10000000000000001.
+struct text_exact {
+    char text[32];
+};
+const char *text_exact(struct text_exact *t, double value);
+
 // A word as it is quoted in a message: clean, and cut with `...` if it is long.
 struct text_short {
     char text[64];

@@ -62,12 +62,17 @@ const char *deck_unknown(struct deck *d, const struct word *w, const char *what,
         deck_error(d, w, "unknown %s '%s'", what, word.text);
         return NULL;
     }
-    char list[MESSAGE_MAX / 2] = "";
+    char list[MESSAGE_MAX - 2 * sizeof word] = "";
+    size_t used = 0;
     for (int i = 0; i < n; i++) {
         struct text_short name;
-        size_t used = strlen(list);
-        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "",
-                 text_short(&name, known[i]));
+        const size_t left = sizeof list - used;
+        const size_t more = strlen(text_short(&name, known[i])) + 2;
+        if (more + sizeof ", ..." > left) {
+            snprintf(list + used, left, ", ...");
+            break;
+        }
+        used += (size_t)snprintf(list + used, left, "%s%s", i ? ", " : "", name.text);
     }
     deck_error(d, w, "unknown %s '%s'; known: %s", what, word.text, list);
     return NULL;

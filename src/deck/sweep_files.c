@@ -122,14 +122,27 @@ static bool search(struct deck *d, const struct word *w, const char *pattern, st
     return good;
 }
 
+// A -D may name a file by the label that all tables show, in place of its path.
+static void take_label(const struct deck *d, const struct sweep *s) {
+    struct define *define = define_find(d, s->name);
+    for (int i = 0; define && i < s->n; i++) {
+        if (strcmp(define->value.text, s->label[i]) == 0) {
+            define->value.text = s->text[i];
+            return;
+        }
+    }
+}
+
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
     int choice;
     const struct sweep *from = sweep_bound(d, out->name, &choice);
-    if (!from || !from->text) {
-        return search(d, w, pattern, out);
+    if (from && from->text) {
+        out->n = from->n;
+        out->text = from->text;
+        out->label = from->label;
+    } else if (!search(d, w, pattern, out)) {
+        return false;
     }
-    out->n = from->n;
-    out->text = from->text;
-    out->label = from->label;
+    take_label(d, out);
     return true;
 }

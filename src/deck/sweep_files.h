@@ -8,7 +8,8 @@
 // The files that `pattern` matches, relative to the deck that `w` stands in, in the order of their
 // bytes: paths relative to that deck as texts, and as labels the shortest names that tell them
 // apart: without folder and ending, without folder, or the whole path. In a bound deck the files
-// found by the other reading. False after having reported that there is none.
+// found by the other reading. A -D of the sweep that is one of the labels becomes its path. False
+// after having reported that there is none.
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out);
 
 #endif

@@ -137,6 +137,11 @@ static bool read_units(struct deck *d, const struct argument *a, struct curve_re
     for (int i = 0; i < a->n; i++) {
         const char *end;
         struct dimension dimension;
+        if (strchr(a->text[i], ' ')) {
+            deck_error(d, &a->word[i], "'%.40s' is one word; the units are two: -units mm kN",
+                       a->text[i]);
+            return false;
+        }
         double si;
         bool whole = unit_parse(a->text[i], d->units.gravity, &end, &dimension, &si) && !*end;
         bool force = whole && dimension_equal(dimension, dimension_force);

@@ -10,6 +10,7 @@
 
 static const double character = 0.56;  // [em]
 static const double BOLD = 1.15;       // width of bold text over that of plain text
+static const double TIGHT = 0.9;       // numbers above each other that are nearer [em] touch
 
 // " at screen x,y" of a point in em.
 static void write_place(const struct canvas *c, double x, double y) {
@@ -115,13 +116,14 @@ struct area canvas_inset(struct area a, double left, double right, double bottom
 static int axis_power(const struct axis *axis) {
     const struct span s = axis->scale.high > axis->scale.low ? axis->scale : axis->span;
     const double largest = fmax(fabs(s.low), fabs(s.high));
-    const double least = s.low < 0 ? 0.02 : 0.005;
+    // Below these an eighth of the axis would ask for three digits behind the point.
+    const double least = s.low < 0 ? 0.02 : 0.04;
     const double most = s.low <= -1e3 ? 1e3 : 1e4;
     return axis->kind == AXIS_FULL ? script_exponent(largest, least, most) : 0;
 }
 
-static void axis_text(const struct axis *axis, const struct unit_system *units, char *text,
-                      size_t size) {
+static void axis_text(const struct axis *axis, const char *name, const struct unit_system *units,
+                      char *text, size_t size) {
     char unit[64], power[32] = "";
     script_unit(units, axis->dimension, unit, sizeof unit);
     if (axis_power(axis) != 0) {
@@ -129,8 +131,21 @@ static void axis_text(const struct axis *axis, const struct unit_system *units, 
     }
     const char *shown = axis->unit ? axis->unit : unit;
     const char *between = power[0] && shown[0] ? " " : "";
-    snprintf(text, size, power[0] || shown[0] ? "%s [%s%s%s]" : "%s", axis->name, power, between,
-             shown);
+    snprintf(text, size, power[0] || shown[0] ? "%s [%s%s%s]" : "%s", name, power, between, shown);
+}
+
+// The name of an axis across; the brief one where the other would run into those beside.
+static void write_across(const struct canvas *c, struct area a, const struct unit_system *units,
+                         const struct axis *axis) {
+    char text[160];
+    axis_text(axis, axis->name, units, text, sizeof text);
+    if (axis->brief && 0.5 * script_columns(text) > a.right - a.left + 2) {
+        axis_text(axis, axis->brief, units, text, sizeof text);
+    }
+    fprintf(c->to, "set label ");
+    script_text(c->to, text);
+    write_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
+    fprintf(c->to, " center\n");
 }
 
 // The longest of the numbers at the ends of an axis with this step, in characters.
@@ -165,13 +180,20 @@ static double fitting_step(const struct axis *axis, double length, double line) 
     return round > axis->span.low && -round < axis->span.high ? round : script_step(size, 2);
 }
 
-// The tics one by one, as multiples of the axis's power of ten.
-static void write_numbers(const struct canvas *c, char letter, const struct axis *axis,
-                          double step) {
+// The tics one by one, as multiples of the axis's power of ten. Where they stand nearer than `room`
+// em, of both ends or of the outer one only; zero is where the axis ends or the line begins.
+static void write_numbers(const struct canvas *c, char letter, const struct axis *axis, double step,
+                          double room) {
     const double unit = pow(10, axis_power(axis));
-    const long first = (long)ceil(axis->span.low / step), last = (long)(axis->span.high / step);
+    long first = (long)ceil(axis->span.low / step);
+    long last = (long)(axis->span.high / step), by = 1;
+    if (room < TIGHT && (double)(last - first) * room >= TIGHT) {
+        by = last - first;
+    } else if (room < TIGHT) {
+        first = last = last > 0 ? last : first;
+    }
     fprintf(c->to, "set %ctics (", letter);
-    for (long i = first; i <= last; i++) {
+    for (long i = first; i <= last; i += by) {
         fprintf(c->to, "%s'%.5g' %.9g", i > first ? ", " : "", (double)i * step / unit,
                 (double)i * step);
     }
@@ -205,8 +227,10 @@ static void write_scale(const struct canvas *c, char letter, const struct axis *
         return;
     }
     const double step = fitting_step(axis, length, line);
-    if (axis_power(axis) != 0) {
-        write_numbers(c, letter, axis, step);
+    const double room = step / (axis->span.high - axis->span.low) * length;
+    const bool tight = line > 0 && room < TIGHT && axis->kind == AXIS_FULL;
+    if (axis_power(axis) != 0 || tight) {
+        write_numbers(c, letter, axis, step, tight ? room : TIGHT);
         return;
     }
     fprintf(c->to, "set %ctics %.9g\nset format %c '%s'\n", letter, step, letter,
@@ -226,7 +250,7 @@ static void write_upright(const struct canvas *c, const char *text, double x, st
 void canvas_upright(const struct canvas *c, struct area a, const struct unit_system *units,
                     const struct axis *axis) {
     char text[160], name[160];
-    axis_text(axis, units, text, sizeof text);
+    axis_text(axis, axis->name, units, text, sizeof text);
     const char *unit = strstr(text, " [");
     const bool fits = !unit || character * script_columns(text) <= a.top - a.bottom;
     if (fits) {
@@ -240,7 +264,6 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
 
 void canvas_panel(const struct canvas *c, struct area a, const struct unit_system *units,
                   const struct axis *x, const struct axis *y) {
-    char text[160];
     fprintf(c->to,
             "unset logscale\nset lmargin at screen %.4f\nset rmargin at screen %.4f\n"
             "set bmargin at screen %.4f\nset tmargin at screen %.4f\n",
@@ -248,20 +271,20 @@ void canvas_panel(const struct canvas *c, struct area a, const struct unit_syste
     write_scale(c, 'x', x, a.right - a.left, 0);
     write_scale(c, 'y', y, a.top - a.bottom, 1.5);
     if (x->name) {
-        axis_text(x, units, text, sizeof text);
-        fprintf(c->to, "set label ");
-        script_text(c->to, text);
-        write_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
-        fprintf(c->to, " center\n");
+        write_across(c, a, units, x);
     }
     if (y->name) {
         canvas_upright(c, a, units, y);
     }
 }
 
+int canvas_caption_columns(struct area a) {
+    return (int)((a.right - a.left + 1) / 0.58);
+}
+
 void canvas_caption(const struct canvas *c, struct area a, const char *text) {
     char cut[256];
-    script_shorten(text, (int)((a.right - a.left + 1) / 0.58), cut, sizeof cut);
+    script_shorten(text, canvas_caption_columns(a), cut, sizeof cut);
     fprintf(c->to, "set label ");
     script_text(c->to, cut);
     write_place(c, a.left, a.top + 0.65);

@@ -50,8 +50,9 @@ struct area canvas_inset(struct area a, double left, double right, double bottom
 
 enum axis_kind { AXIS_FULL, AXIS_WITHOUT_NUMBERS, AXIS_LOGARITHMIC };
 struct axis {
-    const char *name;  // NULL: none
-    const char *unit;  // in place of `dimension`; "": a number
+    const char *name;   // NULL: none
+    const char *brief;  // in its place on an axis across that is too short for it; NULL: the name
+    const char *unit;   // in place of `dimension`; "": a number
     struct dimension dimension;
     struct span span;
     struct span scale;  // numbers have the power of ten that these need; empty: those of `span`
@@ -71,6 +72,9 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
 
 // A text above the upper left corner of the panel to be plotted.
 void canvas_caption(const struct canvas *c, struct area a, const char *text);
+
+// The characters that it has room for.
+int canvas_caption_columns(struct area a);
 
 // Behind the plot command: takes away what belongs to that panel.
 void canvas_panel_end(const struct canvas *c);

@@ -164,7 +164,11 @@ static void write_pulse(const struct view *v, int run, const struct data *d, FIL
     if (!done) {
         fprintf(to, "%.7g %.7g\n", peak->force_time - p->t_start, peak->force);
     }
-    fprintf(to, "%.7g 0\nEOD\n", p->t_end - p->t_start);
+    // What is still closed when the analysis ends has not opened.
+    if (p->t_end < r->duration) {
+        fprintf(to, "%.7g 0\n", p->t_end - p->t_start);
+    }
+    fprintf(to, "EOD\n");
 }
 
 static int write_strip_data(struct view *v, int run, int strip, FILE *to, struct error *e) {

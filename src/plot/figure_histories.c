@@ -127,7 +127,7 @@ static void side_name(const struct view *v, int side, char *text, size_t size) {
 
 static void write_subtitle(const struct view *v, char *text, size_t size) {
     const struct report *r = v->s->r[0];
-    char length[64], unit[64], name[64], force[2][32] = {"0", "0"};
+    char length[64], unit[64], name[64], gap[32], force[2][32] = {"0", "0"};
     long impacts[2] = {0, 0};
     bool rigid = false;
     if (v->contact[0] < 0) {
@@ -139,6 +139,7 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
     script_unit(&r->units, dimension_length, length, sizeof length);
     script_unit(&r->units, dimension_force, unit, sizeof unit);
     script_shorten(c->name, 20, name, sizeof name);
+    script_number(c->gap, gap, sizeof gap);
     for (int k = 0; k < v->s->n; k++) {
         if (v->contact[k] >= 0) {
             const struct link_peak *p = &v->s->r[k]->contact[v->contact[k]].peak;
@@ -152,8 +153,8 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
         return;
     }
     if (rigid) {
-        snprintf(text, size, "contact %s: gap %.4g %s, %ld %s of rigid bodies", name, c->gap,
-                 length, impacts[0], impacts[0] == 1 ? "impact" : "impacts");
+        snprintf(text, size, "contact %s: gap %s %s, %ld %s of rigid bodies", name, gap, length,
+                 impacts[0], impacts[0] == 1 ? "impact" : "impacts");
         return;
     }
     if (v->s->n > 1) {
@@ -161,8 +162,8 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
                  unit);
         return;
     }
-    snprintf(text, size, "contact %s: gap %.4g %s, %ld %s, largest force %s %s", name, c->gap,
-             length, c->peak.impacts, c->peak.impacts == 1 ? "impact" : "impacts", force[0], unit);
+    snprintf(text, size, "contact %s: gap %s %s, %ld %s, largest force %s %s", name, gap, length,
+             c->peak.impacts, c->peak.impacts == 1 ? "impact" : "impacts", force[0], unit);
 }
 
 static struct axis time_axis(const struct view *v, enum axis_kind kind) {
@@ -173,14 +174,15 @@ static struct axis time_axis(const struct view *v, enum axis_kind kind) {
 }
 
 // Both floors with the gap between them.
-static void write_facing(const struct view *v, struct canvas *c, struct area a) {
+static void write_facing(const struct view *v, struct canvas *c, struct area a,
+                         enum axis_kind kind) {
     struct span span = span_none;
     const bool two = v->contact[0] >= 0 || v->building[1] >= 0;
     data_span(&v->data[0], LEFT, &span);
     if (two) {
         data_span(&v->data[0], RIGHT, &span);
     }
-    const struct axis x = time_axis(v, AXIS_WITHOUT_NUMBERS);
+    const struct axis x = time_axis(v, kind);
     const struct axis y = {
         .name = "displacement", .dimension = dimension_length, .span = span_with_room(span, NAN)};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
@@ -299,9 +301,24 @@ static int write_data(const struct view *v, FILE *to, struct error *e) {
     return status == STATUS_OK && v->s->n == 1 ? write_marks(v, 0, LEFT, "marks0", to, e) : status;
 }
 
+// Whether the ground moves below what is shown.
+static bool has_ground(const struct view *v) {
+    struct span span = {0, 0};
+    for (int k = 0; k < v->s->n; k++) {
+        data_span(&v->data[k], GROUND_LEFT, &span);
+        data_span(&v->data[k], GROUND_RIGHT, &span);
+    }
+    return span.low < span.high;
+}
+
 static void write_panels(const struct view *v, struct canvas *c) {
+    if (v->s->n == 1 && !has_ground(v)) {
+        write_facing(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 1), 7, 0.5, 3.2, 0.7), AXIS_FULL);
+        return;
+    }
     if (v->s->n == 1) {
-        write_facing(v, c, canvas_inset(canvas_part(c, 0, 1, 0.38, 1), 7, 0.5, 0.5, 0.7));
+        write_facing(v, c, canvas_inset(canvas_part(c, 0, 1, 0.38, 1), 7, 0.5, 0.5, 0.7),
+                     AXIS_WITHOUT_NUMBERS);
         write_ground(v, c, canvas_inset(canvas_part(c, 0, 1, 0, 0.38), 7, 0.5, 3.2, 0.5));
         return;
     }
@@ -322,7 +339,7 @@ static void write_panels(const struct view *v, struct canvas *c) {
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     struct view v = {.s = s};
-    char subtitle[256];
+    char subtitle[320];
     choose_floors(&v);
     int status = STATUS_OK;
     for (int k = 0; k < s->n && status == STATUS_OK; k++) {

@@ -17,6 +17,7 @@ struct view {
     int building[STOREYS_MAX], storey[STOREYS_MAX];  // from 0
     int n_storey;
     struct span x[PANELS_MAX], y[PANELS_MAX];  // the contact's first
+    struct span all_x, all_y;                  // of all panels: one unit for one quantity
 };
 
 static bool has_storeys(const struct runs *s) {
@@ -157,10 +158,14 @@ static int write_storey_data(struct view *v, int run, int k, FILE *to, struct er
 }
 
 static void write_contact(const struct view *v, struct canvas *c, struct area a) {
-    const struct axis x = {
-        .name = "penetration", .dimension = dimension_length, .span = span_with_room(v->x[0], 0)};
-    const struct axis y = {
-        .name = "contact force", .dimension = dimension_force, .span = span_with_room(v->y[0], 0)};
+    const struct axis x = {.name = "penetration",
+                           .dimension = dimension_length,
+                           .span = span_with_room(v->x[0], 0),
+                           .scale = v->all_x};
+    const struct axis y = {.name = "contact force",
+                           .dimension = dimension_force,
+                           .span = span_with_room(v->y[0], 0),
+                           .scale = v->all_y};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     canvas_caption(c, a, v->s->r[0]->contact[v->contact[0]].name);
     fprintf(c->to, "plot");
@@ -182,15 +187,20 @@ static void write_contact(const struct view *v, struct canvas *c, struct area a)
 }
 
 static void write_storey(const struct view *v, struct canvas *c, struct area a, int k) {
-    char text[160], name[96];
-    const struct axis x = {
-        .name = "drift", .dimension = dimension_length, .span = span_with_room(v->x[1 + k], NAN)};
+    char text[160], name[96], storey[32];
+    const struct axis x = {.name = "drift",
+                           .dimension = dimension_length,
+                           .span = span_with_room(v->x[1 + k], NAN),
+                           .scale = v->all_x};
     const struct axis y = {.name = "storey shear",
                            .dimension = dimension_force,
-                           .span = span_with_room(v->y[1 + k], NAN)};
+                           .span = span_with_room(v->y[1 + k], NAN),
+                           .scale = v->all_y};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    script_shorten(v->s->r[0]->building[v->building[k]].name, 9, name, sizeof name);
-    snprintf(text, sizeof text, "%s, storey %d", name, v->storey[k] + 1);
+    const int taken = snprintf(storey, sizeof storey, ", storey %d", v->storey[k] + 1);
+    script_shorten(v->s->r[0]->building[v->building[k]].name, canvas_caption_columns(a) - taken,
+                   name, sizeof name);
+    snprintf(text, sizeof text, "%s%s", name, storey);
     canvas_caption(c, a, text);
     fprintf(c->to, "plot");
     for (int run = 0; run < v->s->n; run++) {
@@ -240,6 +250,16 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
     return status;
 }
 
+static void join(struct view *v) {
+    v->all_x = v->all_y = span_none;
+    for (int i = 0; i < PANELS_MAX; i++) {
+        span_add(&v->all_x, v->x[i].low);
+        span_add(&v->all_x, v->x[i].high);
+        span_add(&v->all_y, v->y[i].low);
+        span_add(&v->all_y, v->y[i].high);
+    }
+}
+
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     struct view v = {.s = s, .contact = {-1, -1}};
     for (int i = 0; i < PANELS_MAX; i++) {
@@ -251,6 +271,7 @@ static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     if (status != STATUS_OK) {
         return status;
     }
+    join(&v);
     write_head(&v, c);
     const bool contact = v.contact[0] >= 0;
     const int n = contact + v.n_storey;

@@ -11,16 +11,16 @@ enum { BUILDINGS_MAX = SCRIPT_COLOURS, PANELS = 4 };
 
 struct panel {
     enum peak peak;
-    const char *name;
+    const char *name, *brief;
     const struct dimension *dimension;
     const char *data;  // name of its data blocks: floors or storeys
     int column;
 };
 static const struct panel panels[PANELS] = {
-    {PEAK_DISPLACEMENT, "displacement", &dimension_length, "floors", 2},
-    {PEAK_DRIFT, "storey drift", &dimension_length, "storeys", 2},
-    {PEAK_ACCELERATION, "acceleration", &dimension_acceleration, "floors", 3},
-    {PEAK_SHEAR, "shear", &dimension_force, "storeys", 3},
+    {PEAK_DISPLACEMENT, "displacement", "displ.", &dimension_length, "floors", 2},
+    {PEAK_DRIFT, "storey drift", "drift", &dimension_length, "storeys", 2},
+    {PEAK_ACCELERATION, "acceleration", "accel.", &dimension_acceleration, "floors", 3},
+    {PEAK_SHEAR, "shear", NULL, &dimension_force, "storeys", 3},
 };
 
 struct selection {
@@ -131,6 +131,7 @@ static void write_panel(const struct selection *s, int at, struct canvas *c) {
     const struct panel *p = &panels[at];
     const bool ratio = p->peak == PEAK_DRIFT && s->heights;
     const struct axis x = {.name = ratio ? "drift / height" : p->name,
+                           .brief = ratio ? NULL : p->brief,
                            .unit = ratio ? "%" : NULL,
                            .dimension = *p->dimension,
                            .span = panel_span(s, p)};

@@ -138,6 +138,20 @@ static void write_plot(const struct impact_figure *f, int column, FILE *to) {
     }
 }
 
+// The numbers of the impact in the units of the axes below.
+static void write_captions(const struct impact_figure *f, const struct scales *s, char *time,
+                           char *depth, size_t size) {
+    const struct isolated_impact *i = f->impact;
+    char asked[48] = "";
+    if (!isnan(f->nominal)) {
+        snprintf(asked, sizeof asked, " (asked %.4g)", f->nominal);
+    }
+    snprintf(time, size, "largest %.4g %s, over %.4g %s", i->peak_force / s->force.size,
+             s->force.unit, i->duration / s->time.size, s->time.unit);
+    snprintf(depth, size, "e %.4g%s, %.4g %s", i->restitution, asked,
+             i->max_penetration / s->length.size, s->length.unit);
+}
+
 static void write_panels(const struct impact_figure *f, const struct extent *x,
                          const struct scales *s, struct canvas *c) {
     struct unit_system si;
@@ -146,18 +160,22 @@ static void write_panels(const struct impact_figure *f, const struct extent *x,
         axis_of("contact force", &s->force, span_with_room(x->force, x->force.low < 0 ? NAN : 0));
     const struct axis time = axis_of("time", &s->time, span_with_room(x->time, x->time.low));
     const struct axis depth = axis_of("penetration", &s->length, span_with_room(x->depth, 0));
-    const double top = f->time_caption[0] ? 1.6 : 0.7;
+    const double top = f->impact ? 1.6 : 0.7;
+    char over_time[128] = "", over_depth[128] = "";
+    if (f->impact) {
+        write_captions(f, s, over_time, over_depth, sizeof over_time);
+    }
     c->area.left += 5.8;
     const struct area left = canvas_inset(canvas_part(c, 0, 0.5, 0, 1), 0, 0.8, 3.2, top);
     const struct area right = canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 0.8, 0.5, 3.2, top);
     canvas_panel(c, left, &si, &time, &force);
-    canvas_caption(c, left, f->time_caption);
+    canvas_caption(c, left, over_time);
     write_plot(f, 1, c->to);
     canvas_panel_end(c);
     force.name = NULL;
     force.kind = AXIS_WITHOUT_NUMBERS;
     canvas_panel(c, right, &si, &depth, &force);
-    canvas_caption(c, right, f->depth_caption);
+    canvas_caption(c, right, over_depth);
     write_plot(f, 3, c->to);
     canvas_panel_end(c);
 }

@@ -17,8 +17,9 @@ struct impact_curve {
 
 struct impact_figure {
     const char *title, *subtitle, *version;
-    const char *time_caption, *depth_caption;  // above the panels; both are "" for none
-    int n_curve;                               // at most IMPACT_FIGURE_CURVES
+    const struct isolated_impact *impact;  // its numbers stand above the panels; NULL: none do
+    double nominal;                        // coefficient of restitution asked of it; NAN: none
+    int n_curve;                           // at most IMPACT_FIGURE_CURVES
     const struct impact_curve *curve;
     size_t n_sample;             // of a measured force; 0: there is none
     const double *time, *force;  // (n_sample)

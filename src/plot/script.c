@@ -69,8 +69,14 @@ void script_power(int exponent, char *text, size_t size) {
 }
 
 void script_number(double value, char *text, size_t size) {
-    const double magnitude = fabs(value);
-    snprintf(text, size, magnitude >= 1e4 && magnitude < 1e7 ? "%.0f" : "%.4g", value);
+    const int exponent = isfinite(value) ? script_exponent(fabs(value), 1e-3, 1e5) : 0;
+    char power[32];
+    if (exponent == 0) {
+        snprintf(text, size, fabs(value) >= 1e4 ? "%.0f" : "%.4g", value);
+        return;
+    }
+    script_power(exponent, power, sizeof power);
+    snprintf(text, size, "%.4g·%s", value / pow(10, exponent), power);
 }
 
 double script_step(double largest, int n) {

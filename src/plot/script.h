@@ -42,7 +42,8 @@ int script_exponent(double largest, double least, double most);
 // Ten to the power `exponent`, in raised digits.
 void script_power(int exponent, char *text, size_t size);
 
-// A number for running text: four digits, or all before the point.
+// A number for running text: four digits, and a power of ten as axes have it where it is large or
+// small.
 void script_number(double value, char *text, size_t size);
 
 // A step of 1, 2 or 5 times a power of ten that divides [0, largest] into at most `n` parts.

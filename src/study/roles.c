@@ -60,6 +60,22 @@ static int set_role(const struct study_view *v, struct roles *r, int sweep, enum
     return STATUS_OK;
 }
 
+// The index of the only number that tables show so, by six digits; -1: there is none, or several.
+static int find_shown(const struct sweep *s, const char *text) {
+    int found = -1;
+    for (int i = 0; i < s->n; i++) {
+        char shown[32];
+        snprintf(shown, sizeof shown, "%.6g", s->number[i]);
+        if (strcmp(shown, text) == 0) {
+            if (found >= 0) {
+                return -1;
+            }
+            found = i;
+        }
+    }
+    return found;
+}
+
 // The index of a number as typed, with or without a unit, among those of a sweep; -1: it is none.
 static int find_number(const struct study_view *v, int sweep, const char *text) {
     const struct sweep *s = v->sweep[sweep];
@@ -82,7 +98,7 @@ static int find_number(const struct study_view *v, int sweep, const char *text) 
             return i;
         }
     }
-    return -1;
+    return *end == '\0' ? find_shown(s, text) : -1;
 }
 
 static int find_label(const struct sweep *s, const char *text) {

@@ -79,3 +79,8 @@ expect "ten steps are not warned of" '[ $status -eq 0 ] && [ ! -s "$err" ]'
 bodies rigid.deck "stereomechanical -e 0.5" 1ms
 run "$jostle" check rigid.deck
 expect "a rigid contact has no duration" '[ $status -eq 0 ] && grep -qE "^A:1-B:1 +0\.5 +- +-$" "$out" && ! grep -q "must resolve" "$out"'
+two_buildings idle.deck 'param c 0' 'link A:1 B:1 -dashpot $c'
+run "$jostle" check idle.deck
+expect "a link without stiffness and damping is warned of" '[ $status -eq 0 ] && said "idle.deck:12:1: warning: this link does nothing: its values are 0"'
+run "$jostle" check idle.deck -D c=1kN*s/m
+expect "one that does something is not" '[ $status -eq 0 ] && ! said "does nothing"'

@@ -43,6 +43,8 @@ expect "and fits 100 columns" '[ "$(wc -L <"$out")" -le 100 ]'
 printf '0 0\n1 100\n' >curve.txt
 law table -file curve.txt -units mm kN $bodies
 expect "of a curve the number of points is told" '[ $status -eq 0 ] && grep -qx "table -file (2 points)" "$out"'
+law table -file curve.txt -units "mm kN" $bodies
+expect "two units in one word are told apart" '[ $status -eq 2 ] && said "'"'mm kN' is one word; the units are two: -units mm kN"'"'
 rm curve.txt
 law kelvin-voigt -k 93.5MN/m -e 1 -calibrate $bodies
 expect "no damping is 0" '[ $status -eq 0 ] && grep -qx "kelvin-voigt -k 9.35e+07 -zeta 0 (calibrated)" "$out"'
@@ -154,6 +156,8 @@ if command -v gnuplot >/dev/null; then
     expect "measurement and fit are drawn" '[ $status -eq 0 ] && grep -q measured fit.svg && grep -q "contact force \[kN\]" fit.svg && grep -q "penetration \[mm\]" fit.svg'
     law hertz -k 2.75e9 $bodies --plot hertz.svg
     expect "an elastic impact loses nothing" '[ $status -eq 0 ] && grep -q "; 0 J lost" hertz.svg'
+    law hertz -k 2.75e9 -m1 25t -v 0.001mm/s --plot small.svg
+    expect "the numbers above the panels are in the units of the axes" '[ $status -eq 0 ] && grep -q "contact force \[N\]" small.svg && grep -q "largest 0.1873 N, over 491 ms" small.svg && grep -q "penetration \[µm\]" small.svg && grep -q "e 1, 0.1668 µm" small.svg'
     law stereomechanical -e 0.5 $bodies --plot none.svg
     expect "no force makes no picture" '[ $status -eq 2 ] && said "stereomechanical has no force to draw" && [ ! -e none.svg ]'
 else

@@ -115,6 +115,27 @@ run "$jostle" plot mixed.h5 contact --script scripts
 expect "small link forces beside large contact forces are in the unit of their common axis" '[ $status -eq 0 ] && grep -q "force \[10³ kN\]" scripts/contact.gp && [ "$(grep -c "^set ytics (" scripts/contact.gp)" -ge 3 ] && ! grep -q "^set ytics [0-9]" scripts/contact.gp'
 
 rm -rf scripts
+run "$jostle" plot mixed.h5 loops --script scripts
+expect "forces of one picture are in one unit" '[ $status -eq 0 ] && [ "$(grep -c "^set label .contact force \[10³ kN\]" scripts/loops.gp)" -eq 1 ] && [ "$(grep -c "^set label .storey shear \[10³ kN\]" scripts/loops.gp)" -eq 2 ]'
+
+# A single impact, which lasts beyond the end; the ground is at rest.
+cat >closed.deck <<'END'
+building A -floors 1 -mass 25t -stiffness 0
+building B -floors 1 -mass 40t -stiffness 0
+initial A:1 -velocity 1
+contact A B -gap 0.5005mm -law hertz -k 2e10
+step fixed 0.01ms
+duration 2ms
+output -every 1
+END
+run "$jostle" run -q closed.deck
+run "$jostle" plot closed.h5 contact --script closed
+expect "a force that is still there at the end does not fall to 0" '[ $status -eq 0 ] && [ "$(sed -n "/^.pulse0/,/^EOD/p" closed/contact.dat | grep -c " 0$")" -eq 1 ]'
+run "$jostle" plot closed.h5 histories --script closed
+expect "a ground at rest takes no room" '[ $status -eq 0 ] && ! grep -q "ground acc\." closed/histories.gp && grep -q "time \[" closed/histories.gp'
+rm -rf closed closed.*
+
+rm -rf scripts
 run "$jostle" plot pair.h5 overview --script scripts
 expect "no two blocks of a picture have one name" '[ "$(grep -c "<< EOD" scripts/overview.dat)" -gt 5 ] && [ -z "$(grep "<< EOD" scripts/overview.dat | sort | uniq -d)" ] && ! grep -q EOD scripts/overview.gp'
 run gnuplot scripts/overview.gp

@@ -18,6 +18,7 @@ if command -v python3 >/dev/null; then
 else
     skip "--json is JSON" "no python3"
 fi
+expect "numbers have no more digits than tell them apart" 'grep -qx "\"step\": 0.001," "$out" && grep -q "9.80665,\$" "$out"'
 run "$jostle" show pair.h5 --json --tsv
 expect "--json and --tsv exclude each other" '[ $status -eq 2 ] && [ ! -s "$out" ]'
 

@@ -36,6 +36,14 @@ run "$jostle" run whole.deck -q -o whole.h5
 expect "histories are written on request" '[ $status -eq 0 ]'
 run "$jostle" run whole.deck -q -o single.h5 -D gap=8mm -D k=1e6 -D record=records/one.txt
 expect "with all sweeps fixed they are those of one analysis" '[ $status -eq 0 ]'
+run "$jostle" run whole.deck -q -o label.h5 -D gap=8mm -D k=1e6 -D record=one
+expect "a file is fixed by its label too" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+parameters_of() {
+    "$jostle" show --json "$1" | grep "^.parameters"
+}
+expect "which is the same" '[ -n "$(parameters_of single.h5)" ] && [ "$(parameters_of label.h5)" = "$(parameters_of single.h5)" ]'
+run "$jostle" run whole.deck -q -o none.h5 -D gap=8mm -D k=1e6 -D record=three
+expect "what is neither is refused" '[ $status -eq 2 ] && said "cannot open three"'
 if command -v h5diff >/dev/null; then
     for path in buildings/A/displacement buildings/B/storey_shear contacts/force impacts/t_start energy/input time; do
         run h5diff whole.h5 single.h5 /runs/000009/$path /$path

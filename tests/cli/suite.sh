@@ -95,6 +95,14 @@ END
 run "$jostle" run first.deck -q
 run "$jostle" fragility first.h5 --edp drift --limit 0.1001m --over k --method ida --at k=100
 expect "a sweep is a sample or fixed, not both" '[ $status -eq 2 ]'
+sed 's/^sweep k .*/sweep k values 98.06651234 400.0001 400.0002/' first.deck >shown.deck
+run "$jostle" run shown.deck -q
+run "$jostle" fragility shown.h5 --edp drift --limit 0.1m --at k=98.0665 --over ""
+expect "--at takes a number as tables show it" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+run "$jostle" fragility shown.h5 --edp drift --limit 0.1m --at k=400 --over ""
+expect "unless they show two of them so" '[ $status -eq 2 ] && said "has 3 values"'
+run "$jostle" fragility shown.h5 --edp drift --limit 0.1m --at k=98.066 --over ""
+expect "but no other" '[ $status -eq 2 ] && said "has 3 values"'
 run "$jostle" fragility first.h5 --edp drift --limit 0.1001m --over k --method ida
 expect "--method ida counts samples, and names those that never exceed" '[ $status -eq 0 ] && grep -qx "3 of 4 samples first exceed the limit between two intensities" "$out" && grep -qx "1 of 4 samples never exceed it and count as above their highest intensity: k 2500" "$out" && grep -q "^median 2\." "$out"'
 run "$jostle" fragility first.h5 --edp drift --limit 0.05001m --over k --method ida --tsv

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "plot/canvas.h"
 #include "plot/data.h"
 #include "plot/script.h"
 #include "support/support.h"
@@ -69,7 +70,7 @@ static void powers_and_units_have_raised_characters(void **state) {
     assert_string_equal(text, "N·m");
 }
 
-static void numbers_in_texts_have_no_exponent_where_none_is_needed(void **state) {
+static void numbers_in_texts_have_a_power_of_ten_where_one_is_needed(void **state) {
     (void)state;
     char text[32];
     script_number(12804.4, text, sizeof text);
@@ -77,7 +78,13 @@ static void numbers_in_texts_have_no_exponent_where_none_is_needed(void **state)
     script_number(0.012345678, text, sizeof text);
     assert_string_equal(text, "0.01235");
     script_number(3e9, text, sizeof text);
-    assert_string_equal(text, "3e+09");
+    assert_string_equal(text, "3·10⁹");
+    script_number(-4416929, text, sizeof text);
+    assert_string_equal(text, "-4.417·10⁶");
+    script_number(1e-9, text, sizeof text);
+    assert_string_equal(text, "1·10⁻⁹");
+    script_number(INFINITY, text, sizeof text);
+    assert_string_equal(text, "inf");
 }
 
 static void numbers_that_belong_together_share_a_power_of_ten(void **state) {
@@ -136,16 +143,63 @@ static void a_history_is_a_straight_line_between_its_rows(void **state) {
     data_free(&d);
 }
 
+// What the canvas writes for a panel of 8 em by `height`, whose axes show the spans.
+static void written_panel(double height, const struct axis *x, const struct axis *y, char *text,
+                          size_t size) {
+    struct unit_system units;
+    unit_system_init(&units);
+    struct canvas c = {.to = tmpfile(), .width = 50, .height = 50};
+    assert_non_null(c.to);
+    canvas_panel(&c, (struct area){10, 18, 10, 10 + height}, &units, x, y);
+    rewind(c.to);
+    text[fread(text, 1, size - 1, c.to)] = '\0';
+    fclose(c.to);
+}
+
+static void numbers_above_each_other_do_not_touch_in_a_low_panel(void **state) {
+    (void)state;
+    char text[4096];
+    const struct axis x = {.span = {0, 1}};
+    const struct axis upwards = {.span = {0, 1600}, .dimension = dimension_force};
+    written_panel(1.0, &x, &upwards, text, sizeof text);
+    assert_non_null(strstr(text, "set ytics ('1000' 1000)\n"));
+    const struct axis both = {.span = {-640, 640}, .dimension = dimension_force};
+    written_panel(1.6, &x, &both, text, sizeof text);
+    assert_non_null(strstr(text, "set ytics ('-600' -600, '600' 600)\n"));
+    written_panel(0.8, &x, &both, text, sizeof text);
+    assert_non_null(strstr(text, "set ytics ('600' 600)\n"));
+    const struct axis downwards = {.span = {-640, 0}, .dimension = dimension_force};
+    written_panel(0.8, &x, &downwards, text, sizeof text);
+    assert_non_null(strstr(text, "set ytics ('-500' -500)\n"));
+}
+
+static void a_name_too_long_for_the_axis_gives_way_to_the_brief_one(void **state) {
+    (void)state;
+    char text[4096];
+    const struct axis y = {.span = {0, 1}};
+    struct axis x = {.name = "acceleration", .brief = "accel.", .unit = "m/s²", .span = {0, 5}};
+    written_panel(5, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "'acceleration [m/s²]'"));
+    x.span.high = 5e4;
+    written_panel(5, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "'accel. [10³ m/s²]'"));
+    x.brief = NULL;
+    written_panel(5, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "'acceleration [10³ m/s²]'"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(thinning_keeps_the_extremes_of_every_part_and_the_order),
         cmocka_unit_test(few_rows_are_not_thinned),
         cmocka_unit_test(a_name_is_shortened_in_its_middle),
         cmocka_unit_test(powers_and_units_have_raised_characters),
-        cmocka_unit_test(numbers_in_texts_have_no_exponent_where_none_is_needed),
+        cmocka_unit_test(numbers_in_texts_have_a_power_of_ten_where_one_is_needed),
         cmocka_unit_test(numbers_that_belong_together_share_a_power_of_ten),
         cmocka_unit_test(a_step_is_1_2_or_5_times_a_power_of_ten),
         cmocka_unit_test(a_span_is_never_empty_and_keeps_its_fixed_end),
+        cmocka_unit_test(numbers_above_each_other_do_not_touch_in_a_low_panel),
+        cmocka_unit_test(a_name_too_long_for_the_axis_gives_way_to_the_brief_one),
         cmocka_unit_test(a_history_is_a_straight_line_between_its_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -153,6 +153,19 @@ static void shown_texts_are_clean_and_short(void **state) {
     assert_string_equal(t.text + 59, "x...");
 }
 
+static void a_number_is_shown_by_no_more_digits_than_tell_it_from_others(void **state) {
+    (void)state;
+    struct text_exact t;
+    assert_string_equal(text_exact(&t, 0.1), "0.1");
+    assert_string_equal(text_exact(&t, 9.80665), "9.80665");
+    assert_string_equal(text_exact(&t, 0.1 + 0.2), "0.30000000000000004");  // is not 0.3
+    assert_string_equal(text_exact(&t, 1e22), "1e+22");
+    const double hard[] = {1.0 / 3, 5e-324, 1.7976931348623157e308, -2.0 / 7e9};
+    for (size_t i = 0; i < sizeof hard / sizeof hard[0]; i++) {
+        assert_true(strtod(text_exact(&t, hard[i]), NULL) == hard[i]);
+    }
+}
+
 static void files_that_cannot_be_read_are_named(void **state) {
     (void)state;
     struct arena *a = arena_create();
@@ -254,6 +267,7 @@ int main(void) {
         cmocka_unit_test(only_well_formed_utf8_is_text),
         cmocka_unit_test(a_cut_never_splits_a_character),
         cmocka_unit_test(shown_texts_are_clean_and_short),
+        cmocka_unit_test(a_number_is_shown_by_no_more_digits_than_tell_it_from_others),
         cmocka_unit_test(files_that_cannot_be_read_are_named),
         cmocka_unit_test(messages_show_the_line_with_a_caret),
         cmocka_unit_test(a_long_line_is_cut_around_the_caret),

@@ -29,6 +29,18 @@ static void append(struct builder *b, const struct pairs *p, const struct argume
     }
 }
 
+static bool is_zero(const struct argument *a) {
+    return !a->given || a->number[0] == 0.0;
+}
+
+// A parameter may take a link away; who did not mean to should know.
+static void warn_if_idle(struct builder *b, const struct statement *s,
+                         const struct argument *given) {
+    if (is_zero(&given[BILATERAL_STIFFNESS]) && is_zero(&given[BILATERAL_DASHPOT])) {
+        deck_warning(b->deck, &s->word[0], "this link does nothing: its values are 0");
+    }
+}
+
 static void build(struct builder *b, const struct statement *s) {
     if (!builder_plain(b, s, 2, 2, statement_link.usage)) {
         return;
@@ -48,6 +60,7 @@ static void build(struct builder *b, const struct statement *s) {
     } else if (exponent->given && !given[BILATERAL_DASHPOT].given) {
         deck_error(b->deck, &exponent->key, "-exponent is useless without -dashpot");
     } else if (paired) {
+        warn_if_idle(b, s, given);
         append(b, &p, own, &choice);
     }
 }
