@@ -167,9 +167,9 @@ const char *deck_parameters(struct deck *d);
 // NULL: no memory.
 const char *deck_includes(struct deck *d);
 
-// Report at a word (NULL: at the deck as a whole). deck_unknown adds the nearest of `known` (n
-// texts), which it returns, or NULL and, if there are few of them, lists them: "unknown contact law
-// 'herz'; did you mean 'hertz'?".
+// Report at a word (NULL: at the end of the deck, where what is missing could stand). deck_unknown
+// adds the nearest of `known` (n texts), which it returns, or NULL and, if there are few of them,
+// lists them: "unknown contact law 'herz'; did you mean 'hertz'?".
 void deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 // The same with the message of `e`; diagnostics.system remembers that it was STATUS_SYSTEM.

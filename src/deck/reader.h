@@ -108,6 +108,8 @@ struct reader {
 struct source *source_add(struct deck *d, const char *name, const char *text, size_t size);
 // The text of line `line` (from 1).
 const char *source_line(const struct source *s, int line);
+// Behind the last word of the deck.
+struct place source_end(const struct deck *d);
 // `name` as a path relative to the directory of `s`; NULL: no memory.
 const char *source_path(struct deck *d, const struct source *s, const char *name);
 // Starts reading `s`; the caller has checked that a frame is free.
@@ -130,7 +132,9 @@ bool statement_run(struct deck *d, const struct statement *s);
 extern const char sweep_usage[];
 void sweep_run(struct deck *d, const struct statement *s);
 // Reads `w` as a value that fits `first` (NULL: any); false after having reported why it does not.
-bool sweep_value(struct deck *d, const struct word *w, const struct parameter *first,
+// Bare numbers are in the deck's units: they fit any dimension, and a bare first one takes that of
+// the first other.
+bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
                  struct parameter *p);
 // Adds a sweep to those of the deck; `w` is where it stands. False after having reported that there
 // are too many of them, or of their runs.
