@@ -109,7 +109,14 @@ static bool fits(const struct parameter *a, const struct parameter *b) {
             dimension_equal(a->number.dimension, b->number.dimension));
 }
 
+const struct source *parameter_origin(const struct deck *d, const struct word *w) {
+    const struct word bare = {.text = w->text};
+    const struct parameter *p = whole_text(d, &bare);
+    return p ? p->origin : w->place.source;
+}
+
 static void read_text(struct deck *d, const struct word *w, struct parameter *p) {
+    p->origin = parameter_origin(d, w);
     p->text = deck_text(d, w);
     p->kind = p->text ? PARAMETER_TEXT : PARAMETER_WRONG;
 }
@@ -236,6 +243,7 @@ static void take_value(struct parameter *to, const struct parameter *from) {
     to->kind = from->kind;
     to->number = from->number;
     to->text = from->text;
+    to->origin = from->origin;
 }
 
 // The second definition of `p`, where param and sweep both stand: the sweep gives the values. True

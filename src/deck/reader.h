@@ -53,7 +53,8 @@ struct parameter {
     enum parameter_kind kind;
     struct quantity number;
     const char *text;
-    struct place param, sweep;  // its statements; source NULL: there is none of that kind
+    const struct source *origin;  // of the text: a file of that name is looked for beside it
+    struct place param, sweep;    // its statements; source NULL: there is none of that kind
     bool used;
     bool swept;    // its value depends on a sweep
     bool derived;  // that of its param does
@@ -172,6 +173,8 @@ bool parameter_is_free(struct deck *d, const struct word *name, enum definition 
 void parameter_read(struct deck *d, const struct word *w, struct parameter *p);
 bool parameter_keep(struct deck *d, const struct word *name, enum definition by,
                     struct parameter *value);
+// Where the text of `w` stands: that of the parameter which it is, or of itself.
+const struct source *parameter_origin(const struct deck *d, const struct word *w);
 // False after having reported that `w` cannot name a parameter.
 bool parameter_check_name(struct deck *d, const struct word *w);
 struct parameter *parameter_find(const struct deck *d, const char *name, size_t n);

@@ -73,6 +73,7 @@ static bool take(struct deck *d, struct sweep *s, const struct parameter *p, int
             text[i] = p[i].text;
         }
         s->text = text;
+        s->origin = p[0].origin;
         s->label = text;
         return text != NULL;
     }
@@ -261,6 +262,7 @@ void sweep_choose(const struct sweep *s, int choice, struct parameter *p) {
         p->number = (struct quantity){s->number[choice], s->known, s->dimension};
     } else {
         p->text = s->text[choice];
+        p->origin = s->origin;
     }
 }
 

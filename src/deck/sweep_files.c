@@ -84,6 +84,7 @@ static bool take_paths(struct deck *d, const struct word *w, const glob_t *found
     }
     qsort(path, (size_t)out->n, sizeof *path, compare);
     out->text = path;
+    out->origin = w->place.source;
     set_labels(d, out);
     return out->label != NULL;
 }
@@ -130,6 +131,7 @@ bool sweep_files(struct deck *d, const struct word *w, const char *pattern, stru
     }
     out->n = from->n;
     out->text = from->text;
+    out->origin = from->origin;
     out->label = from->label;
     return true;
 }
