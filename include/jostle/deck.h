@@ -57,15 +57,16 @@ enum { STUDY_SWEEPS_MAX = 8, SWEEP_VALUES_MAX = 1000000, STUDY_RUNS_MAX = 100000
 // The values that a sweep gives to its parameter, in the order of the deck.
 struct sweep {
     const char *name;
-    int n;                       // values; 1 where -D fixes the parameter
-    bool fixed;                  // by -D
-    const double *number;        // (n) in the deck's units; NULL: texts
-    const char *const *text;     // (n) what the parameter stands for; NULL: numbers
-    const char *const *label;    // (n) text, or the shortest name of a file; NULL: numbers
-    bool known;                  // numbers have a unit
-    struct dimension dimension;  // of it
-    const char *units;           // of numbers, where they come from a file
-    struct deck_lines lines;     // that give the values; none where parameters stand on them
+    int n;                        // values; 1 where -D fixes the parameter
+    bool fixed;                   // by -D
+    const double *number;         // (n) in the deck's units; NULL: texts
+    const char *const *text;      // (n) what the parameter stands for; NULL: numbers
+    const struct source *origin;  // that the texts name files beside
+    const char *const *label;     // (n) text, or the shortest name of a file; NULL: numbers
+    bool known;                   // numbers have a unit
+    struct dimension dimension;   // of it
+    const char *units;            // of numbers, where they come from a file
+    struct deck_lines lines;      // that give the values; none where parameters stand on them
     // Of the numbers 1 ... n of a sample: the first of the random parameters that take one of their
     // n values for each; of a random parameter the next. NULL: none.
     const struct sweep *along;
@@ -156,8 +157,9 @@ void *deck_array(struct deck *d, size_t n, size_t size);
 // gravity statement is an error, as it would come too late.
 double deck_gravity(struct deck *d);
 
-// `name` as a path: relative to the deck file that `w` stands in (the top file for a -D). NULL: no
-// memory, which diagnostics.out_of_memory remembers.
+// `name`, which `w` says, as a path: relative to the deck file that `w` stands in, or, where `w` is
+// a parameter, to that in which its value stands (the top file for a -D). NULL: no memory, which
+// diagnostics.out_of_memory remembers.
 const char *deck_file(struct deck *d, const struct word *w, const char *name);
 
 // All parameters as "NAME = VALUE" lines, for the record in the result file.
@@ -167,9 +169,9 @@ const char *deck_parameters(struct deck *d);
 // NULL: no memory.
 const char *deck_includes(struct deck *d);
 
-// Report at a word (NULL: at the deck as a whole). deck_unknown adds the nearest of `known` (n
-// texts), which it returns, or NULL and, if there are few of them, lists them: "unknown contact law
-// 'herz'; did you mean 'hertz'?".
+// Report at a word (NULL: at the end of the deck, where what is missing could stand). deck_unknown
+// adds the nearest of `known` (n texts), which it returns, or NULL and, if there are few of them,
+// lists them: "unknown contact law 'herz'; did you mean 'hertz'?".
 void deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 // The same with the message of `e`; diagnostics.system remembers that it was STATUS_SYSTEM.

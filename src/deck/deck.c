@@ -173,9 +173,9 @@ void *deck_array(struct deck *d, size_t n, size_t size) {
 }
 
 const char *deck_file(struct deck *d, const struct word *w, const char *name) {
-    const struct source *from = w->place.line > 0 ? w->place.source : NULL;
+    const struct source *from = parameter_origin(d, w);
     const struct source top = {.name = d->path};
-    const char *path = source_path(d, from ? from : &top, name);
+    const char *path = source_path(d, from && from->text ? from : &top, name);  // a -D has none
     struct deck_path *file = arena_alloc(d->arena, 1, sizeof *file);
     if (!path || !file) {
         diagnostics_no_memory(&d->diagnostics);

@@ -109,7 +109,14 @@ static bool fits(const struct parameter *a, const struct parameter *b) {
             dimension_equal(a->number.dimension, b->number.dimension));
 }
 
+const struct source *parameter_origin(const struct deck *d, const struct word *w) {
+    const struct word bare = {.text = w->text};
+    const struct parameter *p = whole_text(d, &bare);
+    return p ? p->origin : w->place.source;
+}
+
 static void read_text(struct deck *d, const struct word *w, struct parameter *p) {
+    p->origin = parameter_origin(d, w);
     p->text = deck_text(d, w);
     p->kind = p->text ? PARAMETER_TEXT : PARAMETER_WRONG;
 }
@@ -148,6 +155,7 @@ static void override(struct deck *d, struct define *define, struct parameter *p)
     struct parameter deck_value = *p;
     if (deck_value.kind == PARAMETER_TEXT) {
         read_text(d, &define->value, p);
+        p->origin = define->beside ? define->beside : p->origin;
         return;
     }
     parameter_read(d, &define->value, p);
@@ -236,6 +244,7 @@ static void take_value(struct parameter *to, const struct parameter *from) {
     to->kind = from->kind;
     to->number = from->number;
     to->text = from->text;
+    to->origin = from->origin;
 }
 
 // The second definition of `p`, where param and sweep both stand: the sweep gives the values. True

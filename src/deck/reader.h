@@ -53,7 +53,8 @@ struct parameter {
     enum parameter_kind kind;
     struct quantity number;
     const char *text;
-    struct place param, sweep;  // its statements; source NULL: there is none of that kind
+    const struct source *origin;  // of the text: a file of that name is looked for beside it
+    struct place param, sweep;    // its statements; source NULL: there is none of that kind
     bool used;
     bool swept;    // its value depends on a sweep
     bool derived;  // that of its param does
@@ -64,9 +65,10 @@ struct parameter {
 // A -D NAME=VALUE.
 struct define {
     const char *name;
-    struct word value;     // its place is `source`, line 0
-    struct source source;  // named "-D NAME=VALUE"
-    bool taken;            // or in error: nothing more to say
+    struct word value;            // its place is `source`, line 0
+    struct source source;         // named "-D NAME=VALUE"
+    bool taken;                   // or in error: nothing more to say
+    const struct source *beside;  // a label's file is looked for beside it; NULL: it is no label
 };
 
 struct reader {
@@ -108,6 +110,8 @@ struct reader {
 struct source *source_add(struct deck *d, const char *name, const char *text, size_t size);
 // The text of line `line` (from 1).
 const char *source_line(const struct source *s, int line);
+// Behind the last word of the deck.
+struct place source_end(const struct deck *d);
 // `name` as a path relative to the directory of `s`; NULL: no memory.
 const char *source_path(struct deck *d, const struct source *s, const char *name);
 // Starts reading `s`; the caller has checked that a frame is free.
@@ -130,7 +134,9 @@ bool statement_run(struct deck *d, const struct statement *s);
 extern const char sweep_usage[];
 void sweep_run(struct deck *d, const struct statement *s);
 // Reads `w` as a value that fits `first` (NULL: any); false after having reported why it does not.
-bool sweep_value(struct deck *d, const struct word *w, const struct parameter *first,
+// Bare numbers are in the deck's units: they fit any dimension, and a bare first one takes that of
+// the first other.
+bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
                  struct parameter *p);
 // Adds a sweep to those of the deck; `w` is where it stands. False after having reported that there
 // are too many of them, or of their runs.
@@ -168,6 +174,8 @@ bool parameter_is_free(struct deck *d, const struct word *name, enum definition 
 void parameter_read(struct deck *d, const struct word *w, struct parameter *p);
 bool parameter_keep(struct deck *d, const struct word *name, enum definition by,
                     struct parameter *value);
+// Where the text of `w` stands: that of the parameter which it is, or of itself.
+const struct source *parameter_origin(const struct deck *d, const struct word *w);
 // False after having reported that `w` cannot name a parameter.
 bool parameter_check_name(struct deck *d, const struct word *w);
 struct parameter *parameter_find(const struct deck *d, const char *name, size_t n);

@@ -12,8 +12,8 @@ enum { MESSAGE_MAX = 1024, LISTED_MAX = 24 };
 static void report(struct deck *d, const struct word *w, enum severity severity,
                    const char *message) {
     struct diagnostic entry = {.severity = severity, .file = d->path};
-    if (w && w->place.source) {
-        const struct place *p = &w->place;
+    const struct place end = source_end(d), *p = w ? &w->place : &end;
+    if (p->source) {
         entry.file = p->source->name;
         entry.line = p->line;
         entry.column = p->column;

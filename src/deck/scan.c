@@ -4,11 +4,10 @@
 // A statement is one line, or several that `\` as the very last character joins; the `\` parts
 // words like a blank. Words are parted by blanks and tabs. `"` at the start of a word quotes it up
 // to the next `"` on the same line, where `\` is a character like others; there are no escapes.
-// Between `${` and `}` blanks belong to the word. `#` at the start of a word starts a comment up to
-// the end of the line, which it never joins; inside a word `#` is a character like others, as in
-// file names. Lines end with LF or CR LF. Other control characters and bytes that are not UTF-8 are
-// errors, also in comments, and so are the quotes, dashes and blanks of word processors outside
-// quotes.
+// Between `${` and `}` blanks belong to the word. `#` starts a comment up to the end of the line,
+// which it never joins; in names of files it is quoted. Lines end with LF or CR LF. Other control
+// characters and bytes that are not UTF-8 are errors, also in comments, and so are the quotes,
+// dashes and blanks of word processors outside quotes.
 //
 // A wrong line spoils its statement: the statement is left out, and reading goes on behind it.
 #include <stdlib.h>
@@ -99,7 +98,8 @@ static void scan_quoted(struct scan *s) {
     }
     add_word(s, start, column, true);
     advance(s);
-    if (s->at < s->end && !is_blank(*s->at) && !(*s->at == '\\' && s->at + 1 == s->end)) {
+    const bool joins = s->at < s->end && *s->at == '\\' && s->at + 1 == s->end;
+    if (s->at < s->end && !is_blank(*s->at) && *s->at != '#' && !joins) {
         fail(s, s->column, 1, "a blank must stand behind the closing quote");
     }
 }

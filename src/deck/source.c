@@ -43,6 +43,25 @@ const char *source_line(const struct source *s, int line) {
     return at;
 }
 
+struct place source_end(const struct deck *d) {
+    const struct source *s = d->reader->source;
+    while (s->next) {
+        s = s->next;
+    }
+    const char *start = s->text + text_start(s), *end = s->text + s->size;
+    while (end > start && strchr(" \t\r\n", end[-1])) {
+        end--;
+    }
+    struct place p = {.source = s, .line = 1, .width = 1};
+    const char *feed;
+    while ((feed = memchr(start, '\n', (size_t)(end - start)))) {
+        start = feed + 1;
+        p.line++;
+    }
+    p.column = text_columns(start, (size_t)(end - start)) + 1;
+    return p;
+}
+
 const char *source_path(struct deck *d, const struct source *s, const char *name) {
     const char *slash = strrchr(s->name, '/');
     if (name[0] == '/' || !slash) {

@@ -19,7 +19,7 @@ const char sweep_usage[] =
     "sweep NAME values LIST | range FROM TO N [-log] | files \"GLOB\" | random DISTRIBUTION A B "
     "-n N -seed S [-lhs] [-min X] [-max X] [-as SAMPLE]";
 
-bool sweep_value(struct deck *d, const struct word *w, const struct parameter *first,
+bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
                  struct parameter *p) {
     struct quantity_text got, needed;
     parameter_read(d, w, p);
@@ -38,12 +38,15 @@ bool sweep_value(struct deck *d, const struct word *w, const struct parameter *f
     if (p->kind == PARAMETER_TEXT) {
         return true;
     }
-    if (p->number.known != first->number.known) {
-        deck_error(d, w, "either all values have a unit or none has");
-        return false;
+    if (!p->number.known) {
+        return true;
     }
-    if (p->number.known && !dimension_equal(p->number.dimension, first->number.dimension)) {
-        deck_error(d, w, "this is %s, the first value %s",
+    if (!first->number.known) {
+        first->number.known = true;
+        first->number.dimension = p->number.dimension;
+    }
+    if (!dimension_equal(p->number.dimension, first->number.dimension)) {
+        deck_error(d, w, "this is %s; before it stands %s",
                    quantity_describe(&d->units, p->number.dimension, &got),
                    quantity_describe(&d->units, first->number.dimension, &needed));
         return false;
@@ -70,6 +73,7 @@ static bool take(struct deck *d, struct sweep *s, const struct parameter *p, int
             text[i] = p[i].text;
         }
         s->text = text;
+        s->origin = p[0].origin;
         s->label = text;
         return text != NULL;
     }
@@ -258,6 +262,7 @@ void sweep_choose(const struct sweep *s, int choice, struct parameter *p) {
         p->number = (struct quantity){s->number[choice], s->known, s->dimension};
     } else {
         p->text = s->text[choice];
+        p->origin = s->origin;
     }
 }
 

@@ -84,6 +84,7 @@ static bool take_paths(struct deck *d, const struct word *w, const glob_t *found
     }
     qsort(path, (size_t)out->n, sizeof *path, compare);
     out->text = path;
+    out->origin = w->place.source;
     set_labels(d, out);
     return out->label != NULL;
 }
@@ -128,6 +129,7 @@ static void take_label(const struct deck *d, const struct sweep *s) {
     for (int i = 0; define && i < s->n; i++) {
         if (strcmp(define->value.text, s->label[i]) == 0) {
             define->value.text = s->text[i];
+            define->beside = s->origin;
             return;
         }
     }
@@ -139,6 +141,7 @@ bool sweep_files(struct deck *d, const struct word *w, const char *pattern, stru
     if (from && from->text) {
         out->n = from->n;
         out->text = from->text;
+        out->origin = from->origin;
         out->label = from->label;
     } else if (!search(d, w, pattern, out)) {
         return false;

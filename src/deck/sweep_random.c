@@ -79,6 +79,22 @@ static bool read_pure(struct deck *d, const struct word *w, const char *name, st
     return p->kind == PARAMETER_NUMBER;
 }
 
+// Reads `w` as a value beside `first`. A bare one beside one with a unit could be meant as a share
+// of it; only a bare 0 cannot.
+static bool read_alike(struct deck *d, const struct word *w, struct parameter *first,
+                       struct parameter *p) {
+    const struct quantity before = first->number;
+    if (!sweep_value(d, w, first, p)) {
+        return false;
+    }
+    const double bare = p->number.known ? before.value : p->number.value;
+    if (p->number.known != before.known && bare != 0.0) {
+        deck_error(d, w, "either all values have a unit or none has");
+        return false;
+    }
+    return true;
+}
+
 static bool read_shape(struct deck *d, struct request *q) {
     const struct statement *s = q->statement;
     struct random_values *r = &q->values;
@@ -100,7 +116,7 @@ static bool read_shape(struct deck *d, struct request *q) {
         return false;
     }
     if (!(r->distribution->pure_b ? read_pure(d, &s->word[5], r->distribution->pure_b, &b)
-                                  : sweep_value(d, &s->word[5], &q->first, &b))) {
+                                  : read_alike(d, &s->word[5], &q->first, &b))) {
         return false;
     }
     r->a = q->first.number.value;
@@ -114,7 +130,7 @@ static bool read_shape(struct deck *d, struct request *q) {
 }
 
 // -min or -max.
-static bool read_limit(struct deck *d, const struct request *q, int row, double *limit) {
+static bool read_limit(struct deck *d, struct request *q, int row, double *limit) {
     const struct argument *a = &q->argument[row];
     struct parameter p;
     if (!a->given) {
@@ -125,7 +141,7 @@ static bool read_limit(struct deck *d, const struct request *q, int row, double 
                    q->values.distribution->arguments);
         return false;
     }
-    if (!sweep_value(d, &a->word[0], &q->first, &p)) {
+    if (!read_alike(d, &a->word[0], &q->first, &p)) {
         return false;
     }
     *limit = p.number.value;

@@ -89,9 +89,10 @@ static double ground_displacement(const struct ground *g, double t) {
 
 // Grounds that move differently part for good where their accelerations do not integrate to rest.
 static void check_drift(struct builder *b, const struct model *m) {
-    for (int k = 0; k < m->n_contact; k++) {
-        const struct link *l = &m->link[k];
-        if (!l->moving_ground) {
+    const struct link_draft *draft = b->links.item;
+    for (int i = 0; i < b->links.n; i++) {
+        const struct link *l = &draft[i].link;
+        if (!l->moving_ground || l->bilateral) {
             continue;
         }
         const struct building *left = &m->building[l->building[0]];
@@ -99,7 +100,7 @@ static void check_drift(struct builder *b, const struct model *m) {
         double apart = ground_displacement(&m->ground[right->ground], m->duration) -
                        ground_displacement(&m->ground[left->ground], m->duration);
         if (fabs(apart) > l->gap) {
-            deck_warning(b->deck, NULL,
+            deck_warning(b->deck, &draft[i].word,
                          "the grounds of %s and %s end %.4g %s apart, more than the gap of contact "
                          "%s: their accelerations do not integrate to rest",
                          left->name, right->name, apart, b->deck->units.length_name, l->name);

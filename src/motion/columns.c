@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One column of values, or two of time and value, separated by blanks, tabs, commas or semicolons.
-// Lines that begin with # % ! * or // are comments; lines of text may stand above the numbers. The
-// last line above the numbers may give the units in brackets: `time (s),acceleration (g)`.
+// Lines that begin with % ! * or // are comments, and so is what follows a #; lines of text may
+// stand above the numbers. The last line above the numbers may give the units in brackets: `time
+// (s),acceleration (g)`.
 //
 // Times must grow in even steps. The step is the mean one, with the fewest digits that give it to
 // 1e-12, which takes away no more than the noise of the division. A time may lie TIME_ERROR_MAX

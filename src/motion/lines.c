@@ -100,12 +100,13 @@ size_t lines_count(struct piece line, const char *separators) {
     return n;
 }
 
-bool lines_is_comment(struct piece line) {
-    if (line.n == 0) {
-        return false;
+struct piece lines_without_comment(struct piece line) {
+    bool slashes = line.n > 1 && line.text[0] == '/' && line.text[1] == '/';
+    if (line.n == 0 || slashes || strchr("%!*", line.text[0])) {
+        return (struct piece){line.text, 0};
     }
-    return strchr("#%!*", line.text[0]) ||
-           (line.n > 1 && line.text[0] == '/' && line.text[1] == '/');
+    const char *mark = memchr(line.text, '#', line.n);
+    return mark ? trim((struct piece){line.text, (size_t)(mark - line.text)}) : line;
 }
 
 static const char *find(struct piece line, const char *text, size_t from) {

@@ -40,8 +40,8 @@ size_t lines_count(struct piece line, const char *separators);
 // Takes the text in the next brackets, round or square, off `rest`; false: none is left.
 bool lines_bracket(struct piece *rest, struct piece *inside);
 
-// True for a line that begins with # % ! * or //.
-bool lines_is_comment(struct piece line);
+// The line up to a #; nothing of one that begins with % ! * or //.
+struct piece lines_without_comment(struct piece line);
 
 // The character at which `word` (upper case) stands in the line, whatever its case and not as part
 // of a longer word; NULL: nowhere.

@@ -20,7 +20,8 @@ static bool is_row(struct piece line) {
 
 bool table_next(struct lines *rows) {
     while (lines_next(rows)) {
-        if (rows->line.n > 0 && !lines_is_comment(rows->line)) {
+        rows->line = lines_without_comment(rows->line);
+        if (rows->line.n > 0) {
             return true;
         }
     }
@@ -45,7 +46,7 @@ static bool find_first_row(const struct record_text *t, struct table *out) {
     lines_init(&l, t);
     out->rows = l;
     while (lines_next(&l)) {
-        if (!lines_is_comment(l.line) && is_row(l.line)) {
+        if (is_row(lines_without_comment(l.line))) {
             out->first_line = l.number;
             return true;
         }

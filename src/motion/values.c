@@ -11,8 +11,9 @@ size_t values_count(struct lines from, const char *separators, int *last_line) {
     size_t n = 0;
     *last_line = 0;
     while (lines_next(&from)) {
-        if (from.line.n > 0 && !lines_is_comment(from.line)) {
-            n += lines_count(from.line, separators);
+        const struct piece line = lines_without_comment(from.line);
+        if (line.n > 0) {
+            n += lines_count(line, separators);
             *last_line = from.number;
         }
     }
@@ -34,7 +35,7 @@ int values_read(struct arena *a, const struct record_text *t, struct lines from,
     }
     size_t i = 0;
     while (lines_next(&from)) {
-        struct piece rest = lines_is_comment(from.line) ? (struct piece){0} : from.line;
+        struct piece rest = lines_without_comment(from.line);
         struct piece field;
         while (lines_field(&rest, separators, &field)) {
             struct number_field f = {t->path, from.number, "value", i + 1, field};

@@ -10,6 +10,7 @@
 #include "deck_cases.h"
 
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static void a_bare_number_is_in_the_deck_s_units(void **state) {
@@ -227,6 +228,44 @@ static void includes_are_found_beside_the_deck_and_cycles_are_reported(void **st
     assert_int_equal(unlink(top) + unlink(other) + rmdir(directory), 0);
 }
 
+// Reads on to the next statement and expects its words, as names of files, in these places.
+static void expect_files(struct deck *d, const char *directory, const char *const *file, int n) {
+    struct statement s;
+    assert_true(deck_next(d, &s));
+    assert_int_equal(s.n_word, n + 1);
+    for (int i = 0; i < n; i++) {
+        const struct word *w = &s.word[i + 1];
+        const char *path = deck_file(d, w, deck_text(d, w));
+        assert_int_equal(strncmp(path, directory, strlen(directory)), 0);
+        assert_string_equal(path + strlen(directory), file[i]);
+    }
+}
+
+static void files_are_looked_for_beside_the_deck_that_names_them(void **state) {
+    (void)state;
+    char directory[] = "/tmp/jostle-deck-XXXXXX";
+    assert_non_null(mkdtemp(directory));
+    char top[64], part[64], folder[64];
+    snprintf(top, sizeof top, "%s/top.deck", directory);
+    snprintf(folder, sizeof folder, "%s/sub", directory);
+    snprintf(part, sizeof part, "%s/sub/part.deck", directory);
+    assert_int_equal(mkdir(folder, 0700), 0);
+    write_file(top, "param t a\nparam s $t\nsweep v values a b\ninclude sub/part.deck\n"
+                    "x $i ${i}b \"$i\" $i/b\n");
+    write_file(part, "param i a\nparam d b\ny a $t ${s} $v $d\n");
+    struct deck *d;
+    struct error e;
+    const char *const define = "d=a";
+    assert_int_equal(deck_open(top, &define, 1, &d, &e), STATUS_OK);
+    static const char *const in_part[] = {"/sub/a", "/a", "/a", "/a", "/a"};
+    static const char *const in_top[] = {"/sub/a", "/ab", "/sub/a", "/a/b"};
+    expect_files(d, directory, in_part, 5);
+    expect_files(d, directory, in_top, 4);
+    assert_int_equal(d->diagnostics.n_error, 0);
+    deck_free(d);
+    assert_int_equal(unlink(top) + unlink(part) + rmdir(folder) + rmdir(directory), 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_bare_number_is_in_the_deck_s_units),
@@ -240,6 +279,7 @@ int main(void) {
         cmocka_unit_test(wrong_defines_are_reported_under_their_own_name),
         cmocka_unit_test(gravity_sets_the_unit_g),
         cmocka_unit_test(includes_are_found_beside_the_deck_and_cycles_are_reported),
+        cmocka_unit_test(files_are_looked_for_beside_the_deck_that_names_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

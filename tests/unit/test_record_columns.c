@@ -23,6 +23,7 @@ static void two_columns_are_read_with_any_separator(void **state) {
         "Recorded 2019 by the CI network\ntime acc\n0 .1\n.01 .2\n.02 -.3\n",
         "\xef\xbb\xbf\"time\",\"acc\"\n0,.1\n.01,.2\n.02,-.3\n",
         "0 .1\r.01 .2\r.02 -.3\r",
+        "0 .1 # from here\n.01 .2# no blank\n.02 -.3 #\n",
     };
     struct reading *r = *state;
     r->request.unit = "g";
@@ -73,6 +74,15 @@ static void one_column_needs_the_time_step_and_the_unit(void **state) {
     reading_of_text(r, ".1\n.2\n.3\n");
     assert_read(r, "columns", 3, 0.02);
     assert_close(r->record.unit, 1, 1e-15);
+}
+
+static void a_comment_takes_no_value_away(void **state) {
+    struct reading *r = *state;
+    r->request.unit = "g";
+    r->request.dt = 0.02;
+    reading_of_text(r, ".1 # the first\n.2\n # none\n.3\n");
+    assert_read(r, "columns", 3, 0.02);
+    assert_close(r->record.value[0], 0.1, 1e-15);
 }
 
 static void times_must_grow_in_even_steps(void **state) {
@@ -173,6 +183,7 @@ int main(void) {
         TEST_READING(two_columns_are_read_with_any_separator),
         TEST_READING(the_caption_gives_the_unit),
         TEST_READING(one_column_needs_the_time_step_and_the_unit),
+        TEST_READING(a_comment_takes_no_value_away),
         TEST_READING(times_must_grow_in_even_steps),
         TEST_READING(times_of_few_digits_count_as_even_with_a_warning),
         TEST_READING(a_first_time_that_is_not_zero_is_said),

@@ -47,6 +47,30 @@ static void values_keep_their_order_and_their_unit(void **state) {
     deck_free(d);
 }
 
+static void bare_values_are_in_the_units_of_the_deck(void **state) {
+    (void)state;
+    const char *shown = NULL;
+    struct deck *d = read_deck("units kN mm s\nparam gap 2cm\n"
+                               "sweep a values 0 1.5cm 5 $gap ${2*gap}\nsweep b range 0 5cm 3\n"
+                               "sweep c random uniform 0 1cm -n 3 -seed 1\n"
+                               "sweep d random normal 1cm 1mm -n 3 -seed 1 -min 0\n"
+                               "show $a$b$c$d\n",
+                               NULL, NULL, NULL, &shown);
+    assert_int_equal(d->diagnostics.n_error, 0);
+    static const double want[] = {0, 15, 5, 20, 40};
+    const struct sweep *a = d->sweeps, *b = a->next, *c = b->next->along;
+    const struct sweep *const all[] = {a, b, c, c->along};
+    assert_int_equal(a->n, 5);
+    for (int i = 0; i < 5; i++) {
+        assert_close(a->number[i], want[i], 1e-15);
+    }
+    assert_close(b->number[1], 25, 1e-15);
+    for (int i = 0; i < 4; i++) {
+        assert_true(all[i]->known && dimension_equal(all[i]->dimension, dimension_length));
+    }
+    deck_free(d);
+}
+
 static void ranges_hold_both_ends_exactly(void **state) {
     (void)state;
     const char *shown = NULL;
@@ -343,6 +367,7 @@ static void a_define_fixes_a_sample_or_a_parameter_of_it(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_keep_their_order_and_their_unit),
+        cmocka_unit_test(bare_values_are_in_the_units_of_the_deck),
         cmocka_unit_test(ranges_hold_both_ends_exactly),
         cmocka_unit_test(a_bound_deck_takes_the_values_of_its_run),
         cmocka_unit_test(a_bound_deck_reads_no_values_again),
