@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/adaptive_newmark.h"
 
+#include "solve/excitation.h"
+#include "solve/peaks.h"
+
+// The forcing jumps at the present state, and accelerations with it: a step from the old ones would
+// begin with an error of the first order.
+static void pass_jump(struct run *r) {
+    floors_catch_up(&r->work, r->next, r->now);
+    excitation_of_pieces(r->now, &r->length.forcing, r->now->time);
+    state_complete(r->now, r->model);
+    state_equilibrium(r->now, r->model);
+    peaks_update(r->results, r->model, r->now);
+}
+
 // Takes a step on the way to `limit`, or finds that it was too long.
 static int attempt(struct run *r, double limit) {
     struct totals *totals = &r->results->totals;
@@ -21,12 +34,16 @@ static int attempt(struct run *r, double limit) {
     } else if (status == STATUS_OK) {
         step_length_take(&r->length, r->next, r->now, h);
     }
+    if (status == STATUS_OK && r->length.jumped) {
+        pass_jump(r);
+    }
     return status;
 }
 
 int adaptive_newmark_advance(struct run *r, double end, double h) {
     (void)h;
     int status = STATUS_OK;
+    r->work.forcing = &r->length.forcing;
     run_forget_events(r);
     while (status == STATUS_OK && r->now->time < end) {
         status = attempt(r, end);
