@@ -30,7 +30,7 @@ static const double located[] = {
 };
 
 static const double ROUNDING = 64.0;  // units in the last place that mean nothing
-static const double STILL = 1e-3;     // of the error allowed: a drift that has not moved
+static const double STILL = 1.0;      // of the error allowed: a drift that has not moved
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 static void motion_accelerations(const struct dp *p, const struct link *l, struct motion *m) {
