@@ -2,6 +2,19 @@
 // Newmark's method with steps as long as the tolerance allows (step_length.c), which end at events.
 #include "solve/method.h"
 
+#include "solve/excitation.h"
+#include "solve/peaks.h"
+
+// The forcing jumps at the present state, and accelerations with it: a step from the old ones would
+// begin with an error of the first order.
+static void pass_jump(struct run *r) {
+    floors_catch_up(&r->work, r->next, r->now);
+    excitation_of_pieces(r->now, &r->length.forcing, r->now->time);
+    state_complete(r->now, r->model);
+    state_equilibrium(r->now, r->model);
+    peaks_update(r->results, r->model, r->now);
+}
+
 // Takes a step on the way to `limit`, or finds that it was too long.
 static int attempt(struct run *r, double limit) {
     struct totals *totals = &r->results->totals;
@@ -21,6 +34,9 @@ static int attempt(struct run *r, double limit) {
         step_length_cut(&r->length, r->now);
     } else if (status == STATUS_OK) {
         step_length_take(&r->length, r->next, r->now, h);
+    }
+    if (status == STATUS_OK && r->length.jumped) {
+        pass_jump(r);
     }
     return status;
 }
@@ -42,6 +58,7 @@ static bool alloc(struct run *r, struct arena *a) {
 }
 
 static void start(struct run *r) {
+    r->work.forcing = &r->length.forcing;
     step_length_start(&r->length, r->now);
 }
 

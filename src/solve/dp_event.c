@@ -18,7 +18,7 @@
 
 enum { ITERATIONS_MAX = 60 };
 
-static const double STILL = 1e-3;  // of the error allowed: a drift that has not moved
+static const double STILL = 1.0;  // of the error allowed: a drift that has not moved
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 // A motion cut at its turning points.

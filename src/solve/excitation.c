@@ -29,7 +29,8 @@ static void fill(double *x, int n, double value) {
     }
 }
 
-void excitation_floors(struct state *s, const struct model *m, double t) {
+// The ground's accelerations under the floors, and their inertia.
+static void base_and_inertia(struct state *s, const struct model *m) {
     if (m->n_ground == 1) {
         fill(s->base, m->n_dof, s->ground_a[0]);
     } else {
@@ -39,6 +40,10 @@ void excitation_floors(struct state *s, const struct model *m, double t) {
         }
     }
     chain_inertia(&m->chain, s->base, s->external);
+}
+
+void excitation_floors(struct state *s, const struct model *m, double t) {
+    base_and_inertia(s, m);
     for (int k = 0; k < m->n_load; k++) {
         s->external[m->load[k].dof] += signal_value(&m->load[k].signal, t);
     }
@@ -47,6 +52,16 @@ void excitation_floors(struct state *s, const struct model *m, double t) {
 void excitation_at(struct state *s, const struct model *m, double t) {
     excitation_grounds(s, m, t);
     excitation_floors(s, m, t);
+}
+
+void excitation_of_pieces(struct state *s, const struct forcing *f, double t) {
+    const struct model *m = f->model;
+    struct forcing_values ground = {.a = s->ground_a, .v = s->ground_v, .u = s->ground_u};
+    forcing_ground(f, t, &ground);
+    base_and_inertia(s, m);
+    for (int k = 0; k < m->n_load; k++) {
+        s->external[m->load[k].dof] += forcing_load(f, k, t);
+    }
 }
 
 static void look_ahead(struct excitation_ahead *x, const struct model *m, long n) {

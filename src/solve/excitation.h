@@ -3,6 +3,7 @@
 #ifndef JOSTLE_EXCITATION_H
 #define JOSTLE_EXCITATION_H
 
+#include "solve/forcing.h"
 #include "solve/state.h"
 
 // Sets the ground's acceleration (and, where links need them, velocity and displacement) and the
@@ -12,6 +13,10 @@ void excitation_at(struct state *s, const struct model *m, double t);
 // Its parts: what is of the grounds, and what is of the floors.
 void excitation_grounds(struct state *s, const struct model *m, double t);
 void excitation_floors(struct state *s, const struct model *m, double t);
+
+// The same from the pieces of the forcing, no later than its next corner: there the limit from the
+// left before forcing_turn, that from the right after it.
+void excitation_of_pieces(struct state *s, const struct forcing *f, double t);
 
 // Ends of fixed steps, and where one ground moves all the ground's accelerations then, computed for
 // many steps at a time.

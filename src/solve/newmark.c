@@ -28,11 +28,15 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
     const struct model *m = w->model;
     contact_begin(w, now, next);
     next->time = end;
-    excitation_grounds_known(&w->ahead, next, m, end);
-    if (state_is_linear(m) && state_is_uniform(m) && !m->adaptive) {
-        return;
+    if (w->forcing) {
+        excitation_of_pieces(next, w->forcing, end);
+    } else {
+        excitation_grounds_known(&w->ahead, next, m, end);
+        if (state_is_linear(m) && state_is_uniform(m)) {
+            return;
+        }
+        excitation_floors(next, m, end);
     }
-    excitation_floors(next, m, end);
     memcpy(next->storey_history, now->storey_history,
            (size_t)m->n_storey_history * sizeof *next->storey_history);
     memset(w->storeys.agree, 0, (size_t)m->n_building * sizeof *w->storeys.agree);

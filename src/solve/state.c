@@ -108,7 +108,9 @@ void state_complete(struct state *s, const struct model *m) {
     if (!state_is_linear(m)) {
         return;
     }
-    excitation_floors(s, m, s->time);
+    if (!m->adaptive) {
+        excitation_floors(s, m, s->time);
+    }
     state_internal_forces(s, m, s->u, s->v);
     state_totals(s, m);
 }

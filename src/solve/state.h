@@ -108,7 +108,8 @@ void state_internal_forces(struct state *s, const struct model *m, const double 
                            const double *v);
 
 // Accelerations of the ground, external and internal forces, drifts and total accelerations, which
-// steps of linear models leave out; nothing for others.
+// steps of linear models leave out; nothing for others. Adaptive steps leave out no forces from
+// outside.
 void state_complete(struct state *s, const struct model *m);
 
 // total = a + base.

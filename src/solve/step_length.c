@@ -144,8 +144,9 @@ int step_length_reject(struct step_length *s, const struct state *now, double h,
 static void turn(struct step_length *s, double time) {
     double corner = s->forcing.corner;
     s->turned = time >= corner - 8.0 * DBL_EPSILON * corner;
-    if (s->turned) {
-        (void)forcing_turn(&s->forcing, time);
+    s->jumped = s->turned && forcing_turn(&s->forcing, time);
+    if (s->jumped) {
+        s->last = 0.0;
     }
 }
 

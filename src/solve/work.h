@@ -53,6 +53,8 @@ struct work {
     int unresolved;  // link that last asked for a shorter step; -1: none did
     int held;        // link that stays open or closed in this step; -1: none
 
+    const struct forcing *forcing;  // borrowed; NULL: steps are fixed, and do not end at corners
+
     // Its floors.
     struct excitation_ahead ahead;  // of steps of the model's size
     struct floors floors;

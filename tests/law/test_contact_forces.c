@@ -192,8 +192,118 @@ static void forces_agree_with_the_formulas(void **state) {
     assert_close(at(&b, d, v).force, 8944.27190999916 * (1.0 + factor), 1e-14);
 }
 
+// A path whose penetration does not turn, in GRID steps; v goes evenly with d.
+enum { GRID = 4000, BESIDE = 3 };
+
+static struct contact_way place(const struct contact_way *leg, double i) {
+    const double x = i / GRID;
+    return (struct contact_way){leg->d0, leg->v0, leg->d0 + x * (leg->d - leg->d0),
+                                leg->v0 + x * (leg->v - leg->v0)};
+}
+
+static double force_on(const struct bound_law *b, const struct contact_way *leg, int i) {
+    const struct contact_way w = place(leg, i);
+    return at(b, w.d, w.v).force;
+}
+
+static double bend(const struct bound_law *b, const struct contact_way *leg, int i) {
+    return fabs(force_on(b, leg, i - 1) - 2.0 * force_on(b, leg, i) + force_on(b, leg, i + 1));
+}
+
+// The first place of the grid where the force has a kink: its second difference is of the first
+// order in the step there, of the second order on both sides. GRID if there is none.
+static int first_kink(const struct bound_law *b, const struct contact_way *leg) {
+    for (int i = BESIDE + 1; i < GRID - BESIDE; i++) {
+        const struct contact_way w = place(leg, i);
+        const struct contact_response r = at(b, w.d, w.v);
+        const double rounding = 1e-14 * (fabs(r.force) + r.dfdd * w.d);
+        const double both = bend(b, leg, i - BESIDE) + bend(b, leg, i + BESIDE);
+        if (bend(b, leg, i) > 10.0 * (both + rounding)) {
+            return i;
+        }
+    }
+    return GRID;
+}
+
+// Where the law says that the first kink is, as it is sought by steps.
+static double declared_kink(const struct bound_law *b, const struct contact_way *leg) {
+    if (!b->law->kink) {
+        return GRID;
+    }
+    for (int i = 1; i <= GRID; i++) {
+        const struct contact_way w = place(leg, i);
+        if (b->law->kink(b->constant, b->history, &w) <= 0.0) {
+            return i;
+        }
+    }
+    return GRID;
+}
+
+// Takes the contact along the leg, to one kink after the other; returns their number.
+static int walk(struct bound_law *b, struct contact_way leg) {
+    int n = 0;
+    leg.d0 = place(&leg, 1e-6).d;  // on its way by more than rounding, as in steps
+    for (int found = 0; found < GRID && n < 10; n++) {
+        found = first_kink(b, &leg);
+        assert_near(declared_kink(b, &leg), found, 1.0);
+        const struct contact_way end = place(&leg, fmin(found + 1, GRID));
+        if (b->law->commit) {
+            commit(b, end.d, end.v);
+        }
+        leg.d0 = end.d;
+        leg.v0 = end.v;
+    }
+    return n - 1;
+}
+
+// Dormand & Prince's steps end at kinks, and quick Newton steps rely on a force without; both take
+// the law's word for it.
+static void every_law_declares_its_kinks(void **state) {
+    (void)state;
+    static const struct {
+        const char *law, *parameters;
+        int n;
+    } cases[] = {
+        {"linear", "k 1e8", 0},
+        {"bilinear", "k1 4e8 k2 1e8 dy 2e-4", 6},
+        {"kelvin-voigt", "k 1e8 e 0.65", 0},
+        {"komodromos", "k 1e8 e 0.65", 3},
+        {"ye-kelvin", "k 1e8 e 0.65", 0},
+        {"mahmoud-jankowski", "k 1e8 e 0.65", 0},
+        {"hertz", "k 1e8", 0},
+        {"power", "k 1e8 n 3 e 0.65", 0},
+        {"hertz-damp", "k 1e8 e 0.65", 0},
+        {"lankarani-nikravesh", "k 1e8 e 0.65", 0},
+        {"ye-hertz-damp", "k 1e8 e 0.65", 0},
+        {"hunt-crossley", "k 1e8 e 0.65 n 1.5", 0},
+        {"jankowski", "k 1e8 e 0.65", 0},
+        {"khatami", "k 1e8 e 0.65", 0},
+        {"wang", "k 1e8 zeta 1e8 residual 0.25 n 1", 3},
+        {"rubber", "k 1e8 n 1.5 e 0.65 du 5e-3 ky 9e9", 9},
+        {"table", "", 18},
+    };
+    // Up, part of the way back, deeper, nearly open, up to less than the deepest, and back.
+    static const struct contact_way legs[] = {
+        {1e-7, 0.5, 7e-3, 0.1},       {7e-3, -0.1, 1.5e-3, -0.6}, {1.5e-3, 0.9, 1.5e-2, 0.05},
+        {1.5e-2, -0.05, 9e-4, -0.55}, {9e-4, 0.4, 8e-3, 0.1},     {8e-3, -0.1, 1e-4, -0.9},
+    };
+    size_t n_law = 0;
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        struct bound_law b = bind(cases[k].law, cases[k].parameters);
+        int n = 0;
+        for (size_t i = 0; i < sizeof legs / sizeof legs[0]; i++) {
+            n += walk(&b, legs[i]);
+        }
+        assert_int_equal(n, cases[k].n);
+        assert_true(n == 0 || !(b.law->traits & CONTACT_SMOOTH));
+        n_law++;
+    }
+    assert_int_equal(n_law, n_contact_law - 1);  // all that have a force
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_law_declares_its_kinks),
         cmocka_unit_test(bilinear_unloads_to_the_lower_line_and_reloads_from_it),
         cmocka_unit_test(wang_releases_to_its_residual_penetration),
         cmocka_unit_test(a_table_goes_through_its_points_and_beyond),
