@@ -42,7 +42,8 @@ SANITIZER  = $(if $(strip $(SANITIZE)),-fsanitize=$(strip $(SANITIZE)) -fno-sani
 LANGUAGE   = -std=c17 -D_POSIX_C_SOURCE=200809L -pthread -Iinclude -Isrc $(SYSTEM) $(CPPFLAGS)
 # From version 12 on gcc fuses products with sums and differences by turns even so, in blocks that it
 # makes vectors of, where it is told of a processor that can.
-CONTRACTION = -ffp-contract=off $(if $(filter -march=% -mfma%,$(CFLAGS)),-fno-tree-slp-vectorize)
+TOLD_OF_FMA = $(filter -march=% -mfma%,$(CC) $(CPPFLAGS) $(CFLAGS))
+CONTRACTION = -ffp-contract=off $(if $(TOLD_OF_FMA),-fno-tree-slp-vectorize)
 COMPILE    = $(CC) $(LANGUAGE) $(WARNINGS) $(CFLAGS) $(CONTRACTION) -fno-math-errno $(SANITIZER)
 LINK       = $(CC) -pthread $(CFLAGS) $(SANITIZER) $(LDFLAGS)
 FAIL_ALLOC = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
@@ -264,7 +265,7 @@ install: all  ## program, library, headers, man pages, completion; DESTDIR and p
 	install -m 644 docs/jostle.bash $(call TO,$(completiondir)/jostle)
 	install -d $(call TO,$(docdir))
 	install -m 644 CITATION.cff $(call TO,$(docdir))
-	cp -R input $(call TO,$(docdir))
+	cp -R input $(call TO,$(docdir)) && chmod -R u=rwX,go=rX $(call TO,$(docdir)/input)
 
 uninstall:  ## remove what install put there
 	rm -f $(call TO,$(bindir)/jostle) $(call TO,$(libdir)/libjostle.a)

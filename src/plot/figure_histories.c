@@ -322,7 +322,7 @@ static void write_panels(const struct view *v, struct canvas *c) {
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     struct view v = {.s = s};
-    char subtitle[256];
+    char subtitle[320];
     choose_floors(&v);
     int status = STATUS_OK;
     for (int k = 0; k < s->n && status == STATUS_OK; k++) {
