@@ -126,7 +126,7 @@ run "$jostle" run study.deck -q -o part.h5 --restart
 expect "but begun anew" '[ $status -eq 0 ] && same whole.h5 part.h5 && [ ! -e part.h5.runs ]'
 rm part.h5
 
-run bash -c "ulimit -f 40; exec '$jostle' run study.deck -q -o part.h5"
+run limited -f 40 "$jostle" run study.deck -q -o part.h5
 expect "a limit to the size of files ends it with 3" '[ $status -eq 3 ] && said "cannot write part.h5.runs: File too large" && said "runs are kept" && [ ! -e part.h5 ]'
 run "$jostle" run study.deck -q -o part.h5
 expect "from where it goes on" '[ $status -eq 0 ] && same whole.h5 part.h5'
