@@ -35,14 +35,16 @@ LIBS       = $(filter-out -I%,$(FOUND)) -lm
 # nothing is shared where archives are there and want nothing but what is named here.
 ARCHIVES   = -static $(LIBS) -lsz -laec -lz -ldl -lm
 TRY        = $(filter 1,$(STATIC)$(strip $(SANITIZE)))
+# clang from 15 on warns of every constant of an enumeration in a formula; gcc knows no such warning.
 WARNINGS   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes \
-             -Wmissing-prototypes $(if $(filter 1,$(WERROR)),-Werror)
+             -Wmissing-prototypes -Wno-enum-float-conversion $(if $(filter 1,$(WERROR)),-Werror)
 SANITIZER  = $(if $(strip $(SANITIZE)),-fsanitize=$(strip $(SANITIZE)) -fno-sanitize-recover=all \
              -fno-omit-frame-pointer)
 LANGUAGE   = -std=c17 -D_POSIX_C_SOURCE=200809L -pthread -Iinclude -Isrc $(SYSTEM) $(CPPFLAGS)
 # From version 12 on gcc fuses products with sums and differences by turns even so, in blocks that it
 # makes vectors of, where it is told of a processor that can.
-CONTRACTION = -ffp-contract=off $(if $(filter -march=% -mfma%,$(CFLAGS)),-fno-tree-slp-vectorize)
+TOLD_OF_FMA = $(filter -march=% -mfma%,$(CC) $(CPPFLAGS) $(CFLAGS))
+CONTRACTION = -ffp-contract=off $(if $(TOLD_OF_FMA),-fno-tree-slp-vectorize)
 COMPILE    = $(CC) $(LANGUAGE) $(WARNINGS) $(CFLAGS) $(CONTRACTION) -fno-math-errno $(SANITIZER)
 LINK       = $(CC) -pthread $(CFLAGS) $(SANITIZER) $(LDFLAGS)
 FAIL_ALLOC = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
@@ -258,13 +260,14 @@ install: all  ## program, library, headers, man pages, completion; DESTDIR and p
 	@VERSION='$(VERSION)' PREFIX=$(call QUOTED,$(prefix)) LIBDIR=$(call QUOTED,$(libdir)) \
 	    INCLUDEDIR=$(call QUOTED,$(includedir)) LIBS='-pthread $(LIBS)' \
 	    sh tests/support/pkgconfig.sh > $(call TO,$(libdir)/pkgconfig/jostle.pc)
+	chmod 644 $(call TO,$(libdir)/pkgconfig/jostle.pc)
 	install -d $(call TO,$(mandir)/man1) $(call TO,$(mandir)/man5) $(call TO,$(completiondir))
 	install -m 644 docs/jostle.1 $(call TO,$(mandir)/man1)
 	install -m 644 docs/jostle-deck.5 $(call TO,$(mandir)/man5)
 	install -m 644 docs/jostle.bash $(call TO,$(completiondir)/jostle)
 	install -d $(call TO,$(docdir))
 	install -m 644 CITATION.cff $(call TO,$(docdir))
-	cp -R input $(call TO,$(docdir))
+	cp -R input $(call TO,$(docdir)) && chmod -R u=rwX,go=rX $(call TO,$(docdir)/input)
 
 uninstall:  ## remove what install put there
 	rm -f $(call TO,$(bindir)/jostle) $(call TO,$(libdir)/libjostle.a)

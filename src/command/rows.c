@@ -72,7 +72,7 @@ static void put_default(const struct row *row, const char *unit, char *cell) {
         snprintf(cell, CELL, "one of");
     } else if (is_number(row) && !isnan(row->fallback)) {
         bool bare = unit[0] == '\0' || row->fallback == 0.0;
-        snprintf(cell, CELL, "%.6g%s%s", row->fallback, bare ? "" : " ", bare ? "" : unit);
+        snprintf(cell, CELL, "%.6g%s%.80s", row->fallback, bare ? "" : " ", bare ? "" : unit);
     }
 }
 

@@ -85,14 +85,13 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     (void)info;
     const struct spot *p = context;
     struct study_file *f = p->file;
-    H5O_info_t object;
-    if (h5_failed(&f->h, H5Oget_info_by_name(group, name, &object, H5P_DEFAULT)) || !grow(f)) {
+    if (!grow(f)) {
         return -1;
     }
-    const bool result =
-        object.type == H5O_TYPE_DATASET && !study_samples_has(f->dim, f->n_dim, name);
-    hid_t dataset = result ? h5_open_object(&f->h, group, name) : -1;
-    const size_t n = dataset >= 0 && is_result(dataset) ? values_of_run(f, dataset, name) : 0;
+    const bool sample = study_samples_has(f->dim, f->n_dim, name);
+    hid_t dataset = sample ? -1 : h5_open_object(&f->h, group, name);
+    const bool result = H5Iget_type(dataset) == H5I_DATASET && is_result(dataset);
+    const size_t n = result ? values_of_run(f, dataset, name) : 0;
     if (n == 0) {
         h5_close(&f->h, dataset);
         return f->h.failed ? -1 : 0;

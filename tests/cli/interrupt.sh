@@ -67,7 +67,7 @@ rm -f study.h5.runs study.deck
 run timeout 1 "$jostle" run -q long.deck
 expect "a run that timeout ends tells of it, and leaves no file" '[ $status -eq 124 ] && said "interrupted by signal 15" && only long.deck'
 
-run bash -c "ulimit -St 1; exec '$jostle' run -q long.deck"
+run limited -St 1 "$jostle" run -q long.deck
 expect "a run whose time is up tells of it, and leaves no file" '[ $status -eq 3 ] && said "interrupted by signal" && only long.deck'
 
 # Bodies that touch and rattle: a step takes many impacts.

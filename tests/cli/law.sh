@@ -110,7 +110,7 @@ law hertz -k 1 -m1 1 -v 1 --history h.tsv --force
 expect "unless --force is given" '[ $status -eq 0 ] && ! cmp -s h.tsv kept.tsv'
 law $jankowski --history no_such_folder/h.tsv
 expect "a folder that is not there ends with 3" '[ $status -eq 3 ] && said "cannot write no_such_folder/h.tsv: No such file or directory" && [ ! -s "$out" ]'
-run bash -c "ulimit -f 4; exec '$jostle' law $jankowski --history limited.tsv"
+run limited -f 4 "$jostle" law $jankowski --history limited.tsv
 expect "a file that cannot grow leaves nothing behind" '[ $status -eq 3 ] && said "cannot write limited.tsv" && only units.tsv h.tsv kept.tsv'
 mkdir small
 if mount -t tmpfs -o size=4k tmpfs small 2>/dev/null; then

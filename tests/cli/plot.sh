@@ -154,7 +154,7 @@ for ending in gp dat; do
     run "$jostle" plot pair.h5 energy --script scripts --force
     expect "unless it is forced, with energy.$ending" '[ $status -eq 0 ] && [ "$(ls scripts | tr "\n" " ")" = "energy.dat energy.gp " ] && ! grep -q mine scripts/*'
 done
-run bash -c "ulimit -f 4; exec '$jostle' plot pair.h5 energy --script limited"
+run limited -f 4 "$jostle" plot pair.h5 energy --script limited
 expect "data that cannot grow leaves nothing behind" '[ $status -eq 3 ] && said "cannot write limited/energy.dat.part" && [ -z "$(ls limited)" ]'
 
 run "$jostle" plot pair.h5

@@ -29,17 +29,17 @@ says() {
 }
 
 two_buildings long.deck 'duration 1000000s'
-says "a run shows time, percent and time left" '1e\+06 s' "'$jostle' run long.deck -o a.h5"
-says "so does converge" '1e\+06 s' "'$jostle' converge long.deck"
+says "a run shows time, percent and time left" '1e\+06 s' '"$jostle" run long.deck -o a.h5'
+says "so does converge" '1e\+06 s' '"$jostle" converge long.deck'
 
 sed 's/^duration.*/duration 100s/; s/^building A/param T1 1s\nparam T2 $T1\nparam unused ${T1 + $T2}\n&/' \
     long.deck >pair.deck
 says "a pounding force spectrum counts its runs" '1e\+06 runs' \
-    "'$jostle' spectrum --pounding pair.deck --periods 0.1:2:1000"
+    '"$jostle" spectrum --pounding pair.deck --periods 0.1:2:1000'
 
 awk 'BEGIN { for (i = 0; i < 200000; i++) print sin(i * 0.7) }' >long.txt
 says "a response spectrum counts its points" '1e\+04 points' \
-    "'$jostle' spectrum long.txt --dt 0.01s --unit m/s2 --periods 0.01:10:10000"
+    '"$jostle" spectrum long.txt --dt 0.01s --unit m/s2 --periods 0.01:10:10000'
 
 "$jostle" spectrum long.txt --dt 0.01s --unit m/s2 --periods 0.01:10:60 --tsv >/dev/null 2>"$err"
 expect "piped it says nothing" '[ ! -s "$err" ]'

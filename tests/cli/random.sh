@@ -16,7 +16,7 @@ if command -v h5diff >/dev/null; then
         run "$jostle" run study.deck -q -j $threads -o other.h5 --force
         expect "$threads threads give the same file" 'same one.h5 other.h5'
     done
-    run bash -c "ulimit -f 8; exec '$jostle' run study.deck -q -j 1 -o killed.h5"
+    run limited -f 8 "$jostle" run study.deck -q -j 1 -o killed.h5
     expect "a study that is cut short leaves its journal" '[ $status -eq 3 ] && [ -e killed.h5.runs ] && [ ! -e killed.h5 ]'
     run "$jostle" run study.deck -q -o killed.h5
     expect "and is resumed to the same file" '[ $status -eq 0 ] && same one.h5 killed.h5'

@@ -27,7 +27,7 @@ done
 for command in "run pair.deck -o few.h5" "show full.h5" "merge full.h5 -o whole.h5"; do
     [ -n "${starts-}" ] || break
     # shellcheck disable=SC2086
-    run bash -c "ulimit -n 3; exec '$jostle' $command"
+    run limited -n 3 "$jostle" $command
     expect "${command%% *} without a file to spare ends with 3" '[ $status -eq 3 ] && said "Too many open files" && [ ! -e few.h5 ] && [ ! -e whole.h5 ]'
 done
 rm pipe
@@ -56,14 +56,14 @@ else
     skip "a full disk ends a run with 3" "no disk can be mounted here"
 fi
 
-run bash -c "ulimit -f 16; exec '$jostle' run pair.deck -o limited.h5"
+run limited -f 16 "$jostle" run pair.deck -o limited.h5
 expect "a limit to the size of files ends with 3" '[ $status -eq 3 ] && said "limited.h5" && [ ! -e limited.h5 ] && [ ! -e limited.h5.part ]'
 
 if [ -n "${JOSTLE_SANITIZED-}" ]; then
     skip "too little memory ends with 3 and a message" "the sanitizers need terabytes of addresses"
     exit
 fi
-run bash -c "ulimit -v 60000; exec '$jostle' run pair.deck -o little.h5"
+run limited -v 60000 "$jostle" run pair.deck -o little.h5
 case $status in
 0) expect "little memory is enough for a small deck" '[ -s little.h5 ]' ;;
 *) expect "too little memory ends with 3 and a message" '{ [ $status -eq 3 ] && said "out of memory"; } || [ $status -eq 127 ]' ;;

@@ -62,5 +62,5 @@ done < <(find src -name '*.c' -not -path src/main.c | sort)
 while read -r member; do
     bad "$library" "$member" "fuses products with sums"
 done < <(objdump -d --no-show-raw-insn "$library" |
-    awk '/file format/ { sub(/:$/, "", $1); member = $1 } /\tvf(n|)m(add|sub)/ { print member }' | sort -u)
+    awk '/file format/ { sub(/:$/, "", $1); member = $1 } /\tv?fn?m(add|sub|la|ls)/ { print member }' | sort -u)
 exit $status

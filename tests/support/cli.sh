@@ -6,6 +6,7 @@ set -u
 export LC_ALL=C.UTF-8
 root=$PWD
 jostle=$(realpath "${JOSTLE:-build/jostle}")
+export jostle  # for commands in words of their own
 folder=$(mktemp -d "${TMPDIR:-/tmp}/jostle-cli-XXXXXX")
 here=$folder/here
 out=$folder/out
@@ -28,6 +29,13 @@ run() {
     "$@" >"$out" 2>"$err" </dev/null
     status=$?
 }
+
+# limited FLAG N WORD...: the command under this limit of ulimit.
+limited() (
+    ulimit "$1" "$2"
+    shift 2
+    exec "$@"
+)
 
 # expect SENTENCE CONDITION: a line of the result; CONDITION is shell.
 expect() {

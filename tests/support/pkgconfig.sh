@@ -21,6 +21,6 @@ includedir=$(below_prefix "$INCLUDEDIR")
 Name: jostle
 Description: earthquake-induced pounding of multistorey shear buildings
 Version: $VERSION
-Cflags: -I\${includedir}
-Libs: -L\${libdir} -ljostle $LIBS
+Cflags: -I"\${includedir}"
+Libs: -L"\${libdir}" -ljostle $LIBS
 END
