@@ -140,7 +140,11 @@ int analysis_begin(struct run *r, const struct model *m, const struct observer *
         return STATUS_SYSTEM;
     }
     results->arena = a;
-    int status = run_alloc(r, a) ? run_start(r) : error_no_memory(e);
+    if (!run_alloc(r, a)) {
+        error_no_memory(e);
+        return STATUS_SYSTEM;
+    }
+    int status = run_start(r);
     return status == STATUS_OK ? observe(r) : status;
 }
 
