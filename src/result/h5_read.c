@@ -208,7 +208,7 @@ char **h5_get_texts(struct h5 *h, struct arena *a, hid_t parent, const char *nam
     } else {
         h5_no_memory(h);
     }
-    for (size_t i = 0; i < n && !h->failed; i++) {
+    for (size_t i = 0; text && i < n && !h->failed; i++) {
         text[i] = h5_heap_text(h, a, &reference[i]);
     }
     free(reference);

@@ -137,7 +137,9 @@ static void get_sources(struct study_file *f, hid_t group) {
     struct study_source *source = arena_alloc(f->view.arena, n, sizeof *source);
     if (!source) {
         h5_no_memory(&f->h);
-    } else if (n != n_sum) {
+        return;
+    }
+    if (n != n_sum) {
         h5_fail(&f->h, "it has %zu files, but %zu checksums", n, n_sum);
     }
     char **path = h5_get_texts(&f->h, f->view.arena, group, "file", n);
