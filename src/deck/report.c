@@ -12,15 +12,15 @@ enum { MESSAGE_MAX = 1024, LISTED_MAX = 24 };
 static void report(struct deck *d, const struct word *w, enum severity severity,
                    const char *message) {
     struct diagnostic entry = {.severity = severity, .file = d->path};
-    const struct place end = source_end(d), *p = w ? &w->place : &end;
-    if (p->source) {
-        entry.file = p->source->name;
-        entry.line = p->line;
-        entry.column = p->column;
-        entry.width = p->width;
+    const struct place p = w ? w->place : source_end(d);
+    if (p.source) {
+        entry.file = p.source->name;
+        entry.line = p.line;
+        entry.column = p.column;
+        entry.width = p.width;
         // Beyond the last message kept there is no need to search for the line.
-        if (p->line > 0 && d->diagnostics.n_item < DIAGNOSTICS_MAX) {
-            entry.source_line = source_line(p->source, p->line);
+        if (p.line > 0 && d->diagnostics.n_item < DIAGNOSTICS_MAX) {
+            entry.source_line = source_line(p.source, p.line);
         }
     }
     diagnostics_add(&d->diagnostics, &entry, "%s", message);
