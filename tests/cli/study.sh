@@ -42,6 +42,12 @@ parameters_of() {
     "$jostle" show --json "$1" | grep "^.parameters"
 }
 expect "which is the same" '[ -n "$(parameters_of single.h5)" ] && [ "$(parameters_of label.h5)" = "$(parameters_of single.h5)" ]'
+mkdir suite && mv records suite/records
+grep '^sweep record' whole.deck >suite/records.deck
+sed 's/^sweep record.*/include suite\/records.deck/' whole.deck >beside.deck
+run "$jostle" run beside.deck -q -o beside.h5 -D gap=8mm -D k=1e6 -D record=one
+expect "which is looked for beside the deck with the sweep" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+mv suite/records records; rm -r suite beside.*
 run "$jostle" run whole.deck -q -o none.h5 -D gap=8mm -D k=1e6 -D record=three
 expect "what is neither is refused" '[ $status -eq 2 ] && said "cannot open three"'
 if command -v h5diff >/dev/null; then
