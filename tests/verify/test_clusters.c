@@ -11,8 +11,8 @@
 
 #include "core/arena.h"
 #include "solve/newmark.h"
-#include "solve/sweep.h"
 #include "solve/rest.h"
+#include "solve/sweep.h"
 #include "support/analysis.h"
 #include "support/random.h"
 #include "support/random_deck.h"
