@@ -264,7 +264,7 @@ static void runs_behind_a_lost_file_are_lost_and_stay_so(void **state) {
         journal_add_run(&j, 2, &(struct study_outcome){.status = STUDY_DONE}, value, &e),
         STATUS_OK);
     journal_close(&j);
-    long n_damaged;
+    long n_damaged = 0;
     assert_int_equal(load_and_count(path, &n_file, &n_damaged), 1);
     assert_int_equal(n_file, 1);
     assert_int_equal(n_damaged, 1);
