@@ -18,7 +18,7 @@
 
 enum { ITERATIONS_MAX = 60 };
 
-static const double STILL = 1.0;  // of the error allowed: a drift that has not moved
+static const double STILL = 1.0;  // of the error allowed: drifts that have not moved, together
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 // A motion cut at its turning points.
@@ -136,11 +136,17 @@ static bool is_straight(const struct dp *p, int i) {
     return p->model->storey[i].law->traits & STOREY_STRAIGHT;
 }
 
+// The rise of a drift that counts. Smaller ones add up, over steps however short, until they do.
+static double least_rise(const struct dp *p, int i) {
+    double still = STILL * p->model->control.tolerance * p->scales.most_u;
+    double left = still - dp_system_storey_lag(&p->system, &p->now, i);
+    return fmax(dp_system_storey_noise(&p->system, &p->now, i), left);
+}
+
 static struct dp_event storey_event(const struct dp *p, int i) {
     struct motion m = dp_motion_storey(p, i);
     struct pieces s = cut(&m);
-    double still = STILL * p->model->control.tolerance * p->scales.most_u;
-    double least = fmax(dp_system_storey_noise(&p->system, &p->now, i), still);
+    double least = least_rise(p, i);
     double tangent = p->system.tangent[i];
     bool moved = false;
     for (int n = 0; n < s.n; n++) {
