@@ -369,6 +369,7 @@ static void a_drift_within_the_error_of_the_step_does_not_turn(void **state) {
 
 // A storey of 4e6 N/m that yields at 20 kN and is left with 5 % of that. In steps in which drifts
 // move by less than they may be wrong, events add up until they count: it stayed elastic.
+// The drift is as wrong as the tolerance lets it be at each of its events.
 static void a_storey_yields_however_short_the_steps(void **state) {
     (void)state;
     // The drift at rest, from v^2 m = V d_y + (2 V + 0.05 k x) x, x beyond the yield drift d_y.
