@@ -6,12 +6,12 @@
 #include "solve/peaks.h"
 
 // The forcing jumps at the present state, and accelerations with it: a step from the old ones would
-// begin with an error of the first order.
+// begin with an error of the first order. Rigid bodies at rest may part by it.
 static void pass_jump(struct run *r) {
-    floors_catch_up(&r->work, r->next, r->now);
     excitation_of_pieces(r->now, &r->length.forcing, r->now->time);
     state_complete(r->now, r->model);
     state_equilibrium(r->now, r->model);
+    impacts_part(&r->impacts, r->results, r->model, r->now);
     peaks_update(r->results, r->model, r->now);
 }
 

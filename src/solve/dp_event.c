@@ -18,7 +18,7 @@
 
 enum { ITERATIONS_MAX = 60 };
 
-static const double STILL = 1.0;  // of the error allowed: a drift that has not moved
+static const double STILL = 1.0;  // of the error allowed: drifts that have not moved, together
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 // A motion cut at its turning points.
@@ -106,12 +106,15 @@ static struct dp_event link_event(const struct dp *p, int k) {
     return p->model->link[k].law->kink ? dp_kink_before(p, k, event) : event;
 }
 
+static bool is_on_branch(const struct dp *p, int i, double drift) {
+    return dp_system_tangent(&p->system, &p->now, i, drift) == p->system.tangent[i];
+}
+
 // The drift between low and high at which the law leaves the tangent of its branch.
 static double branch_end(const struct dp *p, int i, double low, double high) {
     for (int n = 0; n < ITERATIONS_MAX && low != high; n++) {
         double middle = 0.5 * (low + high);
-        bool on = dp_system_tangent(&p->system, &p->now, i, middle) == p->system.tangent[i];
-        *(on ? &low : &high) = middle;
+        *(is_on_branch(p, i, middle) ? &low : &high) = middle;
     }
     return low;
 }
@@ -136,12 +139,27 @@ static bool is_straight(const struct dp *p, int i) {
     return p->model->storey[i].law->traits & STOREY_STRAIGHT;
 }
 
+// Does the drift leave its branch on the way from `start` to *beyond, by more than `least`? Then
+// *beyond is where it has. After a turn that did not count it may have gone through the next branch
+// to one with the same tangent.
+static bool leaves(const struct dp *p, int i, double start, double least, double *beyond) {
+    double way = *beyond - start;
+    double soon = start + copysign(fmin(2.0 * least, fabs(way)), way);
+    *beyond = is_on_branch(p, i, soon) ? *beyond : soon;
+    return !is_on_branch(p, i, *beyond);
+}
+
+// The rise of a drift that counts. Smaller ones add up, over steps however short, until they do.
+static double least_rise(const struct dp *p, int i) {
+    double still = STILL * p->model->control.tolerance * p->scales.most_u;
+    double left = still - dp_system_storey_lag(&p->system, &p->now, i);
+    return fmax(dp_system_storey_noise(&p->system, &p->now, i), left);
+}
+
 static struct dp_event storey_event(const struct dp *p, int i) {
     struct motion m = dp_motion_storey(p, i);
     struct pieces s = cut(&m);
-    double still = STILL * p->model->control.tolerance * p->scales.most_u;
-    double least = fmax(dp_system_storey_noise(&p->system, &p->now, i), still);
-    double tangent = p->system.tangent[i];
+    double least = least_rise(p, i);
     bool moved = false;
     for (int n = 0; n < s.n; n++) {
         double rise = s.d[n + 1] - s.d[n];
@@ -153,8 +171,9 @@ static struct dp_event storey_event(const struct dp *p, int i) {
                 .kind = DP_UNLOAD, .index = i, .place = s.x[n], .direction = rise};
         }
         moved = true;
-        if (is_straight(p, i) && dp_system_tangent(&p->system, &p->now, i, s.d[n + 1]) != tangent) {
-            double end = branch_end(p, i, s.d[n], s.d[n + 1]);
+        double beyond = s.d[n + 1];
+        if (is_straight(p, i) && leaves(p, i, s.d[n], least, &beyond)) {
+            double end = branch_end(p, i, s.d[n], beyond);
             return (struct dp_event){.kind = DP_BRANCH,
                                      .index = i,
                                      .place = reach(&s, n, end),

@@ -123,6 +123,12 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
     return s->calls[i] ? storey_at(s, now, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
+double dp_system_storey_lag(const struct dp_system *s, const struct state *now, int i) {
+    double drift = now->drift[i];
+    double missed = dp_system_shear(s, now, i, drift) - storey_at(s, now, i, drift).shear;
+    return fabs(missed) / s->model->chain.stiffness[i];
+}
+
 void dp_system_commit(const struct dp_system *s, struct state *now) {
     const struct model *m = s->model;
     for (int i = 0; i < s->n_inelastic; i++) {

@@ -98,6 +98,10 @@ dp_system_response(const struct dp_system *s, const struct state *now, int k, do
     return r;
 }
 
+// How far its branch has led from its law at `now`, as a drift [L]: the sum of events that were too
+// small to count.
+double dp_system_storey_lag(const struct dp_system *s, const struct state *now, int i);
+
 // Brings the histories of `now` to its present drifts, penetrations and velocities.
 void dp_system_commit(const struct dp_system *s, struct state *now);
 

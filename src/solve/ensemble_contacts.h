@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links of runs in lockstep, a run a lane. Those of a run are there while all
-// its live links are contacts that have been closed for some steps and stay so, in one group of
-// sweep.h: then the lanes have what struct link_state, its impact and the peaks say of them.
-// Anything else, such as a contact that closes or opens, takes the links of the run out, for the
-// functions that a run alone has.
+// Links of runs in lockstep, a run a lane. Those of a run are there while all its live links are
+// contacts that have been closed for some steps and stay so, in one group of sweep.h: then the
+// lanes have what struct link_state, its impact and the peaks say of them. Anything else, such as a
+// contact that closes or opens, takes the links of the run out, for the functions that a run alone
+// has.
 #ifndef JOSTLE_ENSEMBLE_CONTACTS_H
 #define JOSTLE_ENSEMBLE_CONTACTS_H
 
@@ -17,8 +17,8 @@ struct tangent_lanes {
     wide base, rate, asked, reach, near, damped;
 };
 
-// A contact in the lanes of active runs in which it is live. Names of the step under
-// way are as in struct link_scratch.
+// A contact in the lanes of active runs in which it is live. Names of the step under way are as in
+// struct link_scratch.
 struct closed_contact {
     wide_bits live;
     wide_bits n_past;
@@ -62,8 +62,8 @@ void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r);
 // Guesses the forces of the step under way, with which the floors move.
 void ensemble_contacts_begin(struct ensemble_lanes *e);
 
-// Finds them in active runs, as contact_solve does for a run alone, and changes
-// e->correction. It has not for those that are not `solved` then.
+// Finds them in active runs, as contact_solve does for a run alone, and changes e->correction. It
+// has not for those that are not `solved` then.
 void ensemble_contacts_solve(struct ensemble_lanes *e);
 
 // Takes the step to `time`, of length h, into impacts and peaks, and commits it.

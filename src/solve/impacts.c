@@ -150,6 +150,15 @@ int impacts_toggle(struct impact_log *log, struct results *r, const struct model
     return STATUS_OK;
 }
 
+void impacts_part(struct impact_log *log, struct results *r, const struct model *m,
+                  const struct state *s) {
+    for (int k = 0; k < m->n_contact; k++) {
+        if (m->link[k].law->rebound && log->open[k] >= 0 && !s->link[k].closed) {
+            end_impact(log, r, m, s, k);
+        }
+    }
+}
+
 int impacts_meet(struct impact_log *log, struct results *r, const struct model *m,
                  const struct state *s, const struct meeting *meeting, struct error *e) {
     for (int k = 0; k < m->n_contact; k++) {
@@ -167,10 +176,8 @@ int impacts_meet(struct impact_log *log, struct results *r, const struct model *
             struct impact_share share = {.impulse = met->impulse, .work = met->work};
             impacts_add(log, r, m, k, &share);
         }
-        if (m->link[k].law->rebound && log->open[k] >= 0 && !s->link[k].closed) {
-            end_impact(log, r, m, s, k);
-        }
     }
+    impacts_part(log, r, m, s);
     return STATUS_OK;
 }
 

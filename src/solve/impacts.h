@@ -37,6 +37,10 @@ int impacts_step(struct impact_log *log, struct energy_account *a, struct result
 int impacts_toggle(struct impact_log *log, struct results *r, const struct model *m,
                    const struct state *s, int k, struct error *e);
 
+// Ends the impacts of rigid contacts that rested and have parted at the instant of `s`.
+void impacts_part(struct impact_log *log, struct results *r, const struct model *m,
+                  const struct state *s);
+
 // Takes account of the rigid contacts that have met at the instant of `s`: impacts that are over at
 // once, or have come to rest, or end a rest. `meeting` is (n_contact).
 int impacts_meet(struct impact_log *log, struct results *r, const struct model *m,

@@ -87,6 +87,7 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
 // Lets the force of the event's link jump.
 static int let_jump(struct run *r, const struct event *event) {
     event_apply(r->now, r->model, event->link);
+    impacts_part(&r->impacts, r->results, r->model, r->now);
     return impacts_toggle(&r->impacts, r->results, r->model, r->now, event->link, r->error);
 }
 

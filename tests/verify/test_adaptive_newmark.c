@@ -115,6 +115,24 @@ static void a_jump_of_the_ground_is_no_error_of_the_steps(void **state) {
     }
 }
 
+// A force presses two bodies together, and ends at 2 s while they rest.
+static void bodies_at_rest_that_a_jump_parts_have_ended_their_impact(void **state) {
+    (void)state;
+    struct analysis a =
+        analysis_of("building A -floors 1 -mass 1e5 -stiffness 4e6\ndamping A modal 0.3\n"
+                    "building B -floors 1 -mass 1e5 -stiffness 1e6\n"
+                    "contact A:1 B:1 -gap 0 -law stereomechanical -e 0\n"
+                    "load A:1 sine -amplitude 100kN -frequency 0.001 -phase 90deg -cycles 0.002\n"
+                    "duration 3.5\nintegrator newmark\nstep adaptive -tolerance 1e-6\n");
+    const struct impact *impact = a.results->impact;
+    assert_int_equal(a.results->n_impact, 2);
+    assert_true(impact[0].complete && impact[1].complete);
+    assert_close(impact[0].t_end, 2.0, 1e-12);
+    // That of steps of 0.1 ms; both are of the second order.
+    assert_close(impact[1].t_start, 2.58141, 1e-5);
+    analysis_free(&a);
+}
+
 static void every_storey_law_agrees_with_dormand_prince(void **state) {
     (void)state;
     // An error of 1e-9 a step, of second order, is some 1e-5 at the end; see the orders above.
@@ -209,6 +227,7 @@ int main(void) {
         cmocka_unit_test(a_free_vibration_is_right_to_the_tolerance_to_the_two_thirds),
         cmocka_unit_test(it_converges_to_what_dormand_prince_gives),
         cmocka_unit_test(a_jump_of_the_ground_is_no_error_of_the_steps),
+        cmocka_unit_test(bodies_at_rest_that_a_jump_parts_have_ended_their_impact),
         cmocka_unit_test(every_storey_law_agrees_with_dormand_prince),
         cmocka_unit_test(the_longest_step_is_kept_and_the_shortest_ends_the_run),
         cmocka_unit_test(equal_parts_are_no_longer_than_the_longest_step),
