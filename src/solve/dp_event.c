@@ -136,12 +136,26 @@ static bool is_straight(const struct dp *p, int i) {
     return p->model->storey[i].law->traits & STOREY_STRAIGHT;
 }
 
+// Where a piece of a path has left the straight branch that storey i is on, or `from` where it has
+// not. It may have done so at a turn before it that was no event, and yield the other way at its
+// end, with the tangent that it had: so it is asked right behind its beginning, too.
+static double off_branch(const struct dp *p, int i, double from, double to, double least) {
+    double tangent = p->system.tangent[i];
+    double early = from + copysign(fmin(2.0 * least, fabs(to - from)), to - from);
+    if (!is_straight(p, i)) {
+        return from;
+    }
+    if (dp_system_tangent(&p->system, &p->now, i, early) != tangent) {
+        return early;
+    }
+    return dp_system_tangent(&p->system, &p->now, i, to) != tangent ? to : from;
+}
+
 static struct dp_event storey_event(const struct dp *p, int i) {
     struct motion m = dp_motion_storey(p, i);
     struct pieces s = cut(&m);
     double still = STILL * p->model->control.tolerance * p->scales.most_u;
     double least = fmax(dp_system_storey_noise(&p->system, &p->now, i), still);
-    double tangent = p->system.tangent[i];
     bool moved = false;
     for (int n = 0; n < s.n; n++) {
         double rise = s.d[n + 1] - s.d[n];
@@ -153,8 +167,9 @@ static struct dp_event storey_event(const struct dp *p, int i) {
                 .kind = DP_UNLOAD, .index = i, .place = s.x[n], .direction = rise};
         }
         moved = true;
-        if (is_straight(p, i) && dp_system_tangent(&p->system, &p->now, i, s.d[n + 1]) != tangent) {
-            double end = branch_end(p, i, s.d[n], s.d[n + 1]);
+        double off = off_branch(p, i, s.d[n], s.d[n + 1], least);
+        if (off != s.d[n]) {
+            double end = branch_end(p, i, s.d[n], off);
             return (struct dp_event){.kind = DP_BRANCH,
                                      .index = i,
                                      .place = reach(&s, n, end),
