@@ -7,8 +7,12 @@
 #include "core/text.h"
 
 static void begin(struct cells *c) {
+    static const char *const between[] = {
+        [CELLS_TSV] = "\t", [CELLS_CSV] = ",", [CELLS_JSON] = ", "};
     if (c->within) {
-        fputc(c->form == CELLS_TSV ? '\t' : ',', c->to);
+        fputs(between[c->form], c->to);
+    } else if (c->form == CELLS_JSON) {
+        fputs(c->n_line == 0 ? "{\"columns\": [" : c->n_line == 1 ? "\n[" : ",\n[", c->to);
     }
     c->within = true;
 }
@@ -20,6 +24,27 @@ static void quote(const char *text, FILE *to) {
             fputc('"', to);
         }
         fputc(*text, to);
+    }
+    fputc('"', to);
+}
+
+void cells_put_json(const char *text, FILE *to) {
+    size_t bad = 0;
+    const bool utf8 = text_is_utf8(text, strlen(text), &bad);
+    fputc('"', to);
+    for (const char *s = text; *s; s++) {
+        const unsigned char c = (unsigned char)*s;
+        if (c == '"' || c == '\\') {
+            fprintf(to, "\\%c", c);
+        } else if (c == '\n') {
+            fputs("\\n", to);
+        } else if (c < ' ' || c == 127) {
+            fprintf(to, "\\u%04x", c);
+        } else if (c > 127 && !utf8) {
+            fputs("\\ufffd", to);
+        } else {
+            fputc(c, to);
+        }
     }
     fputc('"', to);
 }
@@ -38,6 +63,8 @@ void cells_text(struct cells *c, const char *text) {
     }
     if (c->form == CELLS_TSV) {
         cells_put_text(text, c->to);
+    } else if (c->form == CELLS_JSON) {
+        cells_put_json(text, c->to);
     } else {
         fputs(text, c->to);
     }
@@ -46,11 +73,20 @@ void cells_text(struct cells *c, const char *text) {
 void cells_number(struct cells *c, double value) {
     struct text_exact t;
     begin(c);
+    if (c->form == CELLS_JSON && !isfinite(value)) {
+        fputs("null", c->to);
+        return;
+    }
     fputs(isnan(value) ? "nan" : text_exact(&t, value), c->to);  // a NaN has no sign here
 }
 
 void cells_empty(struct cells *c) {
-    cells_text(c, "");
+    if (c->form == CELLS_JSON) {
+        begin(c);
+        fputs("null", c->to);
+    } else {
+        cells_text(c, "");
+    }
 }
 
 void cells_whole(struct cells *c, long value) {
@@ -59,8 +95,19 @@ void cells_whole(struct cells *c, long value) {
 }
 
 void cells_end(struct cells *c) {
-    fputc('\n', c->to);
+    if (c->form != CELLS_JSON) {
+        fputc('\n', c->to);
+    } else {
+        fputs(c->n_line == 0 ? "],\n\"data\": [" : "]", c->to);
+    }
     c->within = false;
+    c->n_line++;
+}
+
+void cells_close(struct cells *c) {
+    if (c->form == CELLS_JSON) {
+        fputs("\n]}\n", c->to);
+    }
 }
 
 void cells_words(struct cells *c, const char *words) {

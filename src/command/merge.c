@@ -93,8 +93,7 @@ static int merge(const struct merge_options *o) {
     if (study_merge(q, &merged, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    if (o->words == MERGE_TELL &&
-        show_study(q->result.path, STUDY_SUMMARY, stdout, &e) != STATUS_OK) {
+    if (o->words == MERGE_TELL && show_study_summary(q->result.path, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     if (merged.left_histories) {

@@ -68,7 +68,7 @@ int run_study(const struct model *first, const struct run_options *o,
     if (status != STATUS_OK) {
         return report_error(&p, result->path, &e);
     }
-    if (!o->load.quiet && show_study(result->path, STUDY_SUMMARY, stdout, &e) != STATUS_OK) {
+    if (!o->load.quiet && show_study_summary(result->path, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     return study_end(p.n_failed, p.n_run, result->path, p.failure);

@@ -24,9 +24,10 @@ static const char details[] =
     "            separated by tabs. Of a study: run, parameters, status, table, name, quantity,\n"
     "            location, value, unit\n"
     "  --csv     the same separated by commas, quoted where that is needed (RFC 4180)\n"
-    "  --json    of one run: everything but the histories as JSON; a missing number is null\n"
+    "  --json    everything but the histories as JSON; a missing number is null. Of a study: the\n"
+    "            table as {\"columns\": [...], \"data\": [[...], ...]}\n"
     "  --long    of a study: what engineers ask for, a line each: parameters, edp, location,\n"
-    "            value, unit, status (done or failed); as TSV, or as CSV with --csv\n"
+    "            value, unit, status (done or failed); as TSV, or with --csv or --json as those\n"
     "  --edp EDP\n"
     "            with --long: one line a run for this demand; may be repeated. 'jostle\n"
     "            fragility --help' lists what EDP can be\n"
@@ -40,20 +41,21 @@ struct request {
     int n_edp;
 };
 
+static enum cells_form cells_form(const struct request *q) {
+    return q->form == 'c' ? CELLS_CSV : q->form == 'j' ? CELLS_JSON : CELLS_TSV;
+}
+
 static int show_of_study(const char *path, const struct request *q) {
     struct error e;
-    if (q->form == 'j') {
-        return command_usage(&command_show, "%s is a study, which --tsv shows, but not --json",
-                             path);
-    }
+    const enum cells_form form = cells_form(q);
     int status;
     if (q->longer) {
         const struct show_demands_request demands = {
-            .form = q->form == 'c' ? CELLS_CSV : CELLS_TSV, .edp = q->edp, .n_edp = q->n_edp};
+            .form = form, .edp = q->edp, .n_edp = q->n_edp};
         status = show_demands(path, &demands, stdout, &e);
     } else {
-        const enum study_form table = q->form == 'c' ? STUDY_CSV : STUDY_TSV;
-        status = show_study(path, q->form ? table : STUDY_SUMMARY, stdout, &e);
+        status =
+            q->form ? show_study(path, form, stdout, &e) : show_study_summary(path, stdout, &e);
     }
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
@@ -72,7 +74,7 @@ static int show_of_run(const char *path, const struct request *q) {
     if (q->form == 'j') {
         show_json(r, stdout);
     } else if (q->form) {
-        show_table(r, q->form == 'c' ? CELLS_CSV : CELLS_TSV, stdout);
+        show_table(r, cells_form(q), stdout);
     } else {
         report_print(r, stdout);
     }
@@ -115,9 +117,6 @@ static int parse(int argc, char **argv, struct request *q) {
     }
     if (q->n_edp > 0 && !q->longer) {
         return command_usage(&command_show, "--edp is for --long");
-    }
-    if (q->longer && q->form == 'j') {
-        return command_usage(&command_show, "--long is written as TSV or CSV, not as JSON");
     }
     return -1;
 }

@@ -55,7 +55,9 @@ static int print(struct study_file *f, struct printer *p, struct error *e) {
     show_sweep_names(&p->cells, p->view);
     cells_words(&p->cells, "edp location value unit status");
     cells_end(&p->cells);
-    return study_runs_each(f, take, p, e);
+    const int status = study_runs_each(f, take, p, e);
+    cells_close(&p->cells);
+    return status;
 }
 
 // Quantities that the file does not have are left out where all are asked for.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A report as JSON. Numbers have 17 digits; what JSON has no number for (NaN) is null.
+// A report as JSON. What JSON has no number for (NaN) is null.
 #include <math.h>
 #include <string.h>
 
@@ -13,31 +13,10 @@ struct json {
     bool follows;
 };
 
-static void escaped(FILE *to, const char *text) {
-    size_t bad = 0;
-    const bool utf8 = text_is_utf8(text, strlen(text), &bad);
-    fputc('"', to);
-    for (const char *s = text; *s; s++) {
-        const unsigned char c = (unsigned char)*s;
-        if (c == '"' || c == '\\') {
-            fprintf(to, "\\%c", c);
-        } else if (c == '\n') {
-            fputs("\\n", to);
-        } else if (c < ' ' || c == 127) {
-            fprintf(to, "\\u%04x", c);
-        } else if (c > 127 && !utf8) {
-            fputs("\\ufffd", to);
-        } else {
-            fputc(c, to);
-        }
-    }
-    fputc('"', to);
-}
-
 static void key(struct json *j, const char *name) {
     fputs(j->follows ? ",\n" : "\n", j->to);
     if (name) {
-        escaped(j->to, name);
+        cells_put_json(name, j->to);
         fputs(": ", j->to);
     }
     j->follows = true;
@@ -61,7 +40,7 @@ static void value(FILE *to, double number) {
 
 static void put_text(struct json *j, const char *name, const char *text) {
     key(j, name);
-    escaped(j->to, text);
+    cells_put_json(text, j->to);
 }
 
 static void put_number(struct json *j, const char *name, double number) {

@@ -90,7 +90,9 @@ static int print_all(struct study_file *f, struct printer *p, struct error *e) {
     show_sweep_names(&p->cells, p->view);
     cells_words(&p->cells, "status table name quantity location value unit");
     cells_end(&p->cells);
-    return study_runs_each(f, take_lines, p, e);
+    const int status = study_runs_each(f, take_lines, p, e);
+    cells_close(&p->cells);
+    return status;
 }
 
 static void take_peaks(void *context, const struct study_run *r) {
@@ -98,28 +100,37 @@ static void take_peaks(void *context, const struct study_run *r) {
     study_peaks_add(&p->peaks, p->view, r->number, &r->outcome, r->value);
 }
 
-static int print_summary(struct study_file *f, struct printer *p, FILE *to, struct error *e) {
+static int print_summary(struct study_file *f, struct printer *p, struct error *e) {
     p->peaks.peak = calloc((size_t)p->view->table.n_item + 1, sizeof *p->peaks.peak);
     if (!p->peaks.peak) {
         return error_no_memory(e);
     }
     const int status = study_runs_each(f, take_peaks, p, e);
     if (status == STATUS_OK) {
-        study_peaks_print(&p->peaks, p->view, to);
+        study_peaks_print(&p->peaks, p->view, p->cells.to);
     }
     free(p->peaks.peak);
     return status;
 }
 
-int show_study(const char *path, enum study_form form, FILE *to, struct error *e) {
+typedef int print_function(struct study_file *f, struct printer *p, struct error *e);
+
+static int show(const char *path, print_function *print, struct cells cells, struct error *e) {
     struct study_file *f;
     int status = study_file_open(path, &f, e);
     if (status != STATUS_OK) {
         return status;
     }
-    struct printer p = {.view = study_file_view(f),
-                        .cells = {.to = to, .form = form == STUDY_CSV ? CELLS_CSV : CELLS_TSV}};
-    status = form == STUDY_SUMMARY ? print_summary(f, &p, to, e) : print_all(f, &p, e);
+    struct printer p = {.view = study_file_view(f), .cells = cells};
+    status = print(f, &p, e);
     study_file_close(f);
     return status;
+}
+
+int show_study_summary(const char *path, FILE *to, struct error *e) {
+    return show(path, print_summary, (struct cells){.to = to}, e);
+}
+
+int show_study(const char *path, enum cells_form form, FILE *to, struct error *e) {
+    return show(path, print_all, (struct cells){.to = to, .form = form}, e);
 }

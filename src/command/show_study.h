@@ -5,11 +5,10 @@
 #include "command/cells.h"
 #include "jostle/study_file.h"
 
-enum study_form { STUDY_SUMMARY, STUDY_TSV, STUDY_CSV };
-
 // Writes what the study file at `path` holds: its sweeps, failures and largest values, or a table
 // of all values, a line each. Errors as of study_file_open and study_file_read.
-int show_study(const char *path, enum study_form form, FILE *to, struct error *e);
+int show_study_summary(const char *path, FILE *to, struct error *e);
+int show_study(const char *path, enum cells_form form, FILE *to, struct error *e);
 
 struct show_demands_request {
     enum cells_form form;

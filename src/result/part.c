@@ -15,6 +15,12 @@ static bool is_named(int file, const char *path) {
            own.st_ino == named.st_ino;
 }
 
+// Locks it, where the library has not (HDF5_USE_FILE_LOCKING=FALSE); it must still have its name
+// then. Where no file can be locked nothing is known of others.
+static bool is_ours(int file, const char *path) {
+    return (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && is_named(file, path);
+}
+
 static int taken(const char *path, const char *part, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing %s", path, part);
 }
@@ -52,7 +58,7 @@ int part_create(struct h5 *h, const char *path, const char *part, struct error *
         status = remove_old(path, part, e);
         return status != STATUS_OK ? status : cannot_write(path, h, e);
     }
-    if (!is_named(h->lock, part)) {
+    if (!is_ours(h->lock, part)) {
         h5_close_types(h);
         h5_close_file(h);
         h5_unlock(h);

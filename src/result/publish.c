@@ -21,6 +21,9 @@ static int exists(struct error *e, const char *path) {
 
 int result_check_path(const char *path, enum result_existing existing, struct error *e) {
     struct stat found;
+    if (path[0] == '\0') {
+        return error_set(e, STATUS_INPUT, "the name of the file to be written is empty");
+    }
     if (stat(path, &found) != 0) {
         return STATUS_OK;
     }

@@ -105,8 +105,28 @@ expect "a sweep below the deck takes over its param" '[ $status -eq 0 ]'
 "$jostle" show --tsv below.h5 | awk -F '\t' '$1 == 2' | values 4 >below.tsv
 expect "with the same numbers" 'cmp single.tsv below.tsv'
 rm below.*
-run "$jostle" show --json one.h5
-expect "--json is refused for a study" '[ $status -eq 2 ] && said "is a study"'
+same_table() {  # JSON and CSV
+    python3 - "$@" <<'END'
+import csv, json, sys
+table = json.load(open(sys.argv[1]))
+columns, *lines = csv.reader(open(sys.argv[2]))
+shown = lambda x: "" if x is None else x if isinstance(x, str) else float(x)
+cell = lambda x, y: y if isinstance(x, str) else "" if y in ("", "nan") else float(y)
+assert table["columns"] == columns and len(table["data"]) == len(lines) > 0
+for line, wanted in zip(table["data"], lines):
+    assert [shown(x) for x in line] == [cell(x, y) for x, y in zip(line, wanted)], wanted
+END
+}
+for long in '' --long; do
+    "$jostle" show --csv $long one.h5 >one.csv
+    run "$jostle" show --json $long one.h5
+    if command -v python3 >/dev/null; then
+        expect "--json $long is the table that --csv is" '[ $status -eq 0 ] && same_table "$out" one.csv'
+    else
+        skip "--json $long is the table that --csv is" "no python3"
+    fi
+done
+rm one.csv
 run "$jostle" check grid.deck -D k=2e6
 expect "check prints the sweeps and the first model" '[ $status -eq 0 ] && grep -q "^study of 4 runs" "$out" && grep -q "k  *fixed by -D: 2e+06" "$out" && grep -q "building A: 2 floors" "$out"'
 run "$jostle" run grid.deck -o one.h5

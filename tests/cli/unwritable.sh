@@ -11,6 +11,8 @@ for words in "check pair.deck" "modes pair.deck" "--help" "run pair.deck -o full
     : >"$out"
     expect "$words > /dev/full ends with 3" '[ $status -eq 3 ] && said "cannot write to the standard output: No space left on device"'
 done
+run "$jostle" run pair.deck -o ''
+expect "a result file without a name is refused" '[ $status -eq 2 ] && said "is empty"'
 expect "the result file is complete all the same" '"$jostle" show full.h5 >/dev/null'
 
 "$jostle" check pair.deck 2>"$err" | true
