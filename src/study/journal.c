@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -218,6 +219,14 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
     return 0;
 }
 
+// Reads the head of an entry behind the first one: no more bytes than such a one can have are
+// looked at for it.
+static bool is_head(const struct journal *j, const unsigned char *entry, enum entry_kind *kind,
+                    size_t *n) {
+    const size_t run = entry_run_size(j->n_value), file = entry_file_size("") + PATH_MAX;
+    return entry_size(entry, kind, n) && *n <= (run > file ? run : file);
+}
+
 // Loads the next sound entry from *at on as load_entry does; *at is where it starts.
 static int find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,
                       struct error *e) {
@@ -226,7 +235,7 @@ static int find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_
     ssize_t got;
     while ((got = read_at(j, block, BLOCK, *at)) >= ENTRY_HEAD) {
         for (ssize_t i = 0; i + ENTRY_HEAD <= got; i++, ++*at) {
-            const int sound = entry_size(block + i, kind, n) ? load_entry(j, *at, kind, n, e) : 0;
+            const int sound = is_head(j, block + i, kind, n) ? load_entry(j, *at, kind, n, e) : 0;
             if (sound != 0) {
                 return sound;
             }
@@ -242,7 +251,7 @@ static bool is_torn(const struct journal *j, off_t at) {
     size_t n;
     const off_t left = lseek(j->file, 0, SEEK_END) - at;
     return left < ENTRY_HEAD ||
-           (read_at(j, start, ENTRY_HEAD, at) == ENTRY_HEAD && entry_size(start, &kind, &n) &&
+           (read_at(j, start, ENTRY_HEAD, at) == ENTRY_HEAD && is_head(j, start, &kind, &n) &&
             left < (off_t)(ENTRY_HEAD + n + ENTRY_TAIL));
 }
 

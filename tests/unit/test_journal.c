@@ -241,6 +241,23 @@ static void a_long_stretch_without_an_entry_is_passed_over(void **state) {
     free(bytes);
 }
 
+// No run has so many bytes: that is damage, and not an entry that was cut off as it was written.
+static void a_last_entry_that_claims_more_than_there_can_be_is_damaged(void **state) {
+    (void)state;
+    size_t size, start[ENTRIES + 1];
+    int n_file;
+    long n_damaged = 0;
+    char *text = (char *)support_read(write_journal("claims.runs"), &size);
+    const char *path = support_path("claimed.runs");
+    find_entries(text, size, start);
+    text[start[ENTRIES - 1] + 6] ^= 1;
+    write_bytes(path, text, size);
+    const long kept = load_and_count(path, &n_file, &n_damaged);
+    assert_int_equal(n_damaged, 1);
+    write_bytes(path, text, start[ENTRIES - 1]);
+    assert_int_equal(load_and_count(path, &n_file, &n_damaged), kept);
+}
+
 // A file whose entry is lost may have changed: the runs that may have read it are made again, and
 // those that are entered then are kept.
 static void runs_behind_a_lost_file_are_lost_and_stay_so(void **state) {
@@ -314,6 +331,7 @@ int main(void) {
         cmocka_unit_test(a_flipped_byte_costs_its_entry),
         cmocka_unit_test(bytes_that_are_gone_or_too_many_cost_their_entry),
         cmocka_unit_test(a_long_stretch_without_an_entry_is_passed_over),
+        cmocka_unit_test(a_last_entry_that_claims_more_than_there_can_be_is_damaged),
         cmocka_unit_test(runs_behind_a_lost_file_are_lost_and_stay_so),
         cmocka_unit_test(a_journal_from_a_machine_with_another_order_of_bytes_is_not_read),
         cmocka_unit_test(a_journal_is_open_once),
