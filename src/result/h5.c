@@ -177,8 +177,12 @@ void h5_create(struct h5 *h, const char *path) {
     if (access >= 0) {
         H5Pclose(access);
     }
-    h->lock = h->file >= 0 ? fcntl(h5_descriptor(h), F_DUPFD_CLOEXEC, 0)
-                           : -1;  // the lock outlives that of the library
+    if (h->file >= 0) {
+        h->lock = fcntl(h5_descriptor(h), F_DUPFD_CLOEXEC, 0);  // outlives the library's
+        if (h->lock < 0) {
+            h5_fail(h, "%s", strerror(errno));
+        }
+    }
     if (!h->failed) {
         open_types(h);
         open_lists(h);

@@ -47,28 +47,51 @@ static int remove_old(const char *path, const char *part, struct error *e) {
     return locked ? taken(path, part, e) : STATUS_OK;
 }
 
-// Between its making and its lock another run may have taken the file for an old one.
+// Did another run come in between, as it made the file or locked it to see whether it is an old
+// one?
+static bool was_raced(const struct h5 *h, const char *part) {
+    if (h->file >= 0) {
+        return h->lock >= 0 && !is_ours(h->lock, part);
+    }
+    return strcmp(h->cause, strerror(EEXIST)) == 0 || strcmp(h->cause, strerror(EAGAIN)) == 0;
+}
+
+static void give_up(struct h5 *h) {
+    h5_close_types(h);
+    h5_close_file(h);
+    h5_unlock(h);
+    h->failed = false;
+}
+
+// Between its making and its lock another run may take the file for an old one, and so may that one
+// lose its own: then all try again, until one finds the file of another locked.
+static int create_alone(struct h5 *h, const char *path, const char *part, struct error *e) {
+    enum { ATTEMPTS = 20 };
+    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+        const int status = remove_old(path, part, e);
+        if (status != STATUS_OK) {
+            return status;
+        }
+        h5_create(h, part);
+        if (!was_raced(h, part)) {
+            return STATUS_OK;
+        }
+        give_up(h);
+    }
+    return taken(path, part, e);
+}
+
 int part_create(struct h5 *h, const char *path, const char *part, struct error *e) {
-    int status = remove_old(path, part, e);
-    if (status != STATUS_OK) {
+    int status = create_alone(h, path, part, e);
+    if (status != STATUS_OK || !h->failed) {
         return status;
     }
-    h5_create(h, part);
-    if (h->file < 0) {
-        status = remove_old(path, part, e);
-        return status != STATUS_OK ? status : cannot_write(path, h, e);
-    }
-    if (!is_ours(h->lock, part)) {
-        h5_close_types(h);
-        h5_close_file(h);
-        h5_unlock(h);
-        return taken(path, part, e);
-    }
-    if (h->failed) {
+    if (h->file >= 0) {
         unlink(part);
-        return cannot_write(path, h, e);
+    } else {
+        status = remove_old(path, part, e);  // what the library has left on a full disk
     }
-    return STATUS_OK;
+    return status == STATUS_OK ? cannot_write(path, h, e) : status;
 }
 
 // Names of buildings become names of groups.
