@@ -8,6 +8,7 @@
 #include "solve/contact.h"
 #include "solve/crossing.h"
 #include "solve/link_terms.h"
+#include "solve/rest.h"
 #include "solve/sweep.h"
 
 // A first guess of the force: the polynomial through the last steps, as many as there were with the
@@ -49,6 +50,9 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
     };
     if (p->kind->n_history > 0) {
         keep_history(now, next, p);
+    }
+    if (p->kind->rebound) {
+        p->v_rest = rest_velocity(now, w->model, w->h, k);
     }
     p->branch = BRANCH_CLOSED;
     p->clamped = false;
