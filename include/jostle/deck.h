@@ -181,6 +181,10 @@ void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
 const char *deck_unknown(struct deck *d, const struct word *w, const char *what,
                          const char *const *known, int n);
 
+// Which of the `known` keywords (n) the word is; -1 after deck_unknown.
+int deck_keyword(struct deck *d, const struct word *w, const char *what, const char *const *known,
+                 int n);
+
 // The statements that the language itself carries out, for help texts: name, usage, meaning.
 struct deck_statement {
     const char *name, *usage, *doc;

@@ -235,15 +235,17 @@ static void build_sine(struct builder *b, const struct statement *s) {
 }
 
 static void build(struct builder *b, const struct statement *s) {
-    static const char *const kinds[] = {"record", "sine"};
+    enum { RECORD, SINE, N_KIND };
+    static const char *const kinds[N_KIND] = {[RECORD] = "record", [SINE] = "sine"};
     if (s->n_plain < 2) {
         deck_error(b->deck, &s->word[0], "ground needs 'record' or 'sine'");
-    } else if (strcmp(s->word[1].text, kinds[0]) == 0) {
+        return;
+    }
+    const int kind = deck_keyword(b->deck, &s->word[1], "ground motion", kinds, N_KIND);
+    if (kind == RECORD) {
         build_record(b, s);
-    } else if (strcmp(s->word[1].text, kinds[1]) == 0) {
+    } else if (kind == SINE) {
         build_sine(b, s);
-    } else {
-        deck_unknown(b->deck, &s->word[1], "ground motion", kinds, 2);
     }
 }
 

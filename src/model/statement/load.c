@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gsl/gsl_math.h>
-#include <string.h>
 
 #include "model/signals.h"
 #include "model/statement.h"
@@ -112,16 +111,11 @@ static void build(struct builder *b, const struct statement *s) {
     }
     struct selection floors;
     bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
-    for (int i = 0; i < 3; i++) {
-        struct signal signal;
-        if (strcmp(s->word[2].text, kinds[i]) == 0) {
-            if (read[i](b, s, &signal) && selected) {
-                append(b, s, &floors, &signal);
-            }
-            return;
-        }
+    const int kind = deck_keyword(b->deck, &s->word[2], "load", kinds, 3);
+    struct signal signal;
+    if (kind >= 0 && read[kind](b, s, &signal) && selected) {
+        append(b, s, &floors, &signal);
     }
-    deck_unknown(b->deck, &s->word[2], "load", kinds, 3);
 }
 
 const struct statement_kind statement_load = {
