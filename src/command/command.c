@@ -44,6 +44,12 @@ int command_fail(const struct error *e) {
     }
 }
 
+int command_no_memory(void) {
+    struct error e;
+    error_no_memory(&e);
+    return command_fail(&e);
+}
+
 int command_usage(const struct command *c, const char *format, ...) {
     fprintf(stderr, "jostle %s: %s ", c->name, error_word());
     va_list list;

@@ -24,6 +24,9 @@ extern const int n_command;
 // Prints "jostle: error: ..." to stderr; returns the exit status for e->status.
 int command_fail(const struct error *e);
 
+// The same for want of memory.
+int command_no_memory(void);
+
 // Prints "jostle NAME: error: ..." and where help is; returns EXIT_INPUT.
 int command_usage(const struct command *c, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -50,9 +50,7 @@ int deck_command_run(const struct deck_command *c, int argc, char **argv, struct
                      void *options) {
     const char **define = calloc((size_t)argc, sizeof *define);
     if (!define) {
-        struct error e;
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
     load->define = define;
     int status;

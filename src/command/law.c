@@ -295,14 +295,7 @@ static int law_command(int argc, char **argv) {
     struct options o = {.existing = RESULT_KEEP};
     o.word = calloc((size_t)argc, sizeof *o.word);
     o.compare = calloc((size_t)argc, sizeof *o.compare);
-    int status;
-    if (o.word && o.compare) {
-        status = run(argc, argv, &o);
-    } else {
-        struct error e;
-        error_no_memory(&e);
-        status = command_fail(&e);
-    }
+    const int status = o.word && o.compare ? run(argc, argv, &o) : command_no_memory();
     free(o.word);
     free(o.compare);
     return status;

@@ -126,11 +126,11 @@ static int merge_command(int argc, char **argv) {
     }
     struct arena *a = arena_create();
     o.request.result.command_line = a ? command_line(a, argc, argv) : NULL;
-    struct error e;
-    status = o.request.result.command_line ? EXIT_DONE : command_fail((error_no_memory(&e), &e));
-    if (status == EXIT_DONE) {
+    if (o.request.result.command_line) {
         interrupt_catch();
         status = merge(&o);
+    } else {
+        status = command_no_memory();
     }
     arena_free(a);
     return status;

@@ -184,8 +184,7 @@ static int run_model(void *options, const struct model *m) {
     };
     struct error e;
     if (!result.path || !result.command_line) {
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
     if (check_output(m, o, result.path, &e) != STATUS_OK) {
         return command_fail(&e);

@@ -124,9 +124,7 @@ static int parse(int argc, char **argv, struct request *q) {
 static int show_command(int argc, char **argv) {
     struct request q = {.edp = calloc((size_t)argc, sizeof *q.edp)};
     if (!q.edp) {
-        struct error e;
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
     int status = parse(argc, argv, &q);
     if (status < 0) {

@@ -165,8 +165,7 @@ static int spectrum_command(int argc, char **argv) {
     struct spectrum_set set;
     struct arena *a = arena_create();
     if (!a) {
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
     int status = spectrum_parse(&command_spectrum, argc, argv, a, &q);
     if (status < 0 && q.pounding) {

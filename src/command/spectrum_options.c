@@ -116,17 +116,11 @@ static int count_fields(const char *text) {
     return n;
 }
 
-static int no_memory(void) {
-    struct error e;
-    error_no_memory(&e);
-    return command_fail(&e);
-}
-
 static int parse_damping(const struct command *c, const char *text, struct arena *a,
                          struct spectrum_request *q) {
     double *value = arena_alloc(a, DAMPING_MAX, sizeof *value);
     if (!value) {
-        return no_memory();
+        return command_no_memory();
     }
     if (count_fields(text) > DAMPING_MAX) {
         return command_usage(c, "--damping has %d ratios; at most %d are taken", count_fields(text),
@@ -149,7 +143,7 @@ static int parse_damping(const struct command *c, const char *text, struct arena
 static int log_grid(double from, double to, int n, struct arena *a, struct spectrum_request *q) {
     double *period = arena_alloc(a, (size_t)n, sizeof *period);
     if (!period) {
-        return no_memory();
+        return command_no_memory();
     }
     for (int i = 0; i < n; i++) {
         period[i] = from * pow(to / from, (double)i / (n - 1));
@@ -186,7 +180,7 @@ static int parse_periods(const struct command *c, const char *text, struct arena
     const int max = count_fields(text);
     double *value = arena_alloc(a, (size_t)max, sizeof *value);
     if (!value) {
-        return no_memory();
+        return command_no_memory();
     }
     q->n_period = read_list(text, &dimension_time, max, value);
     if (q->n_period == 0) {
@@ -360,7 +354,7 @@ int spectrum_parse(const struct command *c, int argc, char **argv, struct arena 
                                    .existing = RESULT_KEEP,
                                    .define = arena_alloc(a, (size_t)argc, sizeof *q->define)};
     if (!q->define) {
-        return no_memory();
+        return command_no_memory();
     }
     int done = parse_options(c, argc, argv, a, q);
     if (done >= 0) {
