@@ -3,13 +3,14 @@
 #ifndef JOSTLE_COMMAND_H
 #define JOSTLE_COMMAND_H
 
+#include <getopt.h>
 #include <stdbool.h>
 #include <stdio.h>
 
 #include "jostle/error.h"
 
-// Exit status of the program.
-enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_INPUT = 2, EXIT_SYSTEM = 3 };
+// Exit status of the program. GO_ON: none yet, there is something left to do.
+enum { GO_ON = -1, EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_INPUT = 2, EXIT_SYSTEM = 3 };
 
 struct command {
     const char *name;
@@ -50,8 +51,23 @@ int command_once(const struct command *c, const char *option, const char **text)
 struct arena;
 const char *command_line(struct arena *a, int argc, char **argv);
 
-// Messages for getopt_long's '?' and ':'; call it with opterr = 0. Returns EXIT_INPUT.
-int command_bad_option(const struct command *c, int answer, char **argv);
+// How a command reads its options.
+struct command_options {
+    const struct command *command;
+    const char *details;          // of its help
+    void (*print_details)(void);  // further ones; NULL: none
+    // getopt_long, or getopt_long_only where one dash is enough for long options.
+    int (*next)(int, char *const *, const char *, const struct option *, int *);
+    const char *letters;          // for it, h too
+    const struct option *option;  // for it
+    // Takes an option other than -h, with optarg. Returns EXIT_DONE or, after a message, the exit
+    // status.
+    int (*take)(void *request, int letter);
+};
+
+// Reads the options; optind is then the first of the other words. Returns GO_ON, or the exit status
+// after help or a message.
+int command_parse(const struct command_options *o, int argc, char **argv, void *request);
 
 // True if stderr may be coloured: it is a terminal and NO_COLOR is not set.
 bool command_colour(void);

@@ -167,10 +167,10 @@ static int spectrum_command(int argc, char **argv) {
     if (!a) {
         return command_no_memory();
     }
-    int status = spectrum_parse(&command_spectrum, argc, argv, a, &q);
-    if (status < 0 && q.pounding) {
+    int status = spectrum_parse(argc, argv, a, &q);
+    if (status == GO_ON && q.pounding) {
         status = pounding_run(&q, a);
-    } else if (status < 0) {
+    } else if (status == GO_ON) {
         status = compute(&q, a, &set, &e);
         if (status == STATUS_OK && (q.output || q.script_folder)) {
             status = draw(&q, &set, &e);
