@@ -24,7 +24,6 @@ struct stream {
     int source;    // enum row_source
     size_t first;  // of its values in the source
     size_t width;  // values a row
-    int n_dim;
     double *row;  // (capacity, width)
 };
 
