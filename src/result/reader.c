@@ -99,54 +99,57 @@ static void get_building(struct result_file *f, hid_t group, struct report_build
     get_envelope(f, group, b);
 }
 
-// Each building goes to its position, which must be free.
+struct report_building *reader_building(struct h5 *h, hid_t group, const char *name,
+                                        struct report *r) {
+    const long position = h5_get_long(h, group, "position");
+    char *copy = arena_text(r->arena, name, strlen(name));
+    if (!copy) {
+        h5_no_memory(h);
+    }
+    if (!h->failed && (position < 0 || position >= r->n_building || r->building[position].name)) {
+        h5_fail(h, "building '%s' has the position %ld", name, position);
+    }
+    if (h->failed) {
+        return NULL;
+    }
+    r->building[position].name = copy;
+    return &r->building[position];
+}
+
+void reader_buildings(struct h5 *h, hid_t root, struct report *r, H5L_iterate_t visit,
+                      void *context) {
+    hid_t group = h5_get_group(h, root, "buildings");
+    H5G_info_t info = {.nlinks = 0};
+    if (!h->failed && !h5_failed(h, H5Gget_info(group, &info)) &&
+        (info.nlinks < 1 || info.nlinks > BUILDINGS_LIMIT)) {
+        h5_fail(h, "it has %llu buildings; 1 to %d are allowed", (unsigned long long)info.nlinks,
+                BUILDINGS_LIMIT);
+    }
+    r->building = h->failed ? NULL : arena_alloc(r->arena, info.nlinks, sizeof *r->building);
+    if (r->building) {
+        r->n_building = (int)info.nlinks;
+        h5_failed(h, H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, NULL, visit, context));
+    } else {
+        h5_no_memory(h);
+    }
+    h5_close(h, group);
+}
+
 static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *info,
                              void *context) {
     (void)info;
     struct result_file *f = context;
     struct report *r = f->report;
     hid_t group = h5_get_group(&f->h, parent, name);
-    const long position = h5_get_long(&f->h, group, "position");
-    if (!f->h.failed && (position < 0 || position >= r->n_building || r->building[position].name)) {
-        h5_fail(&f->h, "building '%s' has the position %ld", name, position);
+    struct report_building *b = reader_building(&f->h, group, name, r);
+    for (int i = 0; i < FLOOR_FIELD_COUNT && b == r->building; i++) {
+        r->fields |= h5_has(&f->h, group, field_names[i]) ? 1U << i : 0;
     }
-    if (!f->h.failed) {
-        struct report_building *b = &r->building[position];
-        b->name = arena_text(r->arena, name, strlen(name));
-        if (!b->name) {
-            h5_no_memory(&f->h);
-        }
-        for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
-            r->fields |= h5_has(&f->h, group, field_names[i]) ? 1U << i : 0;
-        }
+    if (b) {
         get_building(f, group, b);
     }
     h5_close(&f->h, group);
     return f->h.failed ? -1 : 0;
-}
-
-static void get_buildings(struct result_file *f) {
-    struct report *r = f->report;
-    hid_t group = h5_get_group(&f->h, f->root, "buildings");
-    H5G_info_t info = {.nlinks = 0};
-    if (f->h.failed || h5_failed(&f->h, H5Gget_info(group, &info))) {
-        h5_close(&f->h, group);
-        return;
-    }
-    if (info.nlinks < 1 || info.nlinks > BUILDINGS_LIMIT) {
-        h5_fail(&f->h, "it has %llu buildings; 1 to %d are allowed",
-                (unsigned long long)info.nlinks, BUILDINGS_LIMIT);
-    } else {
-        r->n_building = (int)info.nlinks;
-        r->building = arena_alloc(r->arena, info.nlinks, sizeof *r->building);
-        if (!r->building) {
-            h5_no_memory(&f->h);
-        } else {
-            h5_failed(&f->h,
-                      H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit_building, f));
-        }
-    }
-    h5_close(&f->h, group);
 }
 
 static struct report_link *get_links(struct result_file *f, hid_t group, const char *scale,
@@ -303,7 +306,7 @@ static int read_file(struct result_file *f, struct error *e) {
         return status;
     }
     get_attributes(f);
-    get_buildings(f);
+    reader_buildings(&f->h, f->root, f->report, visit_building, f);
     get_contacts(f);
     get_impacts(f);
     get_energy(f);
