@@ -254,22 +254,28 @@ static int print_all(const struct request *q, const struct suite *s, const doubl
     return status;
 }
 
+// Whether the suite is one that the method can do with.
+static int check_suite(const struct request *q, const struct suite *s, struct error *e) {
+    if (!s->abscissa->number) {
+        return error_set(e, STATUS_INPUT, "--im %s: its values are no numbers", s->abscissa->name);
+    }
+    if (q->method == METHOD_IDA && s->is_random) {
+        return error_set(e, STATUS_INPUT,
+                         "--method ida: '%s' is a random parameter, along which other things "
+                         "change, too",
+                         s->abscissa->name);
+    }
+    if (q->method == METHOD_IDA && s->n_sample < 2) {
+        return error_set(e, STATUS_INPUT, "--method ida needs samples; name their sweep by --over");
+    }
+    return STATUS_OK;
+}
+
 static int fit_all(const struct request *q, const struct suite *s, struct error *e) {
     double *limit = NULL;
     int n = 0, status = suite_options_limits(&q->suite, s, &limit, &n, e);
-    if (status == STATUS_OK && !s->abscissa->number) {
-        status =
-            error_set(e, STATUS_INPUT, "--im %s: its values are no numbers", s->abscissa->name);
-    }
-    if (status == STATUS_OK && q->method == METHOD_IDA && s->is_random) {
-        status = error_set(e, STATUS_INPUT,
-                           "--method ida: '%s' is a random parameter, along which other things "
-                           "change, too",
-                           s->abscissa->name);
-    }
-    if (status == STATUS_OK && q->method == METHOD_IDA && s->n_sample < 2) {
-        status =
-            error_set(e, STATUS_INPUT, "--method ida needs samples; name their sweep by --over");
+    if (status == STATUS_OK) {
+        status = check_suite(q, s, e);
     }
     if (status == STATUS_OK) {
         suite_options_warn(s);

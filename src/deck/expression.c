@@ -61,7 +61,7 @@ static bool name_is(const char *from, const char *to, const char *name) {
 bool expression_is_reserved(const char *name, size_t n) {
     const char *end = name + n;
     for (int i = 0; i < n_quantity_function; i++) {
-        if (name_is(name, end, quantity_functions[i])) {
+        if (name_is(name, end, quantity_functions[i].name)) {
             return true;
         }
     }
@@ -101,7 +101,7 @@ static bool unknown_function(struct parser *p, const char *name, const char *end
     const char *known[32] = {"min", "max"};
     int n = 2;
     for (int i = 0; i < n_quantity_function && n < 32; i++) {
-        known[n++] = quantity_functions[i];
+        known[n++] = quantity_functions[i].name;
     }
     struct word part = report_part(p->deck, p->word, name, end);
     deck_unknown(p->deck, &part, "function", known, n);

@@ -218,7 +218,10 @@ int quantity_choose(const struct unit_system *u, int sign, struct quantity *a,
 // The function called `name` (n bytes) of *a. STATUS_RETRY: there is none.
 int quantity_function(const struct unit_system *u, const char *name, size_t n, struct quantity *a,
                       struct error *e);
-extern const char *const quantity_functions[];
+extern const struct function {
+    const char *name;
+    double (*value)(double);
+} quantity_functions[];
 extern const int n_quantity_function;
 
 // "a mass (t)", "a pure number", "a quantity in kN/m^1.5".

@@ -35,10 +35,7 @@ bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
                    p->kind == PARAMETER_TEXT ? "number" : "text");
         return false;
     }
-    if (p->kind == PARAMETER_TEXT) {
-        return true;
-    }
-    if (!p->number.known) {
+    if (p->kind == PARAMETER_TEXT || !p->number.known) {
         return true;
     }
     if (!first->number.known) {

@@ -7,6 +7,8 @@
 #include "jostle/model.h"
 #include "model/name_index.h"
 
+enum { OUTPUT_EVERY_MAX = 1000000000 };  // steps from row to row
+
 // A growing array in an arena.
 struct list {
     void *item;
