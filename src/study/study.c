@@ -55,12 +55,11 @@ static int resume(struct study *s, struct error *e) {
                          "begins anew",
                          s->journal.path, length, cause);
     }
-    struct error cause;
-    int status = journal_load(&s->journal, expect_file, s, &cause);
+    int status = journal_load(&s->journal, expect_file, s, e);
     if (status == STATUS_INPUT) {
+        const struct error cause = *e;
         return error_set(e, STATUS_INPUT, "%s; --restart begins the study anew", cause.message);
     }
-    *e = cause;
     return status;
 }
 

@@ -65,16 +65,7 @@ static const struct row record_rows[N_RECORD_ROW] = {
 static const struct row sine_rows[N_SINE_ROW] = {
     [SINE_AMPLITUDE] =
         {"amplitude", ROW_NUMBER, ROW_REQUIRED, {0, 1, -2}, NULL, NAN, "peak ground acceleration"},
-    [SINE_FREQUENCY] =
-        {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN, "frequency"},
-    [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},
-    [SINE_CYCLES] = {"cycles",
-                     ROW_NUMBER,
-                     0,
-                     {0},
-                     &range_positive,
-                     NAN,
-                     "number of cycles; endless if not given"},
+    SINE_SHAPE_ROWS,
     [S_DELAY] = {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0, "time of the start"},
     [S_BUILDINGS] =
         {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN, "buildings it acts under; all if not given"},
