@@ -23,7 +23,8 @@ struct study_merge_request {
     enum study_gaps { STUDY_WHOLE, STUDY_PARTIAL } gaps;  // may runs be missing?
     struct result_options result;
 
-    // Called now and then. Not 0 ends it with that status, and nothing is written.
+    // Called now and then. A result other than 0 ends the merge with that status, and nothing is
+    // written.
     int (*poll)(void *context, struct error *e);
     void *context;
 };

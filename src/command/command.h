@@ -14,7 +14,7 @@ enum { GO_ON = -1, EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_INPUT = 2, EXIT_SYSTEM =
 
 struct command {
     const char *name;
-    const char *usage;                  // behind "jostle NAME ": "FILE.h5 [--tsv|--json]"
+    const char *usage;                  // after "jostle NAME ": "FILE.h5 [--tsv|--json]"
     const char *summary;                // half a line
     int (*run)(int argc, char **argv);  // argv[0] is the command's name; returns the exit status
 };
@@ -25,7 +25,7 @@ extern const int n_command;
 // Prints "jostle: error: ..." to stderr; returns the exit status for e->status.
 int command_fail(const struct error *e);
 
-// The same for want of memory.
+// command_fail, because there is no memory.
 int command_no_memory(void);
 
 // Prints "jostle NAME: error: ..." and where help is; returns EXIT_INPUT.
@@ -44,7 +44,7 @@ int command_help(const struct command *c, const char *details);
 int command_count(const struct command *c, const char *what, const char *text, long max,
                   long *value);
 
-// Takes optarg as the value of an option that is given once. Returns EXIT_DONE or EXIT_INPUT.
+// Takes optarg as the value of an option that may be given once. Returns EXIT_DONE or EXIT_INPUT.
 int command_once(const struct command *c, const char *option, const char **text);
 
 // The words of the command as one text; NULL: no memory.

@@ -44,7 +44,7 @@ enum { PATH_SIZE = 4096 };
 
 struct options {
     struct law_words words;
-    const char **word, **compare;  // behind words
+    const char **word, **compare;  // what `words` borrows
     const char *history, *plot, *script;
     enum result_existing existing;
     bool tsv, help;
@@ -74,7 +74,7 @@ static int take_value(struct options *o, const char *option, const char *value) 
                                                        : &o->words.fit);
 }
 
-// An option of the command; *behind: its value stands in the next word.
+// An option of the command; *behind: its value is the next word.
 static int take_option(struct options *o, const char *option, const char *next, bool *behind) {
     static const char *const known[] = {"--compare", "--history", "--plot",  "--script",
                                         "--fit",     "--tsv",     "--force", "--help"};
@@ -177,7 +177,7 @@ static int write_history(const struct options *o, const struct law_impact *i, st
     return result_publish(part, o->history, o->existing, e);
 }
 
-// What stands above the picture and its panels.
+// What is written above the picture and its panels.
 struct texts {
     char title[512], subtitle[256];
 };

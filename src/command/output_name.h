@@ -19,7 +19,7 @@ const char *output_part_name(struct arena *a, const char *path, const struct stu
 // no memory.
 const char *output_choose(const struct model *m, const char *given, const struct study_shard *s);
 
-// True if both are there and one file.
+// True if both exist and are the same file.
 bool output_is_same_file(const char *a, const char *b);
 
 // "K/N" with 1 <= K <= N; false: it is not.

@@ -7,7 +7,7 @@
 
 enum { WIDTH = 100, CELL = 96 };
 
-// Columns of a table; the meaning stands last and may be long.
+// Columns of a table; the meaning comes last and may be long.
 enum column { OPTION, UNIT, RANGE, DEFAULT, MEANING, N_COLUMN };
 static const char *const headings[N_COLUMN] = {"option", "unit", "range", "default", "meaning"};
 

@@ -16,7 +16,7 @@ void rows_print(enum page page, const struct row *row, int n_row);
 // "label: text", wrapped in plain text. `text` NULL: prints nothing.
 void rows_entry(enum page page, const char *label, const char *text);
 
-// The same for text that is typed as it stands: a usage, a formula.
+// The same for text that is to be typed literally: a usage, a formula.
 void rows_code(enum page page, const char *label, const char *text);
 
 // The same on one line, however long: what is copied to be run.

@@ -151,7 +151,7 @@ static const struct impact *hardest_coarse(const struct model *m, const struct r
     return hardest;
 }
 
-// Impacts whose force is below this share of the largest one change no result that matters.
+// Impacts with less than this share of the largest force change no result that matters.
 static const double WEAK = 0.05;
 
 static void warn_coarse(const struct model *m, const struct results *r) {

@@ -9,7 +9,7 @@
 // Prints "study of N runs" and a line for each sweep to stdout; nothing for a deck without sweeps.
 void sweeps_print(const struct deck *d);
 // The same for commands that look at one model only: that it is the one of the first run. `before`
-// and `behind` stand around it.
+// and `after` are printed around it.
 void sweeps_print_first(const struct deck *d, const char *before, const char *behind);
 
 // A line for one sweep; `units` of its numbers.

@@ -97,7 +97,7 @@ static int compare(const void *a, const void *b) {
     return order ? order : x->at - y->at;
 }
 
-// False after having reported a value that stands twice: results are found by their values.
+// False after having reported a value that is given twice: results are found by their values.
 static bool check_distinct(struct deck *d, const struct sweep *s, const struct word *word) {
     struct key *key = deck_array(d, (size_t)s->n, sizeof *key);
     for (int i = 0; key && i < s->n; i++) {
@@ -239,7 +239,8 @@ const struct sweep *sweep_bound(const struct deck *d, const char *name, int *cho
     return NULL;
 }
 
-// Would each run read its sweeps anew, a study would take a time with the square of their lengths.
+// If each run read its sweeps anew, the time of a study would grow with the square of their
+// lengths.
 const struct sweep *sweep_known(const struct deck *d, const struct frame *f) {
     const struct deck *first = d->reader->first_reading;
     const struct sweep *s = first ? first->sweeps : NULL;

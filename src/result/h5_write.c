@@ -96,7 +96,7 @@ static hid_t create_with(struct h5 *h, hid_t parent, const struct h5_dataset *d,
     return dataset;
 }
 
-// Few values stand in the header of their dataset, which takes less time than room of their own.
+// Few values go into the header of their dataset, which takes less time than room of their own.
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     enum { FEW = 64 };
     const hsize_t values = d->n_dim == 2 ? d->dim[0] * d->dim[1] : d->dim[0];

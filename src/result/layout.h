@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in a result file: one row a dataset or attribute. The writer, the reader and `show`
-// work from these tables.
+// What is in a result file: one row for each dataset or attribute. The writer, the reader and
+// `show` work from these tables.
 #ifndef JOSTLE_LAYOUT_H
 #define JOSTLE_LAYOUT_H
 

@@ -237,7 +237,7 @@ static void get_energy(struct result_file *f) {
     h5_close(&f->h, group);
 }
 
-// The number behind the last # of the path of a run in a study, and that of the study in *file; 0
+// The number after the last # of the path of a run in a study, and that of the study in *file; 0
 // where the path is that of a file.
 static long split(struct result_file *f, const char **file) {
     const char *mark = strrchr(f->path, '#');

@@ -10,7 +10,7 @@
 
 // What a file may claim before it is taken for damaged.
 enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
-// Boxes are read as they stand in the file, and merging opens many files with many datasets each.
+// Boxes are read in the order of the file, and merging opens many files with many datasets each.
 enum { SIEVE_BYTES = 1024 };
 
 // Where the items of a group belong.

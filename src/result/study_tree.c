@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tree of a study file. The scales of the sweeps stand in /sweep and are hard-linked into each
+// The tree of a study file. The scales of the sweeps are in /sweep and are hard-linked into each
 // group with values, so that a group opened alone (as xarray does) shows its coordinates.
 #include <stdio.h>
 #include <string.h>

@@ -37,7 +37,7 @@ static void put_envelope(struct h5 *h, hid_t buildings, const struct report_buil
     h5_close(h, building);
 }
 
-// /contacts/envelope or /links/envelope. The table is of struct link_peak, which stands in each
+// /contacts/envelope or /links/envelope. The table is of struct link_peak, a member of each
 // struct report_link.
 static void put_link_envelope(struct h5 *h, hid_t root, const char *name, const char *scale_name,
                               const struct column_table *peaks, const struct report_link *link,

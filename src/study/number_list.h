@@ -15,7 +15,7 @@ struct number_list {
 };
 
 void number_list_add(struct number_list *l, long number);
-// Writes what is left; ", ..." stands for what had no room.
+// Writes what is left; ", ..." replaces what had no room.
 void number_list_end(struct number_list *l);
 
 #endif

@@ -19,7 +19,7 @@ struct maker {
     struct suite *s;
     struct roles roles;
     double *value;
-    int *place;  // (values of the abscissa) where each stands among the points
+    int *place;  // (values of the abscissa) the place of each among the points
     bool no_memory;
 };
 
@@ -29,7 +29,7 @@ static void *take(struct maker *m, size_t n, size_t size) {
     return p;
 }
 
-// "NAME = VALUE UNIT" or "NAME VALUE" behind `text`.
+// Appends "NAME = VALUE UNIT" or "NAME VALUE" to `text`.
 static const char *append_value(struct maker *m, const char *text, int sweep, int k,
                                 const char *equals) {
     const struct study_view *v = m->s->view;
