@@ -14,9 +14,6 @@
 long study_shard_size(const struct study_shard *s, long n_run);
 long study_shard_run(const struct study_shard *s, long i);
 
-// Which part of `n` has run `run`, from 0; parts are numbered from 1.
-long study_shard_of(long n, long run);
-
 struct study_merge_request {
     const char *const *path;  // (n_path) files of parts
     int n_path;

@@ -8,10 +8,7 @@
 
 struct model;
 
-// The deck's name with .h5 for its ending, without its folder. NULL: no memory.
-const char *output_name(struct arena *a, const char *deck);
-
-// That of a part of the study whose result is `path`: gap.h5, 3/16: gap.3-of-16.h5. NULL: no
+// The result of a part of the study whose result is `path`: gap.h5, 3/16: gap.3-of-16.h5. NULL: no
 // memory.
 const char *output_part_name(struct arena *a, const char *path, const struct study_shard *s);
 
