@@ -152,49 +152,30 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     return f->h.failed ? -1 : 0;
 }
 
-static struct report_link *get_links(struct result_file *f, hid_t group, const char *scale,
+static struct report_link *get_links(struct result_file *f, const struct link_group *g,
                                      int *n_link) {
     struct arena *a = f->report->arena;
-    const size_t n = h5_get_length(&f->h, group, scale, LIST_LIMIT);
+    hid_t group = h5_get_group(&f->h, f->root, g->name);
+    const size_t n = h5_get_length(&f->h, group, g->scale, LIST_LIMIT);
     struct report_link *link = arena_alloc(a, n, sizeof *link);
     if (!link) {
         h5_no_memory(&f->h);
-        return NULL;
     }
     for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
         h5_get_column(&f->h, a, group, &layout_link, c, link, n);
     }
-    *n_link = (int)n;
-    return link;
-}
-
-static void get_link_envelope(struct result_file *f, hid_t group, const struct column_table *peaks,
-                              struct report_link *link, size_t n) {
-    hid_t envelope = h5_get_group(&f->h, group, "envelope");
-    const struct column_table table = {peaks->column, peaks->n_column, sizeof *link};
-    for (int c = 0; c < table.n_column && !f->h.failed; c++) {
-        char *base = (char *)link + offsetof(struct report_link, peak);
-        h5_get_column(&f->h, f->report->arena, envelope, &table, c, base, n);
-    }
-    h5_close(&f->h, envelope);
-}
-
-static void get_contacts(struct result_file *f) {
-    struct report *r = f->report;
-    hid_t group = h5_get_group(&f->h, f->root, "contacts");
-    r->contact = get_links(f, group, "contact", &r->n_contact);
     for (int i = 0; i < 2; i++) {
         const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
-        r->fields |= h5_has(&f->h, group, field_names[FLOOR_FIELD_COUNT + i]) ? bit : 0;
+        f->report->fields |= h5_has(&f->h, group, g->field[i]) ? bit : 0;
     }
-    get_link_envelope(f, group, &layout_contact, r->contact, (size_t)r->n_contact);
+    hid_t envelope = h5_get_group(&f->h, group, "envelope");
+    for (int c = 0; c < g->peaks->n_column && !f->h.failed; c++) {
+        h5_get_column(&f->h, a, envelope, g->peaks, c, link, n);
+    }
+    h5_close(&f->h, envelope);
     h5_close(&f->h, group);
-    if (h5_has(&f->h, f->root, "links")) {
-        hid_t links = h5_get_group(&f->h, f->root, "links");
-        r->link = get_links(f, links, "link", &r->n_link);
-        get_link_envelope(f, links, &layout_link_peak, r->link, (size_t)r->n_link);
-        h5_close(&f->h, links);
-    }
+    *n_link = (int)n;
+    return link;
 }
 
 static void get_impacts(struct result_file *f) {
@@ -307,7 +288,10 @@ static int read_file(struct result_file *f, struct error *e) {
     }
     get_attributes(f);
     reader_buildings(&f->h, f->root, f->report, visit_building, f);
-    get_contacts(f);
+    f->report->contact = get_links(f, &layout_contacts, &f->report->n_contact);
+    if (h5_has(&f->h, f->root, layout_links.name)) {
+        f->report->link = get_links(f, &layout_links, &f->report->n_link);
+    }
     get_impacts(f);
     get_energy(f);
     return f->h.failed ? damaged(f, e) : STATUS_OK;

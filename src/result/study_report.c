@@ -36,10 +36,10 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     return h->failed ? -1 : 0;
 }
 
-static struct report_link *get_links(struct study_file *f, struct report *r, const char *name,
-                                     const char *scale, int *n_link) {
-    hid_t group = h5_get_group(&f->h, f->h.file, name);
-    const size_t n = h5_get_length(&f->h, group, scale, LINKS_LIMIT);
+static struct report_link *get_links(struct study_file *f, struct report *r,
+                                     const struct link_group *g, int *n_link) {
+    hid_t group = h5_get_group(&f->h, f->h.file, g->name);
+    const size_t n = h5_get_length(&f->h, group, g->scale, LINKS_LIMIT);
     struct report_link *link = arena_alloc(r->arena, n, sizeof *link);
     if (!link) {
         h5_no_memory(&f->h);
@@ -64,9 +64,9 @@ int study_file_report(struct study_file *f, struct report **out, struct error *e
     r->arena = a;
     get_attributes(f, r);
     reader_buildings(&f->h, f->h.file, r, visit_building, &(struct visitor){f, r});
-    r->contact = get_links(f, r, "contacts", "contact", &r->n_contact);
-    if (h5_has(&f->h, f->h.file, "links")) {
-        r->link = get_links(f, r, "links", "link", &r->n_link);
+    r->contact = get_links(f, r, &layout_contacts, &r->n_contact);
+    if (h5_has(&f->h, f->h.file, layout_links.name)) {
+        r->link = get_links(f, r, &layout_links, &r->n_link);
     }
     if (f->h.failed) {
         report_free(r);
