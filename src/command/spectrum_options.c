@@ -328,28 +328,29 @@ static int set_defaults(struct spectrum_request *q) {
                      : log_grid(DEFAULT_FROM, DEFAULT_TO, table ? DEFAULT_TABLE : DEFAULT_CURVE, q);
 }
 
+static const struct option option[] = {
+    {"damping", required_argument, NULL, OPTION_DAMPING},
+    {"periods", required_argument, NULL, OPTION_PERIODS},
+    {"format", required_argument, NULL, OPTION_FORMAT},
+    {"unit", required_argument, NULL, OPTION_UNIT},
+    {"dt", required_argument, NULL, OPTION_DT},
+    {"scale", required_argument, NULL, OPTION_SCALE},
+    {"pga", required_argument, NULL, OPTION_PGA},
+    {"intensities", no_argument, NULL, OPTION_INTENSITIES},
+    {"tsv", no_argument, NULL, OPTION_TSV},
+    {"output", required_argument, NULL, 'o'},
+    {"script", required_argument, NULL, OPTION_SCRIPT},
+    {"force", no_argument, NULL, OPTION_FORCE},
+    {"pounding", required_argument, NULL, OPTION_POUNDING},
+    {"define", required_argument, NULL, 'D'},
+    {"threads", required_argument, NULL, 'j'},
+    {"help", no_argument, NULL, 'h'},
+    {NULL, 0, NULL, 0},
+};
+static const struct command_options options = {&command_spectrum, details, NULL, getopt_long_only,
+                                               ":hD:j:o:",        option,  take};
+
 int spectrum_parse(int argc, char **argv, struct arena *a, struct spectrum_request *q) {
-    static const struct option option[] = {
-        {"damping", required_argument, NULL, OPTION_DAMPING},
-        {"periods", required_argument, NULL, OPTION_PERIODS},
-        {"format", required_argument, NULL, OPTION_FORMAT},
-        {"unit", required_argument, NULL, OPTION_UNIT},
-        {"dt", required_argument, NULL, OPTION_DT},
-        {"scale", required_argument, NULL, OPTION_SCALE},
-        {"pga", required_argument, NULL, OPTION_PGA},
-        {"intensities", no_argument, NULL, OPTION_INTENSITIES},
-        {"tsv", no_argument, NULL, OPTION_TSV},
-        {"output", required_argument, NULL, 'o'},
-        {"script", required_argument, NULL, OPTION_SCRIPT},
-        {"force", no_argument, NULL, OPTION_FORCE},
-        {"pounding", required_argument, NULL, OPTION_POUNDING},
-        {"define", required_argument, NULL, 'D'},
-        {"threads", required_argument, NULL, 'j'},
-        {"help", no_argument, NULL, 'h'},
-        {NULL, 0, NULL, 0},
-    };
-    static const struct command_options options = {
-        &command_spectrum, details, NULL, getopt_long_only, ":hD:j:o:", option, take};
     struct unit_system si;
     unit_system_init(&si);
     *q = (struct spectrum_request){.arena = a,

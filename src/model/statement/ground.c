@@ -176,6 +176,27 @@ static const struct word *blamed(const struct statement *s, const struct argumen
     return wrong == RECORD_PATH ? &s->word[2] : &a[row[wrong]].word[0];
 }
 
+// The record in the file at `path`; false after a report.
+static bool read_record(struct builder *b, const struct statement *s, const struct argument *a,
+                        const char *path, struct record *r) {
+    const struct record_request request = {
+        .path = path,
+        .format = a[R_FORMAT].given ? a[R_FORMAT].text[0] : NULL,
+        .unit = a[R_UNIT].given ? a[R_UNIT].text[0] : NULL,
+        .dt = a[R_DT].given ? a[R_DT].number[0] * b->deck->units.time : 0.0,
+        .gravity = deck_gravity(b->deck),
+    };
+    struct error e;
+    if (shelf_read(b->records, b->arena, &request, r, &e) != STATUS_OK) {
+        deck_error_of(b->deck, blamed(s, a, r->wrong), &e);
+        return false;
+    }
+    for (int i = 0; i < r->n_warning; i++) {
+        deck_warning(b->deck, &s->word[2], "%s", r->warning[i]);
+    }
+    return true;
+}
+
 static void build_record(struct builder *b, const struct statement *s) {
     b->any_history = true;
     struct argument a[N_RECORD_ROW] = {0};
@@ -186,24 +207,13 @@ static void build_record(struct builder *b, const struct statement *s) {
     if (!path) {
         return;
     }
-    struct record_request request = {
-        .path = path,
-        .format = a[R_FORMAT].given ? a[R_FORMAT].text[0] : NULL,
-        .unit = a[R_UNIT].given ? a[R_UNIT].text[0] : NULL,
-        .dt = a[R_DT].given ? a[R_DT].number[0] * b->deck->units.time : 0.0,
-        .gravity = deck_gravity(b->deck),
-    };
     struct record r;
-    struct error e;
-    if (shelf_read(b->records, b->arena, &request, &r, &e) != STATUS_OK) {
-        deck_error_of(b->deck, blamed(s, a, r.wrong), &e);
+    if (!read_record(b, s, a, path, &r)) {
         return;
-    }
-    for (int i = 0; i < r.n_warning; i++) {
-        deck_warning(b->deck, &s->word[2], "%s", r.warning[i]);
     }
     double scale;
     struct signal signal;
+    struct error e;
     if (!record_scale(b, a, &s->word[2], &r, &scale)) {
         return;
     }
