@@ -108,8 +108,10 @@ void h5_close_file(struct h5 *h);  // after all its objects; does nothing if the
 bool h5_failed(struct h5 *h, long long result);
 void h5_fail(struct h5 *h, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+// Creates a group; it is open, -1 after a failure.
 hid_t h5_group(struct h5 *h, hid_t parent, const char *name);
 void h5_close(struct h5 *h, hid_t object);  // a group or dataset; negative is allowed
+// Gives the object another name, in the group `parent`.
 void h5_hard_link(struct h5 *h, hid_t object, hid_t parent, const char *name);
 
 // Attributes. A text replaces one that is there.
@@ -143,6 +145,7 @@ struct h5_block {
     hsize_t start[H5_DIMENSIONS_MAX], count[H5_DIMENSIONS_MAX];
     hsize_t n, stride, width;
 };
+// Write and read a box; the library converts between the types of memory and file.
 void h5_put_block(struct h5 *h, hid_t dataset, const struct h5_block *part, const double *value);
 void h5_put_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, const int *value);
 void h5_put_texts(struct h5 *h, hid_t dataset, const struct h5_block *part,
@@ -157,6 +160,7 @@ void h5_get_references(struct h5 *h, hid_t dataset, const struct h5_block *part,
 // What a reference refers to: *n items of `item` bytes, valid until the next call; none after a
 // failure.
 const void *h5_heap_get(struct h5 *h, const struct h5_reference *r, size_t item, size_t *n);
+// A text, from `a`; NULL after a failure.
 char *h5_heap_text(struct h5 *h, struct arena *a, const struct h5_reference *r);
 void h5_heap_open(struct h5 *h);
 void h5_heap_close(struct h5 *h);

@@ -22,6 +22,7 @@ struct ledger {
     struct ledger_file *file;
 };
 
+// Errors: STATUS_SYSTEM (no memory).
 int ledger_init(struct ledger *l, struct error *e);
 void ledger_close(struct ledger *l);
 

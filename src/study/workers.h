@@ -31,6 +31,7 @@ struct workers_request {
 // threads).
 int workers_run(const struct workers_request *q, struct error *e);
 
+// Guard what the jobs share.
 void workers_lock(struct workers *w);
 void workers_unlock(struct workers *w);
 
