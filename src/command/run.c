@@ -2,7 +2,6 @@
 // jostle run: a deck through time, into a result file, and a summary. run_study.c runs studies.
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "command/deck_command.h"
 #include "command/interrupt.h"

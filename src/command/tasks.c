@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle tasks: a study as commands, one a line, for programs that run commands on many machines.
-#include <stdlib.h>
 #include <string.h>
 
 #include "command/deck_command.h"

@@ -7,7 +7,6 @@
 // text that starts with a digit must be quoted: nothing is guessed.
 #include <string.h>
 
-#include "core/arena.h"
 #include "core/text.h"
 #include "deck/reader.h"
 

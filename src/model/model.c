@@ -3,7 +3,6 @@
 #include "jostle/model.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/arena.h"

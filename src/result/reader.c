@@ -2,7 +2,6 @@
 // Opens a result file and reads everything but its histories into a report.
 #include "result/reader.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

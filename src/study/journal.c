@@ -10,7 +10,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/checksum.h"
 #include "study/entry.h"
 
 static const char magic[8] = "jostle3\n";
