@@ -14,7 +14,7 @@
 
 struct source;  // one file of the deck
 
-// Where a word stands.
+// The place of a word.
 struct place {
     const struct source *source;
     int line, column, width;  // line and column from 1, in characters
@@ -41,7 +41,7 @@ struct statement {
     struct word *word;
     int n_word;
     int n_plain;
-    struct deck_lines lines;    // on which it stands
+    struct deck_lines lines;    // that it takes
     const struct sweep *known;  // what it says but for its first words, which are all that is
                                 // here; NULL: all words are
 };
@@ -66,7 +66,7 @@ struct sweep {
     bool known;                   // numbers have a unit
     struct dimension dimension;   // of it
     const char *units;            // of numbers, where they come from a file
-    struct deck_lines lines;      // that give the values; none where parameters stand on them
+    struct deck_lines lines;      // that give the values; none where they use parameters
     // Of the numbers 1 ... n of a sample: the first of the random parameters that take one of their
     // n values for each; of a random parameter the next. NULL: none.
     const struct sweep *along;
@@ -143,7 +143,7 @@ struct row_set {
 };
 bool deck_options(struct deck *d, const struct statement *s, struct row_set *set, int n_set);
 
-// The words given behind option `key` without evaluating them; NULL if it is not given. For
+// The words given after option `key`, without evaluating them; NULL if it is not given. For
 // options that decide which others are allowed (-law).
 const struct word *deck_option(const struct statement *s, const char *key, int *n_word);
 
@@ -165,13 +165,13 @@ const char *deck_file(struct deck *d, const struct word *w, const char *name);
 // All parameters as "NAME = VALUE" lines, for the record in the result file.
 const char *deck_parameters(struct deck *d);
 
-// The texts of the included files in the order read, each once, behind a line "# include PATH".
+// The texts of the included files in the order read, each once, after a line "# include PATH".
 // NULL: no memory.
 const char *deck_includes(struct deck *d);
 
-// Report at a word (NULL: at the end of the deck, where what is missing could stand). deck_unknown
-// adds the nearest of `known` (n texts), which it returns, or NULL and, if there are few of them,
-// lists them: "unknown contact law 'herz'; did you mean 'hertz'?".
+// Report at a word (NULL: at the end of the deck, where what is missing could be added).
+// deck_unknown adds the nearest of `known` (n texts), which it returns, or NULL and, if there are
+// few of them, lists them: "unknown contact law 'herz'; did you mean 'hertz'?".
 void deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 // The same with the message of `e`; diagnostics.system remembers that it was STATUS_SYSTEM.
@@ -180,6 +180,10 @@ void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 const char *deck_unknown(struct deck *d, const struct word *w, const char *what,
                          const char *const *known, int n);
+
+// Which of the `known` keywords (n) the word is; -1 after deck_unknown.
+int deck_keyword(struct deck *d, const struct word *w, const char *what, const char *const *known,
+                 int n);
 
 // The statements that the language itself carries out, for help texts: name, usage, meaning.
 struct deck_statement {

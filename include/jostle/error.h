@@ -58,6 +58,7 @@ struct diagnostics {
     bool system;  // an error is the system's (STATUS_SYSTEM), not that of what was read
 };
 
+// Makes `d` empty; its texts will be from `arena`.
 void diagnostics_init(struct diagnostics *d, struct arena *arena);
 
 // Appends a copy of `entry`, whose message is made from `format`. Long lines are cut around the

@@ -80,7 +80,7 @@ struct result_writer;
 struct result_place;
 
 // Opens PATH.part for the model, which is borrowed until the writer is gone. At most 64 MiB of rows
-// are kept in memory. Errors: STATUS_INPUT (the file exists, a name that cannot stand in the file),
+// are kept in memory. Errors: STATUS_INPUT (the file exists, a name that the file cannot have),
 // STATUS_SYSTEM (cannot write; names the path and the cause).
 int result_create(const struct model *m, const struct result_options *options,
                   struct result_writer **out, struct error *e);

@@ -60,6 +60,7 @@ struct storey_law {
 extern const struct storey_law *const storey_laws[];
 extern const int n_storey_law;
 
+// The law called `name`; NULL: there is none.
 const struct storey_law *storey_law_find(const char *name);
 
 #endif

@@ -34,8 +34,8 @@ struct study_request {
     uint64_t program;  // checksum of the program: results of another one are not mixed in
     struct result_options result;
 
-    // Called every 0.1 s by the thread that called study_run. Not 0 ends the study with that
-    // status; what is finished stays in the journal.
+    // Called every 0.1 s by the thread that called study_run. A result other than 0
+    // ends the study with that status; what is finished stays in the journal.
     int (*poll)(void *context, const struct study_progress *p, struct error *e);
     void *context;
 };

@@ -90,7 +90,7 @@ struct study_content {
 };
 
 // Can the file be written under these names? Errors: STATUS_INPUT (it exists; names of buildings or
-// sweeps that cannot stand in it).
+// sweeps that it cannot have).
 int study_file_check(const struct study_content *c, const struct result_options *o,
                      struct error *e);
 

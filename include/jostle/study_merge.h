@@ -14,16 +14,14 @@
 long study_shard_size(const struct study_shard *s, long n_run);
 long study_shard_run(const struct study_shard *s, long i);
 
-// Which part of `n` has run `run`, from 0; parts are numbered from 1.
-long study_shard_of(long n, long run);
-
 struct study_merge_request {
     const char *const *path;  // (n_path) files of parts
     int n_path;
     enum study_gaps { STUDY_WHOLE, STUDY_PARTIAL } gaps;  // may runs be missing?
     struct result_options result;
 
-    // Called now and then. Not 0 ends it with that status, and nothing is written.
+    // Called now and then. A result other than 0 ends the merge with that status, and nothing is
+    // written.
     int (*poll)(void *context, struct error *e);
     void *context;
 };

@@ -16,22 +16,22 @@ struct cells {
 };
 
 // Control characters become blanks in TSV; CSV keeps tabs and line ends within quotes. JSON is
-// {"columns": [names], "data": [[cells], ...]}, where empty cells and what is no number are null;
-// its first line are the names.
+// {"columns": [names], "data": [[cells], ...]}, where empty cells, NaN and infinities are null; the
+// first line has the names.
 void cells_text(struct cells *c, const char *text);
 void cells_number(struct cells *c, double value);  // in full precision, or nan
 void cells_empty(struct cells *c);
 void cells_whole(struct cells *c, long value);
 void cells_end(struct cells *c);
-void cells_close(struct cells *c);  // behind the last line
+void cells_close(struct cells *c);  // after the last line
 
-// A text with blanks in place of control characters, for lines that are printed in another way.
+// A text with blanks in place of control characters, for lines printed without a struct cells.
 void cells_put_text(const char *text, FILE *to);
 
 // A text as JSON has it, within quotes.
 void cells_put_json(const char *text, FILE *to);
 
-// A line of texts, parted by blanks: the head of a table.
+// A cell for each of the words, which are separated by blanks: the head of a table.
 void cells_words(struct cells *c, const char *words);
 
 #endif

@@ -3,7 +3,6 @@
 #include "command/command.h"
 
 #include <errno.h>
-#include <getopt.h>
 #include <limits.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -42,6 +41,12 @@ int command_fail(const struct error *e) {
         default:
             return EXIT_FAILED;
     }
+}
+
+int command_no_memory(void) {
+    struct error e;
+    error_no_memory(&e);
+    return command_fail(&e);
 }
 
 int command_usage(const struct command *c, const char *format, ...) {
@@ -94,15 +99,34 @@ const char *command_line(struct arena *a, int argc, char **argv) {
     return line;
 }
 
-int command_bad_option(const struct command *c, int answer, char **argv) {
+// Says what getopt_long found wrong: '?' or ':'.
+static int refuse(const struct command *c, int answer, char **argv) {
     // getopt_long leaves the letter in optopt; for a long option the word is the one before optind.
     // With getopt_long_only a long option may have one dash; its value is above all letters.
     const char *word = optind > 1 ? argv[optind - 1] : "";
     const bool is_long = word[0] == '-' && word[1] == '-';
     const char letter[] = {'-', (char)optopt, '\0'};
     const char *shown = is_long || optopt == 0 || optopt > UCHAR_MAX ? word : letter;
-    if (answer == ':') {
-        return command_usage(c, "option '%s' needs a value", shown);
+    return command_usage(
+        c, answer == ':' ? "option '%s' needs a value" : "unknown or ambiguous option '%s'", shown);
+}
+
+int command_parse(const struct command_options *o, int argc, char **argv, void *request) {
+    opterr = 0;
+    optind = 1;
+    for (int letter; (letter = o->next(argc, argv, o->letters, o->option, NULL)) != -1;) {
+        if (letter == 'h') {
+            command_help(o->command, o->details);
+            if (o->print_details) {
+                o->print_details();
+            }
+            return EXIT_DONE;
+        }
+        const int status = letter == '?' || letter == ':' ? refuse(o->command, letter, argv)
+                                                          : o->take(request, letter);
+        if (status != EXIT_DONE) {
+            return status;
+        }
     }
-    return command_usage(c, "unknown or ambiguous option '%s'", shown);
+    return GO_ON;
 }

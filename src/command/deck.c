@@ -127,8 +127,8 @@ static int print_one(enum page page, const char *name) {
 static int deck_command(int argc, char **argv) {
     enum page page;
     const char *name;
-    int status;
-    if (!rows_options(&command_deck, argc, argv, &page, &name, &status)) {
+    const int status = rows_options(&command_deck, argc, argv, &page, &name);
+    if (status != GO_ON) {
         return status;
     }
     if (name) {

@@ -7,31 +7,32 @@ const char deck_command_details[] =
     "  -D NAME=VALUE  overrides a param of the deck; may be repeated\n"
     "  --help         this text\n";
 
-// Reads the options; false: *status is to be returned, as help was printed or something was wrong.
-static bool parse(const struct deck_command *c, int argc, char **argv, struct load_request *load,
-                  void *options, int *status) {
-    *status = EXIT_DONE;
-    opterr = 0;
-    optind = 1;
-    for (int letter; *status == EXIT_DONE &&
-                     (letter = getopt_long(argc, argv, c->letters, c->option, NULL)) != -1;) {
-        if (letter == 'h') {
-            *status = command_help(c->command, c->details);
-            return false;
-        }
-        if (letter == 'D') {
-            load->define[load->n_define++] = optarg;
-        } else if (letter == '?' || letter == ':') {
-            *status = command_bad_option(c->command, letter, argv);
-        } else {
-            *status = c->take(options, letter);
-        }
+// What the options go to.
+struct target {
+    const struct deck_command *command;
+    struct load_request *load;
+    void *options;
+};
+
+static int take(void *request, int letter) {
+    const struct target *to = request;
+    if (letter == 'D') {
+        to->load->define[to->load->n_define++] = optarg;
+        return EXIT_DONE;
     }
-    if (*status == EXIT_DONE && argc - optind != 1) {
-        *status = command_usage(c->command, "one deck is expected, not %d", argc - optind);
+    return to->command->take(to->options, letter);
+}
+
+static int parse(const struct deck_command *c, int argc, char **argv, struct load_request *load,
+                 void *options) {
+    const struct command_options reading = {c->command, c->details, NULL, getopt_long,
+                                            c->letters, c->option,  take};
+    const int status = command_parse(&reading, argc, argv, &(struct target){c, load, options});
+    if (status == GO_ON && argc - optind != 1) {
+        return command_usage(c->command, "one deck is expected, not %d", argc - optind);
     }
     load->path = argv[optind];
-    return *status == EXIT_DONE;
+    return status;
 }
 
 static int load_and_use(const struct deck_command *c, const struct load_request *load,
@@ -50,13 +51,11 @@ int deck_command_run(const struct deck_command *c, int argc, char **argv, struct
                      void *options) {
     const char **define = calloc((size_t)argc, sizeof *define);
     if (!define) {
-        struct error e;
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
     load->define = define;
-    int status;
-    if (parse(c, argc, argv, load, options, &status)) {
+    int status = parse(c, argc, argv, load, options);
+    if (status == GO_ON) {
         status = load_and_use(c, load, options);
     }
     free(define);

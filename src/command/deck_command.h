@@ -4,8 +4,6 @@
 #ifndef JOSTLE_DECK_COMMAND_H
 #define JOSTLE_DECK_COMMAND_H
 
-#include <getopt.h>
-
 #include "command/load.h"
 
 // Rows of their tables of options.

@@ -40,9 +40,7 @@ struct result {
     struct fragility fit;
 };
 
-static int help(void) {
-    printf("usage: jostle %s %s\n\n%s\n\n", command_fragility.name, command_fragility.usage,
-           command_fragility.summary);
+static void print_details(void) {
     printf(
         "  --edp EDP      the demand, such as drift:A\n"
         "  --limit VALUE[,VALUE...]\n"
@@ -63,7 +61,6 @@ static int help(void) {
            "that have\n"
            "none. A value equal to the limit does not exceed it. Standard errors are those of\n"
            "independent runs, or samples.\n");
-    return EXIT_DONE;
 }
 
 static const char *unit_of(const struct suite *s) {
@@ -257,22 +254,28 @@ static int print_all(const struct request *q, const struct suite *s, const doubl
     return status;
 }
 
+// Whether the suite is one that the method can do with.
+static int check_suite(const struct request *q, const struct suite *s, struct error *e) {
+    if (!s->abscissa->number) {
+        return error_set(e, STATUS_INPUT, "--im %s: its values are no numbers", s->abscissa->name);
+    }
+    if (q->method == METHOD_IDA && s->is_random) {
+        return error_set(e, STATUS_INPUT,
+                         "--method ida: '%s' is a random parameter, along which other things "
+                         "change, too",
+                         s->abscissa->name);
+    }
+    if (q->method == METHOD_IDA && s->n_sample < 2) {
+        return error_set(e, STATUS_INPUT, "--method ida needs samples; name their sweep by --over");
+    }
+    return STATUS_OK;
+}
+
 static int fit_all(const struct request *q, const struct suite *s, struct error *e) {
     double *limit = NULL;
     int n = 0, status = suite_options_limits(&q->suite, s, &limit, &n, e);
-    if (status == STATUS_OK && !s->abscissa->number) {
-        status =
-            error_set(e, STATUS_INPUT, "--im %s: its values are no numbers", s->abscissa->name);
-    }
-    if (status == STATUS_OK && q->method == METHOD_IDA && s->is_random) {
-        status = error_set(e, STATUS_INPUT,
-                           "--method ida: '%s' is a random parameter, along which other things "
-                           "change, too",
-                           s->abscissa->name);
-    }
-    if (status == STATUS_OK && q->method == METHOD_IDA && s->n_sample < 2) {
-        status =
-            error_set(e, STATUS_INPUT, "--method ida needs samples; name their sweep by --over");
+    if (status == STATUS_OK) {
+        status = check_suite(q, s, e);
     }
     if (status == STATUS_OK) {
         suite_options_warn(s);
@@ -305,18 +308,33 @@ static int open_and_fit(const struct request *q, const char *path) {
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
-// Returns -1, or the exit status.
 static int take_method(struct request *q) {
     for (enum method m = METHOD_COUNTS; m <= METHOD_IDA; m++) {
         if (strcmp(optarg, method_name[m]) == 0) {
             q->method = m;
-            return -1;
+            return EXIT_DONE;
         }
     }
     return command_usage(&command_fragility, "--method is counts or ida, not '%s'", optarg);
 }
 
-// Returns -1 when there is something to do, else the exit status.
+static int take(void *request, int letter) {
+    struct request *q = request;
+    if (suite_options_has(letter)) {
+        return suite_options_take(&command_fragility, letter, &q->suite);
+    }
+    if (letter == 'm') {
+        return take_method(q);
+    }
+    const enum form form = letter == 't' ? FORM_TSV : FORM_CSV;
+    if (q->form != FORM_TEXT && q->form != form) {
+        return command_usage(&command_fragility, "--tsv and --csv exclude each other");
+    }
+    q->form = form;
+    return EXIT_DONE;
+}
+
+// GO_ON, or the exit status.
 static int parse(int argc, char **argv, struct request *q) {
     static const struct option option[] = {SUITE_OPTIONS,
                                            {"tsv", no_argument, NULL, 't'},
@@ -324,36 +342,17 @@ static int parse(int argc, char **argv, struct request *q) {
                                            {"method", required_argument, NULL, 'm'},
                                            {"help", no_argument, NULL, 'h'},
                                            {NULL, 0, NULL, 0}};
-    opterr = 0;
-    optind = 1;
-    for (int c; (c = getopt_long(argc, argv, ":h", option, NULL)) != -1;) {
-        int done = -1;
-        if (c == 'h') {
-            done = help();
-        } else if (suite_options_has(c)) {
-            const int status = suite_options_take(&command_fragility, c, &q->suite);
-            done = status == EXIT_DONE ? -1 : status;
-        } else if (c == 'm') {
-            done = take_method(q);
-        } else if (c != 't' && c != 'c') {
-            done = command_bad_option(&command_fragility, c, argv);
-        } else if (q->form != FORM_TEXT && q->form != (c == 't' ? FORM_TSV : FORM_CSV)) {
-            done = command_usage(&command_fragility, "--tsv and --csv exclude each other");
-        } else {
-            q->form = c == 't' ? FORM_TSV : FORM_CSV;
-        }
-        if (done >= 0) {
-            return done;
-        }
-    }
-    if (argc - optind != 1) {
+    static const struct command_options options = {
+        &command_fragility, "", print_details, getopt_long, ":h", option, take};
+    const int status = command_parse(&options, argc, argv, q);
+    if (status == GO_ON && argc - optind != 1) {
         return command_usage(&command_fragility, "one result file is expected, not %d",
                              argc - optind);
     }
-    if (!q->suite.request.edp || !q->suite.limits) {
+    if (status == GO_ON && (!q->suite.request.edp || !q->suite.limits)) {
         return command_usage(&command_fragility, "give --edp EDP and --limit VALUE");
     }
-    return -1;
+    return status;
 }
 
 static int fragility_command(int argc, char **argv) {
@@ -363,7 +362,7 @@ static int fragility_command(int argc, char **argv) {
         return command_fail(&e);
     }
     int status = parse(argc, argv, &q);
-    if (status < 0) {
+    if (status == GO_ON) {
         status = open_and_fit(&q, argv[optind]);
     }
     suite_options_close(&q.suite);

@@ -90,9 +90,7 @@ static int print_apart(const struct plan *p, const struct options *o) {
     int status = run_apart(p, o, &a);
     double *scratch = status == EXIT_DONE ? calloc((size_t)a.n_run, sizeof *scratch) : NULL;
     if (status == EXIT_DONE && !scratch) {
-        struct error e;
-        error_no_memory(&e);
-        status = command_fail(&e);
+        status = command_no_memory();
     } else if (status == EXIT_DONE && o->tsv) {
         gap_print_apart_tsv(p, &a);
     } else if (status == EXIT_DONE) {

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { NAME_WIDTH = 28 };
 
@@ -11,12 +12,7 @@ static bool looks_the_same(const struct guidance_contact *a, const struct guidan
     char text[2][64];
     snprintf(text[0], sizeof text[0], "%.3g %.3g", a->velocity, a->duration);
     snprintf(text[1], sizeof text[1], "%.3g %.3g", b->velocity, b->duration);
-    for (int i = 0; i < (int)sizeof text[0]; i++) {
-        if (text[0][i] != text[1][i] || text[0][i] == '\0') {
-            return text[0][i] == text[1][i];
-        }
-    }
-    return true;
+    return strcmp(text[0], text[1]) == 0;
 }
 
 static void print_contact(const struct model *m, const struct guidance *g, int first, int last) {

@@ -44,59 +44,63 @@ enum { PATH_SIZE = 4096 };
 
 struct options {
     struct law_words words;
-    const char **word, **compare;  // behind words
+    const char **word, **compare;  // what `words` borrows
     const char *history, *plot, *script;
     enum result_existing existing;
     bool tsv, help;
 };
 
-// A text that may be given once; EXIT_DONE or the status to return.
-static int take_once(const char *option, const char *value, const char **to) {
-    if (*to) {
-        return command_usage(&command_law, "option '%s' is given twice", option);
-    }
-    *to = value;
-    return EXIT_DONE;
-}
+// Those up to FIT have a value.
+enum law_option { COMPARE, HISTORY, PLOT, SCRIPT, FIT, TSV, FORCE, HELP, N_OPTION };
+static const char *const law_options[N_OPTION] = {
+    [COMPARE] = "--compare", [HISTORY] = "--history", [PLOT] = "--plot",   [SCRIPT] = "--script",
+    [FIT] = "--fit",         [TSV] = "--tsv",         [FORCE] = "--force", [HELP] = "--help"};
 
-static int take_value(struct options *o, const char *option, const char *value) {
+static int take_value(struct options *o, enum law_option option, const char *value) {
     if (!value) {
-        return command_usage(&command_law, "option '%s' needs a value", option);
+        return command_usage(&command_law, "option '%s' needs a value", law_options[option]);
     }
-    if (strcmp(option, "--compare") == 0) {
+    if (option == COMPARE) {
         o->compare[o->words.n_compare++] = value;
         return EXIT_DONE;
     }
-    return take_once(option, value,
-                     strcmp(option, "--history") == 0  ? &o->history
-                     : strcmp(option, "--plot") == 0   ? &o->plot
-                     : strcmp(option, "--script") == 0 ? &o->script
-                                                       : &o->words.fit);
+    const char **const to[N_OPTION] = {
+        [HISTORY] = &o->history, [PLOT] = &o->plot, [SCRIPT] = &o->script, [FIT] = &o->words.fit};
+    if (*to[option]) {
+        return command_usage(&command_law, "option '%s' is given twice", law_options[option]);
+    }
+    *to[option] = value;
+    return EXIT_DONE;
 }
 
-// An option of the command; *behind: its value stands in the next word.
-static int take_option(struct options *o, const char *option, const char *next, bool *behind) {
-    static const char *const known[] = {"--compare", "--history", "--plot",  "--script",
-                                        "--fit",     "--tsv",     "--force", "--help"};
-    enum { N_VALUED = 5, N_KNOWN = sizeof known / sizeof known[0] };
-    const size_t n = strcspn(option, "=");
-    for (int i = 0; i < N_KNOWN; i++) {
-        if (n != strlen(known[i]) || strncmp(option, known[i], n) != 0) {
-            continue;
-        }
-        *behind = i < N_VALUED && option[n] == '\0';
-        if (i < N_VALUED) {
-            return take_value(o, known[i], *behind ? next : option + n + 1);
-        }
-        if (option[n] == '=') {
-            return command_usage(&command_law, "option '%s' takes no value", known[i]);
-        }
-        o->tsv = o->tsv || strcmp(known[i], "--tsv") == 0;
-        o->help = o->help || strcmp(known[i], "--help") == 0;
-        o->existing = strcmp(known[i], "--force") == 0 ? RESULT_REPLACE : o->existing;
-        return EXIT_DONE;
+static int take_flag(struct options *o, enum law_option option) {
+    if (option == TSV) {
+        o->tsv = true;
+    } else if (option == FORCE) {
+        o->existing = RESULT_REPLACE;
+    } else {
+        o->help = true;
     }
-    return command_unknown(&command_law, "option", option, known, N_KNOWN);
+    return EXIT_DONE;
+}
+
+// An option of the command; *behind: its value is the next word.
+static int take_option(struct options *o, const char *word, const char *next, bool *behind) {
+    const size_t n = strcspn(word, "=");
+    enum law_option i = COMPARE;
+    while (i < N_OPTION && (n != strlen(law_options[i]) || strncmp(word, law_options[i], n) != 0)) {
+        i++;
+    }
+    if (i == N_OPTION) {
+        return command_unknown(&command_law, "option", word, law_options, N_OPTION);
+    }
+    *behind = i <= FIT && word[n] == '\0';
+    if (i <= FIT) {
+        return take_value(o, i, *behind ? next : word + n + 1);
+    }
+    return word[n] == '='
+               ? command_usage(&command_law, "option '%s' takes no value", law_options[i])
+               : take_flag(o, i);
 }
 
 // Parts the command's options from the words of the law.
@@ -177,7 +181,7 @@ static int write_history(const struct options *o, const struct law_impact *i, st
     return result_publish(part, o->history, o->existing, e);
 }
 
-// What stands above the picture and its panels.
+// What is written above the picture and its panels.
 struct texts {
     char title[512], subtitle[256];
 };
@@ -295,14 +299,7 @@ static int law_command(int argc, char **argv) {
     struct options o = {.existing = RESULT_KEEP};
     o.word = calloc((size_t)argc, sizeof *o.word);
     o.compare = calloc((size_t)argc, sizeof *o.compare);
-    int status;
-    if (o.word && o.compare) {
-        status = run(argc, argv, &o);
-    } else {
-        struct error e;
-        error_no_memory(&e);
-        status = command_fail(&e);
-    }
+    const int status = o.word && o.compare ? run(argc, argv, &o) : command_no_memory();
     free(o.word);
     free(o.compare);
     return status;

@@ -36,7 +36,7 @@ static void append(struct text *t, const char *piece, size_t n) {
     t->at[t->used] = '\0';
 }
 
-// A word as a deck would have it: in quotes where it would fall apart without.
+// A word as a deck would have it: quoted where it would otherwise be split.
 static void append_word(struct text *t, const char *word) {
     const size_t n = strlen(word);
     const bool quoted = n == 0 || strpbrk(word, " \t") || word[0] == '#' || word[n - 1] == '\\';
@@ -45,7 +45,7 @@ static void append_word(struct text *t, const char *word) {
     append(t, "\"", quoted ? 1 : 0);
 }
 
-// "LAW,LAW" as one statement each; a text with options as it stands.
+// "LAW,LAW" as one statement each; a text with options unchanged.
 static void append_compared(struct text *t, const char *laws) {
     if (strpbrk(laws, " \t")) {
         append(t, "law ", 4);
@@ -160,7 +160,7 @@ static bool check_lent(struct deck *d, const struct law_choice *first, const str
     return true;
 }
 
-// True for a row that a fit finds, or one that could stand in its place.
+// True for a row that a fit finds, or one that could replace it.
 static bool is_found(const struct contact_law *law, int row) {
     const char *key = law->row[row].key;
     if (strcmp(key, "k") == 0 || contact_law_row(law, "zeta") < 0) {

@@ -117,8 +117,8 @@ static int unknown(const char *name) {
 static int laws_command(int argc, char **argv) {
     enum page page;
     const char *name;
-    int status;
-    if (!rows_options(&command_laws, argc, argv, &page, &name, &status)) {
+    const int status = rows_options(&command_laws, argc, argv, &page, &name);
+    if (status != GO_ON) {
         return status;
     }
     if (!name) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle merge: the parts of a study to its result file.
-#include <getopt.h>
 
 #include "command/interrupt.h"
 #include "command/output_name.h"
@@ -40,50 +39,43 @@ static int poll_signal(void *context, struct error *e) {
                   : STATUS_OK;
 }
 
-// True if there is something to be merged; else *status says why not.
-static bool parse(int argc, char **argv, struct merge_options *o, int *status) {
+static int take(void *options, int letter) {
+    struct merge_options *o = options;
+    switch (letter) {
+        case 'o':
+            return command_once(&command_merge, "-o", &o->request.result.path);
+        case 'q':
+            o->words = MERGE_QUIET;
+            return EXIT_DONE;
+        case 'f':
+            o->request.result.existing = RESULT_REPLACE;
+            return EXIT_DONE;
+        default:
+            o->request.gaps = STUDY_PARTIAL;
+            return EXIT_DONE;
+    }
+}
+
+// GO_ON, or the exit status.
+static int parse(int argc, char **argv, struct merge_options *o) {
     static const struct option option[] = {
         {"output", required_argument, NULL, 'o'}, {"quiet", no_argument, NULL, 'q'},
         {"force", no_argument, NULL, 'f'},        {"partial", no_argument, NULL, 'p'},
         {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0},
     };
+    static const struct command_options options = {&command_merge, details, NULL, getopt_long,
+                                                   ":o:qh",        option,  take};
     struct study_merge_request *q = &o->request;
-    opterr = 0;
-    optind = 1;
-    for (int c; (c = getopt_long(argc, argv, ":o:qh", option, NULL)) != -1;) {
-        switch (c) {
-            case 'o':
-                *status = command_once(&command_merge, "-o", &q->result.path);
-                if (*status != EXIT_DONE) {
-                    return false;
-                }
-                break;
-            case 'q':
-                o->words = MERGE_QUIET;
-                break;
-            case 'f':
-                q->result.existing = RESULT_REPLACE;
-                break;
-            case 'p':
-                q->gaps = STUDY_PARTIAL;
-                break;
-            case 'h':
-                *status = command_help(&command_merge, details);
-                return false;
-            default:
-                *status = command_bad_option(&command_merge, c, argv);
-                return false;
-        }
-    }
+    const int status = command_parse(&options, argc, argv, o);
     q->path = (const char *const *)argv + optind;
     q->n_path = argc - optind;
-    if (q->n_path < 1 || !q->result.path) {
-        *status =
-            command_usage(&command_merge, q->n_path < 1 ? "the files of the parts are expected"
-                                                        : "-o FILE.h5 is expected");
-        return false;
+    if (status == GO_ON && q->n_path < 1) {
+        return command_usage(&command_merge, "the files of the parts are expected");
     }
-    return true;
+    if (status == GO_ON && !q->result.path) {
+        return command_usage(&command_merge, "-o FILE.h5 is expected");
+    }
+    return status;
 }
 
 static int merge(const struct merge_options *o) {
@@ -113,8 +105,8 @@ static int merge_command(int argc, char **argv) {
                     .result = {.existing = RESULT_KEEP, .version = JOSTLE_VERSION},
                     .poll = poll_signal},
         .words = MERGE_TELL};
-    int status;
-    if (!parse(argc, argv, &o, &status)) {
+    int status = parse(argc, argv, &o);
+    if (status != GO_ON) {
         return status;
     }
     for (int i = 0; i < o.request.n_path; i++) {
@@ -126,11 +118,11 @@ static int merge_command(int argc, char **argv) {
     }
     struct arena *a = arena_create();
     o.request.result.command_line = a ? command_line(a, argc, argv) : NULL;
-    struct error e;
-    status = o.request.result.command_line ? EXIT_DONE : command_fail((error_no_memory(&e), &e));
-    if (status == EXIT_DONE) {
+    if (o.request.result.command_line) {
         interrupt_catch();
         status = merge(&o);
+    } else {
+        status = command_no_memory();
     }
     arena_free(a);
     return status;

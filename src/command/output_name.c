@@ -8,7 +8,8 @@
 
 #include "jostle/model.h"
 
-const char *output_name(struct arena *a, const char *deck) {
+// The deck's name with .h5 for its ending, without its folder. NULL: no memory.
+static const char *name_after(struct arena *a, const char *deck) {
     const char *slash = strrchr(deck, '/');
     const char *base = slash ? slash + 1 : deck;
     const char *dot = strrchr(base, '.');
@@ -27,7 +28,7 @@ const char *output_choose(const struct model *m, const char *given, const struct
     if (given) {
         return given;
     }
-    const char *path = m->output.file ? m->output.file : output_name(a, m->deck->path);
+    const char *path = m->output.file ? m->output.file : name_after(a, m->deck->path);
     return path && s->n > 0 ? output_part_name(a, path, s) : path;
 }
 

@@ -8,10 +8,7 @@
 
 struct model;
 
-// The deck's name with .h5 for its ending, without its folder. NULL: no memory.
-const char *output_name(struct arena *a, const char *deck);
-
-// That of a part of the study whose result is `path`: gap.h5, 3/16: gap.3-of-16.h5. NULL: no
+// The result of a part of the study whose result is `path`: gap.h5, 3/16: gap.3-of-16.h5. NULL: no
 // memory.
 const char *output_part_name(struct arena *a, const char *path, const struct study_shard *s);
 
@@ -19,7 +16,7 @@ const char *output_part_name(struct arena *a, const char *path, const struct stu
 // no memory.
 const char *output_choose(const struct model *m, const char *given, const struct study_shard *s);
 
-// True if both are there and one file.
+// True if both exist and are the same file.
 bool output_is_same_file(const char *a, const char *b);
 
 // "K/N" with 1 <= K <= N; false: it is not.

@@ -26,7 +26,7 @@ struct pair {
     char script[PATH_SIZE], data[PATH_SIZE];
 };
 
-// FOLDER/NAME.gp and .dat, with `tail` behind; STATUS_INPUT if that is too long.
+// FOLDER/NAME.gp and .dat, followed by `tail`; STATUS_INPUT if that is too long.
 static int name_pair(const char *folder, const char *name, const char *tail, struct pair *p,
                      struct error *e) {
     const int n = snprintf(p->script, sizeof p->script, "%s/%s.gp%s", folder, name, tail);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle plot: draws a figure of a result file by gnuplot, or writes its script.
 #include <assert.h>
-#include <getopt.h>
 #include <string.h>
 
 #include "command/command.h"
@@ -32,9 +31,8 @@ struct request {
     char default_output[PLOT_PATH_SIZE];
 };
 
-static int help(void) {
-    printf("usage: jostle %s %s\n\n%s\n\nKIND is one of\n", command_plot.name, command_plot.usage,
-           command_plot.summary);
+static void print_details(void) {
+    printf("KIND is one of\n");
     for (int i = 0; i < n_figure; i++) {
         printf("  %-10s %s\n", figures[i]->name, figures[i]->doc);
     }
@@ -53,48 +51,23 @@ static int help(void) {
         "  --force        overwrites what exists\n"
         "  --help         this text\n");
     plot_study_help();
-    return EXIT_DONE;
 }
 
-static int parse_options(int argc, char **argv, struct request *q) {
-    static const struct option option[] = {
-        {"output", required_argument, NULL, 'o'},
-        {"compare", required_argument, NULL, 'c'},
-        {"script", required_argument, NULL, 's'},
-        {"force", no_argument, NULL, 'f'},
-        {"help", no_argument, NULL, 'h'},
-        {"against", required_argument, NULL, SUITE_IM},
-        SUITE_OPTIONS,
-        {NULL, 0, NULL, 0},
-    };
-    opterr = 0;
-    optind = 1;
-    for (int c; (c = getopt_long(argc, argv, ":ho:", option, NULL)) != -1;) {
-        int status = EXIT_DONE;
-        switch (c) {
-            case 'o':
-                status = command_once(&command_plot, "-o", &q->output);
-                break;
-            case 'c':
-                status = command_once(&command_plot, "--compare", &q->other);
-                break;
-            case 's':
-                status = command_once(&command_plot, "--script", &q->script_folder);
-                break;
-            case 'f':
-                q->existing = RESULT_REPLACE;
-                break;
-            case 'h':
-                return help();
-            default:
-                status = suite_options_has(c) ? suite_options_take(&command_plot, c, &q->study)
-                                              : command_bad_option(&command_plot, c, argv);
-        }
-        if (status != EXIT_DONE) {
-            return status;
-        }
+static int take(void *request, int letter) {
+    struct request *q = request;
+    switch (letter) {
+        case 'o':
+            return command_once(&command_plot, "-o", &q->output);
+        case 'c':
+            return command_once(&command_plot, "--compare", &q->other);
+        case 's':
+            return command_once(&command_plot, "--script", &q->script_folder);
+        case 'f':
+            q->existing = RESULT_REPLACE;
+            return EXIT_DONE;
+        default:
+            return suite_options_take(&command_plot, letter, &q->study);
     }
-    return -1;
 }
 
 static int unknown_figure(const char *word) {
@@ -118,11 +91,23 @@ const char *plot_name_output(const char *result, const char *kind, char *name) {
     return name;
 }
 
-// Returns -1 when there is something to do, else the exit status.
+// GO_ON, or the exit status.
 static int parse(int argc, char **argv, struct request *q) {
-    const int done = parse_options(argc, argv, q);
-    if (done >= 0) {
-        return done;
+    static const struct option option[] = {
+        {"output", required_argument, NULL, 'o'},
+        {"compare", required_argument, NULL, 'c'},
+        {"script", required_argument, NULL, 's'},
+        {"force", no_argument, NULL, 'f'},
+        {"help", no_argument, NULL, 'h'},
+        {"against", required_argument, NULL, SUITE_IM},
+        SUITE_OPTIONS,
+        {NULL, 0, NULL, 0},
+    };
+    static const struct command_options options = {
+        &command_plot, "", print_details, getopt_long, ":ho:", option, take};
+    const int status = command_parse(&options, argc, argv, q);
+    if (status != GO_ON) {
+        return status;
     }
     const int n = argc - optind;
     if (n < 1 || n > 2) {
@@ -133,7 +118,7 @@ static int parse(int argc, char **argv, struct request *q) {
     if (q->output && !figure_ending(q->output)) {
         return command_usage(&command_plot, "'%s' must end in .png, .svg or .pdf", q->output);
     }
-    return -1;
+    return GO_ON;
 }
 
 static int write_figure(void *context, const struct figure_files *to, struct error *e) {
@@ -235,7 +220,7 @@ static int plot_command(int argc, char **argv) {
         return command_fail(&e);
     }
     int status = parse(argc, argv, &q);
-    if (status < 0) {
+    if (status == GO_ON) {
         status = study_file_is_study(q.result) ? plot_suite(&q) : plot_run(&q);
     }
     suite_options_close(&q.study);

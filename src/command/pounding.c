@@ -42,13 +42,12 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     p->title = arena_text(a, m->deck->title, strlen(m->deck->title));
     const int n_contact = m->n_contact;
     model_free(m);
-    struct error e;
     if (n_contact == 0) {
+        struct error e;
         error_set(&e, STATUS_INPUT, "the deck has no contact");
-    } else if (!p->title) {
-        error_no_memory(&e);
+        return command_fail(&e);
     }
-    return n_contact == 0 || !p->title ? command_fail(&e) : EXIT_DONE;
+    return p->title ? EXIT_DONE : command_no_memory();
 }
 
 static int watch(void *context, long n_done, struct error *e) {
@@ -63,8 +62,7 @@ static int run_all(struct pounding *p, struct arena *a) {
     p->force = arena_alloc(a, n * n, sizeof *p->force);
     struct error e;
     if (!define || !p->force) {
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
     const int status = read_deck(p, define, a);
     if (status != EXIT_DONE) {

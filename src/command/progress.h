@@ -15,7 +15,7 @@ struct progress {
 
 // A line for an analysis of `duration`; nothing is shown before one second has passed.
 void progress_start(struct progress *p, double duration, const char *unit);
-// The analysis stands at `time`.
+// The analysis has reached `time`.
 void progress_show(struct progress *p, double time);
 // The same with the duration, as the library tells it; `context` is the progress.
 void progress_tell(void *context, long n_done, long n);

@@ -8,8 +8,8 @@
 // Whether a number without a unit is taken, as one in the units `u`.
 enum bare { BARE_ALLOWED, BARE_REFUSED };
 
-// Reads the number at the start of `text`, with a unit behind it, in the units `u`. Returns what
-// stands behind; NULL: it is no such quantity.
+// Reads the number at the start of `text` and the unit that follows it; *value is in the units `u`.
+// Returns the text after them; NULL: it is not such a quantity.
 const char *quantity_word(const char *text, const struct unit_system *u,
                           const struct dimension *dimension, enum bare bare, double *value);
 

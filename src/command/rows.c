@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/rows.h"
 
-#include <getopt.h>
 #include <string.h>
 
 #include "core/text.h"
 
 enum { WIDTH = 100, CELL = 96 };
 
-// Columns of a table; the meaning stands last and may be long.
+// Columns of a table; the meaning comes last and may be long.
 enum column { OPTION, UNIT, RANGE, DEFAULT, MEANING, N_COLUMN };
 static const char *const headings[N_COLUMN] = {"option", "unit", "range", "default", "meaning"};
 
@@ -204,31 +203,25 @@ void rows_generated(const char *command) {
 static const char details[] = "  --markdown  the page of the documentation\n"
                               "  --help      this text\n";
 
-bool rows_options(const struct command *c, int argc, char **argv, enum page *page,
-                  const char **name, int *status) {
+static int take(void *request, int letter) {
+    (void)letter;
+    *(enum page *)request = PAGE_MARKDOWN;
+    return EXIT_DONE;
+}
+
+int rows_options(const struct command *c, int argc, char **argv, enum page *page,
+                 const char **name) {
     static const struct option option[] = {
         {"markdown", no_argument, NULL, 'm'},
         {"help", no_argument, NULL, 'h'},
         {NULL, 0, NULL, 0},
     };
-    opterr = 0;
-    optind = 1;
+    const struct command_options options = {c, details, NULL, getopt_long, ":h", option, take};
     *page = PAGE_TEXT;
-    for (int letter; (letter = getopt_long(argc, argv, ":h", option, NULL)) != -1;) {
-        if (letter == 'h') {
-            *status = command_help(c, details);
-            return false;
-        }
-        if (letter != 'm') {
-            *status = command_bad_option(c, letter, argv);
-            return false;
-        }
-        *page = PAGE_MARKDOWN;
-    }
-    if (argc - optind > 1) {
-        *status = command_usage(c, "one name is expected, not %d", argc - optind);
-        return false;
+    const int status = command_parse(&options, argc, argv, page);
+    if (status == GO_ON && argc - optind > 1) {
+        return command_usage(c, "one name is expected, not %d", argc - optind);
     }
     *name = argc > optind ? argv[optind] : NULL;
-    return true;
+    return status;
 }

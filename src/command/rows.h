@@ -16,7 +16,7 @@ void rows_print(enum page page, const struct row *row, int n_row);
 // "label: text", wrapped in plain text. `text` NULL: prints nothing.
 void rows_entry(enum page page, const char *label, const char *text);
 
-// The same for text that is typed as it stands: a usage, a formula.
+// The same for text that is to be typed literally: a usage, a formula.
 void rows_code(enum page page, const char *label, const char *text);
 
 // The same on one line, however long: what is copied to be run.
@@ -28,9 +28,9 @@ void rows_heading(enum page page, int depth, const char *text);
 // What both pages open with: that they are generated, and by what.
 void rows_generated(const char *command);
 
-// The command line `[NAME] [--markdown]`. True with *page and *name (NULL: not given); false with
-// *status to be returned.
-bool rows_options(const struct command *c, int argc, char **argv, enum page *page,
-                  const char **name, int *status);
+// The command line `[NAME] [--markdown]`. Returns GO_ON with *page and *name (NULL: not given), or
+// the exit status.
+int rows_options(const struct command *c, int argc, char **argv, enum page *page,
+                 const char **name);
 
 #endif

@@ -2,7 +2,6 @@
 // jostle run: a deck through time, into a result file, and a summary. run_study.c runs studies.
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "command/deck_command.h"
 #include "command/interrupt.h"
@@ -151,7 +150,7 @@ static const struct impact *hardest_coarse(const struct model *m, const struct r
     return hardest;
 }
 
-// Impacts whose force is below this share of the largest one change no result that matters.
+// Impacts with less than this share of the largest force change no result that matters.
 static const double WEAK = 0.05;
 
 static void warn_coarse(const struct model *m, const struct results *r) {
@@ -173,10 +172,28 @@ static void warn_coarse(const struct model *m, const struct results *r) {
         lasted, unit, guidance_round(lasted / IMPACT_STEPS_MIN));
 }
 
+// One analysis, with its summary.
+static int run_once(const struct model *m, const struct run_options *o,
+                    const struct result_options *result) {
+    struct results *results;
+    struct error e;
+    int status = analyse(m, o, result, &results, &e);
+    if (status != STATUS_OK) {
+        return command_fail(&e);
+    }
+    if (!o->load.quiet) {
+        warn_residual(m, results);
+        warn_coarse(m, results);
+        status = print_summary(m, results, result->path, &e);
+    }
+    results_free(results);
+    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+}
+
 static int run_model(void *options, const struct model *m) {
     const struct run_options *o = options;
     assert(o->load.path);
-    struct result_options result = {
+    const struct result_options result = {
         .path = output_choose(m, o->output, &o->shard),
         .existing = o->existing,
         .command_line = command_line(m->deck->arena, o->n_word, o->word),
@@ -184,31 +201,14 @@ static int run_model(void *options, const struct model *m) {
     };
     struct error e;
     if (!result.path || !result.command_line) {
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
-    if (check_output(m, o, result.path, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    if (o->shard.n > 0 && load_check_study(m, &e) != STATUS_OK) {
+    if (check_output(m, o, result.path, &e) != STATUS_OK ||
+        (o->shard.n > 0 && load_check_study(m, &e) != STATUS_OK)) {
         return command_fail(&e);
     }
     interrupt_catch();
-    if (deck_is_study(m->deck)) {
-        return run_study(m, o, &result);
-    }
-    struct results *results;
-    if (analyse(m, o, &result, &results, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    int status = STATUS_OK;
-    if (!o->load.quiet) {
-        warn_residual(m, results);
-        warn_coarse(m, results);
-        status = print_summary(m, results, result.path, &e);
-    }
-    results_free(results);
-    return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+    return deck_is_study(m->deck) ? run_study(m, o, &result) : run_once(m, o, &result);
 }
 
 static int run_command(int argc, char **argv) {

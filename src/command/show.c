@@ -2,7 +2,6 @@
 // jostle show: the results of a file as a summary, as long tables, or as JSON.
 #include "command/show.h"
 
-#include <getopt.h>
 #include <stdlib.h>
 
 #include "command/command.h"
@@ -82,7 +81,21 @@ static int show_of_run(const char *path, const struct request *q) {
     return EXIT_DONE;
 }
 
-// Returns -1 when there is something to do, else the exit status.
+static int take(void *request, int letter) {
+    struct request *q = request;
+    if (letter == 'l') {
+        q->longer = true;
+    } else if (letter == 'e') {
+        q->edp[q->n_edp++] = optarg;
+    } else if (q->form != 0 && q->form != letter) {
+        return command_usage(&command_show, "--tsv, --csv and --json exclude each other");
+    } else {
+        q->form = letter;
+    }
+    return EXIT_DONE;
+}
+
+// GO_ON, or the exit status.
 static int parse(int argc, char **argv, struct request *q) {
     static const struct option option[] = {
         {"tsv", no_argument, NULL, 't'},
@@ -93,43 +106,25 @@ static int parse(int argc, char **argv, struct request *q) {
         {"help", no_argument, NULL, 'h'},
         {NULL, 0, NULL, 0},
     };
-    opterr = 0;
-    optind = 1;
-    for (int c; (c = getopt_long(argc, argv, ":h", option, NULL)) != -1;) {
-        if (c == 'h') {
-            return command_help(&command_show, details);
-        }
-        if (c == '?' || c == ':') {
-            return command_bad_option(&command_show, c, argv);
-        }
-        if (c == 'l') {
-            q->longer = true;
-        } else if (c == 'e') {
-            q->edp[q->n_edp++] = optarg;
-        } else if (q->form != 0 && q->form != c) {
-            return command_usage(&command_show, "--tsv, --csv and --json exclude each other");
-        } else {
-            q->form = c;
-        }
-    }
-    if (argc - optind != 1) {
+    static const struct command_options options = {&command_show, details, NULL, getopt_long,
+                                                   ":h",          option,  take};
+    const int status = command_parse(&options, argc, argv, q);
+    if (status == GO_ON && argc - optind != 1) {
         return command_usage(&command_show, "one result file is expected, not %d", argc - optind);
     }
-    if (q->n_edp > 0 && !q->longer) {
+    if (status == GO_ON && q->n_edp > 0 && !q->longer) {
         return command_usage(&command_show, "--edp is for --long");
     }
-    return -1;
+    return status;
 }
 
 static int show_command(int argc, char **argv) {
     struct request q = {.edp = calloc((size_t)argc, sizeof *q.edp)};
     if (!q.edp) {
-        struct error e;
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
     int status = parse(argc, argv, &q);
-    if (status < 0) {
+    if (status == GO_ON) {
         const char *path = argv[optind];
         status = study_file_is_study(path) ? show_of_study(path, &q) : show_of_run(path, &q);
     }

@@ -8,6 +8,7 @@
 #include "command/cells.h"
 #include "jostle/result.h"
 
+// The report as a table of one line a value (show_table.c), and as JSON (show_json.c).
 void show_table(const struct report *r, enum cells_form form, FILE *to);
 void show_json(const struct report *r, FILE *to);
 

@@ -96,7 +96,7 @@ static void put_link(struct json *j, const struct report_link *l,
     open_list(j, NULL, '{');
     put_members(j, &layout_link, l);
     open_list(j, "envelope", '{');
-    put_members(j, peaks, &l->peak);
+    put_members(j, peaks, l);
     close_list(j, '}');
     close_list(j, '}');
 }

@@ -103,7 +103,7 @@ void show_table(const struct report *r, enum cells_form form, FILE *to) {
     }
     for (int i = 0; i < r->n_link; i++) {
         members(&links, &layout_link, r->link[i].name, &r->link[i], 0, NAN);
-        members(&links, &layout_link_peak, r->link[i].name, &r->link[i].peak, 0, NAN);
+        members(&links, &layout_link_peak, r->link[i].name, &r->link[i], 0, NAN);
     }
     for (long i = 0; i < r->n_impact; i++) {
         members(&impacts, &layout_impact, r->contact[r->impact[i].contact].name, &r->impact[i],

@@ -165,13 +165,12 @@ static int spectrum_command(int argc, char **argv) {
     struct spectrum_set set;
     struct arena *a = arena_create();
     if (!a) {
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
-    int status = spectrum_parse(&command_spectrum, argc, argv, a, &q);
-    if (status < 0 && q.pounding) {
+    int status = spectrum_parse(argc, argv, a, &q);
+    if (status == GO_ON && q.pounding) {
         status = pounding_run(&q, a);
-    } else if (status < 0) {
+    } else if (status == GO_ON) {
         status = compute(&q, a, &set, &e);
         if (status == STATUS_OK && (q.output || q.script_folder)) {
             status = draw(&q, &set, &e);

@@ -13,7 +13,8 @@ enum spectrum_form { FORM_TEXT, FORM_TSV };
 enum spectrum_content { CONTENT_ALL, CONTENT_INTENSITIES };
 
 struct spectrum_request {
-    char **path;  // (n_record)
+    struct arena *arena;  // borrowed: of its lists
+    char **path;          // (n_record)
     int n_record;
     struct record_request record;  // without its path
     double scale;                  // factor of every record
@@ -39,9 +40,10 @@ struct spectrum_set {
     struct spectra spectra;       // not computed for CONTENT_INTENSITIES
 };
 
-// Reads the command line; lists are from `a`. -1: go on; else the exit status.
-int spectrum_parse(const struct command *c, int argc, char **argv, struct arena *a,
-                   struct spectrum_request *q);
+extern const struct command command_spectrum;
+
+// Reads the command line; lists are from `a`. Returns GO_ON or the exit status.
+int spectrum_parse(int argc, char **argv, struct arena *a, struct spectrum_request *q);
 
 // Prints the tables to stdout.
 void spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line of `jostle spectrum`. Options of records may also be written as in a deck, with
 // one dash, as messages about records name them so.
-#include <getopt.h>
 #include <limits.h>
 #include <math.h>
 #include <string.h>
@@ -38,6 +37,8 @@ enum {
     OPTION_FORCE,
     OPTION_POUNDING,
 };
+
+static const struct command *const self = &command_spectrum;
 
 static const double default_damping[] = {0.05};
 
@@ -116,40 +117,34 @@ static int count_fields(const char *text) {
     return n;
 }
 
-static int no_memory(void) {
-    struct error e;
-    error_no_memory(&e);
-    return command_fail(&e);
-}
-
-static int parse_damping(const struct command *c, const char *text, struct arena *a,
-                         struct spectrum_request *q) {
-    double *value = arena_alloc(a, DAMPING_MAX, sizeof *value);
+static int parse_damping(const char *text, struct spectrum_request *q) {
+    double *value = arena_alloc(q->arena, DAMPING_MAX, sizeof *value);
     if (!value) {
-        return no_memory();
+        return command_no_memory();
     }
     if (count_fields(text) > DAMPING_MAX) {
-        return command_usage(c, "--damping has %d ratios; at most %d are taken", count_fields(text),
-                             DAMPING_MAX);
+        return command_usage(self, "--damping has %d ratios; at most %d are taken",
+                             count_fields(text), DAMPING_MAX);
     }
     q->n_damping = read_list(text, &dimension_none, DAMPING_MAX, value);
     if (q->n_damping == 0) {
-        return command_usage(c, "--damping takes ratios such as 0.05 or 2%%,5%%, not '%s'", text);
+        return command_usage(self, "--damping takes ratios such as 0.05 or 2%%,5%%, not '%s'",
+                             text);
     }
     for (int i = 0; i < q->n_damping; i++) {
         if (!(value[i] >= 0.0 && value[i] < 1.0)) {
-            return command_usage(c, "a damping ratio is %g; it must be >= 0 and < 1 (5%% is 0.05)",
-                                 value[i]);
+            return command_usage(
+                self, "a damping ratio is %g; it must be >= 0 and < 1 (5%% is 0.05)", value[i]);
         }
     }
     q->damping = value;
-    return -1;
+    return EXIT_DONE;
 }
 
-static int log_grid(double from, double to, int n, struct arena *a, struct spectrum_request *q) {
-    double *period = arena_alloc(a, (size_t)n, sizeof *period);
+static int log_grid(double from, double to, int n, struct spectrum_request *q) {
+    double *period = arena_alloc(q->arena, (size_t)n, sizeof *period);
     if (!period) {
-        return no_memory();
+        return command_no_memory();
     }
     for (int i = 0; i < n; i++) {
         period[i] = from * pow(to / from, (double)i / (n - 1));
@@ -157,232 +152,224 @@ static int log_grid(double from, double to, int n, struct arena *a, struct spect
     period[n - 1] = to;
     q->period = period;
     q->n_period = n;
-    return -1;
+    return EXIT_DONE;
 }
 
-static int parse_range(const struct command *c, const char *text, struct arena *a,
-                       struct spectrum_request *q) {
+static int parse_range(const char *text, struct spectrum_request *q) {
     double from, to, n;
     const char *at = read_quantity(text, &dimension_time, &from);
     at = at && *at == ':' ? read_quantity(at + 1, &dimension_time, &to) : NULL;
     if (!at || *at != ':' || !read_whole(at + 1, &dimension_none, BARE_ALLOWED, &n)) {
-        return command_usage(c, "--periods takes FROM:TO:N or a list, not '%s'", text);
+        return command_usage(self, "--periods takes FROM:TO:N or a list, not '%s'", text);
     }
     if (!(from >= PERIOD_MIN && from < to && to <= PERIOD_MAX)) {
-        return command_usage(c, "periods from %g to %g s; they must ascend within %g to %g s", from,
-                             to, PERIOD_MIN, PERIOD_MAX);
+        return command_usage(self, "periods from %g to %g s; they must ascend within %g to %g s",
+                             from, to, PERIOD_MIN, PERIOD_MAX);
     }
     if (!(n >= 2.0 && n <= PERIODS_MAX && n == floor(n))) {
-        return command_usage(c, "%g periods; 2 to %d are taken", n, PERIODS_MAX);
+        return command_usage(self, "%g periods; 2 to %d are taken", n, PERIODS_MAX);
     }
-    return log_grid(from, to, (int)n, a, q);
+    return log_grid(from, to, (int)n, q);
 }
 
-static int parse_periods(const struct command *c, const char *text, struct arena *a,
-                         struct spectrum_request *q) {
+static int parse_periods(const char *text, struct spectrum_request *q) {
     if (strchr(text, ':')) {
-        return parse_range(c, text, a, q);
+        return parse_range(text, q);
     }
     const int max = count_fields(text);
-    double *value = arena_alloc(a, (size_t)max, sizeof *value);
+    double *value = arena_alloc(q->arena, (size_t)max, sizeof *value);
     if (!value) {
-        return no_memory();
+        return command_no_memory();
     }
     q->n_period = read_list(text, &dimension_time, max, value);
     if (q->n_period == 0) {
-        return command_usage(c, "--periods takes FROM:TO:N or a list, not '%s'", text);
+        return command_usage(self, "--periods takes FROM:TO:N or a list, not '%s'", text);
     }
     for (int i = 0; i < q->n_period; i++) {
         if (value[i] != 0.0 && !(value[i] >= PERIOD_MIN && value[i] <= PERIOD_MAX)) {
-            return command_usage(c, "a period is %g s; it must be 0 or %g to %g s", value[i],
+            return command_usage(self, "a period is %g s; it must be 0 or %g to %g s", value[i],
                                  PERIOD_MIN, PERIOD_MAX);
         }
         if (i > 0 && !(value[i] > value[i - 1])) {
-            return command_usage(c, "periods must ascend: %g s follows %g s", value[i],
+            return command_usage(self, "periods must ascend: %g s follows %g s", value[i],
                                  value[i - 1]);
         }
     }
     q->period = value;
-    return -1;
+    return EXIT_DONE;
 }
 
-static int parse_number(const struct command *c, int option, const char *text,
-                        struct spectrum_request *q) {
-    bool good;
-    switch (option) {
-        case OPTION_SCALE:
-            good = read_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0;
-            return good ? -1
-                        : command_usage(c, "--scale takes a factor other than 0, not '%s'", text);
-        case OPTION_PGA:
-            good = read_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0;
-            return good ? -1
-                        : command_usage(c,
-                                        "--pga takes an acceleration > 0 with its unit, such as "
-                                        "0.35g, not '%s'",
-                                        text);
-        default:
-            good = read_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) &&
-                   q->record.dt > 0.0;
-            return good ? -1 : command_usage(c, "--dt takes a time > 0 in s, not '%s'", text);
-    }
+static int parse_scale(const char *text, struct spectrum_request *q) {
+    return read_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0
+               ? EXIT_DONE
+               : command_usage(self, "--scale takes a factor other than 0, not '%s'", text);
 }
 
-static int take_option(const struct command *c, int option, struct arena *a,
-                       struct spectrum_request *q) {
-    switch (option) {
+static int parse_pga(const char *text, struct spectrum_request *q) {
+    return read_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0
+               ? EXIT_DONE
+               : command_usage(
+                     &command_spectrum,
+                     "--pga takes an acceleration > 0 with its unit, such as 0.35g, not '%s'",
+                     text);
+}
+
+static int parse_dt(const char *text, struct spectrum_request *q) {
+    return read_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) && q->record.dt > 0.0
+               ? EXIT_DONE
+               : command_usage(self, "--dt takes a time > 0 in s, not '%s'", text);
+}
+
+static int take(void *request, int letter) {
+    struct spectrum_request *q = request;
+    switch (letter) {
         case OPTION_DAMPING:
-            return parse_damping(c, optarg, a, q);
+            return parse_damping(optarg, q);
         case OPTION_PERIODS:
-            return parse_periods(c, optarg, a, q);
-        case OPTION_FORMAT:
-            q->record.format = optarg;
-            return -1;
-        case OPTION_UNIT:
-            q->record.unit = optarg;
-            return -1;
-        case OPTION_INTENSITIES:
-            q->content = CONTENT_INTENSITIES;
-            return -1;
-        case OPTION_TSV:
-            q->form = FORM_TSV;
-            return -1;
-        case 'o':
-            q->output = optarg;
-            return -1;
-        case OPTION_SCRIPT:
-            q->script_folder = optarg;
-            return -1;
-        case OPTION_FORCE:
-            q->existing = RESULT_REPLACE;
-            return -1;
-        case OPTION_POUNDING:
-            q->pounding = optarg;
-            return -1;
+            return parse_periods(optarg, q);
+        case OPTION_SCALE:
+            return parse_scale(optarg, q);
+        case OPTION_PGA:
+            return parse_pga(optarg, q);
+        case OPTION_DT:
+            return parse_dt(optarg, q);
+        case 'j':
+            return threads_parse(self, optarg, &q->n_thread);
         case 'D':
             q->define[q->n_define++] = optarg;
-            return -1;
-        case 'j':
-            return threads_parse(c, optarg, &q->n_thread) == EXIT_DONE ? -1 : EXIT_INPUT;
-        case 'h':
-            return command_help(c, details);
+            break;
+        case OPTION_FORMAT:
+            q->record.format = optarg;
+            break;
+        case OPTION_UNIT:
+            q->record.unit = optarg;
+            break;
+        case OPTION_INTENSITIES:
+            q->content = CONTENT_INTENSITIES;
+            break;
+        case OPTION_TSV:
+            q->form = FORM_TSV;
+            break;
+        case OPTION_SCRIPT:
+            q->script_folder = optarg;
+            break;
+        case OPTION_FORCE:
+            q->existing = RESULT_REPLACE;
+            break;
+        case OPTION_POUNDING:
+            q->pounding = optarg;
+            break;
         default:
-            return parse_number(c, option, optarg, q);
+            q->output = optarg;
     }
-}
-
-static int parse_options(const struct command *c, int argc, char **argv, struct arena *a,
-                         struct spectrum_request *q) {
-    static const struct option option[] = {
-        {"damping", required_argument, NULL, OPTION_DAMPING},
-        {"periods", required_argument, NULL, OPTION_PERIODS},
-        {"format", required_argument, NULL, OPTION_FORMAT},
-        {"unit", required_argument, NULL, OPTION_UNIT},
-        {"dt", required_argument, NULL, OPTION_DT},
-        {"scale", required_argument, NULL, OPTION_SCALE},
-        {"pga", required_argument, NULL, OPTION_PGA},
-        {"intensities", no_argument, NULL, OPTION_INTENSITIES},
-        {"tsv", no_argument, NULL, OPTION_TSV},
-        {"output", required_argument, NULL, 'o'},
-        {"script", required_argument, NULL, OPTION_SCRIPT},
-        {"force", no_argument, NULL, OPTION_FORCE},
-        {"pounding", required_argument, NULL, OPTION_POUNDING},
-        {"define", required_argument, NULL, 'D'},
-        {"threads", required_argument, NULL, 'j'},
-        {"help", no_argument, NULL, 'h'},
-        {NULL, 0, NULL, 0},
-    };
-    opterr = 0;
-    optind = 1;
-    for (int letter; (letter = getopt_long_only(argc, argv, ":hD:j:o:", option, NULL)) != -1;) {
-        const int done = letter == '?' || letter == ':' ? command_bad_option(c, letter, argv)
-                                                        : take_option(c, letter, a, q);
-        if (done >= 0) {
-            return done;
-        }
-    }
-    return -1;
+    return EXIT_DONE;
 }
 
 static bool draws(const struct spectrum_request *q) {
     return q->output || q->script_folder;
 }
 
-static int check_pounding(const struct command *c, const struct spectrum_request *q) {
+static int check_pounding(const struct spectrum_request *q) {
     const struct record_request *r = &q->record;
     if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || q->scale != 1.0 ||
         q->pga != 0.0 || q->damping || q->content == CONTENT_INTENSITIES) {
-        return command_usage(c, "--pounding takes records and damping from the deck");
+        return command_usage(self, "--pounding takes records and damping from the deck");
     }
     if (q->period && q->period[0] == 0.0) {
-        return command_usage(c, "a structure of period 0 does not pound");
+        return command_usage(self, "a structure of period 0 does not pound");
     }
     if (q->period && q->n_period > POUNDING_MAX) {
-        return command_usage(c, "%d periods; --pounding takes up to %d", q->n_period, POUNDING_MAX);
+        return command_usage(self, "%d periods; --pounding takes up to %d", q->n_period,
+                             POUNDING_MAX);
     }
     if (draws(q) && q->period && q->n_period < 3) {
-        return command_usage(c, "a picture needs at least three periods > 0");
+        return command_usage(self, "a picture needs at least three periods > 0");
     }
-    return -1;
+    return EXIT_DONE;
 }
 
-static int check(const struct command *c, const struct spectrum_request *q) {
+static int check(const struct spectrum_request *q) {
     if (q->output && !figure_ending(q->output)) {
-        return command_usage(c, "'%s' must end in .png, .svg or .pdf", q->output);
+        return command_usage(self, "'%s' must end in .png, .svg or .pdf", q->output);
     }
     if (q->pounding) {
-        return check_pounding(c, q);
+        return check_pounding(q);
     }
     if (q->n_define > 0 || q->n_thread > 0) {
-        return command_usage(c, "%s is for the deck of --pounding", q->n_define > 0 ? "-D" : "-j");
+        return command_usage(self, "%s is for the deck of --pounding",
+                             q->n_define > 0 ? "-D" : "-j");
     }
     if (q->n_record < 1) {
-        return command_usage(c, "a record is expected");
+        return command_usage(self, "a record is expected");
     }
     if (q->scale != 1.0 && q->pga > 0.0) {
-        return command_usage(c, "give --scale or --pga, not both");
+        return command_usage(self, "give --scale or --pga, not both");
     }
     if (q->content == CONTENT_INTENSITIES && (draws(q) || q->damping || q->period)) {
-        return command_usage(c, "--intensities leaves no spectrum to draw, damp or sample");
+        return command_usage(self, "--intensities leaves no spectrum to draw, damp or sample");
     }
     if (draws(q) && q->period && (q->n_period < 3 || q->period[q->n_period - 3] == 0.0)) {
-        return command_usage(c, "a picture needs at least three periods > 0");
+        return command_usage(self, "a picture needs at least three periods > 0");
     }
-    return -1;
+    return EXIT_DONE;
 }
 
-int spectrum_parse(const struct command *c, int argc, char **argv, struct arena *a,
-                   struct spectrum_request *q) {
-    struct unit_system si;
-    unit_system_init(&si);
-    *q = (struct spectrum_request){.scale = 1.0,
-                                   .record = {.gravity = si.gravity},
-                                   .existing = RESULT_KEEP,
-                                   .define = arena_alloc(a, (size_t)argc, sizeof *q->define)};
-    if (!q->define) {
-        return no_memory();
-    }
-    int done = parse_options(c, argc, argv, a, q);
-    if (done >= 0) {
-        return done;
-    }
-    q->path = argv + optind;
-    q->n_record = argc - optind;
-    done = check(c, q);
-    if (done >= 0) {
-        return done;
-    }
+static int set_defaults(struct spectrum_request *q) {
     if (q->pounding) {
         q->n_thread = q->n_thread > 0 ? q->n_thread : threads_all();
-        return q->period ? -1 : log_grid(POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT, a, q);
+        return q->period ? EXIT_DONE : log_grid(POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT, q);
     }
     if (!q->damping) {
         q->damping = default_damping;
         q->n_damping = 1;
     }
-    if (!q->period) {
-        const bool table = q->form == FORM_TEXT && !draws(q);
-        return log_grid(DEFAULT_FROM, DEFAULT_TO, table ? DEFAULT_TABLE : DEFAULT_CURVE, a, q);
+    const bool table = q->form == FORM_TEXT && !draws(q);
+    return q->period ? EXIT_DONE
+                     : log_grid(DEFAULT_FROM, DEFAULT_TO, table ? DEFAULT_TABLE : DEFAULT_CURVE, q);
+}
+
+static const struct option option[] = {
+    {"damping", required_argument, NULL, OPTION_DAMPING},
+    {"periods", required_argument, NULL, OPTION_PERIODS},
+    {"format", required_argument, NULL, OPTION_FORMAT},
+    {"unit", required_argument, NULL, OPTION_UNIT},
+    {"dt", required_argument, NULL, OPTION_DT},
+    {"scale", required_argument, NULL, OPTION_SCALE},
+    {"pga", required_argument, NULL, OPTION_PGA},
+    {"intensities", no_argument, NULL, OPTION_INTENSITIES},
+    {"tsv", no_argument, NULL, OPTION_TSV},
+    {"output", required_argument, NULL, 'o'},
+    {"script", required_argument, NULL, OPTION_SCRIPT},
+    {"force", no_argument, NULL, OPTION_FORCE},
+    {"pounding", required_argument, NULL, OPTION_POUNDING},
+    {"define", required_argument, NULL, 'D'},
+    {"threads", required_argument, NULL, 'j'},
+    {"help", no_argument, NULL, 'h'},
+    {NULL, 0, NULL, 0},
+};
+static const struct command_options options = {&command_spectrum, details, NULL, getopt_long_only,
+                                               ":hD:j:o:",        option,  take};
+
+int spectrum_parse(int argc, char **argv, struct arena *a, struct spectrum_request *q) {
+    struct unit_system si;
+    unit_system_init(&si);
+    *q = (struct spectrum_request){.arena = a,
+                                   .scale = 1.0,
+                                   .record = {.gravity = si.gravity},
+                                   .existing = RESULT_KEEP,
+                                   .define = arena_alloc(a, (size_t)argc, sizeof *q->define)};
+    if (!q->define) {
+        return command_no_memory();
     }
-    return -1;
+    int status = command_parse(&options, argc, argv, q);
+    if (status != GO_ON) {
+        return status;
+    }
+    q->path = argv + optind;
+    q->n_record = argc - optind;
+    status = check(q);
+    if (status == EXIT_DONE) {
+        status = set_defaults(q);
+    }
+    return status == EXIT_DONE ? GO_ON : status;
 }

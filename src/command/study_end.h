@@ -5,7 +5,7 @@
 #include "command/command.h"
 
 // The exit status of a study whose file is written; says on stderr if runs have failed. `first` is
-// the message of one of them, "" if it is not at hand.
+// the message of the first of them, "" where it is not known.
 int study_end(long n_failed, long n_run, const char *path, const char *first);
 
 #endif

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/study_runs.h"
 #include "command/sweeps.h"
 #include "core/text.h"
 
@@ -52,16 +53,15 @@ void study_peaks_add(struct study_peaks *p, const struct study_view *v, long run
 
 static void print_run(const struct study_view *v, long run, FILE *to) {
     fprintf(to, "%ld (", run + 1);
-    long later = v->n_study;
     for (int i = 0; i < v->n_sweep; i++) {
         struct text_short t;
         const struct sweep *s = v->sweep[i];
-        later /= s->n;
+        const int k = study_runs_choice(v, run, i);
         fprintf(to, "%s%s ", i > 0 ? ", " : "", s->name);
         if (s->number) {
-            fprintf(to, "%.4g", s->number[run / later % s->n]);
+            fprintf(to, "%.4g", s->number[k]);
         } else {
-            fputs(text_short(&t, s->label[run / later % s->n]), to);
+            fputs(text_short(&t, s->label[k]), to);
         }
     }
     fputs(")\n", to);

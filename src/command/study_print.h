@@ -21,8 +21,10 @@ struct study_peaks {
     char message[STUDY_MESSAGE_MAX];
 };
 
+// Takes a run into the peaks, or into the counts of those that failed or are missing.
 void study_peaks_add(struct study_peaks *p, const struct study_view *v, long run,
                      const struct study_outcome *outcome, const double *value);
+// Prints the sweeps of a study, its peaks with their runs, and the first failure.
 void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to);
 
 // The building, contact or link of value `i`; "" if there is none.

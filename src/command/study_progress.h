@@ -15,6 +15,8 @@ struct study_display {
     double start, last;  // wall time [s]
 };
 
+// How far a study is: a line on a terminal that is written over twice a second, and taken away at
+// the end; elsewhere a line every ten seconds, which stays.
 void study_display_start(struct study_display *d, enum display display);
 void study_display_show(struct study_display *d, const struct study_progress *p);
 void study_display_end(struct study_display *d);

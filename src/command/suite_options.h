@@ -3,8 +3,6 @@
 #ifndef JOSTLE_SUITE_OPTIONS_H
 #define JOSTLE_SUITE_OPTIONS_H
 
-#include <getopt.h>
-
 #include "command/command.h"
 #include "study/suite.h"
 

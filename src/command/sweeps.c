@@ -61,10 +61,7 @@ void sweeps_print_along(const struct sweep *s, const struct unit_system *u, FILE
     }
 }
 
-void sweeps_print(const struct deck *d) {
-    if (!d->sweeps) {
-        return;
-    }
+static void print_all(const struct deck *d) {
     printf("study of %ld run%s\n", d->n_run, d->n_run == 1 ? "" : "s");
     for (const struct sweep *s = d->sweeps; s; s = s->next) {
         char units[64] = "";
@@ -76,10 +73,10 @@ void sweeps_print(const struct deck *d) {
     }
 }
 
-void sweeps_print_first(const struct deck *d, const char *before, const char *behind) {
+void sweeps_print_first(const struct deck *d, const char *before, const char *after) {
     if (d->sweeps) {
         printf("%s", before);
-        sweeps_print(d);
-        printf("the model of the first run:\n%s", behind);
+        print_all(d);
+        printf("the model of the first run:\n%s", after);
     }
 }

@@ -6,11 +6,10 @@
 
 #include "jostle/deck.h"
 
-// Prints "study of N runs" and a line for each sweep to stdout; nothing for a deck without sweeps.
-void sweeps_print(const struct deck *d);
-// The same for commands that look at one model only: that it is the one of the first run. `before`
-// and `behind` stand around it.
-void sweeps_print_first(const struct deck *d, const char *before, const char *behind);
+// For commands that look at one model only: prints "study of N runs", a line for each sweep, and
+// that the model is that of the first run to stdout, with `before` and `after` around it; nothing
+// for a deck without sweeps.
+void sweeps_print_first(const struct deck *d, const char *before, const char *after);
 
 // A line for one sweep; `units` of its numbers.
 void sweeps_print_line(const struct sweep *s, const char *units, FILE *to);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle tasks: a study as commands, one a line, for programs that run commands on many machines.
-#include <stdlib.h>
 #include <string.h>
 
 #include "command/deck_command.h"
@@ -77,9 +76,7 @@ static int print_lines(const struct tasks_options *o, struct arena *a, const cha
         const struct study_shard s = {k, n};
         const char *part = output_part_name(a, path, &s);
         if (!part) {
-            struct error e;
-            error_no_memory(&e);
-            return command_fail(&e);
+            return command_no_memory();
         }
         if (o->lines == TASKS_MERGE) {
             print_word(part);
@@ -108,8 +105,7 @@ static int print_tasks(void *options, const struct model *m) {
     }
     const char *path = output_choose(m, o->output, &(struct study_shard){0, 0});
     if (!path) {
-        error_no_memory(&e);
-        return command_fail(&e);
+        return command_no_memory();
     }
     if (!is_one_line(o, path)) {
         error_set(&e, STATUS_INPUT,

@@ -135,7 +135,10 @@ static void print_item(const struct diagnostic *item, FILE *to, bool colour) {
 }
 
 int diagnostics_cause(const struct diagnostics *d, struct error *e) {
-    const int status = d->system || d->out_of_memory ? STATUS_SYSTEM : e->status;
+    if (d->out_of_memory) {
+        return error_no_memory(e);  // errors that were reported may follow from it
+    }
+    const int status = d->system ? STATUS_SYSTEM : e->status;
     e->status = status;
     for (int i = 0; i < d->n_item; i++) {
         const struct diagnostic *item = &d->item[i];
@@ -145,7 +148,7 @@ int diagnostics_cause(const struct diagnostics *d, struct error *e) {
                                   : error_set(e, status, "%s: %s", item->file, item->message);
         }
     }
-    return d->out_of_memory ? error_no_memory(e) : status;
+    return status;
 }
 
 void diagnostics_print(const struct diagnostics *d, FILE *to, bool colour) {

@@ -7,7 +7,7 @@
 //     power   = primary [ ^ sign ]                so 2^3^2 = 2^9 and -2^2 = -4
 //     primary = literal | name | $name | pi | function ( sum {, sum} ) | ( sum )
 //
-// A literal takes the longest unit that stands right behind it: in 300t/g the g is the unit, in
+// A literal takes the longest unit that follows it directly: in 300t/g the g is the unit, in
 // 300t / g a parameter.
 #include <ctype.h>
 #include <string.h>
@@ -61,7 +61,7 @@ static bool name_is(const char *from, const char *to, const char *name) {
 bool expression_is_reserved(const char *name, size_t n) {
     const char *end = name + n;
     for (int i = 0; i < n_quantity_function; i++) {
-        if (name_is(name, end, quantity_functions[i])) {
+        if (name_is(name, end, quantity_functions[i].name)) {
             return true;
         }
     }
@@ -76,7 +76,7 @@ static bool close_bracket(struct parser *p, const char *open) {
     return true;
 }
 
-// min and max, behind the `(`.
+// min and max, after the `(`.
 static bool choice(struct parser *p, int sign, const char *name, const char *name_end,
                    struct quantity *out) {
     if (next(p) != ',') {
@@ -101,7 +101,7 @@ static bool unknown_function(struct parser *p, const char *name, const char *end
     const char *known[32] = {"min", "max"};
     int n = 2;
     for (int i = 0; i < n_quantity_function && n < 32; i++) {
-        known[n++] = quantity_functions[i];
+        known[n++] = quantity_functions[i].name;
     }
     struct word part = report_part(p->deck, p->word, name, end);
     deck_unknown(p->deck, &part, "function", known, n);
@@ -265,7 +265,7 @@ bool expression_evaluate(struct deck *d, const struct word *w, const char *from,
     return next(&p) == 0 || unexpected(&p);
 }
 
-// $name or ${expression} at *at, which moves behind it.
+// $name or ${expression} at *at, which moves past it.
 static bool dollar(struct deck *d, const struct word *w, const char **at, struct quantity *out) {
     const char *from = *at + 1;
     if (*from == '{') {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers with a unit right behind them, and what is wrong behind a number.
+// Numbers directly followed by a unit, and what is wrong after a number.
 #include <math.h>
 #include <string.h>
 
 #include "core/text.h"
 #include "deck/reader.h"
 
-// Marks where the unit g is used: gravity must stand above.
+// Notes that the unit g is used: the statement gravity must precede its uses.
 static void note_gravity(struct deck *d, const char *unit, double size) {
     const char *end;
     struct dimension dimension;
@@ -29,7 +29,7 @@ static const char *letters_end(const char *at) {
     return at;
 }
 
-// Reports the unit at `at`, which is a known one only behind one that joins with none.
+// Reports the unit at `at`; it is a known one only where it follows rad or deg.
 static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
     int n = 0;
     double si;
@@ -86,7 +86,7 @@ bool literal_read(struct deck *d, const struct word *w, const char **at, struct 
     return literal_unit(d, w, at, out);
 }
 
-// How it is right, where the number `q` is followed by `rest`.
+// What to write instead where the number `q` is followed by `rest`.
 static const char *advice(const struct quantity *q, const char *rest) {
     if (*rest == ',' || *rest == ';') {
         return "decimals have a point, and values of a list are parted by blanks";

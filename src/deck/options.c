@@ -10,7 +10,7 @@
 
 enum { SETS_MAX = 8 };  // of one statement
 
-// The number of words behind the option at s->word[at], up to the next option.
+// The number of words after the option at s->word[at], up to the next option.
 static int count_behind(const struct statement *s, int at) {
     int n = 0;
     while (at + 1 + n < s->n_word && !deck_is_option(&s->word[at + 1 + n])) {

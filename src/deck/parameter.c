@@ -2,12 +2,11 @@
 // Parameters: param NAME VALUE, and their use in texts. The value of a -D or of a sweep goes before
 // that of the param, whose kind and dimension it must have.
 //
-// VALUE is a number if it is not quoted and starts like one (a digit, a point and a digit, either
-// of them behind a sign) or is a $name or ${expression} as a whole; everything else is a text. So a
+// VALUE is a number if it is not quoted and starts like one (a digit, or a point and a digit,
+// either after a sign) or is a $name or ${expression} as a whole; everything else is a text. So a
 // text that starts with a digit must be quoted: nothing is guessed.
 #include <string.h>
 
-#include "core/arena.h"
 #include "core/text.h"
 #include "deck/reader.h"
 
@@ -66,7 +65,7 @@ struct parameter *parameter_get(struct deck *d, const struct word *w, const char
     return p;
 }
 
-// True if the word is $name or ${...}, perhaps behind a sign, and nothing else.
+// True if the word is $name or ${...}, perhaps after a sign, and nothing else.
 static bool is_dollar(const char *text) {
     text += *text == '-' || *text == '+';
     if (text[0] != '$') {
@@ -102,7 +101,7 @@ static const struct parameter *whole_text(const struct deck *d, const struct wor
 
 static const char *const kind_name[] = {[PARAMETER_NUMBER] = "number", [PARAMETER_TEXT] = "text"};
 
-// Whether one value may stand in the place of the other: numbers without a unit fit all numbers.
+// Whether one value may replace the other: numbers without a unit fit all numbers.
 static bool fits(const struct parameter *a, const struct parameter *b) {
     return a->kind == b->kind &&
            (a->kind == PARAMETER_TEXT || !a->number.known || !b->number.known ||
@@ -247,7 +246,7 @@ static void take_value(struct parameter *to, const struct parameter *from) {
     to->origin = from->origin;
 }
 
-// The second definition of `p`, where param and sweep both stand: the sweep gives the values. True
+// The second definition of `p`, by a param and a sweep: the sweep gives the values. True
 // if a -D gives it.
 static bool join(struct deck *d, const struct word *name, enum definition by, struct parameter *p,
                  struct parameter *value) {

@@ -123,42 +123,33 @@ int quantity_choose(const struct unit_system *u, int sign, struct quantity *a,
     return STATUS_OK;
 }
 
-const char *const quantity_functions[] = {
-    "sqrt", "abs", "sin", "cos", "tan", "exp", "log", "log10", "floor", "ceil",
+const struct function quantity_functions[] = {
+    {"sqrt", sqrt}, {"abs", fabs}, {"sin", sin},     {"cos", cos},     {"tan", tan},
+    {"exp", exp},   {"log", log},  {"log10", log10}, {"floor", floor}, {"ceil", ceil},
 };
 const int n_quantity_function = sizeof quantity_functions / sizeof quantity_functions[0];
 
-// In the order of quantity_functions.
-static double (*const function_values[])(double) = {
-    sqrt, fabs, sin, cos, tan, exp, log, log10, floor, ceil,
-};
-_Static_assert(sizeof function_values / sizeof function_values[0] ==
-                   sizeof quantity_functions / sizeof quantity_functions[0],
-               "a value for each name");
-
 int quantity_function(const struct unit_system *u, const char *name, size_t n, struct quantity *a,
                       struct error *e) {
-    int i = 0;
-    while (i < n_quantity_function &&
-           !(strlen(quantity_functions[i]) == n && strncmp(quantity_functions[i], name, n) == 0)) {
-        i++;
+    const struct function *f = quantity_functions, *end = f + n_quantity_function;
+    while (f < end && !(strlen(f->name) == n && strncmp(f->name, name, n) == 0)) {
+        f++;
     }
-    if (i == n_quantity_function) {
+    if (f == end) {
         return STATUS_RETRY;
     }
-    double (*value)(double) = function_values[i];
-    const char *function = quantity_functions[i];
+    double (*const value)(double) = f->value;
     if (value == sqrt && a->value < 0) {
         return error_set(e, STATUS_INPUT, "sqrt of %.6g; it must be >= 0", a->value);
     }
     if ((value == log || value == log10) && a->value <= 0) {
-        return error_set(e, STATUS_INPUT, "%s of %.6g; it must be > 0", function, a->value);
+        return error_set(e, STATUS_INPUT, "%s of %.6g; it must be > 0", f->name, a->value);
     }
     if (value == sqrt) {
         scale_dimension(a, 0.5);
     } else if (value != fabs) {
         char what[32];
-        snprintf(what, sizeof what, "the argument of %s", function);
+        snprintf(what, sizeof what, "the argument of %s", f->name);
         if (need_pure(u, what, a, e) != STATUS_OK) {
             return e->status;
         }

@@ -86,8 +86,8 @@ struct reader {
     struct define *define;  // (n_define)
     int n_define;
 
-    // Where these stand; source NULL: not yet. `other` is the first statement before which units
-    // must stand.
+    // The places of these statements; source NULL: not read yet. `other` is the first statement
+    // that units must precede.
     struct place title, units, gravity, other;
     bool gravity_used;  // the unit g
 
@@ -138,7 +138,7 @@ void sweep_run(struct deck *d, const struct statement *s);
 // the first other.
 bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
                  struct parameter *p);
-// Adds a sweep to those of the deck; `w` is where it stands. False after having reported that there
+// Adds a sweep to those of the deck; `w` is its place. False after having reported that there
 // are too many of them, or of their runs.
 bool sweep_append(struct deck *d, const struct word *w, struct sweep *s);
 // What -D gives in place of the values.
@@ -174,7 +174,7 @@ bool parameter_is_free(struct deck *d, const struct word *name, enum definition 
 void parameter_read(struct deck *d, const struct word *w, struct parameter *p);
 bool parameter_keep(struct deck *d, const struct word *name, enum definition by,
                     struct parameter *value);
-// Where the text of `w` stands: that of the parameter which it is, or of itself.
+// The source of the text of `w`: that of the parameter which it is, or its own.
 const struct source *parameter_origin(const struct deck *d, const struct word *w);
 // False after having reported that `w` cannot name a parameter.
 bool parameter_check_name(struct deck *d, const struct word *w);
@@ -201,9 +201,9 @@ bool expression_is_reserved(const char *name, size_t n);
 
 // literal.c
 
-// A literal with its unit at *at, which moves behind it.
+// A literal with its unit at *at, which moves past it.
 bool literal_read(struct deck *d, const struct word *w, const char **at, struct quantity *out);
-// Reports what stands at `at`, behind the `number` where the word should end; false.
+// Reports what is at `at`, after the `number`, where the word should end; false.
 bool literal_end(struct deck *d, const struct word *w, const char *at,
                  const struct quantity *number);
 
@@ -218,7 +218,10 @@ int quantity_choose(const struct unit_system *u, int sign, struct quantity *a,
 // The function called `name` (n bytes) of *a. STATUS_RETRY: there is none.
 int quantity_function(const struct unit_system *u, const char *name, size_t n, struct quantity *a,
                       struct error *e);
-extern const char *const quantity_functions[];
+extern const struct function {
+    const char *name;
+    double (*value)(double);
+} quantity_functions[];
 extern const int n_quantity_function;
 
 // "a mass (t)", "a pure number", "a quantity in kN/m^1.5".

@@ -42,7 +42,7 @@ static bool append_parameter(struct deck *d, const struct word *w, struct buffer
     return append_number(d, w, b, p->number.value);
 }
 
-// What stands in the braces from `from` to `to`.
+// What the expression in braces, from `from` to `to`, gives.
 static bool append_expression(struct deck *d, const struct word *w, struct buffer *b,
                               const char *from, const char *to) {
     const char *name = from + strspn(from, " \t$");
@@ -56,7 +56,7 @@ static bool append_expression(struct deck *d, const struct word *w, struct buffe
     return expression_evaluate(d, w, from, to, &q) && append_number(d, w, b, q.value);
 }
 
-// Appends what the $ at *at stands for; *at moves behind it.
+// Appends what the $ at *at stands for; *at moves past it.
 static bool append_dollar(struct deck *d, const struct word *w, struct buffer *b, const char **at) {
     const char *from = *at + 1;
     if (*from == '{') {

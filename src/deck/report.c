@@ -9,8 +9,10 @@
 
 enum { MESSAGE_MAX = 1024, LISTED_MAX = 24 };
 
-static void report(struct deck *d, const struct word *w, enum severity severity,
-                   const char *message) {
+static void report(struct deck *d, const struct word *w, enum severity severity, const char *format,
+                   va_list list) {
+    char message[MESSAGE_MAX];
+    vsnprintf(message, sizeof message, format, list);
     struct diagnostic entry = {.severity = severity, .file = d->path};
     const struct place p = w ? w->place : source_end(d);
     if (p.source) {
@@ -27,12 +29,10 @@ static void report(struct deck *d, const struct word *w, enum severity severity,
 }
 
 void deck_error(struct deck *d, const struct word *w, const char *format, ...) {
-    char message[MESSAGE_MAX];
     va_list list;
     va_start(list, format);
-    vsnprintf(message, sizeof message, format, list);
+    report(d, w, SEVERITY_ERROR, format, list);
     va_end(list);
-    report(d, w, SEVERITY_ERROR, message);
 }
 
 void deck_error_of(struct deck *d, const struct word *w, const struct error *e) {
@@ -41,12 +41,10 @@ void deck_error_of(struct deck *d, const struct word *w, const struct error *e) 
 }
 
 void deck_warning(struct deck *d, const struct word *w, const char *format, ...) {
-    char message[MESSAGE_MAX];
     va_list list;
     va_start(list, format);
-    vsnprintf(message, sizeof message, format, list);
+    report(d, w, SEVERITY_WARNING, format, list);
     va_end(list);
-    report(d, w, SEVERITY_WARNING, message);
 }
 
 const char *deck_unknown(struct deck *d, const struct word *w, const char *what,
@@ -78,6 +76,17 @@ const char *deck_unknown(struct deck *d, const struct word *w, const char *what,
     return NULL;
 }
 
+int deck_keyword(struct deck *d, const struct word *w, const char *what, const char *const *known,
+                 int n) {
+    for (int i = 0; i < n; i++) {
+        if (strcmp(w->text, known[i]) == 0) {
+            return i;
+        }
+    }
+    deck_unknown(d, w, what, known, n);
+    return -1;
+}
+
 struct word report_part(struct deck *d, const struct word *w, const char *from, const char *to) {
     size_t n = (size_t)(to - from);
     struct word part = *w;
@@ -94,12 +103,10 @@ struct word report_part(struct deck *d, const struct word *w, const char *from, 
 
 bool report_false(struct deck *d, const struct word *w, const char *from, const char *to,
                   const char *format, ...) {
-    char message[MESSAGE_MAX];
+    struct word part = report_part(d, w, from, to);
     va_list list;
     va_start(list, format);
-    vsnprintf(message, sizeof message, format, list);
+    report(d, &part, SEVERITY_ERROR, format, list);
     va_end(list);
-    struct word part = report_part(d, w, from, to);
-    report(d, &part, SEVERITY_ERROR, message);
     return false;
 }

@@ -9,7 +9,7 @@
 // characters and bytes that are not UTF-8 are errors, also in comments, and so are the quotes,
 // dashes and blanks of word processors outside quotes.
 //
-// A wrong line spoils its statement: the statement is left out, and reading goes on behind it.
+// A wrong line spoils its statement: the statement is left out, and reading goes on after it.
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,7 +26,7 @@ struct scan {
     bool joined;                // the next line belongs to the statement
     bool stray;                 // a `\` that does not join was meant to
     bool torn;                  // and the end of a quoted text, which is not looked for there
-    const struct sweep *known;  // stands on these lines: nothing is wrong with them
+    const struct sweep *known;  // is given by these lines: nothing is wrong with them
 };
 
 // sweep NAME values FIRST: the words of a known one that are read again.
@@ -104,7 +104,7 @@ static void scan_quoted(struct scan *s) {
     }
 }
 
-// Goes behind the } that belongs to the ${ at s->at.
+// Goes past the } that belongs to the ${ at s->at.
 static void scan_braces(struct scan *s) {
     int column = s->column;
     while (s->at < s->end && *s->at != '}') {

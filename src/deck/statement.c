@@ -43,7 +43,7 @@ static bool check_words(struct deck *d, const struct statement *s, int n, const 
     return true;
 }
 
-// Notes where the statement stands; false after having reported that it stands there already.
+// Notes the place of a statement that may be given once; false after having reported a second one.
 static bool check_once(struct deck *d, const struct word *w, struct place *place) {
     if (place->source) {
         deck_error(d, w, "%s is already given in %s", w->text, source_mention(d, place, &w->place));

@@ -35,10 +35,7 @@ bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
                    p->kind == PARAMETER_TEXT ? "number" : "text");
         return false;
     }
-    if (p->kind == PARAMETER_TEXT) {
-        return true;
-    }
-    if (!p->number.known) {
+    if (p->kind == PARAMETER_TEXT || !p->number.known) {
         return true;
     }
     if (!first->number.known) {
@@ -100,7 +97,7 @@ static int compare(const void *a, const void *b) {
     return order ? order : x->at - y->at;
 }
 
-// False after having reported a value that stands twice: results are found by their values.
+// False after having reported a value that is given twice: results are found by their values.
 static bool check_distinct(struct deck *d, const struct sweep *s, const struct word *word) {
     struct key *key = deck_array(d, (size_t)s->n, sizeof *key);
     for (int i = 0; key && i < s->n; i++) {
@@ -138,11 +135,8 @@ enum spacing { SPACING_LINEAR, SPACING_LOG };
 static bool read_spacing(struct deck *d, const struct statement *s, enum spacing *spacing) {
     static const char *const known[] = {"-log"};
     *spacing = s->n_plain < s->n_word ? SPACING_LOG : SPACING_LINEAR;
-    if (s->n_plain < s->n_word && strcmp(s->word[s->n_plain].text, known[0]) != 0) {
-        deck_unknown(d, &s->word[s->n_plain], "option", known, 1);
-        return false;
-    }
-    return true;
+    return *spacing == SPACING_LINEAR ||
+           deck_keyword(d, &s->word[s->n_plain], "option", known, 1) == 0;
 }
 
 // FROM and TO; NULL after having reported what is wrong with them.
@@ -209,23 +203,27 @@ static bool read_files(struct deck *d, const struct statement *s, struct sweep *
     return pattern && sweep_files(d, &s->word[3], pattern, sweep);
 }
 
-static bool read_values_of(struct deck *d, const struct statement *s, struct sweep *sweep) {
-    static const struct {
-        const char *name;
-        bool (*read)(struct deck *, const struct statement *, struct sweep *);
-    } kind[] = {{"values", read_list}, {"range", read_range}, {"files", read_files}};
-    static const char *const known[] = {"values", "range", "files", "random"};
-    for (int i = 0; i < 3; i++) {
-        if (strcmp(kind[i].name, s->word[2].text) == 0) {
-            if (i != 1 && s->n_plain < s->n_word) {
-                deck_error(d, &s->word[s->n_plain], "the statement is %s", sweep_usage);
-                return false;
-            }
-            return kind[i].read(d, s, sweep);
-        }
+static bool refuse_options(struct deck *d, const struct statement *s) {
+    if (s->n_plain < s->n_word) {
+        deck_error(d, &s->word[s->n_plain], "the statement is %s", sweep_usage);
     }
-    deck_unknown(d, &s->word[2], "kind of sweep", known, 4);
-    return false;
+    return s->n_plain == s->n_word;
+}
+
+static bool read_values_of(struct deck *d, const struct statement *s, struct sweep *sweep) {
+    enum { VALUES, RANGE, FILES, RANDOM, N_KIND };  // RANDOM: see sweep_run
+    static const char *const kinds[N_KIND] = {
+        [VALUES] = "values", [RANGE] = "range", [FILES] = "files", [RANDOM] = "random"};
+    switch (deck_keyword(d, &s->word[2], "kind of sweep", kinds, N_KIND)) {
+        case VALUES:
+            return refuse_options(d, s) && read_list(d, s, sweep);
+        case RANGE:
+            return read_range(d, s, sweep);
+        case FILES:
+            return refuse_options(d, s) && read_files(d, s, sweep);
+        default:
+            return false;
+    }
 }
 
 const struct sweep *sweep_bound(const struct deck *d, const char *name, int *choice) {
@@ -241,7 +239,8 @@ const struct sweep *sweep_bound(const struct deck *d, const char *name, int *cho
     return NULL;
 }
 
-// Would each run read its sweeps anew, a study would take a time with the square of their lengths.
+// If each run read its sweeps anew, the time of a study would grow with the square of their
+// lengths.
 const struct sweep *sweep_known(const struct deck *d, const struct frame *f) {
     const struct deck *first = d->reader->first_reading;
     const struct sweep *s = first ? first->sweeps : NULL;

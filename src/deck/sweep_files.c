@@ -89,7 +89,7 @@ static bool take_paths(struct deck *d, const struct word *w, const glob_t *found
     return out->label != NULL;
 }
 
-// `path`, in whose first `n` bytes, a folder, nothing stands for other letters.
+// `path` as a pattern whose first `n` bytes, a folder, are literal.
 static const char *escaped(struct deck *d, const char *path, size_t n) {
     char *text = arena_alloc(d->arena, n + strlen(path) + 1, 1);
     char *to = text;

@@ -55,12 +55,9 @@ static const struct distribution *find_distribution(struct deck *d, const struct
     const char *known[8];
     for (int i = 0; i < n_random_distribution; i++) {
         known[i] = random_distributions[i]->name;
-        if (strcmp(known[i], w->text) == 0) {
-            return random_distributions[i];
-        }
     }
-    deck_unknown(d, w, "distribution", known, n_random_distribution);
-    return NULL;
+    const int i = deck_keyword(d, w, "distribution", known, n_random_distribution);
+    return i >= 0 ? random_distributions[i] : NULL;
 }
 
 // b where it has no dimension.

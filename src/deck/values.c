@@ -17,7 +17,7 @@ static const char *repeat_mark(const struct word *w) {
     return number && *end == '*' && !unit ? end : NULL;
 }
 
-// How often the word stands for its value; 0: the count is wrong.
+// How often the word repeats its value; 0: the count is wrong.
 static int repeat_count(const struct word *w) {
     const char *mark = repeat_mark(w);
     if (!mark) {
@@ -115,7 +115,7 @@ static bool is_unit(const struct deck *d, const char *text) {
     return unit_parse(text, d->units.gravity, &end, &dimension, &si) && *end == 0;
 }
 
-// False after having reported that a bare word such as a parameter's name stands for a number.
+// False after having reported a bare word, such as a parameter's name, in place of a number.
 static bool check_number_like(struct deck *d, const struct row *row, const struct word *w,
                               const char *from) {
     const char *at = from + (*from == '-' || *from == '+');

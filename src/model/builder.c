@@ -89,7 +89,7 @@ struct building_draft *builder_add_building(struct builder *b, const char *name)
     return d;
 }
 
-// In a torn deck the building may stand in what could not be read, so nothing more is said.
+// In a torn deck the building may be in what could not be read, so nothing more is reported.
 static int find_or_report(struct builder *b, const struct word *w, const char *name, size_t length,
                           enum wall_use walls) {
     int i = builder_find_building(b, name, length);

@@ -7,6 +7,8 @@
 #include "jostle/model.h"
 #include "model/name_index.h"
 
+enum { OUTPUT_EVERY_MAX = 1000000000 };  // steps from row to row
+
 // A growing array in an arena.
 struct list {
     void *item;
@@ -89,7 +91,7 @@ struct builder {
     double out_interval;             // 0: not given
     struct word of_runs;             // output -histories; text NULL: not given
     double longest;                  // end of the longest record or load history; 0: none
-    bool any_building, any_history;  // such a statement stands in the deck, right or wrong
+    bool any_building, any_history;  // the deck has such a statement, right or wrong
 };
 
 // Room for one more zeroed item of `size` bytes at the end of the list; NULL (and no_memory) if
@@ -103,8 +105,8 @@ void *builder_array(struct builder *b, size_t n, size_t size);
 // names what there are n of ("floors of building A").
 double *builder_spread(struct builder *b, const struct argument *a, int n, const char *owner);
 
-// Exactly `least` to `most` plain words behind the command? Reports what is missing or too much;
-// `usage` is shown.
+// True if `least` to `most` plain words follow the command; else reports what is missing or too
+// much, and shows `usage`.
 bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
                    const char *usage);
 
@@ -131,7 +133,7 @@ enum wall_use { WALL_REFUSED, WALL_ALLOWED };
 bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
                     struct selection *out);
 
-// Marks a statement that may stand once: reports if `mark` is taken, else takes it.
+// Marks a statement that may be given once; reports and returns false if `mark` is taken.
 bool builder_once(struct builder *b, struct word *mark, const struct statement *s);
 
 // Turns the drafts into a const model; src/model/finish.c.

@@ -34,7 +34,7 @@ static bool rayleigh(struct builder *b, const struct building_draft *d, const do
     return true;
 }
 
-// C = a0 M + K(dashpot), where `dashpot` (n) stands in the places of the storey stiffnesses.
+// C = a0 M + K(dashpot), where `dashpot` (n) takes the places of the storey stiffnesses.
 static void tridiagonal(const struct building_draft *d, double a0, double a1, const double *dashpot,
                         double *diagonal, double *off) {
     for (int i = 0; i < d->n_floor; i++) {

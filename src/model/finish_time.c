@@ -10,7 +10,6 @@
 
 // More steps than this are taken for a mistake: they would run for hours.
 static const double STEPS_MAX = 2e10;
-static const double EVERY_MAX = 1e9;          // steps from row to row
 static const double DEFAULT_INTERVAL = 0.01;  // [s]
 static const double ROUNDING = 1e-9;          // of the step, in counting steps
 
@@ -42,27 +41,29 @@ static void adaptive_rows(struct builder *b, struct model *m) {
                 : fmin(DEFAULT_INTERVAL / b->deck->units.time, m->duration / ADAPTIVE_ROWS);
 }
 
-static void count_rows(struct builder *b, struct model *m) {
+static void check_interval(struct builder *b, const struct model *m, double every) {
     const char *unit = b->deck->units.time_name;
+    if (every > OUTPUT_EVERY_MAX) {
+        deck_error(b->deck, &b->output, "the interval %.6g %s is %.3g steps; at most %.0e",
+                   b->out_interval, unit, every, (double)OUTPUT_EVERY_MAX);
+    } else if (every < 1.0 || fabs(every * m->dt - b->out_interval) > 1e-6 * m->dt) {
+        deck_error(b->deck, &b->output,
+                   "the interval %.6g %s is not a multiple of the step %.6g %s", b->out_interval,
+                   unit, m->dt, unit);
+    }
+}
+
+static void count_rows(struct builder *b, struct model *m) {
     m->output = b->out;
     if (m->output.every > 0) {
         return;
     }
-    if (b->out_interval > 0.0) {
-        double every = round(b->out_interval / m->dt);
-        if (every > EVERY_MAX) {
-            deck_error(b->deck, &b->output, "the interval %.6g %s is %.3g steps; at most %.0e",
-                       b->out_interval, unit, every, EVERY_MAX);
-        } else if (every < 1.0 || fabs(every * m->dt - b->out_interval) > 1e-6 * m->dt) {
-            deck_error(b->deck, &b->output,
-                       "the interval %.6g %s is not a multiple of the step %.6g %s",
-                       b->out_interval, unit, m->dt, unit);
-        }
-        m->output.every = (int)fmin(fmax(every, 1.0), EVERY_MAX);
-        return;
-    }
     double every = floor(DEFAULT_INTERVAL / b->deck->units.time / m->dt + ROUNDING);
-    m->output.every = (int)fmin(fmax(every, 1.0), EVERY_MAX);
+    if (b->out_interval > 0.0) {
+        every = round(b->out_interval / m->dt);
+        check_interval(b, m, every);
+    }
+    m->output.every = (int)fmin(fmax(every, 1.0), OUTPUT_EVERY_MAX);
 }
 
 // By the largest omega^2 of a floor's links alone, sum of k (1/m1 + 1/m2); contacts are left out,

@@ -37,7 +37,7 @@ static bool check_signal(struct builder *b, const struct model *m, const struct 
     return true;
 }
 
-// Does anything set the buildings in motion?
+// True if a signal sets the buildings in motion.
 static bool check_signals(struct builder *b, const struct model *m) {
     bool moves = false;
     for (int i = 0; i < b->grounds.n; i++) {
@@ -136,7 +136,7 @@ static void check_facing(struct builder *b, const struct model *m, const struct 
     }
 }
 
-// One warning a statement: its first contact stands for the others.
+// One warning for each statement: its first contact represents the others.
 static void check_contacts(struct builder *b, const struct model *m) {
     const struct link_draft *draft = b->links.item;
     for (int i = 0; i < b->links.n; i++) {

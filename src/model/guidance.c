@@ -2,7 +2,7 @@
 // Two floors meet at most about as fast as the root of the sum of the squares of what each does
 // alone (floor_velocity.h); where neither moves by itself, as the fastest pair of the model. The
 // duration is that of an isolated impact of the two masses at that velocity; laws that stiffen are
-// over the sooner the faster it is, so slower impacts last longer. Storeys make little of a
+// over the sooner the faster it is, so slower impacts last longer. Storeys make little
 // difference as long as contacts are stiffer.
 //
 // Average acceleration is wrong by (omega h)^2 / 12 in the period of an oscillator, and a contact

@@ -28,7 +28,7 @@ struct guidance {
     double step;      // [T] fixed step that resolves all of them; infinite: nothing asks for one
 };
 
-// What lasts is in the arena of the model's deck. Errors: STATUS_SYSTEM (no memory).
+// Arrays are from the arena of the model's deck. Errors: STATUS_SYSTEM (no memory).
 int guidance_find(const struct model *m, struct guidance *out, struct error *e);
 
 // Warns in the diagnostics of the model's deck where its step covers an estimated contact by less

@@ -212,7 +212,7 @@ bool law_choice_read(struct deck *d, const struct statement *s, const struct con
     return !flag->given || calibrate(d, &flag->key, out);
 }
 
-// The values of the rows, and the curve behind them; NULL after a report.
+// The values of the rows followed by the curve; NULL after a report.
 static double *collect(struct deck *d, const struct law_choice *c) {
     int n_row = c->law->n_row;
     size_t n_point = (size_t)c->curve.n * CURVE_COLUMNS;

@@ -3,7 +3,6 @@
 #include "jostle/model.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -18,7 +17,6 @@ const struct statement_kind *const statement_kinds[] = {
 const int n_statement_kind = sizeof statement_kinds / sizeof statement_kinds[0];
 
 static const double STEP_ROUNDING = 1e-9;  // of a step, in counting steps
-enum { EVERY_MAX = 1000000000 };
 
 static void report_unknown(struct builder *b, const struct word *w) {
     b->deck->torn = true;
@@ -127,7 +125,7 @@ struct model model_refined(const struct model *m, int level) {
     const double last = m->duration - (double)(m->n_step - 1) * m->dt;
     finer.dt = m->dt / (double)parts;
     finer.n_step = (m->n_step - 1) * parts + (long)ceil(last / finer.dt - STEP_ROUNDING);
-    finer.output.every =
-        m->output.every > EVERY_MAX / parts ? EVERY_MAX : m->output.every * (int)parts;
+    finer.output.every = m->output.every > OUTPUT_EVERY_MAX / parts ? OUTPUT_EVERY_MAX
+                                                                    : m->output.every * (int)parts;
     return finer;
 }

@@ -60,18 +60,10 @@ int modes_solve(int n, const double *mass, const double *stiffness, double *omeg
     }
     extract(n, mass, value, vector, omega, shape);
 end:
-    if (w) {
-        gsl_eigen_symmv_free(w);
-    }
-    if (value) {
-        gsl_vector_free(value);
-    }
-    if (vector) {
-        gsl_matrix_free(vector);
-    }
-    if (a) {
-        gsl_matrix_free(a);
-    }
+    gsl_eigen_symmv_free(w);
+    gsl_vector_free(value);
+    gsl_matrix_free(vector);
+    gsl_matrix_free(a);
     return status;
 }
 

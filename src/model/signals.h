@@ -5,9 +5,20 @@
 
 #include "model/builder.h"
 
-// Options of a sine, to be put first into a table of rows; the amplitude's dimension is the table's
-// own.
+// Options of a sine, to be put first into a table of rows, which has the row of the amplitude, with
+// its dimension, of its own.
 enum sine_row { SINE_AMPLITUDE, SINE_FREQUENCY, SINE_PHASE, SINE_CYCLES, SINE_ROWS };
+#define SINE_SHAPE_ROWS                                                                            \
+    [SINE_FREQUENCY] = {"frequency",     ROW_NUMBER, ROW_REQUIRED, {0, 0, -1},                     \
+                        &range_positive, NAN,        "frequency"},                                 \
+    [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},                   \
+    [SINE_CYCLES] = {"cycles",                                                                     \
+                     ROW_NUMBER,                                                                   \
+                     0,                                                                            \
+                     {0},                                                                          \
+                     &range_positive,                                                              \
+                     NAN,                                                                          \
+                     "number of cycles; endless if not given"}
 
 // A sine made from those options, starting at `start`; without cycles it never ends.
 struct signal signals_sine(const struct argument *a, double start);

@@ -83,7 +83,7 @@ const struct row stiffness_slab_rows[STIFFNESS_SLAB_ROWS] = {
                 "length of the slab in the direction of impact"},
 };
 
-// The value of a row, or of the one that stands for it where it is not given.
+// The value of a row, or of the row `other` where it is not given.
 static double value_or(const struct argument *given, int row, int other) {
     return given[given[row].given ? row : other].number[0];
 }

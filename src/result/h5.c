@@ -16,7 +16,7 @@
 // the C library maps it by itself, away from the pages that core/heap.c has got ready.
 enum { CONVERSION_BUFFER = 16384, ROOM = 2 << 20, RESERVE = 4 << 20, ASK_EVERY = 16 };
 
-// The compiler must not see that nothing is done with it.
+// `volatile`: the compiler must not see that the block is not used.
 static bool is_there(size_t bytes) {
     void *volatile block = malloc(bytes);
     const bool is = block;

@@ -22,7 +22,7 @@ struct h5_chunk {
     int compress;  // level of deflate; 0: none
 };
 
-// A reference to an object of the global heap as it stands in the file.
+// A reference to an object of the global heap, as the file stores it.
 struct h5_reference {
     unsigned char byte[16];
 };
@@ -74,23 +74,23 @@ struct h5_dataset {
     bool many_users;     // a scale that thousands of datasets refer to
 };
 
-// Is there memory for what the library does next, which comes to harm where it runs out? A failure
-// if not.
+// Checks that there is memory for what the library does next, as it crashes where memory runs out;
+// records a failure and returns false if there is not.
 bool h5_has_room(struct h5 *h);
 
-// Want of memory is what has failed; is it?
+// Records that memory has run out; tells whether that is the failure recorded.
 void h5_no_memory(struct h5 *h);
 bool h5_lacks_memory(const struct h5 *h);
 
-// The same before a file is opened; keeps the library from printing its own errors and from working
-// at exit. Nothing else calls it, as starting the library takes longer than reading a deck.
+// h5_has_room, before a file is opened. It starts the library, which takes longer than reading a
+// deck, and keeps it from printing its own errors and from working at exit.
 bool h5_start(struct h5 *h);
 
-// Is there a regular file that can be read? Errors: STATUS_INPUT (none, or another kind of file),
-// STATUS_SYSTEM.
+// Checks that there is a regular file that can be read. Errors: STATUS_INPUT (none, or another kind
+// of file), STATUS_SYSTEM.
 int h5_check_file(const char *path, struct error *e);
 
-// Frees what h5_create keeps for closing the file; the first failure does so too.
+// Frees the memory that h5_create sets aside for closing the file, as the first failure does.
 void h5_spend_reserve(struct h5 *h);
 
 // Creates the file, which must not be there, and locks it; h->file is negative if that failed.
@@ -108,8 +108,10 @@ void h5_close_file(struct h5 *h);  // after all its objects; does nothing if the
 bool h5_failed(struct h5 *h, long long result);
 void h5_fail(struct h5 *h, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+// Creates a group; it is open, -1 after a failure.
 hid_t h5_group(struct h5 *h, hid_t parent, const char *name);
 void h5_close(struct h5 *h, hid_t object);  // a group or dataset; negative is allowed
+// Gives the object another name, in the group `parent`.
 void h5_hard_link(struct h5 *h, hid_t object, hid_t parent, const char *name);
 
 // Attributes. A text replaces one that is there.
@@ -124,7 +126,7 @@ void h5_attach(struct h5 *h, hid_t dataset, const hid_t *scale, int n_dim);
 // Lists in each scale the datasets that have come to use it since the last call. A scale can be
 // listed once: when all its users are there.
 void h5_list_uses(struct h5 *h);
-// Is the open dataset a scale?
+// True if the open dataset is a scale.
 bool h5_is_scale(hid_t dataset);
 // The first scale of a dimension of the open dataset (n_dim), open.
 hid_t h5_get_scale(struct h5 *h, hid_t dataset, int n_dim, int dimension);
@@ -134,7 +136,7 @@ void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *
 hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *long_name, size_t n);
 // All values of an open dataset.
 void h5_put_all(struct h5 *h, hid_t dataset, hid_t memory_type, const void *data);
-// Rows [first, first + n) of an open dataset of doubles, `width` values each (0: one dimension).
+// Rows [first, first + n) of an open dataset of doubles, `width` >= 1 values each.
 void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
                  const double *value);
 
@@ -143,6 +145,7 @@ struct h5_block {
     hsize_t start[H5_DIMENSIONS_MAX], count[H5_DIMENSIONS_MAX];
     hsize_t n, stride, width;
 };
+// Write and read a box; the library converts between the types of memory and file.
 void h5_put_block(struct h5 *h, hid_t dataset, const struct h5_block *part, const double *value);
 void h5_put_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, const int *value);
 void h5_put_texts(struct h5 *h, hid_t dataset, const struct h5_block *part,
@@ -154,8 +157,10 @@ void h5_get_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, i
 void h5_get_references(struct h5 *h, hid_t dataset, const struct h5_block *part,
                        struct h5_reference *reference);
 
-// What a reference stands for: *n items of `item` bytes, until the next call; none after a failure.
+// What a reference refers to: *n items of `item` bytes, valid until the next call; none after a
+// failure.
 const void *h5_heap_get(struct h5 *h, const struct h5_reference *r, size_t item, size_t *n);
+// A text, from `a`; NULL after a failure.
 char *h5_heap_text(struct h5 *h, struct arena *a, const struct h5_reference *r);
 void h5_heap_open(struct h5 *h);
 void h5_heap_close(struct h5 *h);
@@ -172,8 +177,8 @@ void h5_put_member(struct h5 *h, hid_t object, const struct column_table *t, int
 // Reading; texts and arrays are from `a`.
 bool h5_has(struct h5 *h, hid_t parent, const char *name);
 
-// Is all there that the shape of the dataset promises? If not, the file is damaged, and the library
-// would read behind what it has.
+// True if the file has as many bytes of the dataset as its shape promises. If not, it is damaged,
+// and the library would read beyond them.
 bool h5_is_stored(hid_t dataset);
 hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name);
 char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name);

@@ -4,7 +4,7 @@
 // there is a reference: length, address of the collection, number of the object in it.
 //
 // The library (1.10) trusts all three and the heap: over a damaged file it goes round for ever, or
-// copies more than there is room for. So it is asked for the references only, as they stand.
+// copies more than there is room for. So it is asked for the references only, unconverted.
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -13,8 +13,8 @@
 #include "core/arena.h"
 #include "result/h5.h"
 
-// Bytes of the head of a collection and of an object, and where sizes stand in both; what objects
-// are padded to.
+// Bytes of the head of a collection and of an object, the place of the size in both, and the
+// multiple that objects are padded to.
 enum { HEAD = 16, SIZE_AT = 8, PADDING = 8 };
 // What is read of a sound file is in it once or twice, and collections of small objects, 64 KiB at
 // most, may be looked at in turns.
@@ -28,7 +28,7 @@ static uint64_t number(const unsigned char *byte, int n) {
     return x;
 }
 
-// A conversion that leaves references as they stand, of type H5T_conv_t.
+// A conversion that leaves references unchanged, of type H5T_conv_t.
 static herr_t keep(hid_t from, hid_t to, H5T_cdata_t *data, size_t n, size_t stride,
                    size_t other_stride, void *value, void *other, hid_t list) {
     (void)from, (void)to, (void)n, (void)stride, (void)other_stride;

@@ -96,7 +96,7 @@ static hid_t create_with(struct h5 *h, hid_t parent, const struct h5_dataset *d,
     return dataset;
 }
 
-// Few values stand in the header of their dataset, which takes less time than room of their own.
+// Few values go into the header of their dataset, which takes less time than room of their own.
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
     enum { FEW = 64 };
     const hsize_t values = d->n_dim == 2 ? d->dim[0] * d->dim[1] : d->dim[0];
@@ -180,27 +180,6 @@ hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *lon
     }
     free(number);
     return scale;
-}
-
-void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
-                 const double *value) {
-    if (!h5_has_room(h)) {
-        return;
-    }
-    const hsize_t start[2] = {first, 0};
-    const hsize_t count[2] = {n, width};
-    hid_t file = H5Dget_space(dataset);
-    hid_t memory = H5Screate_simple(width > 0 ? 2 : 1, count, NULL);
-    if (!h5_failed(h, file) && !h5_failed(h, memory) &&
-        !h5_failed(h, H5Sselect_hyperslab(file, H5S_SELECT_SET, start, NULL, count, NULL))) {
-        h5_failed(h, H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, value));
-    }
-    if (memory >= 0) {
-        H5Sclose(memory);
-    }
-    if (file >= 0) {
-        H5Sclose(file);
-    }
 }
 
 // Memory and file types of a kind of column.

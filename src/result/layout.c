@@ -98,37 +98,38 @@ const struct column_table layout_link = {link_column, sizeof link_column / sizeo
 
 static const struct column contact_column[] = {
     {"force", "largest contact force", &dimension_force, COLUMN_DOUBLE,
-     offsetof(struct link_peak, force), 0},
+     offsetof(struct report_link, peak.force), 0},
     {"force_time", "time of the largest contact force", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct link_peak, force_time), 0},
+     offsetof(struct report_link, peak.force_time), 0},
     {"penetration", "largest penetration, negative if never closed", &dimension_length,
-     COLUMN_DOUBLE, offsetof(struct link_peak, penetration), 0},
+     COLUMN_DOUBLE, offsetof(struct report_link, peak.penetration), 0},
     {"penetration_time", "time of the largest penetration", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct link_peak, penetration_time), 0},
+     offsetof(struct report_link, peak.penetration_time), 0},
     {"impulse", "impulse of all impacts", &dimension_impulse, COLUMN_DOUBLE,
-     offsetof(struct link_peak, impulse), 0},
-    {"impacts", "number of impacts", NULL, COLUMN_LONG, offsetof(struct link_peak, impacts), 0},
+     offsetof(struct report_link, peak.impulse), 0},
+    {"impacts", "number of impacts", NULL, COLUMN_LONG, offsetof(struct report_link, peak.impacts),
+     0},
     {"dissipated", "energy dissipated in all impacts", &dimension_energy, COLUMN_DOUBLE,
-     offsetof(struct link_peak, dissipated), 0},
+     offsetof(struct report_link, peak.dissipated), 0},
 };
 const struct column_table layout_contact = {
-    contact_column, sizeof contact_column / sizeof contact_column[0], sizeof(struct link_peak)};
+    contact_column, sizeof contact_column / sizeof contact_column[0], sizeof(struct report_link)};
 
 static const struct column link_peak_column[] = {
     {"force", "largest absolute force", &dimension_force, COLUMN_DOUBLE,
-     offsetof(struct link_peak, force), 0},
+     offsetof(struct report_link, peak.force), 0},
     {"force_time", "time of the largest force", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct link_peak, force_time), 0},
+     offsetof(struct report_link, peak.force_time), 0},
     {"deformation", "largest absolute change of length", &dimension_length, COLUMN_DOUBLE,
-     offsetof(struct link_peak, penetration), 0},
+     offsetof(struct report_link, peak.penetration), 0},
     {"deformation_time", "time of the largest change of length", &dimension_time, COLUMN_DOUBLE,
-     offsetof(struct link_peak, penetration_time), 0},
+     offsetof(struct report_link, peak.penetration_time), 0},
     {"work", "work done on the link, stored or dissipated", &dimension_energy, COLUMN_DOUBLE,
-     offsetof(struct link_peak, dissipated), 0},
+     offsetof(struct report_link, peak.dissipated), 0},
 };
 const struct column_table layout_link_peak = {link_peak_column,
                                               sizeof link_peak_column / sizeof link_peak_column[0],
-                                              sizeof(struct link_peak)};
+                                              sizeof(struct report_link)};
 
 static const struct column impact_column[] = {
     {"contact", "number of the contact, from 1", NULL, COLUMN_INT, offsetof(struct impact, contact),
@@ -179,7 +180,7 @@ const struct quantity layout_field[] = {
     {"penetration, negative while apart", &dimension_length},
 };
 
-const struct quantity layout_link_field[] = {
+static const struct quantity link_field[] = {
     {"force of the link, positive in compression", &dimension_force},
     {"shortening of the link, negative when it is stretched", &dimension_length},
 };
@@ -201,6 +202,14 @@ const struct quantity layout_energy[] = {
     [ENERGY_CONTACT] = {"work done on contacts and links", &dimension_energy},
     [ENERGY_RESIDUAL] = {"what the energy account misses", &dimension_energy},
 };
+
+const struct link_group layout_contacts = {"contacts",
+                                           "contact",
+                                           &layout_contact,
+                                           {"force", "penetration"},
+                                           layout_field + FLOOR_FIELD_COUNT};
+const struct link_group layout_links = {
+    "links", "link", &layout_link_peak, {"force", "deformation"}, link_field};
 
 const void *layout_at(const struct column_table *t, int c, const void *base, size_t i) {
     return (const char *)base + i * t->size + t->column[c].offset;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in a result file: one row a dataset or attribute. The writer, the reader and `show`
-// work from these tables.
+// What is in a result file: one row for each dataset or attribute. The writer, the reader and
+// `show` work from these tables.
 #ifndef JOSTLE_LAYOUT_H
 #define JOSTLE_LAYOUT_H
 
@@ -33,8 +33,8 @@ struct column_table {
 extern const struct column_table layout_root;       // of struct report: attributes of /
 extern const struct column_table layout_totals;     // of struct totals: attributes of /
 extern const struct column_table layout_link;       // of struct report_link: /contacts and /links
-extern const struct column_table layout_contact;    // of struct link_peak: /contacts/envelope
-extern const struct column_table layout_link_peak;  // of struct link_peak: /links/envelope
+extern const struct column_table layout_contact;    // of struct report_link: /contacts/envelope
+extern const struct column_table layout_link_peak;  // of struct report_link: /links/envelope
 extern const struct column_table layout_impact;     // of struct impact: /impacts
 extern const struct column_table
     layout_building;  // of struct report_building: pointers to (n_floor)
@@ -44,12 +44,20 @@ struct quantity {
     const char *long_name;
     const struct dimension *dimension;
 };
-extern const struct quantity layout_field[];       // in the order of enum field's bits
-extern const struct quantity layout_link_field[];  // force and deformation of bilateral links
-extern const struct quantity layout_peak[];        // (PEAK_COUNT)
-extern const struct quantity layout_energy[];      // (ENERGY_COUNT)
+extern const struct quantity layout_field[];   // in the order of enum field's bits
+extern const struct quantity layout_peak[];    // (PEAK_COUNT)
+extern const struct quantity layout_energy[];  // (ENERGY_COUNT)
 
 enum { FLOOR_FIELD_COUNT = 5, FIELD_COUNT = 7 };
+
+// A group of links: contacts, or bilateral links.
+struct link_group {
+    const char *name, *scale;          // of the group, and of its dimension
+    const struct column_table *peaks;  // of its envelope
+    const char *field[2];              // its histories: force, and penetration or deformation
+    const struct quantity *quantity;   // (2) of them
+};
+extern const struct link_group layout_contacts, layout_links;
 
 // Address of column `c` in struct number `i` of the array at `base`.
 const void *layout_at(const struct column_table *t, int c, const void *base, size_t i);

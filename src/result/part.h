@@ -7,7 +7,7 @@
 #include "result/h5.h"
 
 // Can a result of `r` be written under this name? Errors: STATUS_INPUT (the file exists, a name of
-// a building that cannot stand in the file).
+// a building that the file cannot have).
 int part_check(const struct report *r, const struct result_options *o, struct error *e);
 
 // Creates the file `part` of the result `path`, locked until h5_unlock: one left by a killed run is

@@ -2,7 +2,6 @@
 // Opens a result file and reads everything but its histories into a report.
 #include "result/reader.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -99,99 +98,83 @@ static void get_building(struct result_file *f, hid_t group, struct report_build
     get_envelope(f, group, b);
 }
 
-// Each building goes to its position, which must be free.
+struct report_building *reader_building(struct h5 *h, hid_t group, const char *name,
+                                        struct report *r) {
+    const long position = h5_get_long(h, group, "position");
+    char *copy = arena_text(r->arena, name, strlen(name));
+    if (!copy) {
+        h5_no_memory(h);
+    }
+    if (!h->failed && (position < 0 || position >= r->n_building || r->building[position].name)) {
+        h5_fail(h, "building '%s' has the position %ld", name, position);
+    }
+    if (h->failed) {
+        return NULL;
+    }
+    r->building[position].name = copy;
+    return &r->building[position];
+}
+
+void reader_buildings(struct h5 *h, hid_t root, struct report *r, H5L_iterate_t visit,
+                      void *context) {
+    hid_t group = h5_get_group(h, root, "buildings");
+    H5G_info_t info = {.nlinks = 0};
+    if (!h->failed && !h5_failed(h, H5Gget_info(group, &info)) &&
+        (info.nlinks < 1 || info.nlinks > BUILDINGS_LIMIT)) {
+        h5_fail(h, "it has %llu buildings; 1 to %d are allowed", (unsigned long long)info.nlinks,
+                BUILDINGS_LIMIT);
+    }
+    r->building = h->failed ? NULL : arena_alloc(r->arena, info.nlinks, sizeof *r->building);
+    if (r->building) {
+        r->n_building = (int)info.nlinks;
+        h5_failed(h, H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, NULL, visit, context));
+    } else {
+        h5_no_memory(h);
+    }
+    h5_close(h, group);
+}
+
 static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *info,
                              void *context) {
     (void)info;
     struct result_file *f = context;
     struct report *r = f->report;
     hid_t group = h5_get_group(&f->h, parent, name);
-    const long position = h5_get_long(&f->h, group, "position");
-    if (!f->h.failed && (position < 0 || position >= r->n_building || r->building[position].name)) {
-        h5_fail(&f->h, "building '%s' has the position %ld", name, position);
+    struct report_building *b = reader_building(&f->h, group, name, r);
+    for (int i = 0; i < FLOOR_FIELD_COUNT && b == r->building; i++) {
+        r->fields |= h5_has(&f->h, group, field_names[i]) ? 1U << i : 0;
     }
-    if (!f->h.failed) {
-        struct report_building *b = &r->building[position];
-        b->name = arena_text(r->arena, name, strlen(name));
-        if (!b->name) {
-            h5_no_memory(&f->h);
-        }
-        for (int i = 0; i < FLOOR_FIELD_COUNT && position == 0; i++) {
-            r->fields |= h5_has(&f->h, group, field_names[i]) ? 1U << i : 0;
-        }
+    if (b) {
         get_building(f, group, b);
     }
     h5_close(&f->h, group);
     return f->h.failed ? -1 : 0;
 }
 
-static void get_buildings(struct result_file *f) {
-    struct report *r = f->report;
-    hid_t group = h5_get_group(&f->h, f->root, "buildings");
-    H5G_info_t info = {.nlinks = 0};
-    if (f->h.failed || h5_failed(&f->h, H5Gget_info(group, &info))) {
-        h5_close(&f->h, group);
-        return;
-    }
-    if (info.nlinks < 1 || info.nlinks > BUILDINGS_LIMIT) {
-        h5_fail(&f->h, "it has %llu buildings; 1 to %d are allowed",
-                (unsigned long long)info.nlinks, BUILDINGS_LIMIT);
-    } else {
-        r->n_building = (int)info.nlinks;
-        r->building = arena_alloc(r->arena, info.nlinks, sizeof *r->building);
-        if (!r->building) {
-            h5_no_memory(&f->h);
-        } else {
-            h5_failed(&f->h,
-                      H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, NULL, visit_building, f));
-        }
-    }
-    h5_close(&f->h, group);
-}
-
-static struct report_link *get_links(struct result_file *f, hid_t group, const char *scale,
+static struct report_link *get_links(struct result_file *f, const struct link_group *g,
                                      int *n_link) {
     struct arena *a = f->report->arena;
-    const size_t n = h5_get_length(&f->h, group, scale, LIST_LIMIT);
+    hid_t group = h5_get_group(&f->h, f->root, g->name);
+    const size_t n = h5_get_length(&f->h, group, g->scale, LIST_LIMIT);
     struct report_link *link = arena_alloc(a, n, sizeof *link);
     if (!link) {
         h5_no_memory(&f->h);
-        return NULL;
     }
     for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
         h5_get_column(&f->h, a, group, &layout_link, c, link, n);
     }
-    *n_link = (int)n;
-    return link;
-}
-
-static void get_link_envelope(struct result_file *f, hid_t group, const struct column_table *peaks,
-                              struct report_link *link, size_t n) {
-    hid_t envelope = h5_get_group(&f->h, group, "envelope");
-    const struct column_table table = {peaks->column, peaks->n_column, sizeof *link};
-    for (int c = 0; c < table.n_column && !f->h.failed; c++) {
-        char *base = (char *)link + offsetof(struct report_link, peak);
-        h5_get_column(&f->h, f->report->arena, envelope, &table, c, base, n);
-    }
-    h5_close(&f->h, envelope);
-}
-
-static void get_contacts(struct result_file *f) {
-    struct report *r = f->report;
-    hid_t group = h5_get_group(&f->h, f->root, "contacts");
-    r->contact = get_links(f, group, "contact", &r->n_contact);
     for (int i = 0; i < 2; i++) {
         const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
-        r->fields |= h5_has(&f->h, group, field_names[FLOOR_FIELD_COUNT + i]) ? bit : 0;
+        f->report->fields |= h5_has(&f->h, group, g->field[i]) ? bit : 0;
     }
-    get_link_envelope(f, group, &layout_contact, r->contact, (size_t)r->n_contact);
+    hid_t envelope = h5_get_group(&f->h, group, "envelope");
+    for (int c = 0; c < g->peaks->n_column && !f->h.failed; c++) {
+        h5_get_column(&f->h, a, envelope, g->peaks, c, link, n);
+    }
+    h5_close(&f->h, envelope);
     h5_close(&f->h, group);
-    if (h5_has(&f->h, f->root, "links")) {
-        hid_t links = h5_get_group(&f->h, f->root, "links");
-        r->link = get_links(f, links, "link", &r->n_link);
-        get_link_envelope(f, links, &layout_link_peak, r->link, (size_t)r->n_link);
-        h5_close(&f->h, links);
-    }
+    *n_link = (int)n;
+    return link;
 }
 
 static void get_impacts(struct result_file *f) {
@@ -234,7 +217,7 @@ static void get_energy(struct result_file *f) {
     h5_close(&f->h, group);
 }
 
-// The number behind the last # of the path of a run in a study, and that of the study in *file; 0
+// The number after the last # of the path of a run in a study, and that of the study in *file; 0
 // where the path is that of a file.
 static long split(struct result_file *f, const char **file) {
     const char *mark = strrchr(f->path, '#');
@@ -303,8 +286,11 @@ static int read_file(struct result_file *f, struct error *e) {
         return status;
     }
     get_attributes(f);
-    get_buildings(f);
-    get_contacts(f);
+    reader_buildings(&f->h, f->root, f->report, visit_building, f);
+    f->report->contact = get_links(f, &layout_contacts, &f->report->n_contact);
+    if (h5_has(&f->h, f->root, layout_links.name)) {
+        f->report->link = get_links(f, &layout_links, &f->report->n_link);
+    }
     get_impacts(f);
     get_energy(f);
     return f->h.failed ? damaged(f, e) : STATUS_OK;

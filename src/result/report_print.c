@@ -44,7 +44,7 @@ static void units_init(struct printer *p) {
     }
 }
 
-// Left-aligned text; where it is too long, its end is kept, since floors stand there.
+// Left-aligned text; where it is too long, its end is kept, which names the floors.
 static void cell(FILE *to, const char *text, int width) {
     const int n = text_columns(text, strlen(text));
     if (n <= width) {

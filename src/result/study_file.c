@@ -186,6 +186,15 @@ int study_file_check(const struct study_content *c, const struct result_options 
     return status == STATUS_OK ? study_tree_check(c, e) : status;
 }
 
+static void take_dimensions(struct study_writer *w) {
+    for (const struct sweep *s = w->content->sweeps; s; s = s->next) {
+        if (!s->fixed) {
+            w->scale[w->n_sweep] = -1;
+            w->sweep[w->n_sweep++] = s;
+        }
+    }
+}
+
 int study_file_write(const struct study_content *c, const struct result_options *o,
                      struct error *e) {
     int status = study_file_check(c, o, e);
@@ -197,14 +206,10 @@ int study_file_write(const struct study_content *c, const struct result_options 
                              .command_line = o->command_line,
                              .status = -1,
                              .message = -1};
-    for (const struct sweep *s = c->part ? NULL : c->sweeps; s; s = s->next) {
-        if (!s->fixed) {
-            w.scale[w.n_sweep] = -1;
-            w.sweep[w.n_sweep++] = s;
-        }
-    }
     if (c->part) {
         study_part_dimension(&w);
+    } else {
+        take_dimensions(&w);
     }
     const size_t n = (size_t)c->table->n_item, n_path = strlen(o->path) + sizeof ".part";
     w.dataset = malloc(n * sizeof *w.dataset);

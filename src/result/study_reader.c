@@ -10,7 +10,7 @@
 
 // What a file may claim before it is taken for damaged.
 enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
-// Boxes are read as they stand in the file, and merging opens many files with many datasets each.
+// Boxes are read in the order of the file, and merging opens many files with many datasets each.
 enum { SIEVE_BYTES = 1024 };
 
 // Where the items of a group belong.
@@ -145,14 +145,13 @@ static herr_t visit_building(hid_t group, const char *name, const H5L_info_t *in
     return f->h.failed ? -1 : 0;
 }
 
-static const char *const *get_links(struct study_file *f, const char *name, const char *scale,
-                                    int *n) {
-    hid_t group = h5_get_group(&f->h, f->h.file, name);
-    const size_t length = h5_get_length(&f->h, group, scale, ITEMS_LIMIT);
+static const char *const *get_links(struct study_file *f, const struct link_group *g, int *n) {
+    hid_t group = h5_get_group(&f->h, f->h.file, g->name);
+    const size_t length = h5_get_length(&f->h, group, g->scale, ITEMS_LIMIT);
     char **text = f->h.failed ? NULL : h5_get_texts(&f->h, f->view.arena, group, "name", length);
     h5_close(&f->h, group);
     *n = (int)length;
-    get_both((struct spot){.file = f, .parent = name, .scale = scale});
+    get_both((struct spot){.file = f, .parent = g->name, .scale = g->scale});
     return (const char *const *)text;
 }
 
@@ -249,9 +248,9 @@ static void get_all(struct study_file *f) {
                   H5Literate(buildings, H5_INDEX_NAME, H5_ITER_INC, NULL, visit_building, f));
     }
     h5_close(&f->h, buildings);
-    v->contact = get_links(f, "contacts", "contact", &v->n_contact);
-    if (h5_has(&f->h, f->h.file, "links")) {
-        v->link = get_links(f, "links", "link", &v->n_link);
+    v->contact = get_links(f, &layout_contacts, &v->n_contact);
+    if (h5_has(&f->h, f->h.file, layout_links.name)) {
+        v->link = get_links(f, &layout_links, &v->n_link);
     }
     get_group(&(struct spot){.file = f, .parent = "energy"});
     get_group(&(struct spot){.file = f, .parent = "totals"});

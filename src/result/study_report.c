@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the runs of a study have in common, read back from its file: enough to write a file like it.
-#include <string.h>
-
 #include "core/arena.h"
+#include "result/reader.h"
 #include "result/study_reader.h"
 #include "result/study_writer.h"
 
-enum { BUILDINGS_LIMIT = 1 << 20, LINKS_LIMIT = 1 << 20 };
+enum { LINKS_LIMIT = 1 << 20 };
 
 static void get_attributes(struct study_file *f, struct report *r) {
     h5_get_units(&f->h, r->arena, &r->units);
@@ -28,49 +27,19 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     (void)info;
     const struct visitor *v = context;
     struct h5 *h = &v->file->h;
-    struct report *r = v->report;
     hid_t group = h5_get_group(h, parent, name);
-    const long position = h5_get_long(h, group, "position");
-    const size_t n_floor = h5_get_length(h, group, "floor", FLOORS_MAX);
-    char *copy = arena_text(r->arena, name, strlen(name));
-    if (!copy) {
-        h5_no_memory(h);
-    }
-    if (!h->failed && (position < 0 || position >= r->n_building || r->building[position].name)) {
-        h5_fail(h, "building '%s' has the position %ld", name, position);
-    }
-    if (!h->failed) {
-        r->building[position].name = copy;
-        r->building[position].n_floor = (int)n_floor;
+    struct report_building *b = reader_building(h, group, name, v->report);
+    if (b) {
+        b->n_floor = (int)h5_get_length(h, group, "floor", FLOORS_MAX);
     }
     h5_close(h, group);
     return h->failed ? -1 : 0;
 }
 
-static void get_buildings(struct study_file *f, struct report *r) {
-    struct h5 *h = &f->h;
-    hid_t group = h5_get_group(h, h->file, "buildings");
-    H5G_info_t info = {.nlinks = 0};
-    if (!h->failed && !h5_failed(h, H5Gget_info(group, &info)) &&
-        (info.nlinks < 1 || info.nlinks > BUILDINGS_LIMIT)) {
-        h5_fail(h, "it has %llu buildings; 1 to %d are allowed", (unsigned long long)info.nlinks,
-                BUILDINGS_LIMIT);
-    }
-    r->building = h->failed ? NULL : arena_alloc(r->arena, info.nlinks, sizeof *r->building);
-    if (r->building) {
-        struct visitor v = {f, r};
-        r->n_building = (int)info.nlinks;
-        h5_failed(h, H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, NULL, visit_building, &v));
-    } else {
-        h5_no_memory(h);
-    }
-    h5_close(h, group);
-}
-
-static struct report_link *get_links(struct study_file *f, struct report *r, const char *name,
-                                     const char *scale, int *n_link) {
-    hid_t group = h5_get_group(&f->h, f->h.file, name);
-    const size_t n = h5_get_length(&f->h, group, scale, LINKS_LIMIT);
+static struct report_link *get_links(struct study_file *f, struct report *r,
+                                     const struct link_group *g, int *n_link) {
+    hid_t group = h5_get_group(&f->h, f->h.file, g->name);
+    const size_t n = h5_get_length(&f->h, group, g->scale, LINKS_LIMIT);
     struct report_link *link = arena_alloc(r->arena, n, sizeof *link);
     if (!link) {
         h5_no_memory(&f->h);
@@ -94,10 +63,10 @@ int study_file_report(struct study_file *f, struct report **out, struct error *e
     }
     r->arena = a;
     get_attributes(f, r);
-    get_buildings(f, r);
-    r->contact = get_links(f, r, "contacts", "contact", &r->n_contact);
-    if (h5_has(&f->h, f->h.file, "links")) {
-        r->link = get_links(f, r, "links", "link", &r->n_link);
+    reader_buildings(&f->h, f->h.file, r, visit_building, &(struct visitor){f, r});
+    r->contact = get_links(f, r, &layout_contacts, &r->n_contact);
+    if (h5_has(&f->h, f->h.file, layout_links.name)) {
+        r->link = get_links(f, r, &layout_links, &r->n_link);
     }
     if (f->h.failed) {
         report_free(r);

@@ -23,7 +23,7 @@ void study_samples_link(struct study_writer *w, hid_t group, const struct sweep 
 // Whether one of the `n` sweeps, or a random parameter along it, has this name.
 bool study_samples_has(const struct sweep *const *sweep, int n, const char *name);
 
-// Reads what stands along the sweep `s` whose scale this is in `group`.
+// Reads the random values along the sweep `s` whose scale this is in `group`.
 void study_samples_get(struct h5 *h, struct arena *a, hid_t group, hid_t scale, struct sweep *s);
 
 #endif

@@ -95,20 +95,19 @@ static bool is_link_value(const struct column *c) {
     return c->kind != COLUMN_TEXT && c->kind != COLUMN_INT;
 }
 
-static void add_links(struct walk *w, const char *parent, const char *scale,
-                      const struct column_table *peaks, const struct report_link *link, int n) {
-    struct study_item item = {.parent = parent, .scale = scale, .property = true, .n = (size_t)n};
+static void add_links(struct walk *w, const struct link_group *g, const struct report_link *link,
+                      int n) {
+    struct study_item item = {
+        .parent = g->name, .scale = g->scale, .property = true, .n = (size_t)n};
     for (int c = 0; c < layout_link.n_column; c++) {
         if (is_link_value(&layout_link.column[c])) {
             add_column(w, item, &layout_link, c, link);
         }
     }
-    const struct column_table table = {peaks->column, peaks->n_column, sizeof *link};
-    const char *base = (const char *)link + offsetof(struct report_link, peak);
     item.leaf = "envelope";
     item.property = false;
-    for (int c = 0; c < table.n_column; c++) {
-        add_column(w, item, &table, c, base);
+    for (int c = 0; c < g->peaks->n_column; c++) {
+        add_column(w, item, g->peaks, c, link);
     }
 }
 
@@ -149,9 +148,9 @@ static void walk(struct walk *w, const struct report *r) {
     for (int i = 0; i < r->n_building; i++) {
         add_building(w, &r->building[i]);
     }
-    add_links(w, "contacts", "contact", &layout_contact, r->contact, r->n_contact);
+    add_links(w, &layout_contacts, r->contact, r->n_contact);
     if (r->n_link > 0) {
-        add_links(w, "links", "link", &layout_link_peak, r->link, r->n_link);
+        add_links(w, &layout_links, r->link, r->n_link);
     }
     add_energy(w, r);
     add_totals(w, r);

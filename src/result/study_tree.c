@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tree of a study file. The scales of the sweeps stand in /sweep and are hard-linked into each
+// The tree of a study file. The scales of the sweeps are in /sweep and are hard-linked into each
 // group with values, so that a group opened alone (as xarray does) shows its coordinates.
 #include <stdio.h>
 #include <string.h>
@@ -134,17 +134,17 @@ bool study_tree_is_fixed(const struct column *c) {
     return c->kind == COLUMN_INT || (c->kind == COLUMN_TEXT && strncmp(c->name, "law", 3) != 0);
 }
 
-static void put_links(struct study_writer *w, const char *name, const char *scale_name,
+static void put_links(struct study_writer *w, const struct link_group *g,
                       const struct report_link *link, int n) {
-    hid_t group = h5_group(&w->h, w->h.file, name);
-    hid_t scale = h5_put_scale(&w->h, group, scale_name, scale_name, (size_t)n);
+    hid_t group = h5_group(&w->h, w->h.file, g->name);
+    hid_t scale = h5_put_scale(&w->h, group, g->scale, g->scale, (size_t)n);
     for (int c = 0; c < layout_link.n_column; c++) {
         if (study_tree_is_fixed(&layout_link.column[c])) {
             h5_put_column(&w->h, group, &layout_link, c, link, (size_t)n, scale);
         }
     }
     link_scales(w, group);
-    put_envelope(w, group, scale_name, scale);
+    put_envelope(w, group, g->scale, scale);
     h5_close(&w->h, scale);
     h5_close(&w->h, group);
 }
@@ -218,9 +218,9 @@ void study_tree(struct study_writer *w) {
         put_building(w, buildings, i);
     }
     h5_close(&w->h, buildings);
-    put_links(w, "contacts", "contact", r->contact, r->n_contact);
+    put_links(w, &layout_contacts, r->contact, r->n_contact);
     if (r->n_link > 0) {
-        put_links(w, "links", "link", r->link, r->n_link);
+        put_links(w, &layout_links, r->link, r->n_link);
     }
     put_group(w, "energy");
     put_group(w, "totals");

@@ -24,13 +24,12 @@ struct stream {
     int source;    // enum row_source
     size_t first;  // of its values in the source
     size_t width;  // values a row
-    int n_dim;
-    double *row;  // (capacity, width)
+    double *row;   // (capacity, width)
 };
 
 struct result_writer {
     struct h5 *h;               // `own`, or borrowed from a study
-    hid_t root;                 // the group that everything stands in
+    hid_t root;                 // the group that holds everything
     const struct model *model;  // borrowed
     struct report *report;      // owned
     hid_t time;                 // the scale of all histories

@@ -63,13 +63,27 @@ static int open_file(struct result_writer *w, const struct result_options *o, st
     return w->part ? create_file(w, e) : error_no_memory(e);
 }
 
-static int begin(struct result_writer *w, const struct result_options *o, struct error *e) {
+// Writes what is known before the run; *out is `w`, which is freed where that fails. `w` NULL:
+// there is no memory.
+static int begin(struct result_writer *w, const struct result_options *o,
+                 struct result_writer **out, struct error *e) {
+    if (!w) {
+        return error_no_memory(e);
+    }
     w->path = joined(o->path, "");
     int status = w->path ? writer_alloc(w, o, e) : error_no_memory(e);
     if (status == STATUS_OK && has_file(w)) {
         status = open_file(w, o, e);
     }
-    return status == STATUS_OK ? writer_start(w, e) : status;
+    if (status == STATUS_OK) {
+        status = writer_start(w, e);
+    }
+    if (status != STATUS_OK) {
+        result_abort(w);
+        return status;
+    }
+    *out = w;
+    return STATUS_OK;
 }
 
 static struct result_writer *new_writer(const struct model *m) {
@@ -84,36 +98,22 @@ static struct result_writer *new_writer(const struct model *m) {
 int result_create(const struct model *m, const struct result_options *options,
                   struct result_writer **out, struct error *e) {
     struct result_writer *w = new_writer(m);
-    if (!w) {
-        return error_no_memory(e);
+    if (w) {
+        w->h = &w->own;
+        w->existing = options->existing;
     }
-    w->h = &w->own;
-    w->existing = options->existing;
-    int status = begin(w, options, e);
-    if (status != STATUS_OK) {
-        result_abort(w);
-        return status;
-    }
-    *out = w;
-    return STATUS_OK;
+    return begin(w, options, out, e);
 }
 
 int result_create_in(const struct result_place *place, const struct model *m, const char *version,
                      struct result_writer **out, struct error *e) {
     const struct result_options options = {.path = place->path, .version = version};
     struct result_writer *w = new_writer(m);
-    if (!w) {
-        return error_no_memory(e);
+    if (w) {
+        w->h = place->h;
+        w->root = place->group;
     }
-    w->h = place->h;
-    w->root = place->group;
-    int status = begin(w, &options, e);
-    if (status != STATUS_OK) {
-        result_abort(w);
-        return status;
-    }
-    *out = w;
-    return STATUS_OK;
+    return begin(w, &options, out, e);
 }
 
 // The library reports a full disk as late as here.

@@ -37,19 +37,14 @@ static void put_envelope(struct h5 *h, hid_t buildings, const struct report_buil
     h5_close(h, building);
 }
 
-// /contacts/envelope or /links/envelope. The table is of struct link_peak, which stands in each
-// struct report_link.
-static void put_link_envelope(struct h5 *h, hid_t root, const char *name, const char *scale_name,
-                              const struct column_table *peaks, const struct report_link *link,
-                              size_t n) {
-    hid_t group = h5_open_object(h, root, name);
-    hid_t scale = h5_open_object(h, group, scale_name);
+static void put_link_envelope(struct h5 *h, hid_t root, const struct link_group *g,
+                              const struct report_link *link, size_t n) {
+    hid_t group = h5_open_object(h, root, g->name);
+    hid_t scale = h5_open_object(h, group, g->scale);
     hid_t envelope = h5_group(h, group, "envelope");
-    h5_hard_link(h, scale, envelope, scale_name);
-    const struct column_table table = {peaks->column, peaks->n_column, sizeof *link};
-    const char *base = (const char *)link + offsetof(struct report_link, peak);
-    for (int c = 0; c < table.n_column; c++) {
-        h5_put_column(h, envelope, &table, c, base, n, scale);
+    h5_hard_link(h, scale, envelope, g->scale);
+    for (int c = 0; c < g->peaks->n_column; c++) {
+        h5_put_column(h, envelope, g->peaks, c, link, n, scale);
     }
     h5_close(h, envelope);
     h5_close(h, scale);
@@ -89,11 +84,9 @@ void writer_results(struct result_writer *w, const struct report *r) {
         put_envelope(h, buildings, &r->building[i]);
     }
     h5_close(h, buildings);
-    put_link_envelope(h, w->root, "contacts", "contact", &layout_contact, r->contact,
-                      (size_t)r->n_contact);
+    put_link_envelope(h, w->root, &layout_contacts, r->contact, (size_t)r->n_contact);
     if (r->n_link > 0) {
-        put_link_envelope(h, w->root, "links", "link", &layout_link_peak, r->link,
-                          (size_t)r->n_link);
+        put_link_envelope(h, w->root, &layout_links, r->link, (size_t)r->n_link);
     }
     put_impacts(h, w->root, r);
     put_energy_end(w, r);

@@ -76,11 +76,10 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
 }
 
 // /contacts or /links: the table of the links and the histories of their force and penetration.
-static void put_links(struct result_writer *w, const char *name, const char *scale_name,
-                      const char *const field[2], const struct quantity *quantity,
+static void put_links(struct result_writer *w, const struct link_group *g,
                       const struct report_link *link, size_t first, size_t n) {
-    hid_t group = h5_group(w->h, w->root, name);
-    hid_t scale = h5_put_scale(w->h, group, scale_name, scale_name, n);
+    hid_t group = h5_group(w->h, w->root, g->name);
+    hid_t scale = h5_put_scale(w->h, group, g->scale, g->scale, n);
     h5_hard_link(w->h, w->time, group, "time");
     for (int c = 0; c < layout_link.n_column; c++) {
         h5_put_column(w->h, group, &layout_link, c, link, n, scale);
@@ -88,7 +87,7 @@ static void put_links(struct result_writer *w, const char *name, const char *sca
     for (int f = 0; f < 2; f++) {
         if (w->report->fields >> (FLOOR_FIELD_COUNT + f) & 1) {
             const struct stream s = {.source = SOURCE_FORCE + f, .first = first, .width = n};
-            put_history(w, group, field[f], quantity[f], s, scale);
+            put_history(w, group, g->field[f], g->quantity[f], s, scale);
         }
     }
     h5_close(w->h, scale);
@@ -145,8 +144,6 @@ static void put_attributes(struct result_writer *w) {
 }
 
 void writer_layout(struct result_writer *w) {
-    static const char *const contact_field[2] = {"force", "penetration"};
-    static const char *const link_field[2] = {"force", "deformation"};
     const struct report *r = w->report;
     put_attributes(w);
     put_time(w);
@@ -155,11 +152,9 @@ void writer_layout(struct result_writer *w) {
         put_building(w, buildings, i);
     }
     h5_close(w->h, buildings);
-    put_links(w, "contacts", "contact", contact_field, layout_field + FLOOR_FIELD_COUNT, r->contact,
-              0, (size_t)r->n_contact);
+    put_links(w, &layout_contacts, r->contact, 0, (size_t)r->n_contact);
     if (r->n_link > 0) {
-        put_links(w, "links", "link", link_field, layout_link_field, r->link, (size_t)r->n_contact,
-                  (size_t)r->n_link);
+        put_links(w, &layout_links, r->link, (size_t)r->n_contact, (size_t)r->n_link);
     }
     put_energy(w);
     put_ground(w);

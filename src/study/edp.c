@@ -81,7 +81,7 @@ struct reading {
     const struct study_view *view;
     const struct edp_quantity *quantity;
     const char *text;   // as asked for
-    const char *place;  // behind the name; NULL: everywhere
+    const char *place;  // what follows the first colon; NULL: everywhere
     struct arena *arena;
     struct edp *out;
     struct edp_term *term;

@@ -13,7 +13,7 @@ enum edp_reduction {
     EDP_SUM,
 };
 
-// A quantity that can be asked for. `owner` is what stands behind the first colon.
+// A quantity that can be asked for. `owner` is what follows the first colon.
 enum edp_owner { EDP_OF_BUILDING, EDP_OF_CONTACT, EDP_OF_LINK, EDP_OF_ALL };
 struct edp_quantity {
     const char *name;

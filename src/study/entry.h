@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The entries of a journal as bytes: what stands where.
+// The layout in bytes of the entries of a journal.
 #ifndef JOSTLE_ENTRY_H
 #define JOSTLE_ENTRY_H
 
@@ -8,9 +8,9 @@
 #include "jostle/study_file.h"
 
 enum entry_kind { ENTRY_HEAD_TEXT = 0x64616568, ENTRY_FILE = 0x656c6966, ENTRY_RUN = 0x206e7572 };
-enum { ENTRY_HEAD = 8, ENTRY_TAIL = 8 };  // bytes before and behind the content
+enum { ENTRY_HEAD = 8, ENTRY_TAIL = 8 };  // bytes before and after the content
 
-// Which run it is, and how many entries of files stand before it: it may have read them.
+// Which run it is, and how many entries of files precede it: it may have read those files.
 struct entry_run {
     long number, n_file;
 };
@@ -21,10 +21,11 @@ unsigned char *entry_content(unsigned char *entry);
 // Completes an entry with `n` bytes of content; returns its size.
 size_t entry_seal(unsigned char *entry, enum entry_kind kind, size_t n);
 
-// Reads the head: false if it cannot be one.
+// Reads the kind and the size of the content from the head; false if it cannot be one.
 bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n);
-// Is it a head from a machine with another order of bytes?
+// True if it is a head from a machine with the other byte order.
 bool entry_is_foreign(const unsigned char *entry);
+// True if the checksum after the `n` bytes of content is right.
 bool entry_is_sound(const unsigned char *entry, size_t n);
 
 // Largest content of a run of `n_value` values.

@@ -32,7 +32,7 @@ void force_map_pair(struct force_map_pair *pair, double t1, double t2) {
     snprintf(pair->define[1], sizeof pair->define[1], "T2=%.17gs", t2);
 }
 
-// No pair is begun behind one that failed, but those before it end: which one fails first does not
+// No pair after one that failed is begun, but those before it end: which one fails first does not
 // depend on the threads.
 static long take(void *context, void *scratch) {
     (void)scratch;

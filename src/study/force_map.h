@@ -21,7 +21,8 @@ struct force_map_request {
     const double *period;  // (n_period) [s] of each structure
     int n_period;
     int n_thread;  // at least 1
-    // Called every tenth of a second by the thread that called. Not 0 ends the map.
+    // Called every tenth of a second by the thread that called. A result other than 0
+    // ends the map with that status.
     int (*poll)(void *context, long n_done, struct error *e);
     void *context;
 };

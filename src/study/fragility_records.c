@@ -11,7 +11,6 @@
 // is concave in a and b (Olsen 1978, Econometrica 46, 1211-1215). The density of m crossings has
 // the factor b^m.
 #include <gsl/gsl_sf_erf.h>
-#include <gsl/gsl_statistics.h>
 #include <math.h>
 
 #include "study/fragility.h"

@@ -24,7 +24,7 @@ struct gap_runs {
     struct study_outcome *outcome;  // (n_case, n_run) out
     double *value;                  // (n_case, n_run, n_value) out; NAN where a run failed
     gap_runs_read *read;
-    // Called every 0.1 s; not 0 ends it. NULL: nothing.
+    // Called every 0.1 s; a result other than 0 ends the runs with that status. NULL: never.
     int (*poll)(void *context, long n_done, struct error *e);
     void *context;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which study it is, as text: a line for each thing that must not change, opened by what a message
-// calls it, a tab behind it. Equal texts: the same runs, but for the files they read, which the
-// ledger holds.
+// Which study it is, as text: a line for each thing that must not change, which starts with what a
+// message calls it and a tab. Equal texts mean the same runs, but for the files they read, which
+// the ledger holds.
 #ifndef JOSTLE_IDENTITY_H
 #define JOSTLE_IDENTITY_H
 
@@ -17,7 +17,7 @@ const char *identity_journal(struct arena *a, const struct study_request *q, con
 // What differs between two of them, to end after *length.
 const char *identity_difference(const char *old, const char *new, int *length);
 
-// Bytes of `path` up to the name behind the last slash.
+// Bytes of `path` up to and with its last slash.
 size_t identity_folder(const char *path);
 
 #endif

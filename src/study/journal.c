@@ -10,11 +10,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/checksum.h"
 #include "study/entry.h"
 
 static const char magic[8] = "jostle3\n";
-enum { MAGIC_VERSION = 6 };  // where its digit stands
+enum { MAGIC_VERSION = 6 };  // the place of its digit
 
 static int cannot(const struct journal *j, const char *what, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot %s %s: %s", what, j->path, strerror(errno));
@@ -219,7 +218,7 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
     return 0;
 }
 
-// Reads the head of an entry behind the first one: no more bytes than such a one can have are
+// Reads the head of an entry after the first one: no more bytes than such a one can have are
 // looked at for it.
 static bool is_head(const struct journal *j, const unsigned char *entry, enum entry_kind *kind,
                     size_t *n) {

@@ -5,7 +5,7 @@
 // A file starts with a magic word. An entry is {kind, bytes of content}, the content, and the
 // checksum of both; numbers and the checksum are in the machine's order of bytes, and a journal
 // from a machine with another one is not read. The first entry is the head: lines of text that say
-// which study this is. What is no sound entry is passed over; behind an entry of a file that is
+// which study this is. What is no sound entry is passed over; after an entry of a file that is
 // lost, so are the runs that may have read that file, which may have changed.
 #ifndef JOSTLE_JOURNAL_H
 #define JOSTLE_JOURNAL_H
@@ -42,7 +42,7 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
 // is longer and has no sound head is damaged, and may hold runs.
 bool journal_is_new(const struct journal *j, const char *head);
 
-// Reads the entries behind the head; `file` is called for each file, and its errors are returned.
+// Reads the entries after the head; `file` is called for each file, and its errors are returned.
 int journal_load(struct journal *j, journal_file_function *file, void *context, struct error *e);
 
 // Empties the journal and writes the head.

@@ -22,15 +22,17 @@ struct ledger {
     struct ledger_file *file;
 };
 
+// Errors: STATUS_SYSTEM (no memory).
 int ledger_init(struct ledger *l, struct error *e);
 void ledger_close(struct ledger *l);
 
-// Enters the file as it is now: *added, or compares it with what was entered. Errors: STATUS_INPUT
-// (it has changed), STATUS_SYSTEM (no memory).
+// Enters a file that is new as it is now; *added is its entry. One that has been entered is
+// compared with its entry; *added is NULL. Errors: STATUS_INPUT (it has changed), STATUS_SYSTEM (no
+// memory).
 int ledger_check(struct ledger *l, const char *path, const struct ledger_file **added,
                  struct error *e);
 
-// Enters a file with the checksum it had; the same errors.
+// Enters a file and compares it with the checksum it had; the same errors.
 int ledger_expect(struct ledger *l, const char *path, uint64_t sum, struct error *e);
 
 #endif

@@ -14,8 +14,9 @@ struct number_list {
     bool full;
 };
 
+// Adds a number larger than those before it; three or more in a row become a range.
 void number_list_add(struct number_list *l, long number);
-// Writes what is left; ", ..." stands for what had no room.
+// Writes what is left; ", ..." replaces what had no room.
 void number_list_end(struct number_list *l);
 
 #endif

@@ -36,11 +36,11 @@ const char *plan_describe(const struct plan *p, long run, struct plan_text *t);
 // links as the first. Errors: STATUS_INPUT, which names the run and the difference.
 int plan_check(const struct plan *p, long run, const struct model *m, struct error *e);
 
-// The same but for the sweeps: whether its values stand where those of the first model do.
+// The same without the sweeps: whether its values have the places of those of the first model.
 int plan_check_shape(const struct plan *p, long run, const struct model *m, struct error *e);
 
-// What a file of these runs would say of their values, for demands that are asked for before there
-// is one. *out borrows from the plan. Errors: STATUS_SYSTEM (no memory).
+// What a result file of these runs would say of their values, for demands that are parsed before
+// there is one. *out borrows from the plan. Errors: STATUS_SYSTEM (no memory).
 int plan_view(const struct plan *p, struct study_view *out, struct error *e);
 
 #endif

@@ -64,7 +64,7 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
 
 // How many runs a thread takes at once: those that can go in lockstep, but so that all threads get
 // their share.
-static long portion(const struct pool *p) {
+static long batch_size(const struct pool *p) {
     const long share = (p->left + p->progress.n_thread - 1) / p->progress.n_thread;
     return share < p->most ? share : p->most;
 }
@@ -73,7 +73,7 @@ static long portion(const struct pool *p) {
 static long take(void *context, void *scratch) {
     struct pool *p = context;
     struct batch *b = scratch;
-    const long most = portion(p);
+    const long most = batch_size(p);
     for (b->n = 0; b->n < most && p->next < p->plan->n_mine; p->next++) {
         if (p->journal->offset[p->next] == 0) {
             struct trial *t = &b->trial[b->n];

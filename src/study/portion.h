@@ -6,14 +6,14 @@
 #include "study/ledger.h"
 #include "study/plan.h"
 
-// Of the part that the plan runs, when its runs have been made; `study` is its identity. From the
-// arena of the ledger. Errors: STATUS_SYSTEM (no memory).
+// Describes the part that the plan runs, once its runs are done; `study` is its identity. Arrays
+// are from the arena of the ledger. Errors: STATUS_SYSTEM (no memory).
 int portion_describe(const struct plan *p, const struct ledger *l, const char *study,
                      struct study_part *out, struct error *e);
 
-// Is the file of the request the finished part that it asks for? Then *found is set, and *n_failed
-// of its runs. Otherwise it is not there, or an error: STATUS_INPUT (it is something else, or the
-// study has changed since).
+// Sets *found where the file of the request is the finished part that it asks for, and *n_failed,
+// the number of its failed runs. Errors: STATUS_INPUT (the file is something else, or the study has
+// changed since), STATUS_SYSTEM (no memory).
 int portion_find(const struct study_request *q, struct ledger *l, const char *study, bool *found,
                  long *n_failed, struct error *e);
 

@@ -14,7 +14,8 @@ struct roles {
     bool is_intensity;            // it has the name of one
 };
 
-// Errors: STATUS_INPUT.
+// The roles that the request names; others are guessed from the names and kinds of the sweeps.
+// Errors: STATUS_INPUT (an unknown name, two roles for one sweep, no abscissa).
 int roles_find(const struct study_view *v, const struct suite_request *q, struct roles *out,
                struct error *e);
 

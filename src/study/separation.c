@@ -16,7 +16,6 @@
 #include "study/separation.h"
 
 #include <math.h>
-#include <stddef.h>
 
 static double absolute_sum(double left, double right, double rho) {
     (void)rho;

@@ -15,7 +15,3 @@ long study_shard_size(const struct study_shard *s, long n_run) {
     const long rows = n_run / s->n;  // complete ones
     return rows + (study_shard_run(s, rows) < n_run);
 }
-
-long study_shard_of(long n, long run) {
-    return (run + run / n) % n + 1;
-}

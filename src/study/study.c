@@ -32,15 +32,8 @@ static int expect_file(void *context, const char *path, uint64_t sum, struct err
     return ledger_expect(&s->ledger, path, sum, e);
 }
 
-static int refuse(const struct study *s, const char *cause, int length, struct error *e) {
-    return error_set(e, STATUS_INPUT,
-                     "%s holds runs of this study, but %.*s has changed since; --restart begins "
-                     "anew",
-                     s->journal.path, length, cause);
-}
-
-// Takes up the journal, or begins it.
-static int open_journal(struct study *s, struct error *e) {
+// Goes on with the runs of the open journal, or begins it anew.
+static int resume(struct study *s, struct error *e) {
     const char *head = identity_journal(s->ledger.arena, s->request, s->identity);
     if (!head) {
         return error_no_memory(e);
@@ -49,23 +42,40 @@ static int open_journal(struct study *s, struct error *e) {
         return journal_reset(&s->journal, head, e);
     }
     if (!s->journal.head) {
-        return error_set(
-            e, STATUS_INPUT,
-            "%s may hold runs of this study, but its head is damaged; --restart begins "
-            "anew",
-            s->journal.path);
+        return error_set(e, STATUS_INPUT,
+                         "%s may hold runs of this study, but its head is damaged; --restart "
+                         "begins anew",
+                         s->journal.path);
     }
     if (strcmp(s->journal.head, head) != 0) {
         int length;
         const char *cause = identity_difference(s->journal.head, head, &length);
-        return refuse(s, cause, length, e);
+        return error_set(e, STATUS_INPUT,
+                         "%s holds runs of this study, but %.*s has changed since; --restart "
+                         "begins anew",
+                         s->journal.path, length, cause);
     }
-    struct error cause;
-    int status = journal_load(&s->journal, expect_file, s, &cause);
+    int status = journal_load(&s->journal, expect_file, s, e);
     if (status == STATUS_INPUT) {
+        const struct error cause = *e;
         return error_set(e, STATUS_INPUT, "%s; --restart begins the study anew", cause.message);
     }
-    *e = cause;
+    return status;
+}
+
+static int open_journal(struct study *s, struct error *e) {
+    const char *path = arena_format(s->ledger.arena, "%s.runs", s->request->result.path);
+    if (!path) {
+        return error_no_memory(e);
+    }
+    int status = journal_open(&s->journal, path, s->plan.n_mine, s->plan.table->n_value, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    status = resume(s, e);
+    if (status != STATUS_OK) {
+        journal_close(&s->journal);
+    }
     return status;
 }
 
@@ -157,7 +167,6 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
 }
 
 static int run_study(struct study *s, struct study_progress *p, struct error *e) {
-    const struct result_options *result = &s->request->result;
     struct study_content content = {.first = s->plan.report,
                                     .table = s->plan.table,
                                     .sweeps = s->plan.first->deck->sweeps,
@@ -171,20 +180,11 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
             return error_no_memory(e);
         }
     }
-    int status = study_file_check(&content, result, e);
-    const char *path = arena_format(s->ledger.arena, "%s.runs", result->path);
-    if (status == STATUS_OK && !path) {
-        status = error_no_memory(e);
-    }
+    int status = study_file_check(&content, &s->request->result, e);
     if (status == STATUS_OK) {
-        status = journal_open(&s->journal, path, s->plan.n_mine, s->plan.table->n_value, e);
+        status = open_journal(s, e);
     }
     if (status != STATUS_OK) {
-        return status;
-    }
-    status = open_journal(s, e);
-    if (status != STATUS_OK) {
-        journal_close(&s->journal);
         return status;
     }
     status = run_and_write(s, &content, p, e);

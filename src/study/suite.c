@@ -19,7 +19,7 @@ struct maker {
     struct suite *s;
     struct roles roles;
     double *value;
-    int *place;  // (values of the abscissa) where each stands among the points
+    int *place;  // (values of the abscissa) the place of each among the points
     bool no_memory;
 };
 
@@ -29,7 +29,7 @@ static void *take(struct maker *m, size_t n, size_t size) {
     return p;
 }
 
-// "NAME = VALUE UNIT" or "NAME VALUE" behind `text`.
+// Appends "NAME = VALUE UNIT" or "NAME VALUE" to `text`.
 static const char *append_value(struct maker *m, const char *text, int sweep, int k,
                                 const char *equals) {
     const struct study_view *v = m->s->view;
@@ -233,6 +233,17 @@ static int default_edp(const struct study_view *v, struct study_file *f, struct 
     return status;
 }
 
+static void take_abscissa(struct suite *s, const struct roles *r) {
+    const struct study_view *v = s->view;
+    double size;
+    s->abscissa = r->along;
+    s->is_random = s->abscissa != v->sweep[r->abscissa];
+    s->is_intensity = r->is_intensity;
+    const char *units = s->is_random ? s->abscissa->units : v->sweep_units[r->abscissa];
+    s->abscissa_dimension = edp_units(units, v->units.gravity, &size);
+    s->abscissa_units = dimension_equal(s->abscissa_dimension, dimension_none) ? "" : units;
+}
+
 static int make(struct maker *m, struct study_file *f, const struct suite_request *q,
                 struct error *e) {
     struct suite *s = m->s;
@@ -245,13 +256,7 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     if (status != STATUS_OK) {
         return status;
     }
-    double size;
-    s->abscissa = m->roles.along;
-    s->is_random = s->abscissa != v->sweep[m->roles.abscissa];
-    s->is_intensity = m->roles.is_intensity;
-    const char *units = s->is_random ? s->abscissa->units : v->sweep_units[m->roles.abscissa];
-    s->abscissa_dimension = edp_units(units, v->units.gravity, &size);
-    s->abscissa_units = dimension_equal(s->abscissa_dimension, dimension_none) ? "" : units;
+    take_abscissa(s, &m->roles);
     s->n_point = s->abscissa->n;
     s->n_sample = roles_count(v, &m->roles, ROLE_SAMPLE);
     s->n_group = roles_count(v, &m->roles, ROLE_GROUP);

@@ -59,6 +59,7 @@ void suite_free(struct suite *s);  // NULL is allowed
 // Which value of sweep group_sweep[i] a group has.
 int suite_group_choice(const struct suite *s, int group, int i);
 
+// The demand of a run; NAN where it is left out, infinite where it counts as above every value.
 double suite_value(const struct suite *s, int group, int sample, int point);
 
 // The finite and infinite values of all samples at a point, ascending, into `value` (n_sample);

@@ -14,8 +14,8 @@ struct workers;  // while they work
 struct workers_request {
     int n_thread;    // at least 1
     size_t scratch;  // bytes that each thread has for itself
-    // The next job; -1: there is none. Called under the lock; what it leaves in `scratch` is there
-    // for the other two.
+    // The next job; -1: there is none. Called under the lock; what it leaves in `scratch` is passed
+    // to the other two.
     long (*take)(void *context, void *scratch);
     // Does the job. Called without the lock.
     int (*work)(void *context, struct workers *w, long job, void *scratch, struct error *e);
@@ -31,10 +31,11 @@ struct workers_request {
 // threads).
 int workers_run(const struct workers_request *q, struct error *e);
 
+// Guard what the jobs share.
 void workers_lock(struct workers *w);
 void workers_unlock(struct workers *w);
 
-// True if no job shall be begun or gone on with.
+// True if the work is to end: no job is to be begun or continued.
 bool workers_stopped(struct workers *w);
 
 #endif

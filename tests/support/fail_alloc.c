@@ -7,6 +7,9 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <string.h>
+
+#include "support/support.h"
 
 struct arena;
 
@@ -34,6 +37,26 @@ void fail_alloc_at(long k) {
 long fail_alloc_stop(void) {
     active = false;
     return count;
+}
+
+void fail_alloc_each(int (*attempt)(void *context, struct error *e), void *context, long least) {
+    struct error e = {.message = ""};
+    fail_alloc_at(0);
+    if (attempt(context, &e) != STATUS_OK) {
+        fail_msg("%s", e.message);
+    }
+    const long n = fail_alloc_stop();
+    assert_in_range(n, least, 20000);
+    for (long k = 1; k <= n; k++) {
+        e.message[0] = '\0';
+        fail_alloc_at(k);
+        const int status = attempt(context, &e);
+        fail_alloc_stop();
+        if (status != STATUS_SYSTEM || !strstr(e.message, "out of memory")) {
+            fail_msg("allocation %ld of %ld failed, with status %d and the message '%s'", k, n,
+                     status, e.message);
+        }
+    }
 }
 
 static bool fails_now(void) {

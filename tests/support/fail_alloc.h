@@ -5,10 +5,17 @@
 #ifndef JOSTLE_TEST_FAIL_ALLOC_H
 #define JOSTLE_TEST_FAIL_ALLOC_H
 
+#include "jostle/error.h"
+
 // From now on count allocations from 1 and let the k-th fail, once; k = 0: count only.
 void fail_alloc_at(long k);
 
 // Stops that and returns how many allocations were asked for since.
 long fail_alloc_stop(void);
+
+// Makes an attempt, which must succeed, and then one with each of its allocations failing in its
+// turn, `least` or more of them: each must end in STATUS_SYSTEM with "out of memory" in its
+// message.
+void fail_alloc_each(int (*attempt)(void *context, struct error *e), void *context, long least);
 
 #endif

@@ -51,7 +51,7 @@ static int run_plan(const struct model *m, struct error *e) {
     return status;
 }
 
-static int run_all(const char *path, struct error *e) {
+static int run_all(void *path, struct error *e) {
     struct deck *d = NULL;
     struct model *m = NULL;
     int status = deck_open(path, NULL, 0, &d, e);
@@ -67,22 +67,7 @@ static int run_all(const char *path, struct error *e) {
 
 static void every_allocation_that_fails_ends_in_an_error(void **state) {
     (void)state;
-    struct error e;
-    const char *path = support_write("gap.deck", text);
-    fail_alloc_at(0);
-    assert_int_equal(run_all(path, &e), STATUS_OK);
-    const long n = fail_alloc_stop();
-    assert_in_range(n, 100, 20000);
-    for (long k = 1; k <= n; k++) {
-        e.message[0] = '\0';
-        fail_alloc_at(k);
-        int status = run_all(path, &e);
-        fail_alloc_stop();
-        if (status == STATUS_OK) {
-            fail_msg("allocation %ld of %ld failed unnoticed", k, n);
-        }
-        assert_true(e.message[0] != '\0');
-    }
+    fail_alloc_each(run_all, (void *)support_write("gap.deck", text), 100);
 }
 
 int main(void) {

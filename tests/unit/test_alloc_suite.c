@@ -37,37 +37,29 @@ static int draw(struct study_file *f, const struct study_figure *figure, struct 
     return status;
 }
 
-// Draws from the file at `path`, opened anew, as errors of reading stick; the `k`-th allocation
-// behind that fails. *n: how many there were.
-static int draw_failing(const char *path, const struct study_figure *figure, long k, long *n,
-                        struct error *e) {
+struct drawing {
+    const char *path;
+    const struct study_figure *figure;
+};
+
+// From the file opened anew, as errors of reading stick.
+static int open_and_draw(void *context, struct error *e) {
+    const struct drawing *d = context;
     struct study_file *f;
-    assert_int_equal(study_file_open(path, &f, e), STATUS_OK);
-    fail_alloc_at(k);
-    const int status = draw(f, figure, e);
-    *n = fail_alloc_stop();
-    study_file_close(f);
+    int status = study_file_open(d->path, &f, e);
+    if (status == STATUS_OK) {
+        status = draw(f, d->figure, e);
+        study_file_close(f);
+    }
     return status;
 }
 
 static void every_allocation_that_fails_ends_in_an_error(void **state) {
     (void)state;
     struct study_file *f = suite_ran(text);
-    const char *path = study_file_view(f)->path;
     for (int i = 0; i < n_study_figure; i++) {
-        struct error e = {.message = ""};
-        long n, ignored;
-        if (draw_failing(path, study_figures[i], 0, &n, &e) != STATUS_OK) {
-            fail_msg("%s", e.message);
-        }
-        assert_in_range(n, 10, 5000);
-        for (long k = 1; k <= n; k++) {
-            const int status = draw_failing(path, study_figures[i], k, &ignored, &e);
-            if (status != STATUS_SYSTEM || !strstr(e.message, "out of memory")) {
-                fail_msg("%s: allocation %ld of %ld failed unnoticed: %s", study_figures[i]->name,
-                         k, n, e.message);
-            }
-        }
+        fail_alloc_each(open_and_draw,
+                        &(struct drawing){study_file_view(f)->path, study_figures[i]}, 10);
     }
     study_file_close(f);
 }

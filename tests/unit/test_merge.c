@@ -98,7 +98,7 @@ static void parts_that_disagree_on_a_run_are_refused(void **state) {
     refused(&p, "run 2 has other results in");
 }
 
-static void so_are_outcomes_that_disagree(void **state) {
+static void outcomes_that_disagree_are_refused(void **state) {
     (void)state;
     const int status[6] = {0, 0, 1, 0, 0, 0};
     struct parts p;
@@ -194,7 +194,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_same_part_twice_does_no_harm),
         cmocka_unit_test(parts_that_disagree_on_a_run_are_refused),
-        cmocka_unit_test(so_are_outcomes_that_disagree),
+        cmocka_unit_test(outcomes_that_disagree_are_refused),
         cmocka_unit_test(numbers_of_runs_that_cannot_be_are_damage),
         cmocka_unit_test(results_of_dimensions_that_the_study_does_not_have_are_damage),
         cmocka_unit_test(a_status_that_there_is_not_is_damage),

@@ -91,7 +91,7 @@ static void several_contacts_of_a_name_are_numbered_by_floor(void **state) {
     model_free(m);
 }
 
-static void bilateral_links_stand_behind_the_contacts(void **state) {
+static void bilateral_links_follow_the_contacts(void **state) {
     (void)state;
     struct model *m = analysis_model("units kN m s\n"
                                      "building A -floors 2 -mass 2 -stiffness 800\n"
@@ -239,7 +239,7 @@ int main(void) {
         cmocka_unit_test(floors_of_different_levels_can_face_each_other),
         cmocka_unit_test(a_wall_stands_on_either_side),
         cmocka_unit_test(several_contacts_of_a_name_are_numbered_by_floor),
-        cmocka_unit_test(bilateral_links_stand_behind_the_contacts),
+        cmocka_unit_test(bilateral_links_follow_the_contacts),
         cmocka_unit_test(the_effective_mass_goes_into_the_damping_of_a_law),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

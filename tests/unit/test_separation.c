@@ -22,7 +22,7 @@ static void buildings_that_are_alike_move_alike(void **state) {
     assert_true(isnan(rho(INFINITY, 1.0, 0.05, 0.05)));
 }
 
-static void values_by_hand(void **state) {
+static void correlations_are_those_computed_by_hand(void **state) {
     (void)state;
     // r = 1/2, z = 5 %: 8 0.05 (0.05 1.5) 0.353553391 / (0.5625 + 0.00625 + 0.005)
     assert_close(rho(0.5, 1.0, 0.05, 0.05), 0.010606601717798213 / 0.57375, 1e-13);
@@ -100,7 +100,7 @@ static void the_rules_combine_displacements(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(buildings_that_are_alike_move_alike),
-        cmocka_unit_test(values_by_hand),
+        cmocka_unit_test(correlations_are_those_computed_by_hand),
         cmocka_unit_test(the_order_of_the_buildings_does_not_matter),
         cmocka_unit_test(it_is_that_of_responses_to_white_noise),
         cmocka_unit_test(the_rules_combine_displacements),

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <string.h>
-
 #include "model/statement.h"
 
 enum { MODES, ALPHA, BETA, N_ROW };
@@ -89,6 +87,10 @@ static void rayleigh(struct builder *b, struct building_draft *d, const struct a
         coefficients(b, d, a, s);
         return;
     }
+    if (s->n_plain < 4) {
+        deck_error(b->deck, &s->word[2], "rayleigh needs a ratio, or -alpha and -beta");
+        return;
+    }
     struct argument ratio = {0};
     if (!deck_values(b->deck, &ratio_row, 0.0, &s->word[3], s->n_plain - 3, &ratio) ||
         !read_modes(b, d, &a[MODES], d->damping.mode)) {
@@ -110,6 +112,10 @@ static void rayleigh(struct builder *b, struct building_draft *d, const struct a
 
 static void list(struct builder *b, struct building_draft *d, const struct argument *a,
                  const struct statement *s, enum damping_kind kind) {
+    if (s->n_plain < 4) {
+        deck_error(b->deck, &s->word[2], "%s needs a list of values", s->word[2].text);
+        return;
+    }
     struct argument value = {0};
     const struct row *row = kind == DAMPING_MODAL ? &ratio_row : &dashpot_row;
     if (!refuse_options(b, a, s->word[2].text) ||
@@ -126,6 +132,9 @@ static void list(struct builder *b, struct building_draft *d, const struct argum
 }
 
 static void build(struct builder *b, const struct statement *s) {
+    enum { RAYLEIGH, MODAL, DASHPOT, N_KIND };
+    static const char *const kinds[N_KIND] = {
+        [RAYLEIGH] = "rayleigh", [MODAL] = "modal", [DASHPOT] = "dashpot"};
     if (!builder_plain(b, s, 2, 2 + 2 * FLOORS_MAX, statement_damping.usage)) {
         return;
     }
@@ -139,19 +148,11 @@ static void build(struct builder *b, const struct statement *s) {
         return;
     }
     d->damping.word = s->word[2];
-    const char *kind = s->word[2].text;
-    bool listed = strcmp(kind, "modal") == 0 || strcmp(kind, "dashpot") == 0;
-    if (listed && s->n_plain < 4) {
-        deck_error(b->deck, &s->word[2], "%s needs a list of values", kind);
-    } else if (listed) {
-        list(b, d, a, s, kind[0] == 'm' ? DAMPING_MODAL : DAMPING_DASHPOT);
-    } else if (strcmp(kind, "rayleigh") != 0) {
-        static const char *const known[] = {"rayleigh", "modal", "dashpot"};
-        deck_unknown(b->deck, &s->word[2], "damping", known, 3);
-    } else if (s->n_plain < 4 && !a[ALPHA].given && !a[BETA].given) {
-        deck_error(b->deck, &s->word[2], "rayleigh needs a ratio, or -alpha and -beta");
-    } else {
+    const int kind = deck_keyword(b->deck, &s->word[2], "damping", kinds, N_KIND);
+    if (kind == RAYLEIGH) {
         rayleigh(b, d, a, s);
+    } else if (kind >= 0) {
+        list(b, d, a, s, kind == MODAL ? DAMPING_MODAL : DAMPING_DASHPOT);
     }
 }
 

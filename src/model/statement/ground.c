@@ -65,16 +65,7 @@ static const struct row record_rows[N_RECORD_ROW] = {
 static const struct row sine_rows[N_SINE_ROW] = {
     [SINE_AMPLITUDE] =
         {"amplitude", ROW_NUMBER, ROW_REQUIRED, {0, 1, -2}, NULL, NAN, "peak ground acceleration"},
-    [SINE_FREQUENCY] =
-        {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN, "frequency"},
-    [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},
-    [SINE_CYCLES] = {"cycles",
-                     ROW_NUMBER,
-                     0,
-                     {0},
-                     &range_positive,
-                     NAN,
-                     "number of cycles; endless if not given"},
+    SINE_SHAPE_ROWS,
     [S_DELAY] = {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0, "time of the start"},
     [S_BUILDINGS] =
         {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN, "buildings it acts under; all if not given"},
@@ -185,6 +176,27 @@ static const struct word *blamed(const struct statement *s, const struct argumen
     return wrong == RECORD_PATH ? &s->word[2] : &a[row[wrong]].word[0];
 }
 
+// The record in the file at `path`; false after a report.
+static bool read_record(struct builder *b, const struct statement *s, const struct argument *a,
+                        const char *path, struct record *r) {
+    const struct record_request request = {
+        .path = path,
+        .format = a[R_FORMAT].given ? a[R_FORMAT].text[0] : NULL,
+        .unit = a[R_UNIT].given ? a[R_UNIT].text[0] : NULL,
+        .dt = a[R_DT].given ? a[R_DT].number[0] * b->deck->units.time : 0.0,
+        .gravity = deck_gravity(b->deck),
+    };
+    struct error e;
+    if (shelf_read(b->records, b->arena, &request, r, &e) != STATUS_OK) {
+        deck_error_of(b->deck, blamed(s, a, r->wrong), &e);
+        return false;
+    }
+    for (int i = 0; i < r->n_warning; i++) {
+        deck_warning(b->deck, &s->word[2], "%s", r->warning[i]);
+    }
+    return true;
+}
+
 static void build_record(struct builder *b, const struct statement *s) {
     b->any_history = true;
     struct argument a[N_RECORD_ROW] = {0};
@@ -195,24 +207,13 @@ static void build_record(struct builder *b, const struct statement *s) {
     if (!path) {
         return;
     }
-    struct record_request request = {
-        .path = path,
-        .format = a[R_FORMAT].given ? a[R_FORMAT].text[0] : NULL,
-        .unit = a[R_UNIT].given ? a[R_UNIT].text[0] : NULL,
-        .dt = a[R_DT].given ? a[R_DT].number[0] * b->deck->units.time : 0.0,
-        .gravity = deck_gravity(b->deck),
-    };
     struct record r;
-    struct error e;
-    if (shelf_read(b->records, b->arena, &request, &r, &e) != STATUS_OK) {
-        deck_error_of(b->deck, blamed(s, a, r.wrong), &e);
+    if (!read_record(b, s, a, path, &r)) {
         return;
-    }
-    for (int i = 0; i < r.n_warning; i++) {
-        deck_warning(b->deck, &s->word[2], "%s", r.warning[i]);
     }
     double scale;
     struct signal signal;
+    struct error e;
     if (!record_scale(b, a, &s->word[2], &r, &scale)) {
         return;
     }
@@ -235,15 +236,17 @@ static void build_sine(struct builder *b, const struct statement *s) {
 }
 
 static void build(struct builder *b, const struct statement *s) {
-    static const char *const kinds[] = {"record", "sine"};
+    enum { RECORD, SINE, N_KIND };
+    static const char *const kinds[N_KIND] = {[RECORD] = "record", [SINE] = "sine"};
     if (s->n_plain < 2) {
         deck_error(b->deck, &s->word[0], "ground needs 'record' or 'sine'");
-    } else if (strcmp(s->word[1].text, kinds[0]) == 0) {
+        return;
+    }
+    const int kind = deck_keyword(b->deck, &s->word[1], "ground motion", kinds, N_KIND);
+    if (kind == RECORD) {
         build_record(b, s);
-    } else if (strcmp(s->word[1].text, kinds[1]) == 0) {
+    } else if (kind == SINE) {
         build_sine(b, s);
-    } else {
-        deck_unknown(b->deck, &s->word[1], "ground motion", kinds, 2);
     }
 }
 

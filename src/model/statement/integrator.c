@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <string.h>
-
 #include "model/statement.h"
 
 enum { BETA, GAMMA, N_NEWMARK_ROW };
@@ -22,18 +20,20 @@ static const struct statement_variant variants[N_VARIANT] = {
 };
 
 static void build(struct builder *b, const struct statement *s) {
-    static const char *const known[] = {"newmark", "dormand-prince"};
+    enum { NEWMARK, DORMAND_PRINCE, N_KIND };
+    static const char *const kinds[N_KIND] = {
+        [NEWMARK] = "newmark", [DORMAND_PRINCE] = "dormand-prince"};
     struct argument a[N_NEWMARK_ROW] = {0};
     if (!builder_plain(b, s, 1, 1, statement_integrator.usage) ||
         !builder_once(b, &b->integrator, s)) {
         return;
     }
-    if (strcmp(s->word[1].text, known[1]) == 0) {
+    const int kind = deck_keyword(b->deck, &s->word[1], "integrator", kinds, N_KIND);
+    if (kind == DORMAND_PRINCE) {
         b->dormand_prince = true;
         deck_options(b->deck, s, NULL, 0);
-    } else if (strcmp(s->word[1].text, known[0]) != 0) {
-        deck_unknown(b->deck, &s->word[1], "integrator", known, 2);
-    } else if (deck_options(b->deck, s, &(struct row_set){newmark_rows, N_NEWMARK_ROW, a}, 1)) {
+    } else if (kind == NEWMARK &&
+               deck_options(b->deck, s, &(struct row_set){newmark_rows, N_NEWMARK_ROW, a}, 1)) {
         b->beta = a[BETA].number[0];
         b->gamma = a[GAMMA].number[0];
     }

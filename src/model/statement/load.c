@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gsl/gsl_math.h>
-#include <string.h>
 
 #include "model/signals.h"
 #include "model/statement.h"
@@ -10,16 +9,7 @@ enum { H_DT, H_SCALE, N_HISTORY_ROW };
 
 static const struct row sine_rows[SINE_ROWS] = {
     [SINE_AMPLITUDE] = {"amplitude", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0}, NULL, NAN, "peak force"},
-    [SINE_FREQUENCY] =
-        {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN, "frequency"},
-    [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},
-    [SINE_CYCLES] = {"cycles",
-                     ROW_NUMBER,
-                     0,
-                     {0},
-                     &range_positive,
-                     NAN,
-                     "number of cycles; endless if not given"},
+    SINE_SHAPE_ROWS,
 };
 
 static const struct row history_rows[N_HISTORY_ROW] = {
@@ -112,16 +102,11 @@ static void build(struct builder *b, const struct statement *s) {
     }
     struct selection floors;
     bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
-    for (int i = 0; i < 3; i++) {
-        struct signal signal;
-        if (strcmp(s->word[2].text, kinds[i]) == 0) {
-            if (read[i](b, s, &signal) && selected) {
-                append(b, s, &floors, &signal);
-            }
-            return;
-        }
+    const int kind = deck_keyword(b->deck, &s->word[2], "load", kinds, 3);
+    struct signal signal;
+    if (kind >= 0 && read[kind](b, s, &signal) && selected) {
+        append(b, s, &floors, &signal);
     }
-    deck_unknown(b->deck, &s->word[2], "load", kinds, 3);
 }
 
 const struct statement_kind statement_load = {

@@ -5,7 +5,8 @@
 
 enum { EVERY, INTERVAL, FIELDS, PRECISION, COMPRESS, FILE_NAME, HISTORIES, N_ROW };
 
-static const struct range every_range = {.min = 1.0, .max = 1e9, .text = ">= 1 and <= 1e9"};
+static const struct range every_range = {
+    .min = 1.0, .max = OUTPUT_EVERY_MAX, .text = ">= 1 and <= 1e9"};
 static const struct range level_range = {.min = 1.0, .max = 9.0, .text = ">= 1 and <= 9"};
 
 static const struct row rows[N_ROW] = {

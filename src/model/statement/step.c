@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <string.h>
-
 #include "model/statement.h"
 
 enum { TOLERANCE, LONGEST, SHORTEST, N_ROW };
@@ -66,19 +64,21 @@ static void build_adaptive(struct builder *b, const struct statement *s) {
 }
 
 static void build(struct builder *b, const struct statement *s) {
-    static const char *const known[] = {"fixed", "adaptive"};
+    enum { FIXED, ADAPTIVE, N_KIND };
+    static const char *const kinds[N_KIND] = {[FIXED] = "fixed", [ADAPTIVE] = "adaptive"};
     if (!builder_once(b, &b->step, s) || !builder_plain(b, s, 1, 2, statement_step.usage)) {
         return;
     }
-    const char *kind = s->word[1].text;
-    if ((kind[0] >= '0' && kind[0] <= '9') || kind[0] == '$') {
-        deck_error(b->deck, &s->word[1], "step needs its kind; write: step fixed %s", kind);
-    } else if (strcmp(kind, known[0]) == 0) {
+    const char *word = s->word[1].text;
+    if ((word[0] >= '0' && word[0] <= '9') || word[0] == '$') {
+        deck_error(b->deck, &s->word[1], "step needs its kind; write: step fixed %s", word);
+        return;
+    }
+    const int kind = deck_keyword(b->deck, &s->word[1], "kind of step", kinds, N_KIND);
+    if (kind == FIXED) {
         build_fixed(b, s);
-    } else if (strcmp(kind, known[1]) == 0) {
+    } else if (kind == ADAPTIVE) {
         build_adaptive(b, s);
-    } else {
-        deck_unknown(b->deck, &s->word[1], "kind of step", known, 2);
     }
 }
 
