@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The decks and commands that docs/quick-start.md and docs/modelling.md tell readers to type.
+# The decks, commands and Python that the pages tell readers to type.
 . tests/support/cli.sh
 
 ln -s "$root/input" input
@@ -33,14 +33,70 @@ else
     echo "ok the script writes a factor for each record # SKIP no pandas"
 fi
 
-# What docs/quick-start.md says, but for its own start, `make demo`.
+# What the quick start says, but for its own start, `make demo`, and then what other pages do.
 awk '/`first.deck`/ { inside = 1; next } /^- / { inside = 0 } inside && /^    / { print substr($0, 5) }' \
     "$root/docs/quick-start.md" >first.deck
 mkdir build && ln -s "$jostle" build/jostle
-grep -E '^    build/jostle ' "$root/docs/quick-start.md" | sed 's/#.*//' >commands
-while read -r command; do
-    case $command in *plot*) command -v gnuplot >/dev/null || continue ;; esac
-    run bash -c "$command"
-    expect "the quick start's $command" '[ $status -eq 0 ]'
-done <commands
-expect "of which there are ten" '[ "$(wc -l <commands)" -eq 10 ]'
+PATH=$PWD/build:$PATH
+"$jostle" run input/gap_study.deck -q && "$jostle" run input/monte_carlo.deck -q
+for page in quick-start pictures spectrum ida gap; do
+    grep -E '^    (build/)?jostle ' "$root/docs/$page.md" | sed 's/ *#.*//' >commands
+    while read -r command; do
+        case $command in *plot* | *png*) command -v gnuplot >/dev/null || continue ;; esac
+        run bash -c "$command"
+        expect "$page: $command" '[ $status -eq 0 ]'
+    done <commands
+    expect "$page has commands" '[ -s commands ]'
+done
+
+# Their Python, without its plots.
+cat >blocks.py <<'END'
+import re
+import sys
+import xarray
+
+text = open(sys.argv[1]).read()
+fenced = re.findall(r"```python\n(.*?)```", text, re.S)
+indented = re.findall(r"\n\n((?:    .*\n)+)", text)
+names = {"xr": xarray}
+for block in fenced + [re.sub("(?m)^    ", "", b) for b in indented if "xr." in b or "import" in b]:
+    exec(re.sub(r"\.plot\(.*?\)", "", block), names)
+END
+"$jostle" show ida.h5 --long --csv >long.csv
+for page in result-file studies ida spectrum; do
+    if ! python3 -c 'import h5py, pandas, xarray' 2>/dev/null; then
+        echo "ok $page: its Python # SKIP no h5py, pandas or xarray"
+        continue
+    fi
+    run python3 blocks.py "$root/docs/$page.md"
+    expect "$page: its Python" '[ $status -eq 0 ]'
+done
+
+# Links between the pages, with the headings they name.
+cat >links.py <<'END'
+import os
+import re
+import sys
+
+def read(path):
+    return re.sub(r"(?ms)^```.*?^```", "", open(path, encoding="utf-8").read())
+
+def headings(path):
+    plain = (re.sub(r"[^\w\- ]", "", h.lower()).strip() for h in re.findall(r"(?m)^#+ (.*)", read(path)))
+    return {h.replace(" ", "-") for h in plain}
+
+bad = []
+for page in sys.argv[1:]:
+    for link in re.findall(r"\]\(([^)\s]+)\)", read(page)):
+        file, _, heading = link.partition("#")
+        to = os.path.join(os.path.dirname(page), file) if file else page
+        if not link.startswith("http") and (
+            not os.path.exists(to) or (heading and heading not in headings(to))
+        ):
+            bad.append(f"{page}: {link}")
+sys.exit("\n".join(bad))
+END
+if command -v python3 >/dev/null; then
+    run python3 links.py "$root"/*.md "$root"/docs/*.md "$root"/input/records/*.md
+    expect "all links between pages lead somewhere" '[ $status -eq 0 ]'
+fi
