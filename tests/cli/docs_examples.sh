@@ -94,7 +94,7 @@ for page in sys.argv[1:]:
             not os.path.exists(to) or (heading and heading not in headings(to))
         ):
             bad.append(f"{page}: {link}")
-sys.exit("\n".join(bad))
+sys.exit("\n".join(bad) or 0)
 END
 if command -v python3 >/dev/null; then
     run python3 links.py "$root"/*.md "$root"/docs/*.md "$root"/input/records/*.md
