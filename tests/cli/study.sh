@@ -52,6 +52,9 @@ expect "with the numbers of its path" 'grep -q "	done	contacts	" "$out" && cmp -
 sed 's|^units.*|&\nparam record records/two.txt|' grid.deck >param.deck
 run "$jostle" run param.deck -q -o above.h5 -D record=one
 expect "a param above the sweep takes the label too" '[ $status -eq 0 ] && "$jostle" show above.h5 --tsv | cmp -s - by_path.tsv'
+{ grep -v "^sweep record" param.deck; grep "^sweep record" param.deck; } >by_late.deck
+run "$jostle" run by_late.deck -q -D record=one
+expect "also one that is used above the sweep" '[ $status -eq 0 ] && "$jostle" show by_late.h5 --tsv | cmp -s - by_path.tsv'
 mkdir suite && mv records suite/records
 grep '^sweep record' whole.deck >suite/records.deck
 sed 's/^sweep record.*/include suite\/records.deck/' whole.deck >beside.deck
