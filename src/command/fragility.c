@@ -254,28 +254,45 @@ static int print_all(const struct request *q, const struct suite *s, const doubl
     return status;
 }
 
-// Whether the suite is one that the method can do with.
-static int check_suite(const struct request *q, const struct suite *s, struct error *e) {
-    if (!s->abscissa->number) {
-        return error_set(e, STATUS_INPUT, "--im %s: its values are no numbers", s->abscissa->name);
-    }
-    if (q->method == METHOD_IDA && s->is_random) {
+// Can first exceedances be found? Where a demand that is never below 0 does not exceed 0 it is 0,
+// and a straight line from there begins at the intensity below, wherever the crossing is.
+static int check_ida(const struct suite *s, const double *limit, int n, struct error *e) {
+    const struct edp_quantity *quantity = s->edp.quantity;
+    if (s->is_random) {
         return error_set(e, STATUS_INPUT,
                          "--method ida: '%s' is a random parameter, along which other things "
                          "change, too",
                          s->abscissa->name);
     }
-    if (q->method == METHOD_IDA && s->n_sample < 2) {
+    if (s->n_sample < 2) {
         return error_set(e, STATUS_INPUT, "--method ida needs samples; name their sweep by --over");
     }
+    for (int i = 0; i < n; i++) {
+        if (limit[i] == 0.0 && quantity->reduction != EDP_HIGHEST) {
+            return error_set(e, STATUS_INPUT,
+                             "--method ida: where %s exceeds a limit of 0 first cannot be told "
+                             "from zeros; use --method counts%s",
+                             s->edp.text,
+                             quantity->owner == EDP_OF_CONTACT ? ", or --edp penetration" : "");
+        }
+    }
     return STATUS_OK;
+}
+
+// Whether the suite is one that the method can do with.
+static int check_suite(const struct request *q, const struct suite *s, const double *limit, int n,
+                       struct error *e) {
+    if (!s->abscissa->number) {
+        return error_set(e, STATUS_INPUT, "--im %s: its values are no numbers", s->abscissa->name);
+    }
+    return q->method == METHOD_IDA ? check_ida(s, limit, n, e) : STATUS_OK;
 }
 
 static int fit_all(const struct request *q, const struct suite *s, struct error *e) {
     double *limit = NULL;
     int n = 0, status = suite_options_limits(&q->suite, s, &limit, &n, e);
     if (status == STATUS_OK) {
-        status = check_suite(q, s, e);
+        status = check_suite(q, s, limit, n, e);
     }
     if (status == STATUS_OK) {
         suite_options_warn(s);

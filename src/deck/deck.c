@@ -114,6 +114,7 @@ void deck_bind(struct deck *d, const struct deck *first, const int *choice) {
     d->reader->first_reading = first;
     d->reader->bound = first->sweeps;
     d->reader->choice = choice;
+    define_bind(d, first);
 }
 
 bool deck_next(struct deck *d, struct statement *out) {

@@ -84,3 +84,10 @@ void define_check(struct deck *d) {
         check(d, &d->reader->define[i]);
     }
 }
+
+void define_bind(struct deck *d, const struct deck *first) {
+    for (int i = 0; i < d->reader->n_define; i++) {
+        d->reader->define[i].value.text = first->reader->define[i].value.text;
+        d->reader->define[i].beside = first->reader->define[i].beside;
+    }
+}

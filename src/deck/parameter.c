@@ -251,20 +251,26 @@ static void take_value(struct parameter *to, const struct parameter *from) {
 static bool join(struct deck *d, const struct word *name, enum definition by, struct parameter *p,
                  struct parameter *value) {
     const struct place *first = by == BY_PARAM ? &p->sweep : &p->param;
-    const bool defined = define_find(d, p->name);
+    struct define *define = define_find(d, p->name);
+    const bool found =  // the file of a label
+        define && define->beside && by == BY_SWEEP && p->kind == PARAMETER_TEXT;
     value->name = p->name;
+    if (found) {
+        override(d, define, p);
+    }
     if (p->derived || value->derived) {
         deck_error(d, name, "the param of a swept parameter cannot depend on a sweep");
     } else if (check_kind(d, name, p, source_mention(d, first, &name->place), value)) {
-        if (defined) {
+        if (define) {
             take_value(value, p);
         } else if (by == BY_SWEEP) {
             take_value(p, value);
             p->swept = true;
-            d->reader->late = d->reader->late || (p->used && p->kind != PARAMETER_WRONG);
         }
+        const bool changed = found || (!define && by == BY_SWEEP);
+        d->reader->late = d->reader->late || (changed && p->used && p->kind != PARAMETER_WRONG);
     }
-    return defined;
+    return define;
 }
 
 bool parameter_keep(struct deck *d, const struct word *name, enum definition by,

@@ -158,6 +158,8 @@ void sweep_choose(const struct sweep *s, int choice, struct parameter *p);
 bool define_open(struct deck *d, const char *const *define, int n_define);
 // Reports what is wrong with them.
 void define_check(struct deck *d);
+// The files that another reading has found for labels; borrowed.
+void define_bind(struct deck *d, const struct deck *first);
 // What -D gives for the parameter; NULL: nothing.
 struct define *define_find(const struct deck *d, const char *name);
 

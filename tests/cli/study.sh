@@ -42,6 +42,19 @@ parameters_of() {
     "$jostle" show --json "$1" | grep "^.parameters"
 }
 expect "which is the same" '[ -n "$(parameters_of single.h5)" ] && [ "$(parameters_of label.h5)" = "$(parameters_of single.h5)" ]'
+run "$jostle" run grid.deck -q -o by_label.h5 -D record=one
+expect "while other sweeps go on" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+run "$jostle" run grid.deck -q -o by_path.h5 -D record=records/one.txt
+run "$jostle" show by_path.h5 --tsv
+cp "$out" by_path.tsv
+run "$jostle" show by_label.h5 --tsv
+expect "with the numbers of its path" 'grep -q "	done	contacts	" "$out" && cmp -s by_path.tsv "$out"'
+sed 's|^units.*|&\nparam record records/two.txt|' grid.deck >param.deck
+run "$jostle" run param.deck -q -o above.h5 -D record=one
+expect "a param above the sweep takes the label too" '[ $status -eq 0 ] && "$jostle" show above.h5 --tsv | cmp -s - by_path.tsv'
+{ grep -v "^sweep record" param.deck; grep "^sweep record" param.deck; } >by_late.deck
+run "$jostle" run by_late.deck -q -D record=one
+expect "also one that is used above the sweep" '[ $status -eq 0 ] && "$jostle" show by_late.h5 --tsv | cmp -s - by_path.tsv'
 mkdir suite && mv records suite/records
 grep '^sweep record' whole.deck >suite/records.deck
 sed 's/^sweep record.*/include suite\/records.deck/' whole.deck >beside.deck
@@ -76,7 +89,7 @@ if command -v h5diff >/dev/null; then
 else
     skip "histories are those of the runs alone" "no h5diff"
 fi
-rm -f whole.* single.* half* joined.*
+rm -f whole.* single.* half* joined.* by_* above.* param.*
 if command -v h5diff >/dev/null; then
     expect "any number of threads gives the same file" 'same one.h5 two.h5'
     run "$jostle" run grid.deck -q -o eight.h5 -j 8
