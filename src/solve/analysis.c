@@ -8,8 +8,8 @@
 
 #include "core/arena.h"
 #include "core/wall.h"
+#include "solve/account/peaks.h"
 #include "solve/method.h"
-#include "solve/peaks.h"
 
 int run_poll_now(struct run *r, double time) {
     const struct observer *o = r->observer;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "solve/chain.h"
+#include "solve/floors/chain.h"
 
 // With one ground under all, nothing depends on its velocity and displacement.
 void excitation_grounds(struct state *s, const struct model *m, double t) {

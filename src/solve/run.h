@@ -3,10 +3,10 @@
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
-#include "solve/energy.h"
-#include "solve/flight.h"
-#include "solve/impacts.h"
-#include "solve/step_length.h"
+#include "solve/account/energy.h"
+#include "solve/account/impacts.h"
+#include "solve/newmark/flight.h"
+#include "solve/newmark/step_length.h"
 #include "solve/work.h"
 
 struct dp;

@@ -4,14 +4,14 @@
 #ifndef JOSTLE_WORK_H
 #define JOSTLE_WORK_H
 
-#include "solve/block.h"
-#include "solve/chain.h"
-#include "solve/effective.h"
+#include "solve/contact/block.h"
+#include "solve/contact/gaps.h"
+#include "solve/contact/line.h"
 #include "solve/excitation.h"
-#include "solve/floors.h"
-#include "solve/gaps.h"
-#include "solve/line.h"
-#include "solve/small_model.h"
+#include "solve/floors/chain.h"
+#include "solve/floors/effective.h"
+#include "solve/floors/floors.h"
+#include "solve/floors/small_model.h"
 #include "solve/state.h"
 
 // What to do where a contact or storey iteration does not converge.
