@@ -10,8 +10,7 @@
 // external forces -m a_ground + p of `s` to time t.
 void excitation_at(struct state *s, const struct model *m, double t);
 
-// Its parts: what is of the grounds, and what is of the floors.
-void excitation_grounds(struct state *s, const struct model *m, double t);
+// The forces on the floors only, with the ground's accelerations as they are in `s`.
 void excitation_floors(struct state *s, const struct model *m, double t);
 
 // The same from the pieces of the forcing, no later than its next corner: there the limit from the
@@ -31,7 +30,7 @@ struct excitation_ahead {
 // Sees to it that what is known begins with step n or before, and goes as far as n or beyond.
 void excitation_foresee(struct excitation_ahead *x, const struct model *m, long n);
 
-// excitation_grounds, for any t, but at once where the step sought last ends.
+// The motion of the grounds only, at any t; looked up where t is the end of the step sought last.
 void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
                               const struct model *m, double t);
 

@@ -97,8 +97,9 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
     return STATUS_OK;
 }
 
-void energy_input(struct energy_account *a, const struct model *m, const struct state *now,
-                  const struct state *next) {
+// Adds the work of the ground and the loads on the floors.
+static void add_input(struct energy_account *a, const struct model *m, const struct state *now,
+                      const struct state *next) {
     if (state_is_uniform(m)) {
         double ground_2x = now->ground_a[0] + next->ground_a[0];
         chain_work_of_ground(&m->chain, ground_2x, now->u, next->u, a->input_2x);
@@ -109,7 +110,7 @@ void energy_input(struct energy_account *a, const struct model *m, const struct 
 
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next) {
-    energy_input(a, m, now, next);
+    add_input(a, m, now, next);
     if (m->chain.full_damping) {
         chain_work(&m->chain, now->damping_force, next->damping_force, now->u, next->u,
                    a->damping_2x);

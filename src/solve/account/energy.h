@@ -33,10 +33,6 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next);
 
-// Adds what the ground and the loads did to the floors in the step.
-void energy_input(struct energy_account *a, const struct model *m, const struct state *now,
-                  const struct state *next);
-
 // Adds what rigid contacts that met at the instant of `s` have lost. `meeting` is (n_contact).
 void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
                  const struct meeting *meeting);

@@ -79,7 +79,7 @@ static struct floor_values values_of(const struct state *s) {
     }};
 }
 
-void peaks_floors(struct results *r, int first, int n, const struct state *s) {
+static void raise_floors(struct results *r, int first, int n, const struct state *s) {
     const struct floor_values value = values_of(s);
     for (int q = 0; q < PEAK_COUNT; q++) {
         raise(first, n, value.of[q], s->time, r->peak[q], r->peak_time[q]);
@@ -95,7 +95,7 @@ LANES static bool any_exceeds(int n, const double *restrict x, const double *res
     return above != 0;
 }
 
-void peaks_penetrations(struct results *r, int n, const struct state *s) {
+static void raise_penetrations(struct results *r, int n, const struct state *s) {
     for (int first = 0; first < n; first += CONTACTS_TOGETHER) {
         int end = n - first < CONTACTS_TOGETHER ? n : first + CONTACTS_TOGETHER;
         bool any = any_exceeds(end - first, s->delta + first, r->deepest + first);
@@ -105,24 +105,20 @@ void peaks_penetrations(struct results *r, int n, const struct state *s) {
     }
 }
 
-void peaks_links(struct results *r, const struct model *m, const struct state *s) {
-    peaks_penetrations(r, m->n_contact, s);
-    for (int i = 0; i < s->n_live; i++) {
-        peaks_link(r, m, s, s->live[i]);
-    }
-}
-
-void peaks_all_floors(struct results *r, const struct model *m, const struct state *s) {
+void peaks_floors(struct results *r, const struct model *m, const struct state *s) {
     const struct floor_values value = values_of(s);
     for (int first = 0; first < m->n_dof; first += FLOORS_TOGETHER) {
         int n = m->n_dof - first < FLOORS_TOGETHER ? m->n_dof - first : FLOORS_TOGETHER;
         if (chain_exceeds(first, lanes_whole(n), value.of, r->peak)) {
-            peaks_floors(r, first, n, s);
+            raise_floors(r, first, n, s);
         }
     }
 }
 
 void peaks_update(struct results *r, const struct model *m, const struct state *s) {
-    peaks_all_floors(r, m, s);
-    peaks_links(r, m, s);
+    peaks_floors(r, m, s);
+    raise_penetrations(r, m->n_contact, s);
+    for (int i = 0; i < s->n_live; i++) {
+        peaks_link(r, m, s, s->live[i]);
+    }
 }

@@ -13,26 +13,20 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a);
 // Takes state `s` into the envelopes of floors and contacts.
 void peaks_update(struct results *r, const struct model *m, const struct state *s);
 
-// The same in parts: the peaks of n floors from `first` on,
-void peaks_floors(struct results *r, int first, int n, const struct state *s);
+// The same of floors only.
+void peaks_floors(struct results *r, const struct model *m, const struct state *s);
 
-// those of all floors;
-void peaks_all_floors(struct results *r, const struct model *m, const struct state *s);
-
-// contacts and other links;
-void peaks_links(struct results *r, const struct model *m, const struct state *s);
-
-// where |x| is greater than the peak, the peak and its time;
+// Raises a peak, and its time, to |x| where that is greater.
 static inline void peak_raise(double x, double time, double *peak, double *peak_time) {
     double size = fabs(x);
     *peak_time = size > *peak ? time : *peak_time;
     *peak = size > *peak ? size : *peak;
 }
 
-// the largest velocity of all floors, from the peaks of n of them from `first` on;
+// Raises the largest velocity of any floor so far to the peaks of n floors from `first` on.
 void peaks_speed(struct results *r, int first, int n);
 
-// the penetration of contact k, if it is larger than ever before;
+// Raises the largest penetration of contact k.
 static inline void peaks_penetration(struct results *r, int k, double delta, double time) {
     if (delta > r->deepest[k]) {
         r->deepest[k] = r->link[k].penetration = delta;
@@ -40,7 +34,7 @@ static inline void peaks_penetration(struct results *r, int k, double delta, dou
     }
 }
 
-// force and penetration of live link k;
+// Raises the largest force and penetration of live link k.
 static inline void peaks_link(struct results *r, const struct model *m, const struct state *s,
                               int k) {
     struct link_peak *p = &r->link[k];
@@ -57,8 +51,5 @@ static inline void peaks_link(struct results *r, const struct model *m, const st
         p->penetration_time = s->time;
     }
 }
-
-// the penetrations of n contacts.
-void peaks_penetrations(struct results *r, int n, const struct state *s);
 
 #endif

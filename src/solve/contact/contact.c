@@ -65,11 +65,6 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
     return line;
 }
 
-void contact_apply(struct work *w, struct link_scratch *p, double df) {
-    p->force += df;
-    sweep_push(w, p, df);
-}
-
 // Rounding that the forces of other links bring into x (n_dof).
 static double rounding_of_others(const struct work *w, const double *x) {
     double largest = 0.0;

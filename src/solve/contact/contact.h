@@ -5,8 +5,6 @@
 
 #include "solve/work.h"
 
-struct link_scratch;
-
 // Makes the links that are closed in `now` live in `next`, with a guess of their forces; the others
 // are open.
 void contact_begin(struct work *w, const struct state *now, struct state *next);
@@ -28,9 +26,6 @@ void contact_finish(const struct work *w, struct state *next);
 
 // The line of link k at the trial state of `next`.
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k);
-
-// Changes the force of a live link by df, and the correction of its buildings with it.
-void contact_apply(struct work *w, struct link_scratch *p, double df);
 
 // Gives link k its exact answer while the other forces are held; returns the change of its force.
 double contact_answer(struct work *w, const struct state *now, struct state *next, int k);

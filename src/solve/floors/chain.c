@@ -13,11 +13,10 @@ static inline int whole(int n) {
     return n & ~(LANES_WIDTH - 1);
 }
 
-LANES void chain_trial(const struct chain *c, double h, const double *restrict u,
-                       const double *restrict v, const double *restrict a, double *restrict u_t,
-                       double *restrict v_t) {
+LANES void chain_trial(int n, double h, const double *restrict u, const double *restrict v,
+                       const double *restrict a, double *restrict u_t, double *restrict v_t) {
     double half = h * h / 2.0;
-    for (int i = 0, n = whole(c->n); i < n; i++) {
+    for (int i = 0, end = whole(n); i < end; i++) {
         u_t[i] = TRIAL_U(u[i], v[i], a[i], h, half);
         v_t[i] = TRIAL_V(v[i], a[i], h);
     }
@@ -54,12 +53,12 @@ LANES void chain_residual(const struct chain *c, const double *restrict external
     }
 }
 
-LANES bool chain_correct(const struct chain *c, double b, double g, const double *restrict q,
+LANES bool chain_correct(int n, double b, double g, const double *restrict q,
                          const double *restrict u_t, const double *restrict v_t,
                          const double *restrict a_0, double *restrict u, double *restrict v,
                          double *restrict a) {
     long bad = 0;
-    for (int i = 0, n = whole(c->n); i < n; i++) {
+    for (int i = 0, end = whole(n); i < end; i++) {
         u[i] = END(u_t[i], b, q[i]);
         v[i] = END(v_t[i], g, q[i]);
         a[i] = a_0[i] + q[i];

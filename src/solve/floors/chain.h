@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done for every floor in every step, over the flat arrays of struct chain. Arrays are
-// those of core/lanes.h; what is written is none of what is read.
+// What is done for every floor in every step, one loop after the other over the flat arrays of
+// struct chain. Arrays are those of core/lanes.h; none that is written is also read. Counts n of
+// floors are rounded down to whole lanes.
 #ifndef JOSTLE_CHAIN_H
 #define JOSTLE_CHAIN_H
 
 #include "core/lanes.h"
 #include "jostle/analysis.h"
 
-// Floors, in whole lanes, that one thing after the other is done for while they are at hand.
-enum { CHAIN_BLOCK = 256 };
-
-// u_t = u + h v + h^2 a / 2 and v_t = v + h a: the end of the step if the accelerations stay.
-void chain_trial(const struct chain *c, double h, const double *u, const double *v, const double *a,
-                 double *u_t, double *v_t);
+// The end of the step of n floors if their accelerations stayed:
+//     u_t = u + h v + h^2 a / 2,   v_t = v + h a.
+void chain_trial(int n, double h, const double *u, const double *v, const double *a, double *u_t,
+                 double *v_t);
 
 // Drifts of the storeys below each floor, shears of elastic storeys, and damping forces C v; 0
 // where C is full.
@@ -26,9 +25,9 @@ void chain_inertia(const struct chain *c, const double *base, double *external);
 void chain_residual(const struct chain *c, const double *external, const double *a,
                     const double *damping, const double *shear, double *r);
 
-// u = u_t + b q, v = v_t + g q, a = a_0 + q. False: not all is finite.
-bool chain_correct(const struct chain *c, double b, double g, const double *q, const double *u_t,
-                   const double *v_t, const double *a_0, double *u, double *v, double *a);
+// u = u_t + b q, v = v_t + g q, a = a_0 + q, of n floors. False: not all is finite.
+bool chain_correct(int n, double b, double g, const double *q, const double *u_t, const double *v_t,
+                   const double *a_0, double *u, double *v, double *a);
 
 // The following add twice what forces do while u0 becomes u1 to `work`, floor i to element i %
 // LANES_WIDTH: forces that go from f0 to f1,

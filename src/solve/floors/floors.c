@@ -88,9 +88,9 @@ void floors_push(struct work *w, const struct state *now, const struct state *ne
 
 void floors_trial(struct work *w, const struct state *now, int k) {
     const struct building *g = &w->model->building[k];
-    const struct chain part = {.n = lanes_whole(g->n_floor)};
     const int i = g->first;
-    chain_trial(&part, w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i, w->v_trial + i);
+    chain_trial(lanes_whole(g->n_floor), w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i,
+                w->v_trial + i);
 }
 
 void floors_account_to(struct work *w, struct energy_account *energy, struct results *results) {
@@ -144,7 +144,7 @@ void floors_account(struct work *w, const struct state *now, const struct state 
     struct floors_account *to = &w->floors.account;
     if (!state_is_linear(w->model)) {
         energy_step(to->energy, w->model, now, next);
-        peaks_all_floors(to->results, w->model, next);
+        peaks_floors(to->results, w->model, next);
     } else if (to->defers) {
         floors_defer(to, now);
     } else {
@@ -173,10 +173,9 @@ bool floors_move(struct work *w, const struct state *now, struct state *next) {
 
 bool floors_correct(const struct work *w, const struct state *now, struct state *next, int first,
                     int n) {
-    const struct chain part = {.n = n};
-    int j = first;
-    return chain_correct(&part, w->b, w->g, w->correction + j, w->u_trial + j, w->v_trial + j,
-                         now->a + j, next->u + j, next->v + j, next->a + j);
+    const int i = first;
+    return chain_correct(n, w->b, w->g, w->correction + i, w->u_trial + i, w->v_trial + i,
+                         now->a + i, next->u + i, next->v + i, next->a + i);
 }
 
 void floors_correct_touched(struct work *w, const struct state *now, struct state *next) {

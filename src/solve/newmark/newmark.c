@@ -174,7 +174,7 @@ static void take_forces(struct work *w, struct state *next) {
 // Newton's iteration on storeys and links. Leaves the internal forces of the state it finds.
 static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
     const struct model *m = w->model;
-    chain_trial(&m->chain, w->h, now->u, now->v, now->a, w->u_trial, w->v_trial);
+    chain_trial(m->chain.n, w->h, now->u, now->v, now->a, w->u_trial, w->v_trial);
     state_internal_forces(next, m, w->u_trial, w->v_trial);
     residuals(w, next, now->a);
     for (int i = 0; i < m->iterations; i++) {
