@@ -11,7 +11,11 @@
 #include "solve/account/peaks.h"
 #include "solve/event/crossing.h"
 
-bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *a) {
+bool impacts_alloc(struct impact_log *log, const struct model *m, struct results *r,
+                   struct energy_account *energy, struct arena *a) {
+    log->model = m;
+    log->results = r;
+    log->energy = energy;
     log->open = arena_alloc(a, (size_t)m->n_contact, sizeof *log->open);
     for (int k = 0; log->open && k < m->n_contact; k++) {
         log->open[k] = -1;
@@ -19,8 +23,8 @@ bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *
     return log->open != NULL;
 }
 
-static int open_impact(struct impact_log *log, struct results *r, int k, const struct state *s,
-                       struct error *e) {
+static int open_impact(struct impact_log *log, const struct state *s, int k, struct error *e) {
+    struct results *r = log->results;
     if (r->n_impact == r->impact_capacity) {
         long capacity = r->impact_capacity ? 2 * r->impact_capacity : 256;
         struct impact *larger = realloc(r->impact, (size_t)capacity * sizeof *larger);
@@ -42,13 +46,13 @@ static int open_impact(struct impact_log *log, struct results *r, int k, const s
     return STATUS_OK;
 }
 
-int impacts_start(struct impact_log *log, struct results *r, const struct model *m,
-                  const struct state *s, struct error *e) {
-    for (int k = 0; k < m->n_contact; k++) {
+int impacts_start(struct impact_log *log, const struct state *s, struct error *e) {
+    const struct results *r = log->results;
+    for (int k = 0; k < log->model->n_contact; k++) {
         if (!s->link[k].closed) {
             continue;
         }
-        if (open_impact(log, r, k, s, e) != STATUS_OK) {
+        if (open_impact(log, s, k, e) != STATUS_OK) {
             return e->status;
         }
         r->impact[log->open[k]].dissipated = r->link[k].dissipated;  // what it holds already
@@ -56,9 +60,11 @@ int impacts_start(struct impact_log *log, struct results *r, const struct model 
     return STATUS_OK;
 }
 
-static void close_impact(struct impact_log *log, const struct model *m, struct impact *i,
-                         const struct state *now, const struct state *next) {
-    int k = i->contact;
+// Ends the impact under way of contact k, which opens on the way from `now` to `next`.
+static void close_impact(struct impact_log *log, const struct state *now, const struct state *next,
+                         int k) {
+    const struct model *m = log->model;
+    struct impact *i = &log->results->impact[log->open[k]];
     struct path path = {fmax(now->delta[k], 0.0), state_rate(now, m, k), fmin(next->delta[k], 0.0),
                         state_rate(next, m, k), next->time - now->time};
     double rate;
@@ -68,11 +74,11 @@ static void close_impact(struct impact_log *log, const struct model *m, struct i
     log->open[k] = -1;
 }
 
-static inline void add(const struct impact_log *log, struct results *r, const struct model *m,
-                       int k, const struct impact_share *share) {
+void impacts_add(const struct impact_log *log, int k, const struct impact_share *share) {
+    struct results *r = log->results;
     r->link[k].impulse += share->impulse;
     r->link[k].dissipated += share->work;
-    if (k < m->n_contact && log->open[k] >= 0) {
+    if (k < log->model->n_contact && log->open[k] >= 0) {
         struct impact *i = &r->impact[log->open[k]];
         i->impulse += share->impulse;
         i->dissipated += share->work;
@@ -80,11 +86,6 @@ static inline void add(const struct impact_log *log, struct results *r, const st
         i->max_penetration = number_max(i->max_penetration, share->penetration);
         i->steps += share->steps;
     }
-}
-
-void impacts_add(struct impact_log *log, struct results *r, const struct model *m, int k,
-                 const struct impact_share *share) {
-    add(log, r, m, k, share);
 }
 
 // Where the grounds of a link's ends move differently, its force works on them too.
@@ -96,18 +97,18 @@ static double ground_work(const struct link *l, const struct model *m, double me
     return mean * (relative - own);
 }
 
-int impacts_step(struct impact_log *log, struct energy_account *a, struct results *r,
-                 const struct model *m, const struct state *now, const struct state *next,
+int impacts_step(struct impact_log *log, const struct state *now, const struct state *next,
                  struct error *e) {
+    const struct model *m = log->model;
     double h = next->time - now->time;
     double contact = 0.0;
     for (int j = 0; j < next->n_live; j++) {
         int k = next->live[j];
-        peaks_link(r, m, next, k);
+        peaks_link(log->results, m, next, k);
         if (!now->link[k].closed && !next->link[k].closed) {
             continue;
         }
-        if (!now->link[k].closed && open_impact(log, r, k, next, e) != STATUS_OK) {
+        if (!now->link[k].closed && open_impact(log, next, k, e) != STATUS_OK) {
             return e->status;
         }
         double mean = (now->link[k].force + next->link[k].force) / 2.0;  // by the trapezoidal rule
@@ -118,71 +119,70 @@ int impacts_step(struct impact_log *log, struct energy_account *a, struct result
             .penetration = next->delta[k],
             .steps = next->link[k].closed,
         };
-        add(log, r, m, k, &share);
+        impacts_add(log, k, &share);
         contact += share.work;
         if (m->n_ground > 1 && m->link[k].moving_ground) {
-            a->input += ground_work(&m->link[k], m, mean, now, next);
+            log->energy->input += ground_work(&m->link[k], m, mean, now, next);
         }
         if (!next->link[k].closed) {
-            close_impact(log, m, &r->impact[log->open[k]], now, next);
+            close_impact(log, now, next, k);
         }
     }
-    a->contact += contact;
+    log->energy->contact += contact;
     return STATUS_OK;
 }
 
 // Ends the impact under way of contact k at the instant of `s`.
-static void end_impact(struct impact_log *log, struct results *r, const struct model *m,
-                       const struct state *s, int k) {
-    struct impact *i = &r->impact[log->open[k]];
+static void end_impact(struct impact_log *log, const struct state *s, int k) {
+    struct impact *i = &log->results->impact[log->open[k]];
     i->t_end = s->time;
-    i->v_rebound = -state_rate(s, m, k);
+    i->v_rebound = -state_rate(s, log->model, k);
     i->complete = true;
     log->open[k] = -1;
 }
 
-int impacts_toggle(struct impact_log *log, struct results *r, const struct model *m,
-                   const struct state *s, int k, struct error *e) {
+int impacts_toggle(struct impact_log *log, const struct state *s, int k, struct error *e) {
     if (s->link[k].closed) {
-        return open_impact(log, r, k, s, e);
+        return open_impact(log, s, k, e);
     }
-    end_impact(log, r, m, s, k);
+    end_impact(log, s, k);
     return STATUS_OK;
 }
 
-void impacts_part(struct impact_log *log, struct results *r, const struct model *m,
-                  const struct state *s) {
+void impacts_part(struct impact_log *log, const struct state *s) {
+    const struct model *m = log->model;
     for (int k = 0; k < m->n_contact; k++) {
         if (m->link[k].law->rebound && log->open[k] >= 0 && !s->link[k].closed) {
-            end_impact(log, r, m, s, k);
+            end_impact(log, s, k);
         }
     }
 }
 
-int impacts_meet(struct impact_log *log, struct results *r, const struct model *m,
-                 const struct state *s, const struct meeting *meeting, struct error *e) {
+int impacts_meet(struct impact_log *log, const struct state *s, const struct meeting *meeting,
+                 struct error *e) {
+    const struct model *m = log->model;
     for (int k = 0; k < m->n_contact; k++) {
         const struct meeting *met = &meeting[k];
         bool starts = log->open[k] < 0 && (met->struck || state_rests(s, m, k));
-        if (starts && open_impact(log, r, k, s, e) != STATUS_OK) {
+        if (starts && open_impact(log, s, k, e) != STATUS_OK) {
             return e->status;
         }
         if (met->struck) {
-            struct impact *i = &r->impact[log->open[k]];
+            struct impact *i = &log->results->impact[log->open[k]];
             if (starts) {
                 i->t_start = s->time;
                 i->v_approach = met->approach;
             }
             struct impact_share share = {.impulse = met->impulse, .work = met->work};
-            impacts_add(log, r, m, k, &share);
+            impacts_add(log, k, &share);
         }
     }
-    impacts_part(log, r, m, s);
+    impacts_part(log, s);
     return STATUS_OK;
 }
 
 // A rigid contact has no finite force at impact.
-static void blot_forces(struct results *r, const struct model *m) {
+static void blank_rigid_forces(struct results *r, const struct model *m) {
     for (long i = 0; i < r->n_impact; i++) {
         if (m->link[r->impact[i].contact].law->rebound) {
             r->impact[i].peak_force = NAN;
@@ -216,8 +216,9 @@ static int compare_starts(const void *a, const void *b) {
     return x->contact - y->contact;
 }
 
-void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
-                    const struct state *s) {
+void impacts_finish(struct impact_log *log, const struct state *s) {
+    const struct model *m = log->model;
+    struct results *r = log->results;
     for (int k = 0; k < m->n_contact; k++) {
         if (log->open[k] >= 0) {
             struct impact *i = &r->impact[log->open[k]];
@@ -225,7 +226,7 @@ void impacts_finish(struct impact_log *log, struct results *r, const struct mode
             i->v_rebound = -state_rate(s, m, k);
         }
     }
-    blot_forces(r, m);
+    blank_rigid_forces(r, m);
     count_coarse(r, m);
     if (r->n_impact > 1) {
         qsort(r->impact, (size_t)r->n_impact, sizeof *r->impact, compare_starts);

@@ -5,50 +5,49 @@
 
 #include "solve/account/energy.h"
 
-// The impacts that are under way. Arrays (n_contact).
 struct impact_log {
-    long *open;  // index into results.impact of the impact under way; -1: none
+    const struct model *model;      // borrowed, as are the next two
+    struct results *results;        // where impacts and the totals of links go
+    struct energy_account *energy;  // where the work of links goes
+    long *open;  // (n_contact) index into results.impact of the impact under way; -1: none
 };
 
-// What one step brings to a link.
+// What one step adds to a link.
 struct impact_share {
     double impulse, work;       // [F T] [F L]
     double force, penetration;  // [F] [L] largest
     long steps;                 // 1 if it counts as a step in contact
 };
 
-// Adds to the totals of link k and, if one is under way, to its impact.
-void impacts_add(struct impact_log *log, struct results *r, const struct model *m, int k,
-                 const struct impact_share *share);
+// Room for the log of a model; false: no memory.
+bool impacts_alloc(struct impact_log *log, const struct model *m, struct results *r,
+                   struct energy_account *energy, struct arena *a);
 
-bool impacts_alloc(struct impact_log *log, const struct model *m, struct arena *a);
+// The following give STATUS_SYSTEM (no memory) where they return a status.
 
 // Opens an impact for each contact that is closed at the start.
-int impacts_start(struct impact_log *log, struct results *r, const struct model *m,
-                  const struct state *s, struct error *e);
+int impacts_start(struct impact_log *log, const struct state *s, struct error *e);
 
-// Carries every live link through the step from `now` to `next`: impacts, energies and peaks.
-// STATUS_SYSTEM: no memory.
-int impacts_step(struct impact_log *log, struct energy_account *a, struct results *r,
-                 const struct model *m, const struct state *now, const struct state *next,
+// Takes every live link through the step from `now` to `next`: impacts, energies and peaks.
+int impacts_step(struct impact_log *log, const struct state *now, const struct state *next,
                  struct error *e);
 
-// Takes account of a link that has just been closed or opened at the instant of state `s`.
-int impacts_toggle(struct impact_log *log, struct results *r, const struct model *m,
-                   const struct state *s, int k, struct error *e);
+// Adds to the totals of link k and, if one is under way, to its impact.
+void impacts_add(const struct impact_log *log, int k, const struct impact_share *share);
+
+// Opens or ends the impact of link k, which has just closed or opened at the instant of `s`.
+int impacts_toggle(struct impact_log *log, const struct state *s, int k, struct error *e);
 
 // Ends the impacts of rigid contacts that rested and have parted at the instant of `s`.
-void impacts_part(struct impact_log *log, struct results *r, const struct model *m,
-                  const struct state *s);
+void impacts_part(struct impact_log *log, const struct state *s);
 
-// Takes account of the rigid contacts that have met at the instant of `s`: impacts that are over at
-// once, or have come to rest, or end a rest. `meeting` is (n_contact).
-int impacts_meet(struct impact_log *log, struct results *r, const struct model *m,
-                 const struct state *s, const struct meeting *meeting, struct error *e);
+// Records the rigid contacts that have met at the instant of `s`: impacts that are over at once, or
+// have come to rest, or end a rest. `meeting` is (n_contact).
+int impacts_meet(struct impact_log *log, const struct state *s, const struct meeting *meeting,
+                 struct error *e);
 
-// Ends the impacts still under way, blots out what rigid contacts say of forces, and puts all in
-// order of time.
-void impacts_finish(struct impact_log *log, struct results *r, const struct model *m,
-                    const struct state *s);
+// Ends the impacts still under way at the end of a run, sets the forces of rigid contacts to NAN,
+// and sorts all impacts by time.
+void impacts_finish(struct impact_log *log, const struct state *s);
 
 #endif

@@ -75,7 +75,7 @@ void dp_account_step(struct dp *p) {
         struct impact_share share = {.steps = 1};
         share.work = link_work(p, dp_stages_whole, i, p->next.delta[k], &share.impulse);
         dp_peaks_link(p, i, &share);
-        impacts_add(p->impacts, p->results, p->model, k, &share);
+        impacts_add(p->impacts, k, &share);
         p->energy.contact += share.work;
     }
     integrate(p, dp_stages_whole, &p->energy);

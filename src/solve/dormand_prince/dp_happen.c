@@ -25,7 +25,7 @@ static int toggle(struct dp *p, int k, struct error *e) {
         p->system.phase[k] = PHASE_APPROACH;
         state_close_link(now, p->model, k);
     }
-    return impacts_toggle(p->impacts, p->results, p->model, now, k, e);
+    return impacts_toggle(p->impacts, now, k, e);
 }
 
 // After rigid contacts have met: one that rests is an error, one that has rested and parted at this
@@ -59,7 +59,7 @@ static int meet(struct dp *p, int k, struct error *e) {
     if (part(p, e) != STATUS_OK) {
         return e->status;
     }
-    return impacts_meet(p->impacts, p->results, m, now, p->meeting, e);
+    return impacts_meet(p->impacts, now, p->meeting, e);
 }
 
 // Changes the branch or the contact of the event.

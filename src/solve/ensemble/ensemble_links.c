@@ -122,8 +122,7 @@ int ensemble_links_commit(struct ensemble_lanes *e, int lane, struct run *r) {
             peaks_penetration(r->results, k, next->delta[k], next->time);
         }
     }
-    int status =
-        impacts_step(&r->impacts, &r->energy, r->results, r->model, r->now, next, r->error);
+    int status = impacts_step(&r->impacts, r->now, next, r->error);
     r->next = r->now;
     r->now = next;
     ensemble_links_release(e, lane, r);

@@ -11,7 +11,7 @@ static void pass_jump(struct run *r) {
     excitation_of_pieces(r->now, &r->length.forcing, r->now->time);
     state_complete(r->now, r->model);
     state_equilibrium(r->now, r->model);
-    impacts_part(&r->impacts, r->results, r->model, r->now);
+    impacts_part(&r->impacts, r->now);
     peaks_update(r->results, r->model, r->now);
 }
 

@@ -43,14 +43,13 @@ void run_step_finish(struct run *r) {
 
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
-    struct results *out = r->results;
     floors_account(&r->work, r->now, r->next);
     gaps_peaks(&r->work.gaps, r->next);
-    int status = impacts_step(&r->impacts, &r->energy, out, r->model, r->now, r->next, r->error);
+    int status = impacts_step(&r->impacts, r->now, r->next, r->error);
     struct state *old = r->now;
     r->now = r->next;
     r->next = old;
-    out->totals.steps++;
+    r->results->totals.steps++;
     return status == STATUS_OK ? run_poll(r, r->now->time) : status;
 }
 
@@ -87,8 +86,8 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
 // Lets the force of the event's link jump.
 static int let_jump(struct run *r, const struct event *event) {
     event_apply(r->now, r->model, event->link);
-    impacts_part(&r->impacts, r->results, r->model, r->now);
-    return impacts_toggle(&r->impacts, r->results, r->model, r->now, event->link, r->error);
+    impacts_part(&r->impacts, r->now);
+    return impacts_toggle(&r->impacts, r->now, event->link, r->error);
 }
 
 // Lets the bodies of a rigid contact meet.
@@ -96,7 +95,7 @@ static int let_meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
     if (event_is_idle(r->now, m, event->link)) {
         impulse_hold(r->now, m, event->link, r->meeting);
-        return impacts_meet(&r->impacts, r->results, m, r->now, r->meeting, r->error);
+        return impacts_meet(&r->impacts, r->now, r->meeting, r->error);
     }
     bool chatters = r->events[event->link] > EVENTS_RIGID_MAX;
     enum rebound rebound = chatters ? REBOUND_NONE : REBOUND_BY_LAW;
@@ -106,7 +105,7 @@ static int let_meet(struct run *r, const struct event *event) {
     };
     impulse_meet(r->now, m, event->link, rebound, &least, r->meeting);
     energy_meet(&r->energy, m, r->now, r->meeting);
-    return impacts_meet(&r->impacts, r->results, m, r->now, r->meeting, r->error);
+    return impacts_meet(&r->impacts, r->now, r->meeting, r->error);
 }
 
 // Steps to the first event, which may turn out to be another one than was seen from the whole step.
