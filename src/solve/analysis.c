@@ -61,8 +61,8 @@ static int observe(struct run *r) {
     return o->row(o->context, &row, r->error);
 }
 
-// The next step of the model, after n, that is a row of the output, or at which the observer is
-// asked.
+// The next step after n that is a row of the output, or at which the observer is asked whether to
+// go on.
 static long stretch_end(const struct run *r, long n) {
     long every = r->model->output.every;
     if (!r->observer) {

@@ -11,7 +11,7 @@ struct energy_account {
     // Twice the work of external and damping forces: floor i of the chain adds to element i %
     // LANES_WIDTH, and in a step the lower floor first.
     double input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
-    double input, damping;  // beyond that: of links on the grounds, of adaptive steps
+    double input, damping;  // other work: of links on the grounds, of adaptive steps
     double contact;
     double *storey_2x;    // (n_dof) twice the work on storeys, where some are not elastic
     double storey;        // work on storeys that are not elastic, beyond that
@@ -24,16 +24,17 @@ bool energy_alloc(struct energy_account *a, const struct model *m, struct arena 
 // Energies of the start state.
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s);
 
-// Adds what closed links hold at the start state, which is both initial and work done on them, to
-// the account and to each link's own in `link` (n_link). Errors: STATUS_SYSTEM (no memory).
+// Adds the energy of closed links at the start state, which is both initial energy and work done on
+// them, to the account and to each link's own in `link` (n_link). Errors: STATUS_SYSTEM (no
+// memory).
 int energy_start_links(struct energy_account *a, const struct model *m, const struct state *s,
                        struct link_peak *link, struct error *e);
 
-// Adds what floors and storeys did in the step from `now` to `next`.
+// Adds the works on floors and storeys in the step from `now` to `next`.
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next);
 
-// Adds what rigid contacts that met at the instant of `s` have lost. `meeting` is (n_contact).
+// Adds the losses of rigid contacts that met at the instant of `s`. `meeting` is (n_contact).
 void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
                  const struct meeting *meeting);
 

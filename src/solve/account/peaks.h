@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Largest values of every computed step, and when.
+// The largest values over all computed steps, and their times.
 #ifndef JOSTLE_PEAKS_H
 #define JOSTLE_PEAKS_H
 

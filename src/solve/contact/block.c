@@ -4,17 +4,18 @@
 // df* = -t (S df)_others / (1 + S_ll t), and Newton's method for f* = f asks for
 //     df_l + share_l sum over m != l of (S_lm / S_ll) df_m = f*_l - f_l,
 //     share_l = S_ll t / (1 + S_ll t).
-// Linearising at the answers instead of at F(d, v) is what makes it work on stiff links, whose own
-// force at the trial penetration means nothing: all shares are between 0 and 1, but for laws whose
-// force falls with d. A link held within a jump of its law, at d = 0 or v = 0, has the share 1; it
-// is kept just below, as two such links between the same floors could not be told apart.
+// It works on stiff links, whose own force at the trial penetration means nothing, because it
+// linearises at the answers instead of at F(d, v): all shares are between 0 and 1, but for laws
+// whose force falls with d. A link held within a jump of its law, at d = 0 or v = 0, has the share
+// 1; it is kept just below, or two such links between the same floors would make the matrix
+// singular.
 //
-// At a kink or a jump of a law a step may go astray and only the next one set it right. So some
+// At a kink or a jump of a law a step may go astray, and only the next one puts it right. So some
 // steps are taken whole, each followed by a sweep, which measures how far off it was. If they do
-// not get nearer, one step is taken as far as it leads downwards: for laws that do not pull, sweeps
+// not get nearer, one step is taken as far as it leads downhill: for laws that do not pull, sweeps
 // are coordinate descent on the convex function
 //     f' S f / 2 - f' x_free + sum over l of the integral of X_l,
-// X_l(f) being where the law of link l gives f, and its derivative is easily had (line_excess).
+// X_l(f) being where the law of link l gives f; line_excess gives its derivative.
 #include "solve/contact/block.h"
 
 #include <gsl/gsl_linalg.h>
@@ -142,7 +143,7 @@ static void restore(struct work *w, const struct cluster *c) {
     }
 }
 
-// A sweep over the cluster; how far it moved the links.
+// A sweep over the cluster; returns how far it moved the links.
 static double sweep(struct work *w, const struct state *now, struct state *next,
                     const struct cluster *c) {
     double moved = 0.0;
@@ -153,8 +154,8 @@ static double sweep(struct work *w, const struct state *now, struct state *next,
     return moved;
 }
 
-// Whole steps, until the sweep behind one moves the links by at most half of *nearest, which is
-// then that of this sweep.
+// Whole steps, until the sweep after one moves the links by at most half of *nearest, which then
+// becomes the way of that sweep. False: not found.
 static bool whole_steps(struct work *w, const struct state *now, struct state *next,
                         const struct cluster *c, double *nearest) {
     for (int i = 0; i < WHOLE_STEPS; i++) {

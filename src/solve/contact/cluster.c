@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Buildings are joined by their live links (union-find: Tarjan (1975), J. ACM 22, 215-225), and
-// links put in order of the building that stands for all that are joined with theirs, by counting.
+// Buildings are joined by their live links (union-find: Tarjan (1975), J. ACM 22, 215-225); one of
+// them stands for all that are joined. The links are then sorted by that building, by counting.
 #include "solve/contact/cluster.h"
 
 #include <string.h>

@@ -2,18 +2,18 @@
 // The contact iteration.
 //
 // With A the effective masses and B the links' directions, accelerations are a = a_free - A^-1 B'
-// f, so that link l sees d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l
+// f, so that link l has d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l
 // with the flexibility S = B A^-1 B'. S is never formed: a column of A^-1 carries each change of a
 // force into the accelerations. Newton sweeps (sweep.c) take Newton steps, link by link, and give a
-// link its exact answer (line.c) with the others held where such a step is not safe; they do as
-// long as changes shrink fast. From then on every link gets its exact answer in each sweep, which
-// is coordinate descent on a convex function where laws do not pull, and so converges whatever the
-// step. Where it is slow, because stiff links share a floor, a block Newton step (block.c) is put
+// link its exact answer (line.c) with the others held where such a step is not safe. They go on as
+// long as the changes shrink fast. From then on every link gets its exact answer in each sweep,
+// which is coordinate descent on a convex function where laws do not pull, and so converges for any
+// step. Where that is slow, because stiff links share a floor, a block Newton step (block.c) is put
 // between sweeps, and kept only if it halves the error.
 //
-// Converged: another sweep would change no force by more than the tolerance relative to the
-// largest, or the change moves the link by less than the rounding of its displacements. The latter
-// keeps grazing contacts, whose force is all rounding, from iterating for ever.
+// Converged: another sweep would change no force by more than the tolerance times the largest, or
+// would move no link by more than the rounding error of its displacements. The latter keeps grazing
+// contacts, whose force is all rounding, from iterating for ever.
 #include "solve/contact/contact.h"
 
 #include <float.h>
@@ -32,10 +32,10 @@ enum { PLAIN_SWEEPS = 4 };
 
 static const double SLOW = 0.2;
 
-// After so many, laws are no longer let pull.
+// After so many, laws are no longer allowed to pull.
 enum { PULLING_SWEEPS = 25 };
 
-// Changes of a force less than this share of it may come from the rounding of others.
+// A change of a force by less than this share of it may come from rounding errors in the others.
 static const double SMALL = 1e-8;
 
 static double ends_difference(const struct link_scratch *p, const double *x) {
@@ -65,7 +65,7 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
     return line;
 }
 
-// Rounding that the forces of other links bring into x (n_dof).
+// Rounding error that the forces of other links cause in x (n_dof).
 static double rounding_of_others(const struct work *w, const double *x) {
     double largest = 0.0;
     for (int i = 0; i < w->gaps.n_touched; i++) {
@@ -77,7 +77,7 @@ static double rounding_of_others(const struct work *w, const double *x) {
     return 16.0 * DBL_EPSILON * largest;
 }
 
-// How much the force of a link changes with the rounding of its d and v.
+// How much rounding errors d and v change the force of a link.
 static double noise(const struct line *l, enum branch branch, double f, double d, double v) {
     if (l->link->law->rebound || f == l->v_free / l->v_force) {
         return v / l->v_force;
@@ -93,8 +93,8 @@ static double noise(const struct line *l, enum branch branch, double f, double d
     return l->d_force > 0.0 ? d / l->d_force : 0.0;
 }
 
-// Is a change of the force no more than rounding? That of other links counts where it is small and
-// sweeps take long.
+// Is a change of the force no more than rounding? Rounding in other links' forces counts too where
+// the change is small and the sweeps have been going on for long.
 static bool negligible(const struct work *w, const struct line *l, enum branch branch, double f,
                        double df) {
     double corrected = state_rounding(l->link, w->correction);
@@ -120,8 +120,8 @@ double contact_answer(struct work *w, const struct state *now, struct state *nex
     return df;
 }
 
-// Gives the link its exact answer. Newton steps may follow where the law leaves no choice between
-// its branches.
+// Gives the link its exact answer. Newton steps may follow where the law leaves no choice of
+// branch.
 static void answer_exactly(struct work *w, const struct state *now, struct state *next,
                            struct link_scratch *p, struct progress *s) {
     int k = p->index;
@@ -158,7 +158,7 @@ static void visit(struct work *w, const struct state *now, struct state *next, e
     }
 }
 
-// Makes the progress of the last sweep, or of the guess, that of the next one before it has begun.
+// Turns the progress of the last sweep, or of the guess, into that of a sweep about to begin.
 static void renew(const struct work *w, struct progress *s) {
     s->enough = w->model->tolerance * s->largest;
     s->largest = s->moved[LAW_KNOWN] = s->moved[LAW_UNKNOWN] = 0.0;
@@ -187,7 +187,7 @@ static void sweep(struct work *w, const struct state *now, struct state *next, e
     visit(w, now, next, answers, 0, w->n_acting, s);
 }
 
-// Is it worth going on? Asked early, so that a hopeless step costs little.
+// Is the step short enough for all links? Checked early, so that one that is not costs little.
 static bool is_hopeful(struct work *w, const struct state *now, const struct state *next) {
     for (int i = 0; i < w->n_acting && w->strictness == STEP_STRICT; i++) {
         if (!resolve_suffices(w, now, next, w->acting[i])) {
@@ -222,8 +222,8 @@ static double changed(const struct progress *s) {
     return number_max(s->moved[LAW_UNKNOWN], s->moved[LAW_KNOWN]);
 }
 
-// Would another sweep change next to nothing? If this one took Newton steps it measured that by the
-// largest force of the sweep before, which may have been much larger.
+// Would another sweep change next to nothing? One of Newton steps measures that against the largest
+// force of the sweep before, which may have been much larger.
 static bool converged(const struct work *w, enum answers answers, const struct progress *s) {
     double tolerance = w->model->tolerance * s->largest;
     double echo = w->n_acting == 1 ? 0.0 : s->answered ? 1.0 : number_min(s->echo, 1.0);
@@ -231,8 +231,8 @@ static bool converged(const struct work *w, enum answers answers, const struct p
            (answers == ANSWERS_EXACT || IS_MEASURED(s->enough, tolerance));
 }
 
-// Sweeps, with block steps between them once plain sweeps are too slow. *counter is that of totals
-// for what it took.
+// Sweeps, with block steps between them once plain sweeps are too slow. *counter becomes that of
+// the totals which counts solutions by the means that were needed.
 static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
     struct progress s;
     double before = INFINITY;
@@ -273,7 +273,7 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
-// A link whose law would pull where it was not let has neither an open nor a closed solution.
+// A link whose law would pull if it were allowed to has neither an open nor a closed solution.
 static enum branch judge_clamped(struct work *w, const struct state *now, const struct state *next,
                                  const struct link_scratch *p) {
     if (!p->clamped || p->force != 0.0 || p->branch != BRANCH_CLOSED) {
@@ -284,9 +284,8 @@ static enum branch judge_clamped(struct work *w, const struct state *now, const 
     return line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
 }
 
-// Takes what was found for a link. One that found neither an open nor a closed solution opens
-// inside the step, unless it has bounced to rest; then false, as where the step is not short
-// enough.
+// Stores the force found for a link. False: the step is too long, or there is neither an open nor a
+// closed solution, so that the link opens inside the step, and it has not bounced to rest.
 static bool take(struct work *w, const struct state *now, struct state *next,
                  struct link_scratch *p) {
     int k = p->index;

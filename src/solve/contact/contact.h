@@ -9,8 +9,7 @@
 // are open.
 void contact_begin(struct work *w, const struct state *now, struct state *next);
 
-// Makes the links live that close on the way to the penetrations of `next`, as last found;
-// returns how many.
+// Makes those links live that close on the way to the penetrations of `next`; returns how many.
 int contact_search(struct work *w, const struct state *now, struct state *next);
 
 // The same for link k; returns whether it closes.
@@ -21,10 +20,10 @@ bool contact_close(struct work *w, const struct state *now, struct state *next, 
 // committed state. STATUS_RETRY: not solved to the model's tolerance.
 int contact_solve(struct work *w, const struct state *now, struct state *next);
 
-// What belongs to the end of a step that is solved: the histories of closed links.
+// Brings the histories of closed links to the end of a step that is solved.
 void contact_finish(const struct work *w, struct state *next);
 
-// The line of link k at the trial state of `next`.
+// The equation of link k at the trial state of `next`, with the other forces held.
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k);
 
 // Gives link k its exact answer while the other forces are held; returns the change of its force.

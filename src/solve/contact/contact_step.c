@@ -10,8 +10,8 @@
 #include "solve/contact/sweep.h"
 #include "solve/event/crossing.h"
 
-// A first guess of the force: the polynomial through the last steps, as many as there were with the
-// link closed, up to four.
+// A first guess of the force: the polynomial through its values at the end of the last steps in
+// which the link was closed, four at most.
 static inline double guess(double f, int n_past, const double past[PAST_STEPS]) {
     double next = n_past == PAST_STEPS ? CUBIC_GUESS(f, past)
                   : n_past == 2        ? PARABOLIC_GUESS(f, past)
@@ -20,13 +20,13 @@ static inline double guess(double f, int n_past, const double past[PAST_STEPS]) 
     return f > 0.0 ? number_max(next, 0.0) : f;
 }
 
-// Forces of rigid contacts at rest hardly curve; a parabola would enlarge what they miss.
+// Forces of rigid contacts at rest hardly curve; a parabola would amplify their errors.
 static inline int past_after(int n_past, const struct contact_law *law) {
     int most = law->rebound ? 1 : PAST_STEPS;
     return n_past < most ? n_past + 1 : most;
 }
 
-// What the law of a link remembers.
+// Copies the history of a link's law.
 static void keep_history(const struct state *now, struct state *next, struct link_scratch *p) {
     const struct link *l = p->link;
     double *history = next->link_history + l->history;
@@ -34,7 +34,7 @@ static void keep_history(const struct state *now, struct state *next, struct lin
     p->history = history;
 }
 
-// Link k, closed so far and live, begins the step as it ended the last.
+// Link k, live and closed at the start of the step, begins it as it ended the last.
 static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
     struct link_scratch *p = &w->link[k];
     const struct link_state *from = &now->link[k];
@@ -67,7 +67,7 @@ static bool is_steady(const struct gaps *g, const struct state *now, const struc
     return same;
 }
 
-// Makes the links that are closed in `now` live in `next`, and none else.
+// Makes the links that are closed in `now`, and no others, live in `next`.
 static void enliven_closed(struct gaps *g, const struct state *now, struct state *next) {
     state_open_links(next);
     gaps_forget(g);
@@ -90,8 +90,8 @@ void contact_begin(struct work *w, const struct state *now, struct state *next) 
     }
 }
 
-// Takes link k, which closes in this step, among the live ones. It gets its velocity at the instant
-// of closure from its path without its own force, and the law's history from that.
+// Makes link k live, which closes in this step. Its velocity at the instant of closure is that of
+// its path without its own force; the law's history starts from it.
 static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
     struct link_scratch *p = &w->link[k];
     const struct link *l = p->link;
@@ -128,7 +128,7 @@ bool contact_close(struct work *w, const struct state *now, struct state *next, 
     return closed;
 }
 
-// The trial of the buildings of a run, unless they have been touched before.
+// Computes the trial of the buildings of a run of links, unless links touched them before.
 static void try_buildings(struct work *w, const struct state *now, const struct gap_run *r) {
     for (int i = 0; i < 2; i++) {
         int b = r->building[i];

@@ -20,19 +20,19 @@ struct gap_run {
 struct gaps {
     const struct model *model;  // borrowed
     double *gap;                // [L] (n_link)
-    double *limit;    // [L] (n_link) a link beyond this may close or has come nearer than ever:
-                      // infinite for links that act, else 0 or its largest penetration, or less
+    double *limit;    // [L] (n_link) a link beyond this may close or is nearer than ever: infinite
+                      // for links that act, else 0 or its largest penetration, the lesser
     double *nearest;  // [L] (n_link) largest penetration that gaps_peaks has seen,
     double *time;     // [T] (n_link) and when
     int n_run;
     struct gap_run *run;
     int *run_of;               // (n_link)
-    bool *beyond;              // (n_run) at last sight, one of its links was beyond its limit,
-    bool kept;                 // unless none is, as was found in another way
+    bool *beyond;              // (n_run) one of its links was beyond its limit when last updated;
+    bool kept;                 // if true, none is, as was found in another way
     int *start, *of_building;  // (n_building + 1): runs at each building, one list behind another
     int *visited;              // (n_run) scratch: runs that an update goes over
     int *all;                  // (n_run) all runs
-    int n_pressed, *pressed;   // runs in which a link that does not act was inside then
+    int n_pressed, *pressed;   // runs in which a link that does not act had d > 0 then
     int n_acting, *acting;     // links that act in this step,
     struct gap_share {
         int first, n;
@@ -49,13 +49,13 @@ void gaps_update(struct gaps *g, struct state *s);
 // The same where only touched buildings have moved.
 void gaps_update_touched(struct gaps *g, struct state *s);
 
-// Takes note that penetrations have been found in another way, none beyond its limit.
+// Records that penetrations have been found in another way, none beyond its limit.
 static inline void gaps_keep(struct gaps *g) {
     g->n_pressed = 0;
     g->kept = true;
 }
 
-// Takes note of penetrations that are larger than ever.
+// Records penetrations that are larger than ever.
 void gaps_peaks(struct gaps *g, const struct state *s);
 
 // The same of link k with penetration d.
@@ -67,14 +67,15 @@ static inline void gaps_note(struct gaps *g, int k, double d, double time) {
     }
 }
 
-// Takes those of contacts into the peaks; nothing where `g` was never allocated and is all zero.
+// Puts those of contacts into the peaks; does nothing where `g` was never allocated and is all
+// zero.
 void gaps_finish(const struct gaps *g, struct results *r);
 
 // No link acts, and no building is touched any more.
 void gaps_forget(struct gaps *g);
 
-// Link k acts, and touches its buildings, as those of its run before it do. Links of a run have to
-// follow each other for its share to be right.
+// Makes link k act and touch its buildings. The links of a run must be given one after the other,
+// for its share to be right.
 static inline void gaps_touch(struct gaps *g, int k) {
     const int run = g->run_of[k];
     struct gap_share *share = &g->share[run];

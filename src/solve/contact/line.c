@@ -13,10 +13,11 @@
 
 #include "core/number.h"
 
-// A Newton step as small as this, relative to the force, leaves an error of its square.
+// A Newton step as small as this, relative to the force, leaves an error of the order of its
+// square.
 static const double SQUARED = 1e-9;
 
-// A velocity that adds nothing to a force but shows the law its sign.
+// A velocity too small to change a force, but with a sign for the law.
 static const double SMALLEST = DBL_MIN;
 
 enum {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The arithmetic of the force of a link, written once for the links of one run (contact_step.c,
-// sweep.c, contact.c) and for a contact in each of several, one a lane (ensemble_impacts.c,
+// sweep.c, contact.c) and for one contact of several runs, a run a lane (ensemble_impacts.c,
 // ensemble_sweeps.c). They agree to the bit because these are the same operations in the same
-// order. Macros where that is enough, as each has another type.
+// order. What differs in type only is a macro.
 //
-// With the corrections q of the accelerations, a link sees x = q_left - q_right, and
+// With the corrections q of the accelerations, a link has x = q_left - q_right, and
 //     d = d_trial + b x,   v = v_trial + g x,   F = F(d, v),   b = beta h^2,   g = gamma h.
 // Its own force f moves it by S_ll per unit against itself, so Newton's method for F = f takes
 //     df = (F - f) / (1 + S_ll t),   t = b dF/dd + g dF/dv,
 // and q changes by df times the columns of A^-1 of both ends.
 //
-// A law that has been asked is taken for its tangent, df = base + rate dx from there. It must be
-// asked again where that is not enough: with F = k d^n a change of d by dx changes F by
-// (n - 1) / (2 n) c^2 / f more than the tangent says, c = t dx. A dashpot that grows with d^(1/4)
-// has at most 3/2 of that; 4 are taken, and both parts of t by their size, as they may cancel where
-// a law pulls.
+// Once a law has been asked (evaluated) at some x, its tangent replaces it: df = base + rate dx. It
+// must be asked again where that is not accurate enough. With F = k d^n a change of d by dx changes
+// F by (n - 1) / (2 n) c^2 / f more than the tangent says, c = t dx. A dashpot that grows with
+// d^(1/4) has at most 3/2 of that. The bound here is 4 c^2 / f, with the absolute values of both
+// parts of t, as they may cancel where a law pulls.
 #ifndef JOSTLE_LINK_TERMS_H
 #define JOSTLE_LINK_TERMS_H
 
@@ -62,18 +62,18 @@ LINK_INLINE void link_root(link_number *x) {
 }
 #endif
 
-// A Newton step is trusted if it changes force and penetration by no more than this share, and if
-// the law is no steeper than this against the flexibility of the link.
+// A Newton step is safe if it changes force and penetration by no more than this share, and if the
+// slope of the law times the flexibility of the link, S_ll t, is no more than this.
 static const double LINK_NEAR = 0.1;
 static const double LINK_STEEPEST = 0.1;
 
-// Changes of this share of what is enough are not made.
+// Changes below this share of `enough` are not made.
 static const double LINK_NEGLECTED = 0.1;
 
 // A force f may follow the slope of its law by a change c as long as 4 c^2 / f does not matter.
 static const double LINK_STRAIGHT = 0.1 / 4.0;
 
-// What was settled while forces were larger by this factor still is.
+// What was settled to a tolerance looser by this factor still is.
 static const double LINK_LOOSER = 4.0;
 
 // A first guess: the polynomial through the force f of the last step and those before.
@@ -87,12 +87,12 @@ static const double LINK_LOOSER = 4.0;
 
 // A law that has been asked for the force of a link.
 struct link_asked {
-    link_number x, v, near;         // where, and how far in x a step may lead from there
-    link_number f, enough;          // the force of the link, and what change of it does not matter
+    link_number x, v, near;  // where, and how far in x a step may lead from there
+    link_number f, enough;   // the force of the link, and a change of it that does not matter
     link_number force, dfdd, dfdv;  // what the law said
 };
 
-// Its tangent, where S_ll t is `share`. That of a law that is not `smooth` reaches nowhere.
+// Its tangent, where S_ll t is `share`. A law that is not `smooth` is asked at each step: no reach.
 LINK_INLINE void link_linearise(const LINK_SCHEME *w, const struct link_asked *law,
                                 const link_number *share, bool smooth, LINK_TANGENT *t) {
     const link_number steepness = ABSOLUTE(w->b * law->dfdd) + ABSOLUTE(w->g * law->dfdv) + DBL_MIN;
@@ -119,7 +119,7 @@ LINK_INLINE void link_linearise(const LINK_SCHEME *w, const struct link_asked *l
 #define IS_IDLE(t, dx, df, enough)                                                                 \
     (AT_MOST(ABSOLUTE(df), LINK_NEGLECTED * (enough)) AND AT_MOST(ABSOLUTE(dx), (t)->reach))
 
-// How far the change leads from where it begins, and whether it is safe for a force f.
+// How far from there the change df leads, and whether it is safe for a force f.
 #define LED(dx, flexibility, df) ABSOLUTE((dx) - (flexibility) * (df))
 #define IS_SAFE(t, led, df, f)                                                                     \
     (AT_MOST(led, (t)->near) AND AT_MOST(ABSOLUTE(df), LINK_NEAR * ABSOLUTE(f)))
@@ -128,13 +128,14 @@ LINK_INLINE void link_linearise(const LINK_SCHEME *w, const struct link_asked *l
 #define ROUNDING(damped, dfdd, d, dfdv, v)                                                         \
     (4.0 * DBL_EPSILON * (ABSOLUTE(dfdd) * (d) + ABSOLUTE(dfdv) * (v)) * (damped))
 
-// By what a sweep has found (struct progress), would another one change no more than the tolerance?
-// What is known of others counts by the share `echo` of it.
+// After a sweep with progress s, would another one change no force by more than the tolerance?
+// Changes of forces on their tangents count by the share `echo` that comes back from the other
+// links.
 #define IS_SETTLED(s, echo, tolerance)                                                             \
     (AT_MOST((s)->moved[LAW_UNKNOWN], tolerance)                                                   \
          AND AT_MOST((echo) * (s)->moved[LAW_KNOWN], tolerance))
 
-// Was the largest force that the sweep went by not much larger than that now?
+// Was the largest force by which the sweep measured changes not much larger than that now?
 #define IS_MEASURED(enough, tolerance) AT_MOST(enough, LINK_LOOSER *(tolerance))
 
 #endif

@@ -10,9 +10,8 @@
 #include "core/number.h"
 #include "solve/event/crossing.h"
 
-// A pressed contact that moves by less than this share of its penetration, and would at its
-// velocity, is at rest: the law is linear over such a step, and average acceleration keeps its
-// energy.
+// A closed contact whose penetration changes by less than this share, in fact and at its velocity,
+// is at rest: the law is linear over such a step, and average acceleration preserves its energy.
 static const double AT_REST = 0.1;
 
 // Velocity relative to the largest of any floor so far.
@@ -63,7 +62,7 @@ static bool starts_resolved(const struct work *w, const struct state *now, struc
            resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
 }
 
-// A settled link has its tangents already, so near to the end of the step that it does not matter.
+// A settled link has tangents already, taken close enough to the end of the step.
 static bool ends_resolved(const struct work *w, struct link_scratch *p, const struct path *path) {
     return p->branch != BRANCH_CLOSED ||
            (!p->ask

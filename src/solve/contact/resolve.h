@@ -19,7 +19,7 @@ static const double RESOLVE_COARSEST_DASHPOT = 0.5;
 static const double RESOLVE_STIFFER = 4.0;
 static const double RESOLVE_DEEPER = 2.0;
 
-// resolve_suffices, whatever is known.
+// resolve_suffices in full, for where its short cut does not apply.
 bool resolve_judge(struct work *w, const struct state *now, const struct state *next,
                    struct link_scratch *p);
 
@@ -27,9 +27,8 @@ bool resolve_judge(struct work *w, const struct state *now, const struct state *
 // gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
 // impacts make nonsense of a run. True if the trial step from `now` to `next` resolves the contact,
 // or if there is nothing to resolve because it is pressed together and hardly moves; else
-// w->unresolved says that it needs a shorter step. In line for what usually holds, which is enough:
-// the start has been looked at, the end has its tangents, and its spring is no stiffer than has
-// been looked at.
+// w->unresolved says that it needs a shorter step. In line for the usual case: the start has been
+// checked, the end has its tangents, and the spring is no stiffer than one that has been checked.
 static inline bool resolve_suffices(struct work *w, const struct state *now,
                                     const struct state *next, struct link_scratch *p) {
     double x = w->correction[p->end[0]] - w->correction[p->end[1]];
@@ -42,7 +41,7 @@ static inline bool resolve_suffices(struct work *w, const struct state *now,
 }
 
 // A contact this slow is at rest, whatever the step does to it: its energy is 1e-10 of the floors'.
-// Without that a body that bounces to rest would ask for ever shorter steps.
+// Otherwise a body that bounces to rest would need ever shorter steps.
 bool resolve_negligible(const struct work *w, const struct state *now, double velocity);
 
 #endif

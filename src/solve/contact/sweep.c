@@ -2,16 +2,16 @@
 // The arithmetic of a step is in link_terms.h. A^-1 is almost diagonal, for beta h^2 K << M: links
 // disturb each other where they share a floor, and little else.
 //
-// Laws are asked before the first sweep, some links at a time so that the cache holds them until
-// they are visited; there laws need not wait for each other. From then on a law is taken for its
-// tangent, which costs little, and asked again, at once, where that is not enough. A link of a
-// smooth law within that reach is settled, and passed over where the tangent asks for no change
-// that matters.
+// Laws are asked before the first sweep, a group of links at a time so that the cache holds them
+// until they are visited; evaluations there need not wait for each other. From then on the tangent
+// replaces the law, at little cost, and the law is asked again, at once, where that is not accurate
+// enough. A link of a smooth law within that reach is settled, and passed over where the tangent
+// gives no change that matters.
 //
-// What is left to a settled link are the changes of others after its own. They change its force by
+// A settled link is only disturbed by the changes of others after its own. They change its force by
 //     |df_l| <= t / (1 + s) sum over m of |S_lm df_m| <= s sum of |S_lm| / S_ll max |df_m|,
 // so that another sweep would change forces by such a share of what this one did. Where that does
-// not matter no such sweep is made.
+// not matter there is no other sweep.
 #include "solve/contact/sweep.h"
 
 #include <float.h>
@@ -45,7 +45,7 @@ static double sum_of_sizes(const double *x, int n) {
     return sum;
 }
 
-// How the ends yield.
+// How the floors of its buildings respond to its force.
 static void find_columns(const struct work *w, struct link_scratch *p) {
     const struct link *l = p->link;
     p->factors = w->factors;
@@ -69,7 +69,7 @@ static void find_columns(const struct work *w, struct link_scratch *p) {
     p->unmoved = 1.0 / (p->flexibility * p->others + DBL_MIN);
 }
 
-// Asks the law of a link that sees x. False: a Newton step is not safe.
+// Asks the law of a link at x. False: a Newton step is not safe.
 static inline bool ask(const struct work *w, struct link_scratch *p, double x, struct progress *s) {
     double d = END(p->d_trial, w->b, x);
     double v = END(p->v_trial, w->g, x);
@@ -92,7 +92,7 @@ static inline bool ask(const struct work *w, struct link_scratch *p, double x, s
     return true;
 }
 
-// Where d and v are without corrections, and how the ends yield, unless that has stayed.
+// d and v of a link without corrections, and its columns unless they are those of the last step.
 static inline void gather(struct work *w, const struct state *next, struct link_scratch *p) {
     int left = p->end[0];
     int right = p->end[1];
@@ -121,7 +121,7 @@ void sweep_begin(struct work *w, const struct state *next, struct progress *s) {
     }
 }
 
-// What a link sees.
+// x of link_terms.h.
 static inline double sees(const struct work *w, const struct link_scratch *p) {
     return w->correction[p->end[0]] - w->correction[p->end[1]];
 }
@@ -175,7 +175,7 @@ static inline bool negligible(const struct work *w, const struct link_scratch *p
     return fabs(df) <= ROUNDING(p->tangent.damped, p->dfdd, d, p->dfdv, v);
 }
 
-// Takes note of the change df of a force whose law is known as well as need be, or is not.
+// Records the change df of a force, by whether its law must be asked again.
 static inline void note(const struct work *w, const struct link_scratch *p, double df,
                         struct progress *s) {
     double *most = &s->moved[p->ask ? LAW_UNKNOWN : LAW_KNOWN];
@@ -184,13 +184,13 @@ static inline void note(const struct work *w, const struct link_scratch *p, doub
     }
 }
 
-// Changes of others up to this leave a link within the reach of its tangent that is `far` from
-// where that begins.
+// A link that is `far` from where its tangent begins stays within its reach as long as the forces
+// of others change by no more than this.
 static inline double room(const struct link_scratch *p, double far) {
     return number_max(p->tangent.reach - far, 0.0) * p->unmoved;
 }
 
-// A Newton step of a link that sees x; false: not safe.
+// A Newton step of a link at x; false: not safe.
 static inline bool step(const struct work *w, struct link_scratch *p, double x, struct progress *s,
                         double *clear) {
     struct tangent *t = &p->tangent;
@@ -213,7 +213,7 @@ static inline bool step(const struct work *w, struct link_scratch *p, double x, 
     return true;
 }
 
-// Does a link that sees x stay open?
+// Does a link at x stay open?
 static inline bool stays_open(const struct work *w, const struct link_scratch *p, double x,
                               double *clear) {
     double d = p->d_trial + w->b * x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Newton sweeps over the live links: Newton steps one link after the other, from data that stand
-// side by side.
+// Newton sweeps over the live links: a Newton step for one link after the other, on data that lie
+// side by side in memory.
 #ifndef JOSTLE_SWEEP_H
 #define JOSTLE_SWEEP_H
 
@@ -28,25 +28,25 @@ struct link_scratch {
     alignas(LANES_LINE) int end[2];  // among the arrays of struct chain
     enum branch branch;              // that its force is on
     bool ask;                        // the law must be asked again, if it is trusted
-    bool trusted;                    // it is on the closed branch: a Newton step may start there
+    bool trusted;                    // on the closed branch, where a Newton step may start
     bool open;                       // its force is 0 as long as d <= 0
-    bool clamped;                    // its law may pull, but is not let
+    bool clamped;                    // its law may pull, but is not allowed to
     double force;                    // [F]
     double unmoved;                  // 1 / the most that |S_lm| of all other links may add up to
     struct tangent tangent;
 
     double flexibility;       // S_ll
     double others;            // the sum of |S_lm| as a share of that, at most
-    const double *column[2];  // what floors feel of its force: of A^-1,
-    int first[2];             // from these on, at either end
-    int lanes[2];             // how many they are, in whole lanes; 0 for a wall
+    const double *column[2];  // at either end the column of A^-1,
+    int first[2];             // from this floor on,
+    int lanes[2];             // over so many floors, in whole lanes; 0 for a wall
 
     double d_trial, v_trial;         // [L] [L/T] without corrections
-    double dfdd;                     // [F/L] what the law said,
-    const struct contact_law *kind;  // of its law,
-    const double *constant;          // with these
-    const double *history;           // and this
-    double dfdv;                     // [F T/L] and this
+    double dfdd;                     // [F/L] of the law when it was last asked
+    const struct contact_law *kind;  // its law,
+    const double *constant;          // with these constants
+    const double *history;           // and this history
+    double dfdv;                     // [F T/L] as dfdd
     double gap;                      // [L]
 
     long factors;    // work.factors that flexibility and columns are of
@@ -79,17 +79,17 @@ struct progress {
 // What does not change of link k.
 void sweep_init(struct link_scratch *p, const struct model *m, int k);
 
-// The live links of `next` act from now on; *progress is that of a guess.
+// Makes the live links of `next` the acting ones; *progress is that of the guess.
 void sweep_begin(struct work *w, const struct state *next, struct progress *progress);
 
 // Gathers what changes from step to step of acting links `first` to end - 1, and asks their laws.
 void sweep_gather(struct work *w, const struct state *next, int first, int end,
                   struct progress *progress);
 
-// Asks all laws again if what is enough has become much less.
+// Asks all laws again if `enough` has become much smaller.
 void sweep_ask_again(struct work *w, struct progress *progress);
 
-// Moves the ends of the link by what a change df of its force does to them.
+// Adds the effect of a change df of the link's force to the corrections.
 void sweep_push(const struct work *w, const struct link_scratch *p, double df);
 
 // Takes Newton steps on acting links `first` to end - 1, until one that is not safe; returns its

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The floors of a building in a step of all runs at once: what floor_terms.h says, as a run
-// alone goes through it where storeys are elastic and one ground moves all. Each lane sees the same
-// operations in the same order, so that its bits are those of a run alone. What one floor needs of
-// its neighbours is carried along in registers.
+// The floors of a building in a step of all runs at once, by the arithmetic of floor_terms.h;
+// storeys are elastic and one ground moves all. Each lane goes through the same operations in the
+// same order as a run alone, so its bits are the same. What one floor needs of its neighbours is
+// carried along in registers.
 //
-// Registers that hold but a part of the lanes take one part after the other: ensemble_whole.c and
+// Registers that hold only a part of the lanes take one part after the other: ensemble_whole.c and
 // ensemble_half.c say what a `part` is, and `p` is the one in hand.
 //
-// A drift that does not exceed its peak brings no shear beyond its own, as rounding keeps order; so
-// shears are looked at only where a drift says so.
+// As rounding is monotone, a shear exceeds its peak only if its drift does; so only drifts are
+// compared.
 #ifndef JOSTLE_ENSEMBLE_FLOORS_H
 #define JOSTLE_ENSEMBLE_FLOORS_H
 
@@ -28,15 +28,15 @@ static const long long SIZE = 0x7fffffffffffffffLL;  // all bits but the sign
 // Negative where |x| > peak.
 #define UNDER(peak, x) ((part_bits)((peak) - (part)((part_bits)(x)&SIZE)))
 
-// A number of floor i, in functions that know `x` and how it is `held`.
+// A number of floor i, in functions that have `x` and how it is `held`.
 #define HELD(x, i)                                                                                 \
     (held == HELD_ONCE ? (part)((x)[i] - (part){0.0})                                              \
                        : (part)((const part *)((x) + (size_t)(i) * (size_t)WIDE_RUNS))[WHICH])
 #define NUMBER(i, q) HELD(x, (i)*NUMBER_COUNT + NUMBER_##q)
 #define FACTOR(i, q) HELD(x, (i)*FACTOR_COUNT + FACTOR_##q)
 
-// Floors whose corrections are found at a time, so that as many sums are under way; those left over
-// go with the last ones.
+// Floors whose corrections are computed together, so that as many sums are under way at once; those
+// left over at the end join the last group.
 enum { ROWS = 4, ROWS_MOST = 2 * ROWS - 1 };
 #define EACH_ROW(c, n) _Pragma("GCC unroll 8") for (int c = 0; c < (n); c++)
 
@@ -113,7 +113,7 @@ LANES_INLINE void begin_floors(const struct beginning *g, enum ensemble_held hel
     begin_floor(g, held, p, top, &below, &own, &nothing);
 }
 
-// Takes but the works of the last step into account.
+// Takes only the works of the last step into account.
 LANES_INLINE void account_floors(const struct beginning *g, enum ensemble_held held, int p) {
     const part nothing = {0.0};
     const int top = g->shape->n_floor - 1;

@@ -21,10 +21,10 @@ struct ensemble_state {
     wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
 };
 
-// Where it would be at the end of the step under way if the acceleration stayed.
+// Where it would be at the end of the step under way if its acceleration stayed.
 struct ensemble_trial {
     wide u, v;
-    wide residual;  // [F] what it lacks then
+    wide residual;  // [F] missing to equilibrium there
 };
 
 // The same in all lanes; in memory, from where they cost least.

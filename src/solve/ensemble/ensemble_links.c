@@ -7,7 +7,7 @@
 #include "solve/contact/contact.h"
 #include "solve/event/event.h"
 
-// Lets runs know the floors of building k.
+// Copies the floors of building k from the lanes to the runs, if that has not been done.
 static void show_building(struct ensemble_lanes *e, int k) {
     const struct building *g = e->building[k].shape;
     for (int i = g->first / WIDE_RUNS; i <= (g->first + g->n_floor - 1) / WIDE_RUNS; i++) {
@@ -17,7 +17,7 @@ static void show_building(struct ensemble_lanes *e, int k) {
     }
 }
 
-// And those of the buildings that contact k of run r touches.
+// The same for both buildings of contact k.
 static void show_ends(struct ensemble_lanes *e, const struct run *r, int k) {
     for (int side = 0; side < 2; side++) {
         const int b = r->model->link[k].building[side];
@@ -40,7 +40,7 @@ static double penetration(const struct ensemble_lanes *e, int k, const struct en
     return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->gap[k].width[lane];
 }
 
-// What the live links of `to` feel of their floors in a state of the lane.
+// Penetrations, and velocities of the ends, of the live links of `to` in a state of the lane.
 static void gather_ends(const struct ensemble_lanes *e, const struct ensemble_state *s, int lane,
                         struct state *to) {
     for (int i = 0; i < to->n_live; i++) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The links of a run whose floors are in a lane, while they are not: a step in which some act is
-// taken by all floors at once, and then by the links of each such run as they would be if it
-// were alone. In struct run only the arrays of links, and what they feel of their floors, are up to
-// date then.
+// The links of a run whose floors are in a lane but whose links are not. A step in which some act
+// is taken by all floors at once, and then by the links of each such run as if it were alone. In
+// struct run only the arrays of links, and what they need of their floors, are up to date
+// meanwhile.
 #ifndef JOSTLE_ENSEMBLE_LINKS_H
 #define JOSTLE_ENSEMBLE_LINKS_H
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step in which no link acts is one of many that the lanes take at a time. In one in which links
-// act, the lanes take the floors of all runs as far as the forces are known that these begin with,
-// and then the contacts that are in lanes too (ensemble_contacts.h). The links of each other run
-// then change its lane; contacts that close on the way join them. What goes beyond that, such as a
-// force that jumps or a step that has to be cut, takes the run out of its lane for the step.
+// The lanes take many steps at a time as long as no link acts. In a step in which links act, the
+// lanes first take the floors of all runs under the forces that are known at its start, and solve
+// for the contacts that are in lanes too (ensemble_contacts.h). Then the links of each other run
+// are solved for and change its lane, with contacts that close on the way. For anything beyond
+// that, such as a force that jumps or a step that has to be cut, the run leaves its lane for the
+// step.
 #include "solve/ensemble/ensemble_lockstep.h"
 
 #include "core/number.h"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done for runs in lanes now and then: a closer look at a step, and the energies of a row.
+// What runs in lanes need only now and then: a closer look at a step, and the energies of a row.
 #include <string.h>
 
 #include "solve/ensemble/ensemble_lanes.h"
 
-// Vectors are compared by the sign of a difference and chosen between by their bits: compilers take
-// apart what is said with < and ?:, and may not pass vectors by value between processors.
+// Vectors are compared by the sign of a difference and selected by their bits, as compilers split <
+// and ?: of vectors into scalars; they are passed by address, as code for other processors has
+// another convention for values.
 enum { SIGN = 63 };
 
 // Contacts looked at together, of which few are pressed.

@@ -3,9 +3,9 @@
 // link of one run holds here for a contact in each lane, by the same arithmetic (link_terms.h).
 // Lanes in which a contact is not live, or that have converged, look on.
 //
-// Only the usual is done here: contacts that were closed, that Newton steps lead to their forces
-// within a few sweeps, and for which steps are short enough (resolve.c). A lane in which anything
-// else happens gives up, and its run is solved alone from where it began.
+// Only the usual case is here: contacts that were closed, whose forces Newton steps find within a
+// few sweeps, and for which steps are short enough (resolve.c). A lane in which anything else
+// happens gives up, and its run is solved alone from the start of the step.
 #define LINKS_IN_LANES
 #include <math.h>
 
@@ -38,7 +38,7 @@ LANES_WHOLE_INLINE void see(const struct sweeps *s, int k, wide *x) {
     *x = s->e->correction[end[0]] - s->e->correction[end[1]];
 }
 
-// Asks the law where d and v are so.
+// Asks the law at d and v.
 LANES_WHOLE_INLINE void ask_law(const struct ensemble_grip *grip, const wide *d, const wide *v,
                                 wide *force, wide *dfdd, wide *dfdv) {
     struct contact_lanes law;
@@ -60,7 +60,7 @@ LANES_WHOLE_INLINE void take_tangent(struct tangent_lanes *to, const struct tang
     to->damped = WIDE_CHOOSE(*which, t->damped, to->damped);
 }
 
-// Asks the law in the lanes `which`, where x is seen.
+// Asks the law at x, for the lanes `which`.
 LANES_WHOLE_INLINE void ask(struct sweeps *s, int k, const wide *x, const wide_bits *which) {
     struct closed_contact *j = &s->contacts->contact[k];
     const struct ensemble_grip *grip = &s->e->grip[k];
@@ -117,7 +117,7 @@ LANES_WHOLE_INLINE void find_negligible(const struct sweeps *s, int k, const wid
     *which &= AT_MOST(*size, ROUNDING(j->tangent.damped, j->dfdd, d, j->dfdv, v));
 }
 
-// Takes note of changes df of forces in lanes that `move`.
+// Records changes df of forces in lanes that `move`.
 LANES_WHOLE_INLINE void note(struct sweeps *s, int k, const wide *df, const wide_bits *move) {
     const struct closed_contact *j = &s->contacts->contact[k];
     const wide size = WIDE_ABSOLUTE(*df);
@@ -146,7 +146,7 @@ LANES_WHOLE_INLINE void change(struct sweeps *s, int k, const wide *df, const wi
     note(s, k, &done, move);
 }
 
-// A Newton step where x is seen.
+// A Newton step at x.
 LANES_WHOLE_INLINE void step(struct sweeps *s, int k, const wide *x) {
     const struct closed_contact *j = &s->contacts->contact[k];
     const struct tangent_lanes *t = &j->tangent;
@@ -277,7 +277,7 @@ LANES_WHOLE_INLINE void judge(struct sweeps *s) {
     }
 }
 
-// What e->correction was is kept, and comes back where lanes have given up.
+// Keeps e->correction, to restore it in lanes that give up.
 LANES_WHOLE_INLINE void keep(const struct sweeps *s) {
     for (int i = 0; i < s->contacts->n_touched; i++) {
         const struct building *g = s->e->building[s->contacts->touched[i]].shape;

@@ -2,10 +2,10 @@
 // The tridiagonal case is L D L^T from the ground up (Golub & Van Loan, Matrix Computations,
 // section 4.3.6), with the reciprocal pivots stored, so that a solve has no division. The full case
 // stores the inverse, which costs n^2 per solve like a pair of triangular solves but has no chain
-// of dependences. So do low buildings where the factorisation serves for long: there a product in
-// lanes takes less time than the chain. An elastic building has its inverse at once, so that which
-// arithmetic a step sees depends on its size alone; one that yields has it once a factorisation has
-// been used some times.
+// of dependences. So do low buildings where the factorisation is used for long: there a product in
+// lanes takes less time than the chain. An elastic building gets its inverse at once, so that the
+// arithmetic of a step depends on its size alone; one that yields gets it row by row, with the
+// first solves.
 #include "solve/floors/effective.h"
 
 #include <gsl/gsl_linalg.h>
@@ -34,7 +34,7 @@ static bool alloc_one(struct effective *e, const struct building *building, enum
     return true;
 }
 
-// Fewer take less time one after the other.
+// Fewer buildings than this are faster one after the other.
 enum { ABREAST_LEAST = 3 };
 
 // The factors of n buildings of one height.

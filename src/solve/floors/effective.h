@@ -24,7 +24,7 @@ struct effective {
     double *tangent;         // [F/L] (n_floor) storey tangents it was factorised with
     double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T, `pitch` apart; tridiagonal
     int pitch;               // those of neighbours of one height lie side by side
-    int abreast;             // so many from this one on are solved together; 0: none
+    int abreast;             // how many from this one on are solved together; 0: none
     int stride;              // of the rows of `inverse`: n_floor in whole lanes
     double *inverse;         // (stride, stride) A^-1, rows ready where marked, and zeros
     bool *ready;             // (n_floor) row of `inverse` is valid
@@ -62,9 +62,9 @@ static inline bool effective_is_low(const struct effective *e) {
 // q = A^-1 r; both (n_floor), r is overwritten.
 void effective_solve(struct effective *e, double *r, double *q);
 
-// The same for n buildings whose floors stand one behind the other in r and q, arrays of
-// core/lanes.h: what r has behind them must be finite, and q may be written there. Takes much less
-// time than one after the other where they are low, or where several are of the same height.
+// The same for n buildings whose floors follow each other in r and q, arrays of core/lanes.h: what
+// follows them in r must be finite, and may be written to in q. Much faster than one by one where
+// they are low, or where several have the same height.
 void effective_solve_row(struct effective *e, int n, double *r, double *q);
 
 // The same for those that are solved together from e[0] on (`abreast`), by their factors.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of floors.h, on vectors of one width: see floor_vectors.h. FLOORS_STEPS is the
-// name of what the functions make up.
+// The steps of floors.h, on vectors of one width (floor_vectors.h), as a struct floors_steps called
+// FLOORS_STEPS.
 //     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
 //     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
 //     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
-// and the works of the step before and the tests for peaks. A block of buildings goes through all
-// of it before the next one does. Lanes do not begin where buildings do: what a block computes of a
-// neighbour's floors is computed by that one anew.
+// with the works of the step before and the tests for peaks. Each block of buildings goes through
+// all of this before the next one. Lanes do not begin where buildings do: what a block computes of
+// its neighbour's floors, the neighbour computes again.
 #ifndef JOSTLE_FLOOR_STEPS_H
 #define JOSTLE_FLOOR_STEPS_H
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arithmetic of a step of Newmark's method at one floor i, written once for all that take
-// steps: chain.c one floor after the other, floor_loops.h and small_loops.h a vector of floors, and
-// ensemble_floors.h a floor of several runs. They agree to the bit because these are the same
-// operations in the same order. Macros, as each has another type.
+// The arithmetic of a step of Newmark's method at one floor i, written once for all ways of taking
+// steps: chain.c goes floor by floor, floor_loops.h and small_loops.h by vectors of floors, and
+// ensemble_floors.h by one floor of several runs. They agree to the bit because these are the same
+// operations in the same order. They are macros because the types differ.
 //     trial      u_t = u + (h v + h^2 a / 2),   v_t = v + h a
 //     drift      d_i = u_i - u_(i-1),   shear  s_i = k_i d_i, or on a line s_i = back_i d_i + f_i
 //                with f_i = spring_i (d_i - rest_i), which leaves the line where |f_i| > limit_i
@@ -27,7 +27,7 @@
 // p - m a is p_ma.
 #define RESIDUAL(p_ma, damping, shear, shear_above) ((p_ma) - (damping) - (shear) + (shear_above))
 
-// How far q, times beta h^2 or gamma h, leads from the trial.
+// The end of the step from its trial; factor is beta h^2 or gamma h.
 #define END(trial, factor, q) ((trial) + (factor) * (q))
 
 // Twice the work of a ground acceleration whose sum at both ends is ground_2x, and of damping.

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The vectors in which steps go over floors: of four floors, or of eight where FLOORS_WIDE is
-// defined. Few processors have registers for those, and elsewhere what is carried from one turn of
-// a loop to the next would be in memory.
+// defined. Few processors have registers of eight; on others, what a loop carries from one turn to
+// the next would be in memory.
 //
-// A load that spans two stores made just before waits until both are in the cache, so neighbours'
-// values are read by another loop than the one that writes them, or come from registers.
+// A load that spans two recent stores stalls until both are in the cache. So neighbours' values are
+// read in a later loop than the one that writes them, or come from registers.
 #ifndef JOSTLE_FLOOR_VECTORS_H
 #define JOSTLE_FLOOR_VECTORS_H
 
 #include "core/lanes.h"
 
-// FLOORS_CLONES stands in front of functions that are not in line. BELOW and ABOVE are the floors
-// below those of a vector and above them; `under` and `over` are the vectors next to it.
+// FLOORS_CLONES marks functions that are not in line. BELOW and ABOVE are the floors one below and
+// one above those of a vector; `under` and `over` are the vectors next to it.
 #ifdef FLOORS_WIDE
 typedef lanes_wide floor_lanes;
 typedef lanes_wide_bits floor_bits;
@@ -31,7 +31,7 @@ typedef lanes_bits floor_bits;
 #endif
 #endif
 
-// So many floors are in a vector, and so many vectors make up whole lanes.
+// Floors in a vector, and vectors in whole lanes.
 enum {
     FLOORS_VECTOR = sizeof(floor_lanes) / sizeof(double),
     FLOORS_VECTORS = LANES_WIDTH / FLOORS_VECTOR,
@@ -40,7 +40,7 @@ enum {
 // The vector of an array from i on.
 #define FLOORS_AT(x, i) (*(const floor_lanes *)((x) + (i)))
 
-// For each vector of whole lanes, in loops that are unrolled, or they would not be in registers.
+// For each vector of whole lanes, unrolled so that the vectors stay in registers.
 #define EACH_OF_LANES(j) _Pragma("GCC unroll 2") for (ptrdiff_t j = 0; j < FLOORS_VECTORS; j++)
 
 #if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One step of Newmark's method, where all is linear but for the links, whose forces f are given:
-// the blocks that floors are taken in, and what links bring to them. The loops are in
+// One step of Newmark's method, where all but the links is linear and their forces are given: the
+// blocks of floors, the forces of links on them, and when accounts are taken. The loops are in
 // floor_steps.h.
 #include "solve/floors/floors.h"
 
@@ -14,10 +14,10 @@
 #include "solve/floors/chain.h"
 #include "solve/newmark/flight.h"
 
-// So many floors make a block, and what is solved together.
+// A block has at least so many floors; buildings that are solved together stay together.
 enum { FLOORS_LEAST = 192 };
 
-// Buildings from k on that make up a block.
+// How many buildings from k on make up a block.
 static int block_size(const struct model *m, int k) {
     int n = 0;
     int floors = 0;
@@ -60,7 +60,7 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
     return f->residual && f->u_trial && f->v_trial;
 }
 
-// Takes the forces of a run's links into the residual of building k, which is at one of its sides.
+// Adds the forces of a run of links to the residual of building k, which is at one of its sides.
 static void push_run(const struct gaps *g, int run, int k, const struct link_state *link,
                      const struct floor_block *b, double *residual) {
     const struct gap_run *r = &g->run[run];
@@ -107,7 +107,7 @@ void floors_defer(struct floors_account *account, const struct state *now) {
     account->ground_a = now->ground_a[0];
 }
 
-// Those with the widest vectors that the processor has registers for.
+// The steps with the widest vectors for which the processor has registers.
 static const struct floors_steps *steps(void) {
     return LANES_WIDEST_OF(&floors_wide, &floors_narrow);
 }

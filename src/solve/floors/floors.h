@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step does for every floor where all storeys are elastic and all bands of C are in struct
-// chain: Newmark's step and its account, a block of buildings at a time, so that what one loop
-// writes the next one finds in the cache.
+// What a step does for every floor where all storeys are elastic and C is tridiagonal: Newmark's
+// step and its account, a block of buildings at a time, so that each loop finds in the cache what
+// the one before has written.
 #ifndef JOSTLE_FLOORS_H
 #define JOSTLE_FLOORS_H
 
 #include "solve/account/energy.h"
 #include "solve/state.h"
 
-// Buildings that follow each other, and their floors, from where lanes begin to where lanes end.
+// Consecutive buildings, and their floors in whole lanes.
 struct floor_block {
     int building, n_building;
     int first, n;
-    int end;  // where the next block begins: below this all is done
+    int end;  // where the next block begins: floors below this are finished
 };
 
-// Where the works and peaks of floors go. Where one ground moves all floors the account of a step
-// is put off until the next step goes over them and overwrites the state that it began with: so
-// each array comes from memory once.
+// Where the works and peaks of floors go. Where one ground moves all floors, the account of a step
+// is put off until the next step, which takes it just before it overwrites the older state: so each
+// array is read from memory only once.
 struct floors_account {
     struct energy_account *energy;  // borrowed
     struct results *results;        // borrowed
@@ -40,52 +40,52 @@ struct floors {
 
 bool floors_alloc(struct floors *f, const struct model *m, struct arena *a);
 
-// Works and peaks of the floors go to `energy` and `results` from now on.
+// Sets where works and peaks of the floors go.
 void floors_account_to(struct work *w, struct energy_account *energy, struct results *results);
 
-// Displacements, velocities, accelerations and penetrations of `next` under the forces that its
-// live links have, with the trial of their buildings and the correction of all in `w`; and what
+// Computes displacements, velocities, accelerations and penetrations of `next` under the forces of
+// its live links, with the trial of their buildings and all corrections in `w`; and takes what
 // account is due. False: not finite.
 bool floors_move(struct work *w, const struct state *now, struct state *next);
 
-// The trial of building k.
+// Computes the trial of building k.
 void floors_trial(struct work *w, const struct state *now, int k);
 
-// What the corrections lead to, of n floors from `first` on. False: not finite.
+// Brings n floors of `next`, from `first` on, to the corrections. False: not finite.
 bool floors_correct(const struct work *w, const struct state *now, struct state *next, int first,
                     int n);
 
-// The same, with penetrations, where only those of buildings with live links have changed.
+// The same for the buildings with live links, and penetrations.
 void floors_correct_touched(struct work *w, const struct state *now, struct state *next);
 
-// Takes the step from `now` to `next` into works and peaks, or sees to it that a later one does.
+// Takes the step from `now` to `next` into works and peaks, or puts that off.
 void floors_account(struct work *w, const struct state *now, const struct state *next);
 
 // The same at once, of a linear model or one in flight.
 void floors_account_now(struct work *w, const struct state *now, const struct state *next);
 
-// Puts that off until the next step, or until it is asked for: `next` is about to be committed, and
-// the next step will be written to `now`.
+// Puts that off until the next step or floors_catch_up. The caller commits `next`; `now` is where
+// the next step will be written.
 void floors_defer(struct floors_account *account, const struct state *now);
 
-// Takes what account is due: of the step that began with what is in `old`, to the committed `now`;
-// and where accounts are put off, `now` itself, which steps take into the peaks only when they go
-// on from it.
+// Takes the account that is due, of the step from the state in `old` to the committed `now`, and
+// `now` itself into the peaks, which otherwise happens when the next step leaves it. Does nothing
+// where accounts are not put off.
 void floors_catch_up(struct work *w, const struct state *old, const struct state *now);
 
-// [L/T] Largest velocity of any floor so far, up to the committed `now`, whatever is put off.
+// [L/T] Largest velocity of any floor so far, the committed `now` and what is put off included.
 double floors_speed(const struct work *w, const struct state *now);
 
-// A step in free flight to the time and under the ground accelerations, or where these are not
-// uniform the base and external forces of `next`, and what account is due. Contacts that were
-// nearest in `now` are noted. False: it is none; a contact would close, or it is not finite.
+// A step in free flight to the time of `next`, under its ground acceleration (or where that is not
+// uniform its external forces), with what account is due. Contacts that were nearest in `now` are
+// recorded. False: not in free flight, as a contact would close, or not finite.
 bool floors_fly(const struct flight *f, const struct state *now, struct state *next);
 
-// The same where storeys follow straight lines; nor may one leave its line.
+// The same where storeys follow straight lines. False also if one would leave its line.
 bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next);
 
-// What of this is made of loops over floors, on vectors of one width: floors_move, floors_fly, the
-// same on lines, floors_catch_up where accounts are put off, and a state taken into the peaks.
+// The loops over floors of these functions, on vectors of one width; `raise` takes a state into the
+// peaks.
 struct floors_steps {
     bool (*move)(struct work *w, const struct state *now, struct state *next);
     bool (*fly)(const struct flight *f, const struct state *now, struct state *next);

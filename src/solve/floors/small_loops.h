@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The loops of small_steps.h, over all floors at once and in registers, of the terms of
-// floor_terms.h as are those of floor_loops.h. Only the residuals are stored, as each floor needs
-// those of its building.
+// The loops of small_steps.h, made of the terms of floor_terms.h, over all floors at once and in
+// registers. Only the residuals are stored, as each floor needs those of its whole building.
 #ifndef JOSTLE_SMALL_LOOPS_H
 #define JOSTLE_SMALL_LOOPS_H
 
@@ -19,10 +18,11 @@ enum {
 // Vector j of x where floors are joined, else 0.
 #define JOINED(joint, j, x) ((floor_lanes)((floor_bits)PART(joint, j) & (floor_bits)(x)))
 
-// For each vector of n, in loops that are unrolled, or they would not be in registers.
+// For each vector of n, unrolled so that the vectors stay in registers.
 #define EACH_VECTOR(j, n) _Pragma("GCC unroll 4") for (ptrdiff_t j = 0; j < (n); j++)
 
-// Vectors of a model, of which there are two numbers, so that loops over them can be unrolled.
+// Has the model half as many vectors as the largest? There are only these two numbers, constants,
+// so that loops over them can be unrolled.
 LANES_INLINE bool is_low(const struct model *m) {
     return m->n_dof <= SMALL_MAX / 2;
 }

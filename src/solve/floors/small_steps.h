@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of small_model.h, for vectors of one width: see floor_vectors.h. SMALL_STEPS is the
-// name of what the functions make up. In free flight all is in registers between steps but for the
-// displacements, which the gaps want.
+// The steps of small_model.h, for vectors of one width (floor_vectors.h), as a struct small_steps
+// called SMALL_STEPS. In free flight everything stays in registers from step to step but for the
+// displacements, which the penetrations need in memory.
 #ifndef JOSTLE_SMALL_STEPS_H
 #define JOSTLE_SMALL_STEPS_H
 
@@ -64,10 +64,10 @@ struct small_flight {
     const struct floors_lines *lines;
     int n;
     struct state *state;  // of the step that it began with
-    const double *u;      // displacements at the end of the step in hand, where the gaps want them
+    const double *u;      // displacements at the end of the step in hand, in memory for the gaps
 };
 
-// Takes the step to `next` into the peaks. False: it is none in free flight.
+// Takes the step to `next` into the peaks. False: it is not in free flight.
 LANES_INLINE bool small_take_note(const struct small_flight *c, const struct small_floors *next,
                                   double time, double ground) {
     const struct flight *f = c->flight;
@@ -114,15 +114,15 @@ LANES_INLINE void small_work(const struct small_flight *c, const struct small_ta
     }
 }
 
-// Takes steps of a model of n vectors from number `from` to number `end`, or until one is none in
-// free flight; returns the one reached. Between steps all is in registers. Each number on the way
-// from one trial to the next waits for the one before it, and the processor does meanwhile what
-// stands near: so a step is looked at after the next trial, and its works wait one step more.
+// Takes steps of a model of n vectors from number `from` to number `end`, or until one is not in
+// free flight; returns the one reached. From one trial to the next each operation waits for the one
+// before, and meanwhile the processor does independent ones that stand near: so a step is checked
+// after the next trial has begun, and its works are added one step later.
 LANES_INLINE long small_fly(const struct flight *f, const struct floors_lines *lines, int n,
                             struct state *s, long from, long end) {
     const struct work *w = f->work;
-    // Read anew for each step, so that its numbers are operands where they stand; the compiler
-    // would carry as many as it can from step to step, most of them on the stack.
+    // Volatile, so that each step reads its numbers from the table as operands; otherwise the
+    // compiler carries as many as it can from step to step, most of them on the stack.
     struct small_table *volatile table = w->small.table;
     const struct small_scheme scheme = small_scheme_of(w);
     alignas(LANES_LINE) double shown[SMALL_MAX + 2 * LANES_WIDTH] = {0.0};

@@ -5,8 +5,8 @@
 #include "solve/account/peaks.h"
 #include "solve/excitation.h"
 
-// The forcing jumps at the present state, and accelerations with it: a step from the old ones would
-// begin with an error of the first order. Rigid bodies at rest may part by it.
+// The forcing jumps at the present state, and the accelerations with it: a step from the old ones
+// would begin with a first-order error. Rigid bodies at rest may part.
 static void pass_jump(struct run *r) {
     excitation_of_pieces(r->now, &r->length.forcing, r->now->time);
     state_complete(r->now, r->model);

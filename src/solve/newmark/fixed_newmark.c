@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Newmark's method with the steps of the deck: free flight through as many as that goes, else one
-// after the other, cut where it is not solved.
+// Newmark's method with the steps of the deck: as many at a time as are in free flight, else one by
+// one, halved where they are not solved.
 #include "solve/method.h"
 
 // A run in which steps were cut more often than this, and this often per step of the deck, will not
@@ -18,7 +18,7 @@ static int give_up(struct run *r, double h) {
         r->now->time, unit, h, unit, k < 0 ? "forces" : m->link[k].name, r->results->totals.cuts);
 }
 
-// May a step of size h, itself of so many cuts, be cut once more?
+// Counts a cut of a step of size h that has been cut so often. Errors: STATUS_FAILED (too many).
 static int spend_cut(struct run *r, double h, int cuts) {
     if (cuts == RUN_CUTS_MAX) {
         return error_set(

@@ -51,7 +51,7 @@ static int last_building(const struct flight *f, int group) {
     return k[0] > k[1] ? k[0] : k[1];
 }
 
-// Gives each block of floors the groups that can be seen to after it, in their order.
+// Assigns each group to the first block of floors after which both its ends are known, in order.
 static void assign_groups(struct flight *f) {
     const struct floors *floors = &f->work->floors;
     int group = 0;
@@ -164,7 +164,7 @@ static void account(const struct flight *f, const struct state *now, const struc
     }
 }
 
-// What steps in flight leave out.
+// Computes what steps in flight leave out.
 static void complete(const struct flight *f, struct state *s) {
     const struct model *m = f->model;
     flight_deepen(f, s);
@@ -175,7 +175,7 @@ static void complete(const struct flight *f, struct state *s) {
     }
 }
 
-// Steps from n towards `end` that bring no news; returns the one reached.
+// Steps of a small model from n towards `end`; returns the one reached.
 static long glide(struct flight *f, struct state *now, long n, long end) {
     long reached = n;
     while (f->work->small.possible && reached < end) {
@@ -207,7 +207,7 @@ static bool fly_to(struct flight *f, const struct state *now, struct state *next
     return free;
 }
 
-// Has a storey left its line in the step from `before`? Then it most likely will in the next.
+// Has a storey left its line in the step from `before`? Then it most likely will again in the next.
 static bool has_yielded(const struct model *m, const struct state *before, const struct state *s) {
     return memcmp(before->storey_history, s->storey_history,
                   (size_t)m->n_storey_history * sizeof *s->storey_history) != 0;
@@ -238,7 +238,7 @@ static void start_flight(struct flight *f, const struct state *now, struct state
     }
 }
 
-// Takes the account of n steps to the state s; what storeys that yield bear is found anew for it.
+// Accounts for n steps that end in state s, and computes the internal forces of yielding storeys.
 static void finish_flight(const struct flight *f, const struct state *old, struct state *s,
                           long n) {
     struct totals *t = &f->account->results->totals;

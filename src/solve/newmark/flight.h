@@ -7,11 +7,11 @@
 
 #include "solve/work.h"
 
-// Contacts that follow each other, as do the floors at both their ends: LANES_WIDTH at most.
+// Consecutive contacts, LANES_WIDTH at most, whose ends are consecutive floors on both sides.
 struct gap_group {
     int contact;    // the first
     int dof[2];     // its ends; a wall is the zero behind the floors
-    int ground[2];  // that move them apart; the same where none does
+    int ground[2];  // under its ends; equal where the grounds do not move them apart
 };
 
 struct flight {
@@ -27,11 +27,11 @@ struct flight {
     int n_group;
     struct gap_group *group;  // (n_group)
     double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
-    int *group_end;           // by block of floors: after it the groups before this can be seen to
+    int *group_end;           // by block of floors: after it, groups below this can be checked
 };
 
-// Room for the flights of a run with this scratch, which has to know its accounts; false: no
-// memory.
+// Room for the flights of a run with this scratch, whose accounts (floors_account_to) must be set;
+// false: no memory.
 bool flight_alloc(struct flight *f, struct work *w, struct arena *a);
 
 // Steps from step `n` of the model, whose state is `*now`, as far as step `end`, but stops before a
@@ -39,7 +39,7 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a);
 // reached; `*now` is its state, and `*next` is of no meaning.
 long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
 
-// Takes note of the penetrations of a step in flight in which contacts are nearer than ever.
+// Computes the penetrations of `s`, a state in flight, and records those that are nearer than ever.
 void flight_deepen(const struct flight *f, struct state *s);
 
 #endif

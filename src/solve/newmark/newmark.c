@@ -5,15 +5,15 @@
 //     v = v_t + gamma h q,    v_t = v_n + h a_n,                  a = a_n + q.
 // Equilibrium M a + C v + f_s(u) + B' f = p is solved for q at the end of the step,
 //     A q = p - M a_n - C v_t - f_s(u_t) - B' f,   A = M + gamma h C + beta h^2 K.
-// This form serves any beta >= 0, and loses no digits for small steps, where A -> M.
+// This form holds for any beta >= 0, and loses no digits in small steps, where A -> M.
 //
-// Storeys: Newton with their consistent tangents, building by building; a building whose storeys
-// turn out to be on the branch that was assumed is done with, and an elastic one always is. Links:
-// contact.c solves them exactly about each linearisation. Both are consistent, so the two together
-// are Newton's method on all unknowns.
+// Storeys: Newton's method with their consistent tangents, building by building. A building whose
+// storeys turn out to be on the branch that was assumed is finished; an elastic one always is.
+// Links: contact.c solves for their forces exactly about each linearisation. Both are consistent,
+// so the two together are Newton's method on all unknowns.
 //
-// What is done for every floor is in flat loops, in floors.c where all is linear but for the links
-// and else in chain.c; what is done for links, for live ones only.
+// Work on floors is done in flat loops, those of floors.c where all but the links is linear, else
+// those of chain.c; work on links is done for live ones only.
 #include "solve/newmark/newmark.h"
 
 #include <float.h>
@@ -52,7 +52,7 @@ static void residuals(struct work *w, struct state *next, const double *a) {
     state_add_link_forces(next, m, w->storeys.residual);
 }
 
-// Buildings from k on whose storeys do not agree yet.
+// How many buildings in a row, from k on, have storeys that do not agree yet.
 static int disagreeing(const struct work *w, int k) {
     int n = 0;
     while (k + n < w->model->n_building && !w->storeys.agree[k + n]) {
@@ -61,7 +61,8 @@ static int disagreeing(const struct work *w, int k) {
     return n;
 }
 
-// Adds what the residuals lead to to the corrections of these buildings.
+// Solves A dq = residual for the buildings whose storeys do not agree, and adds dq to their
+// corrections.
 static void solve_residuals(struct work *w) {
     const struct building *building = w->model->building;
     const struct storeys *s = &w->storeys;
@@ -79,8 +80,8 @@ static void solve_residuals(struct work *w) {
     }
 }
 
-// Do the storeys of building k bear, at the drifts that the solution found, the shears that their
-// linearisation predicted? Displacements below are known from those above and the drifts.
+// At the drifts of the solution, are the shears of building k those that their linearisation
+// predicted? The displacement below a storey is that above less the drift.
 LANES static bool agrees(const struct work *w, const struct state *next, int k) {
     const struct building *g = &w->model->building[k];
     const double *tangent = w->effective[k].tangent, *stiffness = g->stiffness;
@@ -211,8 +212,7 @@ static int solve_linear(struct work *w, const struct state *now, struct state *n
     return solve_links(w, now, next);
 }
 
-// Everything else that belongs to the end of the step: what follows from accelerations, and the
-// histories of the laws.
+// Completes the end of the step: total accelerations, and the histories of the laws.
 static void finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {

@@ -10,8 +10,8 @@
 #include "solve/newmark/newmark.h"
 #include "solve/run.h"
 
-// Tries at the instant of an event, and how near d = 0 is near enough, as a share of the way that
-// the link would make in the whole step. Rigid contacts keep what they penetrate.
+// Attempts to locate an event, and how near d = 0 is near enough, as a share of the way that the
+// link would go in the whole step. It is finer for rigid contacts, which keep that penetration.
 enum { LOCATIONS_MAX = 40 };
 static const double LOCATED_JUMP = 1e-3;
 static const double LOCATED_RIGID = 1e-8;
@@ -53,10 +53,10 @@ static int commit(struct run *r) {
     return status == STATUS_OK ? run_poll(r, r->now->time) : status;
 }
 
-// Steps to the instant of an event with its link held as it was. Where the step is long the instant
-// is only an estimate: it is mended until the link stands near d = 0, or where it stood before if
-// it was inside by an error; where other contacts make it jump past that, the instant before is
-// taken. STATUS_RETRY: not found.
+// Steps to the instant of an event with its link held as it was. In a long step the instant is only
+// an estimate; it is improved by Newton's method, safeguarded by bisection, until the link stands
+// near d = 0 (or, if a rounding error had it inside at the start, where it stood). Where other
+// contacts make it jump past that, the instant before the jump is taken. STATUS_RETRY: not found.
 static int step_to_event(struct run *r, struct event *event, double end, double h) {
     bool opens = r->now->link[event->link].closed;
     double sign = opens ? -1.0 : 1.0;
@@ -133,7 +133,7 @@ static int endless(const struct run *r, const struct event *event) {
                      r->model->link[event->link].name, r->now->time);
 }
 
-// Goes to the event and lets happen what happens there.
+// Steps to the event and lets the force jump or the bodies meet.
 static int pass_event(struct run *r, struct event *event, double end, double h) {
     int status = STATUS_OK;
     if (r->events[event->link] == EVENTS_ENDLESS) {
@@ -153,7 +153,7 @@ static int pass_event(struct run *r, struct event *event, double end, double h) 
     return status == STATUS_OK ? run_poll_now(r, r->now->time) : status;
 }
 
-// Is the step of size h that has been found short enough? STATUS_RETRY: no.
+// Is the step of size h short enough for what was found in it? STATUS_RETRY: no.
 static int judge(struct run *r, double h) {
     struct work *w = &r->work;
     if (!r->model->adaptive) {

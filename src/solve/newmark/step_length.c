@@ -47,7 +47,7 @@ void step_length_start(struct step_length *s, const struct state *now) {
     s->unsolved = -1;
 }
 
-// What makes steps short, as text.
+// What keeps steps short, for messages.
 static const char *cause(const struct step_length *s) {
     return s->unsolved < 0 ? "the tolerance" : s->model->link[s->unsolved].name;
 }
@@ -78,7 +78,7 @@ int step_length_next(struct step_length *s, const struct state *now, double limi
     return STATUS_OK;
 }
 
-// The acceleration of floor i without what the forcing does directly.
+// The acceleration of floor i less the part that the forcing causes directly.
 static double within(const struct step_length *s, const struct state *at, int i) {
     return at->a[i] - at->external[i] / s->model->mass[i];
 }
@@ -140,7 +140,7 @@ int step_length_reject(struct step_length *s, const struct state *now, double h,
                      now->time, unit, h, unit, cause(s));
 }
 
-// Goes on beyond a corner, if one is reached.
+// Passes the corner if `time` is there.
 static void turn(struct step_length *s, double time) {
     double corner = s->forcing.corner;
     s->turned = time >= corner - 8.0 * DBL_EPSILON * corner;

@@ -19,7 +19,7 @@ struct step_length {
     double cut;               // [T] when a step was last cut at an event
     bool turned;              // the forcing has a corner at the present state,
     bool jumped;              // where it jumps
-    int unsolved;             // link that last asked for a shorter step; -1: the tolerance did
+    int unsolved;             // link that last needed a shorter step; -1: the tolerance did
     double *before, *within;  // [L/T^2] (n_dof) accelerations at the start of the last step: all of
                               // them, and without what the forcing does directly
 };
