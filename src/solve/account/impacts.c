@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 #include "core/arena.h"
-#include "core/number.h"
 #include "solve/account/energy.h"
 #include "solve/account/peaks.h"
 #include "solve/event/crossing.h"
@@ -72,20 +71,6 @@ static void close_impact(struct impact_log *log, const struct state *now, const 
     i->v_rebound = -rate;
     i->complete = true;
     log->open[k] = -1;
-}
-
-void impacts_add(const struct impact_log *log, int k, const struct impact_share *share) {
-    struct results *r = log->results;
-    r->link[k].impulse += share->impulse;
-    r->link[k].dissipated += share->work;
-    if (k < log->model->n_contact && log->open[k] >= 0) {
-        struct impact *i = &r->impact[log->open[k]];
-        i->impulse += share->impulse;
-        i->dissipated += share->work;
-        i->peak_force = number_max(i->peak_force, share->force);
-        i->max_penetration = number_max(i->max_penetration, share->penetration);
-        i->steps += share->steps;
-    }
 }
 
 // Where the grounds of a link's ends move differently, its force works on them too.

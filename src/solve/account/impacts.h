@@ -3,6 +3,7 @@
 #ifndef JOSTLE_IMPACTS_H
 #define JOSTLE_IMPACTS_H
 
+#include "core/number.h"
 #include "solve/account/energy.h"
 
 struct impact_log {
@@ -32,8 +33,21 @@ int impacts_start(struct impact_log *log, const struct state *s, struct error *e
 int impacts_step(struct impact_log *log, const struct state *now, const struct state *next,
                  struct error *e);
 
-// Adds to the totals of link k and, if one is under way, to its impact.
-void impacts_add(const struct impact_log *log, int k, const struct impact_share *share);
+// Adds to the totals of link k and, if one is under way, to its impact. In line for impacts_step.
+static inline void impacts_add(const struct impact_log *log, int k,
+                               const struct impact_share *share) {
+    struct results *r = log->results;
+    r->link[k].impulse += share->impulse;
+    r->link[k].dissipated += share->work;
+    if (k < log->model->n_contact && log->open[k] >= 0) {
+        struct impact *i = &r->impact[log->open[k]];
+        i->impulse += share->impulse;
+        i->dissipated += share->work;
+        i->peak_force = number_max(i->peak_force, share->force);
+        i->max_penetration = number_max(i->max_penetration, share->penetration);
+        i->steps += share->steps;
+    }
+}
 
 // Opens or ends the impact of link k, which has just closed or opened at the instant of `s`.
 int impacts_toggle(struct impact_log *log, const struct state *s, int k, struct error *e);
