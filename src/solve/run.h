@@ -33,6 +33,7 @@ struct run {
     int *events;                // (n_contact) at which the current step of the deck was split
     long events_before;         // totals.events at the start of it
     struct meeting *meeting;    // (n_contact) scratch of rigid impacts
+    bool has_met;               // bodies have met at `now`, of which no peaks have been taken since
 
     struct dp *dp;  // Dormand & Prince's method
 };

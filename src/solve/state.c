@@ -155,12 +155,13 @@ void state_close_link(struct state *s, const struct model *m, int k) {
     if (l->law->close) {
         l->law->close(l->constant, s->link[k].v_close, s->link_history + l->history);
     }
-    s->link[k].force = state_link_force(s, m, k);
+    s->link[k].force = l->law->rebound ? 0.0 : state_link_force(s, m, k);
 }
 
 static bool starts_closed(const struct link *l, double delta, double rate) {
+    bool rests = delta >= 0.0 && rate == 0.0;
     bool meets = delta > 0.0 || (delta == 0.0 && rate > 0.0);
-    return l->bilateral || (meets && !l->law->rebound);
+    return l->bilateral || (l->law->rebound ? rests : meets);
 }
 
 static void start_links(struct state *s, const struct model *m) {
@@ -169,6 +170,17 @@ static void start_links(struct state *s, const struct model *m) {
         s->delta[k] = state_gap(l, m, s->u, s->ground_u) - l->gap;
         if (starts_closed(l, s->delta[k], state_rate(s, m, k))) {
             state_close_link(s, m, k);
+        }
+    }
+}
+
+// Opens the rigid contacts that nothing presses together.
+static void open_idle(struct state *s, const struct model *m) {
+    for (int i = s->n_live - 1; i >= 0; i--) {
+        int k = s->live[i];
+        double least = m->link[k].mass * rest_rounding(&m->link[k], s->a);
+        if (m->link[k].law->rebound && s->link[k].force <= least) {
+            state_open_link(s, k);
         }
     }
 }
@@ -236,4 +248,5 @@ void state_start(struct state *s, const struct model *m) {
     state_commit_storeys(s, m);
     start_links(s, m);
     state_equilibrium(s, m);
+    open_idle(s, m);
 }

@@ -72,8 +72,9 @@ void state_commit_storeys(struct state *s, const struct model *m);
 void state_commit_links(struct state *s, const struct model *m);
 
 // The state at t = 0: initial displacements and velocities, links closed where delta > 0 or about
-// to close (delta = 0, rate > 0), accelerations from equilibrium. Storeys have come there from zero
-// drift without turning; the histories of links are left to state_commit_links.
+// to close (delta = 0, rate > 0), rigid contacts where forces press them together (delta >= 0, rate
+// = 0), accelerations from equilibrium. Storeys have come there from zero drift without turning;
+// the histories of links are left to state_commit_links.
 void state_start(struct state *s, const struct model *m);
 
 // Accelerations that bring the forces of `s` into equilibrium, with the forces of rigid contacts at

@@ -28,6 +28,39 @@ static void a_body_stays_at_rest_under_every_newmark_method(void **state) {
     }
 }
 
+// Three bodies in touch that begin pressed to a wall by 5 N each, beside one that is pulled away:
+// those three never move, and the wall bears them from the first row on. They were shown, and
+// taken for peaks, as if they were free at t = 0.
+static void bodies_pressed_together_at_the_start_rest_from_the_first_row_on(void **state) {
+    (void)state;
+    const char *const method[] = {"step fixed 1ms\noutput -every 1",
+                                  "integrator newmark\nstep adaptive\noutput -interval 1ms"};
+    for (size_t q = 0; q < sizeof method / sizeof method[0]; q++) {
+        struct analysis a = analysis_of("building A -floors 1 -mass 4 -stiffness 0\n"
+                                        "building B -floors 1 -mass 3 -stiffness 0\n"
+                                        "building C -floors 1 -mass 1 -stiffness 10\n"
+                                        "building D -floors 1 -mass 2 -stiffness 0\n"
+                                        "load A:1 constant -2\nload B:1 constant 5\n"
+                                        "load C:1 constant 5\nload D:1 constant 5\n"
+                                        "contact A B -gap 0 -law stereomechanical -e 0.5\n"
+                                        "contact B C -gap 0 -law stereomechanical -e 0.5\n"
+                                        "contact C D -gap 0 -law stereomechanical -e 0.5\n"
+                                        "contact D wall -gap 0 -law stereomechanical -e 0.5\n"
+                                        "duration 0.1\n%s\n",
+                                        method[q]);
+        assert_int_equal(a.results->n_impact, 3);
+        assert_close(a.results->peak[PEAK_ACCELERATION][0], 0.5, 1e-12);
+        for (int i = 1; i < 4; i++) {
+            // Sweeps end where they change forces by 1e-12 of the largest, 15 N; 10 times that.
+            assert_near(a.results->peak[PEAK_ACCELERATION][i], 0.0, 1.5e-10);
+            assert_close(a.rows.force[i], 5.0 * i, 1e-12);
+            assert_close(a.results->link[i].impulse, 0.1 * 5.0 * i, 3e-11);
+        }
+        assert_true(analysis_deepest(&a) < 1e-12);
+        analysis_free(&a);
+    }
+}
+
 // A force that lets a body part at the start of a long step, and at its end presses 3 N: the body
 // is held. Newmark's formulas with a = -1 at the start and v = 0 at the end give a = (1 - gamma) /
 // gamma there; for 2 beta > gamma that leads inside, and d = 0 gives a = (1/2 - beta) / beta.
@@ -134,6 +167,7 @@ static void contacts_at_rest_accelerate_nobody_where_steps_are_split_to_nanoseco
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_body_stays_at_rest_under_every_newmark_method),
+        cmocka_unit_test(bodies_pressed_together_at_the_start_rest_from_the_first_row_on),
         cmocka_unit_test(a_body_that_parts_for_less_than_a_step_is_held),
         cmocka_unit_test(accelerations_of_a_body_at_rest_do_not_alternate),
         cmocka_unit_test(a_contact_at_rest_takes_no_notice_of_steps_split_by_others),

@@ -161,6 +161,31 @@ static void bodies_at_rest_pass_an_impulse_on(void **state) {
     analysis_free(&a);
 }
 
+// A body strikes another that touches a wall: all stop at once. Between both impacts, for no time,
+// they move together and the dashpot brakes them, which is no peak of anything.
+static void what_lasts_for_no_time_is_no_peak(void **state) {
+    (void)state;
+    const char *const method[] = {"step fixed 1.7ms",
+                                  "integrator newmark\nstep adaptive\noutput -interval 10ms"};
+    for (size_t q = 0; q < sizeof method / sizeof method[0]; q++) {
+        struct analysis a =
+            analysis_of("building A -floors 1 -mass 1 -stiffness 0\n"
+                        "building B -floors 1 -mass 1 -stiffness 100\ndamping B dashpot 10\n"
+                        "initial A:1 -velocity 1\n"
+                        "contact A B -gap 10mm -law stereomechanical -e 0\n"
+                        "contact B wall -gap 0 -law stereomechanical -e 0\n"
+                        "duration 0.05\n%s\n",
+                        method[q]);
+        assert_int_equal(a.results->n_impact, 2);
+        assert_close(a.results->peak[PEAK_VELOCITY][0], 1.0, 1e-12);
+        assert_near(a.results->peak[PEAK_VELOCITY][1], 0.0, 1e-8);
+        for (int i = 0; i < 2; i++) {
+            assert_near(a.results->peak[PEAK_ACCELERATION][i], 0.0, 2e-9);
+        }
+        analysis_free(&a);
+    }
+}
+
 // A light body between two heavy ones bounces to and fro ever faster; in the end all move together.
 static void a_light_body_between_heavy_ones_is_caught(void **state) {
     (void)state;
@@ -308,6 +333,7 @@ int main(void) {
         cmocka_unit_test(a_force_that_lets_go_within_a_long_step_gives_nothing_back),
         cmocka_unit_test(an_impulse_travels_through_a_row_that_touches),
         cmocka_unit_test(bodies_at_rest_pass_an_impulse_on),
+        cmocka_unit_test(what_lasts_for_no_time_is_no_peak),
         cmocka_unit_test(a_light_body_between_heavy_ones_is_caught),
         cmocka_unit_test(a_very_light_body_lets_nobody_through),
         cmocka_unit_test(a_very_light_body_is_caught_though_accelerations_part_it),

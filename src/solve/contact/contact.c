@@ -24,7 +24,6 @@
 #include "solve/contact/link_terms.h"
 #include "solve/contact/resolve.h"
 #include "solve/contact/sweep.h"
-#include "solve/event/rest.h"
 
 // Newton sweeps end, and block steps are tried, after so many sweeps, where the last one brought
 // the change of the forces down by less than the factor SLOW.
@@ -47,7 +46,7 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
     const struct link *l = p->link;
     double s = p->flexibility;
     double corrected = ends_difference(p, w->correction) + s * p->force;
-    struct line line = {
+    return (struct line){
         .link = l,
         .history = next->link_history + l->history,
         .d_free = ends_difference(p, w->u_trial) - l->gap + w->b * corrected +
@@ -56,13 +55,12 @@ struct line contact_line(struct work *w, const struct state *now, const struct s
                   state_ground_gap(l, w->model, next->ground_v),
         .d_force = w->b * s,
         .v_force = w->g * s,
+        .v_rest = p->v_rest,
         .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
         .closed = now->link[k].closed,
         .clamped = p->clamped,
         .held = now->link[k].closed && k == w->held,
     };
-    line.v_rest = l->law->rebound ? rest_velocity(now, w->model, w->h, k) : 0.0;
-    return line;
 }
 
 // Rounding error that the forces of other links cause in x (n_dof).

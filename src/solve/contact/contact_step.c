@@ -9,6 +9,7 @@
 #include "solve/contact/link_terms.h"
 #include "solve/contact/sweep.h"
 #include "solve/event/crossing.h"
+#include "solve/event/rest.h"
 
 // A first guess of the force: the polynomial through its values at the end of the last steps in
 // which the link was closed, four at most.
@@ -49,6 +50,9 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
     };
     if (p->kind->n_history > 0) {
         keep_history(now, next, p);
+    }
+    if (p->kind->rebound) {
+        p->v_rest = rest_velocity(now, w->model, w->h, k);
     }
     p->branch = BRANCH_CLOSED;
     p->clamped = false;

@@ -53,6 +53,7 @@ struct link_scratch {
     double fits_to;  // [L] penetration up to which steps are short enough for its spring
     double checked;  // [T] step with which its start or end was last resolved; 0: none
     double kept;     // [F] to step back to
+    double v_rest;   // [L/T] at the end of the step, of a rigid contact at rest
     const struct link *link;
     int index;  // of the link
     bool bilateral;

@@ -32,7 +32,17 @@ bool run_step_alloc(struct run *r, struct arena *a) {
     return true;
 }
 
+// Takes the peaks of a state in which bodies have met once it lasts or is shown: between impacts at
+// one instant there are velocities and accelerations that nobody has for any time.
+static void take_peaks_of_meeting(struct run *r) {
+    if (r->has_met) {
+        peaks_update(r->results, r->model, r->now);
+        r->has_met = false;
+    }
+}
+
 void run_step_complete(struct run *r) {
+    take_peaks_of_meeting(r);
     floors_catch_up(&r->work, r->next, r->now);
     state_complete(r->now, r->model);
 }
@@ -43,6 +53,7 @@ void run_step_finish(struct run *r) {
 
 // Takes `next` as the new committed state.
 static int commit(struct run *r) {
+    take_peaks_of_meeting(r);
     floors_account(&r->work, r->now, r->next);
     gaps_peaks(&r->work.gaps, r->next);
     int status = impacts_step(&r->impacts, r->now, r->next, r->error);
@@ -86,6 +97,7 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
 // Lets the force of the event's link jump.
 static int let_jump(struct run *r, const struct event *event) {
     event_apply(r->now, r->model, event->link);
+    peaks_update(r->results, r->model, r->now);
     impacts_part(&r->impacts, r->now);
     return impacts_toggle(&r->impacts, r->now, event->link, r->error);
 }
@@ -93,6 +105,7 @@ static int let_jump(struct run *r, const struct event *event) {
 // Lets the bodies of a rigid contact meet.
 static int let_meet(struct run *r, const struct event *event) {
     const struct model *m = r->model;
+    r->has_met = true;
     if (event_is_idle(r->now, m, event->link)) {
         impulse_hold(r->now, m, event->link, r->meeting);
         return impacts_meet(&r->impacts, r->now, r->meeting, r->error);
@@ -148,7 +161,6 @@ static int pass_event(struct run *r, struct event *event, double end, double h) 
         r->results->totals.events++;
         r->events[event->link]++;
         status = r->model->link[event->link].law->rebound ? let_meet(r, event) : let_jump(r, event);
-        peaks_update(r->results, r->model, r->now);
     }
     return status == STATUS_OK ? run_poll_now(r, r->now->time) : status;
 }
