@@ -235,6 +235,19 @@ static void clough_aims_at_the_largest_drift(void **state) {
     assert_close(at(&b, 5.0 * uy).shear, YIELD, 1e-12);
 }
 
+// A step may end where the shear is 0, to the last bit: from there the line aims at the yield point
+// (-1, -1) of the other side; it aimed from where it had left the backbone, (4, 1), with V = 0
+// at 3.
+static void clough_reloads_from_a_step_that_ends_at_zero_shear(void **state) {
+    (void)state;
+    const double uy = YIELD / STIFFNESS;
+    struct bound_law b = bind(storey_law_find("clough"), 0.0);
+    commit(&b, 4.0 * uy);
+    commit(&b, 3.0 * uy);
+    assert_true(at(&b, 3.0 * uy).shear == 0.0);
+    assert_close(at(&b, 1.0 * uy).shear, -0.5 * YIELD, 1e-12);
+}
+
 // To 4 d_y, R = 0.1, alpha 0.5, beta 0.3: V = 1.3 V_y, unloading with k / 2, zero shear at 1.4 d_y;
 // after the yield point of the other side, (-1, -1), it unloads with k and aims at 4 - 0.9 = 3.1,
 // where the backbone has 1.21.
@@ -280,6 +293,7 @@ int main(void) {
         cmocka_unit_test(bouc_wen_has_its_closed_forms),
         cmocka_unit_test(bouc_wen_that_would_create_energy_is_refused),
         cmocka_unit_test(clough_aims_at_the_largest_drift),
+        cmocka_unit_test(clough_reloads_from_a_step_that_ends_at_zero_shear),
         cmocka_unit_test(takeda_softens_with_the_drift_reached),
         cmocka_unit_test(a_storey_without_stiffness_cannot_yield),
     };
