@@ -38,10 +38,12 @@ static double yield_drift(const double *c) {
     return c[PEAK_ORIENTED_YIELD] / c[PEAK_ORIENTED_STIFFNESS];
 }
 
+// Along a line flatter than the backbone it would give back more than it has taken.
 static double unloading_stiffness(const double *c, double largest) {
     double k = c[PEAK_ORIENTED_STIFFNESS];
     double alpha = c[PEAK_ORIENTED_ALPHA];
-    return alpha == 0.0 ? k : k * pow(yield_drift(c) / largest, alpha);
+    double softened = alpha == 0.0 ? 1.0 : pow(yield_drift(c) / largest, alpha);
+    return k * fmax(softened, c[PEAK_ORIENTED_HARDENING]);
 }
 
 static struct storey_response backbone(const double *c, double drift) {

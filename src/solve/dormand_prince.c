@@ -145,7 +145,7 @@ static bool at_once(const struct dp *p) {
 
 // Takes the step back, and lets its event happen where it would have begun.
 static int happen_at_once(struct dp *p, struct error *e) {
-    p->trial = fmin(p->trial, p->h);  // a longer one may see another event first, and so on
+    p->trial = fmin(p->trial, p->h / 2.0);  // in a long one events may undo each other for ever
     p->h = 0.0;
     return dp_happen(p, e);
 }

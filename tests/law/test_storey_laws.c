@@ -270,6 +270,23 @@ static void takeda_softens_with_the_drift_reached(void **state) {
     assert_close(at(&b, 3.55 * uy).shear, 1.255 * YIELD, 1e-12);
 }
 
+// Beyond a ductility of R^(-1/alpha), 13, it would unload along a line flatter than its backbone, and
+// follow that line up as well: to 40 d_y in steps it had come below the backbone, V = 4.9 V_y.
+static void takeda_unloads_no_flatter_than_its_backbone(void **state) {
+    (void)state;
+    const double uy = YIELD / STIFFNESS;
+    const struct storey_law *law = storey_law_find("takeda");
+    struct bound_law b = {.law = law};
+    double value[] = {YIELD, 0.1, 0.9, 0.0};
+    struct error e;
+    assert_int_equal(law->prepare(value, STIFFNESS, b.constant, &e), STATUS_OK);
+    for (int i = 1; i <= 40; i++) {
+        commit(&b, i * uy);
+    }
+    assert_close(at(&b, 40.0 * uy).shear, 4.9 * YIELD, 1e-12);
+    assert_close(at(&b, 30.0 * uy).shear, 3.9 * YIELD, 1e-12);
+}
+
 static void a_storey_without_stiffness_cannot_yield(void **state) {
     (void)state;
     for (int k = 0; k < n_storey_law; k++) {
@@ -295,6 +312,7 @@ int main(void) {
         cmocka_unit_test(clough_aims_at_the_largest_drift),
         cmocka_unit_test(clough_reloads_from_a_step_that_ends_at_zero_shear),
         cmocka_unit_test(takeda_softens_with_the_drift_reached),
+        cmocka_unit_test(takeda_unloads_no_flatter_than_its_backbone),
         cmocka_unit_test(a_storey_without_stiffness_cannot_yield),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
