@@ -270,8 +270,8 @@ static void takeda_softens_with_the_drift_reached(void **state) {
     assert_close(at(&b, 3.55 * uy).shear, 1.255 * YIELD, 1e-12);
 }
 
-// Beyond a ductility of R^(-1/alpha), 13, it would unload along a line flatter than its backbone, and
-// follow that line up as well: to 40 d_y in steps it had come below the backbone, V = 4.9 V_y.
+// Beyond a ductility of R^(-1/alpha), 13, it would unload along a line flatter than its backbone,
+// and follow that line up as well: to 40 d_y in steps it had come below the backbone, V = 4.9 V_y.
 static void takeda_unloads_no_flatter_than_its_backbone(void **state) {
     (void)state;
     const double uy = YIELD / STIFFNESS;
