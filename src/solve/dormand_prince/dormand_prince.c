@@ -130,16 +130,23 @@ static void swap_ends(struct dp *p) {
     now->time = next->time;
 }
 
+// Does the last step end at a corner of the forcing?
+static bool is_at_corner(const struct dp *p) {
+    double corner = dp_control_limit(p);
+    return p->h > 0.0 && corner - p->next.time <= 8.0 * DBL_EPSILON * corner;
+}
+
 // Arrives at the end of the last step, and lets happen there what has to happen.
 static int arrive(struct dp *p, struct error *e) {
     if (p->h == 0.0) {
         return STATUS_OK;
     }
     double corner = dp_control_limit(p);
+    bool turns = is_at_corner(p);
     swap_ends(p);
     p->h = 0.0;
     dp_system_commit(&p->system, &p->now);
-    if (corner - p->now.time <= 8.0 * DBL_EPSILON * corner) {
+    if (turns) {
         p->now.time = corner;
         if (forcing_turn(&p->system.forcing, corner)) {
             dp_stages_first(p);
@@ -156,7 +163,7 @@ static bool at_once(const struct dp *p) {
 
 // Takes the step back, and lets its event happen where it would have begun.
 static int happen_at_once(struct dp *p, struct error *e) {
-    p->trial = fmin(p->trial, p->h);  // a longer one may see another event first, and so on
+    p->trial = fmin(p->trial, p->h / 2.0);  // in a long one events may undo each other for ever
     p->h = 0.0;
     return dp_happen(p, e);
 }
@@ -208,7 +215,8 @@ static double reached(const struct dp *p) {
     return p->h > 0.0 ? p->next.time : p->now.time;
 }
 
-// Steps go on beyond the row, whose state is interpolated.
+// Steps go on beyond the row, whose state is interpolated; one at a jump of the forcing shows what
+// is after it.
 static int advance(struct run *r, long *n, long end) {
     double time = model_time(r->model, end);
     while (reached(r->dp) < time) {
@@ -219,6 +227,9 @@ static int advance(struct run *r, long *n, long end) {
         }
     }
     *n = end;
+    if (is_at_corner(r->dp) && r->dp->next.time == time && arrive(r->dp, r->error) != STATUS_OK) {
+        return r->error->status;
+    }
     dp_account_row(r->dp, time, r->now, &r->energy);
     return STATUS_OK;
 }

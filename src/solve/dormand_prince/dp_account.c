@@ -144,9 +144,13 @@ static void row_floors(const struct dp *p, const struct dp_rates *rates, struct 
 }
 
 void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy) {
-    double x = t < p->next.time ? (t - p->now.time) / p->h : 1.0;
-    account_up_to(p, x, energy);
-    const struct dp_rates *rates = x < 1.0 ? rates_at(p, x) : p->stage[DP_STAGES - 1];
+    const struct dp_rates *rates = p->stage[0];
+    *energy = p->energy;
+    if (p->h > 0.0) {
+        double x = t < p->next.time ? (t - p->now.time) / p->h : 1.0;
+        account_up_to(p, x, energy);
+        rates = x < 1.0 ? rates_at(p, x) : p->stage[DP_STAGES - 1];
+    }
     row->time = t;
     row_floors(p, rates, row);
     row_storeys(p, row);

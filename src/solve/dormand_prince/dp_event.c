@@ -19,6 +19,7 @@
 enum { ITERATIONS_MAX = 60 };
 
 static const double STILL = 1.0;  // of the error allowed: drifts that have not moved, together
+static const double SAME = 1e-9;  // of the stiffness of a storey: tangents of one line
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
 // A motion cut at its turning points.
@@ -106,8 +107,10 @@ static struct dp_event link_event(const struct dp *p, int k) {
     return p->model->link[k].law->kink ? dp_kink_before(p, k, event) : event;
 }
 
+// A line that is told from the last committed point on has a slope as wrong as that by rounding.
 static bool is_on_branch(const struct dp *p, int i, double drift) {
-    return dp_system_tangent(&p->system, &p->now, i, drift) == p->system.tangent[i];
+    double change = dp_system_tangent(&p->system, &p->now, i, drift) - p->system.tangent[i];
+    return fabs(change) <= SAME * p->model->chain.stiffness[i];
 }
 
 // The drift between low and high at which the law leaves the tangent of its branch.

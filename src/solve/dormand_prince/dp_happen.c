@@ -76,8 +76,10 @@ static int change(struct dp *p, const struct dp_event *event, struct error *e) {
             p->system.phase[k] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;
             return STATUS_OK;
         case DP_BRANCH:
+            dp_system_branch(&p->system, &p->now, k, event->target, event->direction);
+            return STATUS_OK;
         case DP_UNLOAD:
-            dp_system_branch(&p->system, &p->now, k, event->direction);
+            dp_system_branch(&p->system, &p->now, k, p->now.drift[k], event->direction);
             return STATUS_OK;
         default:
             return STATUS_OK;

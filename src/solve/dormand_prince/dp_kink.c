@@ -72,6 +72,9 @@ bool dp_kink_sticks(struct dp *p, int k) {
     const struct model *m = p->model;
     enum phase *phase = &p->system.phase[k];
     const int sign = *phase;
+    if (p->now.delta[k] <= dp_motion_noise(p, k)) {
+        return false;  // where d = 0 there is no force
+    }
     double change = dp_system_across(&m->link[k], m, p->now.a, p->now.ground_a);
     double after = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
     *phase = -*phase;

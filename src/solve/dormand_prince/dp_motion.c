@@ -49,7 +49,7 @@ struct motion dp_motion_storey(const struct dp *p, int i) {
 
 double dp_motion_noise(const struct dp *p, int k) {
     const struct link *l = &p->model->link[k];
-    double size = fabs(l->gap);
+    double size = fabs(l->gap) + p->scales.most_u;  // bodies at rest move by rounding
     for (int i = 0; i < 2; i++) {
         size +=
             l->dof[i] == WALL ? 0.0 : fmax(fabs(p->now.u[l->dof[i]]), fabs(p->next.u[l->dof[i]]));

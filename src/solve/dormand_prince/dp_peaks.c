@@ -19,7 +19,15 @@ static const double BESIDE = 0.02, BEYOND = 1.1, NEARLY = 0.999;
 static const double INNER = 0.3;
 
 enum { ITERATIONS_MAX = 40, TRIES = 3 };
+
+// Of the largest displacement over the largest velocity: in a shorter step, as between two events,
+// rounding of displacements makes more of the interpolated velocities than any peak inside could.
+static const double INSTANT = 1e-8;
 static const double PLACED = 1e-4;  // of the step, of an extremum of a force; its error is a square
+
+static bool is_instant(const struct dp *p) {
+    return p->h * p->scales.most_v < INSTANT * p->scales.most_u;
+}
 
 static void note(struct dp *p, enum peak q, int i, double value, double time) {
     double size = fabs(value);
@@ -183,8 +191,11 @@ static bool may_bend(const struct dp *p, const struct dp_look *l, int i) {
 }
 
 static void floor_step(struct dp *p, const struct dp_look *l, int i) {
-    inner_step(p, i);
-    if (may_bend(p, l, i)) {
+    bool instant = is_instant(p);
+    if (!instant) {
+        inner_step(p, i);
+    }
+    if (!instant && may_bend(p, l, i)) {
         inner_acceleration(p, &p->model->building[p->system.building[i]], i);
     }
     floor_at(p, &p->next, i);
@@ -273,7 +284,7 @@ static double inner_force(const struct dp *p, int i, const struct motion *m, dou
     double rate = last->dfdd[i] * m->v[1] + last->dfdv[i] * m->a[1];
     double force = last->force[i];
     *time = p->next.time;
-    if (start * rate >= 0.0) {
+    if (start * rate >= 0.0 || is_instant(p)) {
         return force;
     }
     struct polynomial path = hermite_position(m);

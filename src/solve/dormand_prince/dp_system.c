@@ -68,10 +68,11 @@ static void fill_rows(struct dp_system *s, int i) {
     }
 }
 
-void dp_system_branch(struct dp_system *s, const struct state *now, int i, double direction) {
+void dp_system_branch(struct dp_system *s, const struct state *now, int i, double from,
+                      double direction) {
     if (!s->calls[i]) {
         double drift = now->drift[i];
-        double beyond = drift + copysign(dp_system_storey_noise(s, now, i), direction);
+        double beyond = from + copysign(dp_system_storey_noise(s, now, i), direction);
         s->tangent[i] = storey_at(s, now, i, beyond).tangent;
         s->base[i] = storey_at(s, now, i, drift).shear - s->tangent[i] * drift;
     }
@@ -98,7 +99,7 @@ static void start_floor(struct dp_system *s, const struct state *now, int k, int
     }
     if (law->law->n_history > 0) {
         s->inelastic[s->n_inelastic++] = i;
-        dp_system_branch(s, now, i, now->v[i] - (floor > 0 ? now->v[i - 1] : 0.0));
+        dp_system_branch(s, now, i, now->drift[i], now->v[i] - (floor > 0 ? now->v[i - 1] : 0.0));
     }
     fill_rows(s, i);
 }

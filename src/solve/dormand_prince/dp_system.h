@@ -59,8 +59,10 @@ bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a
 void dp_system_start(struct dp_system *s, const struct state *now);
 
 // The branch of the inelastic storey below floor i at its committed state when its drift goes on in
-// `direction` (its sign).
-void dp_system_branch(struct dp_system *s, const struct state *now, int i, double direction);
+// `direction` (its sign) beyond `from`: its drift, or the end of its line, from which it may be
+// farther than is noise.
+void dp_system_branch(struct dp_system *s, const struct state *now, int i, double from,
+                      double direction);
 
 // Tangent of the storey at `drift` with the committed history, and the smallest change of its drift
 // that counts.
