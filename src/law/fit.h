@@ -25,9 +25,6 @@ struct fit_result {
     double normalised_error;     // ||measured - fitted|| / ||measured|| over the samples
 };
 
-// True if the law has what can be fitted.
-bool fit_is_possible(const struct contact_law *law);
-
 // Finds k, zeta and the instant of closure by least squares. Errors: STATUS_INPUT (the record does
 // not hold an impact), STATUS_FAILED (no convergence), STATUS_SYSTEM (no memory).
 int fit_run(const struct fit_request *request, struct fit_result *out, struct error *e);

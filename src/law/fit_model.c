@@ -8,7 +8,8 @@
 static const double JUMP = 1e-6;  // of the peak
 enum { SAMPLES_MIN = 6, SAMPLES_MAX = 10000000 };
 
-bool fit_is_possible(const struct contact_law *law) {
+// Has the law a stiffness that can be fitted?
+static bool is_possible(const struct contact_law *law) {
     int k = contact_law_row(law, "k");
     return law->force && k >= 0 && law->row[k].kind == ROW_NUMBER;
 }
@@ -32,7 +33,7 @@ static int check_record(const struct fit_request *q, double *peak, struct error 
 
 int fit_model_init(const struct fit_request *q, struct fit_model *m, struct error *e) {
     *m = (struct fit_model){.q = q, .damped = contact_law_row(q->law, "zeta") >= 0};
-    if (!fit_is_possible(q->law)) {
+    if (!is_possible(q->law)) {
         return error_set(e, STATUS_INPUT, "%s has no k that could be fitted", q->law->name);
     }
     int status = check_record(q, &m->peak, e);

@@ -6,6 +6,7 @@
 #include "law/peak_oriented.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 // The committed drift and shear, the beyond-yield part of the largest drift either way, and the
@@ -37,10 +38,12 @@ static double yield_drift(const double *c) {
     return c[PEAK_ORIENTED_YIELD] / c[PEAK_ORIENTED_STIFFNESS];
 }
 
+// Along a line flatter than the backbone it would give back more than it has taken.
 static double unloading_stiffness(const double *c, double largest) {
     double k = c[PEAK_ORIENTED_STIFFNESS];
     double alpha = c[PEAK_ORIENTED_ALPHA];
-    return alpha == 0.0 ? k : k * pow(yield_drift(c) / largest, alpha);
+    double softened = alpha == 0.0 ? 1.0 : pow(yield_drift(c) / largest, alpha);
+    return k * fmax(softened, c[PEAK_ORIENTED_HARDENING]);
 }
 
 static struct storey_response backbone(const double *c, double drift) {
@@ -121,10 +124,12 @@ void peak_oriented_commit(const double *constant, double *history, double drift)
     struct path p = path_to(constant, history, drift);
     double way = p.sign * drift;
     enum stage stage = stage_of(&p, way);
-    double shear = p.sign * response(&p, stage, way).shear;
+    double along = response(&p, stage, way).shear;
+    double shear = p.sign * along;
+    bool to_zero = stage == STAGE_UNLOAD && along >= 0.0;  // from where it would reload anyway
     history[DRIFT] = drift;
     history[SHEAR] = shear;
-    if (stage == STAGE_RELOAD) {
+    if (stage == STAGE_RELOAD || to_zero) {
         double *beyond = &history[p.sign > 0.0 ? RIGHT : LEFT];
         *beyond = fmax(*beyond, way - yield_drift(constant));
         history[TURN_DRIFT] = drift;

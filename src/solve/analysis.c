@@ -8,8 +8,8 @@
 
 #include "core/arena.h"
 #include "core/wall.h"
+#include "solve/account/peaks.h"
 #include "solve/method.h"
-#include "solve/peaks.h"
 
 int run_poll_now(struct run *r, double time) {
     const struct observer *o = r->observer;
@@ -61,8 +61,8 @@ static int observe(struct run *r) {
     return o->row(o->context, &row, r->error);
 }
 
-// The next step of the model, after n, that is a row of the output, or at which the observer is
-// asked.
+// The next step after n that is a row of the output, or at which the observer is asked whether to
+// go on.
 static long stretch_end(const struct run *r, long n) {
     long every = r->model->output.every;
     if (!r->observer) {
@@ -103,8 +103,8 @@ static bool run_alloc(struct run *r, struct arena *a) {
     r->next = &r->store[1];
     r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
     return r->row_force && energy_alloc(&r->energy, m, a) && state_alloc(r->now, m, a) &&
-           impacts_alloc(&r->impacts, m, a) && peaks_alloc(r->results, m, a) &&
-           r->method->alloc(r, a);
+           impacts_alloc(&r->impacts, m, r->results, &r->energy, a) &&
+           peaks_alloc(r->results, m, a) && r->method->alloc(r, a);
 }
 
 static int run_start(struct run *r) {
@@ -119,7 +119,7 @@ static int run_start(struct run *r) {
     if (r->method->start) {
         r->method->start(r);
     }
-    return impacts_start(&r->impacts, r->results, r->model, r->now, r->error);
+    return impacts_start(&r->impacts, r->now, r->error);
 }
 
 int analysis_begin(struct run *r, const struct model *m, const struct observer *observer,
@@ -157,7 +157,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
     if (r->method->finish) {
         r->method->finish(r);
     }
-    impacts_finish(&r->impacts, results, r->model, r->now);
+    impacts_finish(&r->impacts, r->now);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = wall_seconds() - r->start;
     *out = results;

@@ -3,10 +3,10 @@
 
 #include <string.h>
 
-#include "solve/chain.h"
+#include "solve/floors/chain.h"
 
 // With one ground under all, nothing depends on its velocity and displacement.
-void excitation_grounds(struct state *s, const struct model *m, double t) {
+static void grounds(struct state *s, const struct model *m, double t) {
     for (int k = 0; k < m->n_ground; k++) {
         const struct ground *g = &m->ground[k];
         s->ground_a[k] = s->ground_v[k] = s->ground_u[k] = 0.0;
@@ -50,7 +50,7 @@ void excitation_floors(struct state *s, const struct model *m, double t) {
 }
 
 void excitation_at(struct state *s, const struct model *m, double t) {
-    excitation_grounds(s, m, t);
+    grounds(s, m, t);
     excitation_floors(s, m, t);
 }
 
@@ -86,6 +86,6 @@ void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
     if (state_is_uniform(m) && x->time[x->sought] == t) {
         s->ground_a[0] = x->ground[x->sought];
     } else {
-        excitation_grounds(s, m, t);
+        grounds(s, m, t);
     }
 }

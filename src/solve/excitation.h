@@ -10,16 +10,15 @@
 // external forces -m a_ground + p of `s` to time t.
 void excitation_at(struct state *s, const struct model *m, double t);
 
-// Its parts: what is of the grounds, and what is of the floors.
-void excitation_grounds(struct state *s, const struct model *m, double t);
+// The forces on the floors only, with the ground's accelerations as they are in `s`.
 void excitation_floors(struct state *s, const struct model *m, double t);
 
-// The same from the pieces of the forcing, no later than its next corner: there the limit from the
-// left before forcing_turn, that from the right after it.
+// excitation_at from the pieces of the forcing, for t up to its next corner. At the corner it is
+// the limit from the left before forcing_turn, and that from the right after.
 void excitation_of_pieces(struct state *s, const struct forcing *f, double t);
 
-// Ends of fixed steps, and where one ground moves all the ground's accelerations then, computed for
-// many steps at a time.
+// The ends of fixed steps, and if one ground moves all floors its accelerations then, computed many
+// steps at a time.
 enum { EXCITATION_AHEAD = 128 };
 struct excitation_ahead {
     long from;                      // step of the first; before anything is known -EXCITATION_AHEAD
@@ -28,10 +27,10 @@ struct excitation_ahead {
     double ground[EXCITATION_AHEAD];  // [L/T^2]
 };
 
-// Sees to it that what is known begins with step n or before, and goes as far as n or beyond.
+// Computes ahead, unless that has been done, so that step n is among the steps known.
 void excitation_foresee(struct excitation_ahead *x, const struct model *m, long n);
 
-// excitation_grounds, for any t, but at once where the step sought last ends.
+// The motion of the grounds only, at any t; looked up where t is the end of the step sought last.
 void excitation_grounds_known(const struct excitation_ahead *x, struct state *s,
                               const struct model *m, double t);
 

@@ -68,7 +68,7 @@ static inline double piece_value(const struct piece *p, double t) {
     return p->shape == PIECE_LINE ? p->value + p->slope * (t - p->start) : sine_value(p->signal, t);
 }
 
-// True if the piece gives way to another that jumps.
+// Replaces the piece by the next one where it has ended. True if the signal jumps there.
 static bool turn(const struct forcing *f, struct piece *p, const struct signal *s, double t) {
     if (f->corner == -INFINITY) {
         *p = piece_from(s, t);
@@ -82,7 +82,7 @@ static bool turn(const struct forcing *f, struct piece *p, const struct signal *
     return fabs(piece_value(p, t) - before) > JUMP * fabs(before);
 }
 
-// Adds the piece to the lines of its ground, if it is one.
+// Adds the piece to the lines of its ground if it is a line.
 static void add_line(struct forcing *f, struct sloping *lines, const struct piece *p) {
     if (p->shape == PIECE_LINE) {
         lines->value += piece_value(p, lines->start);

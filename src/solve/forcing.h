@@ -43,8 +43,7 @@ struct forcing_values {
 // Room for the pieces of a model; false: no memory.
 bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a);
 
-// Goes on from time t: the pieces that end there give way to those that begin. True if one of them
-// jumps.
+// Replaces the pieces that end at time t by those that begin there. True if a signal jumps.
 bool forcing_turn(struct forcing *f, double t);
 
 // The lines of ground k at time t, not after the next corner.

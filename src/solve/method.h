@@ -17,13 +17,13 @@ struct method {
     void (*start)(struct run *r);
 
     // Goes from step *n of the model to a later one, `end` at most, and makes r->now its state.
-    // What is shown of it need be made for `end` only.
+    // Quantities that only rows show may be left out before `end`.
     int (*advance)(struct run *r, long *n, long end);
 
-    // Makes what is shown of r->now, and r->energy up to it; NULL: they are right after advance.
+    // Computes what rows show of r->now and brings r->energy up to it; NULL: advance has done so.
     void (*complete)(struct run *r);
 
-    // Adds to the results what is known at the end of a run only; NULL: nothing is.
+    // Adds to the results what is known only at the end of a run; NULL: nothing.
     void (*finish)(struct run *r);
 };
 

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-// Looked at once in so many steps.
+// The pace is checked once in so many steps.
 enum { PACE_STEPS = 20000 };
 
 // The equal parts may be this much longer than the error control asks for: less than 1 / SAFETY of

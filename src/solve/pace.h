@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Adaptive steps: how many to the next corner, and will the run end in a reasonable time?
+// The pace of adaptive steps: how many there are to the next corner, and whether the run will end
+// in a reasonable time.
 #ifndef JOSTLE_PACE_H
 #define JOSTLE_PACE_H
 
@@ -11,11 +12,11 @@ struct pace {
 };
 
 // Counts a step that is tried at `time`. True if steps have become so short that the run would take
-// more than ADAPTIVE_STEPS_MAX of them: *step is then how far they get [T].
+// more than ADAPTIVE_STEPS_MAX of them; *step is then their mean length [T].
 bool pace_is_slow(struct pace *p, const struct model *m, double time, double *step);
 
-// The number of equal steps, or less than 1 for one, in which to go as far as `rest`: a little
-// longer ones than `trial` serve, none longer than `longest`; [T].
+// The number of equal steps in which to cover `rest` (a value below 1 means one step): they may be
+// a little longer than `trial`, but not longer than `longest`; [T].
 double pace_parts(double rest, double trial, double longest);
 
 #endif

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An analysis under way, and its parts: for the methods of integration, and for runs in lockstep.
+// An analysis under way, and the parts of the time loop that methods of integration and runs in
+// lockstep share.
 #ifndef JOSTLE_RUN_H
 #define JOSTLE_RUN_H
 
-#include "solve/energy.h"
-#include "solve/flight.h"
-#include "solve/impacts.h"
-#include "solve/step_length.h"
+#include "solve/account/energy.h"
+#include "solve/account/impacts.h"
+#include "solve/newmark/flight.h"
+#include "solve/newmark/step_length.h"
 #include "solve/work.h"
 
 struct dp;
@@ -47,13 +48,13 @@ int analysis_begin(struct run *r, const struct model *m, const struct observer *
 // Step n of the deck (from 1), with its row, of a run with fixed steps. Not 0: the same.
 int analysis_step(struct run *r, long n);
 
-// Takes note of the energies of a row that have been put in `results`. STATUS_FAILED: not finite.
+// Raises the largest residual to that of the energies now in `results`. STATUS_FAILED: not finite.
 int analysis_note_energies(struct run *r);
 
-// Ends an analysis whose steps gave `status`, which it returns: *out has the results if it is 0.
+// Ends an analysis whose steps gave `status`, and returns that; if it is 0, *out has the results.
 int analysis_end(struct run *r, int status, struct results **out);
 
-// Asks the observer whether to go on: every so many steps, or now. Not 0: no.
+// Asks the observer whether to go on, every so many steps or now. Not 0: stop.
 enum { RUN_POLL_STEPS = 4096 };
 int run_poll(struct run *r, double time);
 int run_poll_now(struct run *r, double time);
@@ -66,18 +67,19 @@ bool run_step_alloc(struct run *r, struct arena *a);
 // A step that is not solved is halved at most this often; 2^-30 of it is then taken as it is.
 enum { RUN_CUTS_MAX = 30 };
 
-// Steps to `end`, h later, or to the first event on the way; *rest is what is left of h. A step of
-// so many `cuts` is taken as it is where it cannot be cut. STATUS_RETRY: a shorter one is wanted.
+// Steps to `end`, h later, or to the first event on the way; *rest is what is left of h. `cuts`:
+// how often the step has been halved; at RUN_CUTS_MAX it is taken as it is. STATUS_RETRY: a shorter
+// step is needed.
 int run_step(struct run *r, double end, double h, int cuts, double *rest);
 
-// What struct method asks for.
+// `complete` and `finish` of struct method.
 void run_step_complete(struct run *r);
 void run_step_finish(struct run *r);
 
-// Starts to count the events of each contact anew, if there were any.
+// Counts the events of each contact from 0 again.
 void run_forget_events(struct run *r);
 
-// In fixed_newmark.c: step n of the deck (from 1), by one or as many as it takes.
+// In fixed_newmark.c: step n of the deck (from 1), cut into as many steps as it takes.
 int fixed_newmark_step(struct run *r, long n);
 
 #endif

@@ -8,8 +8,8 @@
 // Share of the expected motion that counts as its size from the start.
 static const double EXPECTED = 1e-2;
 
-// A building that has hardly moved yet is measured by a hundredth of what others have: without
-// that, the first touch of a building at rest would take endless steps.
+// A building that has hardly moved yet is measured by a hundredth of the largest motion of any:
+// otherwise the first touch of a building at rest would take steps without end.
 static const double SHARE = 1e-2;
 
 bool scale_alloc(struct scales *s, const struct model *m, struct arena *a) {

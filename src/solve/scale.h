@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the errors of adaptive steps are measured by: the largest displacement and velocity of any
-// floor of the building so far.
+// The scales of errors in adaptive steps: the largest displacement and velocity of any floor of the
+// building so far.
 #ifndef JOSTLE_SCALE_H
 #define JOSTLE_SCALE_H
 
@@ -14,12 +14,12 @@ struct scales {
 // Room for the scales of a model; false: no memory.
 bool scale_alloc(struct scales *s, const struct model *m, struct arena *a);
 
-// Sizes that motions will reach at least: those of the slowest mode under a hundredth of the
-// excitation. Without them a start from rest under forces with a kink at rest would take endless
-// steps.
+// Starts with sizes that motions will at least reach: those of the slowest mode under a hundredth
+// of the excitation. Without them a start from rest, under forces that have a kink there, would
+// take steps without end.
 void scale_expect(struct scales *s, const struct model *m);
 
-// Makes the scales again from the peaks so far.
+// Updates the scales from the peaks so far.
 void scale_update(struct scales *s, const struct model *m, const struct results *r);
 
 #endif

@@ -7,9 +7,9 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/chain.h"
+#include "solve/event/rest.h"
 #include "solve/excitation.h"
-#include "solve/rest.h"
+#include "solve/floors/chain.h"
 
 static bool alloc_floors(struct state *s, const struct model *m, struct arena *a) {
     double **const part[] = {&s->u,       &s->v,     &s->a,     &s->base,

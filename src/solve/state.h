@@ -66,15 +66,15 @@ static inline void state_enliven(struct state *s, int k) {
 // Opens link k and takes it out of `live`.
 void state_open_link(struct state *s, int k);
 
-// Takes the drifts of a solved state into the histories of the storeys, and the penetrations of its
-// closed links into theirs.
+// Bring the histories of the storeys to the drifts of a solved state, and those of closed links to
+// its penetrations.
 void state_commit_storeys(struct state *s, const struct model *m);
 void state_commit_links(struct state *s, const struct model *m);
 
 // The state at t = 0: initial displacements and velocities, links closed where delta > 0 or about
 // to close (delta = 0, rate > 0), rigid contacts where forces press them together (delta >= 0, rate
-// = 0), accelerations from equilibrium. Storeys have got there straight; what that leaves in the
-// histories of links is up to state_commit_links.
+// = 0), accelerations from equilibrium. Storeys have come there from zero drift without turning;
+// the histories of links are left to state_commit_links.
 void state_start(struct state *s, const struct model *m);
 
 // Accelerations that bring the forces of `s` into equilibrium, with the forces of rigid contacts at
@@ -103,25 +103,24 @@ static inline bool state_is_uniform(const struct model *m) {
     return m->n_ground == 1 && m->n_load == 0;
 }
 
-// Drifts, storey shears and C v at the displacements u and velocities v (n_dof), with the storey
-// history of `s`.
+// Sets drifts, storey shears and C v to the displacements u and velocities v (n_dof), with the
+// storey history of `s`.
 void state_internal_forces(struct state *s, const struct model *m, const double *u,
                            const double *v);
 
-// Accelerations of the ground, external and internal forces, drifts and total accelerations, which
-// steps of linear models leave out; nothing for others. Adaptive steps leave out no forces from
-// outside.
+// Computes what the steps of linear models leave out: accelerations of the ground, external and
+// internal forces, drifts and total accelerations. Adaptive steps have the external forces already.
 void state_complete(struct state *s, const struct model *m);
 
 // total = a + base.
 void state_totals(struct state *s, const struct model *m);
 
-// Penetration of link l from displacements (or its velocity from velocities), with the ground's
-// share.
+// Penetration of link l before its gap is taken off, from displacements u and those of the grounds
+// (or its rate from velocities).
 double state_gap(const struct link *l, const struct model *m, const double *u,
                  const double *ground);
 
-// The ground's share of that; 0 where both ends stand on the same ground. In line for the contact
+// The grounds' share of that; 0 where both ends stand on the same ground. In line for the contact
 // iteration.
 static inline double state_ground_gap(const struct link *l, const struct model *m,
                                       const double *ground) {
@@ -133,7 +132,7 @@ static inline double state_ground_gap(const struct link *l, const struct model *
 // Adds to `floor` (n_dof) the forces of the live links on the floors.
 void state_add_link_forces(const struct state *s, const struct model *m, double *floor);
 
-// Rounding of the difference of `x` (n_dof) between both ends of a link.
+// Bound on the rounding error of the difference of `x` (n_dof) between both ends of a link.
 double state_rounding(const struct link *l, const double *x);
 
 #endif

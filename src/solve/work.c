@@ -6,7 +6,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/sweep.h"
+#include "solve/contact/sweep.h"
 
 static bool alloc_floors(struct work *w, const struct model *m, struct arena *a) {
     struct storeys *s = &w->storeys;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scratch of the solver, meaningless between steps but for the factors, which are kept as long as
-// the step size and the tangents stay. All of it is allocated before the first step.
+// Scratch of the solver. Only the factors outlive a step: they are kept as long as the step size
+// and the tangents stay the same. All of it is allocated before the first step.
 #ifndef JOSTLE_WORK_H
 #define JOSTLE_WORK_H
 
-#include "solve/block.h"
-#include "solve/chain.h"
-#include "solve/effective.h"
+#include "solve/contact/block.h"
+#include "solve/contact/gaps.h"
+#include "solve/contact/line.h"
 #include "solve/excitation.h"
-#include "solve/floors.h"
-#include "solve/gaps.h"
-#include "solve/line.h"
-#include "solve/small_model.h"
+#include "solve/floors/chain.h"
+#include "solve/floors/effective.h"
+#include "solve/floors/floors.h"
+#include "solve/floors/small_model.h"
 #include "solve/state.h"
 
-// What to do where a contact or storey iteration does not converge.
+// What to do when the iteration of contacts or storeys does not converge.
 enum strictness {
     STEP_STRICT,  // give STATUS_RETRY, so that the step is cut
     STEP_ACCEPT,  // take the last iterate and count it: the step is as short as it gets
@@ -31,7 +31,7 @@ struct storeys {
     double *drift, *shear;  // (n_dof) [L] [F] where they were linearised
     double *residual;       // (n_dof) [F]
     double *change;         // (n_dof) [L/T^2] of the correction
-    bool *agree;            // (n_building) those of a building bear what their tangents predicted
+    bool *agree;            // (n_building) a building's shears are as their tangents predicted
 };
 
 struct link_scratch;
@@ -50,7 +50,7 @@ struct work {
     long factors;                 // counts its factorisations
     enum strictness strictness;
     enum splitting splitting;
-    int unresolved;  // link that last asked for a shorter step; -1: none did
+    int unresolved;  // link that last needed a shorter step; -1: none did
     int held;        // link that stays open or closed in this step; -1: none
 
     const struct forcing *forcing;  // borrowed; NULL: steps are fixed, and do not end at corners
@@ -73,14 +73,14 @@ struct work {
     bool commits;                  // some law remembers what happens in contact
     int n_toggled, *toggled;       // links that have closed or opened in the step in hand
     int n_rigid, *rigid;           // contacts of laws without a force
-    double others_d, others_v;     // [L] [L/T] rounding that links bring to each other
+    double others_d, others_v;     // [L] [L/T] rounding error that other links cause at a link
     struct clusters clusters;
     struct block block;
 };
 
 bool work_alloc(struct work *w, const struct model *m, struct totals *totals, struct arena *a);
 
-// Makes the factors right for a step of size h. Those for the model's own step are kept meanwhile.
+// Factorises for steps of size h. The factors for the model's own step size are kept meanwhile.
 // STATUS_RETRY: a matrix is not positive definite.
 int work_factor(struct work *w, double h);
 

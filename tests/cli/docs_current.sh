@@ -54,7 +54,7 @@ else
     status=1
 fi
 missing=
-for file in src/solve/*.[ch]; do
+for file in src/solve/*.[ch] src/solve/*/*.[ch]; do
     grep -qE "(^|[^a-z_])${file##*/}([^a-z_]|\$)" docs/architecture.md || missing="$missing $file"
 done
 if [ -z "$missing" ]; then

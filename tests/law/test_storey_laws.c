@@ -235,6 +235,19 @@ static void clough_aims_at_the_largest_drift(void **state) {
     assert_close(at(&b, 5.0 * uy).shear, YIELD, 1e-12);
 }
 
+// A step may end where the shear is 0, to the last bit: from there the line aims at the yield point
+// (-1, -1) of the other side; it aimed from where it had left the backbone, (4, 1), with V = 0
+// at 3.
+static void clough_reloads_from_a_step_that_ends_at_zero_shear(void **state) {
+    (void)state;
+    const double uy = YIELD / STIFFNESS;
+    struct bound_law b = bind(storey_law_find("clough"), 0.0);
+    commit(&b, 4.0 * uy);
+    commit(&b, 3.0 * uy);
+    assert_true(at(&b, 3.0 * uy).shear == 0.0);
+    assert_close(at(&b, 1.0 * uy).shear, -0.5 * YIELD, 1e-12);
+}
+
 // To 4 d_y, R = 0.1, alpha 0.5, beta 0.3: V = 1.3 V_y, unloading with k / 2, zero shear at 1.4 d_y;
 // after the yield point of the other side, (-1, -1), it unloads with k and aims at 4 - 0.9 = 3.1,
 // where the backbone has 1.21.
@@ -255,6 +268,23 @@ static void takeda_softens_with_the_drift_reached(void **state) {
     assert_close(at(&b, -0.5 * uy).shear, -0.5 * YIELD, 1e-12);
     assert_close(at(&b, 1.0 * uy).shear, 1.21 / 3.1 * YIELD, 1e-12);
     assert_close(at(&b, 3.55 * uy).shear, 1.255 * YIELD, 1e-12);
+}
+
+// Beyond a ductility of R^(-1/alpha), 13, it would unload along a line flatter than its backbone,
+// and follow that line up as well: to 40 d_y in steps it had come below the backbone, V = 4.9 V_y.
+static void takeda_unloads_no_flatter_than_its_backbone(void **state) {
+    (void)state;
+    const double uy = YIELD / STIFFNESS;
+    const struct storey_law *law = storey_law_find("takeda");
+    struct bound_law b = {.law = law};
+    double value[] = {YIELD, 0.1, 0.9, 0.0};
+    struct error e;
+    assert_int_equal(law->prepare(value, STIFFNESS, b.constant, &e), STATUS_OK);
+    for (int i = 1; i <= 40; i++) {
+        commit(&b, i * uy);
+    }
+    assert_close(at(&b, 40.0 * uy).shear, 4.9 * YIELD, 1e-12);
+    assert_close(at(&b, 30.0 * uy).shear, 3.9 * YIELD, 1e-12);
 }
 
 static void a_storey_without_stiffness_cannot_yield(void **state) {
@@ -280,7 +310,9 @@ int main(void) {
         cmocka_unit_test(bouc_wen_has_its_closed_forms),
         cmocka_unit_test(bouc_wen_that_would_create_energy_is_refused),
         cmocka_unit_test(clough_aims_at_the_largest_drift),
+        cmocka_unit_test(clough_reloads_from_a_step_that_ends_at_zero_shear),
         cmocka_unit_test(takeda_softens_with_the_drift_reached),
+        cmocka_unit_test(takeda_unloads_no_flatter_than_its_backbone),
         cmocka_unit_test(a_storey_without_stiffness_cannot_yield),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

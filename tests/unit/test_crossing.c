@@ -2,7 +2,7 @@
 // Zeros of the cubic through both ends of a step.
 #include <math.h>
 
-#include "solve/crossing.h"
+#include "solve/event/crossing.h"
 #include "support/support.h"
 
 static double time_of(double d0, double v0, double d1, double v1, double h, double *rate) {

@@ -3,7 +3,7 @@
 // pushes only push, and only where bodies stay together; momentum and energy are accounted for.
 #include <math.h>
 
-#include "solve/together.h"
+#include "solve/event/together.h"
 #include "support/random.h"
 #include "support/support.h"
 

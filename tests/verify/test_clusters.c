@@ -10,9 +10,9 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "solve/newmark.h"
-#include "solve/rest.h"
-#include "solve/sweep.h"
+#include "solve/contact/sweep.h"
+#include "solve/event/rest.h"
+#include "solve/newmark/newmark.h"
 #include "support/analysis.h"
 #include "support/random.h"
 #include "support/random_deck.h"

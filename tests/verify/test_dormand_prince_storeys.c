@@ -117,6 +117,30 @@ static void a_storey_that_yields_both_ways_in_a_step_unloads_between(void **stat
     assert_close(peak[0], peak[1], 1e-2);  // 1e-4 a step; it was 11.7 in place of 8 m/s^2
 }
 
+// The lines of a storey that remembers its largest drift end where they meet, too. Its acceleration
+// is largest where it yields, of which steps over that missed up to 1e4 times the tolerance.
+static void a_storey_that_remembers_ends_its_steps_at_its_kinks(void **state) {
+    (void)state;
+    static const char *const law[] = {"clough -yield 5000 -hardening 0.1",
+                                      "takeda -yield 5000 -hardening 0.1 -beta 0.3"};
+    for (int i = 0; i < 6; i++) {
+        const double tolerance[] = {pow(10.0, -6 - i % 3), 1e-12};
+        struct analysis a[2];
+        for (int j = 0; j < 2; j++) {
+            a[j] = analysis_of(OSCILLATOR "storey A:1 %s\nground sine -amplitude 8 -frequency 1.5\n"
+                                          "duration 4\nstep adaptive -tolerance %g\n",
+                               law[i / 3], tolerance[j]);
+        }
+        // The error of a step, through eight periods.
+        for (int q = 0; q < PEAK_COUNT; q++) {
+            assert_close(a[0].results->peak[q][0], a[1].results->peak[q][0], 20.0 * tolerance[0]);
+        }
+        assert_int_equal(a[0].results->totals.events, a[1].results->totals.events);
+        analysis_free(&a[0]);
+        analysis_free(&a[1]);
+    }
+}
+
 // The smooth law, and those whose branches are made by each turn of the drift, against small fixed
 // steps.
 static void every_storey_law_agrees_with_newmark(void **state) {
@@ -131,6 +155,7 @@ int main(void) {
         cmocka_unit_test(a_drift_within_the_error_of_the_step_does_not_turn),
         cmocka_unit_test(a_storey_yields_however_short_the_steps),
         cmocka_unit_test(a_storey_that_yields_both_ways_in_a_step_unloads_between),
+        cmocka_unit_test(a_storey_that_remembers_ends_its_steps_at_its_kinks),
         cmocka_unit_test(every_storey_law_agrees_with_newmark),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

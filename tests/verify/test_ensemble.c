@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "jostle/ensemble.h"
-#include "solve/ensemble_lockstep.h"
+#include "solve/ensemble/ensemble_lockstep.h"
 #include "support/analysis.h"
 #include "support/random_deck.h"
 #include "support/support.h"

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "solve/effective.h"
-#include "solve/gaps.h"
+#include "solve/contact/gaps.h"
+#include "solve/floors/effective.h"
 #include "support/analysis.h"
 #include "support/random.h"
 #include "support/support.h"

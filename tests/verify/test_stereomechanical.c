@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rigid impacts against closed forms: bodies under constant forces, rows that touch, floors that
-// meet together, bounces that come to rest. src/solve/impulse.c says what is done.
+// meet together, bounces that come to rest. src/solve/event/impulse.c says what is done.
 #include <math.h>
 
 #include "support/analysis.h"

@@ -6,7 +6,7 @@
 // One paper prints the relative momentum in place of the relative velocity.
 //
 // What happens where several contacts are struck at once, and where bounces become too small to
-// follow, is told in src/solve/impulse.c.
+// follow, is told in src/solve/event/impulse.c.
 #include "law/contact_list.h"
 
 enum { E, N_ROW };

@@ -31,6 +31,7 @@ const struct storey_law storey_clough = {
     .n_row = N_ROW,
     .n_constant = PEAK_ORIENTED_CONSTANTS,
     .n_history = PEAK_ORIENTED_HISTORY,
+    .traits = STOREY_STRAIGHT,
     .prepare = clough_prepare,
     .shear = peak_oriented_shear,
     .commit = peak_oriented_commit,

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The account of energy: works since t = 0, and what a state holds.
+#ifndef JOSTLE_ENERGY_H
+#define JOSTLE_ENERGY_H
+
+#include "solve/event/impulse.h"
+
+// Works since t = 0 [F L], each the sum over steps of a mean force times a displacement.
+struct energy_account {
+    double initial;  // kinetic, strain and contact energy at t = 0
+    // Twice the work of external and damping forces: floor i of the chain adds to element i %
+    // LANES_WIDTH, and in a step the lower floor first.
+    double input_2x[LANES_WIDTH], damping_2x[LANES_WIDTH];
+    double input, damping;  // other work: of links on the grounds, of adaptive steps
+    double contact;
+    double *storey_2x;    // (n_dof) twice the work on storeys, where some are not elastic
+    double storey;        // work on storeys that are not elastic, beyond that
+    double stored_start;  // their recoverable energy at t = 0
+};
+
+// Room for the account of a model; false: no memory.
+bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena);
+
+// Energies of the start state.
+void energy_start(struct energy_account *a, const struct model *m, const struct state *s);
+
+// Adds the energy of closed links at the start state, which is both initial energy and work done on
+// them, to the account and to each link's own in `link` (n_link). Errors: STATUS_SYSTEM (no
+// memory).
+int energy_start_links(struct energy_account *a, const struct model *m, const struct state *s,
+                       struct link_peak *link, struct error *e);
+
+// Adds the works on floors and storeys in the step from `now` to `next`.
+void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
+                 const struct state *next);
+
+// Adds the losses of rigid contacts that met at the instant of `s`. `meeting` is (n_contact).
+void energy_meet(struct energy_account *a, const struct model *m, const struct state *s,
+                 const struct meeting *meeting);
+
+// What the account needs of a state: sums over all floors.
+struct energy_sums {
+    double kinetic;               // [F L]
+    double elastic, other;        // [F L] stored in elastic storeys, and in others
+    double storey;                // [F L] work so far on those
+    double input_2x, damping_2x;  // [F L] twice the work of external and damping forces so far
+};
+
+// The account with the sums of a state, into energy (ENERGY_COUNT).
+void energy_close(const struct energy_account *a, const struct energy_sums *sums, double *energy);
+
+// The account at state `s` into energy (ENERGY_COUNT).
+void energy_balance(const struct energy_account *a, const struct model *m, const struct state *s,
+                    double *energy);
+
+#endif

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The account of every impact: from closure to opening, located within their steps.
+#include "solve/account/impacts.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/arena.h"
+#include "solve/account/energy.h"
+#include "solve/account/peaks.h"
+#include "solve/event/crossing.h"
+
+bool impacts_alloc(struct impact_log *log, const struct model *m, struct results *r,
+                   struct energy_account *energy, struct arena *a) {
+    log->model = m;
+    log->results = r;
+    log->energy = energy;
+    log->open = arena_alloc(a, (size_t)m->n_contact, sizeof *log->open);
+    for (int k = 0; log->open && k < m->n_contact; k++) {
+        log->open[k] = -1;
+    }
+    return log->open != NULL;
+}
+
+static int open_impact(struct impact_log *log, const struct state *s, int k, struct error *e) {
+    struct results *r = log->results;
+    if (r->n_impact == r->impact_capacity) {
+        long capacity = r->impact_capacity ? 2 * r->impact_capacity : 256;
+        struct impact *larger = realloc(r->impact, (size_t)capacity * sizeof *larger);
+        if (!larger) {
+            return error_no_memory(e);
+        }
+        r->impact = larger;
+        r->impact_capacity = capacity;
+    }
+    log->open[k] = r->n_impact;
+    r->impact[r->n_impact++] = (struct impact){
+        .contact = k,
+        .t_start = s->link[k].t_close,
+        .v_approach = s->link[k].v_close,
+        .peak_force = fmax(s->link[k].force, 0.0),
+        .max_penetration = fmax(s->delta[k], 0.0),
+    };
+    r->link[k].impacts++;
+    return STATUS_OK;
+}
+
+int impacts_start(struct impact_log *log, const struct state *s, struct error *e) {
+    const struct results *r = log->results;
+    for (int k = 0; k < log->model->n_contact; k++) {
+        if (!s->link[k].closed) {
+            continue;
+        }
+        if (open_impact(log, s, k, e) != STATUS_OK) {
+            return e->status;
+        }
+        r->impact[log->open[k]].dissipated = r->link[k].dissipated;  // what it holds already
+    }
+    return STATUS_OK;
+}
+
+// Ends the impact under way of contact k, which opens on the way from `now` to `next`.
+static void close_impact(struct impact_log *log, const struct state *now, const struct state *next,
+                         int k) {
+    const struct model *m = log->model;
+    struct impact *i = &log->results->impact[log->open[k]];
+    struct path path = {fmax(now->delta[k], 0.0), state_rate(now, m, k), fmin(next->delta[k], 0.0),
+                        state_rate(next, m, k), next->time - now->time};
+    double rate;
+    i->t_end = now->time + crossing_find(&path, &rate);
+    i->v_rebound = -rate;
+    i->complete = true;
+    log->open[k] = -1;
+}
+
+// Where the grounds of a link's ends move differently, its force works on them too.
+static double ground_work(const struct link *l, const struct model *m, double mean,
+                          const struct state *now, const struct state *next) {
+    double relative =
+        state_gap(l, m, next->u, next->ground_u) - state_gap(l, m, now->u, now->ground_u);
+    double own = next->u[l->dof[0]] - next->u[l->dof[1]] - (now->u[l->dof[0]] - now->u[l->dof[1]]);
+    return mean * (relative - own);
+}
+
+int impacts_step(struct impact_log *log, const struct state *now, const struct state *next,
+                 struct error *e) {
+    const struct model *m = log->model;
+    double h = next->time - now->time;
+    double contact = 0.0;
+    for (int j = 0; j < next->n_live; j++) {
+        int k = next->live[j];
+        peaks_link(log->results, m, next, k);
+        if (!now->link[k].closed && !next->link[k].closed) {
+            continue;
+        }
+        if (!now->link[k].closed && open_impact(log, next, k, e) != STATUS_OK) {
+            return e->status;
+        }
+        double mean = (now->link[k].force + next->link[k].force) / 2.0;  // by the trapezoidal rule
+        struct impact_share share = {
+            .impulse = mean * h,
+            .work = mean * (next->delta[k] - now->delta[k]),
+            .force = next->link[k].force,
+            .penetration = next->delta[k],
+            .steps = next->link[k].closed,
+        };
+        impacts_add(log, k, &share);
+        contact += share.work;
+        if (m->n_ground > 1 && m->link[k].moving_ground) {
+            log->energy->input += ground_work(&m->link[k], m, mean, now, next);
+        }
+        if (!next->link[k].closed) {
+            close_impact(log, now, next, k);
+        }
+    }
+    log->energy->contact += contact;
+    return STATUS_OK;
+}
+
+// Ends the impact under way of contact k at the instant of `s`.
+static void end_impact(struct impact_log *log, const struct state *s, int k) {
+    struct impact *i = &log->results->impact[log->open[k]];
+    i->t_end = s->time;
+    i->v_rebound = -state_rate(s, log->model, k);
+    i->complete = true;
+    log->open[k] = -1;
+}
+
+int impacts_toggle(struct impact_log *log, const struct state *s, int k, struct error *e) {
+    if (s->link[k].closed) {
+        return open_impact(log, s, k, e);
+    }
+    end_impact(log, s, k);
+    return STATUS_OK;
+}
+
+void impacts_part(struct impact_log *log, const struct state *s) {
+    const struct model *m = log->model;
+    for (int k = 0; k < m->n_contact; k++) {
+        if (m->link[k].law->rebound && log->open[k] >= 0 && !s->link[k].closed) {
+            end_impact(log, s, k);
+        }
+    }
+}
+
+int impacts_meet(struct impact_log *log, const struct state *s, const struct meeting *meeting,
+                 struct error *e) {
+    const struct model *m = log->model;
+    for (int k = 0; k < m->n_contact; k++) {
+        const struct meeting *met = &meeting[k];
+        bool starts = log->open[k] < 0 && (met->struck || state_rests(s, m, k));
+        if (starts && open_impact(log, s, k, e) != STATUS_OK) {
+            return e->status;
+        }
+        if (met->struck) {
+            struct impact *i = &log->results->impact[log->open[k]];
+            if (starts) {
+                i->t_start = s->time;
+                i->v_approach = met->approach;
+            }
+            struct impact_share share = {.impulse = met->impulse, .work = met->work};
+            impacts_add(log, k, &share);
+        }
+    }
+    impacts_part(log, s);
+    return STATUS_OK;
+}
+
+// A rigid contact has no finite force at impact.
+static void blank_rigid_forces(struct results *r, const struct model *m) {
+    for (long i = 0; i < r->n_impact; i++) {
+        if (m->link[r->impact[i].contact].law->rebound) {
+            r->impact[i].peak_force = NAN;
+        }
+    }
+    for (int k = 0; k < m->n_contact; k++) {
+        if (m->link[k].law->rebound) {
+            r->link[k].force = NAN;
+            r->link[k].force_time = NAN;
+        }
+    }
+}
+
+bool impacts_is_coarse(const struct model *m, const struct impact *i) {
+    return !m->adaptive && i->complete && i->steps < IMPACT_STEPS_MIN &&
+           !m->link[i->contact].law->rebound;
+}
+
+static void count_coarse(struct results *r, const struct model *m) {
+    for (long i = 0; i < r->n_impact; i++) {
+        r->totals.coarse += impacts_is_coarse(m, &r->impact[i]);
+    }
+}
+
+static int compare_starts(const void *a, const void *b) {
+    const struct impact *x = a;
+    const struct impact *y = b;
+    if (x->t_start != y->t_start) {
+        return x->t_start < y->t_start ? -1 : 1;
+    }
+    return x->contact - y->contact;
+}
+
+void impacts_finish(struct impact_log *log, const struct state *s) {
+    const struct model *m = log->model;
+    struct results *r = log->results;
+    for (int k = 0; k < m->n_contact; k++) {
+        if (log->open[k] >= 0) {
+            struct impact *i = &r->impact[log->open[k]];
+            i->t_end = s->time;
+            i->v_rebound = -state_rate(s, m, k);
+        }
+    }
+    blank_rigid_forces(r, m);
+    count_coarse(r, m);
+    if (r->n_impact > 1) {
+        qsort(r->impact, (size_t)r->n_impact, sizeof *r->impact, compare_starts);
+    }
+}

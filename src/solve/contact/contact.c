@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contact iteration.
+//
+// With A the effective masses and B the links' directions, accelerations are a = a_free - A^-1 B'
+// f, so that link l has d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l
+// with the flexibility S = B A^-1 B'. S is never formed: a column of A^-1 carries each change of a
+// force into the accelerations. Newton sweeps (sweep.c) take Newton steps, link by link, and give a
+// link its exact answer (line.c) with the others held where such a step is not safe. They go on as
+// long as the changes shrink fast. From then on every link gets its exact answer in each sweep,
+// which is coordinate descent on a convex function where laws do not pull, and so converges for any
+// step. Where that is slow, because stiff links share a floor, a block Newton step (block.c) is put
+// between sweeps, and kept only if it halves the error.
+//
+// Converged: another sweep would change no force by more than the tolerance times the largest, or
+// would move no link by more than the rounding error of its displacements. The latter keeps grazing
+// contacts, whose force is all rounding, from iterating for ever.
+#include "solve/contact/contact.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "core/number.h"
+#include "solve/contact/block.h"
+#include "solve/contact/link_terms.h"
+#include "solve/contact/resolve.h"
+#include "solve/contact/sweep.h"
+
+// Newton sweeps end, and block steps are tried, after so many sweeps, where the last one brought
+// the change of the forces down by less than the factor SLOW.
+enum { PLAIN_SWEEPS = 4 };
+
+static const double SLOW = 0.2;
+
+// After so many, laws are no longer allowed to pull.
+enum { PULLING_SWEEPS = 25 };
+
+// A change of a force by less than this share of it may come from rounding errors in the others.
+static const double SMALL = 1e-8;
+
+static double ends_difference(const struct link_scratch *p, const double *x) {
+    return x[p->end[0]] - x[p->end[1]];
+}
+
+struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
+    const struct link_scratch *p = &w->link[k];
+    const struct link *l = p->link;
+    double s = p->flexibility;
+    double corrected = ends_difference(p, w->correction) + s * p->force;
+    return (struct line){
+        .link = l,
+        .history = next->link_history + l->history,
+        .d_free = ends_difference(p, w->u_trial) - l->gap + w->b * corrected +
+                  state_ground_gap(l, w->model, next->ground_u),
+        .v_free = ends_difference(p, w->v_trial) + w->g * corrected +
+                  state_ground_gap(l, w->model, next->ground_v),
+        .d_force = w->b * s,
+        .v_force = w->g * s,
+        .v_rest = p->v_rest,
+        .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
+        .closed = now->link[k].closed,
+        .clamped = p->clamped,
+        .held = now->link[k].closed && k == w->held,
+    };
+}
+
+// Rounding error that the forces of other links cause in x (n_dof).
+static double rounding_of_others(const struct work *w, const double *x) {
+    double largest = 0.0;
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        for (int j = g->first; j < g->first + g->n_floor; j++) {
+            largest = number_max(largest, fabs(x[j]));
+        }
+    }
+    return 16.0 * DBL_EPSILON * largest;
+}
+
+// How much rounding errors d and v change the force of a link.
+static double noise(const struct line *l, enum branch branch, double f, double d, double v) {
+    if (l->link->law->rebound || f == l->v_free / l->v_force) {
+        return v / l->v_force;
+    }
+    if (branch == BRANCH_CLOSED) {
+        struct contact_response r = line_law(l, f);
+        double slope = l->d_force * r.dfdd + l->v_force * r.dfdv;
+        double change = (fabs(r.dfdd) * d + fabs(r.dfdv) * v) / (1.0 + fabs(slope));
+        if (isfinite(change)) {
+            return change;
+        }
+    }
+    return l->d_force > 0.0 ? d / l->d_force : 0.0;
+}
+
+// Is a change of the force no more than rounding? Rounding in other links' forces counts too where
+// the change is small and the sweeps have been going on for long.
+static bool negligible(const struct work *w, const struct line *l, enum branch branch, double f,
+                       double df) {
+    double corrected = state_rounding(l->link, w->correction);
+    double d =
+        state_rounding(l->link, w->u_trial) + w->b * corrected + 4.0 * DBL_EPSILON * l->link->gap;
+    double v = state_rounding(l->link, w->v_trial) + w->g * corrected;
+    if (fabs(df) <= SMALL * fabs(f)) {
+        d += w->others_d;
+        v += w->others_v;
+    }
+    bool maybe = l->v_force * fabs(df) <= v || l->d_force * fabs(df) <= d;
+    return maybe && fabs(df) <= noise(l, branch, f, d, v);
+}
+
+double contact_answer(struct work *w, const struct state *now, struct state *next, int k) {
+    struct link_scratch *p = &w->link[k];
+    struct line line = contact_line(w, now, next, k);
+    double force;
+    p->branch = line_answer(&line, p->force, &force);
+    double df = force - p->force;
+    sweep_push(w, p, df);
+    p->force = force;
+    return df;
+}
+
+// Gives the link its exact answer. Newton steps may follow where the law leaves no choice of
+// branch.
+static void answer_exactly(struct work *w, const struct state *now, struct state *next,
+                           struct link_scratch *p, struct progress *s) {
+    int k = p->index;
+    const struct contact_law *law = p->link->law;
+    double df = contact_answer(w, now, next, k);
+    bool jumps = law->traits & CONTACT_JUMPS;
+    bool pulls = law->traits & CONTACT_MAY_PULL;
+    p->trusted = p->branch == BRANCH_CLOSED && law->force && !p->clamped &&
+                 (now->link[k].closed || !(jumps || pulls));
+    p->open = p->branch == BRANCH_OPEN && law->force && !(now->link[k].closed && pulls);
+    p->ask = true;
+    s->answered = true;
+    s->largest = number_max(s->largest, fabs(p->force));
+    if (fabs(df) > s->moved[LAW_UNKNOWN]) {
+        struct line line = contact_line(w, now, next, k);
+        if (!negligible(w, &line, p->branch, p->force, df)) {
+            s->moved[LAW_UNKNOWN] = fabs(df);
+        }
+    }
+}
+
+// How a sweep answers: exactly, or by Newton steps where they are safe.
+enum answers { ANSWERS_EXACT, ANSWERS_NEWTON };
+
+// Goes over acting links `first` to end - 1.
+static void visit(struct work *w, const struct state *now, struct state *next, enum answers answers,
+                  int first, int end, struct progress *s) {
+    for (int i = first;; i++) {
+        i = answers == ANSWERS_NEWTON ? sweep_newton(w, i, end, s) : i;
+        if (i == end) {
+            return;
+        }
+        answer_exactly(w, now, next, w->acting[i], s);
+    }
+}
+
+// Turns the progress of the last sweep, or of the guess, into that of a sweep about to begin.
+static void renew(const struct work *w, struct progress *s) {
+    s->enough = w->model->tolerance * s->largest;
+    s->largest = s->moved[LAW_KNOWN] = s->moved[LAW_UNKNOWN] = 0.0;
+    s->clear = INFINITY;
+    s->answered = false;
+}
+
+// The first sweep, by groups of links that the cache holds until they have been visited.
+static void first_sweep(struct work *w, const struct state *now, struct state *next,
+                        struct progress *s) {
+    sweep_begin(w, next, s);
+    renew(w, s);
+    for (int first = 0, end; first < w->n_acting; first = end) {
+        end = first + SWEEP_GROUP < w->n_acting ? first + SWEEP_GROUP : w->n_acting;
+        sweep_gather(w, next, first, end, s);
+        visit(w, now, next, ANSWERS_NEWTON, first, end, s);
+    }
+}
+
+static void sweep(struct work *w, const struct state *now, struct state *next, enum answers answers,
+                  struct progress *s) {
+    renew(w, s);
+    if (answers == ANSWERS_NEWTON) {
+        sweep_ask_again(w, s);
+    }
+    visit(w, now, next, answers, 0, w->n_acting, s);
+}
+
+// Is the step short enough for all links? Checked early, so that one that is not costs little.
+static bool is_hopeful(struct work *w, const struct state *now, const struct state *next) {
+    for (int i = 0; i < w->n_acting && w->strictness == STEP_STRICT; i++) {
+        if (!resolve_suffices(w, now, next, w->acting[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// With laws that pull there may be no solution, or several between which sweeps go to and fro.
+// Without their tension there is just one.
+static void clamp(struct work *w) {
+    for (int i = 0; i < w->n_acting; i++) {
+        struct link_scratch *p = w->acting[i];
+        p->clamped = !p->link->bilateral && (p->link->law->traits & CONTACT_MAY_PULL);
+    }
+}
+
+// Block steps on all clusters; true if one was of use.
+static bool block_steps(struct work *w, const struct state *now, struct state *next) {
+    bool any = false;
+    int n = cluster_find(&w->clusters, w->model, next);
+    for (int i = 0; i < n; i++) {
+        struct cluster c = cluster_at(&w->clusters, i);
+        any |= c.n > 1 && block_step(w, now, next, &c, &w->clusters.nearest[i]);
+    }
+    return any;
+}
+
+// Largest change of a force in a sweep.
+static double changed(const struct progress *s) {
+    return number_max(s->moved[LAW_UNKNOWN], s->moved[LAW_KNOWN]);
+}
+
+// Would another sweep change next to nothing? One of Newton steps measures that against the largest
+// force of the sweep before, which may have been much larger.
+static bool converged(const struct work *w, enum answers answers, const struct progress *s) {
+    double tolerance = w->model->tolerance * s->largest;
+    double echo = w->n_acting == 1 ? 0.0 : s->answered ? 1.0 : number_min(s->echo, 1.0);
+    return IS_SETTLED(s, echo, tolerance) && !(s->moved[LAW_KNOWN] > s->clear) &&
+           (answers == ANSWERS_EXACT || IS_MEASURED(s->enough, tolerance));
+}
+
+// Sweeps, with block steps between them once plain sweeps are too slow. *counter becomes that of
+// the totals which counts solutions by the means that were needed.
+static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
+    struct progress s;
+    double before = INFINITY;
+    w->others_d = w->others_v = 0.0;
+    for (int i = 0; i < w->model->n_building; i++) {
+        w->clusters.nearest[i] = INFINITY;
+    }
+    enum answers answers = ANSWERS_NEWTON;
+    for (int i = 0; i < w->model->iterations; i++) {
+        if (i == 0) {
+            first_sweep(w, now, next, &s);
+        } else {
+            sweep(w, now, next, answers, &s);
+        }
+        w->totals->iterations++;
+        if (converged(w, answers, &s)) {
+            return STATUS_OK;
+        }
+        if (i == PLAIN_SWEEPS) {
+            if (!is_hopeful(w, now, next)) {
+                return STATUS_RETRY;
+            }
+            w->others_d = rounding_of_others(w, w->u_trial);
+            w->others_v = rounding_of_others(w, w->v_trial);
+        }
+        if (i == PULLING_SWEEPS) {
+            clamp(w);
+            answers = ANSWERS_EXACT;
+        }
+        if (i + 1 >= PLAIN_SWEEPS && changed(&s) > SLOW * before) {
+            answers = ANSWERS_EXACT;
+            bool blocked = block_steps(w, now, next) || *counter == &w->totals->block;
+            *counter = blocked ? &w->totals->block : &w->totals->scalar;
+        }
+        before = changed(&s);
+    }
+    w->totals->unsolved += w->strictness == STEP_ACCEPT;
+    return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
+}
+
+// A link whose law would pull if it were allowed to has neither an open nor a closed solution.
+static enum branch judge_clamped(struct work *w, const struct state *now, const struct state *next,
+                                 const struct link_scratch *p) {
+    if (!p->clamped || p->force != 0.0 || p->branch != BRANCH_CLOSED) {
+        return p->branch;
+    }
+    struct line line = contact_line(w, now, next, p->index);
+    line.clamped = false;
+    return line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
+}
+
+// Stores the force found for a link. False: the step is too long, or there is neither an open nor a
+// closed solution, so that the link opens inside the step, and it has not bounced to rest.
+static bool take(struct work *w, const struct state *now, struct state *next,
+                 struct link_scratch *p) {
+    int k = p->index;
+    bool strict = w->strictness == STEP_STRICT;
+    if (strict && !resolve_suffices(w, now, next, p)) {
+        return false;
+    }
+    p->branch = judge_clamped(w, now, next, p);
+    next->link[k].force = p->force;
+    next->link[k].closed = p->branch != BRANCH_OPEN;
+    if (next->link[k].closed != now->link[k].closed) {
+        w->toggled[w->n_toggled++] = k;
+    }
+    return !strict || p->branch != BRANCH_NONE ||
+           resolve_negligible(w, now, state_rate(now, w->model, k));
+}
+
+static int take_all(struct work *w, const struct state *now, struct state *next) {
+    w->n_toggled = 0;
+    for (int i = 0; i < w->n_acting; i++) {
+        if (!take(w, now, next, w->acting[i])) {
+            return STATUS_RETRY;
+        }
+    }
+    return STATUS_OK;
+}
+
+int contact_solve(struct work *w, const struct state *now, struct state *next) {
+    long *counter = &w->totals->fast;
+    int status = iterate(w, now, next, &counter);
+    status = status == STATUS_OK ? take_all(w, now, next) : status;
+    *counter += status == STATUS_OK;
+    return status;
+}

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In a row of buildings links k, k + 1, ... join floors i, i + 1, ... of one building to floors j,
+// j + 1, ... of the next, so that their penetrations are differences of stretches of one array.
+#include "solve/contact/gaps.h"
+
+#include <math.h>
+
+#include "core/arena.h"
+#include "core/lanes.h"
+#include "core/number.h"
+#include "solve/account/peaks.h"
+
+// Where the end of a link stands among the displacements; a wall is the zero behind them.
+static int end_of(const struct model *m, int k, int side) {
+    int dof = m->link[k].dof[side];
+    return dof == WALL ? m->n_dof : dof;
+}
+
+// Does link k carry on the run?
+static bool continues(const struct model *m, const struct gap_run *r, int k) {
+    const struct link *l = &m->link[k];
+    return l->dof[0] == r->left + r->n && l->dof[1] == r->right + r->n &&
+           l->building[0] == r->building[0] && l->building[1] == r->building[1];
+}
+
+static void find_runs(struct gaps *g) {
+    const struct model *m = g->model;
+    for (int k = 0; k < m->n_link; k++) {
+        const struct link *l = &m->link[k];
+        g->gap[k] = l->gap;
+        g->limit[k] = g->nearest[k] = -INFINITY;
+        if (g->n_run > 0 && continues(m, &g->run[g->n_run - 1], k)) {
+            g->run[g->n_run - 1].n++;
+            g->run_of[k] = g->n_run - 1;
+            continue;
+        }
+        g->all[g->n_run] = g->run_of[k] = g->n_run;
+        g->run[g->n_run++] = (struct gap_run){
+            k, 1, end_of(m, k, 0), end_of(m, k, 1), {l->building[0], l->building[1]}};
+    }
+}
+
+// Lists the runs at each building, by counting.
+static void sort_runs(struct gaps *g) {
+    for (int i = 0; i < 2 * g->n_run; i++) {
+        int k = g->run[i / 2].building[i % 2];
+        if (k != WALL) {
+            g->start[k]++;
+        }
+    }
+    for (int k = 1; k <= g->model->n_building; k++) {
+        g->start[k] += g->start[k - 1];
+    }
+    for (int i = 2 * g->n_run - 1; i >= 0; i--) {
+        int k = g->run[i / 2].building[i % 2];
+        if (k != WALL) {
+            g->of_building[--g->start[k]] = i / 2;
+        }
+    }
+}
+
+bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
+    size_t n_link = (size_t)m->n_link;
+    size_t n_building = (size_t)m->n_building;
+    *g = (struct gaps){
+        .model = m,
+        .gap = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->gap),
+        .limit = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->limit),
+        .nearest = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->nearest),
+        .time = arena_alloc(a, n_link, sizeof *g->time),
+        .run_of = arena_alloc(a, n_link, sizeof *g->run_of),
+        .beyond = arena_alloc(a, n_link, sizeof *g->beyond),
+        .all = arena_alloc(a, n_link, sizeof *g->all),
+        .acting = arena_alloc(a, n_link, sizeof *g->acting),
+        .share = arena_alloc(a, n_link, sizeof *g->share),
+        .run = arena_alloc(a, n_link, sizeof *g->run),
+        .start = arena_alloc(a, n_building + 1, sizeof *g->start),
+        .of_building = arena_alloc(a, 2 * n_link, sizeof *g->of_building),
+        .visited = arena_alloc(a, n_link, sizeof *g->visited),
+        .pressed = arena_alloc(a, n_link, sizeof *g->pressed),
+        .touched = arena_alloc(a, n_building, sizeof *g->touched),
+        .is_touched = arena_alloc(a, n_building, sizeof *g->is_touched),
+    };
+    if (!g->gap || !g->limit || !g->nearest || !g->time || !g->run_of || !g->beyond || !g->all ||
+        !g->acting || !g->share || !g->run || !g->start || !g->of_building || !g->visited ||
+        !g->pressed || !g->touched || !g->is_touched) {
+        return false;
+    }
+    find_runs(g);
+    sort_runs(g);
+    return true;
+}
+
+// The penetrations of a run, into delta (n_link); true if one is beyond its limit.
+static inline bool update_run(const struct gaps *g, const struct gap_run *r,
+                              const double *restrict u, double *restrict delta) {
+    const double *restrict left = u + r->left;
+    const double *restrict right = u + r->right;
+    const double *restrict gap = g->gap + r->first;
+    const double *restrict limit = g->limit + r->first;
+    double *restrict d = delta + r->first;
+    int64_t sign = 0;
+    LANES_LOOP
+    for (int j = 0, n = r->n; j < n; j++) {
+        double x = left[j] - right[j] - gap[j];
+        d[j] = x;
+        sign |= number_bits(limit[j] - x);
+    }
+    return sign < 0;
+}
+
+// Does a link of the run that does not act stand inside?
+static inline bool is_pressed(const struct gaps *g, const struct gap_run *r, const double *delta) {
+    const double *restrict d = delta + r->first;
+    const double *restrict limit = g->limit + r->first;
+    long inside = 0;
+    for (int j = 0, n = r->n; j < n; j++) {
+        inside |= d[j] > number_max(limit[j], 0.0);
+    }
+    return inside != 0;
+}
+
+// The penetrations of n runs, on grounds that move together. Returns how many are pressed.
+LANES static int update(const struct gaps *g, const double *u, double *delta, int n,
+                        const int *visited, int *pressed) {
+    int n_pressed = 0;
+    for (int i = 0; i < n; i++) {
+        int k = visited[i];
+        const struct gap_run *r = &g->run[k];
+        g->beyond[k] = update_run(g, r, u, delta);
+        if (g->beyond[k] && is_pressed(g, r, delta)) {
+            pressed[n_pressed++] = k;
+        }
+    }
+    return n_pressed;
+}
+
+// Adds the grounds' shares; whatever was visited may be pressed then.
+static void add_grounds(struct gaps *g, struct state *s, int n, const int *visited) {
+    const struct model *m = g->model;
+    for (int i = 0; i < n; i++) {
+        const struct gap_run *r = &g->run[visited[i]];
+        for (int k = r->first; k < r->first + r->n; k++) {
+            s->delta[k] += state_ground_gap(&m->link[k], m, s->ground_u);
+        }
+        g->pressed[i] = visited[i];
+        g->beyond[visited[i]] = true;
+    }
+    g->n_pressed = n;
+}
+
+static void visit(struct gaps *g, struct state *s, int n, const int *visited) {
+    for (int i = 0; g->kept && i < g->n_run; i++) {
+        g->beyond[i] = false;
+    }
+    g->kept = false;
+    g->n_pressed = update(g, s->u, s->delta, n, visited, g->pressed);
+    if (g->model->n_ground > 1) {
+        add_grounds(g, s, n, visited);
+    }
+}
+
+void gaps_update(struct gaps *g, struct state *s) {
+    visit(g, s, g->n_run, g->all);
+}
+
+// A run between two touched buildings is visited from the first of them.
+static bool seen_from(const struct gaps *g, const struct gap_run *r, int building) {
+    int other = r->building[0] == building ? r->building[1] : r->building[0];
+    return other != WALL && other < building && g->is_touched[other];
+}
+
+void gaps_update_touched(struct gaps *g, struct state *s) {
+    int n = 0;
+    for (int i = 0; i < g->n_touched; i++) {
+        int k = g->touched[i];
+        for (int j = g->start[k]; j < g->start[k + 1]; j++) {
+            if (!seen_from(g, &g->run[g->of_building[j]], k)) {
+                g->visited[n++] = g->of_building[j];
+            }
+        }
+    }
+    visit(g, s, n, g->visited);
+}
+
+LANES static void look(const struct gaps *g, const struct gap_run *r, const double *delta,
+                       double now) {
+    const double *restrict d = delta + r->first;
+    double *restrict nearest = g->nearest + r->first;
+    double *restrict time = g->time + r->first;
+    double *restrict limit = g->limit + r->first;
+    for (int j = 0, n = r->n; j < n; j++) {
+        bool nearer = d[j] > nearest[j];
+        time[j] = nearer ? now : time[j];
+        nearest[j] = nearer ? d[j] : nearest[j];
+        limit[j] = limit[j] > 0.0 ? limit[j] : number_min(nearest[j], 0.0);
+    }
+}
+
+void gaps_peaks(struct gaps *g, const struct state *s) {
+    for (int i = 0; !g->kept && i < g->n_run; i++) {
+        if (g->beyond[i]) {
+            look(g, &g->run[i], s->delta, s->time);
+        }
+    }
+}
+
+void gaps_finish(const struct gaps *g, struct results *r) {
+    int n = g->n_run > 0 ? g->model->n_contact : 0;
+    for (int k = 0; k < n; k++) {
+        peaks_penetration(r, k, g->nearest[k], g->time[k]);
+    }
+}
+
+void gaps_forget(struct gaps *g) {
+    for (int i = 0; i < g->n_acting; i++) {
+        int k = g->acting[i];
+        g->limit[k] = number_min(g->nearest[k], 0.0);
+        g->share[g->run_of[k]].n = 0;
+    }
+    for (int i = 0; i < g->n_touched; i++) {
+        g->is_touched[g->touched[i]] = false;
+    }
+    g->n_acting = g->n_touched = 0;
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Penetrations of all links, a run of neighbouring links at a time.
+#ifndef JOSTLE_GAPS_H
+#define JOSTLE_GAPS_H
+
+#include <math.h>
+
+#include "core/number.h"
+#include "solve/state.h"
+
+struct results;
+
+// Links first to first + n - 1 whose ends are floors one above the other on the same two sides.
+struct gap_run {
+    int first, n;
+    int left, right;  // ends of link `first` among the arrays of struct chain
+    int building[2];  // WALL
+};
+
+struct gaps {
+    const struct model *model;  // borrowed
+    double *gap;                // [L] (n_link)
+    double *limit;    // [L] (n_link) a link beyond this may close or is nearer than ever: infinite
+                      // for links that act, else 0 or its largest penetration, the lesser
+    double *nearest;  // [L] (n_link) largest penetration that gaps_peaks has seen,
+    double *time;     // [T] (n_link) and when
+    int n_run;
+    struct gap_run *run;
+    int *run_of;               // (n_link)
+    bool *beyond;              // (n_run) one of its links was beyond its limit when last updated;
+    bool kept;                 // if true, none is, as was found in another way
+    int *start, *of_building;  // (n_building + 1): runs at each building, one list behind another
+    int *visited;              // (n_run) scratch: runs that an update goes over
+    int *all;                  // (n_run) all runs
+    int n_pressed, *pressed;   // runs in which a link that does not act had d > 0 then
+    int n_acting, *acting;     // links that act in this step,
+    struct gap_share {
+        int first, n;
+    } * share;                // (n_run) of run i: acting[first] and those behind it
+    int n_touched, *touched;  // their buildings
+    bool *is_touched;         // (n_building)
+};
+
+bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a);
+
+// Brings s->delta to the displacements of `s`.
+void gaps_update(struct gaps *g, struct state *s);
+
+// The same where only touched buildings have moved.
+void gaps_update_touched(struct gaps *g, struct state *s);
+
+// Records that penetrations have been found in another way, none beyond its limit.
+static inline void gaps_keep(struct gaps *g) {
+    g->n_pressed = 0;
+    g->kept = true;
+}
+
+// Records penetrations that are larger than ever.
+void gaps_peaks(struct gaps *g, const struct state *s);
+
+// The same of link k with penetration d.
+static inline void gaps_note(struct gaps *g, int k, double d, double time) {
+    if (d > g->nearest[k]) {
+        g->nearest[k] = d;
+        g->time[k] = time;
+        g->limit[k] = g->limit[k] > 0.0 ? g->limit[k] : number_min(d, 0.0);
+    }
+}
+
+// Puts those of contacts into the peaks; does nothing where `g` was never allocated and is all
+// zero.
+void gaps_finish(const struct gaps *g, struct results *r);
+
+// No link acts, and no building is touched any more.
+void gaps_forget(struct gaps *g);
+
+// Makes link k act and touch its buildings. The links of a run must be given one after the other,
+// for its share to be right.
+static inline void gaps_touch(struct gaps *g, int k) {
+    const int run = g->run_of[k];
+    struct gap_share *share = &g->share[run];
+    for (int i = 0; i < 2 && share->n == 0; i++) {
+        int b = g->run[run].building[i];
+        if (b != WALL && !g->is_touched[b]) {
+            g->is_touched[b] = true;
+            g->touched[g->n_touched++] = b;
+        }
+    }
+    share->first = share->n++ == 0 ? g->n_acting : share->first;
+    g->acting[g->n_acting++] = k;
+    g->limit[k] = INFINITY;
+}
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a step is short enough for the contacts that act in it.
+#ifndef JOSTLE_RESOLVE_H
+#define JOSTLE_RESOLVE_H
+
+#include "solve/contact/sweep.h"
+
+// Largest k S h^2 of a spring k: (pi / 10)^2.
+static const double RESOLVE_COARSEST_SPRING = 0.09869604401089358;
+
+// The decay that the dashpot of a law may cause.
+static const double RESOLVE_COARSEST_DASHPOT = 0.5;
+
+// What is compared with these, of numbers of one run or of several.
+#define SPRING_COARSENESS(stiffness, flexibility, h) ((stiffness) * (flexibility) * (h) * (h))
+#define DASHPOT_COARSENESS(dfdv, flexibility, g) ((g) * (flexibility) * (dfdv))
+
+// A smooth law is no more than so many times as stiff at a penetration so many times as deep.
+static const double RESOLVE_STIFFER = 4.0;
+static const double RESOLVE_DEEPER = 2.0;
+
+// resolve_suffices in full, for where its short cut does not apply.
+bool resolve_judge(struct work *w, const struct state *now, const struct state *next,
+                   struct link_scratch *p);
+
+// A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
+// gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
+// impacts make nonsense of a run. True if the trial step from `now` to `next` resolves the contact,
+// or if there is nothing to resolve because it is pressed together and hardly moves; else
+// w->unresolved says that it needs a shorter step. In line for the usual case: the start has been
+// checked, the end has its tangents, and the spring is no stiffer than one that has been checked.
+static inline bool resolve_suffices(struct work *w, const struct state *now,
+                                    const struct state *next, struct link_scratch *p) {
+    double x = w->correction[p->end[0]] - w->correction[p->end[1]];
+    if (p->checked >= w->h && !p->ask && p->d_trial + w->b * x <= p->fits_to &&
+        DASHPOT_COARSENESS(p->dfdv, p->flexibility, w->g) <= RESOLVE_COARSEST_DASHPOT) {
+        p->checked = w->h;
+        return true;
+    }
+    return resolve_judge(w, now, next, p);
+}
+
+// A contact this slow is at rest, whatever the step does to it: its energy is 1e-10 of the floors'.
+// Otherwise a body that bounces to rest would need ever shorter steps.
+bool resolve_negligible(const struct work *w, const struct state *now, double velocity);
+
+#endif

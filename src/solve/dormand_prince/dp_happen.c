@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/dormand_prince/dp_happen.h"
+
+#include <math.h>
+
+#include "solve/dormand_prince/dp_event.h"
+#include "solve/dormand_prince/dp_kink.h"
+#include "solve/dormand_prince/dp_peaks.h"
+#include "solve/dormand_prince/dp_stages.h"
+#include "solve/excitation.h"
+
+// Step after a closure over the one before it, as forces begin with an infinite slope
+// (d^(1/4)).
+static const double AFTER_CLOSURE = 1e-3;
+
+// More events than this in such a share of the duration do not come from bodies that bounce.
+enum { CROWD = 4000, CROWD_PER_LINK = 4 };
+static const double CROWD_TIME = 1e-7;
+
+static int toggle(struct dp *p, int k, struct error *e) {
+    struct state *now = &p->now;
+    if (now->link[k].closed) {
+        state_open_link(now, k);
+    } else {
+        p->system.phase[k] = PHASE_APPROACH;
+        state_close_link(now, p->model, k);
+    }
+    return impacts_toggle(p->impacts, now, k, e);
+}
+
+// After rigid contacts have met: one that rests is an error, one that has rested and parted at this
+// instant is no longer live.
+static int part(struct dp *p, struct error *e) {
+    const struct model *m = p->model;
+    struct state *now = &p->now;
+    for (int i = now->n_live - 1; i >= 0; i--) {
+        int k = now->live[i];
+        if (m->link[k].law->rebound && now->link[k].closed) {
+            return error_set(e, STATUS_FAILED,
+                             "at t = %.9g %s contact %s comes to rest, which dormand-prince does "
+                             "not follow; use integrator newmark or step fixed DT",
+                             now->time, m->deck->units.time_name, m->link[k].name);
+        }
+        if (m->link[k].law->rebound) {
+            state_open_link(now, k);
+        }
+    }
+    return STATUS_OK;
+}
+
+// Lets the bodies of rigid contact k meet.
+static int meet(struct dp *p, int k, struct error *e) {
+    const struct model *m = p->model;
+    struct state *now = &p->now;
+    const struct least_bounce least = {.velocity = m->control.tolerance * p->scales.most_v};
+    excitation_at(now, m, now->time);
+    impulse_meet(now, m, k, REBOUND_BY_LAW, &least, p->meeting);
+    energy_meet(&p->energy, m, now, p->meeting);
+    if (part(p, e) != STATUS_OK) {
+        return e->status;
+    }
+    return impacts_meet(p->impacts, now, p->meeting, e);
+}
+
+// Changes the branch or the contact of the event.
+static int change(struct dp *p, const struct dp_event *event, struct error *e) {
+    int k = event->index;
+    p->last_link = dp_event_is_of_storey(event) ? p->last_link : k;
+    switch (event->kind) {
+        case DP_MEET:
+            return meet(p, k, e);
+        case DP_CLOSE:
+        case DP_OPEN:
+            return toggle(p, k, e);
+        case DP_TURN:
+            p->system.phase[k] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;
+            return STATUS_OK;
+        case DP_BRANCH:
+            dp_system_branch(&p->system, &p->now, k, event->target, event->direction);
+            return STATUS_OK;
+        case DP_UNLOAD:
+            dp_system_branch(&p->system, &p->now, k, p->now.drift[k], event->direction);
+            return STATUS_OK;
+        default:
+            return STATUS_OK;
+    }
+}
+
+static int too_crowded(struct dp *p, struct error *e) {
+    const struct model *m = p->model;
+    const struct totals *t = &p->results->totals;
+    if (p->now.time - p->time_before > CROWD_TIME * m->duration) {
+        p->time_before = p->now.time;
+        p->events_before = t->events;
+    }
+    if (t->events - p->events_before <= CROWD + CROWD_PER_LINK * (long)m->n_link) {
+        return STATUS_OK;
+    }
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s %s rattles: %ld events within %.2g %s; it wants a softer or a "
+                     "damped contact, integrator newmark or step fixed DT",
+                     p->now.time, m->deck->units.time_name,
+                     p->last_link < 0 ? "a storey" : m->link[p->last_link].name,
+                     t->events - p->events_before, p->now.time - p->time_before,
+                     m->deck->units.time_name);
+}
+
+static int stuck(const struct dp *p, int k, struct error *e) {
+    const struct model *m = p->model;
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s the bodies of contact %s stick together, where %s jumps at "
+                     "v = 0, which dormand-prince does not follow; use integrator newmark or step "
+                     "fixed DT",
+                     p->now.time, m->deck->units.time_name, m->link[k].name, m->link[k].law->name);
+}
+
+int dp_happen(struct dp *p, struct error *e) {
+    const struct dp_event *event = &p->event;
+    if (change(p, event, e) != STATUS_OK) {
+        return e->status;
+    }
+    p->results->totals.events++;
+    p->closed_now |= event->kind == DP_CLOSE;
+    if (event->kind == DP_CLOSE) {
+        p->trial *= AFTER_CLOSURE;
+    }
+    p->trial = fmax(p->trial, p->model->control.shortest);
+    dp_stages_first(p);
+    if (event->kind == DP_TURN && dp_kink_sticks(p, event->index)) {
+        return stuck(p, event->index, e);
+    }
+    dp_stages_gaps(p, &p->now, p->rate[0]);
+    dp_peaks_now(p);
+    return too_crowded(p, e);
+}

@@ -1,5 +1,0 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// The floors of a step in vectors of four, for all processors.
-#define DP_FLOORS dp_narrow
-
-#include "solve/dp_floors.h"

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which runs go together, and their time loop.
+#include "jostle/ensemble.h"
+
+#include <assert.h>
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/number.h"
+#include "solve/ensemble/ensemble_contacts.h"
+#include "solve/ensemble/ensemble_lockstep.h"
+
+static_assert((int)ENSEMBLE_MAX == (int)WIDE_RUNS, "a run a lane");
+
+// Lanes of more floors do not fit into the second cache.
+enum { FLOORS_MOST = 256 };
+
+// Fewer runs than this are faster alone: a step of the lanes takes as long as some single steps.
+enum { RUNS_LEAST = 4 };
+
+enum { POLL_STEPS = 64 * ENSEMBLE_STRETCH };
+
+bool ensemble_suits(const struct model *m) {
+    bool suits = !m->adaptive && m->n_storey_history == 0 && !m->chain.full_damping &&
+                 m->n_ground == 1 && m->n_load == 0 && m->n_link == m->n_contact &&
+                 m->n_dof <= FLOORS_MOST;
+    for (int k = 0; suits && k < m->n_link; k++) {
+        suits = !m->link[k].law->rebound;
+    }
+    return suits;
+}
+
+bool ensemble_pays(void) {
+    return lanes_hold_wide() || lanes_hold_half();
+}
+
+bool ensemble_alike(const struct model *a, const struct model *b) {
+    bool alike = ensemble_suits(b) && a->n_building == b->n_building && a->n_dof == b->n_dof &&
+                 a->n_link == b->n_link && a->beta == b->beta && a->gamma == b->gamma &&
+                 a->dt == b->dt && a->output.every == b->output.every;
+    for (int k = 0; alike && k < a->n_building; k++) {
+        alike = a->building[k].n_floor == b->building[k].n_floor;
+    }
+    for (int k = 0; alike && k < a->n_link; k++) {
+        alike = memcmp(a->link[k].dof, b->link[k].dof, sizeof a->link[k].dof) == 0;
+    }
+    return alike;
+}
+
+static bool same_signal(const struct signal *a, const struct signal *b) {
+    if (a->start != b->start || a->end != b->end || !a->value != !b->value) {
+        return false;
+    }
+    if (!a->value) {
+        return a->amplitude == b->amplitude && a->omega == b->omega && a->phase == b->phase;
+    }
+    return a->n == b->n && a->dt == b->dt &&
+           memcmp(a->value, b->value, a->n * sizeof *a->value) == 0;
+}
+
+static bool same_ground(const struct ground *a, const struct ground *b) {
+    bool same = a->n_signal == b->n_signal;
+    for (int i = 0; same && i < a->n_signal; i++) {
+        same = same_signal(&a->signal[i], &b->signal[i]);
+    }
+    return same;
+}
+
+// The ground accelerations of a run from step n on, for its lane.
+static void compute_ground(struct lockstep *l, int k, long n) {
+    const struct model *m = l->slot[k].run.model;
+    const struct ground *g = &m->ground[0];
+    double time[ENSEMBLE_STRETCH], value[ENSEMBLE_STRETCH] = {0.0};
+    for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
+        time[i] = (double)(n + i) * m->dt;
+    }
+    for (int i = 0; i < g->n_signal; i++) {
+        signal_add_values(&g->signal[i], ENSEMBLE_STRETCH, time, value);
+    }
+    for (int i = 0; i < ENSEMBLE_STRETCH; i++) {
+        l->lanes.base[i][k] = value[i];
+    }
+}
+
+// The ground accelerations of the steps from n on.
+static void compute_grounds(struct lockstep *l, long n) {
+    for (int k = 0; k < l->n; k++) {
+        const int same = l->slot[k].ground;
+        if (same == k) {
+            compute_ground(l, k, n);
+        }
+        for (int i = 0; i < ENSEMBLE_STRETCH && same < k; i++) {
+            l->lanes.base[i][k] = l->lanes.base[i][same];
+        }
+    }
+    l->known = n + ENSEMBLE_STRETCH - 1;
+}
+
+// The energies of a row of runs in lanes.
+static void balance(struct lockstep *l) {
+    struct energy_sums sums[WIDE_RUNS];
+    ensemble_sums(&l->lanes, sums);
+    for (int k = 0; k < l->n; k++) {
+        struct run *r = &l->slot[k].run;
+        if (l->slot[k].mode == SLOT_IN_LANES) {
+            ensemble_contacts_work(&l->lanes, k, &r->energy);
+            energy_close(&r->energy, &sums[k], r->results->energy);
+            int status = analysis_note_energies(r);
+            if (status != STATUS_OK) {
+                ensemble_lockstep_end(l, k, status);
+            }
+        }
+    }
+}
+
+static void poll(struct lockstep *l, double time) {
+    const struct observer *o = l->observer;
+    for (int k = 0; o && o->poll && k < l->n; k++) {
+        struct slot *slot = &l->slot[k];
+        int status =
+            slot->mode == SLOT_IN_LANES ? o->poll(o->context, time, &slot->member->error) : 0;
+        if (status != STATUS_OK) {
+            ensemble_lockstep_end(l, k, status);
+        }
+    }
+}
+
+// Step n of runs that are alone, some of which enter their lanes then.
+static void step_alone(struct lockstep *l, long n) {
+    for (int k = 0; l->n_alone > 0 && k < l->n; k++) {
+        struct slot *slot = &l->slot[k];
+        if (slot->mode != SLOT_ALONE && slot->mode != SLOT_STAYS_ALONE) {
+            continue;
+        }
+        int status = analysis_step(&slot->run, n);
+        if (status == STATUS_OK) {
+            ensemble_lockstep_enter(l, k, n);
+        } else {
+            ensemble_lockstep_end(l, k, status);
+        }
+    }
+}
+
+// The last step of a run, which it takes alone.
+static void take_last_step(struct lockstep *l, int k) {
+    struct slot *slot = &l->slot[k];
+    const long last = slot->run.model->n_step;
+    if (slot->mode == SLOT_IN_LANES) {
+        ensemble_lockstep_leave(l, k, last - 1);
+    }
+    ensemble_lanes_merge(&l->lanes, k, slot->run.results);
+    ensemble_lockstep_end(l, k, analysis_step(&slot->run, last));
+}
+
+// Ends the runs that have but one step left after step n, and looks for the next that will.
+static void end_due(struct lockstep *l, long n) {
+    if (n < l->due) {
+        return;
+    }
+    l->due = LONG_MAX;
+    for (int k = 0; k < l->n; k++) {
+        const struct slot *slot = &l->slot[k];
+        const long due = slot->run.model->n_step - 1;
+        if (slot->mode != SLOT_ENDED && due == n) {
+            take_last_step(l, k);
+        } else if (slot->mode != SLOT_ENDED) {
+            l->due = number_least(l->due, due);
+        }
+    }
+}
+
+static void lockstep(struct lockstep *l) {
+    const double dt = l->slot[0].run.model->dt;
+    end_due(l, 0);
+    for (long n = 1; l->n_in_lanes + l->n_alone > 0; n++) {
+        if (n > l->known) {
+            compute_grounds(l, n);
+            if (n % POLL_STEPS == 1) {
+                poll(l, (double)(n - 1) * dt);
+            }
+        }
+        n = ensemble_lockstep_advance(l, n);
+        if (n % l->every == 0 && l->n_in_lanes > 0) {
+            balance(l);
+        }
+        step_alone(l, n);
+        end_due(l, n);
+    }
+}
+
+static int first_with_ground(const struct lockstep *l, const struct model *m) {
+    int k = 0;
+    while (k < l->n && !same_ground(l->slot[k].run.model->ground, m->ground)) {
+        k++;
+    }
+    return k;
+}
+
+// Starts a run, in a lane if it can go there.
+static void start(struct lockstep *l, struct ensemble_member *member) {
+    const struct model *m = member->model;
+    const int k = l->n;
+    struct slot *slot = &l->slot[k];
+    slot->member = member;
+    member->results = NULL;
+    slot->ground = first_with_ground(l, m);
+    slot->mode = SLOT_STAYS_ALONE;
+    l->n++;
+    l->n_alone++;
+    int status = analysis_begin(&slot->run, m, l->observer, &member->error);
+    if (status != STATUS_OK) {
+        ensemble_lockstep_end(l, k, status);
+    } else if (work_factor(&slot->run.work, m->dt) == STATUS_OK &&
+               ensemble_lanes_fill(&l->lanes, k, &slot->run)) {
+        slot->mode = SLOT_ALONE;
+        ensemble_lockstep_enter(l, k, 0);
+    }
+}
+
+// Runs the `n` members of models alike in lockstep. STATUS_SYSTEM: no memory.
+static int run_alike(const struct ensemble_steps *steps, struct ensemble_member **member, int n,
+                     const struct observer *observer, struct arena *a, struct error *e) {
+    const struct model *m = member[0]->model;
+    struct lockstep *l = a ? arena_alloc(a, 1, sizeof *l) : NULL;
+    if (!l || !ensemble_lanes_alloc(&l->lanes, m, steps, a)) {
+        return error_no_memory(e);
+    }
+    l->observer = observer;
+    l->every = observer ? m->output.every : INT_MAX;
+    for (int k = 0; k < n; k++) {
+        start(l, member[k]);
+    }
+    ensemble_lanes_share(&l->lanes, n);
+    lockstep(l);
+    return STATUS_OK;
+}
+
+static void run_together(const struct ensemble_steps *steps, struct ensemble_member **member, int n,
+                         const struct observer *observer) {
+    struct error e;
+    struct arena *a = arena_create();
+    int status = run_alike(steps, member, n, observer, a, &e);
+    for (int k = 0; status != STATUS_OK && k < n; k++) {
+        member[k]->status = status;
+        member[k]->error = e;
+    }
+    arena_free(a);
+}
+
+// Takes member k and those behind it that are alike out of `left`; returns how many.
+static int take_alike(struct ensemble_member *member, int n, int k, bool *left,
+                      struct ensemble_member **alike) {
+    int n_alike = 0;
+    for (int i = k; i < n; i++) {
+        if (left[i] && (i == k || ensemble_alike(member[k].model, member[i].model))) {
+            alike[n_alike++] = &member[i];
+            left[i] = false;
+        }
+    }
+    return n_alike;
+}
+
+void ensemble_run_by(const struct ensemble_steps *steps, struct ensemble_member *member, int n,
+                     const struct observer *observer) {
+    bool left[ENSEMBLE_MAX];
+    memset(left, true, sizeof left);
+    for (int k = 0; k < n; k++) {
+        struct ensemble_member *alike[ENSEMBLE_MAX];
+        const bool alone = (observer && observer->row) || !ensemble_suits(member[k].model);
+        const int n_alike = left[k] ? take_alike(member, alone ? k + 1 : n, k, left, alike) : 0;
+        if (n_alike >= RUNS_LEAST) {
+            run_together(steps, alike, n_alike, observer);
+            continue;
+        }
+        for (int i = 0; i < n_alike; i++) {
+            struct ensemble_member *m = alike[i];
+            m->results = NULL;
+            m->status = analysis_run(m->model, observer, &m->results, &m->error);
+        }
+    }
+}
+
+void ensemble_run(struct ensemble_member *member, int n, const struct observer *observer) {
+    ensemble_run_by(lanes_hold_wide() ? &ensemble_whole : &ensemble_half, member, n, observer);
+}

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/ensemble/ensemble_contacts.h"
+
+#include <math.h>
+
+#include "core/arena.h"
+#include "solve/account/peaks.h"
+#include "solve/contact/sweep.h"
+
+struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a) {
+    struct ensemble_contacts *s = lanes_wide_array(a, 1, sizeof *s);
+    if (s) {
+        s->contact = lanes_wide_array(a, m->n_contact, sizeof *s->contact);
+        s->runs = arena_alloc(a, (size_t)m->n_contact, sizeof *s->runs);
+        s->acting = arena_alloc(a, (size_t)m->n_contact, sizeof *s->acting);
+        s->touched = arena_alloc(a, (size_t)m->n_building, sizeof *s->touched);
+    }
+    return s && s->contact && s->runs && s->acting && s->touched ? s : NULL;
+}
+
+// Finds the floors that feel the force of a contact; false: those of other runs differ.
+static bool reaches(struct ensemble_grip *g, const struct ensemble_building *building,
+                    const struct link_scratch *q) {
+    bool same = true;
+    for (int i = 0; i < 2; i++) {
+        if (g->building[i] != WALL) {
+            const struct building *b = building[g->building[i]].shape;
+            const int from = q->first[i] - b->first, beyond = from + q->lanes[i];
+            const int to = beyond < b->n_floor ? beyond : b->n_floor;
+            same = same && (g->to[i] == 0 || (g->from[i] == from && g->to[i] == to));
+            g->from[i] = from;
+            g->to[i] = to;
+        }
+    }
+    return same;
+}
+
+// How the ends of contact k yield, unless that has stayed; false: it is not known.
+static bool yields(struct ensemble_lanes *e, int k, int lane, const struct work *w) {
+    struct ensemble_grip *g = &e->grip[k];
+    const struct link_scratch *q = &w->link[k];
+    if (g->factors[lane] != w->factors && q->factors == w->factors) {
+        g->factors[lane] = w->factors;
+        g->flexibility[lane] = q->flexibility;
+        g->others[lane] = q->others;
+        g->unmoved[lane] = q->unmoved;
+        g->apart |= !reaches(g, e->building, q);
+    }
+    return g->factors[lane] == w->factors && !g->apart;
+}
+
+// Is live contact k one that lanes can hold?
+static bool suits(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
+    const struct link_state *l = &r->now->link[k];
+    return l->t_close < r->now->time && l->n_past > 0 && !e->grip[k].apart &&
+           r->work.link[k].checked == r->work.h && yields(e, k, lane, &r->work);
+}
+
+static void put_in(struct closed_contact *j, int lane, const struct run *r, int k) {
+    const struct link_state *l = &r->now->link[k];
+    const struct link_peak *p = &r->results->link[k];
+    const struct impact *i = &r->results->impact[r->impacts.open[k]];
+    j->live[lane] = -1;
+    j->before[lane] = l->force;
+    j->n_past[lane] = l->n_past;
+    for (int n = 0; n < PAST_STEPS; n++) {
+        j->past[n][lane] = l->past[n];
+    }
+    j->impulse[lane] = p->impulse;
+    j->work[lane] = p->dissipated;
+    j->impact_impulse[lane] = i->impulse;
+    j->impact_work[lane] = i->dissipated;
+    j->impact_force[lane] = i->peak_force;
+    j->impact_depth[lane] = i->max_penetration;
+    j->peak_force[lane] = p->force;
+    j->peak_force_time[lane] = p->force_time;
+    j->deepest[lane] = r->results->deepest[k];
+    j->deepest_time[lane] = p->penetration_time;
+    j->fits_to[lane] = r->work.link[k].fits_to;
+}
+
+static void take_out(struct closed_contact *j, int lane, struct run *r, int k, long n_step) {
+    struct link_state *l = &r->now->link[k];
+    struct link_peak *p = &r->results->link[k];
+    struct impact *i = &r->results->impact[r->impacts.open[k]];
+    j->live[lane] = 0;
+    l->force = j->before[lane];
+    l->n_past = (int)j->n_past[lane];
+    for (int n = 0; n < PAST_STEPS; n++) {
+        l->past[n] = j->past[n][lane];
+    }
+    p->impulse = j->impulse[lane];
+    p->dissipated = j->work[lane];
+    i->impulse = j->impact_impulse[lane];
+    i->dissipated = j->impact_work[lane];
+    i->peak_force = j->impact_force[lane];
+    i->max_penetration = j->impact_depth[lane];
+    i->steps += n_step;
+    p->force = j->peak_force[lane];
+    p->force_time = j->peak_force_time[lane];
+    r->work.link[k].fits_to = j->fits_to[lane];
+    peaks_penetration(r->results, k, j->deepest[lane], j->deepest_time[lane]);
+}
+
+static void touch(struct ensemble_contacts *s, int building) {
+    int i = 0;
+    while (i < s->n_touched && s->touched[i] != building) {
+        i++;
+    }
+    if (building != WALL && i == s->n_touched) {
+        s->touched[s->n_touched++] = building;
+    }
+}
+
+// Lists contacts that are live in some lane, and their buildings.
+static void list_acting(struct ensemble_lanes *e) {
+    struct ensemble_contacts *s = e->contacts;
+    s->n_acting = s->n_touched = 0;
+    for (int k = 0; k < e->n_contact; k++) {
+        if (s->runs[k] != 0) {
+            s->acting[s->n_acting++] = k;
+            touch(s, e->grip[k].building[0]);
+            touch(s, e->grip[k].building[1]);
+        }
+    }
+}
+
+void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct run *r) {
+    struct ensemble_contacts *s = e->contacts;
+    const struct state *now = r->now;
+    bool all = e->steps->solve && r->model->iterations >= ENSEMBLE_SWEEPS;
+    int n_closed = 0;
+    for (int i = 0; all && i < now->n_live; i++) {
+        const bool closed = now->link[now->live[i]].closed;
+        all = !closed || suits(e, lane, r, now->live[i]);
+        n_closed += closed;
+    }
+    if (!all || n_closed == 0 || n_closed > SWEEP_GROUP) {
+        return;
+    }
+    for (int i = 0; i < now->n_live; i++) {
+        const int k = now->live[i];
+        if (now->link[k].closed) {
+            put_in(&s->contact[k], lane, r, k);
+            s->runs[k] |= 1U << lane;
+            e->gap[k].limit[lane] = INFINITY;
+        }
+    }
+    s->active |= 1U << lane;
+    s->tolerance[lane] = r->model->tolerance;
+    s->alone[lane] = n_closed == 1 ? -1 : 0;
+    s->work[lane] = r->energy.contact;
+    s->steps[lane] = s->sweeps[lane] = 0;
+    list_acting(e);
+}
+
+void ensemble_contacts_leave(struct ensemble_lanes *e, int lane, struct run *r) {
+    struct ensemble_contacts *s = e->contacts;
+    if (!ensemble_has(s->active, lane)) {
+        return;
+    }
+    const struct state *now = r->now;
+    for (int i = 0; i < now->n_live; i++) {
+        const int k = now->live[i];
+        if (now->link[k].closed) {
+            take_out(&s->contact[k], lane, r, k, s->steps[lane]);
+            s->runs[k] &= ~(1U << lane);
+        }
+    }
+    r->energy.contact = s->work[lane];
+    r->results->totals.iterations += s->sweeps[lane];
+    r->results->totals.fast += s->steps[lane];
+    s->active &= ~(1U << lane);
+    list_acting(e);
+}
+
+void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r) {
+    struct ensemble_contacts *s = e->contacts;
+    if (!ensemble_has(s->solved, lane)) {
+        return;
+    }
+    for (int i = 0; i < r->next->n_live; i++) {
+        const int k = r->next->live[i];
+        r->next->link[k].force = s->contact[k].force[lane];
+    }
+    r->results->totals.iterations += s->count[lane];
+    r->results->totals.fast++;
+    s->solved &= ~(1U << lane);
+}
+
+void ensemble_contacts_work(const struct ensemble_lanes *e, int lane, struct energy_account *a) {
+    a->contact = ensemble_has(e->contacts->active, lane) ? e->contacts->work[lane] : a->contact;
+}

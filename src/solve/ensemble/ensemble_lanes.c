@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/ensemble/ensemble_lanes.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "core/arena.h"
+#include "core/number.h"
+#include "solve/ensemble/ensemble_contacts.h"
+
+static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
+    e->gap = lanes_wide_array(a, m->n_contact, sizeof *e->gap);
+    e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
+    e->contacts = ensemble_contacts_create(m, a);
+    e->grip = lanes_wide_array(a, m->n_contact, sizeof *e->grip);
+    e->force = lanes_wide_array(a, m->n_contact, sizeof *e->force);
+    e->acts = arena_alloc(a, (size_t)m->n_contact, sizeof *e->acts);
+    e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
+    e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
+    for (int k = 0; e->nearest && e->end && k < m->n_contact; k++) {
+        const int *dof = m->link[k].dof;
+        for (int i = 0; i < 2; i++) {
+            e->end[k][i] = dof[i] == WALL ? m->n_dof : dof[i];
+        }
+        e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never enter too
+    }
+    return e->gap && e->nearest && e->contacts && e->grip && e->force && e->acts && e->end &&
+           e->pressed;
+}
+
+static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
+    const int n = g->n_floor;
+    const bool low = n <= INVERSE_FLOORS_MAX;
+    *b = (struct ensemble_building){
+        .shape = g,
+        .number = lanes_wide_array(a, n * NUMBER_COUNT, sizeof(wide)),
+        .factor = lanes_wide_array(a, n * FACTOR_COUNT, sizeof(wide)),
+        .inverse = low ? lanes_wide_array(a, n * n, sizeof(wide)) : NULL,
+    };
+    return b->number && b->factor && (b->inverse || !low);
+}
+
+static bool alloc_buildings(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
+    e->building = arena_alloc(a, (size_t)m->n_building, sizeof *e->building);
+    bool all = e->building != NULL;
+    for (int k = 0; all && k < m->n_building; k++) {
+        all = alloc_building(&e->building[k], &m->building[k], a);
+    }
+    return all;
+}
+
+static void fill_factors(struct ensemble_factors *f, const struct model *m) {
+    const wide none = {0.0};
+    const double h = m->dt, b = m->beta * h * h, g = m->gamma * h;
+    *f = (struct ensemble_factors){.h = h - none,
+                                   .half = h * h / 2.0 - none,
+                                   .b = b - none,
+                                   .g = g - none,
+                                   .per_b = 1.0 / b - none,
+                                   .per_g = 1.0 / g - none};
+}
+
+bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
+                          const struct ensemble_steps *steps, struct arena *a) {
+    const int n = m->n_dof, room = lanes_whole(n);
+    *e = (struct ensemble_lanes){
+        .steps = steps,
+        .n_building = m->n_building,
+        .n_floor = n,
+        .n_contact = m->n_contact,
+        .h = m->dt,
+        .factors = lanes_wide_array(a, 1, sizeof *e->factors),
+        .now = lanes_wide_array(a, room, sizeof *e->now),
+        .next = lanes_wide_array(a, room, sizeof *e->next),
+        .trial = lanes_wide_array(a, n, sizeof *e->trial),
+        .correction = lanes_wide_array(a, room + LANES_WIDTH, sizeof *e->correction),
+        .kept = lanes_wide_array(a, n, sizeof *e->kept),
+        .hidden = lanes_array(a, n),
+        .shown = arena_alloc(a, (size_t)(n / WIDE_RUNS) + 1, sizeof *e->shown),
+        .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
+        .works = lanes_wide_array(a, 1, sizeof *e->works),
+        .peak = lanes_wide_array(a, n, sizeof *e->peak),
+        .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
+        .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
+    };
+    for (int lane = 0; lane < WIDE_RUNS; lane++) {
+        ensemble_lanes_clear(e, lane);
+    }
+    if (e->factors) {
+        fill_factors(e->factors, m);
+    }
+    return e->factors && e->now && e->next && e->trial && e->correction && e->kept && e->hidden &&
+           e->shown && e->beyond && e->works && e->peak && e->peak_time && e->base &&
+           alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
+}
+
+static bool is_small(double x) {
+    return fabs(x) <= ENSEMBLE_LARGEST;
+}
+
+// Sets a number of a lane; false: it is too large.
+static bool put(wide *to, int lane, double x) {
+    (*to)[lane] = x;
+    return is_small(x);
+}
+
+// Number i of all lanes.
+static double *lanes_of(double *x, int i) {
+    return x + (ptrdiff_t)i * WIDE_RUNS;
+}
+
+// The same for number i of `to`.
+static bool put_at(double *to, int i, int lane, double x) {
+    lanes_of(to, i)[lane] = x;
+    return is_small(x);
+}
+
+static bool fill_inverse(double *inverse, int lane, struct effective *home) {
+    const int n = home->building->n_floor;
+    bool small = true;
+    for (int i = 0; i < n; i++) {
+        const double *column = effective_column(home, i);
+        for (int j = 0; j < n; j++) {
+            small &= put_at(inverse, i * n + j, lane, column[j]);
+        }
+    }
+    return small;
+}
+
+static bool fill_building(struct ensemble_building *b, int lane, const struct chain *c,
+                          struct effective *home) {
+    bool small = true;
+    for (int i = 0; i < b->shape->n_floor; i++) {
+        const int j = b->shape->first + i;
+        const ptrdiff_t at = (ptrdiff_t)i * home->pitch;
+        const double number[NUMBER_COUNT] = {
+            [NUMBER_INERTIA] = -c->mass[j],       [NUMBER_STIFFNESS] = c->stiffness[j],
+            [NUMBER_BELOW] = c->damping_below[j], [NUMBER_OWN] = c->damping[j],
+            [NUMBER_ABOVE] = c->damping_above[j],
+        };
+        for (int q = 0; q < NUMBER_COUNT; q++) {
+            small &= put_at(b->number, i * NUMBER_COUNT + q, lane, number[q]);
+        }
+        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_PIVOT, lane, home->pivot[at]);
+        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_OFF, lane, home->factor[at]);
+    }
+    return (!b->inverse || fill_inverse(b->inverse, lane, home)) && small;
+}
+
+// Contacts of low buildings go together where their law does: a push reaches all floors there.
+static void fill_grip(struct ensemble_grip *g, int lane, const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    g->apart |= (g->law && g->law != l->law) || !l->law->force_lanes ||
+                l->law->n_constant > ENSEMBLE_CONSTANTS;
+    g->law = l->law;
+    for (int i = 0; i < 2; i++) {
+        g->building[i] = l->building[i];
+        g->apart |=
+            l->building[i] != WALL && m->building[l->building[i]].n_floor > INVERSE_FLOORS_MAX;
+    }
+    for (int i = 0; !g->apart && i < l->law->n_constant; i++) {
+        g->constant[i][lane] = l->constant[i];
+    }
+}
+
+bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
+    const struct model *m = r->model;
+    const struct ground *g = &m->ground[0];
+    bool small = is_small(e->h);
+    for (int k = 0; k < e->n_contact; k++) {
+        small &= put(&e->gap[k].width, lane, m->link[k].gap);
+        fill_grip(&e->grip[k], lane, m, k);
+    }
+    for (int i = 0; i < g->n_signal; i++) {
+        small &= is_small(g->n_signal * signal_peak(&g->signal[i]));
+    }
+    for (int k = 0; k < e->n_building; k++) {
+        small &= fill_building(&e->building[k], lane, &m->chain, &r->work.home[k]);
+    }
+    return small;
+}
+
+// Are all n_number numbers of x the same in the first n lanes?
+static bool are_same(double *x, int n_number, int n) {
+    bool same = true;
+    for (int i = 0; same && i < n_number; i++) {
+        const double *of = lanes_of(x, i);
+        for (int lane = 1; lane < n; lane++) {
+            same &= number_bits(of[lane]) == number_bits(of[0]);
+        }
+    }
+    return same;
+}
+
+static void hold_once(double *x, int n_number) {
+    for (int i = 0; i < n_number; i++) {
+        x[i] = *lanes_of(x, i);
+    }
+}
+
+void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
+    for (int k = 0; k < e->n_building; k++) {
+        struct ensemble_building *b = &e->building[k];
+        const int n_floor = b->shape->n_floor;
+        struct {
+            double *x;
+            int n;
+        } part[] = {
+            {b->number, n_floor * NUMBER_COUNT},
+            {b->factor, n_floor * FACTOR_COUNT},
+            {b->inverse, b->inverse ? n_floor * n_floor : 0},
+        };
+        enum { PARTS = sizeof part / sizeof part[0] };
+        bool same = true;
+        for (int i = 0; i < PARTS; i++) {
+            same = same && are_same(part[i].x, part[i].n, n);
+        }
+        b->held = same ? HELD_ONCE : HELD_BY_EACH;
+        for (int i = 0; same && i < PARTS; i++) {
+            hold_once(part[i].x, part[i].n);
+        }
+    }
+}
+
+bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, const struct run *r) {
+    const struct state *s = r->now;
+    bool small = true;
+    e->steps->catch_up(e);
+    for (int i = 0; i < e->n_floor; i++) {
+        struct ensemble_state *f = &e->now[i];
+        small &= put(&f->u, lane, s->u[i]);
+        small &= put(&f->v, lane, s->v[i]);
+        small &= put(&f->a, lane, s->a[i]);
+        e->next[i] = *f;
+    }
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        e->works->input_2x[i][lane] = r->energy.input_2x[i];
+        e->works->damping_2x[i][lane] = r->energy.damping_2x[i];
+    }
+    e->works->ground[lane] = s->ground_a[0];
+    e->works->speed[lane] = r->results->totals.speed;
+    for (int k = 0; k < e->n_contact; k++) {
+        struct ensemble_nearest *p = &e->nearest[k];
+        const double depth = fmin(r->work.gaps.nearest[k], 0.0);
+        if (p->depth[lane] < depth) {
+            p->depth[lane] = depth;
+            p->time[lane] = r->work.gaps.time[k];
+        }
+        e->gap[k].limit[lane] = p->depth[lane];
+    }
+    if (small) {
+        e->active[lane] = -1;
+        e->show.u_trial[lane] = r->work.u_trial;
+        e->show.v_trial[lane] = r->work.v_trial;
+        e->show.correction[lane] = r->work.correction;
+    }
+    return small;
+}
+
+void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, double time,
+                          long n_step) {
+    struct state *s = r->now;
+    struct totals *t = &r->results->totals;
+    e->steps->catch_up(e);
+    for (int i = 0; i < e->n_floor; i++) {
+        const struct ensemble_state *f = &e->now[i];
+        s->u[i] = f->u[lane];
+        s->v[i] = f->v[lane];
+        s->a[i] = f->a[lane];
+    }
+    for (int i = 0; i < LANES_WIDTH; i++) {
+        r->energy.input_2x[i] = e->works->input_2x[i][lane];
+        r->energy.damping_2x[i] = e->works->damping_2x[i][lane];
+    }
+    s->ground_a[0] = e->works->ground[lane];
+    t->speed = e->works->speed[lane];
+    for (int k = 0; k < e->n_contact; k++) {
+        s->delta[k] = s->u[e->end[k][0]] - s->u[e->end[k][1]] - e->gap[k].width[lane];
+    }
+    s->time = time;
+    t->steps += n_step;
+    t->iterations += n_step;
+    ensemble_lanes_clear(e, lane);
+}
+
+void ensemble_lanes_clear(struct ensemble_lanes *e, int lane) {
+    e->active[lane] = 0;
+    e->show.u_trial[lane] = e->show.v_trial[lane] = e->show.correction[lane] = e->hidden;
+}
+
+// The larger of two peaks, and of equal ones the earlier.
+static void merge(double *peak, double *time, double other, double other_time) {
+    if (other > *peak || (other == *peak && other_time < *time)) {
+        *peak = other;
+        *time = other_time;
+    }
+}
+
+void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r) {
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        for (int i = 0; i < e->n_floor; i++) {
+            merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[i].of[q][lane],
+                  e->peak_time[i].of[q][lane]);
+        }
+    }
+    for (int k = 0; k < e->n_contact; k++) {
+        struct link_peak *p = &r->link[k];
+        const struct ensemble_nearest *n = &e->nearest[k];
+        merge(&p->penetration, &p->penetration_time, n->depth[lane], n->time[lane]);
+        r->deepest[k] = p->penetration;
+    }
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The path within a step is the cubic Hermite polynomial in x = t / h,
+//     d(x) = d0 + x (m0 + x (3 D - 2 m0 - m1 + x (m0 + m1 - 2 D))),  D = d1 - d0, m = h v,
+// whose velocity is right to third order. The zero is bracketed by the ends, so Newton steps that
+// leave the bracket are replaced by bisection and the search cannot fail.
+#include "solve/event/crossing.h"
+
+#include <math.h>
+
+struct cubic {
+    double c0, c1, c2, c3;
+};
+
+static double value(const struct cubic *c, double x) {
+    return c->c0 + x * (c->c1 + x * (c->c2 + x * c->c3));
+}
+
+static double slope(const struct cubic *c, double x) {
+    return c->c1 + x * (2.0 * c->c2 + x * 3.0 * c->c3);
+}
+
+static double root(const struct cubic *c, double sign) {
+    double low = 0.0;
+    double high = 1.0;
+    double x = c->c0 / (c->c0 - value(c, 1.0));
+    if (!(x > 0.0 && x < 1.0)) {
+        x = 0.5;
+    }
+    for (int i = 0; i < 60 && high - low > 1e-15; i++) {
+        double y = sign * value(c, x);
+        if (y == 0.0) {
+            break;
+        }
+        *(y > 0.0 ? &high : &low) = x;
+        double next = x - y / (sign * slope(c, x));
+        if (!(next > low && next < high)) {
+            next = 0.5 * (low + high);
+        }
+        if (fabs(next - x) < 1e-15) {
+            return next;
+        }
+        x = next;
+    }
+    return x;
+}
+
+static struct cubic cubic_through(const struct path *p) {
+    double m0 = p->h * p->v0;
+    double m1 = p->h * p->v1;
+    double rise = p->d1 - p->d0;
+    return (struct cubic){p->d0, m0, 3.0 * rise - 2.0 * m0 - m1, m0 + m1 - 2.0 * rise};
+}
+
+double crossing_find(const struct path *p, double *velocity) {
+    struct cubic c = cubic_through(p);
+    double x = 1.0;
+    if (p->d0 == 0.0 && p->d1 * c.c1 < 0.0) {
+        struct cubic other = {c.c1, c.c2, c.c3, 0.0};  // the cubic without its root at x = 0
+        x = root(&other, p->d1 > 0.0 ? 1.0 : -1.0);
+    } else if (p->d0 == 0.0) {
+        x = 0.0;
+    } else if (p->d1 != 0.0) {
+        x = root(&c, p->d0 < 0.0 ? 1.0 : -1.0);
+    }
+    *velocity = slope(&c, x) / p->h;
+    return x * p->h;
+}
+
+double crossing_summit(const struct path *p, double *largest) {
+    struct cubic c = cubic_through(p);
+    double x = c.c1 / (sqrt(c.c2 * c.c2 - 3.0 * c.c3 * c.c1) - c.c2);
+    *largest = value(&c, x);
+    return x * p->h;
+}

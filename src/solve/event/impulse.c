@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Newton's impact, one contact at a time. With r the velocity of approach, m* the effective mass
+// and w the rebound that the law wants, the impulse m* (r + w) keeps the momentum to rounding.
+//
+// Contacts that are closed at that instant, because they rest on each other, are struck in turn
+// wherever the bodies now approach, until none do: so an impulse travels through a row that
+// touches, as through the balls of Newton's cradle. (Contacts that close at the same instant from
+// apart come as events of their own, no time later.) Where that takes too long, as between a light
+// body and two heavy ones, the rest is settled at once without rebound (together.c).
+//
+// A body that bounces under a constant pressing acceleration comes to rest after infinitely many
+// bounces in a finite time. A bounce with rebound w under the acceleration a lasts 2 w / a; one
+// too short to follow is none, and the contact is at rest: the bodies stay together until a force
+// would have to pull. The energy given up, m* w^2 / 2, is booked as dissipated.
+#include "solve/event/impulse.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "solve/event/rest.h"
+#include "solve/event/together.h"
+
+enum { SWEEPS_BY_LAW = 1000, SWEEPS_MAX = 20000 };
+
+// Bodies that meet within this share of the shortest bounce meet at once.
+static const double AT_ONCE = 1e-6;
+
+static double rounding(const struct state *s, const struct model *m, int k) {
+    return rest_rounding(&m->link[k], s->v);
+}
+
+// The rebound below which contact k rests. Its bodies are pressed together by what accelerates
+// them, and by what its force at rest held up.
+static double slowest_rebound(const struct state *s, const struct model *m, int k,
+                              const struct least_bounce *least) {
+    const struct link *l = &m->link[k];
+    double pressing = state_gap(l, m, s->a, s->ground_a) + s->link[k].force / l->mass;
+    return fmax(fmax(least->time * pressing / 2.0, least->velocity), rounding(s, m, k));
+}
+
+// One impact; returns the velocity of the rebound.
+static double strike(struct state *s, const struct model *m, int k, enum rebound rebound,
+                     const struct least_bounce *least, struct meeting *meeting) {
+    const struct link *l = &m->link[k];
+    double r = state_rate(s, m, k);
+    double w = rebound == REBOUND_BY_LAW ? l->law->rebound(l->constant, r) : 0.0;
+    if (w <= slowest_rebound(s, m, k, least)) {
+        w = 0.0;
+    }
+    double impulse = l->mass * (r + w);
+    if (l->dof[0] != WALL) {
+        s->v[l->dof[0]] -= impulse / m->mass[l->dof[0]];
+    }
+    if (l->dof[1] != WALL) {
+        s->v[l->dof[1]] += impulse / m->mass[l->dof[1]];
+    }
+    if (!meeting->struck) {
+        *meeting = (struct meeting){.struck = true, .approach = r};
+    }
+    meeting->impulse += impulse;
+    meeting->work += impulse * (r - w) / 2.0;
+    return w;
+}
+
+// Strikes the contacts at rest whose bodies approach; false: none do.
+static bool sweep(struct state *s, const struct model *m, enum rebound rebound,
+                  const struct least_bounce *least, struct meeting *meeting) {
+    bool struck = false;
+    for (int k = 0; k < m->n_contact; k++) {
+        if (state_rests(s, m, k) && state_rate(s, m, k) > rounding(s, m, k)) {
+            strike(s, m, k, rebound, least, &meeting[k]);
+            struck = true;
+        }
+    }
+    return struck;
+}
+
+static void note(void *context, int k, const struct passage *p) {
+    struct meeting *meeting = (struct meeting *)context + k;
+    if (!meeting->struck) {
+        *meeting = (struct meeting){.struck = true, .approach = fmax(p->approach, 0.0)};
+    }
+    meeting->impulse += p->push;
+    meeting->work += p->lost;
+}
+
+// Strikes contacts at rest until the bodies of none approach.
+static void strike_those_at_rest(struct state *s, const struct model *m,
+                                 const struct least_bounce *least, struct meeting *meeting) {
+    struct together t;
+    for (int i = 0; i < SWEEPS_BY_LAW; i++) {
+        if (!sweep(s, m, REBOUND_BY_LAW, least, meeting)) {
+            return;
+        }
+    }
+    if (together_find(s, m, &t)) {
+        together_move(&t, m, s->v, s->ground_v, note, meeting);
+        return;
+    }
+    for (int i = SWEEPS_BY_LAW; i < SWEEPS_MAX; i++) {
+        if (!sweep(s, m, REBOUND_NONE, least, meeting)) {
+            return;
+        }
+    }
+}
+
+// Opens contacts at rest whose bodies leave each other for longer than the shortest bounce.
+static void part(struct state *s, const struct model *m, const struct least_bounce *least) {
+    for (int k = 0; k < m->n_contact; k++) {
+        if (state_rests(s, m, k) && state_rate(s, m, k) < -slowest_rebound(s, m, k, least)) {
+            s->link[k].closed = false;
+            s->link[k].force = 0.0;
+        }
+    }
+}
+
+// Everything that follows from the velocities.
+static void follow(struct state *s, const struct model *m) {
+    state_complete(s, m);
+    state_internal_forces(s, m, s->u, s->v);
+    for (int k = 0; k < m->n_link; k++) {
+        if (s->link[k].closed && m->link[k].law->force) {
+            s->link[k].force = state_link_force(s, m, k);
+        }
+    }
+    state_equilibrium(s, m);
+}
+
+static void come_to_rest(struct state *s, int k, double approached) {
+    state_enliven(s, k);
+    s->link[k].closed = true;
+    s->link[k].t_close = s->time;
+    s->link[k].v_close = approached;
+}
+
+void impulse_hold(struct state *s, const struct model *m, int k, struct meeting *meeting) {
+    memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
+    come_to_rest(s, k, 0.0);
+    state_complete(s, m);
+}
+
+// A light body between two heavy ones that approach each other meets them in turn at one instant,
+// as often as it is lighter, where the accelerations part it from both, so that neither contact
+// comes to rest. Takes the contacts that are about to meet among those at rest.
+static void hold_touching(struct state *s, const struct model *m,
+                          const struct least_bounce *least) {
+    for (int k = 0; k < m->n_contact; k++) {
+        double r = state_rate(s, m, k);
+        bool open = !s->link[k].closed && m->link[k].law->rebound;
+        if (open && r > rounding(s, m, k) && -s->delta[k] <= AT_ONCE * least->time * r) {
+            come_to_rest(s, k, r);
+        }
+    }
+}
+
+void impulse_meet(struct state *s, const struct model *m, int k, enum rebound rebound,
+                  const struct least_bounce *least, struct meeting *meeting) {
+    memset(meeting, 0, (size_t)m->n_contact * sizeof *meeting);
+    double approached = fmax(state_rate(s, m, k), 0.0);
+    if (approached == 0.0 || strike(s, m, k, rebound, least, &meeting[k]) == 0.0) {
+        come_to_rest(s, k, approached);
+    }
+    if (rebound == REBOUND_NONE) {
+        hold_touching(s, m, least);
+    }
+    strike_those_at_rest(s, m, least, meeting);
+    part(s, m, least);
+    follow(s, m);
+}

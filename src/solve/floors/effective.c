@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tridiagonal case is L D L^T from the ground up (Golub & Van Loan, Matrix Computations,
+// section 4.3.6), with the reciprocal pivots stored, so that a solve has no division. The full case
+// stores the inverse, which costs n^2 per solve like a pair of triangular solves but has no chain
+// of dependences. So do low buildings where the factorisation is used for long: there a product in
+// lanes takes less time than the chain. An elastic building gets its inverse at once, so that the
+// arithmetic of a step depends on its size alone; one that yields gets it row by row, with the
+// first solves.
+#include "solve/floors/effective.h"
+
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/lanes.h"
+#include "solve/floors/effective_low.h"
+
+static bool alloc_one(struct effective *e, const struct building *building, enum effective_use use,
+                      struct arena *a) {
+    size_t n = (size_t)building->n_floor;
+    e->building = building;
+    e->use = building->damping_full ? EFFECTIVE_LONG : use;
+    e->b = e->g = NAN;
+    e->tangent = arena_alloc(a, n, sizeof *e->tangent);
+    e->stride = lanes_whole(building->n_floor);
+    e->inverse = lanes_array(a, e->stride * e->stride);
+    e->ready = arena_alloc(a, n, sizeof *e->ready);
+    e->reach = arena_alloc(a, n, sizeof *e->reach);
+    if (!e->tangent || !e->inverse || !e->ready || !e->reach) {
+        return false;
+    }
+    memcpy(e->tangent, building->stiffness, n * sizeof *e->tangent);
+    return true;
+}
+
+// Fewer buildings than this are faster one after the other.
+enum { ABREAST_LEAST = 3 };
+
+// The factors of n buildings of one height.
+static bool alloc_factors(struct effective *e, int n, struct arena *a) {
+    const int pitch = n >= ABREAST_LEAST ? EFFECTIVE_ABREAST : 1;
+    const size_t floors = (size_t)e->building->n_floor;
+    bool together = n >= ABREAST_LEAST;
+    for (int k = 0; k < n; k++) {
+        const bool shares = k > 0 && pitch > 1;
+        e[k].pitch = pitch;
+        e[k].pivot = shares ? e->pivot + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
+        e[k].factor =
+            shares ? e->factor + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
+        if (!e[k].pivot || !e[k].factor) {
+            return false;
+        }
+        together = together && !effective_prefers_inverse(&e[k]);
+    }
+    e->abreast = together ? n : 0;
+    return true;
+}
+
+int effective_alike(const struct building *building, int n) {
+    int k = 1;
+    while (k < n && k < EFFECTIVE_ABREAST && building[k].n_floor == building->n_floor) {
+        k++;
+    }
+    return k;
+}
+
+bool effective_alloc(struct effective *e, const struct building *building, int n,
+                     enum effective_use use, struct arena *a) {
+    bool done = true;
+    for (int k = 0; done && k < n; k++) {
+        done = alloc_one(&e[k], &building[k], use, a);
+    }
+    for (int k = 0, alike; done && k < n; k += alike) {
+        alike = effective_alike(&building[k], n - k);
+        done = alloc_factors(&e[k], alike, a);
+    }
+    return done;
+}
+
+// Diagonal entry i of M + b K; the entry to its right is -b tangent[i + 1].
+static double diagonal(const struct effective *e, double b, int i) {
+    double above = i + 1 < e->building->n_floor ? e->tangent[i + 1] : 0.0;
+    return e->building->mass[i] + b * (e->tangent[i] + above);
+}
+
+static double right_of(const struct effective *e, double b, int i) {
+    return i + 1 < e->building->n_floor ? -b * e->tangent[i + 1] : 0.0;
+}
+
+static int factor_tridiagonal(struct effective *e, double b, double g) {
+    const struct building *building = e->building;
+    const ptrdiff_t pitch = e->pitch;
+    double carried = 0.0;
+    for (int i = 0; i < building->n_floor; i++) {
+        double d = diagonal(e, b, i) + g * building->damping_diagonal[i] - carried;
+        double off = right_of(e, b, i) + g * building->damping_off[i];
+        if (!(d > 0.0)) {
+            return STATUS_RETRY;
+        }
+        double pivot = 1.0 / d, factor = off * pivot;
+        e->pivot[i * pitch] = pivot;
+        e->factor[i * pitch] = factor;
+        carried = off * factor;
+    }
+    memset(e->ready, 0, (size_t)building->n_floor * sizeof *e->ready);
+    e->n_ready = 0;
+    return STATUS_OK;
+}
+
+static int factor_full(struct effective *e, double b, double g) {
+    const struct building *building = e->building;
+    size_t n = (size_t)building->n_floor;
+    size_t stride = (size_t)e->stride;
+    for (size_t i = 0; i < n; i++) {
+        double *row = e->inverse + i * stride;
+        for (size_t j = 0; j < n; j++) {
+            row[j] = g * building->damping_full[i * n + j];
+        }
+        row[i] += diagonal(e, b, (int)i);
+        if (i > 0) {
+            row[i - 1] += right_of(e, b, (int)i - 1);
+        }
+        if (i + 1 < n) {
+            row[i + 1] += right_of(e, b, (int)i);
+        }
+    }
+    gsl_matrix_view a = gsl_matrix_view_array_with_tda(e->inverse, n, n, stride);
+    if (gsl_linalg_cholesky_decomp1(&a.matrix) != 0 || gsl_linalg_cholesky_invert(&a.matrix) != 0) {
+        return STATUS_RETRY;
+    }
+    memset(e->ready, true, n * sizeof *e->ready);
+    for (size_t i = 0; i < n; i++) {
+        e->reach[i] = (struct reach){0, e->stride};
+    }
+    e->n_ready = building->n_floor;
+    return STATUS_OK;
+}
+
+int effective_factor(struct effective *e, double b, double g) {
+    int status = e->building->damping_full ? factor_full(e, b, g) : factor_tridiagonal(e, b, g);
+    e->b = status == STATUS_OK ? b : NAN;
+    e->g = g;
+    bool at_once = status == STATUS_OK && e->building->elastic && effective_prefers_inverse(e);
+    for (int i = 0; at_once && i < e->building->n_floor; i++) {
+        effective_column(e, i);
+    }
+    return status;
+}
+
+static void solve_tridiagonal(const struct effective *e, double *r) {
+    int n = e->building->n_floor;
+    const ptrdiff_t pitch = e->pitch;
+    const double *l = e->factor, *p = e->pivot;
+    for (int i = 1; i < n; i++, l += pitch) {
+        r[i] -= *l * r[i - 1];
+    }
+    p += (n - 1) * pitch;
+    r[n - 1] *= *p;
+    for (int i = n - 2; i >= 0; i--) {
+        p -= pitch;
+        l -= pitch;
+        r[i] = r[i] * *p - *l * r[i + 1];
+    }
+}
+
+// q (n) = the sum of r_i times row i of the inverse.
+LANES static void multiply(const double *restrict inverse, int stride, const double *restrict r,
+                           int n, double *restrict q) {
+    for (int j = 0; j < n; j += LANES_VECTOR) {
+        const double *restrict row = inverse + j;
+        lanes y = {0.0};
+        for (int i = 0; i < n; i++, row += stride) {
+            y += r[i] * *(const lanes *)row;
+        }
+        if (j + LANES_VECTOR <= n) {
+            *(lanes *)(q + j) = y;
+        }
+        for (int lane = 0; j + LANES_VECTOR > n && j + lane < n; lane++) {
+            q[j + lane] = y[lane];
+        }
+    }
+}
+
+void effective_solve(struct effective *e, double *r, double *q) {
+    int n = e->building->n_floor;
+    if (effective_has_inverse(e)) {
+        multiply(e->inverse, e->stride, r, n, q);
+        return;
+    }
+    solve_tridiagonal(e, r);
+    for (int i = 0; i < n; i++) {
+        q[i] = 0.0 + r[i];
+    }
+    if (effective_prefers_inverse(e)) {
+        effective_column(e, e->n_ready);
+    }
+}
+
+LANES void effective_solve_row(struct effective *e, int n, double *r, double *q) {
+    for (int k = 0; k < n;) {
+        struct effective *first = &e[k];
+        ptrdiff_t floors = first->building->n_floor;
+        int solved = 1;
+        if (effective_is_low(first)) {
+            effective_multiply(first, r, q);
+        } else if (first->abreast > 0 && first->abreast <= n - k) {
+            effective_solve_abreast(first, r, q);
+            solved = first->abreast;
+        } else {
+            effective_solve(first, r, q);
+        }
+        k += solved;
+        r += solved * floors;
+        q += solved * floors;
+    }
+}
+
+// Entries of a row of the inverse that are this small against its diagonal are below rounding.
+static const double NEGLIGIBLE = 1e-20;
+
+// Entries of row i fall off fast on both sides of the diagonal where the step is short.
+static struct reach reach_of(const struct effective *e, int i) {
+    const double *row = e->inverse + (size_t)i * (size_t)e->stride;
+    double least = NEGLIGIBLE * fabs(row[i]);
+    int from = i;
+    int to = i + 1;
+    while (from > 0 && fabs(row[from - 1]) > least) {
+        from--;
+    }
+    while (to < e->building->n_floor && fabs(row[to]) > least) {
+        to++;
+    }
+    return (struct reach){from / LANES_WIDTH * LANES_WIDTH, lanes_whole(to)};
+}
+
+const double *effective_column(struct effective *e, int i) {
+    double *column = e->inverse + (size_t)i * (size_t)e->stride;
+    if (!e->ready[i]) {
+        memset(column, 0, (size_t)e->stride * sizeof *column);
+        column[i] = 1.0;
+        solve_tridiagonal(e, column);
+        e->ready[i] = true;
+        e->reach[i] = reach_of(e, i);
+        while (e->n_ready < e->building->n_floor && e->ready[e->n_ready]) {
+            e->n_ready++;
+        }
+    }
+    return column;
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The effective mass matrix of one building under Newmark, factorised:
+//     A = M + gamma h C + beta h^2 K,   A a = r.
+// It is tridiagonal for a shear building, and full with modal damping. Buildings never share a
+// matrix: contact forces couple them through columns of A^-1.
+#ifndef JOSTLE_EFFECTIVE_H
+#define JOSTLE_EFFECTIVE_H
+
+#include "core/lanes.h"
+#include "jostle/model.h"
+
+// How long a factorisation will serve.
+enum effective_use {
+    EFFECTIVE_BRIEFLY,  // a step or so: solves go through the factors
+    EFFECTIVE_LONG,     // solves of low buildings multiply by the inverse
+};
+
+enum { INVERSE_FLOORS_MAX = 16, EFFECTIVE_ABREAST = LANES_WIDTH };
+
+struct effective {
+    const struct building *building;  // borrowed
+    enum effective_use use;
+    double b, g;             // beta h^2 and gamma h of the factors; NAN: none
+    double *tangent;         // [F/L] (n_floor) storey tangents it was factorised with
+    double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T, `pitch` apart; tridiagonal
+    int pitch;               // those of neighbours of one height lie side by side
+    int abreast;             // how many from this one on are solved together; 0: none
+    int stride;              // of the rows of `inverse`: n_floor in whole lanes
+    double *inverse;         // (stride, stride) A^-1, rows ready where marked, and zeros
+    bool *ready;             // (n_floor) row of `inverse` is valid
+    int n_ready;             // rows below this are
+    struct reach {
+        int from, to;  // in whole lanes
+    } * reach;         // (n_floor) of ready rows: entries outside are below rounding
+};
+
+// Room for the factors of n buildings of a row, with the initial tangents; false: no memory.
+bool effective_alloc(struct effective *e, const struct building *building, int n,
+                     enum effective_use use, struct arena *a);
+
+// How many of n buildings, from the first on, have one height, so that they may be solved together.
+int effective_alike(const struct building *building, int n);
+
+// Factorises A for beta h^2 = `b`, gamma h = `g` and the tangents of `e`. STATUS_RETRY: A is not
+// positive definite to working accuracy.
+int effective_factor(struct effective *e, double b, double g);
+
+// Whether solves multiply by the inverse, once it is there.
+static inline bool effective_prefers_inverse(const struct effective *e) {
+    return e->use == EFFECTIVE_LONG &&
+           (e->building->damping_full || e->building->n_floor <= INVERSE_FLOORS_MAX);
+}
+
+static inline bool effective_has_inverse(const struct effective *e) {
+    return e->n_ready == e->building->n_floor && effective_prefers_inverse(e);
+}
+
+static inline bool effective_is_low(const struct effective *e) {
+    return e->stride <= INVERSE_FLOORS_MAX && effective_has_inverse(e);
+}
+
+// q = A^-1 r; both (n_floor), r is overwritten.
+void effective_solve(struct effective *e, double *r, double *q);
+
+// The same for n buildings whose floors follow each other in r and q, arrays of core/lanes.h: what
+// follows them in r must be finite, and may be written to in q. Much faster than one by one where
+// they are low, or where several have the same height.
+void effective_solve_row(struct effective *e, int n, double *r, double *q);
+
+// The same for those that are solved together from e[0] on (`abreast`), by their factors.
+void effective_solve_abreast(const struct effective *e, const double *r, double *q);
+
+// Column (and row) `i` of A^-1, (n_floor): the accelerations of all floors under a unit force on
+// floor i + 1. Computed when first asked for after a factorisation.
+const double *effective_column(struct effective *e, int i);
+
+#endif

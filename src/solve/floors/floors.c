@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One step of Newmark's method, where all but the links is linear and their forces are given: the
+// blocks of floors, the forces of links on them, and when accounts are taken. The loops are in
+// floor_steps.h.
+#include "solve/floors/floors.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/number.h"
+#include "solve/account/peaks.h"
+#include "solve/contact/contact.h"
+#include "solve/floors/chain.h"
+#include "solve/newmark/flight.h"
+
+// A block has at least so many floors; buildings that are solved together stay together.
+enum { FLOORS_LEAST = 192 };
+
+// How many buildings from k on make up a block.
+static int block_size(const struct model *m, int k) {
+    int n = 0;
+    int floors = 0;
+    while (k + n < m->n_building && floors < FLOORS_LEAST) {
+        const struct building *b = &m->building[k + n];
+        int alike = effective_alike(b, m->n_building - k - n);
+        floors += alike * b->n_floor;
+        n += alike;
+    }
+    return n;
+}
+
+static struct floor_block block_from(const struct model *m, int k, int first) {
+    struct floor_block b = {.building = k, .n_building = block_size(m, k), .first = first};
+    const struct building *last = &m->building[k + b.n_building - 1];
+    int end = last->first + last->n_floor;
+    b.n = lanes_whole(end) - first;
+    b.end = k + b.n_building < m->n_building ? end / LANES_WIDTH * LANES_WIDTH : lanes_whole(end);
+    return b;
+}
+
+bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
+    int most = 0;
+    *f = (struct floors){
+        .block = arena_alloc(a, (size_t)m->n_building, sizeof *f->block),
+    };
+    if (!f->block) {
+        return false;
+    }
+    for (int k = 0, first = 0; k < m->n_building; f->n_block++) {
+        struct floor_block b = block_from(m, k, first);
+        f->block[f->n_block] = b;
+        most = b.n > most ? b.n : most;
+        first = b.end;
+        k += b.n_building;
+    }
+    f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
+    f->u_trial = lanes_array(a, most);
+    f->v_trial = lanes_array(a, most);
+    return f->residual && f->u_trial && f->v_trial;
+}
+
+// Adds the forces of a run of links to the residual of building k, which is at one of its sides.
+static void push_run(const struct gaps *g, int run, int k, const struct link_state *link,
+                     const struct floor_block *b, double *residual) {
+    const struct gap_run *r = &g->run[run];
+    const struct gap_share *share = &g->share[run];
+    const bool left = r->building[0] == k;
+    double *end = residual + ((left ? r->left : r->right) - b->first);
+    for (int i = share->first; i < share->first + share->n; i++) {
+        double force = link[g->acting[i]].force;
+        end[g->acting[i] - r->first] += left ? -force : force;
+    }
+}
+
+void floors_push(struct work *w, const struct state *now, const struct state *next,
+                 const struct floor_block *b) {
+    const struct gaps *g = &w->gaps;
+    for (int k = b->building; k < b->building + b->n_building; k++) {
+        if (g->is_touched[k]) {
+            floors_trial(w, now, k);
+        }
+        for (int i = g->start[k]; g->is_touched[k] && i < g->start[k + 1]; i++) {
+            push_run(g, g->of_building[i], k, next->link, b, w->floors.residual);
+        }
+    }
+}
+
+void floors_trial(struct work *w, const struct state *now, int k) {
+    const struct building *g = &w->model->building[k];
+    const int i = g->first;
+    chain_trial(lanes_whole(g->n_floor), w->h, now->u + i, now->v + i, now->a + i, w->u_trial + i,
+                w->v_trial + i);
+}
+
+void floors_account_to(struct work *w, struct energy_account *energy, struct results *results) {
+    w->floors.account = (struct floors_account){
+        .energy = energy,
+        .results = results,
+        .defers = state_is_uniform(w->model) && !w->model->adaptive && !w->small.possible,
+    };
+}
+
+void floors_defer(struct floors_account *account, const struct state *now) {
+    account->due = true;
+    account->time = now->time;
+    account->ground_a = now->ground_a[0];
+}
+
+// The steps with the widest vectors for which the processor has registers.
+static const struct floors_steps *steps(void) {
+    return LANES_WIDEST_OF(&floors_wide, &floors_narrow);
+}
+
+void floors_catch_up(struct work *w, const struct state *old, const struct state *now) {
+    if (w->floors.account.defers) {
+        steps()->catch_up(w, old, now);
+        peaks_speed(w->floors.account.results, 0, w->model->n_dof);
+    }
+}
+
+double floors_speed(const struct work *w, const struct state *now) {
+    const struct floors_account *account = &w->floors.account;
+    double speed = w->totals->speed;
+    for (int i = 0, n = account->defers ? w->model->n_dof : 0; i < n; i++) {
+        double peak = account->results->peak[PEAK_VELOCITY][i];
+        speed = number_max(speed, number_max(peak, fabs(now->v[i])));
+    }
+    return speed;
+}
+
+void floors_account_now(struct work *w, const struct state *now, const struct state *next) {
+    const struct floors_account *to = &w->floors.account;
+    if (w->small.serves) {
+        w->small.steps->account(w, now, next);
+        return;
+    }
+    energy_step(to->energy, w->model, now, next);
+    steps()->raise(to->results, w->model, next);
+    peaks_speed(to->results, 0, w->model->n_dof);
+}
+
+void floors_account(struct work *w, const struct state *now, const struct state *next) {
+    struct floors_account *to = &w->floors.account;
+    if (!state_is_linear(w->model)) {
+        energy_step(to->energy, w->model, now, next);
+        peaks_floors(to->results, w->model, next);
+    } else if (to->defers) {
+        floors_defer(to, now);
+    } else {
+        floors_account_now(w, now, next);
+    }
+}
+
+// Penetrations after a step of few floors; false: it is not finite.
+static bool update_gaps(struct work *w, struct state *next, enum small_news news) {
+    if (news == SMALL_NEAR) {
+        gaps_update(&w->gaps, next);
+    } else {
+        gaps_keep(&w->gaps);
+    }
+    return news != SMALL_INFINITE;
+}
+
+bool floors_move(struct work *w, const struct state *now, struct state *next) {
+    if (w->small.serves) {
+        return update_gaps(w, next, w->small.steps->move(w, now, next));
+    }
+    bool finite = steps()->move(w, now, next);
+    gaps_update(&w->gaps, next);
+    return finite;
+}
+
+bool floors_correct(const struct work *w, const struct state *now, struct state *next, int first,
+                    int n) {
+    const int i = first;
+    return chain_correct(n, w->b, w->g, w->correction + i, w->u_trial + i, w->v_trial + i,
+                         now->a + i, next->u + i, next->v + i, next->a + i);
+}
+
+void floors_correct_touched(struct work *w, const struct state *now, struct state *next) {
+    if (w->small.serves) {
+        update_gaps(w, next, w->small.steps->correct(w, now, next));
+        return;
+    }
+    for (int i = 0; i < w->gaps.n_touched; i++) {
+        const struct building *g = &w->model->building[w->gaps.touched[i]];
+        floors_correct(w, now, next, g->first, lanes_whole(g->n_floor));
+    }
+    gaps_update_touched(&w->gaps, next);
+}
+
+bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
+    return steps()->fly(f, now, next);
+}
+
+bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next) {
+    return steps()->fly_on_lines(f, now, next);
+}

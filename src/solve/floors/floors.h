@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a step does for every floor where all storeys are elastic and C is tridiagonal: Newmark's
+// step and its account, a block of buildings at a time, so that each loop finds in the cache what
+// the one before has written.
+#ifndef JOSTLE_FLOORS_H
+#define JOSTLE_FLOORS_H
+
+#include "solve/account/energy.h"
+#include "solve/state.h"
+
+// Consecutive buildings, and their floors in whole lanes.
+struct floor_block {
+    int building, n_building;
+    int first, n;
+    int end;  // where the next block begins: floors below this are finished
+};
+
+// Where the works and peaks of floors go. Where one ground moves all floors, the account of a step
+// is put off until the next step, which takes it just before it overwrites the older state: so each
+// array is read from memory only once.
+struct floors_account {
+    struct energy_account *energy;  // borrowed
+    struct results *results;        // borrowed
+    bool defers;                    // accounts are put off with this model
+    bool due;         // the step to the committed state is in no works, and that state in no peaks
+    double time;      // [T] of the state that the step began with,
+    double ground_a;  // [L/T^2] and the acceleration of the ground then
+};
+
+struct work;
+struct flight;
+
+struct floors {
+    int n_block;
+    struct floor_block *block;  // (n_block)
+    double *residual;           // [F] of a block
+    double *u_trial, *v_trial;  // of a block: its end of the step if the accelerations stay
+    struct floors_account account;
+};
+
+bool floors_alloc(struct floors *f, const struct model *m, struct arena *a);
+
+// Sets where works and peaks of the floors go.
+void floors_account_to(struct work *w, struct energy_account *energy, struct results *results);
+
+// Computes displacements, velocities, accelerations and penetrations of `next` under the forces of
+// its live links, with the trial of their buildings and all corrections in `w`; and takes what
+// account is due. False: not finite.
+bool floors_move(struct work *w, const struct state *now, struct state *next);
+
+// Computes the trial of building k.
+void floors_trial(struct work *w, const struct state *now, int k);
+
+// Brings n floors of `next`, from `first` on, to the corrections. False: not finite.
+bool floors_correct(const struct work *w, const struct state *now, struct state *next, int first,
+                    int n);
+
+// The same for the buildings with live links, and penetrations.
+void floors_correct_touched(struct work *w, const struct state *now, struct state *next);
+
+// Takes the step from `now` to `next` into works and peaks, or puts that off.
+void floors_account(struct work *w, const struct state *now, const struct state *next);
+
+// The same at once, of a linear model or one in flight.
+void floors_account_now(struct work *w, const struct state *now, const struct state *next);
+
+// Puts that off until the next step or floors_catch_up. The caller commits `next`; `now` is where
+// the next step will be written.
+void floors_defer(struct floors_account *account, const struct state *now);
+
+// Takes the account that is due, of the step from the state in `old` to the committed `now`, and
+// `now` itself into the peaks, which otherwise happens when the next step leaves it. Does nothing
+// where accounts are not put off.
+void floors_catch_up(struct work *w, const struct state *old, const struct state *now);
+
+// [L/T] Largest velocity of any floor so far, the committed `now` and what is put off included.
+double floors_speed(const struct work *w, const struct state *now);
+
+// A step in free flight to the time of `next`, under its ground acceleration (or where that is not
+// uniform its external forces), with what account is due. Contacts that were nearest in `now` are
+// recorded. False: not in free flight, as a contact would close, or not finite.
+bool floors_fly(const struct flight *f, const struct state *now, struct state *next);
+
+// The same where storeys follow straight lines. False also if one would leave its line.
+bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next);
+
+// The loops over floors of these functions, on vectors of one width; `raise` takes a state into the
+// peaks.
+struct floors_steps {
+    bool (*move)(struct work *w, const struct state *now, struct state *next);
+    bool (*fly)(const struct flight *f, const struct state *now, struct state *next);
+    bool (*fly_on_lines)(const struct flight *f, const struct state *now, struct state *next);
+    void (*catch_up)(struct work *w, const struct state *old, const struct state *now);
+    void (*raise)(struct results *r, const struct model *m, const struct state *s);
+};
+extern const struct floors_steps floors_narrow, floors_wide;
+
+// Takes the forces of live links into the residual of a block, and the trial of their buildings for
+// the contact iteration.
+void floors_push(struct work *w, const struct state *now, const struct state *next,
+                 const struct floor_block *b);
+
+#endif

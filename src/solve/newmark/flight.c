@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/newmark/flight.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/lanes.h"
+#include "core/number.h"
+#include "solve/account/peaks.h"
+#include "solve/contact/contact.h"
+#include "solve/excitation.h"
+
+static struct gap_group group_from(const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    struct gap_group g = {.contact = k};
+    for (int i = 0; i < 2; i++) {
+        g.dof[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
+        g.ground[i] = l->moving_ground ? m->building[l->building[i]].ground : 0;
+    }
+    return g;
+}
+
+// Does contact k stand next to the one before it? What is above the roof of a building is the first
+// floor of the next.
+static bool follows(const struct model *m, int k) {
+    const struct gap_group before = group_from(m, k - 1), own = group_from(m, k);
+    bool side_by_side = true;
+    for (int i = 0; i < 2; i++) {
+        side_by_side = side_by_side && own.ground[i] == before.ground[i] &&
+                       own.dof[i] == before.dof[i] + (own.dof[i] < m->n_dof);
+    }
+    return side_by_side;
+}
+
+static void group_contacts(struct flight *f, const struct model *m) {
+    int in_group = LANES_WIDTH;
+    for (int k = 0; k < m->n_contact; k++) {
+        if (in_group == LANES_WIDTH || !follows(m, k)) {
+            f->group[f->n_group++] = group_from(m, k);
+            in_group = 0;
+        }
+        f->gap[(f->n_group - 1) * LANES_WIDTH + in_group++] = m->link[k].gap;
+    }
+}
+
+// The last building of a group, whose ends follow each other.
+static int last_building(const struct flight *f, int group) {
+    int contact = group + 1 < f->n_group ? f->group[group + 1].contact : f->model->n_contact;
+    const int *k = f->model->link[contact - 1].building;
+    return k[0] > k[1] ? k[0] : k[1];
+}
+
+// Assigns each group to the first block of floors after which both its ends are known, in order.
+static void assign_groups(struct flight *f) {
+    const struct floors *floors = &f->work->floors;
+    int group = 0;
+    for (int i = 0; i < floors->n_block; i++) {
+        const struct floor_block *b = &floors->block[i];
+        bool last = i == floors->n_block - 1;
+        while (group < f->n_group &&
+               (last || last_building(f, group) < b->building + b->n_building)) {
+            group++;
+        }
+        f->group_end[i] = group;
+    }
+}
+
+// Are all links contacts with a law of force, and all storeys of straight lines?
+static bool is_possible(const struct model *m) {
+    bool possible = m->n_link == m->n_contact && !m->chain.full_damping;
+    for (int k = 0; k < m->n_link; k++) {
+        possible = possible && !m->link[k].law->rebound;
+    }
+    for (int i = 0; i < m->n_dof; i++) {
+        possible = possible && m->storey[i].law->branch;
+    }
+    return possible;
+}
+
+static void find_branches(struct flight *f, const double *history) {
+    for (int i = 0; i < f->model->n_dof; i++) {
+        const struct storey *s = &f->model->storey[i];
+        const double *h = s->law->n_history > 0 ? history + s->history : NULL;
+        struct storey_branch b = s->law->branch(s->constant, h);
+        f->back[i] = b.back;
+        f->spring[i] = b.spring;
+        f->rest[i] = b.rest;
+        f->limit[i] = b.limit;
+    }
+}
+
+// Are the buildings factorised for the branches, and do low ones have their inverse?
+static bool is_factorised(const struct flight *f) {
+    for (int k = 0; k < f->model->n_building; k++) {
+        const struct effective *e = &f->work->effective[k];
+        const struct building *g = e->building;
+        for (int i = 0; !g->elastic && i < g->n_floor; i++) {
+            if (e->tangent[i] != f->back[g->first + i] + f->spring[g->first + i]) {
+                return false;
+            }
+        }
+        if (effective_prefers_inverse(e) && !effective_has_inverse(e)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool branches_alloc(struct flight *f, const struct model *m, struct arena *a) {
+    double **const part[] = {&f->back, &f->spring, &f->rest, &f->limit};
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        *part[i] = lanes_array(a, m->n_dof);
+        if (!*part[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
+    const struct model *m = w->model;
+    *f = (struct flight){
+        .model = m,
+        .work = w,
+        .account = &w->floors.account,
+        .possible = is_possible(m),
+        .yields = m->n_storey_history > 0,
+        .uniform = state_is_uniform(m),
+    };
+    size_t n = f->possible ? (size_t)m->n_contact : 0;
+    f->group = arena_alloc(a, n, sizeof *f->group);
+    f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
+    f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
+    if (!f->group || !f->gap || !f->group_end || !branches_alloc(f, m, a)) {
+        return false;
+    }
+    for (size_t i = 0; i < n * LANES_WIDTH; i++) {
+        f->gap[i] = INFINITY;
+    }
+    if (f->possible) {
+        group_contacts(f, m);
+        assign_groups(f);
+        w->small.flight = f;
+    }
+    return true;
+}
+
+void flight_deepen(const struct flight *f, struct state *s) {
+    gaps_update(&f->work->gaps, s);
+    gaps_peaks(&f->work->gaps, s);
+}
+
+// Takes a step as it has been found into the account, or sees to it that the next one does.
+static void account(const struct flight *f, const struct state *now, const struct state *next) {
+    if (!f->account->defers) {
+        floors_account_now(f->work, now, next);
+        return;
+    }
+    floors_defer(&f->work->floors.account, now);
+    if (f->yields) {
+        chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
+                           f->account->energy->storey_2x);
+    }
+}
+
+// Computes what steps in flight leave out.
+static void complete(const struct flight *f, struct state *s) {
+    const struct model *m = f->model;
+    flight_deepen(f, s);
+    if (f->yields) {
+        excitation_floors(s, m, s->time);
+        state_internal_forces(s, m, s->u, s->v);
+        state_totals(s, m);
+    }
+}
+
+// Steps of a small model from n towards `end`; returns the one reached.
+static long glide(struct flight *f, struct state *now, long n, long end) {
+    long reached = n;
+    while (f->work->small.possible && reached < end) {
+        struct excitation_ahead *ahead = &f->work->ahead;
+        excitation_foresee(ahead, f->model, reached + 1);
+        long known = number_least(end, ahead->from + EXCITATION_AHEAD - 1);
+        reached = small_take(f, now, reached, known);
+        if (reached < known) {
+            break;
+        }
+    }
+    return reached;
+}
+
+// False: step n is not one in free flight.
+static bool fly_to(struct flight *f, const struct state *now, struct state *next, long n) {
+    struct excitation_ahead *ahead = &f->work->ahead;
+    excitation_foresee(ahead, f->model, n);
+    next->time = ahead->time[n - ahead->from];
+    if (f->uniform) {
+        next->ground_a[0] = ahead->ground[n - ahead->from];
+    } else {
+        excitation_at(next, f->model, next->time);
+    }
+    bool free = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
+    if (free) {
+        account(f, now, next);
+    }
+    return free;
+}
+
+// Has a storey left its line in the step from `before`? Then it most likely will again in the next.
+static bool has_yielded(const struct model *m, const struct state *before, const struct state *s) {
+    return memcmp(before->storey_history, s->storey_history,
+                  (size_t)m->n_storey_history * sizeof *s->storey_history) != 0;
+}
+
+static bool may_start(struct flight *f, const struct state *before, const struct state *s) {
+    if (!f->possible || s->n_live > 0 || f->work->h != f->model->dt ||
+        has_yielded(f->model, before, s)) {
+        return false;
+    }
+    if (f->yields) {
+        find_branches(f, s->storey_history);
+    }
+    return !f->yields || is_factorised(f);
+}
+
+static void start_flight(struct flight *f, const struct state *now, struct state *next) {
+    const struct model *m = f->model;
+    state_open_links(next);
+    gaps_forget(&f->work->gaps);
+    memset(f->work->storeys.agree, 0, (size_t)m->n_building * sizeof *f->work->storeys.agree);
+    if (f->work->small.possible) {
+        small_factor(f->work);
+    }
+    if (f->yields) {
+        memcpy(next->storey_history, now->storey_history,
+               (size_t)m->n_storey_history * sizeof *next->storey_history);
+    }
+}
+
+// Accounts for n steps that end in state s, and computes the internal forces of yielding storeys.
+static void finish_flight(const struct flight *f, const struct state *old, struct state *s,
+                          long n) {
+    struct totals *t = &f->account->results->totals;
+    if (f->yields) {
+        floors_catch_up(f->work, old, s);
+    }
+    complete(f, s);
+    peaks_speed(f->account->results, 0, f->model->n_dof);
+    t->steps += n;
+    t->iterations += n;
+}
+
+long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end) {
+    if (f->uniform) {
+        excitation_foresee(&f->work->ahead, f->model, n + 1);
+    }
+    if (!may_start(f, *next, *now)) {
+        return n;
+    }
+    end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
+    start_flight(f, *now, *next);
+    long first = n;
+    for (; (n = glide(f, *now, n, end)) < end && fly_to(f, *now, *next, n + 1); n++) {
+        struct state *old = *now;
+        *now = *next;
+        *next = old;
+    }
+    if (n > first) {
+        finish_flight(f, *next, *now, n - first);
+    }
+    return n;
+}

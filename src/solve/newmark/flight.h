@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Free flight: steps of the model's size in which no link acts and no storey changes its branch.
+// They need no iteration and no search, and most steps are such, so they have a way of their own
+// through the solver. It gives the same bits as newmark_step and floors_account.
+#ifndef JOSTLE_FLIGHT_H
+#define JOSTLE_FLIGHT_H
+
+#include "solve/work.h"
+
+// Consecutive contacts, LANES_WIDTH at most, whose ends are consecutive floors on both sides.
+struct gap_group {
+    int contact;    // the first
+    int dof[2];     // its ends; a wall is the zero behind the floors
+    int ground[2];  // under its ends; equal where the grounds do not move them apart
+};
+
+struct flight {
+    const struct model *model;  // borrowed, as are the next two
+    struct work *work;
+    const struct floors_account *account;  // where works and peaks go
+    bool possible;                         // with this model
+    bool yields;                           // not all storeys are elastic
+    bool uniform;                          // one ground moves all, and there are no loads
+
+    double *back, *spring, *rest, *limit;  // (n_dof) the storeys' branches: struct storey_branch
+
+    int n_group;
+    struct gap_group *group;  // (n_group)
+    double *gap;              // [L] (n_group, LANES_WIDTH) infinite where a group has no contact
+    int *group_end;           // by block of floors: after it, groups below this can be checked
+};
+
+// Room for the flights of a run with this scratch, whose accounts (floors_account_to) must be set;
+// false: no memory.
+bool flight_alloc(struct flight *f, struct work *w, struct arena *a);
+
+// Steps from step `n` of the model, whose state is `*now`, as far as step `end`, but stops before a
+// step in which a link would act or a storey change its branch. Returns the step that it has
+// reached; `*now` is its state, and `*next` is of no meaning.
+long flight_take(struct flight *f, struct state **now, struct state **next, long n, long end);
+
+// Computes the penetrations of `s`, a state in flight, and records those that are nearer than ever.
+void flight_deepen(const struct flight *f, struct state *s);
+
+#endif

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Newmark (1959), J. Eng. Mech. Div. ASCE 85(3), 67-94. The trial is the end of the step if the
+// accelerations stayed, and q their correction:
+//     u = u_t + beta h^2 q,   u_t = u_n + h v_n + h^2 a_n / 2,
+//     v = v_t + gamma h q,    v_t = v_n + h a_n,                  a = a_n + q.
+// Equilibrium M a + C v + f_s(u) + B' f = p is solved for q at the end of the step,
+//     A q = p - M a_n - C v_t - f_s(u_t) - B' f,   A = M + gamma h C + beta h^2 K.
+// This form holds for any beta >= 0, and loses no digits in small steps, where A -> M.
+//
+// Storeys: Newton's method with their consistent tangents, building by building. A building whose
+// storeys turn out to be on the branch that was assumed is finished; an elastic one always is.
+// Links: contact.c solves for their forces exactly about each linearisation. Both are consistent,
+// so the two together are Newton's method on all unknowns.
+//
+// Work on floors is done in flat loops, those of floors.c where all but the links is linear, else
+// those of chain.c; work on links is done for live ones only.
+#include "solve/newmark/newmark.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/lanes.h"
+#include "solve/contact/contact.h"
+#include "solve/excitation.h"
+
+static void begin(struct work *w, const struct state *now, struct state *next, double end) {
+    const struct model *m = w->model;
+    contact_begin(w, now, next);
+    next->time = end;
+    if (w->forcing) {
+        excitation_of_pieces(next, w->forcing, end);
+    } else {
+        excitation_grounds_known(&w->ahead, next, m, end);
+        if (state_is_linear(m) && state_is_uniform(m)) {
+            return;
+        }
+        excitation_floors(next, m, end);
+    }
+    memcpy(next->storey_history, now->storey_history,
+           (size_t)m->n_storey_history * sizeof *next->storey_history);
+    memset(w->storeys.agree, 0, (size_t)m->n_building * sizeof *w->storeys.agree);
+    memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
+}
+
+// residual = external - M a - C v - storey shears - link forces, with the internal forces of
+// `next`.
+static void residuals(struct work *w, struct state *next, const double *a) {
+    const struct model *m = w->model;
+    chain_residual(&m->chain, next->external, a, next->damping_force, next->shear,
+                   w->storeys.residual);
+    state_add_link_forces(next, m, w->storeys.residual);
+}
+
+// How many buildings in a row, from k on, have storeys that do not agree yet.
+static int disagreeing(const struct work *w, int k) {
+    int n = 0;
+    while (k + n < w->model->n_building && !w->storeys.agree[k + n]) {
+        n++;
+    }
+    return n;
+}
+
+// Solves A dq = residual for the buildings whose storeys do not agree, and adds dq to their
+// corrections.
+static void solve_residuals(struct work *w) {
+    const struct building *building = w->model->building;
+    const struct storeys *s = &w->storeys;
+    for (int k = 0; k < w->model->n_building; k++) {
+        int n = disagreeing(w, k);
+        int first = building[k].first;
+        if (n == 0) {
+            continue;
+        }
+        effective_solve_row(&w->effective[k], n, s->residual + first, s->change + first);
+        k += n - 1;
+        for (int i = first; i < building[k].first + building[k].n_floor; i++) {
+            w->correction[i] += s->change[i];
+        }
+    }
+}
+
+// At the drifts of the solution, are the shears of building k those that their linearisation
+// predicted? The displacement below a storey is that above less the drift.
+LANES static bool agrees(const struct work *w, const struct state *next, int k) {
+    const struct building *g = &w->model->building[k];
+    const double *tangent = w->effective[k].tangent, *stiffness = g->stiffness;
+    const double *u = next->u + g->first;
+    const double *drift = next->drift + g->first, *drift_0 = w->storeys.drift + g->first;
+    const double *shear = next->shear + g->first, *shear_0 = w->storeys.shear + g->first;
+    const double tolerance = w->model->tolerance;
+    long beyond = 0;
+    for (int i = 0, n = g->n_floor; i < n; i++) {
+        double predicted = shear_0[i] + tangent[i] * (drift[i] - drift_0[i]);
+        double size = fabs(u[i] - drift[i]) + fabs(u[i]);
+        double allowed = tolerance * fabs(shear[i]) + 8.0 * DBL_EPSILON * stiffness[i] * size;
+        beyond |= !(fabs(shear[i] - predicted) <= allowed);
+    }
+    return beyond == 0;
+}
+
+static bool storeys_agree(struct work *w, const struct state *next) {
+    bool all = true;
+    if (w->model->n_storey_history == 0) {
+        return true;
+    }
+    for (int k = 0; k < w->model->n_building; k++) {
+        w->storeys.agree[k] = w->model->building[k].elastic || agrees(w, next, k);
+        all &= w->storeys.agree[k];
+    }
+    return all;
+}
+
+// Takes the tangents at the drifts reached where the storeys did not agree, and factorises again.
+static int relinearise(struct work *w, const struct state *next) {
+    const struct model *m = w->model;
+    w->factors++;
+    for (int k = 0; k < m->n_building; k++) {
+        if (w->storeys.agree[k]) {
+            continue;
+        }
+        const struct building *g = &m->building[k];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            const struct storey *s = &m->storey[i];
+            const double *history = next->storey_history + s->history;
+            w->effective[k].tangent[i - g->first] =
+                s->law->shear(s->constant, history, next->drift[i]).tangent;
+        }
+        int status = effective_factor(&w->effective[k], w->b, w->g);
+        if (status != STATUS_OK) {
+            w->h = 0.0;
+            return status;
+        }
+    }
+    return STATUS_OK;
+}
+
+// Solves for the forces of live links, which may make other links close.
+static int solve_links(struct work *w, const struct state *now, struct state *next) {
+    bool wanted = next->n_live > 0;
+    while (contact_search(w, now, next) > 0 || wanted) {
+        int status = contact_solve(w, now, next);
+        if (status != STATUS_OK) {
+            return status;
+        }
+        floors_correct_touched(w, now, next);
+        wanted = false;
+    }
+    return STATUS_OK;
+}
+
+static int not_finite(const struct model *m, const struct state *s, struct error *e) {
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        for (int i = 0; i < g->n_floor; i++) {
+            int j = g->first + i;
+            if (!isfinite(s->u[j]) || !isfinite(s->v[j]) || !isfinite(s->a[j])) {
+                return error_set(e, STATUS_FAILED,
+                                 "the state is not finite at floor %d of building %s at t = %.9g",
+                                 i + 1, g->name, s->time);
+            }
+        }
+    }
+    return error_set(e, STATUS_FAILED, "the state is not finite at t = %.9g", s->time);
+}
+
+// Keeps where the storeys were linearised, and takes the forces at the state reached.
+static void take_forces(struct work *w, struct state *next) {
+    const struct model *m = w->model;
+    memcpy(w->storeys.drift, next->drift, (size_t)m->n_dof * sizeof *next->drift);
+    memcpy(w->storeys.shear, next->shear, (size_t)m->n_dof * sizeof *next->shear);
+    state_internal_forces(next, m, next->u, next->v);
+}
+
+// Newton's iteration on storeys and links. Leaves the internal forces of the state it finds.
+static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
+    const struct model *m = w->model;
+    chain_trial(m->chain.n, w->h, now->u, now->v, now->a, w->u_trial, w->v_trial);
+    state_internal_forces(next, m, w->u_trial, w->v_trial);
+    residuals(w, next, now->a);
+    for (int i = 0; i < m->iterations; i++) {
+        w->totals->iterations++;
+        solve_residuals(w);
+        if (!floors_correct(w, now, next, 0, m->chain.n)) {
+            return not_finite(m, next, e);
+        }
+        gaps_update(&w->gaps, next);
+        int status = solve_links(w, now, next);
+        if (status != STATUS_OK) {
+            return status;
+        }
+        take_forces(w, next);
+        if (storeys_agree(w, next)) {
+            return STATUS_OK;
+        }
+        residuals(w, next, next->a);
+        if (relinearise(w, next) != STATUS_OK) {
+            return STATUS_RETRY;
+        }
+    }
+    w->totals->unsolved += w->strictness == STEP_ACCEPT;
+    return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
+}
+
+// The same where the floors are linear.
+static int solve_linear(struct work *w, const struct state *now, struct state *next,
+                        struct error *e) {
+    w->totals->iterations++;
+    if (!floors_move(w, now, next)) {
+        return not_finite(w->model, next, e);
+    }
+    return solve_links(w, now, next);
+}
+
+// Completes the end of the step: total accelerations, and the histories of the laws.
+static void finish(struct work *w, struct state *next) {
+    const struct model *m = w->model;
+    if (!state_is_linear(m)) {
+        state_totals(next, m);
+    }
+    state_commit_storeys(next, m);
+    contact_finish(w, next);
+}
+
+int newmark_step(struct work *w, const struct state *now, struct state *next, double end, double h,
+                 struct error *e) {
+    if (work_factor(w, h) != STATUS_OK) {
+        return STATUS_RETRY;
+    }
+    begin(w, now, next, end);
+    int status = state_is_linear(w->model) ? solve_linear(w, now, next, e) : solve(w, now, next, e);
+    if (status == STATUS_OK) {
+        finish(w, next);
+    }
+    return status;
+}

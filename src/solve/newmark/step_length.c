@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The local error of Newmark's method, from Taylor's expansion of the solution over the step (for
+// the displacement Zienkiewicz & Xie 1991, Earthquake Engng Struct. Dyn. 20, 871-887):
+//     of u:  (beta - 1/6) h^2 (a1 - a0) + h (error of v) / 2,
+//     of v:  (gamma - 1/2) h (a1 - a0) + h^3 a'' / 12,
+// with a'' from the accelerations at three instants. At a corner of the forcing a has a kink, which
+// is none of the method's error: there a'' is that of the accelerations without the forcing's own.
+// After an impact begins or ends, and at the start, there is no third instant; forces may begin
+// with an infinite slope, and the error of v is taken as h (a1 - a0) / 4, what the trapezoidal rule
+// misses of t^(1/4) up to a fifth.
+//
+// The largest of the errors, over the sizes of scale.h, stays below the tolerance. It grows like
+// h^3, so steps go with its cube root. They end at corners, in equal parts from one to the next;
+// small changes are not worth a new factorisation.
+#include "solve/newmark/step_length.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/lanes.h"
+
+static const double SAFETY = 0.9, EXPONENT = 1.0 / 3.0;
+static const double SHRINK_MOST = 0.1, GROW_MOST = 4.0, GROW_LEAST = 1.2;
+
+// The first step over the interval of output, and one after an event over the one before it.
+static const double FIRST = 1e-4, AFTER_EVENT = 1e-2;
+
+// A step this close to the last one, relative to it, is the last one: its factors are there.
+static const double SAME = 1e-9;
+
+bool step_length_alloc(struct step_length *s, const struct model *m, const struct results *r,
+                       struct arena *a) {
+    *s = (struct step_length){.model = m, .results = r};
+    s->before = lanes_array(a, m->n_dof);
+    s->within = lanes_array(a, m->n_dof);
+    return s->before && s->within && forcing_alloc(&s->forcing, m, a) &&
+           scale_alloc(&s->scales, m, a);
+}
+
+void step_length_start(struct step_length *s, const struct state *now) {
+    (void)forcing_turn(&s->forcing, now->time);
+    scale_expect(&s->scales, s->model);
+    scale_update(&s->scales, s->model, s->results);
+    s->trial = fmax(FIRST * s->model->dt, s->model->control.shortest);
+    s->cut = now->time;
+    s->unsolved = -1;
+}
+
+// What keeps steps short, for messages.
+static const char *cause(const struct step_length *s) {
+    return s->unsolved < 0 ? "the tolerance" : s->model->link[s->unsolved].name;
+}
+
+static int too_slow(const struct step_length *s, double time, double step, struct error *e) {
+    const char *unit = s->model->deck->units.time_name;
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
+                     "%.0e of them; use a larger -tolerance, integrator newmark -gamma above 0.5 "
+                     "or step fixed DT",
+                     time, unit, step, unit, cause(s), (double)ADAPTIVE_STEPS_MAX);
+}
+
+int step_length_next(struct step_length *s, const struct state *now, double limit, double *h,
+                     double *end, struct error *e) {
+    double step;
+    if (pace_is_slow(&s->pace, s->model, now->time, &step)) {
+        return too_slow(s, now->time, step, e);
+    }
+    double corner = fmin(limit, s->forcing.corner);
+    double rest = corner - now->time;
+    double parts = pace_parts(rest, s->trial, s->model->control.longest);
+    *h = parts > 1.0 ? rest / parts : rest;
+    *end = parts > 1.0 ? now->time + *h : corner;
+    if (fabs(*h - s->last) <= SAME * *h) {
+        *h = s->last;
+    }
+    return STATUS_OK;
+}
+
+// The acceleration of floor i less the part that the forcing causes directly.
+static double within(const struct step_length *s, const struct state *at, int i) {
+    return at->a[i] - at->external[i] / s->model->mass[i];
+}
+
+// How much the rate of the acceleration of floor i changes from the last step to this one [L/T^3].
+static double bend(const struct step_length *s, const struct state *now, const struct state *next,
+                   double h, int i) {
+    double a0 = s->turned ? within(s, now, i) : now->a[i];
+    double a1 = s->turned ? within(s, next, i) : next->a[i];
+    double before = s->turned ? s->within[i] : s->before[i];
+    return (a1 - a0) / h - (a0 - before) / s->last;
+}
+
+// The largest error of the step over the tolerance.
+static double largest_error(const struct step_length *s, const struct state *now,
+                            const struct state *next, double h) {
+    const struct model *m = s->model;
+    double largest = 0.0;
+    for (int i = 0; i < m->n_dof; i++) {
+        double change = fabs(next->a[i] - now->a[i]);
+        double of_v = h * change / 4.0;
+        if (s->last > 0.0) {
+            of_v = h * h * h * fabs(bend(s, now, next, h, i)) / (6.0 * (h + s->last));
+        }
+        double of_u = h * (h * fabs(m->beta - 1.0 / 6.0) * change + of_v / 2.0);
+        of_v += h * (m->gamma - 0.5) * change;
+        largest = fmax(largest, fmax(of_u * s->scales.over_u[i], of_v * s->scales.over_v[i]));
+    }
+    return largest / m->control.tolerance;
+}
+
+int step_length_judge(struct step_length *s, const struct state *now, const struct state *next,
+                      double h) {
+    double error = largest_error(s, now, next, h);
+    double change = SAFETY * pow(error, -EXPONENT);
+    if (error > 1.0) {
+        s->trial = h * fmin(fmax(change, SHRINK_MOST), SAFETY);
+        return STATUS_RETRY;
+    }
+    s->trial = h * (change > 1.0 && change < GROW_LEAST ? 1.0 : fmin(change, GROW_MOST));
+    return STATUS_OK;
+}
+
+int step_length_reject(struct step_length *s, const struct state *now, double h, int unsolved,
+                       struct error *e) {
+    const struct step_control *control = &s->model->control;
+    const char *unit = s->model->deck->units.time_name;
+    s->unsolved = unsolved;
+    if (s->trial > SAFETY * h) {  // not by the tolerance
+        s->trial = h / 2.0;
+    }
+    s->trial = fmax(s->trial, control->shortest);
+    if (h > control->shortest && now->time + h / 2.0 > now->time) {
+        return STATUS_OK;
+    }
+    return error_set(e, STATUS_FAILED,
+                     "at t = %.9g %s a step of %.3g %s is still too long for %s; use a larger "
+                     "-tolerance, a smaller -min or step fixed DT",
+                     now->time, unit, h, unit, cause(s));
+}
+
+// Passes the corner if `time` is there.
+static void turn(struct step_length *s, double time) {
+    double corner = s->forcing.corner;
+    s->turned = time >= corner - 8.0 * DBL_EPSILON * corner;
+    s->jumped = s->turned && forcing_turn(&s->forcing, time);
+    if (s->jumped) {
+        s->last = 0.0;
+    }
+}
+
+void step_length_take(struct step_length *s, const struct state *old, const struct state *now,
+                      double h) {
+    memcpy(s->before, old->a, (size_t)s->model->n_dof * sizeof *s->before);
+    for (int i = 0; i < s->model->n_dof; i++) {
+        s->within[i] = within(s, old, i);
+    }
+    s->last = h;
+    turn(s, now->time);
+    scale_update(&s->scales, s->model, s->results);
+}
+
+void step_length_cut(struct step_length *s, const struct state *now) {
+    s->trial *= now->time > s->cut ? AFTER_EVENT : 1.0;
+    s->trial = fmax(s->trial, s->model->control.shortest);
+    s->cut = now->time;
+    s->last = 0.0;
+    turn(s, now->time);
+    scale_update(&s->scales, s->model, s->results);
+}
