@@ -37,6 +37,8 @@ run "$jostle" gap swing.deck --limit impacts=0 --tsv
 expect "a swing of 0.4 m hits below a gap of 0.4 m only" '[ $status -eq 0 ] && within 0.399999 0.4005'
 run "$jostle" gap swing.deck --limit impacts=0 --percentile 50 --tolerance 0.001mm --tsv
 expect "the median one below 0.2 m" '[ $status -eq 0 ] && within 0.199999 0.200002'
+run "$jostle" gap swing.deck --limit penetration=-5mm --tsv
+expect "5 mm more keep 5 mm open" '[ $status -eq 0 ] && within 0.404999 0.405406'
 run "$jostle" gap swing.deck --limit impacts=0 --parameter gap --range 50mm:500mm:10 --tsv -j 2
 expect "a parameter of the deck can be searched" '[ $status -eq 0 ] && within 0.399999 0.4005'
 sed 's/^param gap .*/sweep gap values 0.1m 0.2m 0.3m/' swing.deck >swept.deck
