@@ -68,7 +68,8 @@ static void print_result(const struct model *m, const struct refinement *r,
         printf(" %5.2f", f->convergence.order);
     }
     printf(" %11.6g %9.1e  %s\n", f->convergence.estimate,
-           *last != 0.0 ? f->convergence.error / fabs(*last) : 0.0, f->within ? "yes" : "no");
+           f->convergence.error != 0.0 ? f->convergence.error / fabs(*last) : 0.0,
+           f->within ? "yes" : "no");
 }
 
 static void print_heading(const struct refinement *r, const struct model *m) {
