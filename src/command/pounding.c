@@ -20,6 +20,16 @@ struct pounding {
     struct unit_system units;  // of the deck
 };
 
+// What keeps a model from having a pounding force spectrum; NULL: nothing.
+static const char *find_obstacle(const struct model *m) {
+    for (int i = 0; i < m->n_contact; i++) {
+        if (m->link[i].law->rebound) {
+            return "rigid contacts have no force, but an impulse";
+        }
+    }
+    return m->n_contact == 0 ? "the deck has no contact" : NULL;
+}
+
 // The deck with the first pair of periods: its title and units, and what it warns of, which is told
 // once.
 static int read_deck(struct pounding *p, const char **define, struct arena *a) {
@@ -40,15 +50,15 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     }
     p->units = m->deck->units;
     p->title = arena_text(a, m->deck->title, strlen(m->deck->title));
-    const int n_contact = m->n_contact;
+    const char *obstacle = find_obstacle(m);
     model_free(m);
     struct error e;
-    if (n_contact == 0) {
-        error_set(&e, STATUS_INPUT, "the deck has no contact");
+    if (obstacle) {
+        error_set(&e, STATUS_INPUT, "%s", obstacle);
     } else if (!p->title) {
         error_no_memory(&e);
     }
-    return n_contact == 0 || !p->title ? command_fail(&e) : EXIT_DONE;
+    return obstacle || !p->title ? command_fail(&e) : EXIT_DONE;
 }
 
 static int watch(void *context, long n_done, struct error *e) {

@@ -274,6 +274,12 @@ double edp_value(const struct edp *p, const double *value, int *at) {
     return p->quantity->reduction == EDP_SUM && !isnan(largest) ? sum : largest;
 }
 
+int edp_absent(const struct edp *p, struct error *e) {
+    return error_set(e, STATUS_INPUT, "%s: %s", p->text,
+                     p->quantity->divisor ? "the deck gives no storey heights"
+                                          : "rigid contacts have no force, but an impulse");
+}
+
 // A limit with its unit, or without.
 static int read_limit(const struct edp *p, const struct unit_system *units, const char *text,
                       double *limit, struct error *e) {

@@ -51,6 +51,9 @@ int edp_parse(const struct study_view *v, const char *text, struct arena *a, str
 // NAN where no term has a value.
 double edp_value(const struct edp *p, const double *value, int *at);
 
+// Sets the error of a run that is done and for which edp_value is NAN: STATUS_INPUT.
+int edp_absent(const struct edp *p, struct error *e);
+
 // The value of one term.
 double edp_term_value(const struct edp *p, int term, const double *value);
 

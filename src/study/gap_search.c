@@ -34,9 +34,7 @@ static int read_run(void *context, const struct model *m, const struct model *de
         *value = edp_value(&q->edp, all, &at);
     }
     free(all);
-    return status == STATUS_OK && isnan(*value)
-               ? error_set(e, STATUS_INPUT, "%s: the deck gives no storey heights", q->edp.text)
-               : status;
+    return status == STATUS_OK && isnan(*value) ? edp_absent(&q->edp, e) : status;
 }
 
 static int poll_search(void *context, long n_done, struct error *e) {

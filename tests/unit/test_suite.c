@@ -224,6 +224,22 @@ static void demands_that_are_not_there_say_what_is(void **state) {
     study_file_close(f);
 }
 
+// A rigid contact has an impulse in place of a force: its runs have not failed.
+static void the_force_of_rigid_contacts_is_no_demand(void **state) {
+    (void)state;
+    struct study_file *f = suite_ran("sweep im values 1 2\n"
+                                     "building A -floors 1 -mass 3 -stiffness 0\n"
+                                     "contact A wall -gap 0.1 -law stereomechanical -e 0.5\n"
+                                     "initial A:1 -velocity $im\n"
+                                     "step fixed 0.01\nduration 1\n");
+    refused(f, (struct suite_request){.edp = "force"}, "force: rigid contacts have no force");
+    struct suite *s = arranged(f, (struct suite_request){.edp = "impulse"});
+    assert_true(s->n_failed == 0);
+    assert_close(suite_value(s, 0, 0, 1), 3.0 * 1.5 * 2.0, 1e-12);  // m (1 + e) v
+    suite_free(s);
+    study_file_close(f);
+}
+
 static void limits_have_the_dimension_of_their_demand(void **state) {
     (void)state;
     struct study_file *f = suite_ran(pairs);
@@ -267,6 +283,7 @@ int main(void) {
         cmocka_unit_test(runs_at_the_limit_do_not_exceed_it),
         cmocka_unit_test(demands_are_the_largest_or_the_sum_of_the_places_named),
         cmocka_unit_test(demands_that_are_not_there_say_what_is),
+        cmocka_unit_test(the_force_of_rigid_contacts_is_no_demand),
         cmocka_unit_test(limits_have_the_dimension_of_their_demand),
     };
     gsl_set_error_handler_off();
