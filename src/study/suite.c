@@ -178,7 +178,7 @@ static int take_run(struct maker *m, long run, const struct study_outcome *outco
         return STATUS_OK;
     }
     if (outcome->status == STUDY_DONE && isnan(m->value[at])) {
-        return edp_absent(&s->edp, e);
+        return edp_absent(&s->edp, place, e);
     }
     m->value[at] = s->rule == SUITE_FAILED_ABOVE ? INFINITY : NAN;
     name_failed(m, run, k,

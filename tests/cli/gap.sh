@@ -90,9 +90,9 @@ refuses "limit 1mm is a length; force needs a force (kN)" swing.deck --limit for
 refuses "force:X: unknown contact; 1 known: A:1-wall" swing.deck --limit force:X=1
 refuses "drift:X: unknown building; known: A" swing.deck --limit drift:X=1
 refuses "drift:A:2: building A has 1 floor" swing.deck --limit drift:A:2=1
-refuses "drift-ratio: the deck gives no storey heights" swing.deck --limit drift-ratio=1%
+refuses "drift-ratio: the deck gives no height of storey A:1" swing.deck --limit drift-ratio=1%
 sed 's/-law linear -k 1e5/-law stereomechanical -e 0.6/; /^integrator/d; s/^step .*/step fixed 1ms/' swing.deck >rigid.deck
-refuses "force: rigid contacts have no force, but an impulse" rigid.deck --limit force=1
+refuses "force: A:1-wall is rigid: it has an impulse, but no force" rigid.deck --limit force=1
 refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 1:0:3
 refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 0:1:1
 refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 0kN:1:3
