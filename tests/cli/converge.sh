@@ -57,6 +57,11 @@ END
 run "$jostle" converge grazes.deck -n 3
 expect "what is 0 at the shortest step only has no error bar relative to it" '[ $status -eq 1 ] && grep -qE "^  impacts +1 +1 +0 +- +0 +inf  no$" "$out" && grep -qE "^  force \[N\] .* inf  no$" "$out"'
 
+sed 's/^contact .*/contact A B -gap 5mm -law jankowski -k 2.75e9N\/m^1.5 -e 0.6/; s/0.08/0.1/' bodies.deck >slow.deck
+run "$jostle" converge slow.deck -D dt=5ms
+expect "more levels are promised where the order says so" '[ $status -eq 1 ] && grep -qx "  B roof displacement: the step is too long; 2 more levels should do" "$out"'
+expect "but not more than -n takes" 'grep -qx "  A roof displacement: the step is too long" "$out"'
+
 sed 's/^param dt .*/sweep dt values 0.4ms 0.2ms/' bodies.deck >study.deck
 for command in converge modes check; do
     run "$jostle" $command study.deck
