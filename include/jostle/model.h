@@ -173,8 +173,12 @@ void model_times(const struct model *m, long first, int n, double *time);
 // The model at a step 2^level times shorter, with the rows of output at the same times. It borrows
 // everything from `m` and is not given to model_free. Adaptive: at a tolerance so much
 // tighter that steps are about 2^level times shorter, 32^level with Dormand & Prince's method and
-// 8^level with Newmark's.
+// 8^level with Newmark's, 4^level where that damps.
 struct model model_refined(const struct model *m, int level);
+
+// The order in which errors of a smooth response go down with these steps: 2 by Newmark's method, 1
+// where gamma > 1/2, 5 by Dormand & Prince's.
+double model_order(const struct model *m);
 
 // Options that a statement has only in one of its forms, as `ground record` has others than `ground
 // sine`.

@@ -44,12 +44,12 @@ static const char *reason_of(const struct refined *f) {
 }
 
 // Halvings of the step that the order promises to be enough; 0: it promises nothing.
-static int halvings(const struct refined *f, double finest, double rtol) {
+static double halvings(const struct refined *f, double finest, double rtol) {
     const struct convergence *c = &f->convergence;
     if (f->within || c->kind != CONVERGENCE_ORDERLY || f->impacts_change) {
-        return 0;
+        return 0.0;
     }
-    return (int)ceil(log2(c->error / (rtol * fabs(finest))) / c->order);
+    return ceil(log2(c->error / (rtol * fabs(finest))) / c->order);
 }
 
 static void print_result(const struct model *m, const struct refinement *r,
@@ -68,7 +68,8 @@ static void print_result(const struct model *m, const struct refinement *r,
         printf(" %5.2f", f->convergence.order);
     }
     printf(" %11.6g %9.1e  %s\n", f->convergence.estimate,
-           *last != 0.0 ? f->convergence.error / fabs(*last) : 0.0, f->within ? "yes" : "no");
+           f->convergence.error != 0.0 ? f->convergence.error / fabs(*last) : 0.0,
+           f->within ? "yes" : "no");
 }
 
 static void print_heading(const struct refinement *r, const struct model *m) {
@@ -124,11 +125,11 @@ static void print_verdict(const struct model *m, const struct refinement *r, dou
         if (f->within) {
             continue;
         }
-        int more = halvings(f, f->value[r->n_level - 1], rtol);
+        const double more = halvings(f, f->value[r->n_level - 1], rtol);
         printf("  %s%s%s: %s", name_of(m, f), f->owner == OF_MODEL ? "" : " ", f->quantity,
                reason_of(f));
-        if (more > 0) {
-            printf("; %d more level%s should do", more, more == 1 ? "" : "s");
+        if (more > 0.0 && r->n_level + more <= CONVERGENCE_LEVELS_MAX) {
+            printf("; %.0f more level%s should do", more, more == 1.0 ? "" : "s");
         }
         printf("\n");
         left--;

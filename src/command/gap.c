@@ -104,7 +104,7 @@ static int print_apart(const struct plan *p, const struct options *o) {
     return status;
 }
 
-// From 0 to a thousandth beyond where nothing touches any more.
+// From 0 to a thousandth beyond where nothing touches any more, or comes as near as the limit says.
 static int default_range(const struct plan *p, const struct options *o,
                          struct gap_search_request *q) {
     struct apart a = {.n_run = 0};
@@ -116,6 +116,8 @@ static int default_range(const struct plan *p, const struct options *o,
             q->to = fmax(q->to, apart_values(&a, run, i)[APART_CLOSING]);
         }
     }
+    // A penetration below 0 is the distance that is to be left.
+    q->to += q->edp.quantity->reduction == EDP_HIGHEST ? fmax(0.0, -q->limit) : 0.0;
     q->to *= 1.001;
     if (status == EXIT_DONE && a.n_failed > 0) {
         status = fail_runs(p, &a);

@@ -20,6 +20,16 @@ struct pounding {
     struct unit_system units;  // of the deck
 };
 
+// What keeps a model from having a pounding force spectrum; NULL: nothing.
+static const char *find_obstacle(const struct model *m) {
+    for (int i = 0; i < m->n_contact; i++) {
+        if (m->link[i].law->rebound) {
+            return "rigid contacts have no force, but an impulse";
+        }
+    }
+    return m->n_contact == 0 ? "the deck has no contact" : NULL;
+}
+
 // The deck with the first pair of periods: its title and units, and what it warns of, which is told
 // once.
 static int read_deck(struct pounding *p, const char **define, struct arena *a) {
@@ -40,11 +50,11 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     }
     p->units = m->deck->units;
     p->title = arena_text(a, m->deck->title, strlen(m->deck->title));
-    const int n_contact = m->n_contact;
+    const char *obstacle = find_obstacle(m);
     model_free(m);
-    if (n_contact == 0) {
+    if (obstacle) {
         struct error e;
-        error_set(&e, STATUS_INPUT, "the deck has no contact");
+        error_set(&e, STATUS_INPUT, "%s", obstacle);
         return command_fail(&e);
     }
     return p->title ? EXIT_DONE : command_no_memory();

@@ -108,17 +108,20 @@ LANES void model_times(const struct model *m, long first, int n, double *time) {
     }
 }
 
-// Half a step has this share of the error: the methods' local errors are of order 3 and 5.
-static const double TOLERANCE_PER_HALVING[] = {
-    [INTEGRATOR_NEWMARK] = 8.0,
-    [INTEGRATOR_DORMAND_PRINCE] = 32.0,
-};
+double model_order(const struct model *m) {
+    return m->integrator == INTEGRATOR_DORMAND_PRINCE ? 5.0 : m->gamma > 0.5 ? 1.0 : 2.0;
+}
+
+// The tolerance is on the local error: of Newmark's method one order above the global one, and of
+// the fourth order formula beside Dormand & Prince's.
+static double tolerance_per_halving(const struct model *m) {
+    return exp2(m->integrator == INTEGRATOR_DORMAND_PRINCE ? 5.0 : model_order(m) + 1.0);
+}
 
 struct model model_refined(const struct model *m, int level) {
     struct model finer = *m;
     if (m->adaptive) {
-        finer.control.tolerance =
-            m->control.tolerance / pow(TOLERANCE_PER_HALVING[m->integrator], level);
+        finer.control.tolerance = m->control.tolerance / pow(tolerance_per_halving(m), level);
         return finer;
     }
     const long parts = 1L << level;

@@ -262,16 +262,25 @@ double edp_value(const struct edp *p, const double *value, int *at) {
     *at = 0;
     for (int i = 0; i < p->n_term; i++) {
         const double x = edp_term_value(p, i, value);
-        if (isnan(x)) {
-            continue;
-        }
         sum += x;
         if (!(x <= largest)) {
             largest = x;
             *at = i;
         }
+        if (isnan(x)) {
+            break;
+        }
     }
-    return p->quantity->reduction == EDP_SUM && !isnan(largest) ? sum : largest;
+    return p->quantity->reduction == EDP_SUM ? sum : largest;
+}
+
+int edp_absent(const struct edp *p, int at, struct error *e) {
+    const char *place = p->term[at].location;
+    return p->quantity->divisor
+               ? error_set(e, STATUS_INPUT, "%s: the deck gives no height of storey %s", p->text,
+                           place)
+               : error_set(e, STATUS_INPUT, "%s: %s is rigid: it has an impulse, but no force",
+                           p->text, place);
 }
 
 // A limit with its unit, or without.

@@ -48,8 +48,11 @@ int edp_parse(const struct study_view *v, const char *text, struct arena *a, str
               struct error *e);
 
 // The number of a run from its values (n_value); *at is the term that is largest, for a sum too.
-// NAN where no term has a value.
+// NAN where a term has no value, as it may be the largest: *at is the first such.
 double edp_value(const struct edp *p, const double *value, int *at);
+
+// Sets the error of a run that is done, but has no value at term `at`: STATUS_INPUT.
+int edp_absent(const struct edp *p, int at, struct error *e);
 
 // The value of one term.
 double edp_term_value(const struct edp *p, int term, const double *value);

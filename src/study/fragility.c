@@ -93,14 +93,16 @@ static int solve(struct problem *p, double fraction, struct fragility *out, stru
     if (status != STATUS_OK) {
         return status;
     }
-    if (!(x[1] > SLOPE_MIN)) {
+    struct fragility fit = *out;
+    fit.dispersion = p->spread / x[1];
+    fit.median = exp(p->middle - fit.dispersion * x[0]);
+    set_errors(p, &fit);
+    // A curve may also be so flat that its median is no number, and neither are the errors then.
+    if (x[1] > SLOPE_MIN && isfinite(fit.log_median_error)) {
+        *out = fit;
+    } else {
         out->outcome = FRAGILITY_FALLS;
-        return STATUS_OK;
     }
-    out->outcome = FRAGILITY_FITTED;
-    out->dispersion = p->spread / x[1];
-    out->median = exp(p->middle - out->dispersion * x[0]);
-    set_errors(p, out);
     return STATUS_OK;
 }
 

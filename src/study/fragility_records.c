@@ -10,6 +10,7 @@
 //     ln L = m ln b - sum eta_i^2 / 2 + sum_above ln Phi(-eta) + sum_below ln Phi(eta)
 // is concave in a and b (Olsen 1978, Econometrica 46, 1211-1215). The density of m crossings has
 // the factor b^m.
+#include <gsl/gsl_math.h>
 #include <gsl/gsl_sf_erf.h>
 #include <math.h>
 
@@ -104,8 +105,22 @@ static void set_errors(struct problem *p, double *x, struct fragility *f) {
     f->dispersion_error = p->spread / (x[1] * x[1]) * sqrt(bb);
 }
 
+// How far the logarithms of all records are from the middle. Those that cross may do so nearly at
+// one intensity, far from where others end, and say little of the scale of the curve.
+static double spread_of_all(const struct problem *p) {
+    double squares = 0.0, n = 0.0;
+    for (int i = 0; i < p->n; i++) {
+        if (p->record[i].crossing != CROSSING_NO_RUNS) {
+            squares += gsl_pow_2(log(p->record[i].intensity) - p->middle);
+            n++;
+        }
+    }
+    return sqrt(squares / n);
+}
+
 static int fit_censored(struct problem *p, struct fragility *out, struct error *e) {
     gsl_multiroot_function_fdf f = {gradient, hessian, both, 2, p};
+    p->spread = spread_of_all(p);
     double x[2] = {0.0, 1.0};
     const int status = likelihood_solve(&f, RESIDUAL_OF_A_RECORD * p->n, x, e);
     if (status != STATUS_OK) {

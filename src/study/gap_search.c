@@ -29,14 +29,12 @@ static int read_run(void *context, const struct model *m, const struct model *de
     (void)deck;
     const struct gap_search_request *q = ((const struct search *)context)->request;
     double *all = malloc(q->plan->table->n_value * sizeof *all);
-    int at, status = all ? trial_values(m, r, all, e) : error_no_memory(e);
+    int at = 0, status = all ? trial_values(m, r, all, e) : error_no_memory(e);
     if (status == STATUS_OK) {
         *value = edp_value(&q->edp, all, &at);
     }
     free(all);
-    return status == STATUS_OK && isnan(*value)
-               ? error_set(e, STATUS_INPUT, "%s: the deck gives no storey heights", q->edp.text)
-               : status;
+    return status == STATUS_OK && isnan(*value) ? edp_absent(&q->edp, at, e) : status;
 }
 
 static int poll_search(void *context, long n_done, struct error *e) {

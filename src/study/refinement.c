@@ -164,8 +164,7 @@ static void blame_impacts(struct refinement *r, const struct model *m) {
 }
 
 static void judge(struct refinement *r, const struct model *m, double rtol) {
-    // Average acceleration and its kin; numerical damping costs an order.
-    const double order = m->gamma > 0.5 ? 1.0 : 2.0;
+    const double order = model_order(m);
     for (int i = 0; i < r->n_result; i++) {
         struct refined *f = &r->result[i];
         f->convergence = f->dimension ? convergence_of(f->value, r->n_level, 2.0, order)

@@ -33,8 +33,8 @@ static double reduced_root(double left, double right, double rho) {
 }
 
 static double double_difference(double left, double right, double rho) {
-    // Rounding may leave a trace below 0 where both move alike.
-    return sqrt(fmax(0.0, left * left + right * right - 2.0 * rho * left * right));
+    const double square = left * left + right * right - 2.0 * rho * left * right;
+    return square < 0.0 ? 0.0 : sqrt(square);  // rounding may leave a trace below 0; NAN stays
 }
 
 const struct separation_rule separation_rules[SEPARATION_RULES] = {
@@ -57,6 +57,9 @@ double separation_correlation(const double period[2], const double damping[2]) {
     }
     if (period[0] == period[1] && a == b) {
         return 1.0;  // of no damping as well, where the formula is 0 / 0
+    }
+    if (a < 0.0 || b < 0.0) {
+        return NAN;  // such a response is never stationary
     }
     const double r = period[0] / period[1], square = r * r, away = 1.0 - square;
     return 8.0 * sqrt(a * b) * (a + r * b) * r * sqrt(r) /

@@ -23,7 +23,7 @@ enum { SEPARATION_RULES = 4 };
 extern const struct separation_rule separation_rules[SEPARATION_RULES];
 
 // Correlation coefficient of the responses of two oscillators to the same white noise; NAN where a
-// period is infinite.
+// period is infinite, or damping negative.
 double separation_correlation(const double period[2], const double damping[2]);
 
 // By one of the rules. NAN where it needs a correlation that does not exist.

@@ -177,8 +177,8 @@ static int take_run(struct maker *m, long run, const struct study_outcome *outco
     if (outcome->status == STUDY_DONE && isfinite(m->value[at])) {
         return STATUS_OK;
     }
-    if (outcome->status == STUDY_DONE && s->edp.quantity->divisor) {
-        return error_set(e, STATUS_INPUT, "%s: the deck gives no storey heights", s->edp.text);
+    if (outcome->status == STUDY_DONE && isnan(m->value[at])) {
+        return edp_absent(&s->edp, place, e);
     }
     m->value[at] = s->rule == SUITE_FAILED_ABOVE ? INFINITY : NAN;
     name_failed(m, run, k,

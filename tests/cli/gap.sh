@@ -37,6 +37,8 @@ run "$jostle" gap swing.deck --limit impacts=0 --tsv
 expect "a swing of 0.4 m hits below a gap of 0.4 m only" '[ $status -eq 0 ] && within 0.399999 0.4005'
 run "$jostle" gap swing.deck --limit impacts=0 --percentile 50 --tolerance 0.001mm --tsv
 expect "the median one below 0.2 m" '[ $status -eq 0 ] && within 0.199999 0.200002'
+run "$jostle" gap swing.deck --limit penetration=-5mm --tsv
+expect "5 mm more keep 5 mm open" '[ $status -eq 0 ] && within 0.404999 0.405406'
 run "$jostle" gap swing.deck --limit impacts=0 --parameter gap --range 50mm:500mm:10 --tsv -j 2
 expect "a parameter of the deck can be searched" '[ $status -eq 0 ] && within 0.399999 0.4005'
 sed 's/^param gap .*/sweep gap values 0.1m 0.2m 0.3m/' swing.deck >swept.deck
@@ -88,7 +90,9 @@ refuses "limit 1mm is a length; force needs a force (kN)" swing.deck --limit for
 refuses "force:X: unknown contact; 1 known: A:1-wall" swing.deck --limit force:X=1
 refuses "drift:X: unknown building; known: A" swing.deck --limit drift:X=1
 refuses "drift:A:2: building A has 1 floor" swing.deck --limit drift:A:2=1
-refuses "drift-ratio: the deck gives no storey heights" swing.deck --limit drift-ratio=1%
+refuses "drift-ratio: the deck gives no height of storey A:1" swing.deck --limit drift-ratio=1%
+sed 's/-law linear -k 1e5/-law stereomechanical -e 0.6/; /^integrator/d; s/^step .*/step fixed 1ms/' swing.deck >rigid.deck
+refuses "force: A:1-wall is rigid: it has an impulse, but no force" rigid.deck --limit force=1
 refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 1:0:3
 refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 0:1:1
 refuses "--range takes FROM:TO:N" swing.deck --limit force=1 --range 0kN:1:3

@@ -84,6 +84,8 @@ wrong() {
 sed 's/T2/other/g' pair.deck >one.deck
 grep -v '^contact' pair.deck | sed '/param gap/d' >free.deck
 wrong "the deck must take both periods" "T2" --pounding one.deck --periods 0.5,1
+sed 's/-law jankowski -k 2e9N\/m^1.5 -e 0.65/-law stereomechanical -e 0.6/' pair.deck >rigid.deck
+wrong "its contacts must have a force" "rigid contacts have no force" --pounding rigid.deck --periods 0.5,1
 wrong "it must have a contact" "the deck has no contact" --pounding free.deck --periods 0.5,1
 wrong "a deck that is not there is named" "no.deck: No such file" --pounding no.deck
 wrong "records are the deck's" "takes records and damping from the deck" --pounding pair.deck record.AT2

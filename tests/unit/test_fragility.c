@@ -108,6 +108,8 @@ static void counts_without_a_curve_say_so(void **state) {
         {{{1, 4, 4}, {2, 4, 2}, {3, 4, 0}}, FRAGILITY_FALLS},
         {{{1, 4, 3}, {2, 4, 2}, {3, 4, 1}}, FRAGILITY_FALLS},
         {{{1, 4, 2}, {2, 4, 2}, {3, 4, 2}}, FRAGILITY_FALLS},
+        // The slope is above 0 by so little that the median is beyond the numbers there are.
+        {{{1, 717, 339}, {1.2456, 1230, 592}, {1.5516, 266, 124}}, FRAGILITY_FALLS},
         {{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, FRAGILITY_NO_RUNS},
         {{{0, 4, 0}, {2, 4, 2}, {3, 4, 1}}, FRAGILITY_NOT_POSITIVE},
     };

@@ -232,7 +232,7 @@ static void demands_without_a_value_are_refused(void **state) {
     struct gap_search s;
     struct error e;
     assert_int_equal(try_search(m, "drift-ratio", up_to_zero(100.0, NULL), &s, &e), STATUS_INPUT);
-    assert_string_equal(e.message, "drift-ratio: the deck gives no storey heights");
+    assert_string_equal(e.message, "drift-ratio: the deck gives no height of storey A:1");
     gap_search_close(&s);
     model_free(m);
 }

@@ -97,6 +97,19 @@ static void the_rules_combine_displacements(void **state) {
     }
 }
 
+static void a_rule_without_its_correlation_has_no_value(void **state) {
+    (void)state;
+    struct separation_ends ends = {
+        .displacement = {0.3, 0.4}, .period = {1.0, INFINITY}, .damping = {0.05, NAN}};
+    assert_true(isnan(separation_by(&separation_rules[3], &ends)));
+    assert_close(separation_by(&separation_rules[1], &ends), 0.5, 1e-15);
+    ends.period[1] = 0.5;
+    ends.damping[1] = -0.01;  // it swings ever wider
+    assert_true(isnan(separation_by(&separation_rules[3], &ends)));
+    ends.damping[0] = -0.02;
+    assert_true(isnan(separation_by(&separation_rules[3], &ends)));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(buildings_that_are_alike_move_alike),
@@ -104,6 +117,7 @@ int main(void) {
         cmocka_unit_test(the_order_of_the_buildings_does_not_matter),
         cmocka_unit_test(it_is_that_of_responses_to_white_noise),
         cmocka_unit_test(the_rules_combine_displacements),
+        cmocka_unit_test(a_rule_without_its_correlation_has_no_value),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

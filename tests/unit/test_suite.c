@@ -219,8 +219,49 @@ static void demands_that_are_not_there_say_what_is(void **state) {
     }
     study_file_close(f);
     f = suite_ran(suite_oscillators);
-    refused(f, (struct suite_request){.edp = "drift-ratio"}, "gives no storey heights");
+    refused(f, (struct suite_request){.edp = "drift-ratio"}, "gives no height of storey A:1");
     refused(f, (struct suite_request){.edp = "link-force"}, "there is no link");
+    study_file_close(f);
+}
+
+// A rigid contact has an impulse in place of a force: its runs have not failed.
+static void the_force_of_rigid_contacts_is_no_demand(void **state) {
+    (void)state;
+    struct study_file *f = suite_ran("sweep im values 1 2\n"
+                                     "building A -floors 1 -mass 3 -stiffness 0\n"
+                                     "contact A wall -gap 0.1 -law stereomechanical -e 0.5\n"
+                                     "initial A:1 -velocity $im\n"
+                                     "step fixed 0.01\nduration 1\n");
+    refused(f, (struct suite_request){.edp = "force"},
+            "force: A:1-wall is rigid: it has an impulse, but no force");
+    struct suite *s = arranged(f, (struct suite_request){.edp = "impulse"});
+    assert_true(s->n_failed == 0);
+    assert_close(suite_value(s, 0, 0, 1), 3.0 * 1.5 * 2.0, 1e-12);  // m (1 + e) v
+    suite_free(s);
+    study_file_close(f);
+}
+
+// The storey or contact left out could be the one that counts.
+static void a_demand_leaves_no_place_out(void **state) {
+    (void)state;
+    struct study_file *f = suite_ran("sweep im values 1 2\n"
+                                     "building A -floors 1 -mass 3 -stiffness 40 -height 4\n"
+                                     "building B -floors 1 -mass 3 -stiffness 10\n"
+                                     "contact A B -gap 9 -law linear -k 1\n"
+                                     "contact B wall -gap 0.1 -law stereomechanical -e 0.5\n"
+                                     "initial B:1 -velocity $im\n"
+                                     "step fixed 0.01\nduration 1\n");
+    refused(f, (struct suite_request){.edp = "drift-ratio"}, "no height of storey B:1");
+    refused(f, (struct suite_request){.edp = "force"}, "force: B:1-wall is rigid");
+    static const char *const there[] = {"drift-ratio:A", "force:A:1-B:1", "impacts"};
+    for (int i = 0; i < 3; i++) {
+        struct suite *s = arranged(f, (struct suite_request){.edp = there[i]});
+        assert_true(s->n_failed == 0);
+        suite_free(s);
+    }
+    struct suite *s = arranged(f, (struct suite_request){.edp = NULL});
+    assert_string_equal(s->edp.text, "drift");
+    suite_free(s);
     study_file_close(f);
 }
 
@@ -267,6 +308,8 @@ int main(void) {
         cmocka_unit_test(runs_at_the_limit_do_not_exceed_it),
         cmocka_unit_test(demands_are_the_largest_or_the_sum_of_the_places_named),
         cmocka_unit_test(demands_that_are_not_there_say_what_is),
+        cmocka_unit_test(the_force_of_rigid_contacts_is_no_demand),
+        cmocka_unit_test(a_demand_leaves_no_place_out),
         cmocka_unit_test(limits_have_the_dimension_of_their_demand),
     };
     gsl_set_error_handler_off();
