@@ -19,7 +19,7 @@ two_buildings pair.deck
 sed -i 's/-floors .*/& -height 3.5m/' pair.deck
 two_buildings other.deck 'link A:1 B:1 -dashpot 10kN*s/m' \
     'ground sine -amplitude 2m/s^2 -frequency 2Hz -cycles 3 -buildings B' 'output -every 1'
-sed -i 's/^units.*/units kip in ms/; s/-k 1e6/-k 1e9N\/m^1.5/; s/-frequency 1.5/&Hz/; s/-cycles 4$/& -buildings A/' other.deck
+sed -i 's/^units.*/units kip in ms/; s/-k 1e6/-k 1e9N\/m^1.5/; s/-frequency 1.5/&Hz/; s/-cycles 4$/& -buildings A/; s/^building A/building Z -floors 1 -mass 100t -stiffness 90MN\/m\n&/' other.deck
 cat >wall.deck <<'END'
 title "a wall"
 units N mm s
