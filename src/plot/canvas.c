@@ -150,18 +150,18 @@ static void write_across(const struct canvas *c, struct area a, const struct uni
     fprintf(c->to, " center\n");
 }
 
-// The longest of the numbers along an axis with this step, in characters; the last one, beside
-// which is room, does not count.
-static int number_columns(const struct axis *axis, double step) {
+// How far neighbouring numbers across must be apart [em], with this step.
+static double number_room(const struct axis *axis, double step) {
     const double unit = pow(10, axis_power(axis));
     const long first = (long)ceil(axis->span.low / step), last = (long)(axis->span.high / step);
-    int most = 1;
-    for (long i = first; i < last; i++) {
+    int before = 0, most = 0;
+    for (long i = first; i <= last; i++) {
         char text[32];
         const int n = snprintf(text, sizeof text, "%.5g", (double)i * step / unit);
-        most = n > most ? n : most;
+        most = before + n > most ? before + n : most;
+        before = n;
     }
-    return most;
+    return 0.3 * most + 0.5;
 }
 
 // The smallest step whose numbers find room along `length` em; `line` is the room of one across. At
@@ -171,7 +171,7 @@ static double fitting_step(const struct axis *axis, double length, double line) 
     double step = 0;
     for (int n = 8; n > 1; n--) {
         step = fmax(script_step(size, n), axis->step);
-        const double room = line > 0 ? line : 0.62 * number_columns(axis, step) + 0.6;
+        const double room = line > 0 ? line : number_room(axis, step);
         if (step / size * length >= room) {
             break;
         }
