@@ -3,8 +3,8 @@
 """Checks the numbers of pictures of runs against the result files that they show.
 
 usage: check_picture.py KIND.gp FILE.h5 [OTHER.h5]   exit status 0: all good, 1: faults, 77: no h5py
-What each curve of a panel is drawn through is found here anew, from the datasets; so are the numbers
-in the texts and the units of the axes.
+What each curve of a panel is drawn through is found here anew, from the datasets; so are the
+numbers in the texts and the units of the axes.
 """
 import os
 import sys
@@ -41,7 +41,7 @@ class Run:
         return (factor + text).replace("^2", "²").replace("^3", "³")
 
     def blows(self, peak, impulse):
-        """What is compared to find the hardest: forces, or impulses where rigid bodies have none."""
+        """What tells the hardest: forces, or impulses where rigid bodies have none."""
         return impulse if np.all(np.isnan(peak)) else np.nan_to_num(peak, nan=-1)
 
     def hardest(self):
@@ -106,14 +106,16 @@ def histories(runs):
             dots = [Curve(*marks(run, c, u)) for run, u in rows]
             if floor:
                 panels.append(Panel(None, ("displ.", length), lines + dots, side_text(side, floor)))
-        panels.append(Panel(time, ("ground", ground[1]), [Curve(r.time, r.ground(left), thinned=True)]))
+        panels.append(Panel(time, ("ground", ground[1]),
+                            [Curve(r.time, r.ground(left), thinned=True)]))
         peaks = [run.f["contacts/envelope/force"][c] for run in runs]
         return panels, ("largest force {} and {} " + r.unit("contacts/envelope/force"), peaks)
     u = r.history(left, left_floor, "displacement")
     seen = u - r.f["contacts/penetration"][:, c]
     panels = [Panel(None, ("displacement", length),
                     [Curve(r.time, u, seen, thinned=True, legend="gap"),
-                     Curve(r.time, seen, thinned=True, legend=side_text(right, right_floor) + " + gap"),
+                     Curve(r.time, seen, thinned=True,
+                           legend=side_text(right, right_floor) + " + gap"),
                      Curve(r.time, u, thinned=True, legend=side_text(left, left_floor)),
                      Curve(*marks(r, c, u), legend="impacts")])]
     grounds = [Curve(r.time, first.ground(side), thinned=True) for side in (left, right)
@@ -121,7 +123,8 @@ def histories(runs):
     same = len(grounds) > 1 and np.array_equal(r.ground(left), r.ground(right))
     panels.append(Panel(time, ground, grounds[:1] if same else grounds))
     many = ", {} impacts, " if r.hits[c] != 1 else ", {} impact, "
-    return panels, ("gap {} " + length + many + "largest force {} " + r.unit("contacts/envelope/force"),
+    force = "largest force {} " + r.unit("contacts/envelope/force")
+    return panels, ("gap {} " + length + many + force,
                     [r.f["contacts/gap"][c], r.hits[c], r.f["contacts/envelope/force"][c]])
 
 
@@ -208,7 +211,8 @@ def profiles(runs):
             for building, b in run.buildings.items():
                 storeys = b["height"][:] if heights else np.ones(b["floor"].size)
                 level = np.concatenate([[0], np.cumsum(storeys)])
-                value = b["envelope"][name][:] / (storeys / 100 if heights and name == "drift" else 1)
+                ratio = heights and name == "drift"
+                value = b["envelope"][name][:] / (storeys / 100 if ratio else 1)
                 line = (np.repeat(value, 2), np.repeat(level, 2)[1:-1])
                 base = np.nan if name == "acceleration" else 0
                 points = (np.concatenate([[base], value]), level)
@@ -299,8 +303,8 @@ def modes(runs):
 
 
 def pseudo_acceleration(time, ground, period):
-    """Of 5 % damped oscillators under grounds, a row each, that are straight between the rows and then
-    at rest: steps of the closed form, so short that peaks are missed by (w dt)^2 / 8 < 1e-4."""
+    """Of 5 % damped oscillators under grounds, a row each, that are straight between the rows and
+    then at rest: steps of the closed form, so short that peaks are missed by (w dt)^2 / 8 < 1e-4."""
     zeta, w = 0.05, 2 * np.pi / period
     parts = int(np.ceil((time[1] - time[0]) * w.max() / 0.025))
     wd, dt = w * np.sqrt(1 - zeta**2), (time[1] - time[0]) / parts
@@ -346,7 +350,8 @@ def spectrum(runs):
             ("of rows every {} " + r.unit("time"), [r.time[1] - r.time[0]]))
 
 
-KINDS = {f.__name__: f for f in (histories, contact, loops, profiles, energy, impacts, modes, spectrum)}
+KINDS = {f.__name__: f for f in (histories, contact, loops, profiles, energy, impacts, modes,
+                                 spectrum)}
 
 
 def main(script, *results):

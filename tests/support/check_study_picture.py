@@ -143,7 +143,8 @@ def main(script, path, edp, abscissa, *words):
     failed = np.isinf(s.value).sum()
     if failed:
         check_text(picture.texts[1], "{} of {} runs failed", [failed, s.value.size])
-    check_panels(picture, {"ida": ida, "response": response, "fragility": fragility}[kind](s, limits))
+    panels = {"ida": ida, "response": response, "fragility": fragility}
+    check_panels(picture, panels[kind](s, limits))
 
 
 if __name__ == "__main__":

@@ -72,7 +72,8 @@ def pounding(picture, table):
 
 
 def main(script, *tables):
-    {"impact": impact, "pounding": pounding}[os.path.basename(script)[:-3]](Picture(script), *tables)
+    check = {"impact": impact, "pounding": pounding}[os.path.basename(script)[:-3]]
+    check(Picture(script), *tables)
 
 
 if __name__ == "__main__":

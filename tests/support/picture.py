@@ -94,7 +94,7 @@ class Picture:
             self.panel.limits.append(float(limit.group(1)))
         elif line.startswith("plot"):
             self.read_plot(line[4:])
-        elif self.panel and (scale := re.match(r"set ([xy])(range|tics) (?!rotate|norotate)(.*)", line)):
+        elif self.panel and (scale := re.match(r"set ([xy])(range|tics) (?!rot|norot)(.*)", line)):
             self.read_scale(getattr(self.panel, scale.group(1)), *scale.groups()[1:])
         elif self.panel and line.startswith("set logscale"):
             getattr(self.panel, line[-1]).logarithmic = True

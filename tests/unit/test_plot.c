@@ -201,7 +201,7 @@ static void decades_have_as_many_numbers_as_find_room(void **state) {
     assert_null(strstr(text, "'2·10⁻⁶'"));
     x.span = (struct span){1e-6, 1e-4};
     written_panel(30, &y, &x, text, sizeof text);
-    assert_non_null(strstr(text, "set ytics ('10⁻⁶' 1e-06, '2·10⁻⁶' 2e-06, '5·10⁻⁶' 5e-06, "));
+    assert_non_null(strstr(text, "set ytics ('10⁻⁶' 1e-06, '2·10⁻⁶' 2e-06, "));
 }
 
 static void a_name_too_long_for_the_axis_gives_way_to_the_brief_one(void **state) {
