@@ -80,6 +80,12 @@ void cells_number(struct cells *c, double value) {
     fputs(isnan(value) ? "nan" : text_exact(&t, value), c->to);  // a NaN has no sign here
 }
 
+void cells_numbers(struct cells *c, const double *value, int n) {
+    for (int i = 0; i < n; i++) {
+        cells_number(c, value[i]);
+    }
+}
+
 void cells_empty(struct cells *c) {
     if (c->form == CELLS_JSON) {
         begin(c);

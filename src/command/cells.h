@@ -19,7 +19,8 @@ struct cells {
 // {"columns": [names], "data": [[cells], ...]}, where empty cells, NaN and infinities are null; the
 // first line has the names.
 void cells_text(struct cells *c, const char *text);
-void cells_number(struct cells *c, double value);  // in full precision, or nan
+void cells_number(struct cells *c, double value);  // the shortest that is read as it again, or nan
+void cells_numbers(struct cells *c, const double *value, int n);
 void cells_empty(struct cells *c);
 void cells_whole(struct cells *c, long value);
 void cells_end(struct cells *c);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "command/cells.h"
 #include "command/sweeps.h"
 
 enum { SHOWN_MAX = 20, LABEL_WIDTH = 23, SHOWN_LEVELS = 3 };
@@ -141,6 +142,7 @@ static void print_verdict(const struct model *m, const struct refinement *r, dou
 }
 
 void converge_print_tsv(const struct model *m, const struct refinement *r) {
+    struct cells c = {.to = stdout, .form = CELLS_TSV};
     char unit[48];
     printf("owner\tname\tquantity\tunit");
     for (int i = 0; i < r->n_level; i++) {
@@ -149,13 +151,17 @@ void converge_print_tsv(const struct model *m, const struct refinement *r) {
     printf("\torder\testimate\terror\tconverged\treason\n");
     for (int i = 0; i < r->n_result; i++) {
         const struct refined *f = &r->result[i];
-        printf("%s\t%s\t%s\t%s", owner_names[f->owner], name_of(m, f), f->quantity,
-               unit_of(m, f, unit, sizeof unit));
-        for (int k = 0; k < r->n_level; k++) {
-            printf("\t%.17g", f->value[k]);
-        }
-        printf("\t%.6g\t%.17g\t%.6g\t%d\t%s\n", f->convergence.order, f->convergence.estimate,
-               f->convergence.error, f->within, reason_of(f));
+        cells_text(&c, owner_names[f->owner]);
+        cells_text(&c, name_of(m, f));
+        cells_text(&c, f->quantity);
+        cells_text(&c, unit_of(m, f, unit, sizeof unit));
+        cells_numbers(&c, f->value, r->n_level);
+        cells_number(&c, f->convergence.order);
+        cells_number(&c, f->convergence.estimate);
+        cells_number(&c, f->convergence.error);
+        cells_whole(&c, f->within);
+        cells_text(&c, reason_of(f));
+        cells_end(&c);
     }
 }
 

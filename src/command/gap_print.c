@@ -156,17 +156,16 @@ static void print_sweep_names(const struct plan *p) {
     }
 }
 
-static void print_sweep_values(const struct plan *p, long run) {
+static void print_sweep_values(const struct plan *p, long run, struct cells *c) {
     int choice[STUDY_SWEEPS_MAX];
     int i = 0;
     plan_choose(p, run, choice);
     for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next, i++) {
         for (const struct sweep *along = s; along; along = along->along) {
             if (along->number) {
-                printf("\t%.17g", along->number[choice[i]]);
+                cells_number(c, along->number[choice[i]]);
             } else {
-                putchar('\t');
-                cells_put_text(along->label[choice[i]], stdout);
+                cells_text(c, along->label[choice[i]]);
             }
         }
     }
@@ -187,21 +186,19 @@ static void print_heads(const struct plan *p) {
 }
 
 void gap_print_apart_tsv(const struct plan *p, const struct apart *a) {
+    struct cells c = {.to = stdout, .form = CELLS_TSV};
     print_heads(p);
     for (long run = 0; run < a->n_run; run++) {
         const struct study_outcome *outcome = &a->outcome[run];
         for (int i = 0; i < a->n_contact; i++) {
             const double *value = apart_values(a, run, i);
-            printf("%ld", run + 1);
-            print_sweep_values(p, run);
-            printf("\t%s\t", outcome->status == STUDY_DONE ? "done" : "failed");
-            cells_put_text(p->first->link[i].name, stdout);
-            for (int k = 0; k < APART_VALUES; k++) {
-                printf("\t%.17g", value[k]);
-            }
-            putchar('\t');
-            cells_put_text(outcome->message, stdout);
-            putchar('\n');
+            cells_whole(&c, run + 1);
+            print_sweep_values(p, run, &c);
+            cells_text(&c, outcome->status == STUDY_DONE ? "done" : "failed");
+            cells_text(&c, p->first->link[i].name);
+            cells_numbers(&c, value, APART_VALUES);
+            cells_text(&c, outcome->message);
+            cells_end(&c);
         }
     }
 }

@@ -71,16 +71,23 @@ void gap_print_search(const struct gap_search_request *q, const struct gap_searc
 }
 
 void gap_print_search_tsv(const struct gap_search_request *q, const struct gap_search *s) {
+    struct cells c = {.to = stdout, .form = CELLS_TSV};
     printf("stage\tgap [%s]\t%s [%s]\tlimit\tfailed\trun\tmessage\n",
            q->plan->first->deck->units.length_name, q->edp.text, q->edp.units);
     for (int i = 0; i < s->n_point; i++) {
         const struct gap_point *p = &s->point[i];
-        printf("%s\t%.17g\t%.17g\t%s\t%ld\t%ld\t", p->stage == GAP_SCAN ? "scan" : "bisection",
-               p->gap, p->value, p->kept ? "kept" : "broken", p->n_failed, p->run + 1);
-        cells_put_text(p->message, stdout);
-        putchar('\n');
+        cells_text(&c, p->stage == GAP_SCAN ? "scan" : "bisection");
+        cells_number(&c, p->gap);
+        cells_number(&c, p->value);
+        cells_text(&c, p->kept ? "kept" : "broken");
+        cells_whole(&c, p->n_failed);
+        cells_whole(&c, p->run + 1);
+        cells_text(&c, p->message);
+        cells_end(&c);
     }
     if (s->found) {
-        printf("result\t%.17g\t\tkept\t\t\t\n", s->gap);
+        cells_text(&c, "result");
+        cells_number(&c, s->gap);
+        printf("\t\tkept\t\t\t\n");
     }
 }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle law: isolated impacts of two bodies under contact laws, compared and fitted.
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "command/law_print.h"
 #include "command/law_words.h"
 #include "command/picture.h"
 #include "plot/figure.h"
 #include "plot/impact_figure.h"
+#include "result/part_file.h"
 
 static int law_command(int argc, char **argv);
 
@@ -39,8 +38,6 @@ static const char details[] =
     "                     blanks, tabs, commas or semicolons\n"
     "  --force            overwrites what exists\n"
     "  --help             this text\n";
-
-enum { PATH_SIZE = 4096 };
 
 struct options {
     struct law_words words;
@@ -152,33 +149,14 @@ static int check_existing(const struct options *o, struct error *e) {
     return STATUS_OK;
 }
 
-static int cannot_write(const char *path, struct error *e) {
-    return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, strerror(errno));
-}
-
 static int write_history(const struct options *o, const struct law_impact *i, struct error *e) {
-    char part[PATH_SIZE];
-    const int n = snprintf(part, sizeof part, "%s.part", o->history);
-    if (n < 0 || (size_t)n >= sizeof part) {
-        return error_set(e, STATUS_INPUT, "the name %.40s... is too long", o->history);
-    }
-    unlink(part);
-    FILE *to = fopen(part, "wx");
-    if (!to) {
-        return cannot_write(o->history, e);
-    }
-    law_print_history(i, to);
-    const int failed = fflush(to) != 0 || ferror(to);
-    const int status = failed ? cannot_write(o->history, e) : STATUS_OK;
-    if (fclose(to) != 0 && status == STATUS_OK) {
-        unlink(part);
-        return cannot_write(o->history, e);
-    }
+    struct part_file part;
+    const int status = part_file_open(&part, o->history, e);
     if (status != STATUS_OK) {
-        unlink(part);
         return status;
     }
-    return result_publish(part, o->history, o->existing, e);
+    law_print_history(i, part.to);
+    return part_file_publish(&part, o->existing, e);
 }
 
 // What is written above the picture and its panels.

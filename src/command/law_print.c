@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/cells.h"
 #include "command/law_words.h"
 
 enum { NAME_SIZE = 512, LAWS_IN_A_ROW = 4 };
@@ -110,17 +111,13 @@ void law_print_table(const struct law_impacts *l, FILE *to) {
 }
 
 static void print_row(const char *name, const struct law_impacts *l,
-                      double (*value)(const struct law_impact *i, int which), int which, FILE *to) {
-    fprintf(to, "%s", name);
+                      double (*value)(const struct law_impact *i, int which), int which,
+                      struct cells *c) {
+    cells_text(c, name);
     for (int i = 0; i < l->n; i++) {
-        const double x = value(&l->impact[i], which);
-        if (isnan(x)) {
-            fprintf(to, "\tnan");
-        } else {
-            fprintf(to, "\t%.17g", x);
-        }
+        cells_number(c, value(&l->impact[i], which));
     }
-    fprintf(to, "\n");
+    cells_end(c);
 }
 
 static const char *const fitted[] = {
@@ -138,25 +135,29 @@ static double fitted_value(const struct law_impact *i, int which) {
 }
 
 void law_print_tsv(const struct law_impacts *l, FILE *to) {
+    struct cells c = {.to = to, .form = CELLS_TSV};
     if (l->n > 1) {
-        fprintf(to, "law");
+        cells_text(&c, "law");
         for (int i = 0; i < l->n; i++) {
-            fprintf(to, "\t%s", l->impact[i].choice.law->name);
+            cells_text(&c, l->impact[i].choice.law->name);
         }
-        fprintf(to, "\n");
+        cells_end(&c);
     }
     for (int q = 0; q < N_QUANTITY; q++) {
-        print_row(quantities[q].name, l, quantity, q, to);
+        print_row(quantities[q].name, l, quantity, q, &c);
     }
     for (int f = 0; f < N_FITTED && l->measured.n > 0; f++) {
-        print_row(fitted[f], l, fitted_value, f, to);
+        print_row(fitted[f], l, fitted_value, f, &c);
     }
 }
 
 void law_print_history(const struct law_impact *i, FILE *to) {
     fprintf(to, "time [s]\tpenetration [m]\tvelocity [m/s]\tforce [N]\n");
+    struct cells c = {.to = to, .form = CELLS_TSV};
     for (size_t k = 0; k < i->n_point; k++) {
         const struct isolated_point *p = &i->point[k];
-        fprintf(to, "%.17g\t%.17g\t%.17g\t%.17g\n", p->time, p->penetration, p->velocity, p->force);
+        const double value[] = {p->time, p->penetration, p->velocity, p->force};
+        cells_numbers(&c, value, 4);
+        cells_end(&c);
     }
 }

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "command/interrupt.h"
+#include "result/part_file.h"
 
 enum { PATH_SIZE = 4096, NOT_FOUND = 127 };
 
@@ -26,11 +27,10 @@ struct pair {
     char script[PATH_SIZE], data[PATH_SIZE];
 };
 
-// FOLDER/NAME.gp and .dat, followed by `tail`; STATUS_INPUT if that is too long.
-static int name_pair(const char *folder, const char *name, const char *tail, struct pair *p,
-                     struct error *e) {
-    const int n = snprintf(p->script, sizeof p->script, "%s/%s.gp%s", folder, name, tail);
-    const int m = snprintf(p->data, sizeof p->data, "%s/%s.dat%s", folder, name, tail);
+// FOLDER/NAME.gp and .dat; STATUS_INPUT if that is too long.
+static int name_pair(const char *folder, const char *name, struct pair *p, struct error *e) {
+    const int n = snprintf(p->script, sizeof p->script, "%s/%s.gp", folder, name);
+    const int m = snprintf(p->data, sizeof p->data, "%s/%s.dat", folder, name);
     if (n < 0 || m < 0 || (size_t)m >= sizeof p->data) {
         return error_set(e, STATUS_INPUT, "the name of folder %.40s... is too long", folder);
     }
@@ -42,7 +42,7 @@ static int close_file(FILE *to, const char *path, struct error *e) {
     return fclose(to) != 0 || failed ? cannot_write(path, e) : STATUS_OK;
 }
 
-// Writes script and data to paths that must not exist.
+// Writes script and data into a folder of our own.
 static int write_pair(const struct picture_request *q, const char *picture, const struct pair *p,
                       struct error *e) {
     const struct figure_files to = {
@@ -62,49 +62,55 @@ static int write_pair(const struct picture_request *q, const char *picture, cons
             status = late.status;
         }
     }
-    for (int i = 0; i < 2 && status != STATUS_OK; i++) {
-        if (file[i]) {
-            unlink(path[i]);
-        }
+    return status;
+}
+
+// Both get their names, or neither. If the script cannot have its own, new data does not stay.
+static int publish_pair(struct part_file *data, struct part_file *script,
+                        enum result_existing existing, struct error *e) {
+    int status = part_file_publish(data, existing, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    status = part_file_publish(script, existing, e);
+    if (status != STATUS_OK) {
+        unlink(data->path);
     }
     return status;
 }
 
-// Gives both files their names. If the script cannot have its own, new data does not stay.
-static int publish_pair(const struct pair *part, const struct pair *p,
-                        enum result_existing existing, struct error *e) {
-    int status = result_publish(part->data, p->data, existing, e);
-    if (status != STATUS_OK) {
-        unlink(part->script);
-        return status;
+static int write_script(const struct picture_request *q, const struct pair *p, struct error *e) {
+    struct part_file data = {0}, script = {0};
+    char picture[64];
+    snprintf(picture, sizeof picture, "%s.%s", q->name,
+             q->output ? figure_ending(q->output) : "png");
+    int status = part_file_open(&data, p->data, e);
+    if (status == STATUS_OK) {
+        status = part_file_open(&script, p->script, e);
     }
-    status = result_publish(part->script, p->script, existing, e);
-    if (status != STATUS_OK) {
-        unlink(p->data);
+    if (status == STATUS_OK) {
+        const struct figure_files to = {script.to, data.to, picture};
+        status = q->write(q->context, &to, e);
     }
+    if (status == STATUS_OK) {
+        status = publish_pair(&data, &script, q->existing, e);
+    }
+    part_file_drop(&script);
+    part_file_drop(&data);
     return status;
 }
 
 static int keep_script(const struct picture_request *q, struct error *e) {
-    struct pair part, pair;
-    char picture[64];
+    struct pair pair;
     assert(q->name);
+    if (strcmp(q->script_folder, "-") == 0) {
+        return error_set(e, STATUS_INPUT, "--script takes a folder; ./- is one called -");
+    }
     if (mkdir(q->script_folder, 0777) != 0 && errno != EEXIST) {
         return cannot_write(q->script_folder, e);
     }
-    int status = name_pair(q->script_folder, q->name, ".part", &part, e);
-    if (status == STATUS_OK) {
-        status = name_pair(q->script_folder, q->name, "", &pair, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
-    }
-    snprintf(picture, sizeof picture, "%s.%s", q->name,
-             q->output ? figure_ending(q->output) : "png");
-    unlink(part.script);
-    unlink(part.data);
-    status = write_pair(q, picture, &part, e);
-    return status == STATUS_OK ? publish_pair(&part, &pair, q->existing, e) : status;
+    const int status = name_pair(q->script_folder, q->name, &pair, e);
+    return status == STATUS_OK ? write_script(q, &pair, e) : status;
 }
 
 // In the child: gnuplot in `folder`, its messages in the file `messages`.
@@ -183,37 +189,36 @@ static int run_gnuplot(const char *folder, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "gnuplot failed: %s", line[0] ? line : "no message");
 }
 
-// Copies the picture next to its name, so that it can be given the name in one step.
-static int copy(const char *from_path, const char *to_path, struct error *e) {
-    FILE *from = fopen(from_path, "rb");
-    if (!from) {
-        return error_set(e, STATUS_SYSTEM, "gnuplot made no picture");
-    }
-    unlink(to_path);
-    FILE *to = fopen(to_path, "wbx");
-    if (!to) {
-        int status = cannot_write(to_path, e);
-        fclose(from);
-        return status;
-    }
+static int copy_into(FILE *to, FILE *from, struct error *e) {
     char block[1 << 14];
     size_t total = 0;
     for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0; total += n) {
         if (fwrite(block, 1, n, to) < n) {
-            break;
+            return STATUS_OK;  // told when the file is published
         }
     }
-    const bool failed = ferror(from) || ferror(to);
+    if (ferror(from)) {
+        return error_set(e, STATUS_SYSTEM, "cannot read the picture: %s", strerror(errno));
+    }
+    return total > 0 ? STATUS_OK : error_set(e, STATUS_SYSTEM, "gnuplot made an empty picture");
+}
+
+// Copies the picture next to its name, so that it can be given the name in one step.
+static int copy(const char *from_path, const struct picture_request *q, struct error *e) {
+    FILE *from = fopen(from_path, "rb");
+    if (!from) {
+        return error_set(e, STATUS_SYSTEM, "gnuplot made no picture");
+    }
+    struct part_file part;
+    int status = part_file_open(&part, q->output, e);
+    if (status == STATUS_OK) {
+        status = copy_into(part.to, from, e);
+    }
+    if (status == STATUS_OK) {
+        status = part_file_publish(&part, q->existing, e);
+    }
+    part_file_drop(&part);
     fclose(from);
-    int status = STATUS_OK;
-    if (fclose(to) != 0 || failed) {
-        status = cannot_write(to_path, e);
-    } else if (total == 0) {
-        status = error_set(e, STATUS_SYSTEM, "gnuplot made an empty picture");
-    }
-    if (status != STATUS_OK) {
-        unlink(to_path);
-    }
     return status;
 }
 
@@ -230,13 +235,9 @@ static void remove_folder(const char *folder, const char *picture) {
 static int draw_in(const struct picture_request *q, const char *folder, const char *picture,
                    struct error *e) {
     struct pair pair;
-    char drawn[PATH_SIZE], part[PATH_SIZE];
+    char drawn[PATH_SIZE];
     snprintf(drawn, sizeof drawn, "%s/%s", folder, picture);
-    const int n = snprintf(part, sizeof part, "%s.part", q->output);
-    if (n < 0 || (size_t)n >= sizeof part) {
-        return error_set(e, STATUS_INPUT, "the name %.40s... is too long", q->output);
-    }
-    int status = name_pair(folder, "figure", "", &pair, e);
+    int status = name_pair(folder, "figure", &pair, e);
     if (status == STATUS_OK) {
         status = write_pair(q, picture, &pair, e);
     }
@@ -246,10 +247,7 @@ static int draw_in(const struct picture_request *q, const char *folder, const ch
     if (status == STATUS_OK) {
         status = run_gnuplot(folder, e);
     }
-    if (status == STATUS_OK) {
-        status = copy(drawn, part, e);
-    }
-    return status == STATUS_OK ? result_publish(part, q->output, q->existing, e) : status;
+    return status == STATUS_OK ? copy(drawn, q, e) : status;
 }
 
 static int draw(const struct picture_request *q, struct error *e) {

@@ -5,6 +5,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "command/cells.h"
 #include "command/interrupt.h"
 #include "command/load.h"
 #include "command/picture.h"
@@ -97,9 +98,12 @@ static int run_all(struct pounding *p, struct arena *a) {
 static void print_tsv(const struct pounding *p) {
     const struct spectrum_request *q = p->request;
     printf("T1 [s]\tT2 [s]\tforce [%s]\n", p->units.force_name);
+    struct cells c = {.to = stdout, .form = CELLS_TSV};
     for (int pair = 0; pair < q->n_period * q->n_period; pair++) {
-        printf("%.17g\t%.17g\t%.17g\n", q->period[pair / q->n_period],
-               q->period[pair % q->n_period], p->force[pair]);
+        const double value[] = {q->period[pair / q->n_period], q->period[pair % q->n_period],
+                                p->force[pair]};
+        cells_numbers(&c, value, 3);
+        cells_end(&c);
     }
 }
 

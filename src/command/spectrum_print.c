@@ -118,18 +118,21 @@ static void print_spectra(const struct spectrum_request *q, const struct spectru
 
 static void print_intensities_tsv(const struct spectrum_request *q,
                                   const struct spectrum_set *set) {
+    struct cells c = {.to = stdout, .form = CELLS_TSV};
     printf("record\tsamples\tdt [s]\tscale");
     for (int i = 0; i < N_INTENSITY; i++) {
         printf("\t%s [%s]", intensities[i].name, intensities[i].unit_name);
     }
     printf("\n");
     for (int r = 0; r < q->n_record; r++) {
-        cells_put_text(set->name[r], stdout);
-        printf("\t%zu\t%.17g\t%.17g", set->ground[r].n, set->ground[r].dt, set->scale[r]);
+        cells_text(&c, set->name[r]);
+        cells_whole(&c, (long)set->ground[r].n);
+        cells_number(&c, set->ground[r].dt);
+        cells_number(&c, set->scale[r]);
         for (int i = 0; i < N_INTENSITY; i++) {
-            printf("\t%.17g", intensity_value(q, set, r, &intensities[i]));
+            cells_number(&c, intensity_value(q, set, r, &intensities[i]));
         }
-        printf("\n");
+        cells_end(&c);
     }
 }
 
@@ -140,15 +143,17 @@ static void print_series_tsv(const struct spectrum_request *q, const struct spec
                                                               [SPECTRA_P50] = "50%",
                                                               [SPECTRA_P84] = "84%"};
     const bool record = series < q->n_record;
+    struct cells c = {.to = stdout, .form = CELLS_TSV};
     for (int d = 0; d < q->n_damping; d++) {
         for (int p = 0; p < q->n_period; p++) {
-            printf("%s\t", record ? "record" : "statistic");
-            cells_put_text(record ? set->name[series] : statistic[series - q->n_record], stdout);
-            printf("\t%.17g\t%.17g", q->damping[d], q->period[p]);
+            cells_text(&c, record ? "record" : "statistic");
+            cells_text(&c, record ? set->name[series] : statistic[series - q->n_record]);
+            cells_number(&c, q->damping[d]);
+            cells_number(&c, q->period[p]);
             for (int k = 0; k < SPECTRUM_COUNT; k++) {
-                printf("\t%.17g", response(q, set, series, d, p, (enum spectrum_quantity)k));
+                cells_number(&c, response(q, set, series, d, p, (enum spectrum_quantity)k));
             }
-            printf("\n");
+            cells_end(&c);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include "command/deck_command.h"
 #include "command/output_name.h"
 #include "command/threads.h"
+#include "jostle/result.h"
 #include "jostle/study.h"
 
 static int tasks_command(int argc, char **argv);
@@ -106,6 +107,9 @@ static int print_tasks(void *options, const struct model *m) {
     const char *path = output_choose(m, o->output, &(struct study_shard){0, 0});
     if (!path) {
         return command_no_memory();
+    }
+    if (result_check_path(path, RESULT_REPLACE, &e) != STATUS_OK) {
+        return command_fail(&e);
     }
     if (!is_one_line(o, path)) {
         error_set(&e, STATUS_INPUT,

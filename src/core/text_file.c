@@ -70,8 +70,9 @@ int text_file(struct arena *a, const char *path, size_t limit, char **text, size
     int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) {
         bool missing = errno == ENOENT || errno == ENOTDIR;
-        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", path,
-                         strerror(errno));
+        const char *hint = strcmp(path, "-") == 0 ? "; the standard input is not read" : "";
+        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s%s", path,
+                         strerror(errno), hint);
     }
     int status = read_open(a, file, path, limit, text, size, e);
     close(file);

@@ -9,6 +9,7 @@
 #include "plot/script.h"
 
 static const double character = 0.56;  // [em]
+static const double SMALL = 0.75;      // of small_font
 static const double BOLD = 1.15;       // width of bold text over that of plain text
 static const double TIGHT = 0.9;       // numbers above each other that are nearer [em] touch
 
@@ -36,9 +37,10 @@ void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
     write_label(c, title, c->width / 1.25);
     write_place(c, c->width / 2, a->top - 1);
     fprintf(c->to, " center font title_font\n");
-    write_label(c, subtitle, c->width);
+    const bool fits = character * script_columns(subtitle) <= c->width;
+    write_label(c, subtitle, fits ? c->width : c->width / SMALL);
     write_place(c, c->width / 2, a->top - 2.5);
-    fprintf(c->to, " center\n");
+    fprintf(c->to, " center%s\n", fits ? "" : " font small_font");
     a->top -= 3.3;
 }
 
@@ -148,15 +150,18 @@ static void write_across(const struct canvas *c, struct area a, const struct uni
     fprintf(c->to, " center\n");
 }
 
-// The longest of the numbers at the ends of an axis with this step, in characters.
-static int number_columns(const struct axis *axis, double step) {
-    char low[32], high[32];
+// How far neighbouring numbers across must be apart [em], with this step.
+static double number_room(const struct axis *axis, double step) {
     const double unit = pow(10, axis_power(axis));
-    const double first = step * ceil(axis->span.low / step);
-    const double last = step * (floor(axis->span.high / step) - 1);
-    const int n = snprintf(low, sizeof low, "%.5g", first / unit);
-    const int m = snprintf(high, sizeof high, "%.5g", last / unit);
-    return n > m ? n : m;
+    const long first = (long)ceil(axis->span.low / step), last = (long)(axis->span.high / step);
+    int before = 0, most = 0;
+    for (long i = first; i <= last; i++) {
+        char text[32];
+        const int n = snprintf(text, sizeof text, "%.5g", (double)i * step / unit);
+        most = before + n > most ? before + n : most;
+        before = n;
+    }
+    return 0.3 * most + 0.5;
 }
 
 // The smallest step whose numbers find room along `length` em; `line` is the room of one across. At
@@ -166,7 +171,7 @@ static double fitting_step(const struct axis *axis, double length, double line) 
     double step = 0;
     for (int n = 8; n > 1; n--) {
         step = fmax(script_step(size, n), axis->step);
-        const double room = line > 0 ? line : 0.62 * number_columns(axis, step) + 0.6;
+        const double room = line > 0 ? line : number_room(axis, step);
         if (step / size * length >= room) {
             break;
         }
@@ -200,18 +205,39 @@ static void write_numbers(const struct canvas *c, char letter, const struct axis
     fprintf(c->to, ")\n");
 }
 
-// Tics at 1, 2 and 5 of every decade; at every digit where there is little more than one decade.
-static void write_decades(const struct canvas *c, char letter, const struct axis *axis) {
+static void write_digit(FILE *to, int digit, int exponent) {
+    char power[32];
+    if (exponent >= -3 && exponent < 5) {
+        fprintf(to, "'%g'", digit * pow(10, exponent));
+        return;
+    }
+    script_power(exponent, power, sizeof power);
+    if (digit == 1) {
+        fprintf(to, "'%s'", power);
+    } else {
+        fprintf(to, "'%d·%s'", digit, power);
+    }
+}
+
+// Tics at 1, 2 and 5 of every decade; at every digit where there is little more than one decade; at
+// 1 of as many decades as find room, where there are many. `line` is the room of a number [em].
+static void write_decades(const struct canvas *c, char letter, const struct axis *axis,
+                          double length, double line) {
     const double low = axis->span.low, high = axis->span.high;
-    const bool every = high < 15 * low;
+    const double decade = length / log10(high / low);  // [em]
+    const bool every = high<15 * low, some = decade * log10(2)> line;
+    const int step = (int)ceil(line / decade);
     const char *between = "";
     fprintf(c->to, "set logscale %c\nset %ctics (", letter, letter);
-    for (double decade = pow(10, floor(log10(low))); decade <= high; decade *= 10) {
+    for (int exponent = (int)floor(log10(low)); pow(10, exponent) <= high; exponent++) {
         for (int digit = 1; digit <= 9; digit++) {
-            const bool wanted = every || digit == 1 || digit == 2 || digit == 5;
-            const double at = digit * decade;
+            const bool wanted = every || (digit == 1 && exponent % step == 0) ||
+                                (some && (digit == 2 || digit == 5));
+            const double at = digit * pow(10, exponent);
             if (wanted && at >= low * (1 - 1e-9) && at <= high * (1 + 1e-9)) {
-                fprintf(c->to, "%s'%g' %g", between, at, at);
+                fprintf(c->to, "%s", between);
+                write_digit(c->to, digit, exponent);
+                fprintf(c->to, " %g", at);
                 between = ", ";
             }
         }
@@ -223,7 +249,7 @@ static void write_scale(const struct canvas *c, char letter, const struct axis *
                         double line) {
     fprintf(c->to, "set %crange [%.9g:%.9g]\n", letter, axis->span.low, axis->span.high);
     if (axis->kind == AXIS_LOGARITHMIC) {
-        write_decades(c, letter, axis);
+        write_decades(c, letter, axis, length, line > 0 ? line : 2.5);
         return;
     }
     const double step = fitting_step(axis, length, line);

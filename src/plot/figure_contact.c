@@ -227,6 +227,7 @@ static struct span all_spans(const struct view *v) {
 
 static void write_strip(const struct view *v, struct canvas *c, struct area a, int strip) {
     const bool last = strip == v->n - 1;
+    char text[320];
     const struct axis x = {.name = last ? "time" : NULL,
                            .dimension = dimension_time,
                            .span = {0, runs_duration(v->s)},
@@ -234,7 +235,9 @@ static void write_strip(const struct view *v, struct canvas *c, struct area a, i
     const struct axis y = {
         .dimension = dimension_force, .span = strip_span(v, strip), .scale = v->all};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    canvas_caption(c, a, link_of(v->s->r[0], v->strip[strip])->name);
+    snprintf(text, sizeof text, "%s%s", v->strip[strip] < v->s->r[0]->n_contact ? "" : "link ",
+             link_of(v->s->r[0], v->strip[strip])->name);
+    canvas_caption(c, a, text);
     const char *before = "plot";
     for (int k = 0; k < v->s->n; k++) {
         const int i = index_in(v, k, v->strip[strip]);

@@ -27,6 +27,7 @@ struct view {
     double top;      // of the axis
     double largest;  // force or impulse
     bool impulse;
+    bool more;  // pairs than bands
 };
 
 static const char *lacks(const struct runs *s) {
@@ -55,6 +56,7 @@ static void collect(struct view *v) {
         const struct report_link *c = &r->contact[i];
         const int b = band_of(v, c), floor = floor_of(c);
         if (b == BANDS_MAX) {
+            v->more = true;
             continue;
         }
         struct band *band = &v->band[b];
@@ -148,34 +150,53 @@ static double names_width(const struct view *v) {
     return most > 0 ? 0.45 * most + 1 : 0.5;
 }
 
-// Numbers of the floors in each band, and its name beside it.
-static void write_bands(const struct view *v, const struct canvas *c, struct area a) {
-    const double em = (a.top - a.bottom) / v->top;  // of one floor
+// Numbers of the floors in each band, as far as they find room; `em` of one floor.
+static void write_floors(const struct view *v, double em, FILE *to) {
+    const int step = (int)ceil(1.3 / em);
     const char *before = "set ytics (";
+    double below = -INFINITY;
     for (int b = 0; b < v->n; b++) {
         const struct band *band = &v->band[b];
-        const int step = (int)ceil(1.3 / em);
-        const double below = b > 0 ? v->band[b - 1].base + v->band[b - 1].high : -INFINITY;
+        const double top = band->base + band->high;
         for (int floor = band->high; floor >= band->low; floor -= step) {
-            if (floor == band->high || (band->base + floor - below) * em > 1.3) {
-                fprintf(c->to, "%s'%d' %.7g", before, floor, band->base + floor);
+            const double room = (band->base + floor - below) * em;
+            if (room > (floor == band->high ? 0.9 : 1.3)) {
+                fprintf(to, "%s'%d' %.7g", before, floor, band->base + floor);
                 before = ", ";
             }
         }
+        below = (top - below) * em > 0.9 ? top : below;
     }
-    fprintf(c->to, ")\n");
-    for (int b = 0; b < v->n && v->n > 1; b++) {
+    fprintf(to, ")\n");
+}
+
+// The names stand beside the middles of the bands, or so near that they do not touch: `line` is
+// the room of one on the axis.
+static void place_names(const struct view *v, double line, double *at) {
+    for (int b = 0; b < v->n; b++) {
+        const struct band *band = &v->band[b];
+        at[b] = band->base + (band->low + band->high) / 2.0;
+        at[b] = b > 0 ? fmax(at[b], at[b - 1] + line) : at[b];
+    }
+    for (int b = v->n - 1; b >= 0; b--) {
+        at[b] = fmin(at[b], b + 1 < v->n ? at[b + 1] - line : v->top - line / 2);
+    }
+}
+
+static void write_names(const struct view *v, double em, FILE *to) {
+    double at[BANDS_MAX];
+    place_names(v, 0.8 / em, at);
+    for (int b = 0; b < v->n; b++) {
         const struct band *band = &v->band[b];
         char text[160];
         band_name(band, text, sizeof text);
-        fprintf(c->to, "set label ");
-        script_text(c->to, text);
-        fprintf(c->to, " at graph 1, first %.7g left offset 0.8,0 font small_font\n",
-                band->base + (band->low + band->high) / 2.0);
+        fprintf(to, "set label ");
+        script_text(to, text);
+        fprintf(to, " at graph 1, first %.7g left offset 0.8,0 font small_font\n", at[b]);
         if (b > 0) {
             const struct band *below = &v->band[b - 1];
             const double edge = (below->base + below->high + band->base + band->low) / 2;
-            fprintf(c->to,
+            fprintf(to,
                     "set arrow from graph 0, first %.7g to graph 1, first %.7g nohead lc rgb "
                     "'#404040' lw 0.6\n",
                     edge, edge);
@@ -187,8 +208,12 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a) {
     const struct axis x = {
         .name = "time", .dimension = dimension_time, .span = {0, runs_duration(v->s)}};
     const struct axis y = {.name = "floor", .unit = "", .span = {0, v->top}};
+    const double em = (a.top - a.bottom) / v->top;  // of one floor
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    write_bands(v, c, a);
+    write_floors(v, em, c->to);
+    if (v->n > 1) {
+        write_names(v, em, c->to);
+    }
     fprintf(c->to, "plot");
     for (int k = 0; k < v->s->n; k++) {
         fprintf(
@@ -235,6 +260,10 @@ static void write_head(const struct view *v, struct canvas *c) {
                  r->n_impact == 1 ? "" : "s", left, right);
     } else {
         snprintf(text, sizeof text, "%ld impacts, counted for each pair", r->n_impact);
+        if (v->more) {
+            snprintf(text, sizeof text, "%ld impacts, those of the first %d pairs are shown",
+                     r->n_impact, BANDS_MAX);
+        }
     }
     canvas_head(c, runs_title(v->s), text);
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {

@@ -17,7 +17,7 @@ struct view {
     int building[STOREYS_MAX], storey[STOREYS_MAX];  // from 0
     int n_storey;
     struct span x[PANELS_MAX], y[PANELS_MAX];  // the contact's first
-    struct span all_x, all_y;                  // of all panels: one unit for one quantity
+    struct span all_x, all_y;                  // drifts, forces: one unit for one quantity
 };
 
 static bool has_storeys(const struct runs *s) {
@@ -158,10 +158,8 @@ static int write_storey_data(struct view *v, int run, int k, FILE *to, struct er
 }
 
 static void write_contact(const struct view *v, struct canvas *c, struct area a) {
-    const struct axis x = {.name = "penetration",
-                           .dimension = dimension_length,
-                           .span = span_with_room(v->x[0], 0),
-                           .scale = v->all_x};
+    const struct axis x = {
+        .name = "penetration", .dimension = dimension_length, .span = span_with_room(v->x[0], 0)};
     const struct axis y = {.name = "contact force",
                            .dimension = dimension_force,
                            .span = span_with_room(v->y[0], 0),
@@ -250,13 +248,19 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
     return status;
 }
 
+static void add_span(struct span *all, const struct span *r) {
+    span_add(all, r->low);
+    span_add(all, r->high);
+}
+
+// Penetrations are apart from the drifts, and mostly far smaller.
 static void join(struct view *v) {
     v->all_x = v->all_y = span_none;
     for (int i = 0; i < PANELS_MAX; i++) {
-        span_add(&v->all_x, v->x[i].low);
-        span_add(&v->all_x, v->x[i].high);
-        span_add(&v->all_y, v->y[i].low);
-        span_add(&v->all_y, v->y[i].high);
+        add_span(&v->all_y, &v->y[i]);
+        if (i > 0) {
+            add_span(&v->all_x, &v->x[i]);
+        }
     }
 }
 

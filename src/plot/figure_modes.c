@@ -105,6 +105,15 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a, i
     canvas_panel_end(c);
 }
 
+// Three digits, but no point behind the last one.
+static void write_period(double period, char *text, size_t size) {
+    if (period >= 1e-3 && period < 99.5) {
+        snprintf(text, size, "%#.3g", period);
+    } else {
+        script_number(period, text, size);
+    }
+}
+
 // The name of a building with its first periods.
 static void write_entry(const struct view *v, struct canvas *c, int k) {
     const struct report_building *b = shown(v, 0, k);
@@ -112,10 +121,11 @@ static void write_entry(const struct view *v, struct canvas *c, int k) {
     script_shorten(b->name, 9, name, sizeof name);
     size_t n = (size_t)snprintf(text, sizeof text, "%s:", name);
     for (int m = 0; m < v->n_mode && m < b->n_floor && m < 3; m++) {
-        n += (size_t)(isfinite(b->period[m])
-                          ? snprintf(text + n, sizeof text - n, "%s %#.3g", m > 0 ? "," : "",
-                                     b->period[m])
-                          : snprintf(text + n, sizeof text - n, "%s rigid body", m > 0 ? "," : ""));
+        char period[32] = "rigid body";
+        if (isfinite(b->period[m])) {
+            write_period(b->period[m], period, sizeof period);
+        }
+        n += (size_t)snprintf(text + n, sizeof text - n, "%s %s", m > 0 ? "," : "", period);
     }
     if (isfinite(b->period[0])) {
         snprintf(text + n, sizeof text - n, " %s", v->s->r[0]->units.time_name);

@@ -131,7 +131,7 @@ static void write_panel(const struct selection *s, int at, struct canvas *c) {
     const struct panel *p = &panels[at];
     const bool ratio = p->peak == PEAK_DRIFT && s->heights;
     const struct axis x = {.name = ratio ? "drift / height" : p->name,
-                           .brief = ratio ? NULL : p->brief,
+                           .brief = p->brief,
                            .unit = ratio ? "%" : NULL,
                            .dimension = *p->dimension,
                            .span = panel_span(s, p)};

@@ -129,8 +129,8 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     write_curves(&v, c->data);
     char text[256], limit[96];
     study_limit_text(&v.demand, s, p->limit[0], limit, sizeof limit);
-    snprintf(text, sizeof text, "%s > %s: shares of %d runs, and lognormal curves", v.demand.name,
-             p->n_limit > 1 ? "limit" : limit, s->n_sample);
+    snprintf(text, sizeof text, "%s > %s: shares of %d run%s, and lognormal curves", v.demand.name,
+             p->n_limit > 1 ? "limit" : limit, s->n_sample, s->n_sample == 1 ? "" : "s");
     study_head(c, s, text);
     write_legend(&v, c);
     write_panel(&v, c);

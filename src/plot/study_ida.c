@@ -25,8 +25,8 @@ struct view {
 static int check(const struct study_picture *p, struct error *e) {
     const struct suite *s = p->suite;
     if (!s->abscissa->number || s->n_point < 2) {
-        return error_set(e, STATUS_INPUT, "ida cannot be drawn: '%s' is no sweep of numbers",
-                         s->abscissa->name);
+        return error_set(e, STATUS_INPUT, "ida cannot be drawn: '%s' %s", s->abscissa->name,
+                         s->abscissa->number ? "has one value only" : "is no sweep of numbers");
     }
     if (s->is_random) {
         return error_set(e, STATUS_INPUT,

@@ -2,56 +2,20 @@
 #include "result/part.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <string.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-// Is the open file still the one of this name?
-static bool is_named(int file, const char *path) {
-    struct stat own, named;
-    return fstat(file, &own) == 0 && stat(path, &named) == 0 && own.st_dev == named.st_dev &&
-           own.st_ino == named.st_ino;
-}
-
-// Locks it, where the library has not (HDF5_USE_FILE_LOCKING=FALSE); it must still have its name
-// then. Where no file can be locked nothing is known of others.
-static bool is_ours(int file, const char *path) {
-    return (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && is_named(file, path);
-}
-
-static int taken(const char *path, const char *part, struct error *e) {
-    return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing %s", path, part);
-}
+#include "result/part_file.h"
 
 static int cannot_write(const char *path, const struct h5 *h, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, h->cause);
-}
-
-// Removes what a killed run has left. Whoever removes a file has it locked, and whoever writes one
-// keeps it locked until it has its name, so that nobody removes or names the file of another.
-static int remove_old(const char *path, const char *part, struct error *e) {
-    const int old = open(part, O_RDWR | O_CLOEXEC);
-    if (old < 0) {
-        return errno == ENOENT
-                   ? STATUS_OK
-                   : error_set(e, STATUS_SYSTEM, "cannot write %s: %s is in the way: %s", path,
-                               part, strerror(errno));
-    }
-    const bool locked = flock(old, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (!locked && is_named(old, part)) {
-        unlink(part);
-    }
-    close(old);
-    return locked ? taken(path, part, e) : STATUS_OK;
 }
 
 // Did another run come in between, as it made the file or locked it to see whether it is an old
 // one?
 static bool was_raced(const struct h5 *h, const char *part) {
     if (h->file >= 0) {
-        return h->lock >= 0 && !is_ours(h->lock, part);
+        return h->lock >= 0 && !part_file_is_ours(h->lock, part);
     }
     return strcmp(h->cause, strerror(EEXIST)) == 0 || strcmp(h->cause, strerror(EAGAIN)) == 0;
 }
@@ -68,7 +32,7 @@ static void give_up(struct h5 *h) {
 static int create_alone(struct h5 *h, const char *path, const char *part, struct error *e) {
     enum { ATTEMPTS = 20 };
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
-        const int status = remove_old(path, part, e);
+        const int status = part_file_clear(path, part, e);
         if (status != STATUS_OK) {
             return status;
         }
@@ -78,7 +42,7 @@ static int create_alone(struct h5 *h, const char *path, const char *part, struct
         }
         give_up(h);
     }
-    return taken(path, part, e);
+    return part_file_taken(path, part, e);
 }
 
 int part_create(struct h5 *h, const char *path, const char *part, struct error *e) {
@@ -89,7 +53,7 @@ int part_create(struct h5 *h, const char *path, const char *part, struct error *
     if (h->file >= 0) {
         unlink(part);
     } else {
-        status = remove_old(path, part, e);  // what the library has left on a full disk
+        status = part_file_clear(path, part, e);  // what the library has left on a full disk
     }
     return status == STATUS_OK ? cannot_write(path, h, e) : status;
 }

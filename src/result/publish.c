@@ -24,6 +24,10 @@ int result_check_path(const char *path, enum result_existing existing, struct er
     if (path[0] == '\0') {
         return error_set(e, STATUS_INPUT, "the name of the file to be written is empty");
     }
+    if (strcmp(path, "-") == 0) {
+        return error_set(e, STATUS_INPUT,
+                         "no file is written to the standard output; ./- is a file called -");
+    }
     if (stat(path, &found) != 0) {
         return STATUS_OK;
     }

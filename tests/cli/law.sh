@@ -99,6 +99,8 @@ law $jankowski --history h.tsv --compare hertz
 expect "a history is that of one law" '[ $status -eq 2 ] && said "--history writes one impact"'
 expect "nothing was written" 'only units.tsv'
 
+law $jankowski --tsv
+expect "numbers have no more digits than they need to be read as the same" 'grep -qxP "nominal_restitution\t0.65" "$out"'
 law $jankowski --history h.tsv
 expect "--history writes the impact" '[ $status -eq 0 ] && [ "$(head -n 1 h.tsv)" = "$(printf "time [s]\tpenetration [m]\tvelocity [m/s]\tforce [N]")" ] && [ "$(wc -l <h.tsv)" -gt 100 ]'
 expect "from closure to opening" '[ "$(sed -n 2p h.tsv | cut -f 1,3)" = "$(printf "0\t0.5")" ] && near $(tail -n 1 h.tsv | cut -f 1) 0.0289959527745732 1e-9 && near $(tail -n 1 h.tsv | cut -f 3) -0.323514513441 1e-9'

@@ -155,7 +155,44 @@ for ending in gp dat; do
     expect "unless it is forced, with energy.$ending" '[ $status -eq 0 ] && [ "$(ls scripts | tr "\n" " ")" = "energy.dat energy.gp " ] && ! grep -q mine scripts/*'
 done
 run limited -f 4 "$jostle" plot pair.h5 energy --script limited
-expect "data that cannot grow leaves nothing behind" '[ $status -eq 3 ] && said "cannot write limited/energy.dat.part" && [ -z "$(ls limited)" ]'
+expect "data that cannot grow leaves nothing behind" '[ $status -eq 3 ] && said "cannot write limited/energy.dat" && [ -z "$(ls limited)" ]'
+
+# Two runs at once: whoever comes second leaves the files of the first one alone.
+rm -rf scripts
+mkdir scripts
+for file in energy.png scripts/energy.dat scripts/energy.gp; do
+    echo mine >$file.part
+    option=$([ $file = energy.png ] && echo "-o $file" || echo "--script scripts")
+    # shellcheck disable=SC2086  # two words
+    run flock $file.part "$jostle" plot pair.h5 energy $option
+    expect "a $file that another run is writing is left alone" '[ $status -eq 3 ] && said "cannot write $file: another run is writing $file.part" && [ ! -e $file ] && [ "$(cat $file.part)" = mine ] && [ "$(find . -name "energy*" | wc -l)" -eq 1 ]'
+    rm $file.part
+done
+echo old >energy.png.part
+run "$jostle" plot pair.h5 energy -o energy.png
+expect "what a killed run has left is replaced" '[ $status -eq 0 ] && drawn energy.png && [ ! -e energy.png.part ]'
+run "$jostle" plot pair.h5 energy --script whole
+for _ in 1 2 3 4 5 6 7 8; do
+    "$jostle" plot pair.h5 energy --script scripts --force 2>>raced &
+done
+wait
+expect "of eight at once nobody spoils the files of another" 'cmp -s whole/energy.gp scripts/energy.gp && cmp -s whole/energy.dat scripts/energy.dat && [ "$(ls scripts | wc -l)" -eq 2 ] && ! grep -qv "another run is writing" raced'
+rm -rf energy.png whole raced scripts
+
+# More pairs than find room, and names that would stand in each other.
+{
+    echo 'units kN m s'
+    for i in $(seq 30); do
+        echo "building B$i -floors 1 -mass 100t -stiffness $((20 + i))MN/m"
+        [ "$i" -eq 1 ] || echo "contact B$((i - 1)) B$i -gap 5mm -law linear -k 1e5"
+    done
+    printf 'ground sine -amplitude 0.3g -frequency 1.5 -cycles 2\nstep fixed 1ms\n'
+} >row.deck
+run "$jostle" run -q row.deck
+run "$jostle" plot row.h5 impacts --script scripts
+expect "pairs that are not shown are told of" '[ $status -eq 0 ] && grep -q "impacts, those of the first 24 pairs are shown" scripts/impacts.gp && [ "$(grep -c "^set label .B.* | B" scripts/impacts.gp)" -eq 24 ]'
+expect "names and numbers of pairs do not touch" 'grep "^set label .B" scripts/impacts.gp | sed "s/.* first \([0-9.]*\) .*/\1/" | awk "NR > 1 && \$1 - last < 1.5 { exit 1 } { last = \$1 }" && [ "$(grep -o ", .1. [0-9.]*" scripts/impacts.gp | wc -l)" -lt 24 ]'
+rm -rf scripts row.*
 
 run "$jostle" plot pair.h5
 expect "without a kind histories are drawn" '[ $status -eq 0 ] && [ -s pair-histories.png ]'

@@ -101,6 +101,8 @@ printed() {
     done
 }
 
+run "$jostle" spectrum centro.AT2 --damping 0.05 --periods 0.1,0.7 --tsv
+expect "damping and period are printed as they were given" '[ "$(cut -f 3,4 "$out" | tail -n 2)" = "$(printf "0.05\t0.1\n0.05\t0.7")" ]'
 "$jostle" spectrum centro.AT2 napa.AT2 --damping 0.125,0.25 --periods 0.25,0.5,1 --tsv >printed.tsv
 run "$jostle" spectrum centro.AT2 napa.AT2 --damping 0.125,0.25 --periods 0.25,0.5,1 --script scripts --force
 expect "of several damping ratios the means are drawn" '[ $status -eq 0 ] && [ "$(curves)" = "$(printed mean 0.125 0.25)" ]'

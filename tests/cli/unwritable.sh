@@ -13,6 +13,20 @@ for words in "check pair.deck" "modes pair.deck" "--help" "run pair.deck -o full
 done
 run "$jostle" run pair.deck -o ''
 expect "a result file without a name is refused" '[ $status -eq 2 ] && said "is empty"'
+sed 's/^param gap .*/sweep gap values 5mm 6mm/' pair.deck >study.deck
+run "$jostle" run study.deck --shard 1/1 -o part.h5 -q
+for words in "run pair.deck -o -" "run study.deck -o -" "tasks study.deck -o -" "merge part.h5 -o -" "law hertz -k 1 -m1 1 -v 1 --history -"; do
+    # shellcheck disable=SC2086
+    run "$jostle" $words
+    expect "${words%% *} writes no file to the standard output" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "no file is written to the standard output; ./- is a file called -" && [ ! -e ./- ]'
+done
+run "$jostle" plot full.h5 --script -
+expect "nor does plot its script" '[ $status -eq 2 ] && said "./- is one called -" && [ ! -e ./- ]'
+run "$jostle" run -
+expect "and a deck is not read from the standard input" '[ $status -eq 2 ] && said "the standard input is not read"'
+run "$jostle" run pair.deck -o ./- -q
+expect "a file can have this name all the same" '[ $status -eq 0 ] && [ -s ./- ]'
+rm ./- study.deck part.h5
 expect "the result file is complete all the same" '"$jostle" show full.h5 >/dev/null'
 
 "$jostle" check pair.deck 2>"$err" | true

@@ -173,6 +173,37 @@ static void numbers_above_each_other_do_not_touch_in_a_low_panel(void **state) {
     assert_non_null(strstr(text, "set ytics ('-500' -500)\n"));
 }
 
+static void numbers_beside_each_other_do_not_touch(void **state) {
+    (void)state;
+    char text[4096];
+    const struct axis y = {.span = {0, 1}};
+    // Of 0, 0.2 ... 1.2 in 10^6 the first and the last but one are short, those between are not.
+    const struct axis x = {.span = {0, 1.3e6}};
+    written_panel(5, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "set xtics ('0' 0, '0.5' 500000, '1' 1000000)\n"));
+}
+
+static void decades_have_as_many_numbers_as_find_room(void **state) {
+    (void)state;
+    char text[4096];
+    const struct axis y = {.span = {0, 1}};
+    struct axis x = {.span = {0.5, 6}, .kind = AXIS_LOGARITHMIC};
+    written_panel(5, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "set xtics ('0.5' 0.5, '0.6' 0.6, '0.7' 0.7, '0.8' 0.8"));
+    x.span = (struct span){0.1, 1e3};
+    written_panel(5, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "set xtics ('1' 1, '100' 100)\n"));
+    x.span = (struct span){1e-6, 1e6};
+    written_panel(5, &x, &y, text, sizeof text);
+    assert_non_null(strstr(text, "set xtics ('10⁻⁴' 0.0001, '1' 1, '10000' 10000)\n"));
+    written_panel(30, &y, &x, text, sizeof text);  // upright there is room
+    assert_non_null(strstr(text, "set ytics ('10⁻⁶' 1e-06, '10⁻⁵' 1e-05, "));
+    assert_null(strstr(text, "'2·10⁻⁶'"));
+    x.span = (struct span){1e-6, 1e-4};
+    written_panel(30, &y, &x, text, sizeof text);
+    assert_non_null(strstr(text, "set ytics ('10⁻⁶' 1e-06, '2·10⁻⁶' 2e-06, "));
+}
+
 static void a_name_too_long_for_the_axis_gives_way_to_the_brief_one(void **state) {
     (void)state;
     char text[4096];
@@ -199,6 +230,8 @@ int main(void) {
         cmocka_unit_test(a_step_is_1_2_or_5_times_a_power_of_ten),
         cmocka_unit_test(a_span_is_never_empty_and_keeps_its_fixed_end),
         cmocka_unit_test(numbers_above_each_other_do_not_touch_in_a_low_panel),
+        cmocka_unit_test(numbers_beside_each_other_do_not_touch),
+        cmocka_unit_test(decades_have_as_many_numbers_as_find_room),
         cmocka_unit_test(a_name_too_long_for_the_axis_gives_way_to_the_brief_one),
         cmocka_unit_test(a_history_is_a_straight_line_between_its_rows),
     };
