@@ -183,6 +183,20 @@ static int run_gnuplot(const char *folder, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "gnuplot failed: %s", line[0] ? line : "no message");
 }
 
+// gnuplot ends as if all was well where the disk was full.
+static bool is_whole(FILE *picture, const char *last_mark) {
+    char tail[FIGURE_TAIL];
+    const size_t n_mark = strlen(last_mark);
+    const size_t n =
+        fseek(picture, -FIGURE_TAIL, SEEK_END) == 0 ? fread(tail, 1, FIGURE_TAIL, picture) : 0;
+    for (size_t i = 0; i + n_mark <= n; i++) {
+        if (memcmp(tail + i, last_mark, n_mark) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // Copies the picture next to its name, so that it can be given the name in one step.
 static int copy(const char *from_path, const char *to_path, struct error *e) {
     FILE *from = fopen(from_path, "rb");
@@ -197,19 +211,20 @@ static int copy(const char *from_path, const char *to_path, struct error *e) {
         return status;
     }
     char block[1 << 14];
-    size_t total = 0;
-    for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0; total += n) {
+    for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0;) {
         if (fwrite(block, 1, n, to) < n) {
             break;
         }
     }
     const bool failed = ferror(from) || ferror(to);
+    const bool whole = is_whole(from, figure_last_mark(from_path));
     fclose(from);
     int status = STATUS_OK;
     if (fclose(to) != 0 || failed) {
         status = cannot_write(to_path, e);
-    } else if (total == 0) {
-        status = error_set(e, STATUS_SYSTEM, "gnuplot made an empty picture");
+    } else if (!whole) {
+        status = error_set(e, STATUS_SYSTEM,
+                           "gnuplot could not write the whole of %s; is the disk full?", from_path);
     }
     if (status != STATUS_OK) {
         unlink(to_path);

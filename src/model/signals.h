@@ -15,6 +15,10 @@ struct signal signals_sine(const struct argument *a, double start);
 // Remembers when a signal ends, for the default duration.
 void signals_longest(struct builder *b, const struct signal *s);
 
+// Frequencies of sines [Hz]: far beyond what any building feels, and 2 pi of them times any time
+// can be told from its neighbour.
+extern const struct range signals_frequency_range;
+
 // Periods of oscillators that a record may be scaled by [s], and their damping ratios.
 extern const struct range signals_period_range, signals_damping_range;
 

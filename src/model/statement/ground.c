@@ -65,8 +65,13 @@ static const struct row record_rows[N_RECORD_ROW] = {
 static const struct row sine_rows[N_SINE_ROW] = {
     [SINE_AMPLITUDE] =
         {"amplitude", ROW_NUMBER, ROW_REQUIRED, {0, 1, -2}, NULL, NAN, "peak ground acceleration"},
-    [SINE_FREQUENCY] =
-        {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN, "frequency"},
+    [SINE_FREQUENCY] = {"frequency",
+                        ROW_NUMBER,
+                        ROW_REQUIRED,
+                        {0, 0, -1},
+                        &signals_frequency_range,
+                        NAN,
+                        "frequency"},
     [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},
     [SINE_CYCLES] = {"cycles",
                      ROW_NUMBER,

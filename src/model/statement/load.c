@@ -10,8 +10,13 @@ enum { H_DT, H_SCALE, N_HISTORY_ROW };
 
 static const struct row sine_rows[SINE_ROWS] = {
     [SINE_AMPLITUDE] = {"amplitude", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0}, NULL, NAN, "peak force"},
-    [SINE_FREQUENCY] =
-        {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &range_positive, NAN, "frequency"},
+    [SINE_FREQUENCY] = {"frequency",
+                        ROW_NUMBER,
+                        ROW_REQUIRED,
+                        {0, 0, -1},
+                        &signals_frequency_range,
+                        NAN,
+                        "frequency"},
     [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},
     [SINE_CYCLES] = {"cycles",
                      ROW_NUMBER,
