@@ -173,7 +173,7 @@ static bool grow_buckets(struct deck *d) {
     enum { BUCKETS_FIRST = 64 };
     struct reader *r = d->reader;
     const size_t n = r->n_bucket > 0 ? 2 * r->n_bucket : BUCKETS_FIRST;
-    struct parameter **bucket = deck_array(d, n, sizeof *bucket);
+    struct parameter **bucket = deck_array(d, n, sizeof(struct parameter *));
     if (!bucket) {
         return false;
     }
