@@ -16,6 +16,7 @@ struct study_progress {
     long n_kept;     // runs found in the journal of an earlier start
     long n_done;     // runs done so far, kept and failed ones included
     long n_failed;   // of them, those that failed
+    long n_left;     // after an error: runs that the same command finds done
     long n_damaged;  // places of that journal where runs may be lost
     int n_thread;
     char failure[768];  // of this start, the failed run of the lowest number, and why; "": none

@@ -189,10 +189,23 @@ static int run_gnuplot(const char *folder, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "gnuplot failed: %s", line[0] ? line : "no message");
 }
 
-static int copy_into(FILE *to, FILE *from, struct error *e) {
+// gnuplot ends as if all was well where the disk was full.
+static bool is_whole(FILE *picture, const char *last_mark) {
+    char tail[FIGURE_TAIL];
+    const size_t n_mark = strlen(last_mark);
+    const size_t n =
+        fseek(picture, -FIGURE_TAIL, SEEK_END) == 0 ? fread(tail, 1, FIGURE_TAIL, picture) : 0;
+    for (size_t i = 0; i + n_mark <= n; i++) {
+        if (memcmp(tail + i, last_mark, n_mark) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static int copy_into(FILE *to, FILE *from, const char *last_mark, struct error *e) {
     char block[1 << 14];
-    size_t total = 0;
-    for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0; total += n) {
+    for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0;) {
         if (fwrite(block, 1, n, to) < n) {
             return STATUS_OK;  // told when the file is published
         }
@@ -200,7 +213,10 @@ static int copy_into(FILE *to, FILE *from, struct error *e) {
     if (ferror(from)) {
         return error_set(e, STATUS_SYSTEM, "cannot read the picture: %s", strerror(errno));
     }
-    return total > 0 ? STATUS_OK : error_set(e, STATUS_SYSTEM, "gnuplot made an empty picture");
+    return is_whole(from, last_mark)
+               ? STATUS_OK
+               : error_set(e, STATUS_SYSTEM,
+                           "gnuplot could not write the whole picture; is the disk full?");
 }
 
 // Copies the picture next to its name, so that it can be given the name in one step.
@@ -212,7 +228,7 @@ static int copy(const char *from_path, const struct picture_request *q, struct e
     struct part_file part;
     int status = part_file_open(&part, q->output, e);
     if (status == STATUS_OK) {
-        status = copy_into(part.to, from, e);
+        status = copy_into(part.to, from, figure_last_mark(q->output), e);
     }
     if (status == STATUS_OK) {
         status = part_file_publish(&part, q->existing, e);

@@ -33,11 +33,14 @@ static void report_damage(const struct study_progress *p, const char *path) {
 // What ended the study, and what is left of it.
 static int report_error(const struct study_progress *p, const char *path, struct error *e) {
     int status = command_fail(e);
-    if (p->n_done > 0) {
+    if (p->n_left > 0) {
         fprintf(stderr,
                 "jostle: %ld of %ld runs are kept in %s.runs; the same command goes on with "
                 "them\n",
-                p->n_done, p->n_run, path);
+                p->n_left, p->n_run, path);
+    } else if (p->n_done > 0) {
+        fprintf(stderr, "jostle: %s.runs is gone, and with it %ld of %ld runs\n", path, p->n_done,
+                p->n_run);
     }
     return status;
 }

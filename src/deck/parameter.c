@@ -7,6 +7,7 @@
 // text that starts with a digit must be quoted: nothing is guessed.
 #include <string.h>
 
+#include "core/checksum.h"
 #include "core/text.h"
 #include "deck/reader.h"
 
@@ -19,16 +20,13 @@ const char *parameter_name_end(const char *text) {
     return at;
 }
 
-static unsigned bucket_of(const char *name, size_t n) {
-    unsigned hash = 2166136261u;  // FNV-1a
-    for (size_t i = 0; i < n; i++) {
-        hash = (hash ^ (unsigned char)name[i]) * 16777619u;
-    }
-    return hash % PARAMETER_BUCKETS;
+static struct parameter **bucket_of(const struct reader *r, const char *name, size_t n) {
+    return &r->bucket[checksum_add(checksum_start, name, n) % r->n_bucket];
 }
 
 struct parameter *parameter_find(const struct deck *d, const char *name, size_t n) {
-    struct parameter *p = d->reader->bucket[bucket_of(name, n)];
+    const struct reader *r = d->reader;
+    struct parameter *p = r->n_bucket > 0 ? *bucket_of(r, name, n) : NULL;
     while (p && !(strlen(p->name) == n && strncmp(p->name, name, n) == 0)) {
         p = p->next_in_bucket;
     }
@@ -163,16 +161,37 @@ static void override(struct deck *d, struct define *define, struct parameter *p)
     }
 }
 
+static void put_in_bucket(const struct reader *r, struct parameter *p) {
+    struct parameter **bucket = bucket_of(r, p->name, strlen(p->name));
+    p->next_in_bucket = *bucket;
+    *bucket = p;
+}
+
+// Twice the buckets, so that few parameters share one.
+static bool grow_buckets(struct deck *d) {
+    enum { BUCKETS_FIRST = 64 };
+    struct reader *r = d->reader;
+    const size_t n = r->n_bucket > 0 ? 2 * r->n_bucket : BUCKETS_FIRST;
+    struct parameter **bucket = deck_array(d, n, sizeof(struct parameter *));
+    if (!bucket) {
+        return false;
+    }
+    r->bucket = bucket;
+    r->n_bucket = n;
+    for (struct parameter *p = r->first; p; p = p->next) {
+        put_in_bucket(r, p);
+    }
+    return true;
+}
+
 static struct parameter *append(struct deck *d, const struct parameter *value) {
     struct reader *r = d->reader;
     struct parameter *p = deck_array(d, 1, sizeof *p);
-    if (!p) {
+    if (!p || ((size_t)r->n_parameter == r->n_bucket && !grow_buckets(d))) {
         return NULL;
     }
     *p = *value;
-    struct parameter **bucket = &r->bucket[bucket_of(p->name, strlen(p->name))];
-    p->next_in_bucket = *bucket;
-    *bucket = p;
+    put_in_bucket(r, p);
     if (r->last) {
         r->last->next = p;
     } else {

@@ -14,7 +14,6 @@ enum {
     REPEATED_MAX = 4000000,     // values of all lists of a deck that came from repeats
     TEXT_MAX = 4096,            // bytes of a word after its parameters are replaced
     TEXT_TOTAL_MAX = 64 << 20,  // bytes of all such words of a deck
-    PARAMETER_BUCKETS = 512,
 };
 
 // A number in the deck's units. Where `known` is false, its dimension is whatever is needed.
@@ -80,7 +79,8 @@ struct reader {
     struct word *word;  // of the statement being read; malloc'd
     int n_word, word_capacity;
 
-    struct parameter *bucket[PARAMETER_BUCKETS];
+    struct parameter **bucket;  // (n_bucket) by the hashes of their names
+    size_t n_bucket;
     struct parameter *first, *last;
     int n_parameter;
     struct define *define;  // (n_define)

@@ -8,8 +8,7 @@
 
 #include "law/root.h"
 
-const struct range restitution_range = {
-    .min = 0.0, .max = 1.0, .min_open = true, .text = "> 0 and <= 1"};
+const struct range restitution_range = {.min = 1e-6, .max = 1.0, .text = ">= 1e-6 and <= 1"};
 
 double restitution_kelvin_voigt(double e) {
     double l = fabs(log(e));

@@ -6,7 +6,8 @@
 
 #include "jostle/row.h"
 
-// 0 < e <= 1.
+// 1e-6 <= e <= 1. Published relations have 1 / e: forces beyond all measure, and what they
+// dissipate is lost in rounding from 1e-12 on.
 extern const struct range restitution_range;
 
 // Damping ratio of a linear dashpot that delivers e when its tension is kept:

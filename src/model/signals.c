@@ -3,6 +3,8 @@
 
 #include <gsl/gsl_math.h>
 
+const struct range signals_frequency_range = {
+    .min = 0.0, .max = 1e6, .min_open = true, .text = "> 0 and <= 1e6 Hz"};
 const struct range signals_period_range = {
     .min = 0.001, .max = 1000.0, .text = ">= 0.001 s and <= 1000 s"};
 const struct range signals_damping_range = {

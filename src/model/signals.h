@@ -5,12 +5,17 @@
 
 #include "model/builder.h"
 
+// Frequencies of sines [Hz]: far beyond what any building feels, and 2 pi of them times any time
+// can be told from its neighbour.
+extern const struct range signals_frequency_range;
+
 // Options of a sine, to be put first into a table of rows, which has the row of the amplitude, with
 // its dimension, of its own.
 enum sine_row { SINE_AMPLITUDE, SINE_FREQUENCY, SINE_PHASE, SINE_CYCLES, SINE_ROWS };
 #define SINE_SHAPE_ROWS                                                                            \
-    [SINE_FREQUENCY] = {"frequency",     ROW_NUMBER, ROW_REQUIRED, {0, 0, -1},                     \
-                        &range_positive, NAN,        "frequency"},                                 \
+    [SINE_FREQUENCY] =                                                                             \
+        {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &signals_frequency_range,              \
+         NAN,         "frequency"},                                                                \
     [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},                   \
     [SINE_CYCLES] = {"cycles",                                                                     \
                      ROW_NUMBER,                                                                   \

@@ -29,6 +29,7 @@ static const struct sheet_size sheets[] = {
 // How a terminal is told what the canvas wants.
 struct picture {
     const char *ending, *format;
+    const char *last_mark;
     const char *font;     // a browser knows no font called Sans
     const char *heading;  // the font of headings, heading_size times as large; svg has no bold one
     double heading_size;
@@ -41,6 +42,7 @@ struct picture {
 static const struct picture pictures[] = {
     {.ending = "png",
      .format = "pngcairo size %.0f,%.0f linewidth 1.5",
+     .last_mark = "IEND",
      .font = "Sans",
      .heading = "Sans:Bold",
      .heading_size = 1,
@@ -49,6 +51,7 @@ static const struct picture pictures[] = {
      .point = 1},
     {.ending = "svg",
      .format = "svg size %.0f,%.0f linewidth 1 background '#ffffff'",
+     .last_mark = "</svg>",
      .font = "sans-serif",
      .heading = "sans-serif",
      .heading_size = 1.15,
@@ -58,6 +61,7 @@ static const struct picture pictures[] = {
      .below_axis = 0.4},
     {.ending = "pdf",
      .format = "pdfcairo size %.4fin,%.4fin linewidth 1",
+     .last_mark = "%%EOF",
      .font = "Sans",
      .heading = "Sans:Bold",
      .heading_size = 1,
@@ -97,6 +101,10 @@ static const struct picture *picture_of(const char *path) {
 const char *figure_ending(const char *path) {
     const struct picture *p = picture_of(path);
     return p ? p->ending : NULL;
+}
+
+const char *figure_last_mark(const char *path) {
+    return picture_of(path)->last_mark;
 }
 
 static void write_head(const struct figure_head *head, const struct figure_files *to,

@@ -34,6 +34,10 @@ const struct figure *figure_default(const struct runs *s);
 // Endings of picture files: "png", "svg", "pdf". NULL: `path` ends in none of them.
 const char *figure_ending(const char *path);
 
+// What a complete picture of that ending has within its last FIGURE_TAIL bytes.
+enum { FIGURE_TAIL = 16 };
+const char *figure_last_mark(const char *path);
+
 // What a picture is written into. gnuplot finds the data beside the script, under its name with
 // .dat in place of .gp.
 struct figure_files {

@@ -202,7 +202,9 @@ void h5_open(struct h5 *h, const char *path, size_t sieve) {
     if (!h5_failed(h, access) && !h5_failed(h, H5Pset_fapl_sec2(access)) &&
         !h5_failed(h, H5Pset_sieve_buf_size(access, sieve))) {
         h->file = H5Fopen(path, H5F_ACC_RDONLY, access);
-        h5_failed(h, h->file);
+        if (h5_failed(h, h->file) && strcmp(h->cause, strerror(EAGAIN)) == 0) {
+            snprintf(h->cause, sizeof h->cause, "another run is writing it");
+        }
     }
     if (access >= 0) {
         H5Pclose(access);

@@ -42,11 +42,15 @@ static void locate(struct h5 *h, struct h5_heap *heap) {
     size_t address = 0, length = 0;
     struct stat found;
     hid_t list = H5Fget_create_plist(h->file);
-    if (h5_failed(h, list) || h5_failed(h, H5Pget_userblock(list, &heap->base)) ||
-        h5_failed(h, H5Pget_sizes(list, &address, &length))) {
+    if (h5_failed(h, list)) {
         return;
     }
+    h5_failed(h, H5Pget_userblock(list, &heap->base));
+    h5_failed(h, H5Pget_sizes(list, &address, &length));
     H5Pclose(list);
+    if (h->failed) {
+        return;
+    }
     heap->file = h5_descriptor(h);
     if (address != sizeof(uint64_t) || length != sizeof(uint64_t) ||
         fstat(heap->file, &found) != 0) {

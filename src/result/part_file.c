@@ -5,19 +5,14 @@
 #include <fcntl.h>
 #include <string.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-// Is the open file still the one of this name?
-static bool is_named(int file, const char *path) {
-    struct stat own, named;
-    return fstat(file, &own) == 0 && stat(path, &named) == 0 && own.st_dev == named.st_dev &&
-           own.st_ino == named.st_ino;
-}
+#include "core/file_name.h"
 
 // Where no file can be locked nothing is known of others.
 bool part_file_is_ours(int file, const char *part) {
-    return (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && is_named(file, part);
+    return (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) &&
+           file_is_named(file, part);
 }
 
 int part_file_taken(const char *path, const char *part, struct error *e) {
@@ -35,7 +30,7 @@ int part_file_clear(const char *path, const char *part, struct error *e) {
                                part, strerror(errno));
     }
     const bool locked = flock(old, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (!locked && is_named(old, part)) {
+    if (!locked && file_is_named(old, part)) {
         unlink(part);
     }
     close(old);

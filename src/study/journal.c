@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/file_name.h"
 #include "study/entry.h"
 
 static const char magic[8] = "jostle3\n";
@@ -30,8 +30,14 @@ void journal_close(struct journal *j) {
     *j = (struct journal){.file = -1};
 }
 
+bool journal_is_there(const struct journal *j) {
+    return file_is_named(j->file, j->path);
+}
+
 void journal_remove(struct journal *j) {
-    unlink(j->path);
+    if (journal_is_there(j)) {
+        unlink(j->path);
+    }
     journal_close(j);
 }
 
@@ -166,15 +172,24 @@ static int load_head(struct journal *j, struct error *e) {
     return STATUS_OK;
 }
 
+// Between its opening and its lock the study that had it may end and remove it.
 static int open_file(struct journal *j, struct error *e) {
-    j->file = open(j->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (j->file < 0) {
-        return cannot(j, "write", e);
+    enum { ATTEMPTS = 20 };
+    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+        j->file = open(j->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (j->file < 0) {
+            return cannot(j, "write", e);
+        }
+        if (flock(j->file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            break;
+        }
+        if (journal_is_there(j)) {
+            return load_head(j, e);
+        }
+        close(j->file);
+        j->file = -1;
     }
-    if (flock(j->file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing it", j->path);
-    }
-    return load_head(j, e);
+    return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing it", j->path);
 }
 
 int journal_open(struct journal *j, const char *path, long n_run, size_t n_value, struct error *e) {

@@ -60,7 +60,10 @@ int journal_read(struct journal *j, long run, struct study_outcome *outcome, dou
 // Everything appended so far is on disk when this returns.
 int journal_sync(const struct journal *j, struct error *e);
 
+// Is the file still where it was opened? Else nobody finds what is in it.
+bool journal_is_there(const struct journal *j);
+
 void journal_close(struct journal *j);   // keeps the file
-void journal_remove(struct journal *j);  // and removes it
+void journal_remove(struct journal *j);  // and removes it, if it is there
 
 #endif

@@ -191,6 +191,7 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
     if (status == STATUS_OK) {
         journal_remove(&s->journal);
     } else {
+        p->n_left = journal_is_there(&s->journal) ? s->journal.n_done : 0;
         close_journal(s);
     }
     return status;

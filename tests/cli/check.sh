@@ -84,3 +84,11 @@ run "$jostle" check idle.deck
 expect "a link without stiffness and damping is warned of" '[ $status -eq 0 ] && said "idle.deck:12:1: warning: this link does nothing: its values are 0"'
 run "$jostle" check idle.deck -D c=1kN*s/m
 expect "one that does something is not" '[ $status -eq 0 ] && ! said "does nothing"'
+
+{
+    cat idle.deck
+    awk 'BEGIN { for (i = 0; i < 600000; i++) printf "param p%d %d\n", i, i }'
+} >parameters.deck
+run timeout 30 "$jostle" check parameters.deck -D c=1kN*s/m
+expect "hundred thousands of parameters are found as fast as a few" '[ $status -eq 0 ] && said "nothing uses parameter"'
+rm parameters.deck

@@ -18,6 +18,8 @@ for signal in INT TERM HUP; do
     child=$!
     appears long.h5.part
     expect "a run keeps its rows in a .part file ($signal)" '[ -e long.h5.part ] && [ ! -e long.h5 ]'
+    "$jostle" show long.h5.part >/dev/null 2>"$out.reader"
+    expect "who reads that file meanwhile is told why it cannot be read ($signal)" 'grep -q "cannot read long.h5.part: another run is writing it" "$out.reader"'
     sleep 0.2
     kill -s $signal $child
     wait $child

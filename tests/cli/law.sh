@@ -69,7 +69,7 @@ expect "a law is needed" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "a contac
 law jankwski -k 1
 expect "an unknown law is named with the nearest" '[ $status -eq 2 ] && said "command line:1:5: error: unknown contact law '"'jankwski'; did you mean 'jankowski'?"'" && said "^~~~~~~~"'
 law jankowski -k 2e9N/m -e 2 $bodies
-expect "all errors come in one go" '[ $status -eq 2 ] && said "command line:1:18: error: k has the dimension of a stiffness" && said "command line:1:28: error: e is 2; it must be > 0 and <= 1" && said "the command line has 2 errors"'
+expect "all errors come in one go" '[ $status -eq 2 ] && said "command line:1:18: error: k has the dimension of a stiffness" && said "command line:1:28: error: e is 2; it must be >= 1e-6 and <= 1" && said "the command line has 2 errors"'
 law jankowski -k 2e9 -e 0.5 -v 1
 expect "a mass is needed" '[ $status -eq 2 ] && said "error: jankowski needs -m1: mass of one body"'
 law jankowski -k 2e9 -e 0.5 -m1 1 -v 0

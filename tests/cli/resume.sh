@@ -48,7 +48,8 @@ run "$jostle" run study.deck -o killed.h5
 expect "the same command ends it" '[ $status -eq 0 ] && [ ! -e killed.h5.runs ]'
 expect "and its file is that of an uninterrupted one" 'same whole.h5 killed.h5'
 
-# start_and_stop SIGNAL: a study that is interrupted when some of its runs are done.
+# start_and_stop SIGNAL [FILE]: a study that is interrupted when some of its runs are done, and FILE
+# removed before.
 start_and_stop() {
     rm -f part.h5*
     "$jostle" run study.deck -j 1 -o part.h5 >"$out" 2>"$err" </dev/null &
@@ -57,6 +58,7 @@ start_and_stop() {
         [ "$(stat -c %s part.h5.runs 2>/dev/null || echo 0)" -le 8000 ] || break
         sleep 0.005
     done
+    rm -f "${@:2}"
     kill -s "$1" $child
     wait $child
     status=$?
@@ -66,6 +68,8 @@ entries() {
     grep -aoF 'run ' "$1" | wc -l
 }
 
+start_and_stop TERM part.h5.runs
+expect "a journal that was removed is not said to keep runs" '[ $status -eq 3 ] && grep -qE "part.h5.runs is gone, and with it [0-9]+ of 180 runs" "$err" && ! said "are kept" && [ ! -e part.h5.runs ]'
 start_and_stop TERM
 expect "a signal ends it with 3 and says what is kept" '[ $status -eq 3 ] && said "interrupted by signal 15" && grep -qE "[0-9]+ of 180 runs are kept in part.h5.runs" "$err" && [ -s part.h5.runs ] && [ ! -e part.h5 ]'
 cp part.h5.runs kept.runs

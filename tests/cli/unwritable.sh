@@ -68,6 +68,15 @@ if mount -t tmpfs -o size=64k tmpfs small 2>/dev/null; then
         expect "and leaves nothing on the disk ($times)" '[ -z "$(ls -A small)" ]'
     done
     umount small
+    if command -v gnuplot >/dev/null; then
+        # Room for the script and its data, and for some of the picture: gnuplot does not say so.
+        for picture in cut.png cut.svg cut.pdf; do
+            mount -t tmpfs -o size=80k tmpfs small
+            run env TMPDIR="$PWD/small" "$jostle" plot full.h5 overview -o $picture
+            umount small
+            expect "a picture that is cut off on a full disk does not get its name ($picture)" '[ $status -eq 3 ] && said "could not write the whole" && [ ! -e $picture ] && [ ! -e $picture.part ]'
+        done
+    fi
 else
     skip "a full disk ends a run with 3" "no disk can be mounted here"
 fi

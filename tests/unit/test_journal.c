@@ -7,8 +7,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include "core/file_name.h"
 #include "study/journal.h"
 #include "support/support.h"
 
@@ -323,6 +325,58 @@ static void a_journal_is_open_once(void **state) {
     assert_int_not_equal(access(path, F_OK), 0);
 }
 
+enum { TURNS = 3000 };
+
+// Opens and removes it again and again, as studies do that end.
+static void come_and_go(const char *path) {
+    struct journal j;
+    struct error e;
+    for (int i = 0; i < TURNS; i++) {
+        if (journal_open(&j, path, RUNS, VALUES, &e) == STATUS_OK) {
+            journal_remove(&j);
+        }
+    }
+}
+
+static void a_journal_that_is_open_has_its_name_though_others_end(void **state) {
+    (void)state;
+    const char *path = support_path("race.runs");
+    int n_open = 0, n_lost = 0, result = -1;
+    const pid_t other = fork();
+    if (other == 0) {
+        come_and_go(path);
+        _exit(0);
+    }
+    for (int i = 0; i < TURNS; i++) {
+        struct journal j;
+        struct error e;
+        if (journal_open(&j, path, RUNS, VALUES, &e) == STATUS_OK) {
+            n_open++;
+            n_lost += !file_is_named(j.file, path);
+            journal_remove(&j);
+        }
+    }
+    assert_int_equal(waitpid(other, &result, 0), other);
+    assert_int_equal(result, 0);
+    assert_int_not_equal(n_open, 0);
+    assert_int_equal(n_lost, 0);
+}
+
+static void a_journal_removes_nothing_but_itself(void **state) {
+    (void)state;
+    struct journal j, other;
+    struct error e;
+    const char *path = write_journal("moved.runs");
+    assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
+    assert_true(journal_is_there(&j));
+    assert_int_equal(rename(path, support_path("elsewhere.runs")), 0);
+    assert_false(journal_is_there(&j));
+    assert_int_equal(journal_open(&other, path, RUNS, VALUES, &e), STATUS_OK);
+    journal_remove(&j);
+    assert_true(journal_is_there(&other));
+    journal_remove(&other);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_entered_is_read_back),
@@ -335,6 +389,8 @@ int main(void) {
         cmocka_unit_test(runs_behind_a_lost_file_are_lost_and_stay_so),
         cmocka_unit_test(a_journal_from_a_machine_with_another_order_of_bytes_is_not_read),
         cmocka_unit_test(a_journal_is_open_once),
+        cmocka_unit_test(a_journal_that_is_open_has_its_name_though_others_end),
+        cmocka_unit_test(a_journal_removes_nothing_but_itself),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
