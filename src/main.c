@@ -74,7 +74,7 @@ static int dispatch(int argc, char **argv) {
     const bool asks = asks_for_help(argv[1]);
     const bool version = strcmp(argv[1], "--version") == 0;
     if (argc > (asks ? 3 : 2) && (asks || version)) {
-        fprintf(stderr, "jostle: error: '%s' is not expected behind %s\ntry 'jostle --help'\n",
+        fprintf(stderr, "jostle: error: '%s' is not expected after %s\ntry 'jostle --help'\n",
                 argv[argc - 1], argv[1]);
         return EXIT_INPUT;
     }

@@ -12,8 +12,8 @@
 enum { CONTACT_ROWS_MAX = 12, CONTACT_CONSTANTS_MAX = 16, CONTACT_HISTORY_MAX = 8 };
 
 // A law may have one row of kind ROW_FILE: the file of a curve of force against penetration. The
-// value of that row is the number of points, which follow behind the values of all rows, each with
-// CURVE_COLUMNS numbers; behind the constants is room for as many.
+// value of that row is the number of points, which follow the values of all rows, each with
+// CURVE_COLUMNS numbers; after the constants is room for as many.
 
 // What the solver must know about a law beyond its force.
 enum contact_trait {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elastic response spectra of sampled ground accelerations: the largest response of a damped
 // single-degree-of-freedom oscillator, u'' + 2 zeta omega u' + omega^2 u = -a(t), at rest before
-// the first sample and left alone behind the last.
+// the first sample and left alone after the last.
 #ifndef JOSTLE_SPECTRUM_H
 #define JOSTLE_SPECTRUM_H
 

@@ -144,7 +144,7 @@ static bool name_or_call(struct parser *p, struct quantity *out) {
         return true;
     }
     if (expression_is_reserved(name, (size_t)(end - name))) {
-        return report_false(p->deck, p->word, name, end, "a '(' must stand behind a function");
+        return report_false(p->deck, p->word, name, end, "a '(' must stand after a function");
     }
     return parameter_number(p->deck, p->word, name, end, out);
 }
@@ -159,7 +159,7 @@ static bool unexpected(struct parser *p) {
     const char before = p->at > p->word->text ? p->at[-1] : '\0';
     const char *hint = before == '*' && *p->at == '*' ? "; a power is written ^"
                        : before == ' ' && isalpha((unsigned char)*p->at)
-                           ? "; a unit stands right behind its number"
+                           ? "; a unit stands right after its number"
                            : "";
     deck_error(p->deck, &part, "unexpected '%s'%s", text_short(&t, part.text), hint);
     return false;
@@ -278,7 +278,7 @@ static bool dollar(struct deck *d, const struct word *w, const char **at, struct
     }
     const char *to = parameter_name_end(from);
     if (to == from) {
-        return report_false(d, w, *at, from, "a name or '{' must stand behind '$'");
+        return report_false(d, w, *at, from, "a name or '{' must stand after '$'");
     }
     *at = to;
     return parameter_number(d, w, from, to, out);

@@ -92,7 +92,7 @@ static const char *advice(const struct quantity *q, const char *rest) {
         return "decimals have a point, and values of a list are parted by blanks";
     }
     if ((*rest == '*' || *rest == '/') && starts_unit(rest[1])) {
-        return "a unit stands right behind its number";
+        return "a unit stands right after its number";
     }
     if ((unsigned char)*rest >= 0x80 || (q->known && !strchr("+-*/", *rest))) {
         return "units are written as in kN*s/m or N/m^1.5";
@@ -106,6 +106,6 @@ bool literal_end(struct deck *d, const struct word *w, const char *at,
     if (number->known && (*at == '*' || *at == '/') && starts_unit(at[1])) {
         return unknown_unit(d, w, at + 1);
     }
-    return report_false(d, w, at, at + strlen(at), "unexpected '%s' behind the number; %s",
+    return report_false(d, w, at, at + strlen(at), "unexpected '%s' after the number; %s",
                         text_short(&t, at), advice(number, at));
 }

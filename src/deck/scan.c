@@ -100,7 +100,7 @@ static void scan_quoted(struct scan *s) {
     advance(s);
     const bool joins = s->at < s->end && *s->at == '\\' && s->at + 1 == s->end;
     if (s->at < s->end && !is_blank(*s->at) && *s->at != '#' && !joins) {
-        fail(s, s->column, 1, "a blank must stand behind the closing quote");
+        fail(s, s->column, 1, "a blank must stand after the closing quote");
     }
 }
 

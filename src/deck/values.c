@@ -127,7 +127,7 @@ static bool check_number_like(struct deck *d, const struct row *row, const struc
     text_short(&t, part.text);
     bool parameter = parameter_find(d, from, strlen(from)) != NULL;
     if (!parameter && is_unit(d, from)) {
-        deck_error(d, &part, "%s needs a number, not '%s'; a unit stands right behind its number",
+        deck_error(d, &part, "%s needs a number, not '%s'; a unit stands right after its number",
                    row->key, t.text);
     } else if (parameter) {
         deck_error(d, &part, "%s needs a number, not '%s'; did you mean '$%s'?", row->key, t.text,

@@ -80,7 +80,7 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("${ß}", "10: unexpected 'ß'"),
         CASE("${tow}", "10: unknown parameter 'tow'; did you mean 'two'?"),
         CASE("${sqr(2)}", "10: unknown function 'sqr'; did you mean 'sqrt'?"),
-        CASE("${sin}", "10: a '(' must stand behind a function"),
+        CASE("${sin}", "10: a '(' must stand after a function"),
         CASE("${sin(1,2)}", "15: this function takes one value"),
         CASE("${min(1)}", "10: at least two values are needed here"),
         CASE("${2mm^x}", "13: this is no power of a unit, as in m^1.5; put the quantity in "
@@ -91,22 +91,22 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("5m/x", "11: unknown unit 'x'"),
         CASE("1e999", "8: the number is too large; at most 1.8e308 is possible"),
         CASE("1e308km", "13: the value is too large in this unit"),
-        CASE("2,5", "9: unexpected ',5' behind the number; decimals have a point, and values of a "
+        CASE("2,5", "9: unexpected ',5' after the number; decimals have a point, and values of a "
                     "list are parted by blanks"),
-        CASE("2m.s", "10: unexpected '.s' behind the number; units are written as in kN*s/m or "
+        CASE("2m.s", "10: unexpected '.s' after the number; units are written as in kN*s/m or "
                      "N/m^1.5"),
         CASE("${2**3}", "12: unexpected '*'; a power is written ^"),
         CASE("2+3",
-             "9: unexpected '+3' behind the number; expressions stand in ${...}, texts in quotes"),
+             "9: unexpected '+3' after the number; expressions stand in ${...}, texts in quotes"),
         CASE("2*N/m",
-             "9: unexpected '*N/m' behind the number; a unit stands right behind its number"),
+             "9: unexpected '*N/m' after the number; a unit stands right after its number"),
         CASE("2\u00b5m",
-             "9: unexpected '\u00b5m' behind the number; units are written as in kN*s/m or "
+             "9: unexpected '\u00b5m' after the number; units are written as in kN*s/m or "
              "N/m^1.5"),
-        CASE("${2 mm}", "12: unexpected 'm'; a unit stands right behind its number"),
+        CASE("${2 mm}", "12: unexpected 'm'; a unit stands right after its number"),
         CASE("two", "8: gap needs a number, not 'two'; did you mean '$two'?"),
         CASE("nan", "8: gap needs a number, not 'nan'"),
-        CASE("$", "8: a name or '{' must stand behind '$'"),
+        CASE("$", "8: a name or '{' must stand after '$'"),
         CASE("-1mm", "8: gap is -0.001 m; it must be >= 0"),
     };
     case_check(cases, sizeof cases / sizeof cases[0]);

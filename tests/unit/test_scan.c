@@ -44,7 +44,7 @@ static void wrong_characters_and_quotes_are_reported_where_they_stand(void **sta
     static const struct deck_case cases[] = {
         {"a \"b", "1:3: the quoted text does not end on its line"},
         {"a b\"c\"", "1:4: a quote inside a word; put the whole word in quotes"},
-        {"a \"b\"c", "1:6: a blank must stand behind the closing quote"},
+        {"a \"b\"c", "1:6: a blank must stand after the closing quote"},
         {"a \"b\"# c", ""},
         {"a ${b", "1:3: the '}' to this '${' is missing on its line"},
         {"a \\ \nb", "1:3: '\\' joins lines only as the very last character"},
