@@ -6,6 +6,7 @@
 #include <limits.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "core/arena.h"
@@ -102,9 +103,10 @@ const char *command_line(struct arena *a, int argc, char **argv) {
 // Says what getopt_long found wrong: '?' or ':'.
 static int refuse(const struct command *c, int answer, char **argv) {
     // getopt_long leaves the letter in optopt; for a long option the word is the one before optind.
+    // That may also be the option before a letter that others follow in its word (--force -zq).
     // With getopt_long_only a long option may have one dash; its value is above all letters.
     const char *word = optind > 1 ? argv[optind - 1] : "";
-    const bool is_long = word[0] == '-' && word[1] == '-';
+    const bool is_long = word[0] == '-' && word[1] == '-' && (answer == ':' || strchr(word, '='));
     const char letter[] = {'-', (char)optopt, '\0'};
     const char *shown = is_long || optopt == 0 || optopt > UCHAR_MAX ? word : letter;
     return command_usage(

@@ -209,8 +209,7 @@ static int parse_pga(const char *text, struct spectrum_request *q) {
     return read_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0
                ? EXIT_DONE
                : command_usage(
-                     &command_spectrum,
-                     "--pga takes an acceleration > 0 with its unit, such as 0.35g, not '%s'",
+                     self, "--pga takes an acceleration > 0 with its unit, such as 0.35g, not '%s'",
                      text);
 }
 

@@ -247,24 +247,28 @@ static void write_sizes(const struct view *v, struct canvas *c) {
     }
 }
 
-static void write_head(const struct view *v, struct canvas *c) {
+static void write_subtitle(const struct view *v, char *text, size_t size) {
     const struct report *r = v->s->r[0];
-    char text[160];
+    char left[64], right[64], part[64] = "";
+    if (v->more) {
+        snprintf(part, sizeof part, ", those of the first %d pairs are shown", BANDS_MAX);
+    }
     if (v->s->n > 1) {
-        snprintf(text, sizeof text, "%ld and %ld impacts", r->n_impact, v->s->r[1]->n_impact);
+        snprintf(text, size, "%ld and %ld impacts%s", r->n_impact, v->s->r[1]->n_impact, part);
     } else if (v->n == 1) {
-        char left[64], right[64];
         script_shorten(v->band[0].left, 16, left, sizeof left);
         script_shorten(v->band[0].right, 16, right, sizeof right);
-        snprintf(text, sizeof text, "%ld impact%s between %s and %s", r->n_impact,
+        snprintf(text, size, "%ld impact%s between %s and %s", r->n_impact,
                  r->n_impact == 1 ? "" : "s", left, right);
     } else {
-        snprintf(text, sizeof text, "%ld impacts, counted for each pair", r->n_impact);
-        if (v->more) {
-            snprintf(text, sizeof text, "%ld impacts, those of the first %d pairs are shown",
-                     r->n_impact, BANDS_MAX);
-        }
+        snprintf(text, size, "%ld impacts%s", r->n_impact,
+                 v->more ? part : ", counted for each pair");
     }
+}
+
+static void write_head(const struct view *v, struct canvas *c) {
+    char text[160];
+    write_subtitle(v, text, sizeof text);
     canvas_head(c, runs_title(v->s), text);
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
         canvas_legend(c,

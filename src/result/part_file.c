@@ -19,15 +19,25 @@ int part_file_taken(const char *path, const char *part, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing %s", path, part);
 }
 
+// After `part` could not be opened. A symbolic link is no file of a run, and is removed.
+static int clear_unopened(const char *path, const char *part, struct error *e) {
+    const int cause = errno;
+    struct stat found;
+    const bool is_there = cause != ENOENT && lstat(part, &found) == 0;
+    if (cause == ENOENT || (is_there && S_ISLNK(found.st_mode) && unlink(part) == 0)) {
+        return STATUS_OK;
+    }
+    return is_there ? error_set(e, STATUS_SYSTEM, "cannot write %s: %s is in the way: %s", path,
+                                part, strerror(cause))
+                    : error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, strerror(cause));
+}
+
 // Whoever removes a file has it locked, and whoever writes one keeps it locked until it has its
 // name, so that nobody removes or names the file of another.
 int part_file_clear(const char *path, const char *part, struct error *e) {
-    const int old = open(part, O_RDWR | O_CLOEXEC);
+    const int old = open(part, O_RDWR | O_CLOEXEC | O_NOFOLLOW);
     if (old < 0) {
-        return errno == ENOENT
-                   ? STATUS_OK
-                   : error_set(e, STATUS_SYSTEM, "cannot write %s: %s is in the way: %s", path,
-                               part, strerror(errno));
+        return clear_unopened(path, part, e);
     }
     const bool locked = flock(old, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (!locked && file_is_named(old, part)) {
@@ -39,6 +49,17 @@ int part_file_clear(const char *path, const char *part, struct error *e) {
 
 static int cannot_write(const struct part_file *p, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", p->path, strerror(errno));
+}
+
+static int give_stream(struct part_file *p, int file, struct error *e) {
+    p->to = fdopen(file, "w");
+    if (p->to) {
+        return STATUS_OK;
+    }
+    const int status = cannot_write(p, e);
+    unlink(p->part);
+    close(file);
+    return status;
 }
 
 // Between its making and its lock another run may take the file for an old one: then both try
@@ -55,8 +76,7 @@ static int open_alone(struct part_file *p, struct error *e) {
             return cannot_write(p, e);
         }
         if (file >= 0 && part_file_is_ours(file, p->part)) {
-            p->to = fdopen(file, "w");
-            return p->to ? STATUS_OK : cannot_write(p, e);
+            return give_stream(p, file, e);
         }
         if (file >= 0) {
             close(file);

@@ -59,7 +59,10 @@ text = open(sys.argv[1]).read()
 fenced = re.findall(r"```python\n(.*?)```", text, re.S)
 indented = re.findall(r"\n\n((?:    .*\n)+)", text)
 names = {"xr": xarray}
-for block in fenced + [re.sub("(?m)^    ", "", b) for b in indented if "xr." in b or "import" in b]:
+blocks = fenced + [re.sub("(?m)^    ", "", b) for b in indented if "xr." in b or "import" in b]
+if not blocks:
+    sys.exit("the page has none")
+for block in blocks:
     exec(re.sub(r"\.plot\(.*?\)", "", block), names)
 END
 "$jostle" show ida.h5 --long --csv >long.csv

@@ -48,6 +48,20 @@ for command in "run pair.deck -o few.h5" "show full.h5" "merge full.h5 -o whole.
 done
 rm pipe
 
+for command in "run pair.deck -o full.h5/x.h5" "plot full.h5 -o full.h5/x.png" "plot full.h5 --script full.h5"; do
+    # shellcheck disable=SC2086
+    run "$jostle" $command
+    expect "${command%% *} into a file in place of a folder ends with 3 and the cause" '[ $status -eq 3 ] && said "cannot write full.h5/" && said ": Not a directory" && ! said "in the way"'
+done
+ln -s nowhere linked.h5.part
+run "$jostle" run -q pair.deck -o linked.h5
+expect "a link in the place of a file that is being made is no other run" '[ $status -eq 0 ] && [ -s linked.h5 ] && [ ! -L linked.h5.part ]'
+mkdir held.h5.part
+run "$jostle" run -q pair.deck -o held.h5
+expect "a folder there is in the way" '[ $status -eq 3 ] && said "cannot write held.h5: held.h5.part is in the way: Is a directory" && [ -d held.h5.part ]'
+rmdir held.h5.part
+rm linked.h5
+
 mkdir locked
 chmod a-w locked
 if touch locked/probe 2>/dev/null; then

@@ -36,6 +36,10 @@ for command in $commands; do
     run "$jostle" "$command" -Z
     expect "$command refuses an unknown short option" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "option '"'-Z'"'"'
 done
+run "$jostle" run --force -Zq a.deck
+expect "of letters in one word the unknown one is named, not the option before" '[ $status -eq 2 ] && said "option '"'-Z'"'"'
+run "$jostle" run --force=yes a.deck
+expect "a value of an option that takes none is named" '[ $status -eq 2 ] && said "option '"'--force=yes'"'"'
 
 for command in run check modes show plot; do
     run "$jostle" "$command"
