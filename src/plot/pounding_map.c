@@ -58,8 +58,8 @@ int pounding_map_write(const struct pounding_map *map, const struct figure_files
         return status;
     }
     const struct span force = write_data(map, c.data);
-    const struct axis left = period_axis(map, "period of the left structure");
-    const struct axis right = period_axis(map, "period of the right structure");
+    const struct axis left = period_axis(map, "T1, period of the left structure");
+    const struct axis right = period_axis(map, "T2, period of the right structure");
     const struct axis none = {.span = {0, 1}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1};
     const struct axis shade = {
         .name = "largest contact force", .dimension = dimension_force, .span = force};

@@ -3,6 +3,7 @@
 // or a line for each value of the other sweeps. Against texts and random parameters, points:
 // nothing lies between them.
 #include <stdlib.h>
+#include <string.h>
 
 #include "plot/script.h"
 #include "plot/study_figure.h"
@@ -150,7 +151,9 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     }
     char samples[128], text[256];
     const bool texts = !s->abscissa->number;
-    snprintf(samples, sizeof samples, " over %d samples of %s", s->n_sample, s->over);
+    const bool named = strcmp(s->over, "sample") != 0;
+    snprintf(samples, sizeof samples, " over %d samples%s%s", s->n_sample, named ? " of " : "",
+             named ? s->over : "");
     snprintf(text, sizeof text, "%s of %s%s%s%s", s->n_sample > 1 ? "medians" : "values",
              v.demand.name, s->n_sample > 1 ? samples : "", texts ? ", against " : "",
              texts ? s->abscissa->name : "");
