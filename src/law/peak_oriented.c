@@ -38,12 +38,17 @@ static double yield_drift(const double *c) {
     return c[PEAK_ORIENTED_YIELD] / c[PEAK_ORIENTED_STIFFNESS];
 }
 
-// Along a line flatter than the backbone it would give back more than it has taken.
+// At zero shear the drift is not on the other side of zero: else reloading would have to start
+// beyond its target.
 static double unloading_stiffness(const double *c, double largest) {
     double k = c[PEAK_ORIENTED_STIFFNESS];
     double alpha = c[PEAK_ORIENTED_ALPHA];
-    double softened = alpha == 0.0 ? 1.0 : pow(yield_drift(c) / largest, alpha);
-    return k * fmax(softened, c[PEAK_ORIENTED_HARDENING]);
+    if (alpha == 0.0) {
+        return k;
+    }
+    double share = yield_drift(c) / largest;
+    double to_origin = share + c[PEAK_ORIENTED_HARDENING] * (1.0 - share);
+    return k * fmax(pow(share, alpha), to_origin);
 }
 
 static struct storey_response backbone(const double *c, double drift) {
