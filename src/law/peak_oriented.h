@@ -3,7 +3,8 @@
 // reloading towards the largest drift reached so far in that direction. Shared by the laws that
 // differ in how unloading and reloading degrade:
 //
-//     unloading stiffness  k (d_y / D)^alpha, towards V = 0 at drift 0 at most, D the largest drift of
+//     unloading stiffness  k (d_y / D)^alpha, towards V = 0 at drift 0 at most, D the largest drift
+//     of
 //                          that side, >= d_y,
 //     reloading aims at    D - beta (D - d_y)      on the backbone.
 //
