@@ -6,6 +6,7 @@
 // dp_event.c. Other storey laws are called as they are.
 #include "solve/dormand_prince/dp_system.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -15,11 +16,13 @@
 // How far beyond its drift a storey is asked for its tangent, relative to its drift or to that
 // which its shear would take elastically: far above rounding, far below any tolerance.
 static const double PROBE = 1e-12;
+// Rounding of a drift at which the shear is 0, relative to the largest drift before it.
+static const double ROUNDING = 64.0 * DBL_EPSILON;
 
 bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a) {
     size_t n = (size_t)m->n_dof;
     *s = (struct dp_system){.model = m};
-    double **const part[] = {&s->mobility, &s->base, &s->tangent, &s->damping};
+    double **const part[] = {&s->mobility, &s->base, &s->tangent, &s->most_drift, &s->damping};
     bool good = true;
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
         good = good && (*part[i] = lanes_array(a, m->n_dof));
@@ -52,7 +55,8 @@ double dp_system_tangent(const struct dp_system *s, const struct state *now, int
 
 double dp_system_storey_noise(const struct dp_system *s, const struct state *now, int i) {
     double elastic = storey_at(s, now, i, now->drift[i]).shear / s->model->chain.stiffness[i];
-    return PROBE * (fabs(now->drift[i]) + fabs(elastic));
+    double probe = PROBE * (fabs(now->drift[i]) + fabs(elastic));
+    return fmax(probe, ROUNDING * s->most_drift[i]);
 }
 
 // The rows of the matrices that have to do with storey i: those of the floors above and below it.
@@ -134,8 +138,9 @@ void dp_system_commit(const struct dp_system *s, struct state *now) {
     const struct model *m = s->model;
     for (int i = 0; i < s->n_inelastic; i++) {
         const struct storey *law = &m->storey[s->inelastic[i]];
-        law->law->commit(law->constant, now->storey_history + law->history,
-                         now->drift[s->inelastic[i]]);
+        double drift = now->drift[s->inelastic[i]];
+        law->law->commit(law->constant, now->storey_history + law->history, drift);
+        s->most_drift[s->inelastic[i]] = fmax(s->most_drift[s->inelastic[i]], fabs(drift));
     }
     for (int i = 0; i < now->n_live; i++) {
         int k = now->live[i];

@@ -43,6 +43,7 @@ struct dp_system {
     double *row[DP_ROWS];    // (n_dof) coefficients of the accelerations on this branch
     double *mobility;        // [1/M] (n_dof) 1 / m
     double *base, *tangent;  // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
+    double *most_drift;      // [L] (n_dof) largest committed drift of the inelastic storeys
     double *damping;         // [F] (n_dof) scratch
     enum phase *phase;       // (n_link)
     int n_inelastic;         // storeys with a history
