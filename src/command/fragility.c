@@ -270,8 +270,8 @@ static int check_ida(const struct suite *s, const double *limit, int n, struct e
     for (int i = 0; i < n; i++) {
         if (limit[i] == 0.0 && quantity->reduction != EDP_HIGHEST) {
             return error_set(e, STATUS_INPUT,
-                             "--method ida: where %s exceeds a limit of 0 first cannot be told "
-                             "from zeros; use --method counts%s",
+                             "--method ida: zeros do not tell where a limit of 0 on %s is first "
+                             "exceeded; use --method counts%s",
                              s->edp.text,
                              quantity->owner == EDP_OF_CONTACT ? ", or --edp penetration" : "");
         }

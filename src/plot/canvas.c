@@ -225,7 +225,8 @@ static void write_decades(const struct canvas *c, char letter, const struct axis
                           double length, double line) {
     const double low = axis->span.low, high = axis->span.high;
     const double decade = length / log10(high / low);  // [em]
-    const bool every = high<15 * low, some = decade * log10(2)> line;
+    const bool every = high < 15 * low;
+    const bool some = decade * log10(2) > line;
     const int step = (int)ceil(line / decade);
     const char *between = "";
     fprintf(c->to, "set logscale %c\nset %ctics (", letter, letter);

@@ -64,11 +64,29 @@ static void a_row_at_a_jump_shows_what_is_after_it(void **state) {
     }
 }
 
+// The load ends at 2.7 / 9 = 0.30000000000000004, and the row is at 0.3.
+static void a_row_at_a_jump_but_for_rounding_shows_what_is_after_it(void **state) {
+    (void)state;
+    static const char *const method[] = {"newmark", "dormand-prince"};
+    for (int i = 0; i < 2; i++) {
+        struct analysis a =
+            analysis_of("building A -floors 1 -mass 10 -stiffness 0\n"
+                        "load A:1 sine -amplitude 1000 -frequency 9 -phase 1.5707963267948966 "
+                        "-cycles 2.7\nduration 0.6\noutput -interval 0.3\n"
+                        "integrator %s\nstep adaptive -tolerance 1e-6\n",
+                        method[i]);
+        assert_near(a.rows.time[1], 0.3, 0.0);
+        assert_near(a.rows.acceleration[1], 0.0, 0.0);
+        analysis_free(&a);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_at_rest_that_touch_do_not_hit),
         cmocka_unit_test(bodies_that_turn_where_they_touch_do_not_stick),
         cmocka_unit_test(a_row_at_a_jump_shows_what_is_after_it),
+        cmocka_unit_test(a_row_at_a_jump_but_for_rounding_shows_what_is_after_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

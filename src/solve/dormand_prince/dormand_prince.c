@@ -18,6 +18,9 @@
 #include "solve/dormand_prince/dp_stages.h"
 #include "solve/method.h"
 
+// Times that differ by less than this share of them are the same: of steps, corners and rows.
+static const double SAME_TIME = 8.0 * DBL_EPSILON;
+
 static bool alloc_stages(struct dp *p, struct arena *a) {
     bool good = true;
     for (int s = 0; s < DP_STAGES; s++) {
@@ -133,7 +136,7 @@ static void swap_ends(struct dp *p) {
 // Does the last step end at a corner of the forcing?
 static bool is_at_corner(const struct dp *p) {
     double corner = dp_control_limit(p);
-    return p->h > 0.0 && corner - p->next.time <= 8.0 * DBL_EPSILON * corner;
+    return p->h > 0.0 && corner - p->next.time <= SAME_TIME * corner;
 }
 
 // Arrives at the end of the last step, and lets happen there what has to happen.
@@ -227,7 +230,8 @@ static int advance(struct run *r, long *n, long end) {
         }
     }
     *n = end;
-    if (is_at_corner(r->dp) && r->dp->next.time == time && arrive(r->dp, r->error) != STATUS_OK) {
+    if (is_at_corner(r->dp) && r->dp->next.time - time <= SAME_TIME * time &&
+        arrive(r->dp, r->error) != STATUS_OK) {
         return r->error->status;
     }
     dp_account_row(r->dp, time, r->now, &r->energy);
