@@ -116,8 +116,8 @@ static int default_range(const struct plan *p, const struct options *o,
             q->to = fmax(q->to, apart_values(&a, run, i)[APART_CLOSING]);
         }
     }
-    // A penetration below 0 is the distance that is to be left.
-    q->to += q->edp.quantity->reduction == EDP_HIGHEST ? fmax(0.0, -q->limit) : 0.0;
+    // Only a penetration has limits below 0: the distance that is to be left.
+    q->to += fmax(0.0, -q->limit);
     q->to *= 1.001;
     if (status == EXIT_DONE && a.n_failed > 0) {
         status = fail_runs(p, &a);

@@ -3,9 +3,8 @@
 // reloading towards the largest drift reached so far in that direction. Shared by the laws that
 // differ in how unloading and reloading degrade:
 //
-//     unloading stiffness  k (d_y / D)^alpha, towards V = 0 at drift 0 at most, D the largest drift
-//     of
-//                          that side, >= d_y,
+//     unloading stiffness  k (d_y / D)^alpha, towards V = 0 at drift 0 at most,
+//                          D >= d_y the largest drift of that side,
 //     reloading aims at    D - beta (D - d_y)      on the backbone.
 //
 // A storey that is unloaded only in part and loaded again goes back the way it came (Mahin &
