@@ -136,7 +136,7 @@ void h5_put(struct h5 *h, hid_t parent, const struct h5_dataset *d, const void *
 hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *long_name, size_t n);
 // All values of an open dataset.
 void h5_put_all(struct h5 *h, hid_t dataset, hid_t memory_type, const void *data);
-// Rows [first, first + n) of an open dataset of doubles, `width` >= 1 values each.
+// Rows [first, first + n) of an open dataset of doubles, `width` values each (0: one dimension).
 void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
                  const double *value);
 

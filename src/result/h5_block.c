@@ -44,13 +44,6 @@ static void get(struct h5 *h, hid_t dataset, const struct h5_block *part, hid_t 
     close_spaces(file, memory);
 }
 
-void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
-                 const double *value) {
-    const struct h5_block rows = {
-        .start = {first}, .count = {n, width}, .n = n, .stride = width, .width = width};
-    put(h, dataset, &rows, H5T_NATIVE_DOUBLE, value);
-}
-
 // The columns go side by side first: from rows with others between, the library writes each row of
 // a dataset that is not in chunks by itself.
 void h5_put_block(struct h5 *h, hid_t dataset, const struct h5_block *part, const double *value) {

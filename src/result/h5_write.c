@@ -182,6 +182,28 @@ hid_t h5_put_scale(struct h5 *h, hid_t parent, const char *name, const char *lon
     return scale;
 }
 
+// In spaces of the dataset's own rank: between two ranks the library goes value by value.
+void h5_put_rows(struct h5 *h, hid_t dataset, hsize_t first, hsize_t n, hsize_t width,
+                 const double *value) {
+    if (!h5_has_room(h)) {
+        return;
+    }
+    const hsize_t start[2] = {first, 0};
+    const hsize_t count[2] = {n, width};
+    hid_t file = H5Dget_space(dataset);
+    hid_t memory = H5Screate_simple(width > 0 ? 2 : 1, count, NULL);
+    if (!h5_failed(h, file) && !h5_failed(h, memory) &&
+        !h5_failed(h, H5Sselect_hyperslab(file, H5S_SELECT_SET, start, NULL, count, NULL))) {
+        h5_failed(h, H5Dwrite(dataset, H5T_NATIVE_DOUBLE, memory, file, H5P_DEFAULT, value));
+    }
+    if (memory >= 0) {
+        H5Sclose(memory);
+    }
+    if (file >= 0) {
+        H5Sclose(file);
+    }
+}
+
 // Memory and file types of a kind of column.
 static struct h5_dataset column_dataset(const struct h5 *h, const struct column *c) {
     struct h5_dataset d = {.name = c->name, .quantity = {c->long_name, c->dimension}};

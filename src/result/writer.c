@@ -19,6 +19,7 @@ void writer_stream(struct result_writer *w, hid_t parent, const struct h5_datase
                    struct stream s) {
     assert(w->n_stream < w->stream_capacity);
     s.dataset = h5_dataset(w->h, parent, d);
+    s.n_dim = d->n_dim;
     if (s.dataset >= 0) {
         w->stream[w->n_stream++] = s;
     }
@@ -79,7 +80,8 @@ static void synchronise(struct result_writer *w) {
 
 static void put_rows(struct result_writer *w, const struct stream *s) {
     if (writer_in_blocks(w)) {
-        h5_put_rows(w->h, s->dataset, (hsize_t)w->n_written, w->pending, s->width, s->row);
+        h5_put_rows(w->h, s->dataset, (hsize_t)w->n_written, w->pending,
+                    s->n_dim == 2 ? s->width : 0, s->row);
     } else {
         h5_put_all(w->h, s->dataset, H5T_NATIVE_DOUBLE, s->row);
     }

@@ -24,6 +24,7 @@ struct stream {
     int source;    // enum row_source
     size_t first;  // of its values in the source
     size_t width;  // values a row
+    int n_dim;     // of the dataset: 1 or 2
     double *row;   // (capacity, width)
 };
 
