@@ -4,16 +4,13 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/file_name.h"
 
-// Where no file can be locked nothing is known of others.
 bool part_file_is_ours(int file, const char *part) {
-    return (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) &&
-           file_is_named(file, part);
+    return file_lock(file) && file_is_named(file, part);
 }
 
 int part_file_taken(const char *path, const char *part, struct error *e) {
@@ -40,12 +37,12 @@ int part_file_clear(const char *path, const char *part, struct error *e) {
     if (old < 0) {
         return clear_unopened(path, part, e);
     }
-    const bool locked = flock(old, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (!locked && file_is_named(old, part)) {
+    const bool locked = file_lock(old);
+    if (locked && file_is_named(old, part)) {
         unlink(part);
     }
     close(old);
-    return locked ? part_file_taken(path, part, e) : STATUS_OK;
+    return locked ? STATUS_OK : part_file_taken(path, part, e);
 }
 
 static int cannot_write(const struct part_file *p, struct error *e) {

@@ -6,7 +6,6 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include "core/file_name.h"
@@ -180,7 +179,7 @@ static int open_file(struct journal *j, struct error *e) {
         if (j->file < 0) {
             return cannot(j, "write", e);
         }
-        if (flock(j->file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        if (!file_lock(j->file)) {
             break;
         }
         if (journal_is_there(j)) {
