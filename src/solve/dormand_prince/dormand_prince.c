@@ -144,14 +144,13 @@ static int arrive(struct dp *p, struct error *e) {
     if (p->h == 0.0) {
         return STATUS_OK;
     }
-    double corner = dp_control_limit(p);
     bool turns = is_at_corner(p);
     swap_ends(p);
     p->h = 0.0;
     dp_system_commit(&p->system, &p->now);
     if (turns) {
-        p->now.time = corner;
-        if (forcing_turn(&p->system.forcing, corner)) {
+        p->now.time = dp_control_limit(p);
+        if (forcing_turn(&p->system.forcing, p->now.time)) {
             dp_stages_first(p);
             dp_peaks_now(p);
         }
