@@ -88,6 +88,11 @@ void gap_print_search_tsv(const struct gap_search_request *q, const struct gap_s
     if (s->found) {
         cells_text(&c, "result");
         cells_number(&c, s->gap);
-        printf("\t\tkept\t\t\t\n");
+        cells_empty(&c);
+        cells_text(&c, "kept");
+        for (int i = 0; i < 3; i++) {
+            cells_empty(&c);  // failed, run, message
+        }
+        cells_end(&c);
     }
 }

@@ -219,8 +219,7 @@ static struct span strip_span(const struct view *v, int strip) {
 static struct span all_spans(const struct view *v) {
     struct span all = span_none;
     for (int i = 0; i < v->n; i++) {
-        span_add(&all, strip_span(v, i).low);
-        span_add(&all, strip_span(v, i).high);
+        span_join(&all, strip_span(v, i));
     }
     return all;
 }

@@ -248,18 +248,13 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
     return status;
 }
 
-static void add_span(struct span *all, const struct span *r) {
-    span_add(all, r->low);
-    span_add(all, r->high);
-}
-
 // Penetrations are apart from the drifts, and mostly far smaller.
 static void join(struct view *v) {
     v->all_x = v->all_y = span_none;
     for (int i = 0; i < PANELS_MAX; i++) {
-        add_span(&v->all_y, &v->y[i]);
+        span_join(&v->all_y, v->y[i]);
         if (i > 0) {
-            add_span(&v->all_x, &v->x[i]);
+            span_join(&v->all_x, v->x[i]);
         }
     }
 }

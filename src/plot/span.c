@@ -13,6 +13,11 @@ void span_add(struct span *r, double value) {
     }
 }
 
+void span_join(struct span *r, struct span other) {
+    span_add(r, other.low);
+    span_add(r, other.high);
+}
+
 struct span span_with_room(struct span r, double from) {
     span_add(&r, from);
     if (r.low > r.high) {

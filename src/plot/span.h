@@ -6,9 +6,11 @@
 struct span {
     double low, high;
 };
-// Widens `r` by a value; values that are not finite are passed over. Begin with span_none.
+// Widens `r` by a value, or by another span; values that are not finite are passed over. Begin with
+// span_none.
 extern const struct span span_none;
 void span_add(struct span *r, double value);
+void span_join(struct span *r, struct span other);
 // Some room at both ends, at `from` none; never empty. `from` is NAN where there is no such end.
 struct span span_with_room(struct span r, double from);
 
