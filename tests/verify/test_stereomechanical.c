@@ -186,6 +186,30 @@ static void what_lasts_for_no_time_is_no_peak(void **state) {
     }
 }
 
+// Three equal bodies, the last two touching: the first hands its velocity on to the last. The
+// second has it for no time, in which its dashpot brakes it.
+static void what_is_handed_on_at_one_instant_is_no_peak(void **state) {
+    (void)state;
+    const char *const method[] = {"step fixed 1.7ms", "integrator newmark\nstep adaptive",
+                                  "integrator dormand-prince\nstep adaptive"};
+    for (size_t q = 0; q < sizeof method / sizeof method[0]; q++) {
+        struct analysis a =
+            analysis_of("building A -floors 1 -mass 1 -stiffness 0\n"
+                        "building B -floors 1 -mass 1 -stiffness 100\ndamping B dashpot 10\n"
+                        "building C -floors 1 -mass 1 -stiffness 0\ninitial A:1 -velocity 1\n"
+                        "contact A B -gap 10mm -law stereomechanical -e 1\n"
+                        "contact B C -gap 0 -law stereomechanical -e 1\n"
+                        "duration 0.051\n%s\n",
+                        method[q]);
+        assert_int_equal(a.results->n_impact, 2);
+        assert_close(a.results->peak[PEAK_VELOCITY][0], 1.0, 1e-12);
+        assert_near(a.results->peak[PEAK_VELOCITY][1], 0.0, 1e-8);
+        assert_near(a.results->peak[PEAK_ACCELERATION][1], 0.0, 1e-7);
+        assert_close(a.results->peak[PEAK_VELOCITY][2], 1.0, 1e-12);
+        analysis_free(&a);
+    }
+}
+
 // A light body between two heavy ones bounces to and fro ever faster; in the end all move together.
 static void a_light_body_between_heavy_ones_is_caught(void **state) {
     (void)state;
@@ -334,6 +358,7 @@ int main(void) {
         cmocka_unit_test(an_impulse_travels_through_a_row_that_touches),
         cmocka_unit_test(bodies_at_rest_pass_an_impulse_on),
         cmocka_unit_test(what_lasts_for_no_time_is_no_peak),
+        cmocka_unit_test(what_is_handed_on_at_one_instant_is_no_peak),
         cmocka_unit_test(a_light_body_between_heavy_ones_is_caught),
         cmocka_unit_test(a_very_light_body_lets_nobody_through),
         cmocka_unit_test(a_very_light_body_is_caught_though_accelerations_part_it),

@@ -103,8 +103,8 @@ static void start(struct run *r) {
     dp_stages_first(p);
     dp_stages_gaps(p, now, p->rate[0]);
     scale_expect(&p->scales, p->model);
-    p->grown = true;
-    dp_peaks_now(p);
+    p->grown = p->jumped = true;
+    dp_peaks_jump(p);
     p->energy = r->energy;
     dp_control_start(p);
 }
@@ -152,7 +152,7 @@ static int arrive(struct dp *p, struct error *e) {
         p->now.time = dp_control_limit(p);
         if (forcing_turn(&p->system.forcing, p->now.time)) {
             dp_stages_first(p);
-            dp_peaks_now(p);
+            p->jumped = true;
         }
     }
     return p->event.kind == DP_NONE ? STATUS_OK : dp_happen(p, e);
@@ -205,6 +205,7 @@ static int step(struct dp *p, struct error *e) {
     if (status != STATUS_OK) {
         return status;
     }
+    dp_peaks_jump(p);
     dp_account_step(p);
     dp_peaks_step(p);
     p->closed_now = false;
@@ -232,6 +233,9 @@ static int advance(struct run *r, long *n, long end) {
     if (is_at_corner(r->dp) && r->dp->next.time - time <= SAME_TIME * time &&
         arrive(r->dp, r->error) != STATUS_OK) {
         return r->error->status;
+    }
+    if (r->dp->h == 0.0) {
+        dp_peaks_jump(r->dp);
     }
     dp_account_row(r->dp, time, r->now, &r->energy);
     return STATUS_OK;

@@ -59,6 +59,7 @@ struct dp {
     double trial;          // [T] what the error control would take next
     struct scales scales;  // of errors
     bool grown;            // motions have, since the scales were made
+    bool jumped;           // something has at `now`, of which no peaks have been taken since
     bool closed_now;       // a contact has closed at `now`
     struct pace pace;      // of all steps
 

@@ -130,6 +130,6 @@ int dp_happen(struct dp *p, struct error *e) {
         return stuck(p, event->index, e);
     }
     dp_stages_gaps(p, &p->now, p->rate[0]);
-    dp_peaks_now(p);
+    p->jumped = true;
     return too_crowded(p, e);
 }

@@ -321,7 +321,11 @@ void dp_peaks_step(struct dp *p) {
     }
 }
 
-void dp_peaks_now(struct dp *p) {
+void dp_peaks_jump(struct dp *p) {
+    if (!p->jumped) {
+        return;
+    }
+    p->jumped = false;
     for (int i = 0; i < p->model->n_dof; i++) {
         floor_at(p, &p->now, i);
     }
