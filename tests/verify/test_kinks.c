@@ -138,12 +138,45 @@ static void kinks_are_passed_however_late_they_come(void **state) {
     }
 }
 
+static struct analysis with_damper(double exponent, double tolerance) {
+    return analysis_of(
+        "building A -floors 3 -mass 2e5 -stiffness 2.7e8\n"
+        "building B -floors 3 -mass 2e5 -stiffness 1.8e8\n"
+        "link A:3 B:3 -dashpot 2e5 -exponent %g\n"
+        "ground sine -amplitude 3 -frequency 1.3\ninitial A:3 -velocity 1\nduration 3\n"
+        "step adaptive -tolerance %g\n",
+        exponent, tolerance);
+}
+
+// The force of a damper with an exponent below 1 has an infinite slope at v = 0, where steps end.
+// Across it, errors of velocities were 500 to 800 times the tolerance; with a linear damper they
+// are 60 times.
+static void dampers_of_any_exponent_are_as_accurate_as_linear_ones(void **state) {
+    (void)state;
+    static const double exponent[] = {0.4, 0.5, 0.6, 1.0};
+    static const double tolerance = 1e-8;
+    for (int i = 0; i < 4; i++) {
+        struct analysis a = with_damper(exponent[i], tolerance);
+        struct analysis b = with_damper(exponent[i], tolerance / 1e3);
+        double error = 0.0;
+        double largest = 0.0;
+        for (long j = 0; j < 6 * b.rows.n; j++) {
+            error = fmax(error, fabs(a.rows.velocity[j] - b.rows.velocity[j]));
+            largest = fmax(largest, fabs(b.rows.velocity[j]));
+        }
+        assert_true(error < 100.0 * tolerance * largest);
+        analysis_free(&a);
+        analysis_free(&b);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(impacts_with_kinks_are_as_accurate_as_others),
         cmocka_unit_test(a_kink_is_one_event),
         cmocka_unit_test(a_step_that_ends_at_an_event_meets_the_tolerance),
         cmocka_unit_test(kinks_are_passed_however_late_they_come),
+        cmocka_unit_test(dampers_of_any_exponent_are_as_accurate_as_linear_ones),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -208,7 +208,7 @@ static int step(struct dp *p, struct error *e) {
     dp_peaks_jump(p);
     dp_account_step(p);
     dp_peaks_step(p);
-    p->closed_now = false;
+    p->is_steep = false;
     p->results->totals.steps++;
     return STATUS_OK;
 }

@@ -18,7 +18,7 @@ enum dp_event_kind {
     DP_OPEN,    // or opens
     DP_MEET,    // the bodies of a rigid contact meet
     DP_KINK,    // the force of a closed contact has a kink
-    DP_TURN,    // the velocity of a closed contact changes its sign
+    DP_TURN,    // the velocity of a closed contact or a damper changes its sign
     DP_BRANCH,  // a storey comes to the end of its line
     DP_UNLOAD,  // the drift of a yielding storey turns round
 };
@@ -60,7 +60,7 @@ struct dp {
     struct scales scales;  // of errors
     bool grown;            // motions have, since the scales were made
     bool jumped;           // something has at `now`, of which no peaks have been taken since
-    bool closed_now;       // a contact has closed at `now`
+    bool is_steep;         // a force may begin with an infinite slope at `now`
     struct pace pace;      // of all steps
 
     // Its event.

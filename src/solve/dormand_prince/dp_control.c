@@ -19,9 +19,9 @@ static const double NEGLIGIBLE = 1e-4;  // less than (SAFETY / GROW_MOST)^5
 // What makes the bits of a number, taken as its logarithm, err as much to both sides.
 static const int64_t NEAREST = -60 * (INT64_C(1) << 52) / 1000;
 
-// The error of the first step after a closure over its estimate, where the force grows like
-// t^(1/4). For sum b_i c_i^(1/4) - 4/5 over sum e_i c_i^(1/4), with the nodes and weights of the
-// method and of its estimate, it is 51.5.
+// The error of the first step over its estimate, where the force grows like t^(1/4). For sum b_i
+// c_i^(1/4) - 4/5 over sum e_i c_i^(1/4), with the nodes and weights of the method and of its
+// estimate, it is 51.5; for larger exponents it is less.
 static const double UNSEEN = 51.5;
 
 // First step over the shortest period of a building over 2 pi, or over the duration.
@@ -117,7 +117,7 @@ static double change_for(double error) {
 }
 
 double dp_control_error(const struct dp *p) {
-    return dp_stages_error(p) * (p->closed_now ? UNSEEN : 1.0);
+    return dp_stages_error(p) * (p->is_steep ? UNSEEN : 1.0);
 }
 
 int dp_control_reject(struct dp *p, double error, struct error *e) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a step has to end: a contact closes or opens (d passes through zero), the velocity of a
-// closed contact changes its sign, a storey comes to the end of its line, or the drift of a
-// yielding storey turns round.
+// closed contact changes its sign, or that of a damper whose force has an infinite slope there, a
+// storey comes to the end of its line, or the drift of a yielding storey turns round.
 //
 // Between the turning points of a motion it is monotone, so that each piece can pass a value once,
 // and a touch that begins and ends within the step is seen by the turning point inside it. The
@@ -18,7 +18,7 @@
 
 enum { ITERATIONS_MAX = 60 };
 
-static const double STILL = 1.0;  // of the error allowed: drifts that have not moved, together
+static const double STILL = 1.0;  // of the error allowed: drifts and dampers that have not moved
 static const double SAME = 1e-9;  // of the stiffness of a storey: tangents of one line
 static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
 
@@ -53,6 +53,11 @@ static double reach(const struct pieces *s, int i, double target) {
     return hermite_root(&path, s->x[i], s->x[i + 1]);
 }
 
+// A motion that counts, of a storey or a damper.
+static double still(const struct dp *p) {
+    return STILL * p->model->control.tolerance * p->scales.most_u;
+}
+
 static struct dp_event closing(const struct dp *p, int k, const struct motion *m) {
     struct pieces s = cut(m);
     double least = dp_motion_noise(p, k);
@@ -67,9 +72,9 @@ static struct dp_event closing(const struct dp *p, int k, const struct motion *m
     return nothing;
 }
 
-// Does a closed link go on in its phase through the whole step, for certain? In the cubic of its
-// velocity, between those at the ends, the accelerations have no larger share than 4/27 of the step
-// each.
+// Does a closed contact or a damper go on in its phase through the whole step, for certain? In the
+// cubic of its velocity, between those at the ends, the accelerations have no larger share than
+// 4/27 of the step each.
 static bool stays(const struct dp *p, int k, const struct motion *m) {
     int phase = p->system.phase[k];
     double slowest = fmin(phase * m->v[0], phase * m->v[1]);
@@ -82,7 +87,8 @@ static struct dp_event leaving(const struct dp *p, int k, const struct motion *m
         return nothing;
     }
     struct pieces s = cut(m);
-    double least = dp_motion_noise(p, k);
+    bool opens = !p->model->link[k].bilateral;
+    double least = opens ? dp_motion_noise(p, k) : still(p);
     int phase = p->system.phase[k];
     for (int i = 0; i < s.n; i++) {
         double rise = s.d[i + 1] - s.d[i];
@@ -90,7 +96,7 @@ static struct dp_event leaving(const struct dp *p, int k, const struct motion *m
             return (struct dp_event){
                 .kind = DP_TURN, .index = k, .place = s.x[i], .direction = -phase};
         }
-        if (s.d[i + 1] < -least && rise < 0.0) {
+        if (opens && s.d[i + 1] < -least && rise < 0.0) {
             return (struct dp_event){
                 .kind = DP_OPEN, .index = k, .place = reach(&s, i, 0.0), .direction = -1.0};
         }
@@ -154,8 +160,7 @@ static bool leaves(const struct dp *p, int i, double start, double least, double
 
 // The rise of a drift that counts. Smaller ones add up, over steps however short, until they do.
 static double least_rise(const struct dp *p, int i) {
-    double still = STILL * p->model->control.tolerance * p->scales.most_u;
-    double left = still - dp_system_storey_lag(&p->system, &p->now, i);
+    double left = still(p) - dp_system_storey_lag(&p->system, &p->now, i);
     return fmax(dp_system_storey_noise(&p->system, &p->now, i), left);
 }
 
@@ -199,6 +204,11 @@ void dp_event_first(struct dp *p) {
     dp_motion_reach(p);
     for (int k = 0, n = p->closes ? p->model->n_contact : 0; k < n; k++) {
         if (p->reach[k] > 0.0 || p->now.link[k].closed) {
+            take_earlier(p, link_event(p, k));
+        }
+    }
+    for (int k = p->model->n_contact; k < p->model->n_link; k++) {
+        if (p->system.phase[k] != PHASE_ANY) {
             take_earlier(p, link_event(p, k));
         }
     }

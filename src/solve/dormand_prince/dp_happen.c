@@ -9,9 +9,8 @@
 #include "solve/dormand_prince/dp_stages.h"
 #include "solve/excitation.h"
 
-// Step after a closure over the one before it, as forces begin with an infinite slope
-// (d^(1/4)).
-static const double AFTER_CLOSURE = 1e-3;
+// Step over the one before it where a force begins with an infinite slope.
+static const double WHERE_STEEP = 1e-3;
 
 // More events than this in such a share of the duration do not come from bodies that bounce.
 enum { CROWD = 4000, CROWD_PER_LINK = 4 };
@@ -114,15 +113,22 @@ static int stuck(const struct dp *p, int k, struct error *e) {
                      p->now.time, m->deck->units.time_name, m->link[k].name, m->link[k].law->name);
 }
 
+// Does a force begin with an infinite slope there? That of a contact may (d^(1/4)), and that of a
+// damper with an event at v = 0 does.
+static bool is_steep(const struct dp *p, const struct dp_event *event) {
+    bool turns = event->kind == DP_TURN && p->model->link[event->index].bilateral;
+    return event->kind == DP_CLOSE || turns;
+}
+
 int dp_happen(struct dp *p, struct error *e) {
     const struct dp_event *event = &p->event;
     if (change(p, event, e) != STATUS_OK) {
         return e->status;
     }
     p->results->totals.events++;
-    p->closed_now |= event->kind == DP_CLOSE;
-    if (event->kind == DP_CLOSE) {
-        p->trial *= AFTER_CLOSURE;
+    if (is_steep(p, event)) {
+        p->is_steep = true;
+        p->trial *= WHERE_STEEP;
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
     dp_stages_first(p);

@@ -108,6 +108,14 @@ static void start_floor(struct dp_system *s, const struct state *now, int k, int
     fill_rows(s, i);
 }
 
+static enum phase start_phase(const struct model *m, const struct state *now, int k) {
+    const struct link *l = &m->link[k];
+    if (l->bilateral && isfinite(l->law->force(l->constant, NULL, 0.0, 0.0).dfdv)) {
+        return PHASE_ANY;
+    }
+    return state_rate(now, m, k) < 0.0 ? PHASE_RELEASE : PHASE_APPROACH;
+}
+
 void dp_system_start(struct dp_system *s, const struct state *now) {
     const struct model *m = s->model;
     (void)forcing_turn(&s->forcing, now->time);
@@ -118,9 +126,7 @@ void dp_system_start(struct dp_system *s, const struct state *now) {
     }
     s->special = m->n_ground > 1 || m->chain.full_damping || s->n_inelastic > 0 || m->n_load > 0;
     for (int k = 0; k < m->n_link; k++) {
-        s->phase[k] = m->link[k].bilateral          ? PHASE_ANY
-                      : state_rate(now, m, k) < 0.0 ? PHASE_RELEASE
-                                                    : PHASE_APPROACH;
+        s->phase[k] = start_phase(m, now, k);
     }
 }
 

@@ -10,10 +10,11 @@
 #include "solve/forcing.h"
 #include "solve/state.h"
 
-// The branch of a contact in a step: what its law sees is a velocity of this sign.
+// The branch of a link in a step: its velocity has this sign. That is what the law of a contact
+// sees; that of a bilateral link sees the velocity itself.
 enum phase {
     PHASE_RELEASE = -1,
-    PHASE_ANY = 0,  // bilateral links
+    PHASE_ANY = 0,  // bilateral links whose force is smooth at v = 0
     PHASE_APPROACH = 1,
 };
 
@@ -85,10 +86,10 @@ static inline struct contact_response
 dp_system_response(const struct dp_system *s, const struct state *now, int k, double d, double v) {
     const struct link *l = &s->model->link[k];
     const double *history = now->link_history + l->history;
-    int phase = s->phase[k];
-    if (phase == PHASE_ANY) {
+    if (l->bilateral) {
         return l->law->force(l->constant, history, d, v);
     }
+    int phase = s->phase[k];
     double inside = d > 0.0 ? d : 0.0;
     double seen = phase * v > 0.0 ? v : phase * DBL_MIN;
     struct contact_response r = l->law->force(l->constant, history, inside, seen);
