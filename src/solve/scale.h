@@ -4,7 +4,12 @@
 #ifndef JOSTLE_SCALE_H
 #define JOSTLE_SCALE_H
 
+#include <float.h>
+
 #include "jostle/analysis.h"
+
+// Of a length: what means nothing.
+static const double SCALE_ROUNDING = 64.0 * DBL_EPSILON;
 
 struct scales {
     double *over_u, *over_v;  // [1/L] [T/L] (n_dof) 1 over the sizes; 0: nothing moves

@@ -12,6 +12,7 @@
 #include "solve/floors/effective.h"
 #include "solve/floors/floors.h"
 #include "solve/floors/small_model.h"
+#include "solve/scale.h"
 #include "solve/state.h"
 
 // What to do when the iteration of contacts or storeys does not converge.
@@ -53,7 +54,9 @@ struct work {
     int unresolved;  // link that last needed a shorter step; -1: none did
     int held;        // link that stays open or closed in this step; -1: none
 
-    const struct forcing *forcing;  // borrowed; NULL: steps are fixed, and do not end at corners
+    // Borrowed; NULL: steps are fixed, and do not end at corners.
+    const struct forcing *forcing;
+    const struct scales *scales;
 
     // Its floors.
     struct excitation_ahead ahead;  // of steps of the model's size

@@ -116,12 +116,19 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
     }
 }
 
+// The penetration up to which bodies do not hit each other: those at rest move by rounding. Fixed
+// steps know no scale, and are too long for motions of that size to begin in.
+static double touch(const struct work *w, int k) {
+    double gap = fabs(w->model->link[k].gap);
+    return w->scales ? SCALE_ROUNDING * (gap + w->scales->most_u) : 0.0;
+}
+
 // Does an open link close in this step? One that has just opened may stand a rounding error inside;
 // it closes only if it goes deeper. Rigid contacts close by an event.
 static inline bool closes(const struct work *w, const struct state *now, const struct state *next,
                           int k) {
-    return next->delta[k] > 0.0 && next->delta[k] > now->delta[k] && !next->link[k].is_live &&
-           k != w->held && !w->model->link[k].law->rebound;
+    return next->delta[k] > touch(w, k) && next->delta[k] > now->delta[k] &&
+           !next->link[k].is_live && k != w->held && !w->model->link[k].law->rebound;
 }
 
 bool contact_close(struct work *w, const struct state *now, struct state *next, int k) {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/dormand_prince/dp_motion.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "core/lanes.h"
-
-static const double ROUNDING = 64.0;  // units in the last place that mean nothing
 
 static void motion_accelerations(const struct dp *p, const struct link *l, struct motion *m) {
     m->a[0] = dp_system_across(l, p->model, p->now.a, p->now.ground_a);
@@ -57,7 +54,7 @@ double dp_motion_noise(const struct dp *p, int k) {
             size += fabs(p->now.ground_u[p->model->building[l->building[i]].ground]);
         }
     }
-    return ROUNDING * DBL_EPSILON * size;
+    return SCALE_ROUNDING * size;
 }
 
 // A motion that goes beyond both its ends does so by a fraction of its way at the larger rate.

@@ -75,6 +75,14 @@ bool event_is_idle(const struct state *s, const struct model *m, int k) {
     return rate < -rounding || (rate <= rounding && pressing <= rest_rounding(l, s->a));
 }
 
+// Does contact k, which closes at the start of the step, neither move nor press inwards then? What
+// makes it close comes later in the step; closed before, it would open again, to and fro at one
+// instant.
+static bool closes_idle(const struct state *now, const struct state *next, const struct model *m,
+                        int k) {
+    return next->link[k].closed && event_is_idle(now, m, k);
+}
+
 static void take_earlier(struct event *first, int k, double time, double h) {
     if (time < first->time) {
         *first = (struct event){.link = k, .time = snap(time, h)};
@@ -85,10 +93,13 @@ struct event event_first(const struct work *w, const struct state *now, const st
                          double h, const int *count, int except) {
     const struct model *m = w->model;
     struct event first = {.link = -1, .time = INFINITY};
+    struct event otherwise = first;
     for (int i = 0; i < w->n_toggled; i++) {
         int k = w->toggled[i];
         if (k != except && splits(w, now, next, k) && count[k] < EVENTS_JUMP_MAX) {
-            take_earlier(&first, k, jump_time(m, now, next, h, k), h);
+            double time = jump_time(m, now, next, h, k);
+            bool is_idle = snap(time, h) == 0.0 && closes_idle(now, next, m, k);
+            take_earlier(is_idle ? &otherwise : &first, k, time, h);
         }
     }
     for (int i = 0; i < w->n_rigid; i++) {
@@ -97,7 +108,7 @@ struct event event_first(const struct work *w, const struct state *now, const st
             take_earlier(&first, k, meeting_time(m, now, next, h, k), h);
         }
     }
-    return first;
+    return first.link < 0 ? otherwise : first;
 }
 
 bool event_is_abrupt(struct work *w, const struct state *now, const struct state *next) {

@@ -59,6 +59,7 @@ static bool alloc(struct run *r, struct arena *a) {
 
 static void start(struct run *r) {
     r->work.forcing = &r->length.forcing;
+    r->work.scales = &r->length.scales;
     step_length_start(&r->length, r->now);
 }
 
