@@ -24,8 +24,9 @@ struct convergence {
 };
 
 // Of the last three of n >= 3 values at steps h, h / ratio, h / ratio^2 ..., ratio > 1, by a method
-// of the given order.
-struct convergence convergence_of(const double *value, int n, double ratio, double order);
+// of the given order. `safety`: the error bar over the error estimated at an order.
+struct convergence convergence_of(const double *value, int n, double ratio, double order,
+                                  double safety);
 
 // Of a number of things, of which n >= 2 are given.
 struct convergence convergence_of_count(const double *value, int n);
