@@ -9,7 +9,13 @@
 
 enum { SHOWN_MAX = 20, LABEL_WIDTH = 23, SHOWN_LEVELS = 3 };
 
-static const char *const owner_names[] = {"model", "building", "link"};
+// A contact and a link between the same floors have the same name, if the deck gives none.
+static const char *owner_of(const struct model *m, const struct refined *f) {
+    return f->owner == OF_MODEL          ? "model"
+           : f->owner == OF_BUILDING     ? "building"
+           : m->link[f->index].bilateral ? "link"
+                                         : "contact";
+}
 
 static const char *name_of(const struct model *m, const struct refined *f) {
     return f->owner == OF_BUILDING ? m->building[f->index].name
@@ -107,8 +113,7 @@ static void print_results(const struct model *m, const struct refinement *r) {
         }
         if (f->owner != OF_MODEL &&
             (!before || before->owner != f->owner || before->index != f->index)) {
-            printf("%s %s\n", f->owner == OF_BUILDING ? "building" : "contact or link",
-                   name_of(m, f));
+            printf("%s %s\n", owner_of(m, f), name_of(m, f));
         }
         print_result(m, r, f);
         before = f;
@@ -127,8 +132,11 @@ static void print_verdict(const struct model *m, const struct refinement *r, dou
             continue;
         }
         const double more = halvings(f, f->value[r->n_level - 1], rtol);
-        printf("  %s%s%s: %s", name_of(m, f), f->owner == OF_MODEL ? "" : " ", f->quantity,
-               reason_of(f));
+        printf("  ");
+        if (f->owner != OF_MODEL) {
+            printf("%s %s ", owner_of(m, f), name_of(m, f));
+        }
+        printf("%s: %s", f->quantity, reason_of(f));
         if (more > 0.0 && r->n_level + more <= CONVERGENCE_LEVELS_MAX) {
             printf("; %.0f more level%s should do", more, more == 1.0 ? "" : "s");
         }
@@ -151,7 +159,7 @@ void converge_print_tsv(const struct model *m, const struct refinement *r) {
     printf("\torder\testimate\terror\tconverged\treason\n");
     for (int i = 0; i < r->n_result; i++) {
         const struct refined *f = &r->result[i];
-        cells_text(&c, owner_names[f->owner]);
+        cells_text(&c, owner_of(m, f));
         cells_text(&c, name_of(m, f));
         cells_text(&c, f->quantity);
         cells_text(&c, unit_of(m, f, unit, sizeof unit));

@@ -17,7 +17,7 @@ run "$jostle" converge bodies.deck
 expect "a deck that converges ends with 0" '[ $status -eq 0 ] && [ ! -s "$err" ]'
 expect "nothing is written" 'only bodies.deck'
 expect "the title and the levels stand on top" 'grep -qx "two bodies" "$out" && grep -qx "4 levels, steps 0.0002 0.0001 5e-05 2.5e-05 s" "$out"'
-expect "buildings and contacts have their results" 'grep -qx "building B" "$out" && grep -qx "contact or link A:1-B:1" "$out" && grep -qE "^  force \[N\] .* yes$" "$out"'
+expect "buildings and contacts have their results" 'grep -qx "building B" "$out" && grep -qx "contact A:1-B:1" "$out" && grep -qE "^  force \[N\] .* yes$" "$out"'
 expect "the verdict counts them" 'grep -qx "12 of 12 results have converged to 0.001" "$out"'
 expect "no line is wider than 100 characters" '! grep -qE "^.{101,}" "$out"'
 
@@ -35,9 +35,13 @@ expect "the impulse is the closed form within its error bar" \
 
 run "$jostle" converge bodies.deck -D dt=5ms -n 3 --rtol 1e-6
 expect "a step that is too long ends with 1" '[ $status -eq 1 ]'
-expect "what has not converged is named with its reason" 'grep -qE "^  A:1-B:1 force: .+" "$out"'
+expect "what has not converged is named with its reason" 'grep -qE "^  contact A:1-B:1 force: .+" "$out"'
 expect "-D changes the first step" 'grep -qx "3 levels, steps 0.005 0.0025 0.00125 s" "$out"'
 expect "an estimated contact of few steps is not warned of, as steps are halved" '[ ! -s "$err" ]'
+
+sed 's/^contact/link A B -stiffness 10MN\/m\n&/' bodies.deck >both.deck
+run "$jostle" converge both.deck --tsv
+expect "a contact and a link between the same floors are told from each other" '[ "$(cut -f1-3 "$out" | sort | uniq -d | wc -l)" -eq 0 ] && grep -q "^contact	A:1-B:1	force" "$out" && grep -q "^link	A:1-B:1	force" "$out"'
 
 two_buildings pair.deck
 run "$jostle" converge pair.deck -n 3 --rtol 1e-9
@@ -59,8 +63,8 @@ expect "what is 0 at the shortest step only has no error bar relative to it" '[ 
 
 sed 's/^contact .*/contact A B -gap 5mm -law jankowski -k 2.75e9N\/m^1.5 -e 0.6/; s/0.08/0.1/' bodies.deck >slow.deck
 run "$jostle" converge slow.deck -D dt=5ms
-expect "more levels are promised where the order says so" '[ $status -eq 1 ] && grep -qx "  B roof displacement: the step is too long; 2 more levels should do" "$out"'
-expect "but not more than -n takes" 'grep -qx "  A roof displacement: the step is too long" "$out"'
+expect "more levels are promised where the order says so" '[ $status -eq 1 ] && grep -qx "  building B roof displacement: the step is too long; 2 more levels should do" "$out"'
+expect "but not more than -n takes" 'grep -qx "  building A roof displacement: the step is too long" "$out"'
 
 sed 's/^param dt .*/sweep dt values 0.4ms 0.2ms/' bodies.deck >study.deck
 for command in converge modes check; do
