@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/file_name.h"
+#include "core/file.h"
 
 bool part_file_is_ours(int file, const char *part) {
     return file_lock(file) && file_is_named(file, part);
