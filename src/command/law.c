@@ -9,7 +9,7 @@
 #include "command/picture.h"
 #include "plot/figure.h"
 #include "plot/impact_figure.h"
-#include "result/part_file.h"
+#include "result/draft.h"
 
 static int law_command(int argc, char **argv);
 
@@ -150,13 +150,13 @@ static int check_existing(const struct options *o, struct error *e) {
 }
 
 static int write_history(const struct options *o, const struct law_impact *i, struct error *e) {
-    struct part_file part;
-    const int status = part_file_open(&part, o->history, e);
+    struct draft draft;
+    const int status = draft_open(&draft, o->history, e);
     if (status != STATUS_OK) {
         return status;
     }
-    law_print_history(i, part.to);
-    return part_file_publish(&part, o->existing, e);
+    law_print_history(i, draft.to);
+    return draft_publish(&draft, o->existing, e);
 }
 
 // What is written above the picture and its panels.

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include "command/interrupt.h"
-#include "result/part_file.h"
+#include "result/draft.h"
 
 enum { PATH_SIZE = 4096, NOT_FOUND = 127 };
 
@@ -66,13 +66,13 @@ static int write_pair(const struct picture_request *q, const char *picture, cons
 }
 
 // Both get their names, or neither. If the script cannot have its own, new data does not stay.
-static int publish_pair(struct part_file *data, struct part_file *script,
-                        enum result_existing existing, struct error *e) {
-    int status = part_file_publish(data, existing, e);
+static int publish_pair(struct draft *data, struct draft *script, enum result_existing existing,
+                        struct error *e) {
+    int status = draft_publish(data, existing, e);
     if (status != STATUS_OK) {
         return status;
     }
-    status = part_file_publish(script, existing, e);
+    status = draft_publish(script, existing, e);
     if (status != STATUS_OK) {
         unlink(data->path);
     }
@@ -80,13 +80,13 @@ static int publish_pair(struct part_file *data, struct part_file *script,
 }
 
 static int write_script(const struct picture_request *q, const struct pair *p, struct error *e) {
-    struct part_file data = {0}, script = {0};
+    struct draft data = {0}, script = {0};
     char picture[64];
     snprintf(picture, sizeof picture, "%s.%s", q->name,
              q->output ? figure_ending(q->output) : "png");
-    int status = part_file_open(&data, p->data, e);
+    int status = draft_open(&data, p->data, e);
     if (status == STATUS_OK) {
-        status = part_file_open(&script, p->script, e);
+        status = draft_open(&script, p->script, e);
     }
     if (status == STATUS_OK) {
         const struct figure_files to = {script.to, data.to, picture};
@@ -95,8 +95,8 @@ static int write_script(const struct picture_request *q, const struct pair *p, s
     if (status == STATUS_OK) {
         status = publish_pair(&data, &script, q->existing, e);
     }
-    part_file_drop(&script);
-    part_file_drop(&data);
+    draft_drop(&script);
+    draft_drop(&data);
     return status;
 }
 
@@ -225,15 +225,15 @@ static int copy(const char *from_path, const struct picture_request *q, struct e
     if (!from) {
         return error_set(e, STATUS_SYSTEM, "gnuplot made no picture");
     }
-    struct part_file part;
-    int status = part_file_open(&part, q->output, e);
+    struct draft draft;
+    int status = draft_open(&draft, q->output, e);
     if (status == STATUS_OK) {
-        status = copy_into(part.to, from, figure_last_mark(q->output), e);
+        status = copy_into(draft.to, from, figure_last_mark(q->output), e);
     }
     if (status == STATUS_OK) {
-        status = part_file_publish(&part, q->existing, e);
+        status = draft_publish(&draft, q->existing, e);
     }
-    part_file_drop(&part);
+    draft_drop(&draft);
     fclose(from);
     return status;
 }
