@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/picture.h"
 #include "command/pounding.h"
 #include "command/progress.h"
 #include "core/arena.h"
@@ -149,10 +148,8 @@ static int draw(const struct spectrum_request *q, const struct spectrum_set *set
         .version = JOSTLE_VERSION,
     };
     const struct picture_request picture = {
+        .options = q->picture,
         .name = "spectrum",
-        .output = q->output,
-        .script_folder = q->script_folder,
-        .existing = q->existing,
         .write = write_picture,
         .context = &sheet,
     };
@@ -172,7 +169,7 @@ static int spectrum_command(int argc, char **argv) {
         status = pounding_run(&q, a);
     } else if (status == GO_ON) {
         status = compute(&q, a, &set, &e);
-        if (status == STATUS_OK && (q.output || q.script_folder)) {
+        if (status == STATUS_OK && picture_is_wanted(&q.picture)) {
             status = draw(&q, &set, &e);
         }
         if (status == STATUS_OK) {
