@@ -26,7 +26,7 @@ static const char details[] =
     "laws.\n\n"
     "  -m1 M, -m2 M       masses of the bodies; without -m2 the other one is a wall\n"
     "  -v V               velocity with which they meet\n"
-    "  --tsv              prints name and value, a line each, in SI with all digits\n"
+    "  --tsv              prints name and value, a line each, in SI, not rounded\n"
     "  --compare LAWS     sets other laws beside: LAW,LAW,... with the options of the first, or "
     "one\n"
     "                     with its own, \"LAW -k K ...\"; may be repeated\n"

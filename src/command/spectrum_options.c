@@ -64,7 +64,7 @@ static const char details[] =
     "                   0.1:2:20)\n"
     "  -D NAME=VALUE    overrides a param of that deck; may be repeated\n"
     "  -j THREADS       threads for its runs (default: all cores)\n"
-    "  --tsv            tab-separated values of full precision, one line a record (and\n"
+    "  --tsv            tab-separated values, not rounded, one line a record (and\n"
     "                   statistic), damping and period; with --intensities one line a record\n"
     "  -o FILE          draws the pseudo-acceleration, or the force; .png, .svg or .pdf\n"
     "  --script DIR     writes DIR/spectrum.gp for gnuplot and its data, DIR/spectrum.dat;\n"
