@@ -4,6 +4,7 @@
 #include <glob.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/arena.h"
 #include "core/text.h"
@@ -123,16 +124,35 @@ static bool search(struct deck *d, const struct word *w, const char *pattern, st
     return good;
 }
 
-// A -D may name a file by the label that all tables show, in place of its path.
-static void take_label(const struct deck *d, const struct sweep *s) {
+// May the text be a file, beside the deck or beside the sweep?
+static bool may_be_file(struct deck *d, const struct sweep *s, const char *text) {
+    const struct source top = {.name = d->path};
+    const char *path[] = {source_path(d, &top, text), source_path(d, s->origin, text)};
+    return strchr(text, '$') || !path[0] || !path[1] || access(path[0], F_OK) == 0 ||
+           access(path[1], F_OK) == 0;
+}
+
+// A -D may name a file by the label that all tables show, in place of its path. False after having
+// reported that it names none.
+static bool take_label(struct deck *d, const struct sweep *s) {
     struct define *define = define_find(d, s->name);
     for (int i = 0; define && i < s->n; i++) {
         if (strcmp(define->value.text, s->label[i]) == 0) {
             define->value.text = s->text[i];
             define->beside = s->origin;
-            return;
+            return true;
         }
     }
+    if (!define || define->beside || may_be_file(d, s, define->value.text)) {
+        return true;
+    }
+    deck_unknown(d, &define->value, s->name, s->label, s->n);
+    define->taken = true;
+    struct parameter *p = parameter_find(d, s->name, strlen(s->name));
+    if (p) {
+        p->kind = PARAMETER_WRONG;
+    }
+    return false;
 }
 
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
@@ -146,6 +166,5 @@ bool sweep_files(struct deck *d, const struct word *w, const char *pattern, stru
     } else if (!search(d, w, pattern, out)) {
         return false;
     }
-    take_label(d, out);
-    return true;
+    return take_label(d, out);
 }
