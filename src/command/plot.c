@@ -8,6 +8,7 @@
 #include "command/plot_names.h"
 #include "command/plot_study.h"
 #include "command/progress.h"
+#include "core/text.h"
 #include "plot/figure.h"
 #include "plot/study_figure.h"
 
@@ -81,13 +82,11 @@ static int unknown_figure(const char *word) {
 }
 
 const char *plot_name_output(const char *result, const char *kind, char *name) {
-    const char *slash = strrchr(result, '/');
-    const char *base = slash ? slash + 1 : result;
-    const char *dot = strrchr(base, '.');
-    const int n = dot && dot != base ? (int)(dot - base) : (int)strlen(base);
-    const char *run = strchr(base + n, '#');
-    snprintf(name, PLOT_PATH_SIZE, "%.*s%s%s-%s.png", n, base, run ? "-" : "", run ? run + 1 : "",
-             kind);
+    size_t n;
+    const char *stem = text_stem(result, &n);
+    const char *run = strchr(stem + n, '#');
+    snprintf(name, PLOT_PATH_SIZE, "%.*s%s%s-%s.png", (int)n, stem, run ? "-" : "",
+             run ? run + 1 : "", kind);
     return name;
 }
 

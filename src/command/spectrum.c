@@ -8,6 +8,7 @@
 #include "command/pounding.h"
 #include "command/progress.h"
 #include "core/arena.h"
+#include "core/text.h"
 #include "plot/response.h"
 
 static int spectrum_command(int argc, char **argv);
@@ -24,15 +25,7 @@ const struct command command_spectrum = {
     .run = spectrum_command,
 };
 
-// The file without folder and ending.
-static const char *base_name(struct arena *a, const char *path) {
-    const char *slash = strrchr(path, '/');
-    const char *base = slash ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
-    return arena_text(a, base, dot && dot != base ? (size_t)(dot - base) : strlen(base));
-}
-
-// Base names; the whole path where another record has the same one.
+// Files without folder and ending; the whole path where another record has the same one.
 static int name_records(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
                         struct error *e) {
     const char **base = arena_alloc(a, (size_t)q->n_record, sizeof *base);
@@ -40,7 +33,9 @@ static int name_records(const struct spectrum_request *q, struct arena *a, struc
         return error_no_memory(e);
     }
     for (int r = 0; r < q->n_record; r++) {
-        base[r] = base_name(a, q->path[r]);
+        size_t n;
+        const char *stem = text_stem(q->path[r], &n);
+        base[r] = arena_text(a, stem, n);
         if (!base[r]) {
             return error_no_memory(e);
         }

@@ -15,11 +15,10 @@ static int compare(const void *a, const void *b) {
 
 // The part of a path that a label shows: 0 the name without its ending, 1 the name, 2 all of it.
 static const char *label_of(struct deck *d, const char *path, int form) {
-    const char *slash = strrchr(path, '/');
-    const char *name = slash && form < 2 ? slash + 1 : path;
-    const char *dot = strrchr(name, '.');
-    return arena_text(d->arena, name,
-                      form == 0 && dot > name ? (size_t)(dot - name) : strlen(name));
+    size_t n;
+    const char *stem = text_stem(path, &n);
+    const char *label = form < 2 ? stem : path;
+    return arena_text(d->arena, label, form == 0 ? n : strlen(label));
 }
 
 // True if the labels differ, or if there is no memory to compare them.

@@ -262,10 +262,7 @@ static void write_ground(const struct view *v, struct canvas *c, struct area a) 
 static void write_legend(const struct view *v, struct canvas *c) {
     char name[160], text[192];
     if (v->s->n > 1) {
-        for (int k = 0; k < v->s->n; k++) {
-            canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
-                          v->s->name[k]);
-        }
+        runs_legend(v->s, NULL, c);
     } else {
         for (int side = 0; side < 2; side++) {
             side_name(v, side, name, sizeof name);
