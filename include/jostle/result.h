@@ -110,10 +110,10 @@ int result_analyse(struct result_writer *w, const struct observer *watch, struct
 // and is to be kept, or is no regular file: a folder, a device).
 int result_check_path(const char *path, enum result_existing existing, struct error *e);
 
-// Gives the complete file `part` the name `path`, on disk before it appears there; an existing
-// file survives RESULT_KEEP even when it comes into being at the same moment. `part` is gone
+// Gives the complete file `draft` the name `path`, on disk before it appears there; an existing
+// file survives RESULT_KEEP even when it comes into being at the same moment. `draft` is gone
 // afterwards. Errors: STATUS_INPUT (exists), STATUS_SYSTEM.
-int result_publish(const char *part, const char *path, enum result_existing existing,
+int result_publish(const char *draft, const char *path, enum result_existing existing,
                    struct error *e);
 
 struct result_file;

@@ -131,8 +131,10 @@ int study_file_open(const char *path, struct study_file **out, struct error *e);
 void study_file_close(struct study_file *f);  // NULL is allowed
 const struct study_view *study_file_view(const struct study_file *f);
 
-// The number in the study, from 0, of run `i` of the file.
+// The number in the study, from 0, of run `i` of the file; which value of sweep `i` a run of the
+// study has.
 long study_view_run(const struct study_view *v, long i);
+int study_view_choice(const struct study_view *v, long run, int i);
 
 // What the first run has in common with all others, for a file made of this one: a report without
 // results. To be given to report_free. Errors as of study_file_open.
@@ -141,5 +143,16 @@ int study_file_report(struct study_file *f, struct report **out, struct error *e
 // The outcomes (n) and values (n, n_value) of runs first ... first + n - 1 of the file.
 int study_file_read(struct study_file *f, long first, long n, struct study_outcome *outcome,
                     double *value, struct error *e);
+
+struct study_run {
+    long number;  // in the study, from 0
+    const struct study_outcome *outcome;
+    const double *value;  // (n_value)
+};
+
+// Calls `take` for each run of the file in turn, of which a block is in memory. Errors:
+// STATUS_INPUT (a damaged file), STATUS_SYSTEM, and those of `take`, which end it.
+typedef int study_run_function(void *context, const struct study_run *r, struct error *e);
+int study_file_each(struct study_file *f, study_run_function *take, void *context, struct error *e);
 
 #endif

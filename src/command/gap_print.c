@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "command/cells.h"
+#include "command/study_print.h"
 #include "core/text.h"
 
 enum { NAME_WIDTH = 14 };
@@ -194,7 +195,7 @@ void gap_print_apart_tsv(const struct plan *p, const struct apart *a) {
             const double *value = apart_values(a, run, i);
             cells_whole(&c, run + 1);
             print_sweep_values(p, run, &c);
-            cells_text(&c, outcome->status == STUDY_DONE ? "done" : "failed");
+            cells_text(&c, study_print_status(outcome));
             cells_text(&c, p->first->link[i].name);
             cells_numbers(&c, value, APART_VALUES);
             cells_text(&c, outcome->message);

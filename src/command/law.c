@@ -9,7 +9,7 @@
 #include "command/picture.h"
 #include "plot/figure.h"
 #include "plot/impact_figure.h"
-#include "result/part_file.h"
+#include "result/draft.h"
 
 static int law_command(int argc, char **argv);
 
@@ -26,7 +26,7 @@ static const char details[] =
     "laws.\n\n"
     "  -m1 M, -m2 M       masses of the bodies; without -m2 the other one is a wall\n"
     "  -v V               velocity with which they meet\n"
-    "  --tsv              prints name and value, a line each, in SI with all digits\n"
+    "  --tsv              prints name and value, a line each, in SI, not rounded\n"
     "  --compare LAWS     sets other laws beside: LAW,LAW,... with the options of the first, or "
     "one\n"
     "                     with its own, \"LAW -k K ...\"; may be repeated\n"
@@ -42,8 +42,8 @@ static const char details[] =
 struct options {
     struct law_words words;
     const char **word, **compare;  // what `words` borrows
-    const char *history, *plot, *script;
-    enum result_existing existing;
+    const char *history;
+    struct picture_options picture;  // what exists of the history too
     bool tsv, help;
 };
 
@@ -62,7 +62,11 @@ static int take_value(struct options *o, enum law_option option, const char *val
         return EXIT_DONE;
     }
     const char **const to[N_OPTION] = {
-        [HISTORY] = &o->history, [PLOT] = &o->plot, [SCRIPT] = &o->script, [FIT] = &o->words.fit};
+        [HISTORY] = &o->history,
+        [PLOT] = &o->picture.output,
+        [SCRIPT] = &o->picture.script_folder,
+        [FIT] = &o->words.fit,
+    };
     if (*to[option]) {
         return command_usage(&command_law, "option '%s' is given twice", law_options[option]);
     }
@@ -74,7 +78,7 @@ static int take_flag(struct options *o, enum law_option option) {
     if (option == TSV) {
         o->tsv = true;
     } else if (option == FORCE) {
-        o->existing = RESULT_REPLACE;
+        o->picture.existing = RESULT_REPLACE;
     } else {
         o->help = true;
     }
@@ -128,8 +132,8 @@ static int check(const struct options *o) {
         return command_usage(&command_law, "a contact law is expected before option '%s'",
                              o->word[0]);
     }
-    if (o->plot && !figure_ending(o->plot)) {
-        return command_usage(&command_law, "'%s' must end in .png, .svg or .pdf", o->plot);
+    if (picture_check(&command_law, &o->picture) != EXIT_DONE) {
+        return EXIT_INPUT;
     }
     if (o->history && o->words.n_compare > 0) {
         return command_usage(&command_law, "--history writes one impact; leave out --compare");
@@ -139,9 +143,9 @@ static int check(const struct options *o) {
 
 // Neither is written where one exists already.
 static int check_existing(const struct options *o, struct error *e) {
-    const char *const path[] = {o->history, o->plot};
+    const char *const path[] = {o->history, o->picture.output};
     for (int i = 0; i < 2; i++) {
-        int status = path[i] ? result_check_path(path[i], o->existing, e) : STATUS_OK;
+        int status = path[i] ? result_check_path(path[i], o->picture.existing, e) : STATUS_OK;
         if (status != STATUS_OK) {
             return status;
         }
@@ -150,13 +154,13 @@ static int check_existing(const struct options *o, struct error *e) {
 }
 
 static int write_history(const struct options *o, const struct law_impact *i, struct error *e) {
-    struct part_file part;
-    const int status = part_file_open(&part, o->history, e);
+    struct draft draft;
+    const int status = draft_open(&draft, o->history, e);
     if (status != STATUS_OK) {
         return status;
     }
-    law_print_history(i, part.to);
-    return part_file_publish(&part, o->existing, e);
+    law_print_history(i, draft.to);
+    return draft_publish(&draft, o->picture.existing, e);
 }
 
 // What is written above the picture and its panels.
@@ -225,12 +229,8 @@ static int draw(const struct options *o, struct law_impacts *l, struct error *e)
         return error_set(e, STATUS_INPUT, "a picture shows at most %d laws, not %d",
                          IMPACT_FIGURE_CURVES, n);
     }
-    const struct picture_request picture = {.name = "impact",
-                                            .output = o->plot,
-                                            .script_folder = o->script,
-                                            .existing = o->existing,
-                                            .write = write_figure,
-                                            .context = l};
+    const struct picture_request picture = {
+        .options = o->picture, .name = "impact", .write = write_figure, .context = l};
     return picture_make(&picture, e);
 }
 
@@ -240,7 +240,7 @@ static int report(const struct options *o, struct law_impacts *l) {
     if (status == STATUS_OK && o->history) {
         status = write_history(o, &l->impact[0], &e);
     }
-    if (status == STATUS_OK && (o->plot || o->script)) {
+    if (status == STATUS_OK && picture_is_wanted(&o->picture)) {
         status = draw(o, l, &e);
     }
     if (status != STATUS_OK) {
@@ -274,7 +274,7 @@ static int run(int argc, char **argv, struct options *o) {
 }
 
 static int law_command(int argc, char **argv) {
-    struct options o = {.existing = RESULT_KEEP};
+    struct options o = {.picture.existing = RESULT_KEEP};
     o.word = calloc((size_t)argc, sizeof *o.word);
     o.compare = calloc((size_t)argc, sizeof *o.compare);
     const int status = o.word && o.compare ? run(argc, argv, &o) : command_no_memory();

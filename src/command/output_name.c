@@ -3,23 +3,21 @@
 
 #include <ctype.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 
+#include "core/text.h"
 #include "jostle/model.h"
 
 // The deck's name with .h5 for its ending, without its folder. NULL: no memory.
 static const char *name_after(struct arena *a, const char *deck) {
-    const char *slash = strrchr(deck, '/');
-    const char *base = slash ? slash + 1 : deck;
-    const char *dot = strrchr(base, '.');
-    size_t n = dot && dot > base ? (size_t)(dot - base) : strlen(base);
-    return arena_format(a, "%.*s.h5", (int)n, base);
+    size_t n;
+    const char *stem = text_stem(deck, &n);
+    return arena_format(a, "%.*s.h5", (int)n, stem);
 }
 
 const char *output_part_name(struct arena *a, const char *path, const struct study_shard *s) {
-    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
-    const char *end = dot && dot > path && (!slash || dot > slash + 1) ? dot : path + strlen(path);
+    size_t n;
+    const char *end = text_stem(path, &n) + n;
     return arena_format(a, "%.*s.%ld-of-%ld%s", (int)(end - path), path, s->number, s->n, end);
 }
 

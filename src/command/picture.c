@@ -14,9 +14,19 @@
 #include <unistd.h>
 
 #include "command/interrupt.h"
-#include "result/part_file.h"
+#include "result/draft.h"
 
 enum { PATH_SIZE = 4096, NOT_FOUND = 127 };
+
+bool picture_is_wanted(const struct picture_options *o) {
+    return o->output || o->script_folder;
+}
+
+int picture_check(const struct command *c, const struct picture_options *o) {
+    return !o->output || figure_ending(o->output)
+               ? EXIT_DONE
+               : command_usage(c, "'%s' must end in .png, .svg or .pdf", o->output);
+}
 
 static int cannot_write(const char *path, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, strerror(errno));
@@ -66,13 +76,13 @@ static int write_pair(const struct picture_request *q, const char *picture, cons
 }
 
 // Both get their names, or neither. If the script cannot have its own, new data does not stay.
-static int publish_pair(struct part_file *data, struct part_file *script,
-                        enum result_existing existing, struct error *e) {
-    int status = part_file_publish(data, existing, e);
+static int publish_pair(struct draft *data, struct draft *script, enum result_existing existing,
+                        struct error *e) {
+    int status = draft_publish(data, existing, e);
     if (status != STATUS_OK) {
         return status;
     }
-    status = part_file_publish(script, existing, e);
+    status = draft_publish(script, existing, e);
     if (status != STATUS_OK) {
         unlink(data->path);
     }
@@ -80,36 +90,36 @@ static int publish_pair(struct part_file *data, struct part_file *script,
 }
 
 static int write_script(const struct picture_request *q, const struct pair *p, struct error *e) {
-    struct part_file data = {0}, script = {0};
+    struct draft data = {0}, script = {0};
     char picture[64];
     snprintf(picture, sizeof picture, "%s.%s", q->name,
-             q->output ? figure_ending(q->output) : "png");
-    int status = part_file_open(&data, p->data, e);
+             q->options.output ? figure_ending(q->options.output) : "png");
+    int status = draft_open(&data, p->data, e);
     if (status == STATUS_OK) {
-        status = part_file_open(&script, p->script, e);
+        status = draft_open(&script, p->script, e);
     }
     if (status == STATUS_OK) {
         const struct figure_files to = {script.to, data.to, picture};
         status = q->write(q->context, &to, e);
     }
     if (status == STATUS_OK) {
-        status = publish_pair(&data, &script, q->existing, e);
+        status = publish_pair(&data, &script, q->options.existing, e);
     }
-    part_file_drop(&script);
-    part_file_drop(&data);
+    draft_drop(&script);
+    draft_drop(&data);
     return status;
 }
 
 static int keep_script(const struct picture_request *q, struct error *e) {
     struct pair pair;
     assert(q->name);
-    if (strcmp(q->script_folder, "-") == 0) {
+    if (strcmp(q->options.script_folder, "-") == 0) {
         return error_set(e, STATUS_INPUT, "--script takes a folder; ./- is one called -");
     }
-    if (mkdir(q->script_folder, 0777) != 0 && errno != EEXIST) {
-        return cannot_write(q->script_folder, e);
+    if (mkdir(q->options.script_folder, 0777) != 0 && errno != EEXIST) {
+        return cannot_write(q->options.script_folder, e);
     }
-    const int status = name_pair(q->script_folder, q->name, &pair, e);
+    const int status = name_pair(q->options.script_folder, q->name, &pair, e);
     return status == STATUS_OK ? write_script(q, &pair, e) : status;
 }
 
@@ -225,15 +235,15 @@ static int copy(const char *from_path, const struct picture_request *q, struct e
     if (!from) {
         return error_set(e, STATUS_SYSTEM, "gnuplot made no picture");
     }
-    struct part_file part;
-    int status = part_file_open(&part, q->output, e);
+    struct draft draft;
+    int status = draft_open(&draft, q->options.output, e);
     if (status == STATUS_OK) {
-        status = copy_into(part.to, from, figure_last_mark(q->output), e);
+        status = copy_into(draft.to, from, figure_last_mark(q->options.output), e);
     }
     if (status == STATUS_OK) {
-        status = part_file_publish(&part, q->existing, e);
+        status = draft_publish(&draft, q->options.existing, e);
     }
-    part_file_drop(&part);
+    draft_drop(&draft);
     fclose(from);
     return status;
 }
@@ -267,7 +277,7 @@ static int draw_in(const struct picture_request *q, const char *folder, const ch
 }
 
 static int draw(const struct picture_request *q, struct error *e) {
-    int status = result_check_path(q->output, q->existing, e);
+    int status = result_check_path(q->options.output, q->options.existing, e);
     if (status != STATUS_OK) {
         return status;
     }
@@ -279,7 +289,7 @@ static int draw(const struct picture_request *q, struct error *e) {
         return error_set(e, STATUS_SYSTEM, "cannot make a temporary folder in %s: %s",
                          root && root[0] ? root : "/tmp", strerror(errno));
     }
-    snprintf(picture, sizeof picture, "figure.%s", figure_ending(q->output));
+    snprintf(picture, sizeof picture, "figure.%s", figure_ending(q->options.output));
     status = draw_in(q, folder, picture, e);
     remove_folder(folder, picture);
     return status;
@@ -287,6 +297,6 @@ static int draw(const struct picture_request *q, struct error *e) {
 
 int picture_make(const struct picture_request *q, struct error *e) {
     interrupt_catch();
-    int status = q->script_folder ? keep_script(q, e) : STATUS_OK;
-    return status == STATUS_OK && q->output ? draw(q, e) : status;
+    int status = q->options.script_folder ? keep_script(q, e) : STATUS_OK;
+    return status == STATUS_OK && q->options.output ? draw(q, e) : status;
 }

@@ -3,14 +3,26 @@
 #ifndef JOSTLE_PICTURE_H
 #define JOSTLE_PICTURE_H
 
+#include "command/command.h"
 #include "jostle/result.h"
 #include "plot/figure.h"
 
-struct picture_request {
-    const char *name;           // of the script and its data, NAME.gp and NAME.dat
-    const char *output;         // ends in .png, .svg or .pdf; NULL: only the script is wanted
+// What the user asks for.
+struct picture_options {
+    const char *output;         // ends in .png, .svg or .pdf; NULL: nothing is drawn
     const char *script_folder;  // made if it is not there; NULL: the script is not kept
     enum result_existing existing;
+};
+
+// Is there anything to make?
+bool picture_is_wanted(const struct picture_options *o);
+
+// Reports an output with another ending. Returns EXIT_DONE or EXIT_INPUT.
+int picture_check(const struct command *c, const struct picture_options *o);
+
+struct picture_request {
+    struct picture_options options;
+    const char *name;  // of the script and its data, NAME.gp and NAME.dat
 
     // Writes the script and its data; figure_open begins them. Write errors are not its own. It
     // may be called twice.

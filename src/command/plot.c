@@ -8,6 +8,7 @@
 #include "command/plot_names.h"
 #include "command/plot_study.h"
 #include "command/progress.h"
+#include "core/text.h"
 #include "plot/figure.h"
 #include "plot/study_figure.h"
 
@@ -22,10 +23,10 @@ const struct command command_plot = {
 };
 
 struct request {
-    const char *result, *other, *output, *script_folder;
+    const char *result, *other;
     const struct figure *figure;  // NULL: the first that the files have the data for
     struct runs runs;
-    enum result_existing existing;
+    struct picture_options picture;
     const char *kind;            // NULL: not given
     struct suite_options study;  // for studies
     char default_output[PLOT_PATH_SIZE];
@@ -57,13 +58,13 @@ static int take(void *request, int letter) {
     struct request *q = request;
     switch (letter) {
         case 'o':
-            return command_once(&command_plot, "-o", &q->output);
+            return command_once(&command_plot, "-o", &q->picture.output);
         case 'c':
             return command_once(&command_plot, "--compare", &q->other);
         case 's':
-            return command_once(&command_plot, "--script", &q->script_folder);
+            return command_once(&command_plot, "--script", &q->picture.script_folder);
         case 'f':
-            q->existing = RESULT_REPLACE;
+            q->picture.existing = RESULT_REPLACE;
             return EXIT_DONE;
         default:
             return suite_options_take(&command_plot, letter, &q->study);
@@ -81,13 +82,11 @@ static int unknown_figure(const char *word) {
 }
 
 const char *plot_name_output(const char *result, const char *kind, char *name) {
-    const char *slash = strrchr(result, '/');
-    const char *base = slash ? slash + 1 : result;
-    const char *dot = strrchr(base, '.');
-    const int n = dot && dot != base ? (int)(dot - base) : (int)strlen(base);
-    const char *run = strchr(base + n, '#');
-    snprintf(name, PLOT_PATH_SIZE, "%.*s%s%s-%s.png", n, base, run ? "-" : "", run ? run + 1 : "",
-             kind);
+    size_t n;
+    const char *stem = text_stem(result, &n);
+    const char *run = strchr(stem + n, '#');
+    snprintf(name, PLOT_PATH_SIZE, "%.*s%s%s-%s.png", (int)n, stem, run ? "-" : "",
+             run ? run + 1 : "", kind);
     return name;
 }
 
@@ -115,10 +114,7 @@ static int parse(int argc, char **argv, struct request *q) {
     }
     q->result = argv[optind];
     q->kind = n == 2 ? argv[optind + 1] : NULL;
-    if (q->output && !figure_ending(q->output)) {
-        return command_usage(&command_plot, "'%s' must end in .png, .svg or .pdf", q->output);
-    }
-    return GO_ON;
+    return picture_check(&command_plot, &q->picture) == EXIT_DONE ? GO_ON : EXIT_INPUT;
 }
 
 static int write_figure(void *context, const struct figure_files *to, struct error *e) {
@@ -141,14 +137,12 @@ static int make(struct request *q, const struct result_file *first,
     if (!q->figure) {
         q->figure = figure_default(&q->runs);
     }
-    if (!q->output && !q->script_folder) {
-        q->output = plot_name_output(q->result, q->figure->name, q->default_output);
+    if (!picture_is_wanted(&q->picture)) {
+        q->picture.output = plot_name_output(q->result, q->figure->name, q->default_output);
     }
     const struct picture_request picture = {
+        .options = q->picture,
         .name = q->figure->name,
-        .output = q->output,
-        .script_folder = q->script_folder,
-        .existing = q->existing,
         .write = write_figure,
         .context = q,
     };
@@ -192,8 +186,8 @@ static int plot_run(struct request *q) {
     if (open_and_make(q, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    if (q->output) {
-        printf("%s\n", q->output);
+    if (q->picture.output) {
+        printf("%s\n", q->picture.output);
     }
     return EXIT_DONE;
 }
@@ -207,14 +201,12 @@ static int plot_suite(const struct request *q) {
                                              .path = q->result,
                                              .kind = q->kind,
                                              .options = &q->study,
-                                             .output = q->output,
-                                             .script_folder = q->script_folder,
-                                             .existing = q->existing};
+                                             .picture = q->picture};
     return plot_study(&study);
 }
 
 static int plot_command(int argc, char **argv) {
-    struct request q = {.existing = RESULT_KEEP};
+    struct request q = {.picture.existing = RESULT_KEEP};
     struct error e;
     if (suite_options_init(&q.study, argc, &e) != STATUS_OK) {
         return command_fail(&e);

@@ -69,19 +69,14 @@ static int draw(struct job *j, const struct suite *s, struct error *e) {
         return status;
     }
     suite_options_warn(s);
-    const char *output = q->output;
-    if (!output && !q->script_folder) {
-        output = plot_name_output(q->path, j->figure->name, j->output);
+    struct picture_request picture = {
+        .options = q->picture, .name = j->figure->name, .write = write_figure, .context = j};
+    if (!picture_is_wanted(&q->picture)) {
+        picture.options.output = plot_name_output(q->path, j->figure->name, j->output);
     }
-    const struct picture_request picture = {.name = j->figure->name,
-                                            .output = output,
-                                            .script_folder = q->script_folder,
-                                            .existing = q->existing,
-                                            .write = write_figure,
-                                            .context = j};
     status = picture_make(&picture, e);
-    if (status == STATUS_OK && output) {
-        printf("%s\n", output);
+    if (status == STATUS_OK && picture.options.output) {
+        printf("%s\n", picture.options.output);
     }
     return status;
 }

@@ -10,8 +10,7 @@ struct plot_study_request {
     const char *path;  // the study
     const char *kind;  // NULL: what shows it best
     const struct suite_options *options;
-    const char *output, *script_folder;  // NULL: not given
-    enum result_existing existing;
+    struct picture_options picture;
 };
 
 // Draws a figure of a study and prints the name of the picture. Returns the exit status.

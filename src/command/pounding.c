@@ -8,7 +8,6 @@
 #include "command/cells.h"
 #include "command/interrupt.h"
 #include "command/load.h"
-#include "command/picture.h"
 #include "command/progress.h"
 #include "core/arena.h"
 #include "plot/pounding_map.h"
@@ -138,12 +137,8 @@ static int write_map(void *context, const struct figure_files *to, struct error 
 
 static int draw(struct pounding *p) {
     const struct spectrum_request *q = p->request;
-    const struct picture_request picture = {.name = "pounding",
-                                            .output = q->output,
-                                            .script_folder = q->script_folder,
-                                            .existing = q->existing,
-                                            .write = write_map,
-                                            .context = p};
+    const struct picture_request picture = {
+        .options = q->picture, .name = "pounding", .write = write_map, .context = p};
     struct error e;
     return picture_make(&picture, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
@@ -155,7 +150,7 @@ int pounding_run(const struct spectrum_request *q, struct arena *a) {
         return status;
     }
     assert(p.title && p.force);
-    if (q->output || q->script_folder) {
+    if (picture_is_wanted(&q->picture)) {
         status = draw(&p);
     }
     if (status == EXIT_DONE && q->form == FORM_TSV) {

@@ -4,7 +4,7 @@
 // The value of a failed run is empty.
 #include "command/show_study.h"
 
-#include "command/study_runs.h"
+#include "command/study_print.h"
 #include "core/arena.h"
 #include "study/edp.h"
 
@@ -19,7 +19,7 @@ struct printer {
 
 static void print_line(struct printer *p, const struct study_run *r, const struct edp *edp,
                        const char *location, double value) {
-    const bool done = r->outcome.status == STUDY_DONE;
+    const bool done = r->outcome->status == STUDY_DONE;
     show_sweep_cells(&p->cells, p->view, r->number);
     cells_text(&p->cells, p->form == DEMAND_REDUCED ? edp->text : edp->quantity->name);
     cells_text(&p->cells, location);
@@ -29,12 +29,13 @@ static void print_line(struct printer *p, const struct study_run *r, const struc
         cells_empty(&p->cells);
     }
     cells_text(&p->cells, edp->units);
-    cells_text(&p->cells, study_runs_status(r));
+    cells_text(&p->cells, study_print_status(r->outcome));
     cells_end(&p->cells);
 }
 
-static void take(void *context, const struct study_run *r) {
+static int take(void *context, const struct study_run *r, struct error *e) {
     struct printer *p = context;
+    (void)e;
     for (int k = 0; k < p->n_edp; k++) {
         const struct edp *edp = &p->edp[k];
         if (p->form == DEMAND_EVERYWHERE) {
@@ -45,17 +46,18 @@ static void take(void *context, const struct study_run *r) {
         }
         int at;
         const double value = edp_value(edp, r->value, &at);
-        const bool placed = r->outcome.status == STUDY_DONE &&
+        const bool placed = r->outcome->status == STUDY_DONE &&
                             (edp->quantity->reduction != EDP_SUM || edp->n_term == 1);
         print_line(p, r, edp, placed ? edp->term[at].location : "", value);
     }
+    return STATUS_OK;
 }
 
 static int print(struct study_file *f, struct printer *p, struct error *e) {
     show_sweep_names(&p->cells, p->view);
     cells_words(&p->cells, "edp location value unit status");
     cells_end(&p->cells);
-    const int status = study_runs_each(f, take, p, e);
+    const int status = study_file_each(f, take, p, e);
     cells_close(&p->cells);
     return status;
 }

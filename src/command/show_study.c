@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include "command/study_print.h"
-#include "command/study_runs.h"
 
 struct printer {
     const struct study_view *view;
@@ -33,7 +32,7 @@ void show_sweep_name(struct cells *c, const struct sweep *sweep) {
 
 void show_sweep_cells(struct cells *c, const struct study_view *v, long number) {
     for (int i = 0; i < v->n_sweep; i++) {
-        show_sweep_value(c, v->sweep[i], study_runs_choice(v, number, i));
+        show_sweep_value(c, v->sweep[i], study_view_choice(v, number, i));
     }
 }
 
@@ -46,7 +45,7 @@ void show_sweep_names(struct cells *c, const struct study_view *v) {
 static void begin_line(struct printer *p, const struct study_run *r) {
     cells_whole(&p->cells, r->number + 1);
     show_sweep_cells(&p->cells, p->view, r->number);
-    cells_text(&p->cells, study_runs_status(r));
+    cells_text(&p->cells, study_print_status(r->outcome));
 }
 
 static void print_item(struct printer *p, const struct study_run *r,
@@ -67,22 +66,28 @@ static void print_item(struct printer *p, const struct study_run *r,
     }
 }
 
-static void take_lines(void *context, const struct study_run *r) {
-    struct printer *p = context;
-    if (r->outcome.status == STUDY_DONE) {
-        for (int i = 0; i < p->view->table.n_item; i++) {
-            print_item(p, r, &p->view->table.item[i]);
-        }
-        return;
-    }
+static void print_failure(struct printer *p, const struct study_run *r) {
     begin_line(p, r);
     cells_text(&p->cells, "message");
     for (int i = 0; i < 3; i++) {
         cells_empty(&p->cells);
     }
-    cells_text(&p->cells, r->outcome.message);
+    cells_text(&p->cells, r->outcome->message);
     cells_empty(&p->cells);
     cells_end(&p->cells);
+}
+
+static int take_lines(void *context, const struct study_run *r, struct error *e) {
+    struct printer *p = context;
+    (void)e;
+    if (r->outcome->status != STUDY_DONE) {
+        print_failure(p, r);
+        return STATUS_OK;
+    }
+    for (int i = 0; i < p->view->table.n_item; i++) {
+        print_item(p, r, &p->view->table.item[i]);
+    }
+    return STATUS_OK;
 }
 
 static int print_all(struct study_file *f, struct printer *p, struct error *e) {
@@ -90,14 +95,16 @@ static int print_all(struct study_file *f, struct printer *p, struct error *e) {
     show_sweep_names(&p->cells, p->view);
     cells_words(&p->cells, "status table name quantity location value unit");
     cells_end(&p->cells);
-    const int status = study_runs_each(f, take_lines, p, e);
+    const int status = study_file_each(f, take_lines, p, e);
     cells_close(&p->cells);
     return status;
 }
 
-static void take_peaks(void *context, const struct study_run *r) {
+static int take_peaks(void *context, const struct study_run *r, struct error *e) {
     struct printer *p = context;
-    study_peaks_add(&p->peaks, p->view, r->number, &r->outcome, r->value);
+    (void)e;
+    study_peaks_add(&p->peaks, p->view, r);
+    return STATUS_OK;
 }
 
 static int print_summary(struct study_file *f, struct printer *p, struct error *e) {
@@ -105,7 +112,7 @@ static int print_summary(struct study_file *f, struct printer *p, struct error *
     if (!p->peaks.peak) {
         return error_no_memory(e);
     }
-    const int status = study_runs_each(f, take_peaks, p, e);
+    const int status = study_file_each(f, take_peaks, p, e);
     if (status == STATUS_OK) {
         study_peaks_print(&p->peaks, p->view, p->cells.to);
     }

@@ -5,10 +5,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/picture.h"
 #include "command/pounding.h"
 #include "command/progress.h"
 #include "core/arena.h"
+#include "core/text.h"
 #include "plot/response.h"
 
 static int spectrum_command(int argc, char **argv);
@@ -25,15 +25,7 @@ const struct command command_spectrum = {
     .run = spectrum_command,
 };
 
-// The file without folder and ending.
-static const char *base_name(struct arena *a, const char *path) {
-    const char *slash = strrchr(path, '/');
-    const char *base = slash ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
-    return arena_text(a, base, dot && dot != base ? (size_t)(dot - base) : strlen(base));
-}
-
-// Base names; the whole path where another record has the same one.
+// Files without folder and ending; the whole path where another record has the same one.
 static int name_records(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
                         struct error *e) {
     const char **base = arena_alloc(a, (size_t)q->n_record, sizeof *base);
@@ -41,7 +33,9 @@ static int name_records(const struct spectrum_request *q, struct arena *a, struc
         return error_no_memory(e);
     }
     for (int r = 0; r < q->n_record; r++) {
-        base[r] = base_name(a, q->path[r]);
+        size_t n;
+        const char *stem = text_stem(q->path[r], &n);
+        base[r] = arena_text(a, stem, n);
         if (!base[r]) {
             return error_no_memory(e);
         }
@@ -149,10 +143,8 @@ static int draw(const struct spectrum_request *q, const struct spectrum_set *set
         .version = JOSTLE_VERSION,
     };
     const struct picture_request picture = {
+        .options = q->picture,
         .name = "spectrum",
-        .output = q->output,
-        .script_folder = q->script_folder,
-        .existing = q->existing,
         .write = write_picture,
         .context = &sheet,
     };
@@ -172,7 +164,7 @@ static int spectrum_command(int argc, char **argv) {
         status = pounding_run(&q, a);
     } else if (status == GO_ON) {
         status = compute(&q, a, &set, &e);
-        if (status == STATUS_OK && (q.output || q.script_folder)) {
+        if (status == STATUS_OK && picture_is_wanted(&q.picture)) {
             status = draw(&q, &set, &e);
         }
         if (status == STATUS_OK) {

@@ -3,10 +3,9 @@
 #ifndef JOSTLE_COMMAND_SPECTRUM_H
 #define JOSTLE_COMMAND_SPECTRUM_H
 
-#include "command/command.h"
+#include "command/picture.h"
 #include "jostle/intensity.h"
 #include "jostle/record.h"
-#include "jostle/result.h"
 #include "jostle/spectrum.h"
 
 enum spectrum_form { FORM_TEXT, FORM_TSV };
@@ -23,8 +22,7 @@ struct spectrum_request {
     int n_damping, n_period;
     enum spectrum_form form;
     enum spectrum_content content;
-    const char *output, *script_folder;
-    enum result_existing existing;
+    struct picture_options picture;
     const char *pounding;  // the deck of a pounding force spectrum; NULL: records are asked for
     const char **define;   // (n_define) NAME=VALUE for it
     int n_define;

@@ -9,7 +9,6 @@
 #include "command/spectrum.h"
 #include "command/threads.h"
 #include "core/arena.h"
-#include "plot/figure.h"
 
 enum { DAMPING_MAX = 7, PERIODS_MAX = 100000 };
 static const double PERIOD_MIN = 1e-3, PERIOD_MAX = 1e3;  // [s]
@@ -65,7 +64,7 @@ static const char details[] =
     "                   0.1:2:20)\n"
     "  -D NAME=VALUE    overrides a param of that deck; may be repeated\n"
     "  -j THREADS       threads for its runs (default: all cores)\n"
-    "  --tsv            tab-separated values of full precision, one line a record (and\n"
+    "  --tsv            tab-separated values, not rounded, one line a record (and\n"
     "                   statistic), damping and period; with --intensities one line a record\n"
     "  -o FILE          draws the pseudo-acceleration, or the force; .png, .svg or .pdf\n"
     "  --script DIR     writes DIR/spectrum.gp for gnuplot and its data, DIR/spectrum.dat;\n"
@@ -250,22 +249,18 @@ static int take(void *request, int letter) {
             q->form = FORM_TSV;
             break;
         case OPTION_SCRIPT:
-            q->script_folder = optarg;
+            q->picture.script_folder = optarg;
             break;
         case OPTION_FORCE:
-            q->existing = RESULT_REPLACE;
+            q->picture.existing = RESULT_REPLACE;
             break;
         case OPTION_POUNDING:
             q->pounding = optarg;
             break;
         default:
-            q->output = optarg;
+            q->picture.output = optarg;
     }
     return EXIT_DONE;
-}
-
-static bool draws(const struct spectrum_request *q) {
-    return q->output || q->script_folder;
 }
 
 static int check_pounding(const struct spectrum_request *q) {
@@ -281,15 +276,15 @@ static int check_pounding(const struct spectrum_request *q) {
         return command_usage(self, "%d periods; --pounding takes up to %d", q->n_period,
                              POUNDING_MAX);
     }
-    if (draws(q) && q->period && q->n_period < 3) {
+    if (picture_is_wanted(&q->picture) && q->period && q->n_period < 3) {
         return command_usage(self, "a picture needs at least three periods > 0");
     }
     return EXIT_DONE;
 }
 
 static int check(const struct spectrum_request *q) {
-    if (q->output && !figure_ending(q->output)) {
-        return command_usage(self, "'%s' must end in .png, .svg or .pdf", q->output);
+    if (picture_check(self, &q->picture) != EXIT_DONE) {
+        return EXIT_INPUT;
     }
     if (q->pounding) {
         return check_pounding(q);
@@ -304,10 +299,12 @@ static int check(const struct spectrum_request *q) {
     if (q->scale != 1.0 && q->pga > 0.0) {
         return command_usage(self, "give --scale or --pga, not both");
     }
-    if (q->content == CONTENT_INTENSITIES && (draws(q) || q->damping || q->period)) {
+    if (q->content == CONTENT_INTENSITIES &&
+        (picture_is_wanted(&q->picture) || q->damping || q->period)) {
         return command_usage(self, "--intensities leaves no spectrum to draw, damp or sample");
     }
-    if (draws(q) && q->period && (q->n_period < 3 || q->period[q->n_period - 3] == 0.0)) {
+    if (picture_is_wanted(&q->picture) && q->period &&
+        (q->n_period < 3 || q->period[q->n_period - 3] == 0.0)) {
         return command_usage(self, "a picture needs at least three periods > 0");
     }
     return EXIT_DONE;
@@ -322,7 +319,7 @@ static int set_defaults(struct spectrum_request *q) {
         q->damping = default_damping;
         q->n_damping = 1;
     }
-    const bool table = q->form == FORM_TEXT && !draws(q);
+    const bool table = q->form == FORM_TEXT && !picture_is_wanted(&q->picture);
     return q->period ? EXIT_DONE
                      : log_grid(DEFAULT_FROM, DEFAULT_TO, table ? DEFAULT_TABLE : DEFAULT_CURVE, q);
 }
@@ -355,7 +352,7 @@ int spectrum_parse(int argc, char **argv, struct arena *a, struct spectrum_reque
     *q = (struct spectrum_request){.arena = a,
                                    .scale = 1.0,
                                    .record = {.gravity = si.gravity},
-                                   .existing = RESULT_KEEP,
+                                   .picture.existing = RESULT_KEEP,
                                    .define = arena_alloc(a, (size_t)argc, sizeof *q->define)};
     if (!q->define) {
         return command_no_memory();

@@ -171,7 +171,6 @@ static void print_spectra_tsv(const struct spectrum_request *q, const struct spe
 }
 
 void spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set) {
-    const bool draws = q->output || q->script_folder;
     if (q->form == FORM_TSV) {
         if (q->content == CONTENT_INTENSITIES) {
             print_intensities_tsv(q, set);
@@ -181,7 +180,7 @@ void spectrum_print(const struct spectrum_request *q, const struct spectrum_set 
         return;
     }
     print_intensities(q, set);
-    if (q->content == CONTENT_ALL && !draws) {
+    if (q->content == CONTENT_ALL && !picture_is_wanted(&q->picture)) {
         print_spectra(q, set);
     }
 }

@@ -4,9 +4,19 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/study_runs.h"
 #include "command/sweeps.h"
 #include "core/text.h"
+
+const char *study_print_status(const struct study_outcome *outcome) {
+    switch (outcome->status) {
+        case STUDY_DONE:
+            return "done";
+        case STUDY_FAILED:
+            return "failed";
+        default:
+            return "missing";
+    }
+}
 
 const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i) {
     if (item->owner) {
@@ -26,28 +36,28 @@ static bool is_shown(const struct study_item *item) {
     return item->leaf && !(underscore && strcmp(underscore, "_time") == 0);
 }
 
-void study_peaks_add(struct study_peaks *p, const struct study_view *v, long run,
-                     const struct study_outcome *outcome, const double *value) {
-    if (outcome->status == STUDY_MISSING) {
-        p->n_missing++;
-        return;
-    }
-    if (outcome->status != STUDY_DONE) {
-        if (p->n_failed++ == 0) {
-            p->failed = run;
-            snprintf(p->message, sizeof p->message, "%s", outcome->message);
-        }
-        return;
-    }
+static void add_values(struct study_peaks *p, const struct study_view *v,
+                       const struct study_run *r) {
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
         struct study_peak *peak = &p->peak[k];
         for (size_t i = 0; is_shown(item) && i < item->n; i++) {
-            const double x = value[item->first + i];
+            const double x = r->value[item->first + i];
             if (!isnan(x) && (!peak->found || x > peak->value)) {
-                *peak = (struct study_peak){.found = true, .value = x, .run = run, .at = i};
+                *peak = (struct study_peak){.found = true, .value = x, .run = r->number, .at = i};
             }
         }
+    }
+}
+
+void study_peaks_add(struct study_peaks *p, const struct study_view *v, const struct study_run *r) {
+    if (r->outcome->status == STUDY_DONE) {
+        add_values(p, v, r);
+    } else if (r->outcome->status == STUDY_MISSING) {
+        p->n_missing++;
+    } else if (p->n_failed++ == 0) {
+        p->failed = r->number;
+        snprintf(p->message, sizeof p->message, "%s", r->outcome->message);
     }
 }
 
@@ -56,7 +66,7 @@ static void print_run(const struct study_view *v, long run, FILE *to) {
     for (int i = 0; i < v->n_sweep; i++) {
         struct text_short t;
         const struct sweep *s = v->sweep[i];
-        const int k = study_runs_choice(v, run, i);
+        const int k = study_view_choice(v, run, i);
         fprintf(to, "%s%s ", i > 0 ? ", " : "", s->name);
         if (s->number) {
             fprintf(to, "%.4g", s->number[k]);

@@ -22,10 +22,12 @@ struct study_peaks {
 };
 
 // Takes a run into the peaks, or into the counts of those that failed or are missing.
-void study_peaks_add(struct study_peaks *p, const struct study_view *v, long run,
-                     const struct study_outcome *outcome, const double *value);
+void study_peaks_add(struct study_peaks *p, const struct study_view *v, const struct study_run *r);
 // Prints the sweeps of a study, its peaks with their runs, and the first failure.
 void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to);
+
+// "done", "failed", or "missing": not in the file.
+const char *study_print_status(const struct study_outcome *outcome);
 
 // The building, contact or link of value `i`; "" if there is none.
 const char *study_print_name(const struct study_view *v, const struct study_item *item, size_t i);

@@ -2,9 +2,10 @@
 #include "core/checksum.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <string.h>
 #include <unistd.h>
+
+#include "core/file.h"
 
 static const uint64_t prime = UINT64_C(1099511628211);
 
@@ -39,35 +40,19 @@ uint64_t checksum_many(uint64_t sum, const void *data, size_t n) {
     return checksum_add(sum, byte, n);
 }
 
-// Fills the block as far as the file goes; bytes read, negative: error.
-static ssize_t read_block(int file, char *block, size_t size) {
-    size_t n = 0;
-    ssize_t got;
-    do {
-        got = read(file, block + n, size - n);
-        if (got < 0 && errno != EINTR) {
-            return -1;
-        }
-        n += got > 0 ? (size_t)got : 0;
-    } while (got != 0 && n < size);
-    return (ssize_t)n;
-}
-
 int checksum_file(const char *path, uint64_t *sum, struct error *e) {
     enum { BLOCK = 65536 };
     char block[BLOCK];
-    int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0) {
-        bool missing = errno == ENOENT || errno == ENOTDIR;
-        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", path,
-                         strerror(errno));
+    int file;
+    int status = file_open(path, &file, e);
+    if (status != STATUS_OK) {
+        return status;
     }
     *sum = checksum_start;
     ssize_t n;
-    while ((n = read_block(file, block, sizeof block)) > 0) {
+    for (off_t at = 0; (n = file_read(file, block, sizeof block, at)) > 0; at += n) {
         *sum = checksum_many(*sum, block, (size_t)n);
     }
-    int status = STATUS_OK;
     if (n < 0) {
         status = error_set(e, STATUS_SYSTEM, "cannot read %s: %s", path, strerror(errno));
     }

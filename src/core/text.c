@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers, characters and near words.
+// Numbers, characters, near words and file names.
 #include "core/text.h"
 
 #include <ctype.h>
@@ -209,6 +209,14 @@ const char *text_nearest(const char *word, const char *const *known, int n) {
         }
     }
     return nearest ? nearest : only_relative(word, known, n);
+}
+
+const char *text_stem(const char *path, size_t *n) {
+    const char *slash = strrchr(path, '/');
+    const char *name = slash ? slash + 1 : path;
+    const char *dot = strrchr(name, '.');
+    *n = dot && dot > name ? (size_t)(dot - name) : strlen(name);
+    return name;
 }
 
 static bool is_between(unsigned char c, int low, int high) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small helpers for text: numbers, near words, whole files.
+// Small helpers for text: numbers, near words, file names, whole files.
 #ifndef JOSTLE_TEXT_H
 #define JOSTLE_TEXT_H
 
@@ -24,6 +24,10 @@ enum text_number text_number(const char *text, const char **end, double *value);
 // case count as equal, but break ties. Where no word is so near, it is the only one that begins
 // with it, or that it begins with and goes on by no letter: `kelvin`, `-mass=300t`.
 const char *text_nearest(const char *word, const char *const *known, int n);
+
+// The name of a file, without its folder; *n: bytes before its ending, which a dot in front does
+// not begin.
+const char *text_stem(const char *path, size_t *n);
 
 // Reads a whole regular file into the arena with a final 0. Errors name the path: STATUS_INPUT
 // (does not exist, a directory, not a regular file, larger than `limit` bytes; empty is allowed),

@@ -4,6 +4,7 @@
 #include <glob.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/arena.h"
 #include "core/text.h"
@@ -14,11 +15,10 @@ static int compare(const void *a, const void *b) {
 
 // The part of a path that a label shows: 0 the name without its ending, 1 the name, 2 all of it.
 static const char *label_of(struct deck *d, const char *path, int form) {
-    const char *slash = strrchr(path, '/');
-    const char *name = slash && form < 2 ? slash + 1 : path;
-    const char *dot = strrchr(name, '.');
-    return arena_text(d->arena, name,
-                      form == 0 && dot > name ? (size_t)(dot - name) : strlen(name));
+    size_t n;
+    const char *stem = text_stem(path, &n);
+    const char *label = form < 2 ? stem : path;
+    return arena_text(d->arena, label, form == 0 ? n : strlen(label));
 }
 
 // True if the labels differ, or if there is no memory to compare them.
@@ -123,16 +123,35 @@ static bool search(struct deck *d, const struct word *w, const char *pattern, st
     return good;
 }
 
-// A -D may name a file by the label that all tables show, in place of its path.
-static void take_label(const struct deck *d, const struct sweep *s) {
+// May the text be a file, beside the deck or beside the sweep?
+static bool may_be_file(struct deck *d, const struct sweep *s, const char *text) {
+    const struct source top = {.name = d->path};
+    const char *path[] = {source_path(d, &top, text), source_path(d, s->origin, text)};
+    return strchr(text, '$') || !path[0] || !path[1] || access(path[0], F_OK) == 0 ||
+           access(path[1], F_OK) == 0;
+}
+
+// A -D may name a file by the label that all tables show, in place of its path. False after having
+// reported that it names none.
+static bool take_label(struct deck *d, const struct sweep *s) {
     struct define *define = define_find(d, s->name);
     for (int i = 0; define && i < s->n; i++) {
         if (strcmp(define->value.text, s->label[i]) == 0) {
             define->value.text = s->text[i];
             define->beside = s->origin;
-            return;
+            return true;
         }
     }
+    if (!define || define->beside || may_be_file(d, s, define->value.text)) {
+        return true;
+    }
+    deck_unknown(d, &define->value, s->name, s->label, s->n);
+    define->taken = true;
+    struct parameter *p = parameter_find(d, s->name, strlen(s->name));
+    if (p) {
+        p->kind = PARAMETER_WRONG;
+    }
+    return false;
 }
 
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
@@ -146,6 +165,5 @@ bool sweep_files(struct deck *d, const struct word *w, const char *pattern, stru
     } else if (!search(d, w, pattern, out)) {
         return false;
     }
-    take_label(d, out);
-    return true;
+    return take_label(d, out);
 }

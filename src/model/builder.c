@@ -2,6 +2,7 @@
 // Growing lists and the checks that several statements share.
 #include "model/builder.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "core/arena.h"
@@ -70,6 +71,17 @@ bool builder_once(struct builder *b, struct word *mark, const struct statement *
     }
     *mark = s->word[0];
     return true;
+}
+
+int builder_variant(struct builder *b, const struct word *w, const char *what,
+                    const struct statement_kind *kind) {
+    enum { VARIANTS_MAX = 4 };
+    const char *known[VARIANTS_MAX];
+    assert(kind->n_variant <= VARIANTS_MAX);
+    for (int i = 0; i < kind->n_variant; i++) {
+        known[i] = kind->variant[i].name;
+    }
+    return deck_keyword(b->deck, w, what, known, kind->n_variant);
 }
 
 struct building_draft *builder_draft(struct builder *b, int i) {

@@ -82,7 +82,7 @@ struct builder {
     bool no_memory;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given
-    bool dormand_prince;                                     // named as the integrator
+    enum integrator method;                                  // that the integrator names
     bool adaptive;                                           // kind of step
     double beta, gamma, tolerance, dt, run_time;
     struct step_control control;  // shortest 0: not given
@@ -109,6 +109,11 @@ double *builder_spread(struct builder *b, const struct argument *a, int n, const
 // much, and shows `usage`.
 bool builder_plain(struct builder *b, const struct statement *s, int least, int most,
                    const char *usage);
+
+// Which of the variants of its statement `w` names; -1 after having reported that it is none, as an
+// unknown `what`.
+int builder_variant(struct builder *b, const struct word *w, const char *what,
+                    const struct statement_kind *kind);
 
 // The building of this name, which need not end with 0; -1: there is none.
 int builder_find_building(const struct builder *b, const char *name, size_t length);

@@ -164,7 +164,7 @@ static void limit_explicit_steps(struct builder *b, struct model *m) {
 }
 
 static void check_kind(struct builder *b, const struct model *m) {
-    if (!b->adaptive && b->dormand_prince) {
+    if (!b->adaptive && m->integrator == INTEGRATOR_DORMAND_PRINCE) {
         deck_error(b->deck, &b->step,
                    "dormand-prince has no fixed steps; use step adaptive or integrator newmark");
     }
@@ -189,8 +189,7 @@ void finish_time(struct builder *b, struct model *m) {
     m->step = b->step;
     m->dt = b->dt;
     m->duration = b->duration.text ? b->run_time : b->longest;
-    bool newmark = b->integrator.text ? !b->dormand_prince : !b->adaptive;
-    m->integrator = newmark ? INTEGRATOR_NEWMARK : INTEGRATOR_DORMAND_PRINCE;
+    m->integrator = b->adaptive && !b->integrator.text ? INTEGRATOR_DORMAND_PRINCE : b->method;
     m->adaptive = b->adaptive;
     m->control = b->control;
     m->control.shortest = fmax(m->control.shortest, SHORTEST_SHARE * m->duration);

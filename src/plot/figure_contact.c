@@ -306,10 +306,7 @@ static void write_head(const struct view *v, struct canvas *c) {
         snprintf(text, sizeof text, "contact forces%s", r->n_link > 0 ? " and link forces" : "");
     }
     canvas_head(c, runs_title(v->s), text);
-    for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
-                      v->s->name[k]);
-    }
+    runs_legend(v->s, NULL, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {

@@ -125,45 +125,53 @@ static void side_name(const struct view *v, int side, char *text, size_t size) {
     snprintf(text, size, "%s, floor %d", name, v->floor[side] + 1);
 }
 
+// What the contact met with, in each run.
+struct hits {
+    char force[RUNS_MAX][32];  // the largest
+    long impacts[RUNS_MAX];
+    bool rigid;  // in any run: there is no force
+};
+
+static struct hits count_hits(const struct view *v) {
+    struct hits h = {.force = {"0", "0"}};
+    for (int k = 0; k < v->s->n; k++) {
+        if (v->contact[k] >= 0) {
+            const struct link_peak *p = &v->s->r[k]->contact[v->contact[k]].peak;
+            script_number(p->force, h.force[k], sizeof h.force[k]);
+            h.rigid |= isnan(p->force);
+            h.impacts[k] = p->impacts;
+        }
+    }
+    return h;
+}
+
 static void write_subtitle(const struct view *v, char *text, size_t size) {
     const struct report *r = v->s->r[0];
-    char length[64], unit[64], name[64], gap[32], force[2][32] = {"0", "0"};
-    long impacts[2] = {0, 0};
-    bool rigid = false;
+    char length[64], unit[64], name[64], gap[32];
     if (v->contact[0] < 0) {
         snprintf(text, size, "displacement of the roofs; %s",
                  r->n_contact > 0 ? "no contact closed" : "there are no contacts");
         return;
     }
     const struct report_link *c = &r->contact[v->contact[0]];
+    const struct hits h = count_hits(v);
+    const char *impacts = h.impacts[0] == 1 ? "impact" : "impacts";
     script_unit(&r->units, dimension_length, length, sizeof length);
     script_unit(&r->units, dimension_force, unit, sizeof unit);
     script_shorten(c->name, 20, name, sizeof name);
     script_number(c->gap, gap, sizeof gap);
-    for (int k = 0; k < v->s->n; k++) {
-        if (v->contact[k] >= 0) {
-            const struct link_peak *p = &v->s->r[k]->contact[v->contact[k]].peak;
-            script_number(p->force, force[k], sizeof force[k]);
-            rigid |= isnan(p->force);
-            impacts[k] = p->impacts;
-        }
-    }
-    if (rigid && v->s->n > 1) {
-        snprintf(text, size, "contact %s: %ld and %ld impacts", name, impacts[0], impacts[1]);
-        return;
-    }
-    if (rigid) {
-        snprintf(text, size, "contact %s: gap %s %s, %ld %s of rigid bodies", name, gap, length,
-                 impacts[0], impacts[0] == 1 ? "impact" : "impacts");
-        return;
-    }
-    if (v->s->n > 1) {
-        snprintf(text, size, "contact %s: largest force %s and %s %s", name, force[0], force[1],
+    if (v->s->n > 1 && h.rigid) {
+        snprintf(text, size, "contact %s: %ld and %ld impacts", name, h.impacts[0], h.impacts[1]);
+    } else if (v->s->n > 1) {
+        snprintf(text, size, "contact %s: largest force %s and %s %s", name, h.force[0], h.force[1],
                  unit);
-        return;
+    } else if (h.rigid) {
+        snprintf(text, size, "contact %s: gap %s %s, %ld %s of rigid bodies", name, gap, length,
+                 h.impacts[0], impacts);
+    } else {
+        snprintf(text, size, "contact %s: gap %s %s, %ld %s, largest force %s %s", name, gap,
+                 length, h.impacts[0], impacts, h.force[0], unit);
     }
-    snprintf(text, size, "contact %s: gap %s %s, %ld %s, largest force %s %s", name, gap, length,
-             c->peak.impacts, c->peak.impacts == 1 ? "impact" : "impacts", force[0], unit);
 }
 
 static struct axis time_axis(const struct view *v, enum axis_kind kind) {
@@ -262,10 +270,7 @@ static void write_ground(const struct view *v, struct canvas *c, struct area a) 
 static void write_legend(const struct view *v, struct canvas *c) {
     char name[160], text[192];
     if (v->s->n > 1) {
-        for (int k = 0; k < v->s->n; k++) {
-            canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
-                          v->s->name[k]);
-        }
+        runs_legend(v->s, NULL, c);
     } else {
         for (int side = 0; side < 2; side++) {
             side_name(v, side, name, sizeof name);

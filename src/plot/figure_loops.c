@@ -229,10 +229,7 @@ static void write_head(const struct view *v, struct canvas *c) {
                 .kind = MARK_POINT, .colour = "#404040", .size = 1.3, .point = POINT_CROSS},
             "largest force, penetration");
     }
-    for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
-                      v->s->name[k]);
-    }
+    runs_legend(v->s, NULL, c);
 }
 
 static int write_data(struct view *v, FILE *to, struct error *e) {

@@ -145,11 +145,7 @@ static void write_head(const struct view *v, struct canvas *c) {
     for (int k = 0; k < v->n_building; k++) {
         write_entry(v, c, k);
     }
-    for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c,
-                      (struct mark){.kind = k > 0 ? MARK_DASHED : MARK_LINE, .colour = "#808080"},
-                      v->s->name[k]);
-    }
+    runs_legend(v->s, "#808080", c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {

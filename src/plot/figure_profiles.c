@@ -174,11 +174,7 @@ static void write_head(const struct selection *s, struct canvas *c) {
         canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
                       shown(s, 0, k)->name);
     }
-    for (int k = 0; k < s->s->n && s->s->n > 1; k++) {
-        canvas_legend(c,
-                      (struct mark){.kind = k > 0 ? MARK_DASHED : MARK_LINE, .colour = "#808080"},
-                      s->s->name[k]);
-    }
+    runs_legend(s->s, "#808080", c);
 }
 
 static int draw(const struct runs *runs, struct canvas *c, struct error *e) {

@@ -155,11 +155,7 @@ static void write_head(const struct view *v, struct canvas *c) {
         canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = colour(v, i)},
                       p->floor < 0 ? "ground" : text);
     }
-    for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c,
-                      (struct mark){.kind = k > 0 ? MARK_DASHED : MARK_LINE, .colour = "#000000"},
-                      v->s->name[k]);
-    }
+    runs_legend(v->s, "#000000", c);
 }
 
 static void write_panel(const struct view *v, struct canvas *c) {

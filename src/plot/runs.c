@@ -5,18 +5,17 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/text.h"
 #include "plot/script.h"
 
 // The file's name, without its folder and ending where that tells the two apart.
 static void name_run(struct runs *s, int run, bool whole) {
     const char *path = s->r[run]->file;
-    const char *slash = strrchr(path, '/');
-    const char *base = slash && !whole ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
-    const int n = dot && dot != base && !whole ? (int)(dot - base) : (int)strlen(base);
     char text[1024];
-    snprintf(text, sizeof text, "%.*s", n, base);
-    script_shorten(text, 28, s->name[run], sizeof s->name[run]);
+    size_t n;
+    const char *stem = text_stem(path, &n);
+    snprintf(text, sizeof text, "%.*s", (int)n, stem);
+    script_shorten(whole ? path : text, 28, s->name[run], sizeof s->name[run]);
 }
 
 static int other(const struct runs *s, struct error *e, const char *what, const char *first,
@@ -186,4 +185,12 @@ const char *runs_title(const struct runs *s) {
 
 double runs_duration(const struct runs *s) {
     return s->n == 1 ? s->r[0]->duration : fmax(s->r[0]->duration, s->r[1]->duration);
+}
+
+void runs_legend(const struct runs *s, const char *colour, struct canvas *c) {
+    for (int k = 0; k < s->n && s->n > 1; k++) {
+        const struct mark mark = {.kind = colour && k > 0 ? MARK_DASHED : MARK_LINE,
+                                  .colour = colour ? colour : script_colour[k]};
+        canvas_legend(c, mark, s->name[k]);
+    }
 }

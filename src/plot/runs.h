@@ -4,6 +4,7 @@
 #define JOSTLE_RUNS_H
 
 #include "jostle/result.h"
+#include "plot/canvas.h"
 
 enum { RUNS_MAX = 2 };
 struct runs {
@@ -46,5 +47,9 @@ const char *runs_title(const struct runs *s);
 
 // The longest duration.
 double runs_duration(const struct runs *s);
+
+// Entries of the legend that tell two runs apart: by their colours, or where all is of one `colour`
+// the second by dashes. None for one run.
+void runs_legend(const struct runs *s, const char *colour, struct canvas *c);
 
 #endif

@@ -11,6 +11,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/file.h"
+
 // In bytes. What the library takes before it is asked for again fits into ROOM: half a mebibyte for
 // a file, one for converting what it reads, and some KiB for each object. RESERVE is so large that
 // the C library maps it by itself, away from the pages that core/heap.c has got ready.
@@ -99,11 +101,10 @@ bool h5_start(struct h5 *h) {
 
 int h5_check_file(const char *path, struct error *e) {
     struct stat found;
-    const int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0) {
-        const bool missing = errno == ENOENT || errno == ENOTDIR;
-        return error_set(e, missing ? STATUS_INPUT : STATUS_SYSTEM, "cannot open %s: %s", path,
-                         strerror(errno));
+    int file;
+    const int status = file_open(path, &file, e);
+    if (status != STATUS_OK) {
+        return status;
     }
     const mode_t mode = fstat(file, &found) == 0 ? found.st_mode : 0;
     close(file);

@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "core/arena.h"
+#include "core/file.h"
 #include "result/h5.h"
 
 // Bytes of the head of a collection and of an object, the place of the size in both, and the
@@ -92,16 +92,7 @@ static bool spend(struct h5 *h, uint64_t cost) {
 }
 
 static bool read_at(const struct h5_heap *heap, void *to, size_t n, uint64_t at) {
-    size_t got = 0;
-    while (got < n) {
-        const ssize_t more =
-            pread(heap->file, (char *)to + got, n - got, (off_t)(heap->base + at + got));
-        if (more <= 0) {
-            return false;
-        }
-        got += (size_t)more;
-    }
-    return true;
+    return file_read(heap->file, to, n, (off_t)(heap->base + at)) == (ssize_t)n;
 }
 
 // The collection at an address, into heap->bytes.

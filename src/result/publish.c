@@ -42,8 +42,8 @@ int result_check_path(const char *path, enum result_existing existing, struct er
     return existing == RESULT_KEEP ? exists(e, path) : STATUS_OK;
 }
 
-static int synchronise(const char *part, const char *path, struct error *e) {
-    int file = open(part, O_RDWR);
+static int synchronise(const char *draft, const char *path, struct error *e) {
+    int file = open(draft, O_RDWR);
     if (file < 0 || fsync(file) != 0) {
         int cause = errno;
         if (file >= 0) {
@@ -54,13 +54,13 @@ static int synchronise(const char *part, const char *path, struct error *e) {
     return close(file) == 0 ? STATUS_OK : cannot_write(e, path, errno);
 }
 
-static int replace(const char *part, const char *path, struct error *e) {
-    return rename(part, path) == 0 ? STATUS_OK : cannot_write(e, path, errno);
+static int replace(const char *draft, const char *path, struct error *e) {
+    return rename(draft, path) == 0 ? STATUS_OK : cannot_write(e, path, errno);
 }
 
-static int keep(const char *part, const char *path, struct error *e) {
-    if (link(part, path) == 0) {
-        unlink(part);
+static int keep(const char *draft, const char *path, struct error *e) {
+    if (link(draft, path) == 0) {
+        unlink(draft);
         return STATUS_OK;
     }
     if (errno == EEXIST) {
@@ -71,21 +71,21 @@ static int keep(const char *part, const char *path, struct error *e) {
         return errno == EEXIST ? exists(e, path) : cannot_write(e, path, errno);
     }
     close(placeholder);
-    int status = replace(part, path, e);
+    int status = replace(draft, path, e);
     if (status != STATUS_OK) {
         unlink(path);
     }
     return status;
 }
 
-int result_publish(const char *part, const char *path, enum result_existing existing,
+int result_publish(const char *draft, const char *path, enum result_existing existing,
                    struct error *e) {
-    int status = synchronise(part, path, e);
+    int status = synchronise(draft, path, e);
     if (status == STATUS_OK) {
-        status = existing == RESULT_REPLACE ? replace(part, path, e) : keep(part, path, e);
+        status = existing == RESULT_REPLACE ? replace(draft, path, e) : keep(draft, path, e);
     }
     if (status != STATUS_OK) {
-        unlink(part);
+        unlink(draft);
     }
     return status;
 }

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "result/part.h"
+#include "result/h5_draft.h"
 #include "result/study_box.h"
 #include "result/study_writer.h"
 #include "result/writer.h"
@@ -127,11 +127,12 @@ static void close_all(struct study_writer *w) {
     h5_close_file(&w->h);
 }
 
-static int write_part(struct study_writer *w, const char *path, const char *part, struct error *e) {
+static int write_draft(struct study_writer *w, const char *path, const char *draft,
+                       struct error *e) {
     struct block b = {0};
     int status = block_init(&b, w->content, e);
     if (status == STATUS_OK) {
-        status = part_create(&w->h, path, part, e);
+        status = h5_draft_create(&w->h, path, draft, e);
     }
     if (status == STATUS_OK) {
         study_tree(w);
@@ -153,13 +154,13 @@ static int write_part(struct study_writer *w, const char *path, const char *part
     return status;
 }
 
-static int write_all(struct study_writer *w, const struct result_options *o, const char *part,
+static int write_all(struct study_writer *w, const struct result_options *o, const char *draft,
                      struct error *e) {
-    int status = write_part(w, o->path, part, e);
+    int status = write_draft(w, o->path, draft, e);
     if (status == STATUS_OK) {
-        status = result_publish(part, o->path, o->existing, e);
+        status = result_publish(draft, o->path, o->existing, e);
     } else if (w->h.lock >= 0) {
-        unlink(part);
+        unlink(draft);
     }
     h5_unlock(&w->h);
     return status;
@@ -182,7 +183,7 @@ bool study_file_is_study(const char *path) {
 
 int study_file_check(const struct study_content *c, const struct result_options *o,
                      struct error *e) {
-    int status = part_check(c->first, o, e);
+    int status = h5_draft_check(c->first, o, e);
     return status == STATUS_OK ? study_tree_check(c, e) : status;
 }
 
@@ -213,17 +214,17 @@ int study_file_write(const struct study_content *c, const struct result_options 
     }
     const size_t n = (size_t)c->table->n_item, n_path = strlen(o->path) + sizeof ".part";
     w.dataset = malloc(n * sizeof *w.dataset);
-    char *part = malloc(n_path);
+    char *draft = malloc(n_path);
     for (size_t i = 0; w.dataset && i < n; i++) {
         w.dataset[i] = -1;
     }
-    if (w.dataset && part) {
-        snprintf(part, n_path, "%s.part", o->path);
-        status = write_all(&w, o, part, e);
+    if (w.dataset && draft) {
+        snprintf(draft, n_path, "%s.part", o->path);
+        status = write_all(&w, o, draft, e);
     } else {
         status = error_no_memory(e);
     }
     free(w.dataset);
-    free(part);
+    free(draft);
     return status;
 }

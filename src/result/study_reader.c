@@ -229,6 +229,13 @@ long study_view_run(const struct study_view *v, long i) {
     return v->part.run ? (long)v->part.run[i] - 1 : i;
 }
 
+int study_view_choice(const struct study_view *v, long run, int i) {
+    for (int k = v->n_sweep - 1; k > i; k--) {
+        run /= v->sweep[k]->n;
+    }
+    return (int)(run % v->sweep[i]->n);
+}
+
 static void get_all(struct study_file *f) {
     struct study_view *v = &f->view;
     v->title = h5_get_text(&f->h, v->arena, f->h.file, "title");

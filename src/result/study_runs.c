@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the runs of an open study file gave.
+#include <stdlib.h>
 #include <string.h>
 
 #include "result/study_box.h"
@@ -45,4 +46,42 @@ int study_file_read(struct study_file *f, long first, long n, struct study_outco
         at += (long)box.n;
     }
     return f->h.failed ? study_reader_fail(f, e) : STATUS_OK;
+}
+
+enum { BLOCK_RUNS = 256, BLOCK_VALUES = 1 << 21 };
+struct block {
+    long capacity;
+    struct study_outcome *outcome;  // (capacity)
+    double *value;                  // (capacity, n_value)
+};
+
+static int take_all(struct study_file *f, const struct block *b, study_run_function *take,
+                    void *context, struct error *e) {
+    const struct study_view *v = &f->view;
+    int status = STATUS_OK;
+    for (long first = 0; first < v->n_run && status == STATUS_OK; first += b->capacity) {
+        const long left = v->n_run - first, n = left < b->capacity ? left : b->capacity;
+        status = study_file_read(f, first, n, b->outcome, b->value, e);
+        for (long i = 0; i < n && status == STATUS_OK; i++) {
+            const struct study_run run = {study_view_run(v, first + i), &b->outcome[i],
+                                          b->value + (size_t)i * v->table.n_value};
+            status = take(context, &run, e);
+        }
+    }
+    return status;
+}
+
+int study_file_each(struct study_file *f, study_run_function *take, void *context,
+                    struct error *e) {
+    const size_t n_value = f->view.table.n_value + 1;
+    struct block b = {.capacity = n_value > BLOCK_VALUES / BLOCK_RUNS
+                                      ? (long)(BLOCK_VALUES / n_value) + 1
+                                      : BLOCK_RUNS};
+    b.outcome = malloc((size_t)b.capacity * sizeof *b.outcome);
+    b.value = malloc((size_t)b.capacity * n_value * sizeof *b.value);
+    const int status =
+        b.outcome && b.value ? take_all(f, &b, take, context, e) : error_no_memory(e);
+    free(b.outcome);
+    free(b.value);
+    return status;
 }

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "result/part.h"
+#include "result/h5_draft.h"
 #include "result/study_samples.h"
 #include "result/study_writer.h"
 
@@ -51,7 +51,7 @@ bool study_tree_is_shared(const struct column *c) {
 
 static void put_attributes(struct study_writer *w) {
     const struct report *r = w->content->first;
-    part_attributes(&w->h, w->h.file, r);
+    h5_draft_attributes(&w->h, w->h.file, r);
     for (int c = 0; c < layout_root.n_column; c++) {
         if (study_tree_is_shared(&layout_root.column[c])) {
             h5_put_member(&w->h, w->h.file, &layout_root, c, r);

@@ -43,7 +43,7 @@ struct result_writer {
 
     // Of a file of its own.
     struct h5 own;
-    char *path, *part;  // owned
+    char *path, *draft;  // owned
     enum result_existing existing;
 };
 

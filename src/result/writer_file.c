@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "result/part.h"
+#include "result/h5_draft.h"
 #include "result/writer.h"
 
 static bool has_file(const struct result_writer *w) {
@@ -23,7 +23,7 @@ static void writer_free(struct result_writer *w) {
     free(w->rows);
     free(w->stream);
     free(w->path);
-    free(w->part);
+    free(w->draft);
     free(w);
 }
 
@@ -32,14 +32,14 @@ void result_abort(struct result_writer *w) {
         return;
     }
     if (w->own.file >= 0) {
-        unlink(w->part);
+        unlink(w->draft);
     }
     h5_spend_reserve(&w->own);
     writer_free(w);
 }
 
 static int create_file(struct result_writer *w, struct error *e) {
-    const int status = part_create(&w->own, w->path, w->part, e);
+    const int status = h5_draft_create(&w->own, w->path, w->draft, e);
     w->root = w->own.file;
     return status;
 }
@@ -55,12 +55,12 @@ static char *joined(const char *path, const char *ending) {
 }
 
 static int open_file(struct result_writer *w, const struct result_options *o, struct error *e) {
-    int status = part_check(w->report, o, e);
+    int status = h5_draft_check(w->report, o, e);
     if (status != STATUS_OK) {
         return status;
     }
-    w->part = joined(o->path, ".part");
-    return w->part ? create_file(w, e) : error_no_memory(e);
+    w->draft = joined(o->path, ".part");
+    return w->draft ? create_file(w, e) : error_no_memory(e);
 }
 
 // Writes what is known before the run; *out is `w`, which is freed where that fails. `w` NULL:
@@ -129,9 +129,9 @@ static int finish_file(struct result_writer *w, int status, struct error *e) {
         status = close_file(w, e);
     }
     if (status == STATUS_OK) {
-        return result_publish(w->part, w->path, w->existing, e);
+        return result_publish(w->draft, w->path, w->existing, e);
     }
-    unlink(w->part);
+    unlink(w->draft);
     return status;
 }
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "result/part.h"
+#include "result/h5_draft.h"
 #include "result/writer.h"
 
 // Rows of a chunk of the histories; 0: contiguous, as all rows are written at once.
@@ -137,7 +137,7 @@ static void put_ground(struct result_writer *w) {
 }
 
 static void put_attributes(struct result_writer *w) {
-    part_attributes(w->h, w->root, w->report);
+    h5_draft_attributes(w->h, w->root, w->report);
     for (int c = 0; c < layout_root.n_column; c++) {
         h5_put_member(w->h, w->root, &layout_root, c, w->report);
     }

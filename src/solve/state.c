@@ -67,6 +67,14 @@ void state_open_link(struct state *s, int k) {
     s->link[k] = (struct link_state){0};
 }
 
+void state_open_where(struct state *s, const struct model *m, state_question *opens) {
+    for (int i = s->n_live - 1; i >= 0; i--) {
+        if (opens(s, m, s->live[i])) {
+            state_open_link(s, s->live[i]);
+        }
+    }
+}
+
 static void inelastic_shears(struct state *s, const struct model *m) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
@@ -174,15 +182,10 @@ static void start_links(struct state *s, const struct model *m) {
     }
 }
 
-// Opens the rigid contacts that nothing presses together.
-static void open_idle(struct state *s, const struct model *m) {
-    for (int i = s->n_live - 1; i >= 0; i--) {
-        int k = s->live[i];
-        double least = m->link[k].mass * rest_rounding(&m->link[k], s->a);
-        if (m->link[k].law->rebound && s->link[k].force <= least) {
-            state_open_link(s, k);
-        }
-    }
+// Is link k a rigid contact that nothing presses together?
+static bool is_idle(const struct state *s, const struct model *m, int k) {
+    double least = m->link[k].mass * rest_rounding(&m->link[k], s->a);
+    return m->link[k].law->rebound && s->link[k].force <= least;
 }
 
 bool state_rests(const struct state *s, const struct model *m, int k) {
@@ -248,5 +251,5 @@ void state_start(struct state *s, const struct model *m) {
     state_commit_storeys(s, m);
     start_links(s, m);
     state_equilibrium(s, m);
-    open_idle(s, m);
+    state_open_where(s, m, is_idle);
 }

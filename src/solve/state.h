@@ -66,6 +66,10 @@ static inline void state_enliven(struct state *s, int k) {
 // Opens link k and takes it out of `live`.
 void state_open_link(struct state *s, int k);
 
+// Opens the live links of which `opens` is true.
+typedef bool state_question(const struct state *s, const struct model *m, int k);
+void state_open_where(struct state *s, const struct model *m, state_question *opens);
+
 // Bring the histories of the storeys to the drifts of a solved state, and those of closed links to
 // its penetrations.
 void state_commit_storeys(struct state *s, const struct model *m);

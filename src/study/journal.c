@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/file_name.h"
+#include "core/file.h"
 #include "study/entry.h"
 
 static const char magic[8] = "jostle3\n";
@@ -38,25 +38,6 @@ void journal_remove(struct journal *j) {
         unlink(j->path);
     }
     journal_close(j);
-}
-
-// Reads `n` bytes at `at`; the number read, fewer at the end of the file, -1 after an error.
-static ssize_t read_at(const struct journal *j, void *to, size_t n, off_t at) {
-    size_t got = 0;
-    while (got < n) {
-        ssize_t more = pread(j->file, (char *)to + got, n - got, at + (off_t)got);
-        if (more < 0 && errno == EINTR) {
-            continue;
-        }
-        if (more < 0) {
-            return -1;
-        }
-        if (more == 0) {
-            break;
-        }
-        got += (size_t)more;
-    }
-    return (ssize_t)got;
 }
 
 static int write_at(const struct journal *j, const void *from, size_t n, off_t at) {
@@ -102,7 +83,7 @@ static int append(struct journal *j, enum entry_kind kind, size_t n, struct erro
 // one; else an error.
 static int load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t *n,
                       struct error *e) {
-    ssize_t got = read_at(j, j->buffer, ENTRY_HEAD, at);
+    ssize_t got = file_read(j->file, j->buffer, ENTRY_HEAD, at);
     if (got < 0) {
         return cannot(j, "read", e);
     }
@@ -116,7 +97,7 @@ static int load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t
     if (!reserve(j, size)) {
         return error_no_memory(e);
     }
-    got = read_at(j, j->buffer, size, at);
+    got = file_read(j->file, j->buffer, size, at);
     if (got < 0) {
         return cannot(j, "read", e);
     }
@@ -142,7 +123,7 @@ static int load_head(struct journal *j, struct error *e) {
     char found[sizeof magic];
     enum entry_kind kind;
     size_t n;
-    ssize_t got = read_at(j, found, sizeof found, 0);
+    ssize_t got = file_read(j->file, found, sizeof found, 0);
     if (got < 0) {
         return cannot(j, "read", e);
     }
@@ -153,7 +134,7 @@ static int load_head(struct journal *j, struct error *e) {
         return error_set(e, STATUS_INPUT,
                          "%s is not the journal of a study; move it out of the way", j->path);
     }
-    if (read_at(j, j->buffer, ENTRY_HEAD, sizeof magic) == ENTRY_HEAD &&
+    if (file_read(j->file, j->buffer, ENTRY_HEAD, sizeof magic) == ENTRY_HEAD &&
         entry_is_foreign(j->buffer)) {
         return take_foreign(j, e);
     }
@@ -246,7 +227,7 @@ static int find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_
     enum { BLOCK = 1 << 14 };
     unsigned char block[BLOCK];
     ssize_t got;
-    while ((got = read_at(j, block, BLOCK, *at)) >= ENTRY_HEAD) {
+    while ((got = file_read(j->file, block, BLOCK, *at)) >= ENTRY_HEAD) {
         for (ssize_t i = 0; i + ENTRY_HEAD <= got; i++, ++*at) {
             const int sound = is_head(j, block + i, kind, n) ? load_entry(j, *at, kind, n, e) : 0;
             if (sound != 0) {
@@ -264,8 +245,8 @@ static bool is_torn(const struct journal *j, off_t at) {
     size_t n;
     const off_t left = lseek(j->file, 0, SEEK_END) - at;
     return left < ENTRY_HEAD ||
-           (read_at(j, start, ENTRY_HEAD, at) == ENTRY_HEAD && is_head(j, start, &kind, &n) &&
-            left < (off_t)(ENTRY_HEAD + n + ENTRY_TAIL));
+           (file_read(j->file, start, ENTRY_HEAD, at) == ENTRY_HEAD &&
+            is_head(j, start, &kind, &n) && left < (off_t)(ENTRY_HEAD + n + ENTRY_TAIL));
 }
 
 int journal_load(struct journal *j, journal_file_function *file, void *context, struct error *e) {

@@ -4,15 +4,11 @@
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "study/percentile.h"
 #include "study/roles.h"
-
-// Runs are read in blocks.
-enum { BLOCK_RUNS = 256 };
 
 // A suite while it is made.
 struct maker {
@@ -43,14 +39,6 @@ static const char *append_value(struct maker *m, const char *text, int sweep, in
                      s->number ? number : s->label[k], plain ? "" : " ", plain ? "" : units);
     m->no_memory |= !all;
     return all ? all : "";
-}
-
-// The value of each sweep in run number `run`.
-static void digits(const struct study_view *v, long run, int *k) {
-    for (int i = v->n_sweep - 1; i >= 0; i--) {
-        k[i] = (int)(run % v->sweep[i]->n);
-        run /= v->sweep[i]->n;
-    }
 }
 
 // The number of a run among the values of the sweeps of a role.
@@ -158,11 +146,14 @@ static bool is_looked_at(const struct maker *m, const int *k) {
     return true;
 }
 
-static int take_run(struct maker *m, long run, const struct study_outcome *outcome,
-                    const double *value, struct error *e) {
+static int take_run(void *context, const struct study_run *r, struct error *e) {
+    struct maker *m = context;
     struct suite *s = m->s;
+    const struct study_outcome *outcome = r->outcome;
     int k[STUDY_SWEEPS_MAX];
-    digits(s->view, run, k);
+    for (int i = 0; i < s->view->n_sweep; i++) {
+        k[i] = study_view_choice(s->view, r->number, i);
+    }
     const bool there = outcome->status == STUDY_DONE || outcome->status == STUDY_FAILED;
     if (!there || !is_looked_at(m, k)) {
         return STATUS_OK;
@@ -173,7 +164,7 @@ static int take_run(struct maker *m, long run, const struct study_outcome *outco
     const size_t at = (group * (size_t)s->n_sample + sample) * (size_t)s->n_point +
                       (size_t)m->place[k[m->roles.abscissa]];
     int place;
-    m->value[at] = edp_value(&s->edp, value, &place);
+    m->value[at] = edp_value(&s->edp, r->value, &place);
     if (outcome->status == STUDY_DONE && isfinite(m->value[at])) {
         return STATUS_OK;
     }
@@ -181,33 +172,9 @@ static int take_run(struct maker *m, long run, const struct study_outcome *outco
         return edp_absent(&s->edp, place, e);
     }
     m->value[at] = s->rule == SUITE_FAILED_ABOVE ? INFINITY : NAN;
-    name_failed(m, run, k,
+    name_failed(m, r->number, k,
                 outcome->status == STUDY_DONE ? "its value is not finite" : outcome->message);
     return STATUS_OK;
-}
-
-static int read_runs(struct maker *m, struct study_file *f, struct study_outcome *outcome,
-                     double *value, struct error *e) {
-    const struct study_view *v = m->s->view;
-    int status = STATUS_OK;
-    for (long first = 0; first < v->n_run && status == STATUS_OK; first += BLOCK_RUNS) {
-        const long n = v->n_run - first < BLOCK_RUNS ? v->n_run - first : BLOCK_RUNS;
-        status = study_file_read(f, first, n, outcome, value, e);
-        for (long i = 0; i < n && status == STATUS_OK; i++) {
-            status = take_run(m, study_view_run(v, first + i), &outcome[i],
-                              value + (size_t)i * v->table.n_value, e);
-        }
-    }
-    return status;
-}
-
-static int read_all(struct maker *m, struct study_file *f, struct error *e) {
-    struct study_outcome *outcome = malloc(BLOCK_RUNS * sizeof *outcome);
-    double *value = calloc(BLOCK_RUNS * (m->s->view->table.n_value + 1), sizeof *value);
-    int status = outcome && value ? read_runs(m, f, outcome, value, e) : error_no_memory(e);
-    free(outcome);
-    free(value);
-    return status;
 }
 
 // Storey heights are 0 where the deck gives none; the first run that was done says so.
@@ -272,7 +239,7 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
         name_roles(m);
     }
     if (!m->no_memory) {
-        status = read_all(m, f, e);
+        status = study_file_each(f, take_run, m, e);
     }
     return m->no_memory ? error_no_memory(e) : status;
 }

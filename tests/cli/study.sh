@@ -52,6 +52,8 @@ expect "with the numbers of its path" 'grep -q "	done	contacts	" "$out" && cmp -
 sed 's|^units.*|&\nparam record records/two.txt|' grid.deck >param.deck
 run "$jostle" run param.deck -q -o above.h5 -D record=one
 expect "a param above the sweep takes the label too" '[ $status -eq 0 ] && "$jostle" show above.h5 --tsv | cmp -s - by_path.tsv'
+run "$jostle" check param.deck -D record=oen
+expect "one that is mistyped is told, once, with the one that was meant" '[ $status -eq 2 ] && grep -q "error: unknown record .oen.; did you mean .one.?" "$err" && said "1 error in"'
 { grep -v "^sweep record" param.deck; grep "^sweep record" param.deck; } >by_late.deck
 run "$jostle" run by_late.deck -q -D record=one
 expect "also one that is used above the sweep" '[ $status -eq 0 ] && "$jostle" show by_late.h5 --tsv | cmp -s - by_path.tsv'
@@ -62,7 +64,7 @@ run "$jostle" run beside.deck -q -o beside.h5 -D gap=8mm -D k=1e6 -D record=one
 expect "which is looked for beside the deck with the sweep" '[ $status -eq 0 ] && [ ! -s "$err" ]'
 mv suite/records records; rm -r suite beside.*
 run "$jostle" run whole.deck -q -o none.h5 -D gap=8mm -D k=1e6 -D record=three
-expect "what is neither is refused" '[ $status -eq 2 ] && said "cannot open three"'
+expect "what is neither is refused" '[ $status -eq 2 ] && grep -q "error: unknown record .three.; known: one, two" "$err" && said "1 error in"'
 if command -v h5diff >/dev/null; then
     for path in buildings/A/displacement buildings/B/storey_shear contacts/force impacts/t_start energy/input time; do
         run h5diff whole.h5 single.h5 /runs/000009/$path /$path

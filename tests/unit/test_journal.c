@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "core/file_name.h"
+#include "core/file.h"
 #include "study/journal.h"
 #include "support/support.h"
 

@@ -166,6 +166,23 @@ static void a_number_is_shown_by_no_more_digits_than_tell_it_from_others(void **
     }
 }
 
+static void a_file_has_a_name_without_folder_and_ending(void **state) {
+    (void)state;
+    static const struct {
+        const char *path, *name;
+        size_t n;
+    } row[] = {{"a/b.c/two.towers.h5", "two.towers.h5", 10},
+               {"b.c/towers", "towers", 6},
+               {".h5", ".h5", 3},
+               {"a/.b.h5", ".b.h5", 2},
+               {"a/", "", 0}};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        size_t n;
+        assert_string_equal(text_stem(row[i].path, &n), row[i].name);
+        assert_int_equal(n, row[i].n);
+    }
+}
+
 static void files_that_cannot_be_read_are_named(void **state) {
     (void)state;
     struct arena *a = arena_create();
@@ -268,6 +285,7 @@ int main(void) {
         cmocka_unit_test(a_cut_never_splits_a_character),
         cmocka_unit_test(shown_texts_are_clean_and_short),
         cmocka_unit_test(a_number_is_shown_by_no_more_digits_than_tell_it_from_others),
+        cmocka_unit_test(a_file_has_a_name_without_folder_and_ending),
         cmocka_unit_test(files_that_cannot_be_read_are_named),
         cmocka_unit_test(messages_show_the_line_with_a_caret),
         cmocka_unit_test(a_long_line_is_cut_around_the_caret),

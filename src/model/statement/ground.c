@@ -71,10 +71,10 @@ static const struct row sine_rows[N_SINE_ROW] = {
         {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN, "buildings it acts under; all if not given"},
 };
 
-enum { N_VARIANT = 2 };
+enum { RECORD, SINE, N_VARIANT };
 static const struct statement_variant variants[N_VARIANT] = {
-    {"record", "acceleration from a file", record_rows, N_RECORD_ROW},
-    {"sine", "A sin(2 pi F t + P) with t from the start", sine_rows, N_SINE_ROW},
+    [RECORD] = {"record", "acceleration from a file", record_rows, N_RECORD_ROW},
+    [SINE] = {"sine", "A sin(2 pi F t + P) with t from the start", sine_rows, N_SINE_ROW},
 };
 
 // The indices of the buildings named; false after a report.
@@ -236,16 +236,14 @@ static void build_sine(struct builder *b, const struct statement *s) {
 }
 
 static void build(struct builder *b, const struct statement *s) {
-    enum { RECORD, SINE, N_KIND };
-    static const char *const kinds[N_KIND] = {[RECORD] = "record", [SINE] = "sine"};
     if (s->n_plain < 2) {
         deck_error(b->deck, &s->word[0], "ground needs 'record' or 'sine'");
         return;
     }
-    const int kind = deck_keyword(b->deck, &s->word[1], "ground motion", kinds, N_KIND);
-    if (kind == RECORD) {
+    const int variant = builder_variant(b, &s->word[1], "ground motion", &statement_ground);
+    if (variant == RECORD) {
         build_record(b, s);
-    } else if (kind == SINE) {
+    } else if (variant == SINE) {
         build_sine(b, s);
     }
 }

@@ -15,24 +15,23 @@ static const struct row newmark_rows[N_NEWMARK_ROW] = {
 
 enum { N_VARIANT = 2 };
 static const struct statement_variant variants[N_VARIANT] = {
-    {"newmark", "order 2, implicit, with fixed and adaptive steps", newmark_rows, N_NEWMARK_ROW},
-    {"dormand-prince", "order 5(4), explicit, with step adaptive", NULL, 0},
+    [INTEGRATOR_NEWMARK] = {"newmark", "order 2, implicit, with fixed and adaptive steps",
+                            newmark_rows, N_NEWMARK_ROW},
+    [INTEGRATOR_DORMAND_PRINCE] = {"dormand-prince", "order 5(4), explicit, with step adaptive",
+                                   NULL, 0},
 };
 
 static void build(struct builder *b, const struct statement *s) {
-    enum { NEWMARK, DORMAND_PRINCE, N_KIND };
-    static const char *const kinds[N_KIND] = {
-        [NEWMARK] = "newmark", [DORMAND_PRINCE] = "dormand-prince"};
     struct argument a[N_NEWMARK_ROW] = {0};
     if (!builder_plain(b, s, 1, 1, statement_integrator.usage) ||
         !builder_once(b, &b->integrator, s)) {
         return;
     }
-    const int kind = deck_keyword(b->deck, &s->word[1], "integrator", kinds, N_KIND);
-    if (kind == DORMAND_PRINCE) {
-        b->dormand_prince = true;
+    const int variant = builder_variant(b, &s->word[1], "integrator", &statement_integrator);
+    if (variant == INTEGRATOR_DORMAND_PRINCE) {
+        b->method = INTEGRATOR_DORMAND_PRINCE;
         deck_options(b->deck, s, NULL, 0);
-    } else if (kind == NEWMARK &&
+    } else if (variant == INTEGRATOR_NEWMARK &&
                deck_options(b->deck, s, &(struct row_set){newmark_rows, N_NEWMARK_ROW, a}, 1)) {
         b->beta = a[BETA].number[0];
         b->gamma = a[GAMMA].number[0];

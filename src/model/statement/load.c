@@ -20,11 +20,12 @@ static const struct row history_rows[N_HISTORY_ROW] = {
 static const struct row force_row = {"force", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0},
                                      NULL,    NAN,        "force"};
 
-enum { N_VARIANT = 3 };
+enum { CONSTANT, SINE, HISTORY, N_VARIANT };
 static const struct statement_variant variants[N_VARIANT] = {
-    {"constant", "the same force all the time", NULL, 0},
-    {"sine", "A sin(2 pi F t + P)", sine_rows, SINE_ROWS},
-    {"history", "forces from a file of columns or a series of values", history_rows, N_HISTORY_ROW},
+    [CONSTANT] = {"constant", "the same force all the time", NULL, 0},
+    [SINE] = {"sine", "A sin(2 pi F t + P)", sine_rows, SINE_ROWS},
+    [HISTORY] = {"history", "forces from a file of columns or a series of values", history_rows,
+                 N_HISTORY_ROW},
 };
 
 static bool read_constant(struct builder *b, const struct statement *s, struct signal *out) {
@@ -93,18 +94,18 @@ static void append(struct builder *b, const struct statement *s, const struct se
 }
 
 static void build(struct builder *b, const struct statement *s) {
-    static const char *const kinds[] = {"constant", "sine", "history"};
-    static bool (*const read[])(struct builder *, const struct statement *,
-                                struct signal *) = {read_constant, read_sine, read_history};
+    static bool (*const read[N_VARIANT])(struct builder *, const struct statement *,
+                                         struct signal *) = {
+        [CONSTANT] = read_constant, [SINE] = read_sine, [HISTORY] = read_history};
     if (s->n_plain < 3) {
         deck_error(b->deck, &s->word[0], "too few words; usage: load %s", statement_load.usage);
         return;
     }
     struct selection floors;
     bool selected = builder_select(b, &s->word[1], WALL_REFUSED, &floors);
-    const int kind = deck_keyword(b->deck, &s->word[2], "load", kinds, 3);
+    const int variant = builder_variant(b, &s->word[2], "load", &statement_load);
     struct signal signal;
-    if (kind >= 0 && read[kind](b, s, &signal) && selected) {
+    if (variant >= 0 && read[variant](b, s, &signal) && selected) {
         append(b, s, &floors, &signal);
     }
 }

@@ -29,11 +29,12 @@ static const struct row adaptive_rows[N_ROW] = {
                   "a run that needs shorter steps ends with an error"},
 };
 
-enum { N_VARIANT = 2 };
+enum { FIXED, ADAPTIVE, N_VARIANT };
 static const struct statement_variant variants[N_VARIANT] = {
-    {"fixed", "steps of DT; the last one is shorter where the duration is not a multiple", NULL, 0},
-    {"adaptive", "steps as long as the tolerance allows, which end at impacts", adaptive_rows,
-     N_ROW},
+    [FIXED] = {"fixed", "steps of DT; the last one is shorter where the duration is not a multiple",
+               NULL, 0},
+    [ADAPTIVE] = {"adaptive", "steps as long as the tolerance allows, which end at impacts",
+                  adaptive_rows, N_ROW},
 };
 
 static void build_fixed(struct builder *b, const struct statement *s) {
@@ -64,8 +65,6 @@ static void build_adaptive(struct builder *b, const struct statement *s) {
 }
 
 static void build(struct builder *b, const struct statement *s) {
-    enum { FIXED, ADAPTIVE, N_KIND };
-    static const char *const kinds[N_KIND] = {[FIXED] = "fixed", [ADAPTIVE] = "adaptive"};
     if (!builder_once(b, &b->step, s) || !builder_plain(b, s, 1, 2, statement_step.usage)) {
         return;
     }
@@ -74,10 +73,10 @@ static void build(struct builder *b, const struct statement *s) {
         deck_error(b->deck, &s->word[1], "step needs its kind; write: step fixed %s", word);
         return;
     }
-    const int kind = deck_keyword(b->deck, &s->word[1], "kind of step", kinds, N_KIND);
-    if (kind == FIXED) {
+    const int variant = builder_variant(b, &s->word[1], "kind of step", &statement_step);
+    if (variant == FIXED) {
         build_fixed(b, s);
-    } else if (kind == ADAPTIVE) {
+    } else if (variant == ADAPTIVE) {
         build_adaptive(b, s);
     }
 }

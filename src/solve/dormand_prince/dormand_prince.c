@@ -63,17 +63,8 @@ static void bind(struct dp *p) {
     }
 }
 
-// Rigid contacts that are pressed together at the start meet there at once, which is an error.
-static void open_rigid(struct state *now, const struct model *m) {
-    for (int i = now->n_live - 1; i >= 0; i--) {
-        int k = now->live[i];
-        if (state_rests(now, m, k)) {
-            state_open_link(now, k);
-        }
-    }
-}
-
-// Makes the state of the run that of the integrator.
+// Makes the state of the run that of the integrator. Rigid contacts that are pressed together at
+// the start meet there at once, which is an error.
 static void adopt(struct dp *p, const struct state *start) {
     const struct model *m = p->model;
     struct state *now = &p->now;
@@ -87,7 +78,7 @@ static void adopt(struct dp *p, const struct state *start) {
         state_enliven(now, start->live[i]);
     }
     memcpy(now->link, start->link, (size_t)m->n_link * sizeof *now->link);
-    open_rigid(now, m);
+    state_open_where(now, m, state_rests);
     memcpy(now->ground_v, start->ground_v, (size_t)m->n_ground * sizeof *now->ground_v);
     memcpy(now->storey_history, start->storey_history,
            (size_t)m->n_storey_history * sizeof(double));

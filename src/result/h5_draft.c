@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "result/part.h"
+#include "result/h5_draft.h"
 
 #include <errno.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "result/part_file.h"
+#include "result/draft.h"
 
 static int cannot_write(const char *path, const struct h5 *h, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, h->cause);
@@ -13,47 +13,36 @@ static int cannot_write(const char *path, const struct h5 *h, struct error *e) {
 
 // Did another run come in between, as it made the file or locked it to see whether it is an old
 // one?
-static bool was_raced(const struct h5 *h, const char *part) {
+static bool was_raced(const struct h5 *h, const char *draft) {
     if (h->file >= 0) {
-        return h->lock >= 0 && !part_file_is_ours(h->lock, part);
+        return h->lock >= 0 && !draft_is_ours(h->lock, draft);
     }
     return strcmp(h->cause, strerror(EEXIST)) == 0 || strcmp(h->cause, strerror(EAGAIN)) == 0;
 }
 
-static void give_up(struct h5 *h) {
+static int make_file(void *context, const char *draft, struct error *e) {
+    struct h5 *h = context;
+    (void)e;
+    h5_create(h, draft);
+    if (!was_raced(h, draft)) {
+        return STATUS_OK;  // or it failed: h->failed
+    }
     h5_close_types(h);
     h5_close_file(h);
     h5_unlock(h);
     h->failed = false;
+    return STATUS_RETRY;
 }
 
-// Between its making and its lock another run may take the file for an old one, and so may that one
-// lose its own: then all try again, until one finds the file of another locked.
-static int create_alone(struct h5 *h, const char *path, const char *part, struct error *e) {
-    enum { ATTEMPTS = 20 };
-    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
-        const int status = part_file_clear(path, part, e);
-        if (status != STATUS_OK) {
-            return status;
-        }
-        h5_create(h, part);
-        if (!was_raced(h, part)) {
-            return STATUS_OK;
-        }
-        give_up(h);
-    }
-    return part_file_taken(path, part, e);
-}
-
-int part_create(struct h5 *h, const char *path, const char *part, struct error *e) {
-    int status = create_alone(h, path, part, e);
+int h5_draft_create(struct h5 *h, const char *path, const char *draft, struct error *e) {
+    int status = draft_make(path, draft, make_file, h, e);
     if (status != STATUS_OK || !h->failed) {
         return status;
     }
     if (h->file >= 0) {
-        unlink(part);
+        unlink(draft);
     } else {
-        status = part_file_clear(path, part, e);  // what the library has left on a full disk
+        status = draft_clear(path, draft, e);  // what the library has left on a full disk
     }
     return status == STATUS_OK ? cannot_write(path, h, e) : status;
 }
@@ -72,12 +61,12 @@ static int check_names(const struct report *r, struct error *e) {
     return STATUS_OK;
 }
 
-int part_check(const struct report *r, const struct result_options *o, struct error *e) {
+int h5_draft_check(const struct report *r, const struct result_options *o, struct error *e) {
     int status = result_check_path(o->path, o->existing, e);
     return status == STATUS_OK ? check_names(r, e) : status;
 }
 
-void part_attributes(struct h5 *h, hid_t root, const struct report *r) {
+void h5_draft_attributes(struct h5 *h, hid_t root, const struct report *r) {
     h5_put_text(h, root, "format", "jostle");
     h5_put_long(h, root, "format_version", RESULT_FORMAT_VERSION);
     h5_put_text(h, root, "status", "running");
