@@ -18,12 +18,12 @@
 // X_l(f) being where the law of link l gives f; line_excess gives its derivative.
 #include "solve/contact/block.h"
 
-#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "solve/contact/band.h"
 #include "solve/contact/contact.h"
 #include "solve/contact/sweep.h"
 
@@ -38,9 +38,8 @@ bool block_alloc(struct block *b, const struct model *m, struct arena *a) {
     size_t n = (size_t)b->most;
     b->matrix = arena_alloc(a, n * n, sizeof *b->matrix);
     b->vector = arena_alloc(a, n, sizeof *b->vector);
-    b->order = arena_alloc(a, n, sizeof *b->order);
     b->kept_q = lanes_array(a, m->n_dof);
-    return b->matrix && b->vector && b->order && b->kept_q;
+    return b->matrix && b->vector && b->kept_q;
 }
 
 // Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different
@@ -70,9 +69,34 @@ static double share_at(const struct line *line, enum branch branch, double force
     return slope > -0.5 && share < HELD ? share : HELD;
 }
 
-// The matrix of the cluster, and f* - f into `r`.
+static bool share_a_building(const struct link *l, const struct link *k) {
+    bool share = false;
+    for (int i = 0; i < 4; i++) {
+        int building = l->building[i / 2];
+        share |= building != WALL && building == k->building[i % 2];
+    }
+    return share;
+}
+
+// How far from the diagonal the matrix of the cluster has entries: in a row of buildings whose
+// contacts are in order, as far as those of a building are from each other.
+static int width_of(const struct work *w, const struct cluster *c) {
+    int width = 0;
+    for (int i = 0; i < c->n; i++) {
+        const struct link *l = &w->model->link[c->link[i]];
+        int j = 0;
+        while (j < i - width && !share_a_building(l, &w->model->link[c->link[j]])) {
+            j++;
+        }
+        width = i - j;
+    }
+    return width;
+}
+
+// The matrix of the cluster, whose band is `width`, and f* - f into `r`.
 static void linearise(struct work *w, const struct state *now, const struct state *next,
-                      const struct cluster *c, double *r) {
+                      const struct cluster *c, int width, double *r) {
+    memset(w->block.matrix, 0, (size_t)c->n * (size_t)c->n * sizeof *w->block.matrix);
     for (int i = 0; i < c->n; i++) {
         int k = c->link[i];
         struct line line = contact_line(w, now, next, k);
@@ -80,7 +104,8 @@ static void linearise(struct work *w, const struct state *now, const struct stat
         enum branch branch = line_answer(&line, w->link[k].force, &force);
         double share = share_at(&line, branch, force) / w->link[k].flexibility;
         double *row = w->block.matrix + (size_t)i * (size_t)c->n;
-        for (int j = 0; j < c->n; j++) {
+        int end = i + width < c->n ? i + width + 1 : c->n;
+        for (int j = i > width ? i - width : 0; j < end; j++) {
             row[j] = i == j
                          ? 1.0
                          : share * flexibility(w, &w->model->link[k], &w->model->link[c->link[j]]);
@@ -92,21 +117,9 @@ static void linearise(struct work *w, const struct state *now, const struct stat
 // The Newton step into `df`; false: not finite.
 static bool newton_step(struct work *w, const struct state *now, const struct state *next,
                         const struct cluster *c, double *df) {
-    size_t n = (size_t)c->n;
-    int sign;
-    linearise(w, now, next, c, df);
-    gsl_matrix_view a = gsl_matrix_view_array(w->block.matrix, n, n);
-    gsl_vector_view x = gsl_vector_view_array(df, n);
-    gsl_permutation p = {.size = n, .data = w->block.order};
-    if (gsl_linalg_LU_decomp(&a.matrix, &p, &sign) != 0 ||
-        gsl_linalg_LU_svx(&a.matrix, &p, &x.vector) != 0) {
-        return false;
-    }
-    bool finite = true;
-    for (size_t i = 0; i < n; i++) {
-        finite &= isfinite(df[i]) != 0;
-    }
-    return finite;
+    int width = width_of(w, c);
+    linearise(w, now, next, c, width, df);
+    return band_solve(w->block.matrix, df, c->n, width);
 }
 
 static void apply(struct work *w, const struct cluster *c, double part, const double *df) {

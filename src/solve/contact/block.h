@@ -9,10 +9,9 @@ struct work;
 
 // Scratch of a cluster, and what is to be restored.
 struct block {
-    int most;        // links of a cluster; larger ones are left to sweeps, as the matrix is full
+    int most;        // links of a cluster; larger ones are left to sweeps
     double *matrix;  // (most, most)
     double *vector;  // (most)
-    size_t *order;   // (most)
     double *kept_q;  // [L/T^2] (n_dof)
 };
 
