@@ -33,14 +33,20 @@ enum { BLOCK_MAX = 400 };
 enum { WHOLE_STEPS = 12, PARTS = 20 };
 static const double HELD = 1.0 - 1e-10;
 
+// Columns of a band in the storage of gsl_linalg_LU_band_decomp: column j of the matrix is its row
+// j, with the diagonal in column 2 width; exchanges of rows fill what is left of it.
+static size_t columns_of(size_t width) {
+    return 3 * width + 1;
+}
+
 bool block_alloc(struct block *b, const struct model *m, struct arena *a) {
     b->most = m->n_link < BLOCK_MAX ? m->n_link : BLOCK_MAX;
     size_t n = (size_t)b->most;
-    b->matrix = arena_alloc(a, n * n, sizeof *b->matrix);
+    b->band = arena_alloc(a, n * columns_of(n - 1), sizeof *b->band);
     b->vector = arena_alloc(a, n, sizeof *b->vector);
     b->order = arena_alloc(a, n, sizeof *b->order);
     b->kept_q = lanes_array(a, m->n_dof);
-    return b->matrix && b->vector && b->order && b->kept_q;
+    return b->band && b->vector && b->order && b->kept_q;
 }
 
 // Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different
@@ -70,20 +76,47 @@ static double share_at(const struct line *line, enum branch branch, double force
     return slope > -0.5 && share < HELD ? share : HELD;
 }
 
-// The matrix of the cluster, and f* - f into `r`.
+static bool share_a_building(const struct link *l, const struct link *k) {
+    bool share = false;
+    for (int i = 0; i < 4; i++) {
+        int building = l->building[i / 2];
+        share |= building != WALL && building == k->building[i % 2];
+    }
+    return share;
+}
+
+// How far from the diagonal the matrix of the cluster has entries: in a row of buildings whose
+// contacts are in order, as far as those of a building are from each other.
+static int width_of(const struct work *w, const struct cluster *c) {
+    int width = 0;
+    for (int i = 0; i < c->n; i++) {
+        const struct link *l = &w->model->link[c->link[i]];
+        int j = 0;
+        while (j < i - width && !share_a_building(l, &w->model->link[c->link[j]])) {
+            j++;
+        }
+        width = i - j;
+    }
+    return width;
+}
+
+// The matrix of the cluster as a band, and f* - f into `r`.
 static void linearise(struct work *w, const struct state *now, const struct state *next,
-                      const struct cluster *c, double *r) {
+                      const struct cluster *c, int width, double *r) {
+    const size_t columns = columns_of((size_t)width);
+    memset(w->block.band, 0, (size_t)c->n * columns * sizeof *w->block.band);
     for (int i = 0; i < c->n; i++) {
         int k = c->link[i];
         struct line line = contact_line(w, now, next, k);
         double force;
         enum branch branch = line_answer(&line, w->link[k].force, &force);
         double share = share_at(&line, branch, force) / w->link[k].flexibility;
-        double *row = w->block.matrix + (size_t)i * (size_t)c->n;
-        for (int j = 0; j < c->n; j++) {
-            row[j] = i == j
-                         ? 1.0
-                         : share * flexibility(w, &w->model->link[k], &w->model->link[c->link[j]]);
+        int end = i + width < c->n ? i + width + 1 : c->n;
+        for (int j = i > width ? i - width : 0; j < end; j++) {
+            double *diagonal = w->block.band + (size_t)j * columns + 2 * width;
+            diagonal[i - j] =
+                i == j ? 1.0
+                       : share * flexibility(w, &w->model->link[k], &w->model->link[c->link[j]]);
         }
         r[i] = force - w->link[k].force;
     }
@@ -92,14 +125,14 @@ static void linearise(struct work *w, const struct state *now, const struct stat
 // The Newton step into `df`; false: not finite.
 static bool newton_step(struct work *w, const struct state *now, const struct state *next,
                         const struct cluster *c, double *df) {
-    size_t n = (size_t)c->n;
-    int sign;
-    linearise(w, now, next, c, df);
-    gsl_matrix_view a = gsl_matrix_view_array(w->block.matrix, n, n);
+    const int width = width_of(w, c);
+    const size_t n = (size_t)c->n, band = (size_t)width;
+    linearise(w, now, next, c, width, df);
+    gsl_matrix_view a = gsl_matrix_view_array(w->block.band, n, columns_of(band));
     gsl_vector_view x = gsl_vector_view_array(df, n);
-    gsl_permutation p = {.size = n, .data = w->block.order};
-    if (gsl_linalg_LU_decomp(&a.matrix, &p, &sign) != 0 ||
-        gsl_linalg_LU_svx(&a.matrix, &p, &x.vector) != 0) {
+    gsl_vector_uint_view order = gsl_vector_uint_view_array(w->block.order, n);
+    if (gsl_linalg_LU_band_decomp(n, band, band, &a.matrix, &order.vector) != 0 ||
+        gsl_linalg_LU_band_svx(band, band, &a.matrix, &order.vector, &x.vector) != 0) {
         return false;
     }
     bool finite = true;

@@ -119,8 +119,10 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
 // The penetration up to which bodies do not hit each other: those at rest move by rounding. Fixed
 // steps know no scale, and are too long for motions of that size to begin in.
 static double touch(const struct work *w, int k) {
-    double gap = fabs(w->model->link[k].gap);
-    return w->scales ? SCALE_ROUNDING * (gap + w->scales->most_u) : 0.0;
+    if (!w->scales) {
+        return 0.0;
+    }
+    return SCALE_ROUNDING * (fabs(w->model->link[k].gap) + w->scales->most_u);
 }
 
 // Does an open link close in this step? One that has just opened may stand a rounding error inside;
