@@ -56,17 +56,12 @@ struct options {
     const char *limit, *range, *tolerance, *percentile, *parameter;
 };
 
-static int show_progress(void *context, long n_done, struct error *e) {
-    progress_show(context, (double)n_done);
-    return interrupt_check(e);
-}
-
 // EXIT_DONE, or the status of what ended the runs.
 static int run_apart(const struct plan *p, const struct options *o, struct apart *a) {
     struct progress progress;
     struct error e;
     const struct gap_runs how = {
-        .n_thread = o->n_thread, .poll = show_progress, .context = &progress};
+        .n_thread = o->n_thread, .poll = progress_poll, .context = &progress};
     progress_start(&progress, (double)p->n_run, "runs");
     int status = apart_run(p, &how, a, &e);
     progress_end(&progress);
@@ -212,7 +207,7 @@ static int run_search(const struct plan *p, const struct options *o) {
     struct error e;
     struct progress progress;
     const struct gap_runs how = {
-        .n_thread = o->n_thread, .poll = show_progress, .context = &progress};
+        .n_thread = o->n_thread, .poll = progress_poll, .context = &progress};
     progress_start(&progress, (double)q.n * (double)p->n_run, "runs");
     status = gap_search_run(&q, &how, &s, &e);
     progress_end(&progress);
