@@ -218,7 +218,7 @@ static int parse_dt(const char *text, struct spectrum_request *q) {
                : command_usage(self, "--dt takes a time > 0 in s, not '%s'", text);
 }
 
-// Where the value of an option that is a text goes; NULL: it is another option.
+// Where the value of an option that is a text goes.
 static const char **text_of(struct spectrum_request *q, int letter) {
     switch (letter) {
         case OPTION_FORMAT:
@@ -229,20 +229,13 @@ static const char **text_of(struct spectrum_request *q, int letter) {
             return &q->picture.script_folder;
         case OPTION_POUNDING:
             return &q->pounding;
-        case 'o':
-            return &q->picture.output;
         default:
-            return NULL;
+            return &q->picture.output;
     }
 }
 
 static int take(void *request, int letter) {
     struct spectrum_request *q = request;
-    const char **text = text_of(q, letter);
-    if (text) {
-        *text = optarg;
-        return EXIT_DONE;
-    }
     switch (letter) {
         case OPTION_DAMPING:
             return parse_damping(optarg, q);
@@ -265,8 +258,11 @@ static int take(void *request, int letter) {
         case OPTION_TSV:
             q->form = FORM_TSV;
             break;
-        default:
+        case OPTION_FORCE:
             q->picture.existing = RESULT_REPLACE;
+            break;
+        default:
+            *text_of(q, letter) = optarg;
     }
     return EXIT_DONE;
 }
