@@ -58,6 +58,9 @@ double unit_convert(double value, double from, double to);
 // The unit of `dimension` in the system `s` as text, "m/s^2", "kN/m", "kg"; "1" for a pure number.
 void unit_text(const struct unit_system *s, struct dimension dimension, char *text, size_t size);
 
+// What stands behind a number in the unit `text`: nothing where that is "1", "unknown" or "".
+const char *unit_suffix(const char *text);
+
 // Names of all simple units, for "nearest word" messages; NULL-terminated.
 extern const char *const unit_names[];
 

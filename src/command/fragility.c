@@ -63,10 +63,6 @@ static void print_details(void) {
            "independent runs, or samples.\n");
 }
 
-static const char *unit_of(const struct suite *s) {
-    return strcmp(s->edp.units, "1") == 0 ? "" : s->edp.units;
-}
-
 static void print_parameters(const struct result *r) {
     const struct fragility *f = &r->fit;
     const char *unit = r->suite->abscissa_units;
@@ -135,7 +131,7 @@ static void print_records(const struct result *r) {
 
 static void print_text(const struct result *r) {
     const struct suite *s = r->suite;
-    const char *unit = unit_of(s);
+    const char *unit = unit_suffix(s->edp.units);
     char head[64];
     printf("\n%s > %.6g%s%s%s%s\n", s->edp.text, r->limit, unit[0] ? " " : "", unit,
            s->group[r->group][0] ? ", " : "", s->group[r->group]);

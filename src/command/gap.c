@@ -56,17 +56,12 @@ struct options {
     const char *limit, *range, *tolerance, *percentile, *parameter;
 };
 
-static int show_progress(void *context, long n_done, struct error *e) {
-    progress_show(context, (double)n_done);
-    return interrupt_check(e);
-}
-
 // EXIT_DONE, or the status of what ended the runs.
 static int run_apart(const struct plan *p, const struct options *o, struct apart *a) {
     struct progress progress;
     struct error e;
     const struct gap_runs how = {
-        .n_thread = o->n_thread, .poll = show_progress, .context = &progress};
+        .n_thread = o->n_thread, .poll = progress_poll, .context = &progress};
     progress_start(&progress, (double)p->n_run, "runs");
     int status = apart_run(p, &how, a, &e);
     progress_end(&progress);
@@ -146,20 +141,20 @@ static int parse_range(const struct unit_system *u, const char *text,
     return EXIT_DONE;
 }
 
-// A quantity of its own that is at least `least` and at most `most`.
+// A quantity from 0 to `most`.
 static int parse_quantity(const char *option, const struct unit_system *u,
-                          const struct dimension *dimension, const char *text, double least,
-                          double most, double *out) {
+                          const struct dimension *dimension, const char *text, double most,
+                          double *out) {
     const char *end = quantity_word(text, u, dimension, BARE_ALLOWED, out);
-    if (end && !*end && *out >= least && *out <= most) {
+    if (end && !*end && *out >= 0.0 && *out <= most) {
         return EXIT_DONE;
     }
     char unit[64];
     unit_text(u, *dimension, unit, sizeof unit);
-    return isinf(most) ? command_usage(&command_gap, "%s takes a value >= %g in %s, not '%s'",
-                                       option, least, unit, text)
-                       : command_usage(&command_gap, "%s takes a number from %g to %g, not '%s'",
-                                       option, least, most, text);
+    return isinf(most) ? command_usage(&command_gap, "%s takes a value >= 0 in %s, not '%s'",
+                                       option, unit, text)
+                       : command_usage(&command_gap, "%s takes a number from 0 to %g, not '%s'",
+                                       option, most, text);
 }
 
 // EDP=VALUE, the EDP by its name in studies.
@@ -188,11 +183,11 @@ static int make_request(const struct plan *p, const struct options *o,
     *q = (struct gap_search_request){.plan = p, .parameter = o->parameter, .percentile = 100.0};
     int status = parse_limit(p, o->limit, q);
     if (status == EXIT_DONE && o->percentile) {
-        status = parse_quantity("--percentile", u, &dimension_none, o->percentile, 0.0, 100.0,
+        status = parse_quantity("--percentile", u, &dimension_none, o->percentile, 100.0,
                                 &q->percentile);
     }
     if (status == EXIT_DONE && o->tolerance) {
-        status = parse_quantity("--tolerance", u, &dimension_length, o->tolerance, 0.0, INFINITY,
+        status = parse_quantity("--tolerance", u, &dimension_length, o->tolerance, INFINITY,
                                 &q->tolerance);
     }
     if (status == EXIT_DONE) {
@@ -212,7 +207,7 @@ static int run_search(const struct plan *p, const struct options *o) {
     struct error e;
     struct progress progress;
     const struct gap_runs how = {
-        .n_thread = o->n_thread, .poll = show_progress, .context = &progress};
+        .n_thread = o->n_thread, .poll = progress_poll, .context = &progress};
     progress_start(&progress, (double)q.n * (double)p->n_run, "runs");
     status = gap_search_run(&q, &how, &s, &e);
     progress_end(&progress);

@@ -14,11 +14,11 @@ static const char *name_of(const struct link *l, struct text_short *t) {
     return text_short(t, l->name);
 }
 
-static void print_number(double x, int width, int digits) {
+static void print_number(double x, int width) {
     if (isnan(x)) {
         printf(" %*s", width, "-");
     } else {
-        printf(" %*.*g", width, digits, x);
+        printf(" %*.4g", width, x);
     }
 }
 
@@ -40,10 +40,10 @@ static void print_closings(const struct plan *p, const struct apart *a, double *
         printf("%-*s", NAME_WIDTH, name_of(&p->first->link[i], &t));
         const double value[] = {s.mean, s.low, s.median, s.high, s.largest};
         for (int k = 0; k < 5; k++) {
-            print_number(value[k], 9, 4);
+            print_number(value[k], 9);
         }
         printf(" %6ld", s.run + 1);
-        print_number(gap, 9, 4);
+        print_number(gap, 9);
         printf(" %9ld\n", apart_hits(a, i));
     }
 }
@@ -60,11 +60,11 @@ static void print_rules(const struct plan *p, const struct apart *a, double *scr
         struct text_short t;
         printf("%-*s", NAME_WIDTH, name_of(&p->first->link[i], &t));
         for (int k = 0; k < 3; k++) {
-            print_number(apart_summarise(a, i, input[k], APART_VALUES, scratch).mean, k < 2 ? 9 : 7,
-                         4);
+            print_number(apart_summarise(a, i, input[k], APART_VALUES, scratch).mean,
+                         k < 2 ? 9 : 7);
         }
         for (int k = 0; k < SEPARATION_RULES; k++) {
-            print_number(apart_summarise(a, i, APART_RULE + k, APART_VALUES, scratch).mean, 13, 4);
+            print_number(apart_summarise(a, i, APART_RULE + k, APART_VALUES, scratch).mean, 13);
         }
         printf("\n");
     }
@@ -109,12 +109,11 @@ static void print_modes(const struct plan *p, const struct apart *a, double *scr
         }
         printf("%-*s", NAME_WIDTH, text_short(&t, m->building[building].name));
         print_number(
-            apart_summarise(a, contact, APART_PERIOD_LEFT + side, APART_VALUES, scratch).mean, 9,
-            4);
+            apart_summarise(a, contact, APART_PERIOD_LEFT + side, APART_VALUES, scratch).mean, 9);
         print_number(
             100.0 *
                 apart_summarise(a, contact, APART_DAMPING_LEFT + side, APART_VALUES, scratch).mean,
-            9, 4);
+            9);
         printf("\n");
     }
 }

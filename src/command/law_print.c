@@ -86,7 +86,7 @@ static void print_columns(const struct law_impacts *l, int first, int last, FILE
     for (int q = 0; q < N_QUANTITY; q++) {
         char unit[32];
         unit_text(&si, *quantities[q].dimension, unit, sizeof unit);
-        fprintf(to, "%-21s %4s", quantities[q].words, strcmp(unit, "1") == 0 ? "" : unit);
+        fprintf(to, "%-21s %4s", quantities[q].words, unit_suffix(unit));
         for (int i = first; i < last; i++) {
             const double value = shown(l, i, q);
             if (isnan(value)) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle merge: the parts of a study to its result file.
-
 #include "command/interrupt.h"
 #include "command/output_name.h"
 #include "command/show_study.h"
@@ -28,7 +27,7 @@ static const char details[] =
 
 struct merge_options {
     struct study_merge_request request;
-    enum { MERGE_QUIET, MERGE_TELL } words;
+    bool quiet;
 };
 
 static int poll_signal(void *context, struct error *e) {
@@ -45,7 +44,7 @@ static int take(void *options, int letter) {
         case 'o':
             return command_once(&command_merge, "-o", &o->request.result.path);
         case 'q':
-            o->words = MERGE_QUIET;
+            o->quiet = true;
             return EXIT_DONE;
         case 'f':
             o->request.result.existing = RESULT_REPLACE;
@@ -85,7 +84,7 @@ static int merge(const struct merge_options *o) {
     if (study_merge(q, &merged, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    if (o->words == MERGE_TELL && show_study_summary(q->result.path, stdout, &e) != STATUS_OK) {
+    if (!o->quiet && show_study_summary(q->result.path, stdout, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     if (merged.left_histories) {
@@ -103,8 +102,7 @@ static int merge_command(int argc, char **argv) {
     struct merge_options o = {
         .request = {.gaps = STUDY_WHOLE,
                     .result = {.existing = RESULT_KEEP, .version = JOSTLE_VERSION},
-                    .poll = poll_signal},
-        .words = MERGE_TELL};
+                    .poll = poll_signal}};
     int status = parse(argc, argv, &o);
     if (status != GO_ON) {
         return status;

@@ -60,11 +60,6 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     return p->title ? EXIT_DONE : command_no_memory();
 }
 
-static int watch(void *context, long n_done, struct error *e) {
-    progress_show(context, (double)n_done);
-    return interrupt_check(e);
-}
-
 static int run_all(struct pounding *p, struct arena *a) {
     const struct spectrum_request *q = p->request;
     const size_t n = (size_t)q->n_period;
@@ -85,7 +80,7 @@ static int run_all(struct pounding *p, struct arena *a) {
                                               .period = q->period,
                                               .n_period = q->n_period,
                                               .n_thread = q->n_thread,
-                                              .poll = watch,
+                                              .poll = progress_poll,
                                               .context = &progress};
     interrupt_catch();
     progress_start(&progress, (double)n * (double)n, "runs");

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "command/interrupt.h"
 #include "core/wall.h"
 
 static const double FIRST = 1.0, INTERVAL = 0.2;  // [s]
@@ -33,6 +34,11 @@ void progress_tell(void *context, long n_done, long n) {
     struct progress *p = context;
     p->duration = (double)n;
     progress_show(p, (double)n_done);
+}
+
+int progress_poll(void *context, long n_done, struct error *e) {
+    progress_show(context, (double)n_done);
+    return interrupt_check(e);
 }
 
 void progress_end(struct progress *p) {

@@ -5,6 +5,8 @@
 
 #include <stdbool.h>
 
+#include "jostle/error.h"
+
 struct progress {
     double duration;   // of the analysis [T]
     const char *unit;  // of time
@@ -19,6 +21,8 @@ void progress_start(struct progress *p, double duration, const char *unit);
 void progress_show(struct progress *p, double time);
 // The same with the duration, as the library tells it; `context` is the progress.
 void progress_tell(void *context, long n_done, long n);
+// The same after `n_done` runs; an error once a signal has come, STATUS_SYSTEM.
+int progress_poll(void *context, long n_done, struct error *e);
 // Takes the line away.
 void progress_end(struct progress *p);
 

@@ -218,6 +218,22 @@ static int parse_dt(const char *text, struct spectrum_request *q) {
                : command_usage(self, "--dt takes a time > 0 in s, not '%s'", text);
 }
 
+// Where the value of an option that is a text goes.
+static const char **text_of(struct spectrum_request *q, int letter) {
+    switch (letter) {
+        case OPTION_FORMAT:
+            return &q->record.format;
+        case OPTION_UNIT:
+            return &q->record.unit;
+        case OPTION_SCRIPT:
+            return &q->picture.script_folder;
+        case OPTION_POUNDING:
+            return &q->pounding;
+        default:
+            return &q->picture.output;
+    }
+}
+
 static int take(void *request, int letter) {
     struct spectrum_request *q = request;
     switch (letter) {
@@ -236,29 +252,17 @@ static int take(void *request, int letter) {
         case 'D':
             q->define[q->n_define++] = optarg;
             break;
-        case OPTION_FORMAT:
-            q->record.format = optarg;
-            break;
-        case OPTION_UNIT:
-            q->record.unit = optarg;
-            break;
         case OPTION_INTENSITIES:
             q->content = CONTENT_INTENSITIES;
             break;
         case OPTION_TSV:
             q->form = FORM_TSV;
             break;
-        case OPTION_SCRIPT:
-            q->picture.script_folder = optarg;
-            break;
         case OPTION_FORCE:
             q->picture.existing = RESULT_REPLACE;
             break;
-        case OPTION_POUNDING:
-            q->pounding = optarg;
-            break;
         default:
-            q->picture.output = optarg;
+            *text_of(q, letter) = optarg;
     }
     return EXIT_DONE;
 }

@@ -36,14 +36,14 @@ static void print_values(const struct sweep *s, FILE *to) {
 }
 
 void sweeps_print_line(const struct sweep *s, const char *units, FILE *to) {
-    const bool plain = !units[0] || strcmp(units, "1") == 0 || strcmp(units, "unknown") == 0;
+    const char *suffix = unit_suffix(units);
     if (s->fixed) {
         fprintf(to, "  %-16s fixed by -D: ", s->name);
     } else {
         fprintf(to, "  %-16s %6d value%s  ", s->name, s->n, s->n == 1 ? ": " : "s:");
     }
     print_values(s, to);
-    fprintf(to, "%s%s\n", plain ? "" : " ", plain ? "" : units);
+    fprintf(to, "%s%s\n", suffix[0] ? " " : "", suffix);
 }
 
 void sweeps_print_along(const struct sweep *s, const struct unit_system *u, FILE *to) {

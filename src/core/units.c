@@ -267,3 +267,7 @@ void unit_text(const struct unit_system *s, struct dimension dimension, char *te
         }
     }
 }
+
+const char *unit_suffix(const char *text) {
+    return strcmp(text, "1") == 0 || strcmp(text, "unknown") == 0 ? "" : text;
+}

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The statements of the language itself: title, units, gravity, param, sweep,
-// include.
+// The statements of the language itself: title, units, gravity, param, sweep, include.
 #include <stdio.h>
 #include <string.h>
 

@@ -179,8 +179,8 @@ static double error_at(struct fit *f, const struct fit_point *p) {
 }
 
 // Searches from `from` with `held` samples in contact (NULL: none are held); *seen: those that
-// really are, in the end.
-// True if the result is better than *out, of which the error is infinite before the first.
+// really are, in the end. True if the result is better than *out, of which the error is infinite
+// before the first.
 static bool improve(struct fit *f, const struct fit_point *from, const struct fit_samples *held,
                     struct fit_samples *seen, struct fit_result *out) {
     struct fit_result r;

@@ -6,7 +6,7 @@
 #include "law/power.h"
 #include "law/restitution.h"
 
-enum { STIFFNESS, EXPONENT, Q, FLOOR };
+enum { STIFFNESS, EXPONENT, Q, LEAST_V0 };
 enum { DAMPING };  // q / v0 [T/L]
 
 const struct row hysteresis_rows[HYSTERESIS_ROWS] = {
@@ -35,12 +35,12 @@ int hysteresis_prepare(const double *value, double (*relation)(double e), double
     constant[STIFFNESS] = value[HYSTERESIS_K];
     constant[EXPONENT] = value[HYSTERESIS_N];
     constant[Q] = restitution_ratio(value[HYSTERESIS_E], value[HYSTERESIS_ZETA], relation);
-    constant[FLOOR] = value[HYSTERESIS_VMIN];
+    constant[LEAST_V0] = value[HYSTERESIS_VMIN];
     return isnan(constant[Q]) ? error_no_memory(e) : STATUS_OK;
 }
 
 void hysteresis_close(const double *constant, double v0, double *history) {
-    history[DAMPING] = constant[Q] / fmax(v0, constant[FLOOR]);
+    history[DAMPING] = constant[Q] / fmax(v0, constant[LEAST_V0]);
 }
 
 struct contact_response hysteresis_force(const double *constant, const double *history, double d,

@@ -2,8 +2,7 @@
 // The family F = k d^n (1 + q v / v0), shared by the laws that differ only in their relation q(e).
 // The force starts and ends at zero, but is negative where the bodies part faster than v0 / q,
 // which happens only when other forces pull them. A velocity at closure below `vmin` counts as
-// vmin: without a floor the dashpot of a gentle touch would grow without bound and glue the bodies
-// together.
+// vmin: else the dashpot of a gentle touch would grow without bound and glue the bodies together.
 #ifndef JOSTLE_HYSTERESIS_H
 #define JOSTLE_HYSTERESIS_H
 

@@ -70,7 +70,7 @@ static double slack(const struct signal *s) {
     return END_SLACK * (s->value ? s->dt : 1e-3 / (s->omega + 1.0));
 }
 
-static double value_at(const struct signal *s, double t) {
+double signal_value(const struct signal *s, double t) {
     double tolerance = slack(s);
     if (t < s->start - tolerance || t > s->end + tolerance) {
         return 0.0;
@@ -83,11 +83,7 @@ static double value_at(const struct signal *s, double t) {
     return s->value[j] + (s->value[j + 1] - s->value[j]) * (x * (1.0 / s->dt));
 }
 
-double signal_value(const struct signal *s, double t) {
-    return value_at(s, t);
-}
-
-// value_at of samples, in lanes, which know numbers of samples as int only.
+// signal_value of samples, in lanes, which know numbers of samples as int only.
 LANES static void add_samples(const struct signal *s, int n, const double *restrict t,
                               double *restrict sum) {
     const double *restrict value = s->value;
@@ -107,7 +103,7 @@ void signal_add_values(const struct signal *s, int n, const double *t, double *s
         return;
     }
     for (int i = 0; i < n; i++) {
-        sum[i] += value_at(s, t[i]);
+        sum[i] += signal_value(s, t[i]);
     }
 }
 

@@ -30,10 +30,10 @@ struct selection {
     bool heights;  // all shown buildings have them
 };
 
-static double largest(const struct report_building *b, enum peak peak) {
+static double largest_drift(const struct report_building *b) {
     double value = 0;
     for (int i = 0; i < b->n_floor; i++) {
-        value = fmax(value, b->peak[peak][i]);
+        value = fmax(value, b->peak[PEAK_DRIFT][i]);
     }
     return value;
 }
@@ -43,8 +43,8 @@ static int least_drift(const struct selection *s) {
     const struct report_building *b = s->s->r[0]->building;
     int least = 0;
     for (int k = 1; k < s->n; k++) {
-        const double drift = largest(&b[s->building[k]], PEAK_DRIFT);
-        least = drift < largest(&b[s->building[least]], PEAK_DRIFT) ? k : least;
+        const double drift = largest_drift(&b[s->building[k]]);
+        least = drift < largest_drift(&b[s->building[least]]) ? k : least;
     }
     return least;
 }
@@ -56,8 +56,7 @@ static struct selection choose(const struct runs *runs) {
     for (int i = 0; i < r->n_building; i++) {
         if (s.n == BUILDINGS_MAX) {
             const int least = least_drift(&s);
-            if (largest(&r->building[i], PEAK_DRIFT) <=
-                largest(&r->building[s.building[least]], PEAK_DRIFT)) {
+            if (largest_drift(&r->building[i]) <= largest_drift(&r->building[s.building[least]])) {
                 continue;
             }
             for (int k = least; k + 1 < s.n; k++) {

@@ -32,11 +32,10 @@ static const char *append_value(struct maker *m, const char *text, int sweep, in
     const struct sweep *s = v->sweep[sweep];
     char number[40];
     snprintf(number, sizeof number, "%.6g", s->number ? s->number[k] : 0.0);
-    const char *units = v->sweep_units[sweep];
-    const bool plain = !units[0] || strcmp(units, "1") == 0 || strcmp(units, "unknown") == 0;
+    const char *units = unit_suffix(v->sweep_units[sweep]);
     const char *all =
         arena_format(m->s->arena, "%s%s%s%s%s%s%s", text, text[0] ? ", " : "", s->name, equals,
-                     s->number ? number : s->label[k], plain ? "" : " ", plain ? "" : units);
+                     s->number ? number : s->label[k], units[0] ? " " : "", units);
     m->no_memory |= !all;
     return all ? all : "";
 }

@@ -27,7 +27,7 @@
 #include "law/restitution.h"
 
 enum { K, E, ZETA, C, DU, KY, VMIN, N, N_ROW };
-enum { STIFFNESS, EXPONENT, ULTIMATE, BEYOND, FIXED, Q, FLOOR, N_CONSTANT };
+enum { STIFFNESS, EXPONENT, ULTIMATE, BEYOND, FIXED, Q, LEAST_V0, N_CONSTANT };
 enum { DAMPING, N_HISTORY };  // c [T/L]
 
 static const struct row rows[N_ROW] = {
@@ -83,12 +83,12 @@ static int rubber_prepare(const double *value, double m_eff, double *constant, s
     constant[BEYOND] = isnan(value[KY]) ? slope : value[KY];
     constant[FIXED] = fixed ? value[C] : 0.0;
     constant[Q] = fixed ? 0.0 : q;
-    constant[FLOOR] = value[VMIN];
+    constant[LEAST_V0] = value[VMIN];
     return STATUS_OK;
 }
 
 static void rubber_close(const double *c, double v0, double *history) {
-    history[DAMPING] = c[FIXED] + c[Q] / fmax(v0, c[FLOOR]);
+    history[DAMPING] = c[FIXED] + c[Q] / fmax(v0, c[LEAST_V0]);
 }
 
 // f and its slope.

@@ -21,7 +21,7 @@
 
 enum { K, E, ZETA, RESIDUAL, VMIN, N, N_ROW };
 // DAMPING: zeta, if given; PER_VELOCITY: q k; RELEASE: k / (1 - R)^n
-enum { STIFFNESS, DAMPING, PER_VELOCITY, FLOOR, SHARE, RELEASE, EXPONENT, N_CONSTANT };
+enum { STIFFNESS, DAMPING, PER_VELOCITY, LEAST_V0, SHARE, RELEASE, EXPONENT, N_CONSTANT };
 enum { DEEPEST, DASHPOT, N_HISTORY };
 
 static const struct range residual_range = {
@@ -69,7 +69,7 @@ static int wang_prepare(const double *value, double m_eff, double *constant, str
     constant[STIFFNESS] = value[K];
     constant[DAMPING] = isnan(value[E]) ? value[ZETA] : 0.0;
     constant[PER_VELOCITY] = q * value[K];
-    constant[FLOOR] = value[VMIN];
+    constant[LEAST_V0] = value[VMIN];
     constant[SHARE] = value[RESIDUAL];
     constant[RELEASE] = value[K] / pow(1.0 - value[RESIDUAL], value[N]);
     constant[EXPONENT] = value[N];
@@ -78,7 +78,7 @@ static int wang_prepare(const double *value, double m_eff, double *constant, str
 
 static void wang_close(const double *c, double v0, double *history) {
     history[DEEPEST] = 0.0;
-    history[DASHPOT] = c[DAMPING] + c[PER_VELOCITY] / fmax(v0, c[FLOOR]);
+    history[DASHPOT] = c[DAMPING] + c[PER_VELOCITY] / fmax(v0, c[LEAST_V0]);
 }
 
 static struct contact_response wang_force(const double *c, const double *h, double d, double v) {
