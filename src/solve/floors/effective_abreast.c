@@ -57,27 +57,25 @@ LANES_INLINE struct abreast gather(const struct effective *e, const double *r, d
     (*(const lanes *)((x) + (ptrdiff_t)(i)*EFFECTIVE_ABREAST + (ptrdiff_t)(j)*FOUR))
 
 LANES_INLINE void upwards(const struct abreast *b, int n, lanes (*restrict x)[FOURS]) {
-    int i = 1;
-    lanes last[FOURS];
-    for (int j = 0; j < FOURS; j++) {
-        load_floor(b->r + (ptrdiff_t)j * FOUR, 0, &last[j]);
-        x[0][j] = last[j];
-    }
+    int i = 0;
+    lanes carried[FOURS] = {{0.0}};
     for (; i + FOUR <= n; i += FOUR) {
         lanes in[FOURS][FOUR];
         for (int j = 0; j < FOURS; j++) {
             load(b->r + (ptrdiff_t)j * FOUR, i, in[j]);
         }
         for (int k = 0; k < FOUR * FOURS; k++) {
-            const int j = k % FOURS, row = k / FOURS;
-            x[i + row][j] = last[j] = in[j][row] - HELD(b->factor, i + row - 1, j) * last[j];
+            const int j = k % FOURS, row = k / FOURS, f = i + row;
+            x[f][j] = in[j][row] - carried[j];
+            carried[j] = HELD(b->factor, f, j) * x[f][j];
         }
     }
     for (; i < n; i++) {
         for (int j = 0; j < FOURS; j++) {
             lanes in;
             load_floor(b->r + (ptrdiff_t)j * FOUR, i, &in);
-            x[i][j] = last[j] = in - HELD(b->factor, i - 1, j) * last[j];
+            x[i][j] = in - carried[j];
+            carried[j] = HELD(b->factor, i, j) * x[i][j];
         }
     }
 }
