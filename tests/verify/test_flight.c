@@ -115,6 +115,26 @@ static void rows_of_all_heights_have_the_same_bits(void **state) {
     }
 }
 
+// Low ones that are alike share lanes.
+static void low_rows_of_one_height_have_the_same_bits(void **state) {
+    (void)state;
+    char deck[4000];
+    int n = 0;
+    for (int k = 0; k < 8; k++) {
+        n += snprintf(deck + n, sizeof deck - (size_t)n,
+                      "building %c -floors 9 -mass 300t -stiffness %dMN/m\n"
+                      "damping %c rayleigh 5%%\n",
+                      'A' + k, 250 + 150 * (k % 3), 'A' + k);
+    }
+    for (int k = 1; k < 8; k++) {
+        n += snprintf(deck + n, sizeof deck - (size_t)n,
+                      "contact %c %c -gap 20mm -law kelvin-voigt -k 90MN/m -e 0.6\n", 'A' + k - 1,
+                      'A' + k);
+    }
+    snprintf(deck + n, sizeof deck - (size_t)n, "%s", SHAKEN "duration 5\nstep fixed 2ms\n");
+    assert_true(check(deck) > 10);
+}
+
 static void any_beta_and_gamma_have_the_same_bits(void **state) {
     (void)state;
     assert_true(check(PAIR SHAKEN "step fixed 1ms\n"
@@ -208,6 +228,7 @@ int main(void) {
         cmocka_unit_test(few_floors_have_the_bits_of_many),
         cmocka_unit_test(a_pair_has_the_same_bits_with_every_law),
         cmocka_unit_test(rows_of_all_heights_have_the_same_bits),
+        cmocka_unit_test(low_rows_of_one_height_have_the_same_bits),
         cmocka_unit_test(buildings_of_a_long_row_have_the_bits_of_one_alone),
         cmocka_unit_test(any_beta_and_gamma_have_the_same_bits),
         cmocka_unit_test(loads_and_grounds_have_the_same_bits),

@@ -148,6 +148,7 @@ LANES_INLINE struct beginning beginning_of(const struct ensemble_lanes *e,
 // A building that ends a step; arrays as above.
 struct ending {
     const double *inverse, *factor;
+    bool multiplies;  // by the inverse
     const struct ensemble_state *now;
     const struct ensemble_trial *trial;
     const struct ensemble_peaks *peak;
@@ -166,6 +167,7 @@ LANES_INLINE struct ending ending_of(const struct ensemble_lanes *e,
     return (struct ending){
         .inverse = b->inverse,
         .factor = b->factor,
+        .multiplies = b->multiplies,
         .now = e->now + first,
         .trial = t,
         .peak = e->peak + first,
@@ -263,7 +265,7 @@ LANES_INLINE void substitute(const struct ending *g, enum ensemble_held held, in
 
 // What the residuals lead to.
 LANES_INLINE void end_floors(struct ending *g, enum ensemble_held held, int p) {
-    if (g->inverse) {
+    if (g->multiplies) {
         multiply(g, held, p);
         return;
     }

@@ -130,6 +130,7 @@ static bool fill_inverse(double *inverse, int lane, struct effective *home) {
 static bool fill_building(struct ensemble_building *b, int lane, const struct chain *c,
                           struct effective *home) {
     bool small = true;
+    b->multiplies = b->inverse && effective_prefers_inverse(home);
     for (int i = 0; i < b->shape->n_floor; i++) {
         const int j = b->shape->first + i;
         const ptrdiff_t at = (ptrdiff_t)i * home->pitch;

@@ -68,7 +68,8 @@ struct ensemble_building {
     enum ensemble_held held;
     double *number;   // (n_floor, NUMBER_COUNT)
     double *factor;   // (n_floor, FACTOR_COUNT)
-    double *inverse;  // (n_floor, n_floor) A^-1; NULL: solves go through the factors
+    double *inverse;  // (n_floor, n_floor) A^-1 of a low building, else NULL
+    bool multiplies;  // solves multiply by it; else they go through the factors
     bool exceeds;     // an active run exceeds a peak of it in the step under way
     // Links have changed its corrections since it was moved:
     bool pushed;  // those that have been shown,

@@ -34,16 +34,31 @@ static bool alloc_one(struct effective *e, const struct building *building, enum
     return true;
 }
 
-// Fewer buildings than this are faster one after the other.
-enum { ABREAST_LEAST = 3 };
+// Fewer buildings than this are faster one after the other, low ones by their inverse.
+enum { ABREAST_LEAST = 3, ABREAST_LEAST_LOW = 6 };
+
+// Are n buildings of one height solved together? Never those of models of few floors, which
+// small_steps.h solves by their inverses.
+static bool are_together(const struct effective *e, int n) {
+    const int floors = e->building->n_floor;
+    const bool inverts = e->use == EFFECTIVE_LONG && floors <= INVERSE_FLOORS_MAX;
+    bool together = n >= ABREAST_LEAST;
+    if (inverts) {
+        together = n >= ABREAST_LEAST_LOW && n * floors > INVERSE_FLOORS_MAX;
+    }
+    for (int k = 0; k < n; k++) {
+        together = together && !e[k].building->damping_full;
+    }
+    return together;
+}
 
 // The factors of n buildings of one height.
 static bool alloc_factors(struct effective *e, int n, struct arena *a) {
-    const int pitch = n >= ABREAST_LEAST ? EFFECTIVE_ABREAST : 1;
+    const bool together = are_together(e, n);
+    const int pitch = together ? EFFECTIVE_ABREAST : 1;
     const size_t floors = (size_t)e->building->n_floor;
-    bool together = n >= ABREAST_LEAST;
     for (int k = 0; k < n; k++) {
-        const bool shares = k > 0 && pitch > 1;
+        const bool shares = k > 0 && together;
         e[k].pitch = pitch;
         e[k].pivot = shares ? e->pivot + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
         e[k].factor =
@@ -51,7 +66,6 @@ static bool alloc_factors(struct effective *e, int n, struct arena *a) {
         if (!e[k].pivot || !e[k].factor) {
             return false;
         }
-        together = together && !effective_prefers_inverse(&e[k]);
     }
     e->abreast = together ? n : 0;
     return true;

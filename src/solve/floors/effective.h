@@ -12,7 +12,7 @@
 // How long a factorisation will serve.
 enum effective_use {
     EFFECTIVE_BRIEFLY,  // a step or so: solves go through the factors
-    EFFECTIVE_LONG,     // solves of low buildings multiply by the inverse
+    EFFECTIVE_LONG,     // solves of low buildings multiply by the inverse, but of many alike
 };
 
 enum { INVERSE_FLOORS_MAX = 16, EFFECTIVE_ABREAST = LANES_WIDTH };
@@ -48,7 +48,8 @@ int effective_factor(struct effective *e, double b, double g);
 // Whether solves multiply by the inverse, once it is there.
 static inline bool effective_prefers_inverse(const struct effective *e) {
     return e->use == EFFECTIVE_LONG &&
-           (e->building->damping_full || e->building->n_floor <= INVERSE_FLOORS_MAX);
+           (e->building->damping_full ||
+            (e->building->n_floor <= INVERSE_FLOORS_MAX && e->pitch == 1));
 }
 
 static inline bool effective_has_inverse(const struct effective *e) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/floors/small_model.h"
 
+#include <assert.h>
 #include <limits.h>
 #include <string.h>
 
@@ -22,6 +23,7 @@ static void fill_table(struct small_table *t, const struct model *m) {
 }
 
 bool small_alloc(struct small_model *small, const struct model *m, struct arena *a) {
+    static_assert((int)SMALL_MAX <= (int)INVERSE_FLOORS_MAX, "none are solved by their factors");
     small->possible = state_is_uniform(m) && !m->chain.full_damping && m->n_dof <= SMALL_MAX;
     if (small->possible) {
         small->table = (void *)lanes_array(a, sizeof *small->table / sizeof(double));
