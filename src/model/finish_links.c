@@ -5,21 +5,34 @@
 #include "core/arena.h"
 #include "model/finish.h"
 
+// Of displacements or velocities, at the left end less at the right one.
+static double difference(const struct link *l, const double *state) {
+    double left = l->dof[0] == WALL ? 0.0 : state[l->dof[0]];
+    double right = l->dof[1] == WALL ? 0.0 : state[l->dof[1]];
+    return left - right;
+}
+
 static void check_overlap(struct builder *b, const struct model *m, const struct link_draft *d) {
-    double delta = -d->link.gap;
-    for (int i = 0; i < 2; i++) {
-        double u = d->link.dof[i] == WALL ? 0.0 : m->displacement[d->link.dof[i]];
-        delta += i == 0 ? u : -u;
+    const struct link *l = &d->link;
+    const unsigned sticks = CONTACT_NEEDS_V0 | CONTACT_MAY_PULL;
+    double delta = difference(l, m->displacement) - l->gap;
+    if (l->bilateral || delta <= 0.0) {
+        return;
     }
-    if (d->link.law->rebound && delta > 0.0) {
+    if (l->law->rebound) {
         deck_error(b->deck, &d->word,
                    "contact %s is closed by %.6g %s at t = 0, but its law, %s, has no force that "
                    "would part the bodies",
-                   d->link.name, delta, b->deck->units.length_name, d->link.law->name);
-    } else if (!d->link.bilateral && !d->overlap && delta > 0.0) {
+                   l->name, delta, b->deck->units.length_name, l->law->name);
+    } else if (!d->overlap) {
         deck_error(b->deck, &d->word,
                    "contact %s is closed by %.6g %s at t = 0; give -allow-overlap if that is meant",
-                   d->link.name, delta, b->deck->units.length_name);
+                   l->name, delta, b->deck->units.length_name);
+    } else if ((l->law->traits & sticks) == sticks && difference(l, m->velocity) <= 0.0) {
+        deck_warning(b->deck, &d->word,
+                     "contact %s is closed at t = 0 and does not approach: %s takes -vmin for v0 "
+                     "and may hold the bodies together",
+                     l->name, l->law->name);
     }
 }
 

@@ -228,6 +228,25 @@ static void floors_that_do_not_face_each_other_are_warned_about(void **state) {
     model_free(m);
 }
 
+static void a_contact_that_begins_closed_has_no_velocity_of_closure(void **state) {
+    (void)state;
+    struct model *m =
+        analysis_model("building A -floors 1 -mass 1 -stiffness 1\n"
+                       "building B -floors 1 -mass 1 -stiffness 1\n"
+                       "contact A B -gap -1 -law power -n 2 -k 1 -e 0.5 -allow-overlap -name "
+                       "still\n"
+                       "contact A B -gap -1 -law hertz -k 1 -allow-overlap -name elastic\n"
+                       "contact wall A -gap -1 -law power -n 2 -k 1 -e 0.5 -allow-overlap\n"
+                       "contact B wall -gap 1 -law power -n 2 -k 1 -e 0.5 -name open\n"
+                       "initial A -velocity -0.1\nstep fixed 0.1\nduration 1\n");
+    const struct diagnostics *d = &m->deck->diagnostics;
+    assert_int_equal(d->n_warning, 1);
+    assert_string_equal(d->item[0].message,
+                        "contact still is closed at t = 0 and does not approach: power takes -vmin "
+                        "for v0 and may hold the bodies together");
+    model_free(m);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_stiffness_of_a_contact_follows_from_its_bodies),
@@ -235,6 +254,7 @@ int main(void) {
         cmocka_unit_test(a_curve_is_read_from_a_file_of_its_own_units),
         cmocka_unit_test(floors_are_taken_in_the_order_written),
         cmocka_unit_test(floors_that_do_not_face_each_other_are_warned_about),
+        cmocka_unit_test(a_contact_that_begins_closed_has_no_velocity_of_closure),
         cmocka_unit_test(contacts_join_all_levels_that_both_buildings_have),
         cmocka_unit_test(floors_of_different_levels_can_face_each_other),
         cmocka_unit_test(a_wall_stands_on_either_side),

@@ -34,8 +34,8 @@ const struct storey_law storey_takeda = {
     .summary = "bilinear, unloading and reloading soften with the largest drift so far",
     .formula =
         "unloads with k (d_y / D)^alpha, towards the origin at most, to V = 0, then aims at D - "
-        "beta (D - d_y) on the backbone V_y + R k (drift - d_y), D the largest drift of that "
-        "direction",
+        "beta (D - d_y) on the backbone V_y + R k (drift - d_y), no stiffer than it unloads, D the "
+        "largest drift of that direction",
     .source = "Takeda, Sozen & Nielsen (1970), J. Struct. Div. ASCE 96, 2557-2573; bilinear form "
               "of Otani (1974), Univ. Illinois SRS 413",
     .row = rows,
