@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gsl/gsl_math.h>
+#include <gsl/gsl_statistics_double.h>
 
 #include "model/finish.h"
 
 static const double ROUNDING = 1e-9;
 static const double STEPS_PER_CYCLE = 10.0;  // fewer do not follow a vibration
+static const double LONGEST_PERIOD = 30.0;   // [s] of a building
 static const double SAME_LEVEL = 0.01;       // relative difference of two floors' heights
 
 static bool same_statement(const struct word *a, const struct word *b) {
@@ -61,6 +63,25 @@ static bool starts_moving(const struct builder *b, const struct model *m) {
         moves |= ((const struct link_draft *)b->links.item + i)->link.gap < 0.0;
     }
     return moves;
+}
+
+// Has it no storey without stiffness?
+static bool stands(const struct building *g) {
+    return gsl_stats_min(g->stiffness, 1, (size_t)g->n_floor) > 0.0;
+}
+
+// Periods beyond those of any building come from units that were mixed up.
+static void check_units(struct builder *b, const struct model *m) {
+    const double longest = LONGEST_PERIOD / b->deck->units.time;
+    for (int i = 0; i < m->n_building; i++) {
+        const double period = 2.0 * M_PI / m->building[i].omega[0];
+        if (stands(&m->building[i]) && period > longest) {
+            deck_warning(b->deck, &builder_draft(b, i)->word,
+                         "the first period of building %s is %.4g %s; are its mass and stiffness "
+                         "in the units of the deck?",
+                         m->building[i].name, period, b->deck->units.time_name);
+        }
+    }
 }
 
 static void check_periods(struct builder *b, const struct model *m) {
@@ -153,6 +174,7 @@ void finish_warnings(struct builder *b, const struct model *m) {
         deck_warning(b->deck, NULL,
                      "nothing moves the buildings: no ground motion, load or initial state");
     }
+    check_units(b, m);
     check_periods(b, m);
     check_drift(b, m);
     check_contacts(b, m);

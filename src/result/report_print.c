@@ -61,11 +61,14 @@ static void cell(FILE *to, const char *text, int width) {
     fprintf(to, "..%s", tail);
 }
 
+// A blank and four digits; numbers of five or six before the point are whole, with no power of ten
+// to be read.
 static void number(FILE *to, double value, int width) {
+    const double size = fabs(value);
     if (isnan(value)) {
         fprintf(to, " %*s", width, "-");
     } else {
-        fprintf(to, " %*.4g", width, value);
+        fprintf(to, size >= 1e4 && size < 999999.5 ? " %*.0f" : " %*.4g", width, value);
     }
 }
 
@@ -310,6 +313,22 @@ static void print_links(const struct printer *p) {
     not_shown(p, r->n_link - SHOWN_MAX, "links", "number");
 }
 
+static void print_energies(const struct printer *p) {
+    const struct {
+        const char *name;
+        enum energy energy;
+    } part[] = {{"input", ENERGY_INPUT},
+                {"; damping", ENERGY_DAMPING},
+                {", storeys", ENERGY_HYSTERETIC},
+                {p->r->n_link > 0 ? ", contacts and links" : ", contacts", ENERGY_CONTACT}};
+    fprintf(p->to, "energy      %s ", p->unit[UNIT_ENERGY]);
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
+        fputs(part[i].name, p->to);
+        number(p->to, p->r->energy[part[i].energy], 0);
+    }
+    fputc('\n', p->to);
+}
+
 static void print_totals(const struct printer *p) {
     const struct report *r = p->r;
     const struct totals *t = &r->totals;
@@ -322,9 +341,7 @@ static void print_totals(const struct printer *p) {
         fprintf(p->to, "\nsteps       %ld (%ld rejected, %ld events located)\n", t->steps, t->cuts,
                 t->events);
     }
-    fprintf(p->to, "energy      %s input %.4g; damping %.4g, storeys %.4g, contacts%s %.4g\n",
-            p->unit[UNIT_ENERGY], input, r->energy[ENERGY_DAMPING], r->energy[ENERGY_HYSTERETIC],
-            r->n_link > 0 ? " and links" : "", r->energy[ENERGY_CONTACT]);
+    print_energies(p);
     fprintf(p->to, "residual    %s %.4g at the rows written", p->unit[UNIT_ENERGY],
             r->residual_peak);
     if (input > 0) {

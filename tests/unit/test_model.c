@@ -124,6 +124,28 @@ static void stiffness_0_makes_a_free_body(void **state) {
     model_free(m);
 }
 
+// 345 MN/m without its prefix and unit: T = 2 pi / (2 sin(pi / 34) sqrt(345 / 300)) = 31.75 s.
+static void a_period_of_no_building_is_warned_of(void **state) {
+    (void)state;
+    static const struct {
+        const char *stiffness;
+        int n_warning;
+    } of[] = {{"345MN/m", 0}, {"345", 1}, {"0", 0}, {"0 345 345 345 345 345 345 345", 0}};
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        struct model *m = analysis_model("units kN m s\nbuilding A -floors 8 -mass 300t -stiffness "
+                                         "%s\ninitial A:1 -velocity 1" REST,
+                                         of[i].stiffness);
+        assert_int_equal(m->deck->diagnostics.n_warning, of[i].n_warning);
+        if (of[i].n_warning > 0) {
+            assert_string_equal(m->deck->diagnostics.item[0].message,
+                                "the first period of building A is 31.75 s; are its mass and "
+                                "stiffness in the units of the deck?");
+            assert_int_equal(m->deck->diagnostics.item[0].line, 2);
+        }
+        model_free(m);
+    }
+}
+
 static void rayleigh_coefficients_are_those_of_the_closed_form(void **state) {
     (void)state;
     struct model *m = analysis_model("building A -floors 3 -mass 2 -stiffness 800\n"
@@ -266,6 +288,7 @@ int main(void) {
         cmocka_unit_test(a_uniform_building_has_the_frequencies_of_the_closed_form),
         cmocka_unit_test(mode_shapes_are_orthogonal_and_scaled_to_1),
         cmocka_unit_test(stiffness_0_makes_a_free_body),
+        cmocka_unit_test(a_period_of_no_building_is_warned_of),
         cmocka_unit_test(rayleigh_coefficients_are_those_of_the_closed_form),
         cmocka_unit_test(one_rayleigh_ratio_holds_for_modes_1_and_2),
         cmocka_unit_test(given_rayleigh_coefficients_are_taken_as_they_are),
