@@ -183,16 +183,19 @@ static int read_titles(const struct record_request *request, const struct record
     return STATUS_OK;
 }
 
-// Counts the values. Fewer than the header says: what comes last may be half a number.
-static int check_short(const struct record_text *t, const struct lines *l, double npts, size_t *n,
-                       struct error *e) {
+// Reads the values. Where there are fewer than the header says, what comes last may be half a
+// number.
+static int read_values(struct arena *a, const struct record_text *t, const struct lines *l,
+                       double npts, struct record_content *out, struct error *e) {
     int last_line;
-    *n = values_count(*l, "", &last_line);
-    if ((double)*n >= npts) {
-        return STATUS_OK;
+    const size_t n = values_count(*l, "", &last_line);
+    const bool is_short = (double)n < npts;
+    const int status = values_read(a, t, *l, "", is_short && n > 0 ? n - 1 : n, out, e);
+    if (status != STATUS_OK || !is_short) {
+        return status;
     }
     return lines_error(e, t->path, last_line ? last_line : l->number,
-                       "the file ends after %zu values; its header (line %d) says %.0f", *n,
+                       "the file ends after %zu values; its header (line %d) says %.0f", n,
                        l->number, npts);
 }
 
@@ -230,12 +233,8 @@ static int peer_read(struct arena *a, const struct record_request *request,
     if (!status) {
         status = read_titles(request, t, &titles, out, e);
     }
-    size_t n = 0;
     if (!status) {
-        status = check_short(t, &l, npts, &n, e);
-    }
-    if (!status) {
-        status = values_read(a, t, l, "", n, out, e);
+        status = read_values(a, t, &l, npts, out, e);
     }
     return status ? status : check_long(t, &l, npts, out->n, e);
 }

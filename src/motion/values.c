@@ -34,10 +34,10 @@ int values_read(struct arena *a, const struct record_text *t, struct lines from,
         return error_no_memory(e);
     }
     size_t i = 0;
-    while (lines_next(&from)) {
+    while (i < n && lines_next(&from)) {
         struct piece rest = lines_without_comment(from.line);
         struct piece field;
-        while (lines_field(&rest, separators, &field)) {
+        while (i < n && lines_field(&rest, separators, &field)) {
             struct number_field f = {t->path, from.number, "value", i + 1, field};
             int status = lines_read_number(&f, &value[i], e);
             if (status) {

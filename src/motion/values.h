@@ -12,7 +12,8 @@ struct arena;
 // line that holds one; 0: none does.
 size_t values_count(struct lines from, const char *separators, int *last_line);
 
-// Reads them, as many as values_count has found: sets value, n, peak and peak_line of `out`.
+// Reads the first n of them, at most as many as values_count has found: sets value, n, peak and
+// peak_line of `out`.
 int values_read(struct arena *a, const struct record_text *t, struct lines from,
                 const char *separators, size_t n, struct record_content *out, struct error *e);
 

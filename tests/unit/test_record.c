@@ -129,6 +129,7 @@ static void broken_files_are_refused_with_file_and_line(void **state) {
     } c[] = {
         {"truncated_mid_number.AT2",
          ":44: the file ends after 198 values; its header (line 4) says 200"},
+        {"word_and_short.AT2", ":6: value 7 'abc' is not a number"},
         {"npts_too_small.AT2", ":4: the header says 150 values; the file holds 200"},
         {"npts_zero.AT2", ":4: NPTS is 0; it must be at least 2"},
         {"npts_fraction.AT2", ":4: NPTS is 200.5; it must be a whole number"},
