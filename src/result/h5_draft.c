@@ -11,13 +11,15 @@ static int cannot_write(const char *path, const struct h5 *h, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, h->cause);
 }
 
-// Did another run come in between, as it made the file or locked it to see whether it is an old
-// one?
+// Did another run come in between, as it made the file, locked it to see whether it is an old one,
+// or removed it for one, which the library tells in its own words?
 static bool was_raced(const struct h5 *h, const char *draft) {
+    static const char removed[] = "can't retrieve stat info for file";
     if (h->file >= 0) {
         return h->lock >= 0 && !draft_is_ours(h->lock, draft);
     }
-    return strcmp(h->cause, strerror(EEXIST)) == 0 || strcmp(h->cause, strerror(EAGAIN)) == 0;
+    return strcmp(h->cause, strerror(EEXIST)) == 0 || strcmp(h->cause, strerror(EAGAIN)) == 0 ||
+           strcmp(h->cause, removed) == 0;
 }
 
 static int make_file(void *context, const char *draft, struct error *e) {
