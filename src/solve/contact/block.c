@@ -18,12 +18,12 @@
 // X_l(f) being where the law of link l gives f; line_excess gives its derivative.
 #include "solve/contact/block.h"
 
-#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "solve/contact/band.h"
 #include "solve/contact/contact.h"
 #include "solve/contact/sweep.h"
 
@@ -33,20 +33,13 @@ enum { BLOCK_MAX = 400 };
 enum { WHOLE_STEPS = 12, PARTS = 20 };
 static const double HELD = 1.0 - 1e-10;
 
-// Columns of a band in the storage of gsl_linalg_LU_band_decomp: column j of the matrix is its row
-// j, with the diagonal in column 2 width; exchanges of rows fill what is left of it.
-static size_t columns_of(size_t width) {
-    return 3 * width + 1;
-}
-
 bool block_alloc(struct block *b, const struct model *m, struct arena *a) {
     b->most = m->n_link < BLOCK_MAX ? m->n_link : BLOCK_MAX;
     size_t n = (size_t)b->most;
-    b->band = arena_alloc(a, n * columns_of(n - 1), sizeof *b->band);
+    b->matrix = arena_alloc(a, n * n, sizeof *b->matrix);
     b->vector = arena_alloc(a, n, sizeof *b->vector);
-    b->order = arena_alloc(a, n, sizeof *b->order);
     b->kept_q = lanes_array(a, m->n_dof);
-    return b->band && b->vector && b->order && b->kept_q;
+    return b->matrix && b->vector && b->kept_q;
 }
 
 // Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different
@@ -100,23 +93,22 @@ static int width_of(const struct work *w, const struct cluster *c) {
     return width;
 }
 
-// The matrix of the cluster as a band, and f* - f into `r`.
+// The matrix of the cluster, whose band is `width`, and f* - f into `r`.
 static void linearise(struct work *w, const struct state *now, const struct state *next,
                       const struct cluster *c, int width, double *r) {
-    const size_t columns = columns_of((size_t)width);
-    memset(w->block.band, 0, (size_t)c->n * columns * sizeof *w->block.band);
+    memset(w->block.matrix, 0, (size_t)c->n * (size_t)c->n * sizeof *w->block.matrix);
     for (int i = 0; i < c->n; i++) {
         int k = c->link[i];
         struct line line = contact_line(w, now, next, k);
         double force;
         enum branch branch = line_answer(&line, w->link[k].force, &force);
         double share = share_at(&line, branch, force) / w->link[k].flexibility;
+        double *row = w->block.matrix + (size_t)i * (size_t)c->n;
         int end = i + width < c->n ? i + width + 1 : c->n;
         for (int j = i > width ? i - width : 0; j < end; j++) {
-            double *diagonal = w->block.band + (size_t)j * columns + 2 * width;
-            diagonal[i - j] =
-                i == j ? 1.0
-                       : share * flexibility(w, &w->model->link[k], &w->model->link[c->link[j]]);
+            row[j] = i == j
+                         ? 1.0
+                         : share * flexibility(w, &w->model->link[k], &w->model->link[c->link[j]]);
         }
         r[i] = force - w->link[k].force;
     }
@@ -125,21 +117,9 @@ static void linearise(struct work *w, const struct state *now, const struct stat
 // The Newton step into `df`; false: not finite.
 static bool newton_step(struct work *w, const struct state *now, const struct state *next,
                         const struct cluster *c, double *df) {
-    const int width = width_of(w, c);
-    const size_t n = (size_t)c->n, band = (size_t)width;
+    int width = width_of(w, c);
     linearise(w, now, next, c, width, df);
-    gsl_matrix_view a = gsl_matrix_view_array(w->block.band, n, columns_of(band));
-    gsl_vector_view x = gsl_vector_view_array(df, n);
-    gsl_vector_uint_view order = gsl_vector_uint_view_array(w->block.order, n);
-    if (gsl_linalg_LU_band_decomp(n, band, band, &a.matrix, &order.vector) != 0 ||
-        gsl_linalg_LU_band_svx(band, band, &a.matrix, &order.vector, &x.vector) != 0) {
-        return false;
-    }
-    bool finite = true;
-    for (size_t i = 0; i < n; i++) {
-        finite &= isfinite(df[i]) != 0;
-    }
-    return finite;
+    return band_solve(w->block.matrix, df, c->n, width);
 }
 
 static void apply(struct work *w, const struct cluster *c, double part, const double *df) {

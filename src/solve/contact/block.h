@@ -9,11 +9,10 @@ struct work;
 
 // Scratch of a cluster, and what is to be restored.
 struct block {
-    int most;         // links of a cluster; larger ones are left to sweeps
-    double *band;     // of the matrix of a cluster
-    double *vector;   // (most)
-    unsigned *order;  // (most) of its rows
-    double *kept_q;   // [L/T^2] (n_dof)
+    int most;        // links of a cluster; larger ones are left to sweeps
+    double *matrix;  // (most, most)
+    double *vector;  // (most)
+    double *kept_q;  // [L/T^2] (n_dof)
 };
 
 // Room for the clusters of a model; false: no memory.
