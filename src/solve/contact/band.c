@@ -9,9 +9,9 @@
 #include "core/lanes.h"
 
 // The row from k to `last` with the largest entry in column k.
-static int pivot_row(const double *a, int n, int k, int last) {
-    int row = k;
-    for (int i = k + 1; i <= last; i++) {
+static ptrdiff_t pivot_row(const double *a, ptrdiff_t n, ptrdiff_t k, ptrdiff_t last) {
+    ptrdiff_t row = k;
+    for (ptrdiff_t i = k + 1; i <= last; i++) {
         if (fabs(a[i * n + k]) > fabs(a[row * n + k])) {
             row = i;
         }
@@ -19,8 +19,8 @@ static int pivot_row(const double *a, int n, int k, int last) {
     return row;
 }
 
-static void exchange(double *x, double *y, int n) {
-    for (int i = 0; i < n; i++) {
+static void exchange(double *x, double *y, ptrdiff_t n) {
+    for (ptrdiff_t i = 0; i < n; i++) {
         const double kept = x[i];
         x[i] = y[i];
         y[i] = kept;
@@ -29,24 +29,25 @@ static void exchange(double *x, double *y, int n) {
 
 // Subtracts from the rows below row k, up to `last`, what makes their column k 0; row k has `m`
 // entries from there on.
-LANES static void eliminate(double *a, double *b, int n, int k, int last, int m) {
+LANES static void eliminate(double *a, double *b, ptrdiff_t n, ptrdiff_t k, ptrdiff_t last,
+                            ptrdiff_t m) {
     const double *restrict pivot = a + k * n + k;
-    for (int i = k + 1; i <= last; i++) {
+    for (ptrdiff_t i = k + 1; i <= last; i++) {
         double *restrict row = a + i * n + k;
         const double share = row[0] / pivot[0];
         LANES_LOOP
-        for (int j = 1; j < m; j++) {
+        for (ptrdiff_t j = 1; j < m; j++) {
             row[j] -= share * pivot[j];
         }
         b[i] -= share * b[k];
     }
 }
 
-bool band_solve(double *a, double *b, int n, int width) {
-    for (int k = 0; k < n; k++) {
-        const int last = k + width < n ? k + width : n - 1;
-        const int m = k + 2 * width < n ? 2 * width + 1 : n - k;
-        const int row = pivot_row(a, n, k, last);
+bool band_solve(double *a, double *b, ptrdiff_t n, ptrdiff_t width) {
+    for (ptrdiff_t k = 0; k < n; k++) {
+        const ptrdiff_t last = k + width < n ? k + width : n - 1;
+        const ptrdiff_t m = k + 2 * width < n ? 2 * width + 1 : n - k;
+        const ptrdiff_t row = pivot_row(a, n, k, last);
         if (row != k) {
             exchange(a + k * n + k, a + row * n + k, m);
             exchange(b + k, b + row, 1);
@@ -57,9 +58,9 @@ bool band_solve(double *a, double *b, int n, int width) {
         eliminate(a, b, n, k, last, m);
     }
     bool finite = true;
-    for (int k = n - 1; k >= 0; k--) {
-        const int m = k + 2 * width < n ? 2 * width + 1 : n - k;
-        for (int j = 1; j < m; j++) {
+    for (ptrdiff_t k = n - 1; k >= 0; k--) {
+        const ptrdiff_t m = k + 2 * width < n ? 2 * width + 1 : n - k;
+        for (ptrdiff_t j = 1; j < m; j++) {
             b[k] -= a[k * n + k + j] * b[k + j];
         }
         b[k] /= a[k * n + k];
