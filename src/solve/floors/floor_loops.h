@@ -108,7 +108,7 @@ LANES_INLINE bool floors_unbalance(const struct chain *c, const struct floors_li
 #define ABSOLUTE_WIDE(x) ((lanes_wide)((lanes_wide_bits)(x)&INT64_MAX))
 #define BEYOND_WIDE(x, limit) ((lanes_wide_bits)(limit) - ((lanes_wide_bits)(x)&INT64_MAX))
 
-// How corrections lead to a state: q (n_dof), beta h^2 and gamma h.
+// How corrections lead to a state: q of a block, from its first floor on, beta h^2 and gamma h.
 struct floors_correction {
     const double *q;
     double b, g;
@@ -119,7 +119,7 @@ LANES_INLINE bool floors_reach(const struct floors_correction *k, int first, int
                                const struct floors_scratch *trial, const double *restrict a0,
                                const struct floors_motion *next) {
     const floor_lanes most = DBL_MAX - (floor_lanes){0.0};
-    const double *q = k->q + first, *u_t = trial->u, *v_t = trial->v;
+    const double *q = k->q, *u_t = trial->u, *v_t = trial->v;
     double *next_u = next->u + first, *next_v = next->v + first, *next_a = next->a + first;
     const double b = k->b, g = k->g;
     floor_lanes sum = {0.0};

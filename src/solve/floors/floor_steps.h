@@ -35,7 +35,6 @@ struct move {
     struct chain chain;
     struct floors_motion from, to;
     struct floors_scratch scratch;
-    struct floors_correction correction;
 };
 
 LANES_INLINE struct move move_of(struct work *w, const struct state *now,
@@ -46,25 +45,24 @@ LANES_INLINE struct move move_of(struct work *w, const struct state *now,
                          .chain = w->model->chain,
                          .from = floors_motion(now),
                          .to = floors_motion(next),
-                         .scratch = {w->floors.residual, w->floors.u_trial, w->floors.v_trial},
-                         .correction = {w->correction, w->b, w->g}};
+                         .scratch = {w->floors.residual, w->floors.u_trial, w->floors.v_trial}};
 }
 
-// The next state of a block. `lines` NULL: all storeys are elastic. True if a storey is beyond
-// its line, or what is found is not finite.
+// The next state of a block, and its corrections q from its first floor on. `lines` NULL: all
+// storeys are elastic. True if a storey is beyond its line, or what is found is not finite.
 LANES_INLINE bool move_block(const struct move *s, const struct floors_lines *lines,
-                             const struct floor_block *b) {
+                             const struct floor_block *b, double *q) {
     struct work *w = s->work;
+    const struct floors_correction correction = {q, w->b, w->g};
     const double *external = state_is_uniform(w->model) ? NULL : s->next->external;
-    int first = w->model->building[b->building].first;
+    int bottom = w->model->building[b->building].first - b->first;
     bool beyond = floors_unbalance(&s->chain, lines, w->h, b->first, b->n, &s->from,
                                    s->next->ground_a[0], external, &s->scratch);
     if (s->next->n_live > 0) {
         floors_push(w, s->now, s->next, b);
     }
-    solve_row(&w->effective[b->building], b->n_building, s->scratch.residual + (first - b->first),
-              w->correction + first);
-    beyond |= floors_reach(&s->correction, b->first, b->end, &s->scratch, s->from.a, &s->to);
+    solve_row(&w->effective[b->building], b->n_building, s->scratch.residual + bottom, q + bottom);
+    beyond |= floors_reach(&correction, b->first, b->end, &s->scratch, s->from.a, &s->to);
     return beyond;
 }
 
@@ -142,10 +140,15 @@ FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct s
     for (int i = 0; i < w->floors.n_block; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
-        beyond |= move_block(&move, NULL, b);
+        beyond |= move_block(&move, NULL, b, w->correction + b->first);
     }
     w->floors.account.due = false;
     return !beyond;
+}
+
+// The next block finishes the floors that this one leaves over.
+LANES_INLINE void hand_over(const struct floor_block *b, double *q) {
+    *(lanes_wide *)q = LANES_AT(q, b->end - b->first);
 }
 
 // A step as far as it is known to be one in free flight. `lines` NULL: all storeys are elastic.
@@ -159,7 +162,8 @@ LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
     for (int i = 0, group = 0; i < w->floors.n_block && free; i++) {
         const struct floor_block *b = &w->floors.block[i];
         account_ahead(&due, b);
-        bool ends = move_block(&move, lines, b);
+        bool ends = move_block(&move, lines, b, w->floors.correction);
+        hand_over(b, w->floors.correction);
         if (lines) {
             floors_follow(&move.chain, lines, b->first, b->end, next->u, &beyond);
         }

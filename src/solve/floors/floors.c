@@ -55,9 +55,10 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
         k += b.n_building;
     }
     f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
+    f->correction = lanes_array(a, most + 2 * LANES_WIDTH);
     f->u_trial = lanes_array(a, most);
     f->v_trial = lanes_array(a, most);
-    return f->residual && f->u_trial && f->v_trial;
+    return f->residual && f->correction && f->u_trial && f->v_trial;
 }
 
 // Adds the forces of a run of links to the residual of building k, which is at one of its sides.

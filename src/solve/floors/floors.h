@@ -35,6 +35,7 @@ struct floors {
     struct floor_block *block;  // (n_block)
     double *residual;           // [F] of a block
     double *u_trial, *v_trial;  // of a block: its end of the step if the accelerations stay
+    double *correction;         // [L/T^2] of a block in free flight, where nothing else needs it
     struct floors_account account;
 };
 
