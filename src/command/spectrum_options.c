@@ -234,8 +234,46 @@ static const char **text_of(struct spectrum_request *q, int letter) {
     }
 }
 
+static const struct option option[] = {
+    {"damping", required_argument, NULL, OPTION_DAMPING},
+    {"periods", required_argument, NULL, OPTION_PERIODS},
+    {"format", required_argument, NULL, OPTION_FORMAT},
+    {"unit", required_argument, NULL, OPTION_UNIT},
+    {"dt", required_argument, NULL, OPTION_DT},
+    {"scale", required_argument, NULL, OPTION_SCALE},
+    {"pga", required_argument, NULL, OPTION_PGA},
+    {"intensities", no_argument, NULL, OPTION_INTENSITIES},
+    {"tsv", no_argument, NULL, OPTION_TSV},
+    {"output", required_argument, NULL, 'o'},
+    {"script", required_argument, NULL, OPTION_SCRIPT},
+    {"force", no_argument, NULL, OPTION_FORCE},
+    {"pounding", required_argument, NULL, OPTION_POUNDING},
+    {"define", required_argument, NULL, 'D'},
+    {"threads", required_argument, NULL, 'j'},
+    {"help", no_argument, NULL, 'h'},
+    {NULL, 0, NULL, 0},
+};
+
+// Options with a value stand once, but for -D.
+static int check_once(struct spectrum_request *q, int letter) {
+    int i = 0;
+    while (option[i].val != letter) {
+        i++;
+    }
+    const unsigned mark = 1u << i;
+    if (q->given & mark && option[i].has_arg && letter != 'D') {
+        return letter > UCHAR_MAX ? command_usage(self, "--%s is given twice", option[i].name)
+                                  : command_usage(self, "-%c is given twice", letter);
+    }
+    q->given |= mark;
+    return EXIT_DONE;
+}
+
 static int take(void *request, int letter) {
     struct spectrum_request *q = request;
+    if (check_once(q, letter) != EXIT_DONE) {
+        return EXIT_INPUT;
+    }
     switch (letter) {
         case OPTION_DAMPING:
             return parse_damping(optarg, q);
@@ -328,25 +366,6 @@ static int set_defaults(struct spectrum_request *q) {
                      : log_grid(DEFAULT_FROM, DEFAULT_TO, table ? DEFAULT_TABLE : DEFAULT_CURVE, q);
 }
 
-static const struct option option[] = {
-    {"damping", required_argument, NULL, OPTION_DAMPING},
-    {"periods", required_argument, NULL, OPTION_PERIODS},
-    {"format", required_argument, NULL, OPTION_FORMAT},
-    {"unit", required_argument, NULL, OPTION_UNIT},
-    {"dt", required_argument, NULL, OPTION_DT},
-    {"scale", required_argument, NULL, OPTION_SCALE},
-    {"pga", required_argument, NULL, OPTION_PGA},
-    {"intensities", no_argument, NULL, OPTION_INTENSITIES},
-    {"tsv", no_argument, NULL, OPTION_TSV},
-    {"output", required_argument, NULL, 'o'},
-    {"script", required_argument, NULL, OPTION_SCRIPT},
-    {"force", no_argument, NULL, OPTION_FORCE},
-    {"pounding", required_argument, NULL, OPTION_POUNDING},
-    {"define", required_argument, NULL, 'D'},
-    {"threads", required_argument, NULL, 'j'},
-    {"help", no_argument, NULL, 'h'},
-    {NULL, 0, NULL, 0},
-};
 static const struct command_options options = {&command_spectrum, details, NULL, getopt_long_only,
                                                ":hD:j:o:",        option,  take};
 

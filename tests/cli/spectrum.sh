@@ -70,6 +70,10 @@ wrong "a scale of 0 is refused" "a factor other than 0" centro.AT2 --scale 0
 wrong "a picture has an ending" "must end in .png, .svg or .pdf" centro.AT2 -o picture.gif
 wrong "a picture needs periods" "three periods" centro.AT2 -o picture.png --periods 0,1,2
 wrong "intensities have no damping" "--intensities" centro.AT2 --intensities --damping 0.1
+for option in --damping=0 --periods=1 --scale=2 --pga=1g --dt=1 --unit=g --format=peer --script=folder; do
+    wrong "$option stands once" "${option%=*} is given twice" centro.AT2 $option $option
+done
+wrong "-o stands once" "-o is given twice" centro.AT2 -o one.png -o two.png
 for file in "$root"/tests/records/bad/*; do
     case $file in
     */dt_missing.AT2) word="dt" ;;
