@@ -98,9 +98,9 @@ static int allocate(const struct spectrum_request *q, struct arena *a, struct sp
         .intensity = arena_alloc(a, n, sizeof *set->intensity),
         .spectra = {.n_record = q->n_record,
                     .n_damping = q->n_damping,
-                    .n_period = q->n_period,
+                    .n_period = q->periods.n,
                     .damping = q->damping,
-                    .period = q->period,
+                    .period = q->periods.value,
                     .tell = progress_tell},
     };
     return set->name && set->scale && set->ground && set->intensity ? STATUS_OK

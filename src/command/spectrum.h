@@ -3,6 +3,7 @@
 #ifndef JOSTLE_COMMAND_SPECTRUM_H
 #define JOSTLE_COMMAND_SPECTRUM_H
 
+#include "command/periods.h"
 #include "command/picture.h"
 #include "jostle/intensity.h"
 #include "jostle/record.h"
@@ -19,8 +20,9 @@ struct spectrum_request {
     struct record_request record;  // without its path
     double scale;                  // factor of every record
     double pga;                    // [m/s^2] each is scaled to; 0: `scale` holds
-    const double *damping, *period;
-    int n_damping, n_period;
+    const double *damping;
+    int n_damping;
+    struct periods periods;
     enum spectrum_form form;
     enum spectrum_content content;
     struct picture_options picture;

@@ -5,13 +5,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/periods.h"
 #include "command/quantity_word.h"
 #include "command/spectrum.h"
 #include "command/threads.h"
 #include "core/arena.h"
 
-enum { DAMPING_MAX = 7, PERIODS_MAX = 100000 };
-static const double PERIOD_MIN = 1e-3, PERIOD_MAX = 1e3;  // [s]
+enum { DAMPING_MAX = 7 };
 
 // Default periods: ten a decade in a table to be read, a hundred where a curve is wanted.
 static const double DEFAULT_FROM = 0.01, DEFAULT_TO = 10.0;
@@ -78,54 +78,16 @@ static const char details[] =
     "arithmetic; percentiles are interpolated between the sorted values. With -o or --script the\n"
     "table of the spectrum is left out.\n";
 
-static const char *read_quantity(const char *text, const struct dimension *dimension,
-                                 double *value) {
-    struct unit_system si;
-    unit_system_init(&si);
-    return quantity_word(text, &si, dimension, BARE_ALLOWED, value);
-}
-
-// The whole of `text` as one quantity.
-static bool read_whole(const char *text, const struct dimension *dimension, enum bare bare,
-                       double *value) {
-    struct unit_system si;
-    unit_system_init(&si);
-    const char *end = quantity_word(text, &si, dimension, bare, value);
-    return end && *end == '\0';
-}
-
-// "A,B,C" into `value`, which has room for `max`; returns how many, 0 if it is no such list.
-static int read_list(const char *text, const struct dimension *dimension, int max, double *value) {
-    for (int n = 0; n < max;) {
-        text = read_quantity(text, dimension, &value[n++]);
-        if (!text || (*text != ',' && *text != '\0')) {
-            return 0;
-        }
-        if (*text++ == '\0') {
-            return n;
-        }
-    }
-    return 0;
-}
-
-static int count_fields(const char *text) {
-    int n = 1;
-    for (; (text = strchr(text, ',')) != NULL; text++) {
-        n++;
-    }
-    return n;
-}
-
 static int parse_damping(const char *text, struct spectrum_request *q) {
     double *value = arena_alloc(q->arena, DAMPING_MAX, sizeof *value);
     if (!value) {
         return command_no_memory();
     }
-    if (count_fields(text) > DAMPING_MAX) {
+    if (quantity_count(text) > DAMPING_MAX) {
         return command_usage(self, "--damping has %d ratios; at most %d are taken",
-                             count_fields(text), DAMPING_MAX);
+                             quantity_count(text), DAMPING_MAX);
     }
-    q->n_damping = read_list(text, &dimension_none, DAMPING_MAX, value);
+    q->n_damping = quantity_list(text, &dimension_none, DAMPING_MAX, value);
     if (q->n_damping == 0) {
         return command_usage(self, "--damping takes ratios such as 0.05 or 2%%,5%%, not '%s'",
                              text);
@@ -140,72 +102,14 @@ static int parse_damping(const char *text, struct spectrum_request *q) {
     return EXIT_DONE;
 }
 
-static int log_grid(double from, double to, int n, struct spectrum_request *q) {
-    double *period = arena_alloc(q->arena, (size_t)n, sizeof *period);
-    if (!period) {
-        return command_no_memory();
-    }
-    for (int i = 0; i < n; i++) {
-        period[i] = from * pow(to / from, (double)i / (n - 1));
-    }
-    period[n - 1] = to;
-    q->period = period;
-    q->n_period = n;
-    return EXIT_DONE;
-}
-
-static int parse_range(const char *text, struct spectrum_request *q) {
-    double from, to, n;
-    const char *at = read_quantity(text, &dimension_time, &from);
-    at = at && *at == ':' ? read_quantity(at + 1, &dimension_time, &to) : NULL;
-    if (!at || *at != ':' || !read_whole(at + 1, &dimension_none, BARE_ALLOWED, &n)) {
-        return command_usage(self, "--periods takes FROM:TO:N or a list, not '%s'", text);
-    }
-    if (!(from >= PERIOD_MIN && from < to && to <= PERIOD_MAX)) {
-        return command_usage(self, "periods from %g to %g s; they must ascend within %g to %g s",
-                             from, to, PERIOD_MIN, PERIOD_MAX);
-    }
-    if (!(n >= 2.0 && n <= PERIODS_MAX && n == floor(n))) {
-        return command_usage(self, "%g periods; 2 to %d are taken", n, PERIODS_MAX);
-    }
-    return log_grid(from, to, (int)n, q);
-}
-
-static int parse_periods(const char *text, struct spectrum_request *q) {
-    if (strchr(text, ':')) {
-        return parse_range(text, q);
-    }
-    const int max = count_fields(text);
-    double *value = arena_alloc(q->arena, (size_t)max, sizeof *value);
-    if (!value) {
-        return command_no_memory();
-    }
-    q->n_period = read_list(text, &dimension_time, max, value);
-    if (q->n_period == 0) {
-        return command_usage(self, "--periods takes FROM:TO:N or a list, not '%s'", text);
-    }
-    for (int i = 0; i < q->n_period; i++) {
-        if (value[i] != 0.0 && !(value[i] >= PERIOD_MIN && value[i] <= PERIOD_MAX)) {
-            return command_usage(self, "a period is %g s; it must be 0 or %g to %g s", value[i],
-                                 PERIOD_MIN, PERIOD_MAX);
-        }
-        if (i > 0 && !(value[i] > value[i - 1])) {
-            return command_usage(self, "periods must ascend: %g s follows %g s", value[i],
-                                 value[i - 1]);
-        }
-    }
-    q->period = value;
-    return EXIT_DONE;
-}
-
 static int parse_scale(const char *text, struct spectrum_request *q) {
-    return read_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0
+    return quantity_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0
                ? EXIT_DONE
                : command_usage(self, "--scale takes a factor other than 0, not '%s'", text);
 }
 
 static int parse_pga(const char *text, struct spectrum_request *q) {
-    return read_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0
+    return quantity_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0
                ? EXIT_DONE
                : command_usage(
                      self, "--pga takes an acceleration > 0 with its unit, such as 0.35g, not '%s'",
@@ -213,7 +117,7 @@ static int parse_pga(const char *text, struct spectrum_request *q) {
 }
 
 static int parse_dt(const char *text, struct spectrum_request *q) {
-    return read_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) && q->record.dt > 0.0
+    return quantity_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) && q->record.dt > 0.0
                ? EXIT_DONE
                : command_usage(self, "--dt takes a time > 0 in s, not '%s'", text);
 }
@@ -278,7 +182,7 @@ static int take(void *request, int letter) {
         case OPTION_DAMPING:
             return parse_damping(optarg, q);
         case OPTION_PERIODS:
-            return parse_periods(optarg, q);
+            return periods_parse(self, "--periods", optarg, q->arena, &q->periods);
         case OPTION_SCALE:
             return parse_scale(optarg, q);
         case OPTION_PGA:
@@ -311,14 +215,14 @@ static int check_pounding(const struct spectrum_request *q) {
         q->pga != 0.0 || q->damping || q->content == CONTENT_INTENSITIES) {
         return command_usage(self, "--pounding takes records and damping from the deck");
     }
-    if (q->period && q->period[0] == 0.0) {
+    if (q->periods.value && q->periods.value[0] == 0.0) {
         return command_usage(self, "a structure of period 0 does not pound");
     }
-    if (q->period && q->n_period > POUNDING_MAX) {
-        return command_usage(self, "%d periods; --pounding takes up to %d", q->n_period,
+    if (q->periods.value && q->periods.n > POUNDING_MAX) {
+        return command_usage(self, "%d periods; --pounding takes up to %d", q->periods.n,
                              POUNDING_MAX);
     }
-    if (picture_is_wanted(&q->picture) && q->period && q->n_period < 3) {
+    if (picture_is_wanted(&q->picture) && q->periods.value && q->periods.n < 3) {
         return command_usage(self, "a picture needs at least three periods > 0");
     }
     return EXIT_DONE;
@@ -342,11 +246,11 @@ static int check(const struct spectrum_request *q) {
         return command_usage(self, "give --scale or --pga, not both");
     }
     if (q->content == CONTENT_INTENSITIES &&
-        (picture_is_wanted(&q->picture) || q->damping || q->period)) {
+        (picture_is_wanted(&q->picture) || q->damping || q->periods.value)) {
         return command_usage(self, "--intensities leaves no spectrum to draw, damp or sample");
     }
-    if (picture_is_wanted(&q->picture) && q->period &&
-        (q->n_period < 3 || q->period[q->n_period - 3] == 0.0)) {
+    if (picture_is_wanted(&q->picture) && q->periods.value &&
+        (q->periods.n < 3 || q->periods.value[q->periods.n - 3] == 0.0)) {
         return command_usage(self, "a picture needs at least three periods > 0");
     }
     return EXIT_DONE;
@@ -355,15 +259,19 @@ static int check(const struct spectrum_request *q) {
 static int set_defaults(struct spectrum_request *q) {
     if (q->pounding) {
         q->n_thread = q->n_thread > 0 ? q->n_thread : threads_all();
-        return q->period ? EXIT_DONE : log_grid(POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT, q);
+        return q->periods.value ? EXIT_DONE
+                                : periods_range(self, POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT,
+                                                q->arena, &q->periods);
     }
     if (!q->damping) {
         q->damping = default_damping;
         q->n_damping = 1;
     }
     const bool table = q->form == FORM_TEXT && !picture_is_wanted(&q->picture);
-    return q->period ? EXIT_DONE
-                     : log_grid(DEFAULT_FROM, DEFAULT_TO, table ? DEFAULT_TABLE : DEFAULT_CURVE, q);
+    return q->periods.value
+               ? EXIT_DONE
+               : periods_range(self, DEFAULT_FROM, DEFAULT_TO,
+                               table ? DEFAULT_TABLE : DEFAULT_CURVE, q->arena, &q->periods);
 }
 
 static const struct command_options options = {&command_spectrum, details, NULL, getopt_long_only,

@@ -77,8 +77,8 @@ static void print_record(const struct spectrum_request *q, const struct spectrum
     static const enum spectrum_quantity shown[] = {SPECTRUM_PSA, SPECTRUM_PSV, SPECTRUM_SD};
     printf("%10s %10s %10s %10s\n", "period", "PSA", "PSV", "SD");
     printf("%10s %10s %10s %10s\n", "[s]", "[g]", "[m/s]", "[m]");
-    for (int p = 0; p < q->n_period; p++) {
-        printf("%10.4g", q->period[p]);
+    for (int p = 0; p < q->periods.n; p++) {
+        printf("%10.4g", q->periods.value[p]);
         for (size_t i = 0; i < sizeof shown / sizeof shown[0]; i++) {
             printf(" %10.4g", response(q, set, 0, damping, p, shown[i]));
         }
@@ -93,8 +93,8 @@ static void print_statistics(const struct spectrum_request *q, const struct spec
            "mean PSV", "mean SD");
     printf("%10s %10s %10s %10s %10s %10s %10s\n", "[s]", "[g]", "[g]", "[g]", "[g]", "[m/s]",
            "[m]");
-    for (int p = 0; p < q->n_period; p++) {
-        printf("%10.4g", q->period[p]);
+    for (int p = 0; p < q->periods.n; p++) {
+        printf("%10.4g", q->periods.value[p]);
         for (int k = 0; k < SPECTRA_STATISTICS; k++) {
             printf(" %10.4g", response(q, set, q->n_record + k, damping, p, SPECTRUM_PSA));
         }
@@ -145,11 +145,11 @@ static void print_series_tsv(const struct spectrum_request *q, const struct spec
     const bool record = series < q->n_record;
     struct cells c = {.to = stdout, .form = CELLS_TSV};
     for (int d = 0; d < q->n_damping; d++) {
-        for (int p = 0; p < q->n_period; p++) {
+        for (int p = 0; p < q->periods.n; p++) {
             cells_text(&c, record ? "record" : "statistic");
             cells_text(&c, record ? set->name[series] : statistic[series - q->n_record]);
             cells_number(&c, q->damping[d]);
-            cells_number(&c, q->period[p]);
+            cells_number(&c, q->periods.value[p]);
             for (int k = 0; k < SPECTRUM_COUNT; k++) {
                 cells_number(&c, response(q, set, series, d, p, (enum spectrum_quantity)k));
             }
