@@ -30,6 +30,9 @@ enum {
     OPTION_DT,
     OPTION_SCALE,
     OPTION_PGA,
+    OPTION_TARGET,
+    OPTION_MATCH,
+    OPTION_DECK,
     OPTION_INTENSITIES,
     OPTION_TSV,
     OPTION_SCRIPT,
@@ -55,6 +58,12 @@ static const char details[] =
     "                   0.01:10:301 for TSV and pictures)\n"
     "  --scale S        multiplies each record by S\n"
     "  --pga A          scales each record to this peak, 0.35g or 3.4m/s2\n"
+    "  --target FILE    scales each record to a spectrum, by the mean of ln(target / PSA);\n"
+    "                   FILE has rows of period and PSA under a line with their units,\n"
+    "                   period [s], PSA [g]\n"
+    "  --match P        periods over which that mean is taken, as for --periods (default: 301\n"
+    "                   over the whole target)\n"
+    "  --deck           prints the records and their factors as sweeps for a deck, nothing else\n"
     "  --format F       format of the records; found if not given\n"
     "  --unit U         unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it\n"
     "  --dt DT          time between samples, if a file does not say it\n"
@@ -64,8 +73,8 @@ static const char details[] =
     "                   0.1:2:20)\n"
     "  -D NAME=VALUE    overrides a param of that deck; may be repeated\n"
     "  -j THREADS       threads for its runs (default: all cores)\n"
-    "  --tsv            tab-separated values, not rounded, one line a record (and\n"
-    "                   statistic), damping and period; with --intensities one line a record\n"
+    "  --tsv            tab-separated values, not rounded, one line a record (and statistic,\n"
+    "                   target), damping and period; with --intensities one line a record\n"
     "  -o FILE          draws the pseudo-acceleration, or the force; .png, .svg or .pdf\n"
     "  --script DIR     writes DIR/spectrum.gp for gnuplot and its data, DIR/spectrum.dat;\n"
     "                   pounding.gp and .dat with --pounding\n"
@@ -133,6 +142,8 @@ static const char **text_of(struct spectrum_request *q, int letter) {
             return &q->picture.script_folder;
         case OPTION_POUNDING:
             return &q->pounding;
+        case OPTION_TARGET:
+            return &q->target;
         default:
             return &q->picture.output;
     }
@@ -146,6 +157,9 @@ static const struct option option[] = {
     {"dt", required_argument, NULL, OPTION_DT},
     {"scale", required_argument, NULL, OPTION_SCALE},
     {"pga", required_argument, NULL, OPTION_PGA},
+    {"target", required_argument, NULL, OPTION_TARGET},
+    {"match", required_argument, NULL, OPTION_MATCH},
+    {"deck", no_argument, NULL, OPTION_DECK},
     {"intensities", no_argument, NULL, OPTION_INTENSITIES},
     {"tsv", no_argument, NULL, OPTION_TSV},
     {"output", required_argument, NULL, 'o'},
@@ -173,6 +187,14 @@ static int check_once(struct spectrum_request *q, int letter) {
     return EXIT_DONE;
 }
 
+static int take_form(struct spectrum_request *q, enum spectrum_form form) {
+    if (q->form != FORM_TEXT && q->form != form) {
+        return command_usage(self, "give --tsv or --deck, not both");
+    }
+    q->form = form;
+    return EXIT_DONE;
+}
+
 static int take(void *request, int letter) {
     struct spectrum_request *q = request;
     if (check_once(q, letter) != EXIT_DONE) {
@@ -183,6 +205,8 @@ static int take(void *request, int letter) {
             return parse_damping(optarg, q);
         case OPTION_PERIODS:
             return periods_parse(self, "--periods", optarg, q->arena, &q->periods);
+        case OPTION_MATCH:
+            return periods_parse(self, "--match", optarg, q->arena, &q->match);
         case OPTION_SCALE:
             return parse_scale(optarg, q);
         case OPTION_PGA:
@@ -198,8 +222,9 @@ static int take(void *request, int letter) {
             q->content = CONTENT_INTENSITIES;
             break;
         case OPTION_TSV:
-            q->form = FORM_TSV;
-            break;
+            return take_form(q, FORM_TSV);
+        case OPTION_DECK:
+            return take_form(q, FORM_DECK);
         case OPTION_FORCE:
             q->picture.existing = RESULT_REPLACE;
             break;
@@ -212,7 +237,7 @@ static int take(void *request, int letter) {
 static int check_pounding(const struct spectrum_request *q) {
     const struct record_request *r = &q->record;
     if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || q->scale != 1.0 ||
-        q->pga != 0.0 || q->damping || q->content == CONTENT_INTENSITIES) {
+        q->pga != 0.0 || q->target || q->damping || q->content == CONTENT_INTENSITIES) {
         return command_usage(self, "--pounding takes records and damping from the deck");
     }
     if (q->periods.value && q->periods.value[0] == 0.0) {
@@ -228,8 +253,18 @@ static int check_pounding(const struct spectrum_request *q) {
     return EXIT_DONE;
 }
 
+static int check_target(const struct spectrum_request *q) {
+    if (!q->target && (q->match.value || q->form == FORM_DECK)) {
+        return command_usage(self, "%s needs --target", q->match.value ? "--match" : "--deck");
+    }
+    if (q->target && q->n_damping > 1) {
+        return command_usage(self, "--target takes one damping ratio, that of the target");
+    }
+    return q->form == FORM_DECK ? spectrum_check_deck(q) : EXIT_DONE;
+}
+
 static int check(const struct spectrum_request *q) {
-    if (picture_check(self, &q->picture) != EXIT_DONE) {
+    if (picture_check(self, &q->picture) != EXIT_DONE || check_target(q) != EXIT_DONE) {
         return EXIT_INPUT;
     }
     if (q->pounding) {
@@ -242,8 +277,8 @@ static int check(const struct spectrum_request *q) {
     if (q->n_record < 1) {
         return command_usage(self, "a record is expected");
     }
-    if (q->scale != 1.0 && q->pga > 0.0) {
-        return command_usage(self, "give --scale or --pga, not both");
+    if ((q->scale != 1.0) + (q->pga > 0.0) + (q->target != NULL) > 1) {
+        return command_usage(self, "give one of --scale, --pga and --target");
     }
     if (q->content == CONTENT_INTENSITIES &&
         (picture_is_wanted(&q->picture) || q->damping || q->periods.value)) {

@@ -65,7 +65,7 @@ wrong "a range has three words" "not '1:2'" centro.AT2 --periods 1:2
 wrong "a number has a known unit" "not '1parsec'" centro.AT2 --periods 1parsec
 wrong "a peak has its unit" "with its unit" centro.AT2 --pga 0.3
 wrong "a peak is positive" "> 0" centro.AT2 --pga -0.3g
-wrong "--scale and --pga exclude each other" "not both" centro.AT2 --scale 2 --pga 0.3g
+wrong "--scale and --pga exclude each other" "give one of --scale, --pga and --target" centro.AT2 --scale 2 --pga 0.3g
 wrong "a scale of 0 is refused" "a factor other than 0" centro.AT2 --scale 0
 wrong "a picture has an ending" "must end in .png, .svg or .pdf" centro.AT2 -o picture.gif
 wrong "a picture needs periods" "three periods" centro.AT2 -o picture.png --periods 0,1,2
