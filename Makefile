@@ -240,6 +240,8 @@ docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and
 	@sh tests/support/with_block.sh errors $(B)/docs/errors <$(B)/docs/accuracy.md >docs/accuracy.md
 	@sh tests/support/pictures.sh $(PROGRAM) $(B)/docs docs/pictures
 	@$(PROGRAM) spectrum input/records/*.AT2 -o docs/pictures/spectrum.svg --force >/dev/null
+	@$(PROGRAM) spectrum input/records/*.AT2 --target input/en1998.txt --match 0.2:2:50 \
+	    -o docs/pictures/target.svg --force >/dev/null
 	@$(PROGRAM) spectrum --pounding input/pounding_spectrum.deck --periods 0.1:2:40 \
 	    -o docs/pictures/pounding.png --force >/dev/null
 	@sh tests/support/law_pictures.sh $(PROGRAM) docs/pictures

@@ -37,6 +37,9 @@ struct range {
 extern const struct range range_positive;      // > 0
 extern const struct range range_non_negative;  // >= 0
 
+// Is the value within the range? All are where that is NULL.
+bool range_holds(const struct range *r, double value);
+
 struct row {
     const char *key;  // without the dash
     enum row_kind kind;

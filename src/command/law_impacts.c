@@ -315,10 +315,18 @@ static int run(struct law_impacts *l, struct law_impact *i, struct error *e) {
     return status;
 }
 
+static int read_measured(struct law_impacts *l, const char *path, struct error *e) {
+    const struct time_series_column column[TIME_SERIES_COLUMNS] = {
+        {.name = "time", .dimension = dimension_time, .unit = 1.0},
+        {.name = "value", .dimension = dimension_force, .unit = 1.0},
+    };
+    return time_series_read(l->deck->arena, path, column, &l->measured, e);
+}
+
 static int run_all(struct law_impacts *l, const struct law_words *words, struct error *e) {
     int status = STATUS_OK;
     if (words->fit) {
-        status = time_series_read(l->deck->arena, words->fit, dimension_force, &l->measured, e);
+        status = read_measured(l, words->fit, e);
     }
     for (int i = 0; i < l->n && status == STATUS_OK; i++) {
         if (words->fit) {

@@ -35,7 +35,7 @@ static const char *find_obstacle(const struct model *m) {
 static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     const struct spectrum_request *q = p->request;
     struct force_map_pair pair;
-    force_map_pair(&pair, q->period[0], q->period[0]);
+    force_map_pair(&pair, q->periods.value[0], q->periods.value[0]);
     memcpy(define, q->define, (size_t)q->n_define * sizeof *define);
     define[q->n_define] = pair.define[0];
     define[q->n_define + 1] = pair.define[1];
@@ -62,7 +62,7 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
 
 static int run_all(struct pounding *p, struct arena *a) {
     const struct spectrum_request *q = p->request;
-    const size_t n = (size_t)q->n_period;
+    const size_t n = (size_t)q->periods.n;
     const char **define = arena_alloc(a, (size_t)q->n_define + 2, sizeof *define);
     p->force = arena_alloc(a, n * n, sizeof *p->force);
     struct error e;
@@ -77,8 +77,8 @@ static int run_all(struct pounding *p, struct arena *a) {
     const struct force_map_request request = {.path = q->pounding,
                                               .define = q->define,
                                               .n_define = q->n_define,
-                                              .period = q->period,
-                                              .n_period = q->n_period,
+                                              .period = q->periods.value,
+                                              .n_period = q->periods.n,
                                               .n_thread = q->n_thread,
                                               .poll = progress_poll,
                                               .context = &progress};
@@ -93,9 +93,9 @@ static void print_tsv(const struct pounding *p) {
     const struct spectrum_request *q = p->request;
     printf("T1 [s]\tT2 [s]\tforce [%s]\n", p->units.force_name);
     struct cells c = {.to = stdout, .form = CELLS_TSV};
-    for (int pair = 0; pair < q->n_period * q->n_period; pair++) {
-        const double value[] = {q->period[pair / q->n_period], q->period[pair % q->n_period],
-                                p->force[pair]};
+    for (int pair = 0; pair < q->periods.n * q->periods.n; pair++) {
+        const double value[] = {q->periods.value[pair / q->periods.n],
+                                q->periods.value[pair % q->periods.n], p->force[pair]};
         cells_numbers(&c, value, 3);
         cells_end(&c);
     }
@@ -104,7 +104,7 @@ static void print_tsv(const struct pounding *p) {
 // "largest 1234 kN at T1 = 0.2 s, T2 = 1.1 s; no contact for 20 of 400 pairs"
 static void summarise(const struct pounding *p, char *text, size_t size) {
     const struct spectrum_request *q = p->request;
-    const int n = q->n_period;
+    const int n = q->periods.n;
     int at = 0, apart = 0;
     for (int pair = 0; pair < n * n; pair++) {
         at = p->force[pair] > p->force[at] ? pair : at;
@@ -112,7 +112,7 @@ static void summarise(const struct pounding *p, char *text, size_t size) {
     }
     const int used =
         snprintf(text, size, "largest %.4g %s at T1 = %.4g s, T2 = %.4g s", p->force[at],
-                 p->units.force_name, q->period[at / n], q->period[at % n]);
+                 p->units.force_name, q->periods.value[at / n], q->periods.value[at % n]);
     snprintf(text + used, size - (size_t)used, "; no contact for %d of %d pairs", apart, n * n);
 }
 
@@ -124,8 +124,8 @@ static int write_map(void *context, const struct figure_files *to, struct error 
                                      .subtitle = text,
                                      .version = JOSTLE_VERSION,
                                      .units = &p->units,
-                                     .n = p->request->n_period,
-                                     .period = p->request->period,
+                                     .n = p->request->periods.n,
+                                     .period = p->request->periods.value,
                                      .force = p->force};
     return pounding_map_write(&map, to, e);
 }

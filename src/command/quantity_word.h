@@ -13,4 +13,13 @@ enum bare { BARE_ALLOWED, BARE_REFUSED };
 const char *quantity_word(const char *text, const struct unit_system *u,
                           const struct dimension *dimension, enum bare bare, double *value);
 
+// The whole of `text` as one quantity in SI. False: it is none.
+bool quantity_whole(const char *text, const struct dimension *dimension, enum bare bare,
+                    double *value);
+
+// "A,B,C" in SI into `value`, which has room for `max`; units may be left out. Returns how many, 0:
+// it is no such list. quantity_count: the number of its places.
+int quantity_list(const char *text, const struct dimension *dimension, int max, double *value);
+int quantity_count(const char *list);
+
 #endif

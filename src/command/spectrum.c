@@ -16,7 +16,8 @@ static int spectrum_command(int argc, char **argv);
 const struct command command_spectrum = {
     .name = "spectrum",
     .usage =
-        "RECORD... [--damping LIST] [--periods FROM:TO:N|LIST] [--scale S|--pga A]\n"
+        "RECORD... [--damping LIST] [--periods FROM:TO:N|LIST]\n"
+        "           [--scale S|--pga A|--target FILE [--match FROM:TO:N|LIST] [--deck]]\n"
         "           [--format F] [--unit U] [--dt DT] [--intensities] [--tsv]\n"
         "           [-o FILE.png|.svg|.pdf] [--script DIR] [--force]\n"
         "       jostle spectrum --pounding DECK [--periods FROM:TO:N|LIST] [-D NAME=VALUE]...\n"
@@ -51,10 +52,11 @@ static int name_records(const struct spectrum_request *q, struct arena *a, struc
     return STATUS_OK;
 }
 
+// A target is scaled to when the spectra are known.
 static int find_scale(const struct spectrum_request *q, const struct record *record,
                       const char *path, double *scale, struct error *e) {
     *scale = q->scale;
-    if (q->pga == 0.0) {
+    if (q->pga == 0.0 && !q->target) {
         return STATUS_OK;
     }
     double peak = 0.0;
@@ -62,10 +64,10 @@ static int find_scale(const struct spectrum_request *q, const struct record *rec
         peak = fmax(peak, fabs(record->value[j]) * record->unit);
     }
     if (peak == 0.0) {
-        return error_set(e, STATUS_INPUT, "%s: every value is 0; it cannot be scaled to a peak",
-                         path);
+        return error_set(e, STATUS_INPUT, "%s: every value is 0; it cannot be scaled to a %s", path,
+                         q->target ? "target" : "peak");
     }
-    *scale = q->pga / peak;
+    *scale = q->target ? 1.0 : q->pga / peak;
     return STATUS_OK;
 }
 
@@ -91,20 +93,29 @@ static int read_ground(const struct spectrum_request *q, int r, struct arena *a,
 static int allocate(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
                     struct error *e) {
     const size_t n = (size_t)q->n_record;
-    *set = (struct spectrum_set){
-        .name = arena_alloc(a, n, sizeof *set->name),
-        .scale = arena_alloc(a, n, sizeof *set->scale),
-        .ground = arena_alloc(a, n, sizeof *set->ground),
-        .intensity = arena_alloc(a, n, sizeof *set->intensity),
-        .spectra = {.n_record = q->n_record,
-                    .n_damping = q->n_damping,
-                    .n_period = q->n_period,
-                    .damping = q->damping,
-                    .period = q->period,
-                    .tell = progress_tell},
-    };
+    set->name = arena_alloc(a, n, sizeof *set->name);
+    set->scale = arena_alloc(a, n, sizeof *set->scale);
+    set->ground = arena_alloc(a, n, sizeof *set->ground);
+    set->intensity = arena_alloc(a, n, sizeof *set->intensity);
+    set->spectra = (struct spectra){.n_record = q->n_record,
+                                    .n_damping = q->n_damping,
+                                    .n_period = q->periods.n,
+                                    .damping = q->damping,
+                                    .period = q->periods.value};
     return set->name && set->scale && set->ground && set->intensity ? STATUS_OK
                                                                     : error_no_memory(e);
+}
+
+int spectrum_compute(struct spectra *s, const struct signal *ground, struct arena *a,
+                     struct error *e) {
+    struct progress progress;
+    progress_start(&progress, 1, "points");
+    s->tell = progress_tell;
+    s->context = &progress;
+    const int status = spectra_compute(s, ground, a, e);
+    s->context = NULL;
+    progress_end(&progress);
+    return status;
 }
 
 static int compute(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
@@ -115,19 +126,16 @@ static int compute(const struct spectrum_request *q, struct arena *a, struct spe
     }
     for (int r = 0; status == STATUS_OK && r < q->n_record; r++) {
         status = read_ground(q, r, a, set, e);
-        if (status == STATUS_OK) {
-            set->intensity[r] = intensity_of(&set->ground[r], q->record.gravity);
-        }
     }
-    if (status == STATUS_OK && q->content == CONTENT_ALL) {
-        struct progress progress;
-        progress_start(&progress, 1, "points");
-        set->spectra.context = &progress;
-        status = spectra_compute(&set->spectra, set->ground, a, e);
-        set->spectra.context = NULL;
-        progress_end(&progress);
+    if (status == STATUS_OK && q->target) {
+        status = spectrum_match(q, a, set, e);
     }
-    return status;
+    for (int r = 0; status == STATUS_OK && r < q->n_record; r++) {
+        set->intensity[r] = intensity_of(&set->ground[r], q->record.gravity);
+    }
+    return status == STATUS_OK && q->content == CONTENT_ALL
+               ? spectrum_compute(&set->spectra, set->ground, a, e)
+               : status;
 }
 
 static int write_picture(void *context, const struct figure_files *to, struct error *e) {
@@ -142,6 +150,11 @@ static int draw(const struct spectrum_request *q, const struct spectrum_set *set
         .gravity = q->record.gravity,
         .version = JOSTLE_VERSION,
     };
+    if (q->target) {
+        sheet.target = &set->target;
+        sheet.factor = set->scale;
+        sheet.match = (struct span){q->match.value[0], q->match.value[q->match.n - 1]};
+    }
     const struct picture_request picture = {
         .options = q->picture,
         .name = "spectrum",
@@ -151,10 +164,28 @@ static int draw(const struct spectrum_request *q, const struct spectrum_set *set
     return picture_make(&picture, e);
 }
 
-static int spectrum_command(int argc, char **argv) {
+static int show_records(struct spectrum_request *q, struct arena *a) {
+    struct spectrum_set set = {0};
     struct error e;
+    if (q->target) {
+        const int answer = spectrum_read_target(q, a, &set);
+        if (answer != GO_ON) {
+            return answer;
+        }
+    }
+    int status = compute(q, a, &set, &e);
+    if (status == STATUS_OK && picture_is_wanted(&q->picture)) {
+        status = draw(q, &set, &e);
+    }
+    if (status != STATUS_OK) {
+        return command_fail(&e);
+    }
+    spectrum_print(q, &set);
+    return EXIT_DONE;
+}
+
+static int spectrum_command(int argc, char **argv) {
     struct spectrum_request q;
-    struct spectrum_set set;
     struct arena *a = arena_create();
     if (!a) {
         return command_no_memory();
@@ -163,14 +194,7 @@ static int spectrum_command(int argc, char **argv) {
     if (status == GO_ON && q.pounding) {
         status = pounding_run(&q, a);
     } else if (status == GO_ON) {
-        status = compute(&q, a, &set, &e);
-        if (status == STATUS_OK && picture_is_wanted(&q.picture)) {
-            status = draw(&q, &set, &e);
-        }
-        if (status == STATUS_OK) {
-            spectrum_print(&q, &set);
-        }
-        status = status == STATUS_OK ? EXIT_DONE : command_fail(&e);
+        status = show_records(&q, a);
     }
     arena_free(a);
     return status;

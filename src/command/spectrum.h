@@ -3,23 +3,30 @@
 #ifndef JOSTLE_COMMAND_SPECTRUM_H
 #define JOSTLE_COMMAND_SPECTRUM_H
 
+#include "command/periods.h"
 #include "command/picture.h"
 #include "jostle/intensity.h"
 #include "jostle/record.h"
 #include "jostle/spectrum.h"
+#include "motion/match.h"
+#include "motion/target.h"
 
-enum spectrum_form { FORM_TEXT, FORM_TSV };
+enum spectrum_form { FORM_TEXT, FORM_TSV, FORM_DECK };
 enum spectrum_content { CONTENT_ALL, CONTENT_INTENSITIES };
 
 struct spectrum_request {
     struct arena *arena;  // borrowed: of its lists
+    unsigned given;       // a bit for each option that was
     char **path;          // (n_record)
     int n_record;
     struct record_request record;  // without its path
     double scale;                  // factor of every record
     double pga;                    // [m/s^2] each is scaled to; 0: `scale` holds
-    const double *damping, *period;
-    int n_damping, n_period;
+    const char *target;            // the file of a spectrum each is scaled to; NULL: none
+    struct periods match;          // those at which it is compared
+    const double *damping;
+    int n_damping;
+    struct periods periods;
     enum spectrum_form form;
     enum spectrum_content content;
     struct picture_options picture;
@@ -36,12 +43,35 @@ struct spectrum_set {
     struct signal *ground;        // (n_record) [m/s^2]
     struct intensity *intensity;  // (n_record)
     struct spectra spectra;       // not computed for CONTENT_INTENSITIES
+    struct target target;         // as what follows, only if one was asked for
+    const char *target_name;
+    const double *goal;  // (match.n) its values [m/s^2]
+    struct match match;
 };
 
 extern const struct command command_spectrum;
 
 // Reads the command line; lists are from `a`. Returns GO_ON or the exit status.
 int spectrum_parse(int argc, char **argv, struct arena *a, struct spectrum_request *q);
+
+// Refuses records whose paths --deck cannot print. Returns EXIT_DONE or EXIT_INPUT.
+int spectrum_check_deck(const struct spectrum_request *q);
+
+// Reads the target, and completes the request by the periods at which it is compared. Returns GO_ON
+// or the exit status.
+int spectrum_read_target(struct spectrum_request *q, struct arena *a, struct spectrum_set *set);
+
+// Scales the grounds to the target.
+int spectrum_match(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
+                   struct error *e);
+
+// spectra_compute, with its progress on the terminal.
+int spectrum_compute(struct spectra *s, const struct signal *ground, struct arena *a,
+                     struct error *e);
+
+// Prints the factors, or the lines of a deck that give them.
+void spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set);
+void spectrum_print_deck(const struct spectrum_request *q, const struct spectrum_set *set);
 
 // Prints the tables to stdout.
 void spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set);

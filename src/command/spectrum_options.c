@@ -5,13 +5,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "command/periods.h"
 #include "command/quantity_word.h"
 #include "command/spectrum.h"
 #include "command/threads.h"
 #include "core/arena.h"
 
-enum { DAMPING_MAX = 7, PERIODS_MAX = 100000 };
-static const double PERIOD_MIN = 1e-3, PERIOD_MAX = 1e3;  // [s]
+enum { DAMPING_MAX = 7 };
 
 // Default periods: ten a decade in a table to be read, a hundred where a curve is wanted.
 static const double DEFAULT_FROM = 0.01, DEFAULT_TO = 10.0;
@@ -30,6 +30,9 @@ enum {
     OPTION_DT,
     OPTION_SCALE,
     OPTION_PGA,
+    OPTION_TARGET,
+    OPTION_MATCH,
+    OPTION_DECK,
     OPTION_INTENSITIES,
     OPTION_TSV,
     OPTION_SCRIPT,
@@ -55,6 +58,12 @@ static const char details[] =
     "                   0.01:10:301 for TSV and pictures)\n"
     "  --scale S        multiplies each record by S\n"
     "  --pga A          scales each record to this peak, 0.35g or 3.4m/s2\n"
+    "  --target FILE    scales each record to a spectrum, by the mean of ln(target / PSA);\n"
+    "                   FILE has rows of period and PSA under a line with their units,\n"
+    "                   period [s], PSA [g]\n"
+    "  --match P        periods over which that mean is taken, as for --periods (default: 301\n"
+    "                   over the whole target)\n"
+    "  --deck           prints the records and their factors as sweeps for a deck, nothing else\n"
     "  --format F       format of the records; found if not given\n"
     "  --unit U         unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it\n"
     "  --dt DT          time between samples, if a file does not say it\n"
@@ -64,8 +73,8 @@ static const char details[] =
     "                   0.1:2:20)\n"
     "  -D NAME=VALUE    overrides a param of that deck; may be repeated\n"
     "  -j THREADS       threads for its runs (default: all cores)\n"
-    "  --tsv            tab-separated values, not rounded, one line a record (and\n"
-    "                   statistic), damping and period; with --intensities one line a record\n"
+    "  --tsv            tab-separated values, not rounded, one line a record (and statistic,\n"
+    "                   target), damping and period; with --intensities one line a record\n"
     "  -o FILE          draws the pseudo-acceleration, or the force; .png, .svg or .pdf\n"
     "  --script DIR     writes DIR/spectrum.gp for gnuplot and its data, DIR/spectrum.dat;\n"
     "                   pounding.gp and .dat with --pounding\n"
@@ -78,54 +87,16 @@ static const char details[] =
     "arithmetic; percentiles are interpolated between the sorted values. With -o or --script the\n"
     "table of the spectrum is left out.\n";
 
-static const char *read_quantity(const char *text, const struct dimension *dimension,
-                                 double *value) {
-    struct unit_system si;
-    unit_system_init(&si);
-    return quantity_word(text, &si, dimension, BARE_ALLOWED, value);
-}
-
-// The whole of `text` as one quantity.
-static bool read_whole(const char *text, const struct dimension *dimension, enum bare bare,
-                       double *value) {
-    struct unit_system si;
-    unit_system_init(&si);
-    const char *end = quantity_word(text, &si, dimension, bare, value);
-    return end && *end == '\0';
-}
-
-// "A,B,C" into `value`, which has room for `max`; returns how many, 0 if it is no such list.
-static int read_list(const char *text, const struct dimension *dimension, int max, double *value) {
-    for (int n = 0; n < max;) {
-        text = read_quantity(text, dimension, &value[n++]);
-        if (!text || (*text != ',' && *text != '\0')) {
-            return 0;
-        }
-        if (*text++ == '\0') {
-            return n;
-        }
-    }
-    return 0;
-}
-
-static int count_fields(const char *text) {
-    int n = 1;
-    for (; (text = strchr(text, ',')) != NULL; text++) {
-        n++;
-    }
-    return n;
-}
-
 static int parse_damping(const char *text, struct spectrum_request *q) {
     double *value = arena_alloc(q->arena, DAMPING_MAX, sizeof *value);
     if (!value) {
         return command_no_memory();
     }
-    if (count_fields(text) > DAMPING_MAX) {
+    if (quantity_count(text) > DAMPING_MAX) {
         return command_usage(self, "--damping has %d ratios; at most %d are taken",
-                             count_fields(text), DAMPING_MAX);
+                             quantity_count(text), DAMPING_MAX);
     }
-    q->n_damping = read_list(text, &dimension_none, DAMPING_MAX, value);
+    q->n_damping = quantity_list(text, &dimension_none, DAMPING_MAX, value);
     if (q->n_damping == 0) {
         return command_usage(self, "--damping takes ratios such as 0.05 or 2%%,5%%, not '%s'",
                              text);
@@ -140,72 +111,14 @@ static int parse_damping(const char *text, struct spectrum_request *q) {
     return EXIT_DONE;
 }
 
-static int log_grid(double from, double to, int n, struct spectrum_request *q) {
-    double *period = arena_alloc(q->arena, (size_t)n, sizeof *period);
-    if (!period) {
-        return command_no_memory();
-    }
-    for (int i = 0; i < n; i++) {
-        period[i] = from * pow(to / from, (double)i / (n - 1));
-    }
-    period[n - 1] = to;
-    q->period = period;
-    q->n_period = n;
-    return EXIT_DONE;
-}
-
-static int parse_range(const char *text, struct spectrum_request *q) {
-    double from, to, n;
-    const char *at = read_quantity(text, &dimension_time, &from);
-    at = at && *at == ':' ? read_quantity(at + 1, &dimension_time, &to) : NULL;
-    if (!at || *at != ':' || !read_whole(at + 1, &dimension_none, BARE_ALLOWED, &n)) {
-        return command_usage(self, "--periods takes FROM:TO:N or a list, not '%s'", text);
-    }
-    if (!(from >= PERIOD_MIN && from < to && to <= PERIOD_MAX)) {
-        return command_usage(self, "periods from %g to %g s; they must ascend within %g to %g s",
-                             from, to, PERIOD_MIN, PERIOD_MAX);
-    }
-    if (!(n >= 2.0 && n <= PERIODS_MAX && n == floor(n))) {
-        return command_usage(self, "%g periods; 2 to %d are taken", n, PERIODS_MAX);
-    }
-    return log_grid(from, to, (int)n, q);
-}
-
-static int parse_periods(const char *text, struct spectrum_request *q) {
-    if (strchr(text, ':')) {
-        return parse_range(text, q);
-    }
-    const int max = count_fields(text);
-    double *value = arena_alloc(q->arena, (size_t)max, sizeof *value);
-    if (!value) {
-        return command_no_memory();
-    }
-    q->n_period = read_list(text, &dimension_time, max, value);
-    if (q->n_period == 0) {
-        return command_usage(self, "--periods takes FROM:TO:N or a list, not '%s'", text);
-    }
-    for (int i = 0; i < q->n_period; i++) {
-        if (value[i] != 0.0 && !(value[i] >= PERIOD_MIN && value[i] <= PERIOD_MAX)) {
-            return command_usage(self, "a period is %g s; it must be 0 or %g to %g s", value[i],
-                                 PERIOD_MIN, PERIOD_MAX);
-        }
-        if (i > 0 && !(value[i] > value[i - 1])) {
-            return command_usage(self, "periods must ascend: %g s follows %g s", value[i],
-                                 value[i - 1]);
-        }
-    }
-    q->period = value;
-    return EXIT_DONE;
-}
-
 static int parse_scale(const char *text, struct spectrum_request *q) {
-    return read_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0
+    return quantity_whole(text, &dimension_none, BARE_ALLOWED, &q->scale) && q->scale != 0.0
                ? EXIT_DONE
                : command_usage(self, "--scale takes a factor other than 0, not '%s'", text);
 }
 
 static int parse_pga(const char *text, struct spectrum_request *q) {
-    return read_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0
+    return quantity_whole(text, &dimension_acceleration, BARE_REFUSED, &q->pga) && q->pga > 0.0
                ? EXIT_DONE
                : command_usage(
                      self, "--pga takes an acceleration > 0 with its unit, such as 0.35g, not '%s'",
@@ -213,7 +126,7 @@ static int parse_pga(const char *text, struct spectrum_request *q) {
 }
 
 static int parse_dt(const char *text, struct spectrum_request *q) {
-    return read_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) && q->record.dt > 0.0
+    return quantity_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) && q->record.dt > 0.0
                ? EXIT_DONE
                : command_usage(self, "--dt takes a time > 0 in s, not '%s'", text);
 }
@@ -229,18 +142,71 @@ static const char **text_of(struct spectrum_request *q, int letter) {
             return &q->picture.script_folder;
         case OPTION_POUNDING:
             return &q->pounding;
+        case OPTION_TARGET:
+            return &q->target;
         default:
             return &q->picture.output;
     }
 }
 
+static const struct option option[] = {
+    {"damping", required_argument, NULL, OPTION_DAMPING},
+    {"periods", required_argument, NULL, OPTION_PERIODS},
+    {"format", required_argument, NULL, OPTION_FORMAT},
+    {"unit", required_argument, NULL, OPTION_UNIT},
+    {"dt", required_argument, NULL, OPTION_DT},
+    {"scale", required_argument, NULL, OPTION_SCALE},
+    {"pga", required_argument, NULL, OPTION_PGA},
+    {"target", required_argument, NULL, OPTION_TARGET},
+    {"match", required_argument, NULL, OPTION_MATCH},
+    {"deck", no_argument, NULL, OPTION_DECK},
+    {"intensities", no_argument, NULL, OPTION_INTENSITIES},
+    {"tsv", no_argument, NULL, OPTION_TSV},
+    {"output", required_argument, NULL, 'o'},
+    {"script", required_argument, NULL, OPTION_SCRIPT},
+    {"force", no_argument, NULL, OPTION_FORCE},
+    {"pounding", required_argument, NULL, OPTION_POUNDING},
+    {"define", required_argument, NULL, 'D'},
+    {"threads", required_argument, NULL, 'j'},
+    {"help", no_argument, NULL, 'h'},
+    {NULL, 0, NULL, 0},
+};
+
+// Options with a value stand once, but for -D.
+static int check_once(struct spectrum_request *q, int letter) {
+    int i = 0;
+    while (option[i].val != letter) {
+        i++;
+    }
+    const unsigned mark = 1u << i;
+    if (q->given & mark && option[i].has_arg && letter != 'D') {
+        return letter > UCHAR_MAX ? command_usage(self, "--%s is given twice", option[i].name)
+                                  : command_usage(self, "-%c is given twice", letter);
+    }
+    q->given |= mark;
+    return EXIT_DONE;
+}
+
+static int take_form(struct spectrum_request *q, enum spectrum_form form) {
+    if (q->form != FORM_TEXT && q->form != form) {
+        return command_usage(self, "give --tsv or --deck, not both");
+    }
+    q->form = form;
+    return EXIT_DONE;
+}
+
 static int take(void *request, int letter) {
     struct spectrum_request *q = request;
+    if (check_once(q, letter) != EXIT_DONE) {
+        return EXIT_INPUT;
+    }
     switch (letter) {
         case OPTION_DAMPING:
             return parse_damping(optarg, q);
         case OPTION_PERIODS:
-            return parse_periods(optarg, q);
+            return periods_parse(self, "--periods", optarg, q->arena, &q->periods);
+        case OPTION_MATCH:
+            return periods_parse(self, "--match", optarg, q->arena, &q->match);
         case OPTION_SCALE:
             return parse_scale(optarg, q);
         case OPTION_PGA:
@@ -256,8 +222,9 @@ static int take(void *request, int letter) {
             q->content = CONTENT_INTENSITIES;
             break;
         case OPTION_TSV:
-            q->form = FORM_TSV;
-            break;
+            return take_form(q, FORM_TSV);
+        case OPTION_DECK:
+            return take_form(q, FORM_DECK);
         case OPTION_FORCE:
             q->picture.existing = RESULT_REPLACE;
             break;
@@ -270,24 +237,34 @@ static int take(void *request, int letter) {
 static int check_pounding(const struct spectrum_request *q) {
     const struct record_request *r = &q->record;
     if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || q->scale != 1.0 ||
-        q->pga != 0.0 || q->damping || q->content == CONTENT_INTENSITIES) {
+        q->pga != 0.0 || q->target || q->damping || q->content == CONTENT_INTENSITIES) {
         return command_usage(self, "--pounding takes records and damping from the deck");
     }
-    if (q->period && q->period[0] == 0.0) {
+    if (q->periods.value && q->periods.value[0] == 0.0) {
         return command_usage(self, "a structure of period 0 does not pound");
     }
-    if (q->period && q->n_period > POUNDING_MAX) {
-        return command_usage(self, "%d periods; --pounding takes up to %d", q->n_period,
+    if (q->periods.value && q->periods.n > POUNDING_MAX) {
+        return command_usage(self, "%d periods; --pounding takes up to %d", q->periods.n,
                              POUNDING_MAX);
     }
-    if (picture_is_wanted(&q->picture) && q->period && q->n_period < 3) {
+    if (picture_is_wanted(&q->picture) && q->periods.value && q->periods.n < 3) {
         return command_usage(self, "a picture needs at least three periods > 0");
     }
     return EXIT_DONE;
 }
 
+static int check_target(const struct spectrum_request *q) {
+    if (!q->target && (q->match.value || q->form == FORM_DECK)) {
+        return command_usage(self, "%s needs --target", q->match.value ? "--match" : "--deck");
+    }
+    if (q->target && q->n_damping > 1) {
+        return command_usage(self, "--target takes one damping ratio, that of the target");
+    }
+    return q->form == FORM_DECK ? spectrum_check_deck(q) : EXIT_DONE;
+}
+
 static int check(const struct spectrum_request *q) {
-    if (picture_check(self, &q->picture) != EXIT_DONE) {
+    if (picture_check(self, &q->picture) != EXIT_DONE || check_target(q) != EXIT_DONE) {
         return EXIT_INPUT;
     }
     if (q->pounding) {
@@ -300,15 +277,15 @@ static int check(const struct spectrum_request *q) {
     if (q->n_record < 1) {
         return command_usage(self, "a record is expected");
     }
-    if (q->scale != 1.0 && q->pga > 0.0) {
-        return command_usage(self, "give --scale or --pga, not both");
+    if ((q->scale != 1.0) + (q->pga > 0.0) + (q->target != NULL) > 1) {
+        return command_usage(self, "give one of --scale, --pga and --target");
     }
     if (q->content == CONTENT_INTENSITIES &&
-        (picture_is_wanted(&q->picture) || q->damping || q->period)) {
+        (picture_is_wanted(&q->picture) || q->damping || q->periods.value)) {
         return command_usage(self, "--intensities leaves no spectrum to draw, damp or sample");
     }
-    if (picture_is_wanted(&q->picture) && q->period &&
-        (q->n_period < 3 || q->period[q->n_period - 3] == 0.0)) {
+    if (picture_is_wanted(&q->picture) && q->periods.value &&
+        (q->periods.n < 3 || q->periods.value[q->periods.n - 3] == 0.0)) {
         return command_usage(self, "a picture needs at least three periods > 0");
     }
     return EXIT_DONE;
@@ -317,36 +294,21 @@ static int check(const struct spectrum_request *q) {
 static int set_defaults(struct spectrum_request *q) {
     if (q->pounding) {
         q->n_thread = q->n_thread > 0 ? q->n_thread : threads_all();
-        return q->period ? EXIT_DONE : log_grid(POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT, q);
+        return q->periods.value ? EXIT_DONE
+                                : periods_range(self, POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT,
+                                                q->arena, &q->periods);
     }
     if (!q->damping) {
         q->damping = default_damping;
         q->n_damping = 1;
     }
     const bool table = q->form == FORM_TEXT && !picture_is_wanted(&q->picture);
-    return q->period ? EXIT_DONE
-                     : log_grid(DEFAULT_FROM, DEFAULT_TO, table ? DEFAULT_TABLE : DEFAULT_CURVE, q);
+    return q->periods.value
+               ? EXIT_DONE
+               : periods_range(self, DEFAULT_FROM, DEFAULT_TO,
+                               table ? DEFAULT_TABLE : DEFAULT_CURVE, q->arena, &q->periods);
 }
 
-static const struct option option[] = {
-    {"damping", required_argument, NULL, OPTION_DAMPING},
-    {"periods", required_argument, NULL, OPTION_PERIODS},
-    {"format", required_argument, NULL, OPTION_FORMAT},
-    {"unit", required_argument, NULL, OPTION_UNIT},
-    {"dt", required_argument, NULL, OPTION_DT},
-    {"scale", required_argument, NULL, OPTION_SCALE},
-    {"pga", required_argument, NULL, OPTION_PGA},
-    {"intensities", no_argument, NULL, OPTION_INTENSITIES},
-    {"tsv", no_argument, NULL, OPTION_TSV},
-    {"output", required_argument, NULL, 'o'},
-    {"script", required_argument, NULL, OPTION_SCRIPT},
-    {"force", no_argument, NULL, OPTION_FORCE},
-    {"pounding", required_argument, NULL, OPTION_POUNDING},
-    {"define", required_argument, NULL, 'D'},
-    {"threads", required_argument, NULL, 'j'},
-    {"help", no_argument, NULL, 'h'},
-    {NULL, 0, NULL, 0},
-};
 static const struct command_options options = {&command_spectrum, details, NULL, getopt_long_only,
                                                ":hD:j:o:",        option,  take};
 

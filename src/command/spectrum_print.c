@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of `jostle spectrum`: accelerations in g, all else in SI units.
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -72,34 +73,56 @@ static void print_intensities(const struct spectrum_request *q, const struct spe
     }
 }
 
+// Two more columns: the target, and what is shown over it.
+static void end_head(const struct spectrum_request *q, const char *text) {
+    printf("%s\n", q->target ? text : "");
+}
+
+static void end_row(const struct spectrum_request *q, const struct spectrum_set *set, int period,
+                    double psa) {
+    if (q->target) {
+        const double goal = target_at(&set->target, q->periods.value[period]) / q->record.gravity;
+        if (isnan(goal)) {
+            printf(" %10s %10s", "-", "-");
+        } else {
+            printf(" %10.4g %10.4g", goal, psa / goal);
+        }
+    }
+    printf("\n");
+}
+
 static void print_record(const struct spectrum_request *q, const struct spectrum_set *set,
                          int damping) {
     static const enum spectrum_quantity shown[] = {SPECTRUM_PSA, SPECTRUM_PSV, SPECTRUM_SD};
-    printf("%10s %10s %10s %10s\n", "period", "PSA", "PSV", "SD");
-    printf("%10s %10s %10s %10s\n", "[s]", "[g]", "[m/s]", "[m]");
-    for (int p = 0; p < q->n_period; p++) {
-        printf("%10.4g", q->period[p]);
+    printf("%10s %10s %10s %10s", "period", "PSA", "PSV", "SD");
+    end_head(q, "     target      ratio");
+    printf("%10s %10s %10s %10s", "[s]", "[g]", "[m/s]", "[m]");
+    end_head(q, "        [g]");
+    for (int p = 0; p < q->periods.n; p++) {
+        printf("%10.4g", q->periods.value[p]);
         for (size_t i = 0; i < sizeof shown / sizeof shown[0]; i++) {
             printf(" %10.4g", response(q, set, 0, damping, p, shown[i]));
         }
-        printf("\n");
+        end_row(q, set, p, response(q, set, 0, damping, p, SPECTRUM_PSA));
     }
 }
 
 static void print_statistics(const struct spectrum_request *q, const struct spectrum_set *set,
                              int damping) {
     const int mean = q->n_record + SPECTRA_MEAN;
-    printf("%10s %10s %10s %10s %10s %10s %10s\n", "period", "mean PSA", "16 %", "50 %", "84 %",
+    printf("%10s %10s %10s %10s %10s %10s %10s", "period", "mean PSA", "16 %", "50 %", "84 %",
            "mean PSV", "mean SD");
-    printf("%10s %10s %10s %10s %10s %10s %10s\n", "[s]", "[g]", "[g]", "[g]", "[g]", "[m/s]",
-           "[m]");
-    for (int p = 0; p < q->n_period; p++) {
-        printf("%10.4g", q->period[p]);
+    end_head(q, "     target      ratio");
+    printf("%10s %10s %10s %10s %10s %10s %10s", "[s]", "[g]", "[g]", "[g]", "[g]", "[m/s]", "[m]");
+    end_head(q, "        [g]");
+    for (int p = 0; p < q->periods.n; p++) {
+        printf("%10.4g", q->periods.value[p]);
         for (int k = 0; k < SPECTRA_STATISTICS; k++) {
             printf(" %10.4g", response(q, set, q->n_record + k, damping, p, SPECTRUM_PSA));
         }
-        printf(" %10.4g %10.4g\n", response(q, set, mean, damping, p, SPECTRUM_PSV),
+        printf(" %10.4g %10.4g", response(q, set, mean, damping, p, SPECTRUM_PSV),
                response(q, set, mean, damping, p, SPECTRUM_SD));
+        end_row(q, set, p, response(q, set, mean, damping, p, SPECTRUM_PSA));
     }
 }
 
@@ -123,7 +146,7 @@ static void print_intensities_tsv(const struct spectrum_request *q,
     for (int i = 0; i < N_INTENSITY; i++) {
         printf("\t%s [%s]", intensities[i].name, intensities[i].unit_name);
     }
-    printf("\n");
+    printf(q->target ? "\tmisfit\n" : "\n");
     for (int r = 0; r < q->n_record; r++) {
         cells_text(&c, set->name[r]);
         cells_whole(&c, (long)set->ground[r].n);
@@ -131,6 +154,9 @@ static void print_intensities_tsv(const struct spectrum_request *q,
         cells_number(&c, set->scale[r]);
         for (int i = 0; i < N_INTENSITY; i++) {
             cells_number(&c, intensity_value(q, set, r, &intensities[i]));
+        }
+        if (q->target) {
+            cells_number(&c, set->match.misfit[r]);
         }
         cells_end(&c);
     }
@@ -145,16 +171,36 @@ static void print_series_tsv(const struct spectrum_request *q, const struct spec
     const bool record = series < q->n_record;
     struct cells c = {.to = stdout, .form = CELLS_TSV};
     for (int d = 0; d < q->n_damping; d++) {
-        for (int p = 0; p < q->n_period; p++) {
+        for (int p = 0; p < q->periods.n; p++) {
             cells_text(&c, record ? "record" : "statistic");
             cells_text(&c, record ? set->name[series] : statistic[series - q->n_record]);
             cells_number(&c, q->damping[d]);
-            cells_number(&c, q->period[p]);
+            cells_number(&c, q->periods.value[p]);
             for (int k = 0; k < SPECTRUM_COUNT; k++) {
                 cells_number(&c, response(q, set, series, d, p, (enum spectrum_quantity)k));
             }
             cells_end(&c);
         }
+    }
+}
+
+// At those of the periods that it has.
+static void print_target_tsv(const struct spectrum_request *q, const struct spectrum_set *set) {
+    struct cells c = {.to = stdout, .form = CELLS_TSV};
+    for (int p = 0; p < q->periods.n; p++) {
+        const double goal = target_at(&set->target, q->periods.value[p]);
+        if (isnan(goal)) {
+            continue;
+        }
+        cells_text(&c, "target");
+        cells_text(&c, set->target_name);
+        cells_number(&c, q->damping[0]);
+        cells_number(&c, q->periods.value[p]);
+        cells_number(&c, in_unit(q, &responses[SPECTRUM_PSA], goal));
+        for (int k = SPECTRUM_PSA + 1; k < SPECTRUM_COUNT; k++) {
+            cells_empty(&c);
+        }
+        cells_end(&c);
     }
 }
 
@@ -168,9 +214,16 @@ static void print_spectra_tsv(const struct spectrum_request *q, const struct spe
     for (int s = 0; s < n_series; s++) {
         print_series_tsv(q, set, s);
     }
+    if (q->target) {
+        print_target_tsv(q, set);
+    }
 }
 
 void spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set) {
+    if (q->form == FORM_DECK) {
+        spectrum_print_deck(q, set);
+        return;
+    }
     if (q->form == FORM_TSV) {
         if (q->content == CONTENT_INTENSITIES) {
             print_intensities_tsv(q, set);
@@ -180,6 +233,9 @@ void spectrum_print(const struct spectrum_request *q, const struct spectrum_set 
         return;
     }
     print_intensities(q, set);
+    if (q->target) {
+        spectrum_print_match(q, set);
+    }
     if (q->content == CONTENT_ALL && !picture_is_wanted(&q->picture)) {
         print_spectra(q, set);
     }

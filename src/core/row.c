@@ -8,6 +8,11 @@ const struct range range_positive = {.min = 0, .max = INFINITY, .min_open = true
 
 const struct range range_non_negative = {.min = 0, .max = INFINITY, .text = ">= 0"};
 
+bool range_holds(const struct range *r, double value) {
+    return !r || ((r->min_open ? value > r->min : value >= r->min) &&
+                  (r->max_open ? value < r->max : value <= r->max));
+}
+
 struct dimension row_dimension(const struct row *row, double power) {
     struct dimension dimension = row->dimension;
     if (row->flags & (ROW_PER_LENGTH_POWER | ROW_PER_VELOCITY_POWER)) {

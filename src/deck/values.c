@@ -82,12 +82,6 @@ static bool check_dimension(struct deck *d, const struct row *row, struct dimens
     return false;
 }
 
-static bool is_in_range(const struct range *r, double value) {
-    bool above = r->min_open ? value > r->min : value >= r->min;
-    bool below = r->max_open ? value < r->max : value <= r->max;
-    return above && below;
-}
-
 static bool check_range(struct deck *d, const struct row *row, struct dimension dimension,
                         const struct word *w, double value) {
     const double largest = 2147483647;  // of a whole number: it must fit an int
@@ -97,7 +91,7 @@ static bool check_range(struct deck *d, const struct row *row, struct dimension 
         return false;
     }
     double size = unit_size(&d->units, dimension);
-    if (!row->range || is_in_range(row->range, unit_convert(value, size, 1))) {
+    if (range_holds(row->range, unit_convert(value, size, 1))) {
         return true;
     }
     char unit[64];

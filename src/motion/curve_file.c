@@ -11,7 +11,6 @@
 #include <math.h>
 
 #include "core/arena.h"
-#include "core/text.h"
 #include "motion/record_unit.h"
 #include "motion/table.h"
 
@@ -32,21 +31,8 @@ struct curve_row {
     const double *before;  // (CURVE_COLUMNS) the row above; NULL: the first row
 };
 
-// What an error says in front: "path:line:column".
-struct curve_place {
-    char text[256];
-};
-
-static struct curve_place place(const struct curve_row *r, enum curve_column column) {
-    const char *at = r->field[column].text;
-    const char *start = at;
-    while (start > r->text->text && start[-1] != '\n' && start[-1] != '\r') {
-        start--;
-    }
-    struct curve_place p;
-    snprintf(p.text, sizeof p.text, "%s:%d", lines_place(r->text->path, r->line).text,
-             text_columns(start, (size_t)(at - start)) + 1);
-    return p;
+static struct line_place place(const struct curve_row *r, enum curve_column column) {
+    return lines_place_field(r->text, r->line, r->field[column]);
 }
 
 static int check_first(const struct curve_row *r, struct error *e) {

@@ -250,6 +250,18 @@ struct line_place lines_place(const char *path, int line) {
     return p;
 }
 
+struct line_place lines_place_field(const struct record_text *t, int line, struct piece field) {
+    const char *start = field.text;
+    while (start > t->text && start[-1] != '\n' && start[-1] != '\r') {
+        start--;
+    }
+    struct line_place p = lines_place(t->path, line);
+    const size_t used = strlen(p.text);
+    snprintf(p.text + used, sizeof p.text - used, ":%d",
+             text_columns(start, (size_t)(field.text - start)) + 1);
+    return p;
+}
+
 int lines_error(struct error *e, const char *path, int line, const char *format, ...) {
     char cause[sizeof e->message];
     va_list arguments;

@@ -77,6 +77,9 @@ struct line_place {
 };
 struct line_place lines_place(const char *path, int line);
 
+// "path:line:column" of a field of the text; columns are characters, from 1.
+struct line_place lines_place_field(const struct record_text *t, int line, struct piece field);
+
 // A field that should be a number: `what` ("value", "time") and `index`, from 1, name it in
 // messages.
 struct number_field {

@@ -1,84 +1,131 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "motion/time_series.h"
 
+#include <math.h>
+
 #include "core/arena.h"
 #include "motion/lines.h"
 #include "motion/record_unit.h"
 #include "motion/table.h"
 
-enum { FILE_SIZE_MAX = 256 << 20, N_COLUMN = 2 };
+enum { FILE_SIZE_MAX = 256 << 20, N_COLUMN = TIME_SERIES_COLUMNS };
 
 // A file being read.
 struct file {
     struct record_text text;
     struct table table;
-    double *column[N_COLUMN];  // (table.n_row) time, value
-    double unit[N_COLUMN];     // in SI
+    const struct time_series_column *column;  // (N_COLUMN)
+    double unit[N_COLUMN];                    // in SI
+    double *value[N_COLUMN];                  // (table.n_row) in SI
+};
+
+// A row of it.
+struct series_row {
+    size_t index;
+    int line;
+    struct piece field[N_COLUMN];
+    double printed[N_COLUMN];
 };
 
 // Takes the units from the caption, by their dimensions.
-static int read_caption(struct file *f, struct dimension dimension, struct error *e) {
+static int read_caption(struct file *f, struct error *e) {
     struct unit_system si;
     struct piece rest = f->table.caption;
     struct piece text;
     unit_system_init(&si);
-    f->unit[0] = f->unit[1] = 1.0;
     while (lines_bracket(&rest, &text)) {
         struct dimension given;
         double size;
         if (!record_unit(text, si.gravity, &given, &size)) {
             continue;
         }
-        if (dimension_equal(given, dimension_time)) {
-            f->unit[0] = size;
-        } else if (dimension_equal(given, dimension)) {
-            f->unit[1] = size;
-        } else {
+        int c = 0;
+        while (c < N_COLUMN && !dimension_equal(given, f->column[c].dimension)) {
+            c++;
+        }
+        if (c == N_COLUMN) {
             struct excerpt shown = lines_excerpt(text);
             return lines_error(e, f->text.path, f->table.caption_line,
-                               "unit '%s' is that of neither a time nor %s", shown.text,
-                               dimension_noun(dimension));
+                               "unit '%s' is that of neither %s nor %s", shown.text,
+                               dimension_noun(f->column[0].dimension),
+                               dimension_noun(f->column[1].dimension));
         }
+        f->unit[c] = size;
     }
     return STATUS_OK;
+}
+
+static int find_units(struct file *f, struct error *e) {
+    struct unit_system si;
+    unit_system_init(&si);
+    for (int c = 0; c < N_COLUMN; c++) {
+        f->unit[c] = f->column[c].unit;
+    }
+    const int status = read_caption(f, e);
+    for (int c = 0; status == STATUS_OK && c < N_COLUMN; c++) {
+        if (f->unit[c] == 0.0) {
+            const char *name = f->column[c].name;
+            char unit[32];
+            unit_text(&si, f->column[c].dimension, unit, sizeof unit);
+            return lines_error(e, f->text.path, f->table.first_line,
+                               "the unit of %s is not given; the line above the numbers must give "
+                               "it in brackets, as in '%s [%s]'",
+                               name, name, unit);
+        }
+    }
+    return status;
 }
 
 static int check_columns(const struct file *f, int line, size_t n, struct error *e) {
     return n == N_COLUMN
                ? STATUS_OK
-               : lines_error(e, f->text.path, line, "%zu column%s; two are read, time and value", n,
-                             n == 1 ? "" : "s");
+               : lines_error(e, f->text.path, line, "%zu column%s; two are read, %s and %s", n,
+                             n == 1 ? "" : "s", f->column[0].name, f->column[1].name);
 }
 
-// Reads row `i`, on which `l` stands.
-static int read_row(struct file *f, const struct lines *l, size_t i, struct error *e) {
-    static const char *const names[N_COLUMN] = {"time", "value"};
+static int check_value(const struct file *f, const struct series_row *r, int c, struct error *e) {
+    const double value = f->value[c][r->index];
+    if (isfinite(value) && range_holds(f->column[c].range, value)) {
+        return STATUS_OK;
+    }
+    return error_set(e, STATUS_INPUT, "%s: %s is %.6g; it must be %s",
+                     lines_place_field(&f->text, r->line, r->field[c]).text, f->column[c].name,
+                     r->printed[c],
+                     isfinite(value) ? f->column[c].range->text : "below 1.8e308 in SI");
+}
+
+static int check_order(const struct file *f, const struct series_row *r, struct error *e) {
+    const double *time = f->value[0] + r->index;
+    const char *name = f->column[0].name;
+    return r->index == 0 || time[0] > time[-1]
+               ? STATUS_OK
+               : error_set(e, STATUS_INPUT, "%s: %s %.9g s after %.9g s; %ss must grow",
+                           lines_place_field(&f->text, r->line, r->field[0]).text, name, time[0],
+                           time[-1], name);
+}
+
+// Reads row `index`, on which `l` stands.
+static int read_row(struct file *f, const struct lines *l, size_t index, struct error *e) {
+    struct series_row r = {.index = index, .line = l->number};
     struct piece rest = l->line;
-    int status = check_columns(f, l->number, lines_count(l->line, table_separators), e);
-    if (status != STATUS_OK) {
-        return status;
-    }
-    for (int c = 0; c < N_COLUMN; c++) {
-        struct number_field field = {f->text.path, l->number, names[c], i + 1, {0}};
-        lines_field(&rest, table_separators, &field.field);
-        status = lines_read_number(&field, &f->column[c][i], e);
-        if (status != STATUS_OK) {
-            return status;
+    int status = check_columns(f, r.line, lines_count(l->line, table_separators), e);
+    for (int c = 0; status == STATUS_OK && c < N_COLUMN; c++) {
+        lines_field(&rest, table_separators, &r.field[c]);
+        const struct number_field field = {f->text.path, r.line, f->column[c].name, index + 1,
+                                           r.field[c]};
+        status = lines_read_number(&field, &r.printed[c], e);
+        if (status == STATUS_OK) {
+            f->value[c][index] = r.printed[c] * f->unit[c];
+            status = check_value(f, &r, c, e);
         }
-        f->column[c][i] *= f->unit[c];
     }
-    const double *time = f->column[0];
-    if (i > 0 && time[i] <= time[i - 1]) {
-        return lines_error(e, f->text.path, l->number, "time %.9g s after %.9g s; times must grow",
-                           time[i], time[i - 1]);
-    }
-    return STATUS_OK;
+    return status == STATUS_OK ? check_order(f, &r, e) : status;
 }
 
 static int read_rows(struct arena *a, struct file *f, struct error *e) {
     for (int c = 0; c < N_COLUMN; c++) {
-        f->column[c] = arena_alloc(a, f->table.n_row, sizeof *f->column[c]);
-        if (!f->column[c]) {
+        f->value[c] = arena_alloc(a, f->table.n_row, sizeof *f->value[c]);
+        if (!f->value[c]) {
             return error_no_memory(e);
         }
     }
@@ -92,7 +139,7 @@ static int read_rows(struct arena *a, struct file *f, struct error *e) {
     return STATUS_OK;
 }
 
-static int read_text(struct arena *a, struct file *f, struct dimension dimension, struct error *e) {
+static int read_text(struct arena *a, struct file *f, struct error *e) {
     struct record_text raw = f->text;
     int status = record_clean(&raw, &f->text, e);
     if (status == STATUS_OK && !table_find(&f->text, &f->table)) {
@@ -105,22 +152,23 @@ static int read_text(struct arena *a, struct file *f, struct dimension dimension
         status = check_columns(f, f->table.first_line, f->table.n_column, e);
     }
     if (status == STATUS_OK) {
-        status = read_caption(f, dimension, e);
+        status = find_units(f, e);
     }
     return status == STATUS_OK ? read_rows(a, f, e) : status;
 }
 
-int time_series_read(struct arena *a, const char *path, struct dimension dimension,
+int time_series_read(struct arena *a, const char *path,
+                     const struct time_series_column column[TIME_SERIES_COLUMNS],
                      struct time_series *out, struct error *e) {
-    struct file f = {0};
+    struct file f = {.column = column};
     struct arena *scratch;
     int status = record_text_open(path, FILE_SIZE_MAX, &f.text, &scratch, e);
     if (status != STATUS_OK) {
         return status;
     }
-    status = read_text(a, &f, dimension, e);
+    status = read_text(a, &f, e);
     if (status == STATUS_OK) {
-        *out = (struct time_series){f.table.n_row, f.column[0], f.column[1]};
+        *out = (struct time_series){f.table.n_row, f.value[0], f.value[1]};
     }
     arena_free(scratch);
     return status;

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A measured quantity over time, from a file of two columns; the steps need not be even.
+// Files of two columns with their units, the first of which ascends: a quantity over time or over
+// the period.
 #ifndef JOSTLE_MOTION_TIME_SERIES_H
 #define JOSTLE_MOTION_TIME_SERIES_H
 
 #include <stddef.h>
 
 #include "jostle/error.h"
-#include "jostle/units.h"
+#include "jostle/row.h"
 
 struct arena;
+
+enum { TIME_SERIES_COLUMNS = 2 };
+struct time_series_column {
+    const char *name;  // in messages: "time", "value"
+    struct dimension dimension;
+    double unit;                // in SI, where the caption gives none; 0: it must
+    const struct range *range;  // NULL: any number
+};
 
 struct time_series {
     size_t n;
@@ -16,10 +25,11 @@ struct time_series {
     const double *value;  // (n) in SI
 };
 
-// Reads time and a value of `dimension`, separated by blanks, tabs, commas or semicolons. Numbers
-// are in SI unless the last line above them gives units in brackets: `time [ms], force [kN]`.
-// Errors: STATUS_INPUT with "path:line: cause", STATUS_SYSTEM.
-int time_series_read(struct arena *a, const char *path, struct dimension dimension,
+// Reads two columns of different dimensions, separated by blanks, tabs, commas or semicolons. The
+// last line above the numbers may give units in brackets: `time [ms], force [kN]`. Errors:
+// STATUS_INPUT with "path:line: cause" or "path:line:column: cause", STATUS_SYSTEM.
+int time_series_read(struct arena *a, const char *path,
+                     const struct time_series_column column[TIME_SERIES_COLUMNS],
                      struct time_series *out, struct error *e);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 #include "plot/script.h"
 
@@ -12,6 +13,7 @@ enum { NAMED_MAX = 6 };
 static const char band_colour[] = "#d8d8d8";
 static const char other_colour[] = "#a0a0a0";
 static const char mean_colour[] = "#000000";
+static const char target_colour[] = "#c00000";
 static const char *const record_colour[NAMED_MAX] = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
 };
@@ -22,10 +24,22 @@ static int column(const struct spectra *s, int series, int damping) {
     return 2 + damping * (s->n_record + SPECTRA_STATISTICS) + series;
 }
 
+// Behind them all.
+static int target_column(const struct spectra *s) {
+    return column(s, 0, s->n_damping);
+}
+
+// In g; NAN where there is none.
+static double target_value(const struct response_sheet *sheet, double period) {
+    return sheet->target ? target_at(sheet->target, period) / sheet->gravity : NAN;
+}
+
 static void write_data(const struct response_sheet *sheet, FILE *to) {
     const struct spectra *s = sheet->spectra;
-    fprintf(to, "$spectra << EOD\n"
-                "# period, then for each damping ratio: records, mean, 16 %%, 50 %%, 84 %%\n");
+    fprintf(to,
+            "$spectra << EOD\n"
+            "# period, then for each damping ratio: records, mean, 16 %%, 50 %%, 84 %%%s\n",
+            sheet->target ? "; target" : "");
     for (int p = 0; p < s->n_period; p++) {
         if (s->period[p] == 0.0) {
             continue;
@@ -36,46 +50,74 @@ static void write_data(const struct response_sheet *sheet, FILE *to) {
                 fprintf(to, " %.9g", spectra_at(s, k, d, p)->value[SPECTRUM_PSA] / sheet->gravity);
             }
         }
+        if (sheet->target) {
+            fprintf(to, " %.9g", target_value(sheet, s->period[p]));
+        }
         fprintf(to, "\n");
     }
     fprintf(to, "EOD\n");
 }
 
-static void write_title(const struct response_sheet *sheet, struct canvas *c) {
+// Its name, with its middle left out, and the factor that brings it to the target.
+static void name_record(const struct response_sheet *sheet, int record, int columns, char *text,
+                        size_t size) {
+    char name[64];
+    script_shorten(sheet->name[record], columns, name, sizeof name);
+    if (sheet->target) {
+        snprintf(text, size, "%s × %.2g", name, sheet->factor[record]);
+    } else {
+        snprintf(text, size, "%s", name);
+    }
+}
+
+static void write_title(const struct response_sheet *sheet, char *text, size_t size) {
     const struct spectra *s = sheet->spectra;
-    const struct intensity *i = &sheet->intensity[0];
-    char title[256], text[256], damping[64] = "";
+    char damping[64] = "", name[128];
     if (s->n_damping == 1) {
         snprintf(damping, sizeof damping, ", %g %% damping", 100.0 * s->damping[0]);
     }
     if (s->n_record > 1) {
-        snprintf(title, sizeof title, "Response spectra of %d records%s", s->n_record, damping);
-        const bool band = s->n_damping == 1;
-        snprintf(text, sizeof text, "mean%s of the records%s", band ? " and 16 to 84 %" : "",
-                 band && s->n_record <= NAMED_MAX ? "; at each name its PGA" : "");
+        snprintf(text, size, "Response spectra of %d%s records%s", s->n_record,
+                 sheet->target ? " scaled" : "", damping);
     } else {
-        char name[64];
-        script_shorten(sheet->name[0], 30, name, sizeof name);
-        snprintf(title, sizeof title, "Response spectrum of %s%s", name, damping);
-        snprintf(text, sizeof text,
-                 "PGA %.3g g, PGV %.3g m/s, Arias %.3g m/s, CAV %.3g m/s, D5-95 %.3g s",
-                 i->pga / sheet->gravity, i->pgv, i->arias, i->cav, i->d5_95);
+        name_record(sheet, 0, 30, name, sizeof name);
+        snprintf(text, size, "Response spectrum of %s%s", name, damping);
     }
-    canvas_head(c, title, text);
 }
 
-// Each record by name with its peak, or all as one entry.
+static void write_subtitle(const struct response_sheet *sheet, char *text, size_t size) {
+    const struct spectra *s = sheet->spectra;
+    const struct intensity *i = &sheet->intensity[0];
+    const bool band = s->n_damping == 1;
+    if (sheet->target) {
+        snprintf(text, size, "%sscaled to the target from %.4g to %.4g s",
+                 s->n_record > 1 ? "mean and 16 to 84 % of the records, " : "", sheet->match.low,
+                 sheet->match.high);
+    } else if (s->n_record > 1) {
+        snprintf(text, size, "mean%s of the records%s", band ? " and 16 to 84 %" : "",
+                 band && s->n_record <= NAMED_MAX ? "; at each name its PGA" : "");
+    } else {
+        snprintf(text, size, "PGA %.3g g, PGV %.3g m/s, Arias %.3g m/s, CAV %.3g m/s, D5-95 %.3g s",
+                 i->pga / sheet->gravity, i->pgv, i->arias, i->cav, i->d5_95);
+    }
+}
+
+// Each record by name with its factor or peak, or all as one entry.
 static void write_records(const struct response_sheet *sheet, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
-    char text[128], name[64];
+    char text[128];
     if (s->n_record > NAMED_MAX) {
         snprintf(text, sizeof text, "%d records", s->n_record);
         canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = other_colour}, text);
         return;
     }
     for (int r = 0; r < s->n_record; r++) {
-        script_shorten(sheet->name[r], 23, name, sizeof name);
-        snprintf(text, sizeof text, "%s: %.2g g", name, sheet->intensity[r].pga / sheet->gravity);
+        name_record(sheet, r, 23, text, sizeof text);
+        if (!sheet->target) {
+            const size_t n = strlen(text);
+            snprintf(text + n, sizeof text - n, ": %.2g g",
+                     sheet->intensity[r].pga / sheet->gravity);
+        }
         canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = record_colour[r]}, text);
     }
 }
@@ -86,6 +128,9 @@ static void write_legend(const struct response_sheet *sheet, struct canvas *c) {
         write_records(sheet, c);
         canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = mean_colour}, "mean");
         canvas_legend(c, (struct mark){.kind = MARK_AREA, .colour = band_colour}, "16 to 84 %");
+    }
+    if (sheet->target) {
+        canvas_legend(c, (struct mark){.kind = MARK_DASHED, .colour = target_colour}, "target");
     }
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
         char text[64];
@@ -120,6 +165,9 @@ static struct axis acceleration_axis(const struct response_sheet *sheet) {
             }
         }
     }
+    for (int p = 0; p < s->n_period; p++) {
+        span_add(&span, target_value(sheet, s->period[p]));
+    }
     return (struct axis){
         .name = "pseudo-acceleration", .unit = "g", .span = span_with_room(span, 0)};
 }
@@ -130,7 +178,21 @@ static void write_line(FILE *to, const char **comma, int at, const char *colour,
     *comma = ",";
 }
 
-static void write_plot(const struct spectra *s, FILE *to) {
+// The ends of the periods at which the target was compared, where they are within the picture.
+static void write_match(const struct response_sheet *sheet, struct span shown, FILE *to) {
+    const double end[] = {sheet->match.low, sheet->match.high};
+    for (int i = 0; sheet->target && i < 2; i++) {
+        if (end[i] > shown.low && end[i] < shown.high) {
+            fprintf(to,
+                    "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '%s' "
+                    "lw 1 dt (2,4)\n",
+                    end[i], end[i], target_colour);
+        }
+    }
+}
+
+static void write_plot(const struct response_sheet *sheet, FILE *to) {
+    const struct spectra *s = sheet->spectra;
     const char *comma = "";
     fprintf(to, "plot");
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
@@ -150,6 +212,10 @@ static void write_plot(const struct spectra *s, FILE *to) {
         }
         write_line(to, &comma, column(s, s->n_record + SPECTRA_MEAN, 0), mean_colour, 1.6);
     }
+    if (sheet->target) {
+        write_line(to, &comma, target_column(s), target_colour, 1.6);
+        fprintf(to, " dt (10,6)");
+    }
     fprintf(to, "\n");
 }
 
@@ -157,6 +223,7 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
                    struct error *e) {
     const struct figure_head head = {
         .name = "spectrum", .doc = "elastic response spectra", .version = sheet->version};
+    char title[256], subtitle[256];
     struct unit_system si;
     struct canvas c;
     int status = figure_open(&head, to, &c, e);
@@ -165,11 +232,14 @@ int response_write(const struct response_sheet *sheet, const struct figure_files
     }
     unit_system_init(&si);
     write_data(sheet, c.data);
-    write_title(sheet, &c);
+    write_title(sheet, title, sizeof title);
+    write_subtitle(sheet, subtitle, sizeof subtitle);
+    canvas_head(&c, title, subtitle);
     write_legend(sheet, &c);
     const struct axis x = period_axis(sheet->spectra), y = acceleration_axis(sheet);
     canvas_panel(&c, canvas_inset(c.area, 5.8, 0.5, 3.2, 0.7), &si, &x, &y);
-    write_plot(sheet->spectra, c.to);
+    write_match(sheet, x.span, c.to);
+    write_plot(sheet, c.to);
     canvas_panel_end(&c);
     figure_close(&c);
     return STATUS_OK;

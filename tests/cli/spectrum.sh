@@ -65,11 +65,15 @@ wrong "a range has three words" "not '1:2'" centro.AT2 --periods 1:2
 wrong "a number has a known unit" "not '1parsec'" centro.AT2 --periods 1parsec
 wrong "a peak has its unit" "with its unit" centro.AT2 --pga 0.3
 wrong "a peak is positive" "> 0" centro.AT2 --pga -0.3g
-wrong "--scale and --pga exclude each other" "not both" centro.AT2 --scale 2 --pga 0.3g
+wrong "--scale and --pga exclude each other" "give one of --scale, --pga and --target" centro.AT2 --scale 2 --pga 0.3g
 wrong "a scale of 0 is refused" "a factor other than 0" centro.AT2 --scale 0
 wrong "a picture has an ending" "must end in .png, .svg or .pdf" centro.AT2 -o picture.gif
 wrong "a picture needs periods" "three periods" centro.AT2 -o picture.png --periods 0,1,2
 wrong "intensities have no damping" "--intensities" centro.AT2 --intensities --damping 0.1
+for option in --damping=0 --periods=1 --scale=2 --pga=1g --dt=1 --unit=g --format=peer --script=folder; do
+    wrong "$option stands once" "${option%=*} is given twice" centro.AT2 $option $option
+done
+wrong "-o stands once" "-o is given twice" centro.AT2 -o one.png -o two.png
 for file in "$root"/tests/records/bad/*; do
     case $file in
     */dt_missing.AT2) word="dt" ;;

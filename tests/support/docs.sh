@@ -28,7 +28,10 @@ sh tests/support/with_block.sh fragility "$folder/fragility" <docs/ida.md |
     sh tests/support/with_block.sh long "$folder/long" >"$folder/ida.md"
 "$jostle" spectrum input/records/*.AT2 --periods 0,0.1,0.2,0.5,1,2,5 >"$folder/spectra"
 "$jostle" spectrum --pounding input/pounding_spectrum.deck --periods 0.1:2:8 >"$folder/pounding"
+"$jostle" spectrum input/records/*.AT2 --target input/en1998.txt --match 0.2:2:50 \
+    --periods 0.1,0.2,0.5,1,2 | sed '1,/^$/d' >"$folder/target"
 sh tests/support/with_block.sh spectrum "$folder/spectra" <docs/spectrum.md |
+    sh tests/support/with_block.sh target "$folder/target" |
     sh tests/support/with_block.sh pounding "$folder/pounding" >"$folder/spectrum.md"
 "$jostle" check "$example" | sed -n '/^estimated for contact/,$p' >"$folder/checked"
 "$jostle" converge "$example" >"$folder/converged" || [ $? -eq 1 ]

@@ -20,24 +20,35 @@ static int tear_down(void **state) {
     return 0;
 }
 
+// A force whose unit is N, or must be given; its times are not negative.
+static int read_force(const char *text, double unit, struct time_series *s, struct error *e) {
+    const struct time_series_column column[TIME_SERIES_COLUMNS] = {
+        {"time", dimension_time, 1.0, &range_non_negative},
+        {"value", dimension_force, unit, NULL},
+    };
+    return time_series_read(arena, support_write("force.txt", text), column, s, e);
+}
+
 static struct time_series read(const char *text) {
     struct time_series s = {0};
     struct error e = {0};
-    if (time_series_read(arena, support_write("force.txt", text), dimension_force, &s, &e) !=
-        STATUS_OK) {
+    if (read_force(text, 1.0, &s, &e) != STATUS_OK) {
         fail_msg("%s", e.message);
     }
     return s;
 }
 
-static void refused(const char *text, const char *message) {
+static void refused_with_unit(const char *text, double unit, const char *message) {
     struct time_series s;
     struct error e = {0};
-    const char *path = support_write("force.txt", text);
-    assert_int_equal(time_series_read(arena, path, dimension_force, &s, &e), STATUS_INPUT);
+    assert_int_equal(read_force(text, unit, &s, &e), STATUS_INPUT);
     if (!strstr(e.message, message)) {
         fail_msg("'%s' is not in '%s'", message, e.message);
     }
+}
+
+static void refused(const char *text, const char *message) {
+    refused_with_unit(text, 1.0, message);
 }
 
 static void numbers_are_in_si_without_a_caption(void **state) {
@@ -68,11 +79,28 @@ static void what_is_wrong_is_named_with_its_line(void **state) {
     refused("no numbers\n", "there is no line of numbers");
     refused("0 1 2\n", "force.txt:1: 3 columns; two are read, time and value");
     refused("0 1\n1 2\n2\n", "force.txt:3: 1 column; two are read");
-    refused("0 1\n1 2\n1 3\n", "force.txt:3: time 1 s after 1 s; times must grow");
+    refused("0 1\n1 2\n1 3\n", "force.txt:3:1: time 1 s after 1 s; times must grow");
     refused("0 1\n1 2x\n", "force.txt:2: value 2 '2x' is not a number");
     refused("0 1\n1 nan\n", "force.txt:2: value 2 'nan' is not a number");
     refused("time [s] force [mm]\n0 1\n1 2\n",
             "force.txt:1: unit 'mm' is that of neither a time nor a force");
+}
+
+static void numbers_are_within_their_range(void **state) {
+    (void)state;
+    refused("time [ms]\n  -2 1\n1 2\n", "force.txt:2:3: time is -2; it must be >= 0");
+    refused("F [kN]\n0 1\n1\t1e306\n", "force.txt:3:3: value is 1e+306; it must be below 1.8e308");
+}
+
+static void a_unit_may_have_to_be_given(void **state) {
+    (void)state;
+    refused_with_unit("drop 7\n0 1\n1 2\n", 0.0,
+                      "force.txt:2: the unit of value is not given; the line above the numbers "
+                      "must give it in brackets, as in 'value [N]'");
+    struct time_series s;
+    struct error e;
+    assert_int_equal(read_force("t, F [kN]\n0 1\n1 2\n", 0.0, &s, &e), STATUS_OK);
+    assert_close(s.value[1], 2e3, 1e-15);
 }
 
 int main(void) {
@@ -80,6 +108,8 @@ int main(void) {
         cmocka_unit_test(numbers_are_in_si_without_a_caption),
         cmocka_unit_test(units_of_a_caption_count),
         cmocka_unit_test(what_is_wrong_is_named_with_its_line),
+        cmocka_unit_test(numbers_are_within_their_range),
+        cmocka_unit_test(a_unit_may_have_to_be_given),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

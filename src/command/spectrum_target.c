@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// jostle spectrum --target: records scaled to a target spectrum, and what came of it.
+#include <math.h>
+#include <string.h>
+
+#include "command/cells.h"
+#include "command/spectrum.h"
+#include "core/arena.h"
+#include "core/text.h"
+
+enum { DEFAULT_MATCH = 301 };
+
+// What building codes ask of the mean of the scaled spectra.
+static const double CODE_SHARE = 0.9;
+
+// May the path stand in a deck, within quotes?
+static bool is_quotable(const char *path) {
+    const size_t n = strlen(path);
+    size_t wrong;
+    bool plain = text_is_utf8(path, n, &wrong) && !strpbrk(path, "\"$");
+    for (size_t at = 0, k = 0; plain && at < n; at += k) {
+        k = text_character(path + at, n - at);
+        plain = !text_is_control(path + at, k);
+    }
+    return plain;
+}
+
+int spectrum_check_deck(const struct spectrum_request *q) {
+    for (int r = 0; r < q->n_record; r++) {
+        if (!is_quotable(q->path[r])) {
+            struct text_short t;
+            return command_usage(&command_spectrum,
+                                 "'%s' cannot stand in a deck: it has a quote, a $ or what is no "
+                                 "text",
+                                 text_short(&t, q->path[r]));
+        }
+    }
+    return EXIT_DONE;
+}
+
+// The target's values at the periods of the request.
+static int sample(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set) {
+    const struct target *t = &set->target;
+    double *goal = arena_alloc(a, (size_t)q->match.n, sizeof *goal);
+    if (!goal) {
+        return command_no_memory();
+    }
+    for (int p = 0; p < q->match.n; p++) {
+        goal[p] = target_at(t, q->match.value[p]);
+        if (isnan(goal[p])) {
+            return command_usage(&command_spectrum,
+                                 "%s goes from %g to %g s, without %g s of --match", q->target,
+                                 t->period[0], t->period[t->n - 1], q->match.value[p]);
+        }
+    }
+    set->goal = goal;
+    return GO_ON;
+}
+
+int spectrum_read_target(struct spectrum_request *q, struct arena *a, struct spectrum_set *set) {
+    struct error e;
+    const struct target *t = &set->target;
+    if (target_read(a, q->target, &set->target, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    size_t n;
+    const char *stem = text_stem(q->target, &n);
+    set->target_name = arena_text(a, stem, n);
+    if (!set->target_name) {
+        return command_no_memory();
+    }
+    int status = EXIT_DONE;
+    if (!q->match.value) {
+        const double first = t->period[t->period[0] > 0.0 ? 0 : 1], last = t->period[t->n - 1];
+        status = periods_range(&command_spectrum, first, last, DEFAULT_MATCH, a, &q->match);
+    }
+    return status == EXIT_DONE ? sample(q, a, set) : status;
+}
+
+int spectrum_match(const struct spectrum_request *q, struct arena *a, struct spectrum_set *set,
+                   struct error *e) {
+    struct spectra s = {.n_record = q->n_record,
+                        .n_damping = 1,
+                        .n_period = q->match.n,
+                        .damping = q->damping,
+                        .period = q->match.value};
+    int status = spectrum_compute(&s, set->ground, a, e);
+    if (status == STATUS_OK) {
+        status = match_compute(&set->match, &s, set->goal, a, e);
+    }
+    for (int r = 0; status == STATUS_OK && r < q->n_record; r++) {
+        struct signal *g = &set->ground[r];
+        set->scale[r] = set->match.factor[r];
+        status = signal_init_samples(g, a, g->value, g->n, g->dt, set->scale[r], 0.0, e);
+    }
+    return status;
+}
+
+void spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set) {
+    const struct match *m = &set->match;
+    printf("\n%9s %9s  record\n", "factor", "misfit");
+    for (int r = 0; r < q->n_record; r++) {
+        printf("%9.4g %9.4g  ", m->factor[r], m->misfit[r]);
+        cells_put_text(set->name[r], stdout);
+        printf("\n");
+    }
+    printf("\ntarget ");
+    cells_put_text(q->target, stdout);
+    printf(", compared at %d periods from %.4g to %.4g s\n", q->match.n, q->match.value[0],
+           q->match.value[q->match.n - 1]);
+    printf("%s over the target: from %.4g at %.4g s to %.4g at %.4g s\n",
+           q->n_record > 1 ? "mean of the scaled spectra" : "scaled spectrum", m->least.value,
+           m->least.period, m->largest.value, m->largest.period);
+    printf("nowhere below %g %% with all factors times %.4f\n", 100.0 * CODE_SHARE,
+           ceil(1e4 * CODE_SHARE / m->least.value) / 1e4);
+}
+
+void spectrum_print_deck(const struct spectrum_request *q, const struct spectrum_set *set) {
+    printf("sweep record values");
+    for (int r = 0; r < q->n_record; r++) {
+        printf(" \\\n    \"%s\"", q->path[r]);
+    }
+    printf(" -as motion\nsweep factor values");
+    for (int r = 0; r < q->n_record; r++) {
+        printf(" %.6g", set->match.factor[r]);
+    }
+    printf(" -as motion\n");
+}
