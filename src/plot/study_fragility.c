@@ -82,6 +82,11 @@ static void write_curves(const struct view *v, FILE *to) {
     }
 }
 
+// Where shares coincide the later mark lies on the earlier ones, which are larger.
+static double mark_size(const struct view *v, int curve) {
+    return 1.5 + 0.6 * (v->n - 1 - curve);
+}
+
 static void write_legend(const struct view *v, struct canvas *c) {
     const struct suite *s = v->p->suite;
     char limit[96], group[128], text[256];
@@ -95,7 +100,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
         canvas_legend(c,
                       (struct mark){.kind = fitted ? MARK_LINE : MARK_POINT,
                                     .colour = script_colour[i],
-                                    .size = 1.5,
+                                    .size = mark_size(v, i),
                                     .point = script_point[i]},
                       text);
     }
@@ -107,8 +112,8 @@ static void write_panel(const struct view *v, struct canvas *c) {
     study_panel(c, v->p->suite, 3.2, &v->x, &y);
     fprintf(c->to, "plot");
     for (int i = 0; i < v->n; i++) {
-        fprintf(c->to, "%s \\\n  $counts%d using 1:2 with points pt %d ps 1.5*point lc rgb '%s'",
-                i > 0 ? "," : "", i, script_point[i], script_colour[i]);
+        fprintf(c->to, "%s \\\n  $counts%d using 1:2 with points pt %d ps %.2g*point lc rgb '%s'",
+                i > 0 ? "," : "", i, script_point[i], mark_size(v, i), script_colour[i]);
         if (v->fit[i].outcome == FRAGILITY_FITTED) {
             fprintf(c->to, ", \\\n  $curve%d using 1:2 with lines lc rgb '%s' lw 1.5", i,
                     script_colour[i]);
