@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/sweep_bundle.h"
+
+#include <math.h>
+#include <string.h>
+
+struct bundle {
+    struct sweep *sweep;  // over its numbers
+    struct sweep *last;   // along it; NULL: none yet
+    int n;                // values, although -D may choose one
+    int choice;           // from 0, of this run
+    bool sound;           // false: what is wrong with it has been reported
+    struct place place;   // of its first sweep
+    struct bundle *next;
+};
+
+bool bundle_name(struct deck *d, const struct argument *as, const struct word *at,
+                 const char *fallback, const struct sweep *own, struct bundle_request *q) {
+    q->name = as->given ? as->word[0] : *at;
+    q->name.text = as->given ? as->text[0] : fallback;
+    if (q->name.text && strcmp(q->name.text, own->name) == 0) {
+        deck_error(d, &q->name, "a sample needs another name than its parameters; -as gives it");
+        return false;
+    }
+    return true;
+}
+
+// Defines the parameter that numbers the bundle and decides which number it has in this run.
+static bool number_bundle(struct deck *d, const struct bundle_request *q, struct bundle *b) {
+    const struct define *define = define_find(d, q->name.text);
+    sweep_bound(d, q->name.text, &b->choice);
+    struct parameter p = {.kind = PARAMETER_NUMBER, .swept = true, .used = true};
+    p.number = (struct quantity){b->choice + 1, true, dimension_none};
+    if (!parameter_keep(d, &q->name, BY_BUNDLE, &p)) {
+        return true;
+    }
+    const double x = p.kind == PARAMETER_NUMBER ? p.number.value : 1.0;
+    if (!(x >= 1.0 && x <= b->n && x == floor(x))) {
+        deck_error(d, &define->value, "'%s' is numbered from 1 to %d", q->name.text, b->n);
+        return false;
+    }
+    b->choice = (int)x - 1;
+    sweep_fix(d, &p, b->sweep);
+    return p.kind == PARAMETER_NUMBER;
+}
+
+// Begins a bundle, which stays in the list where it is wrong; NULL: no memory.
+static struct bundle *begin(struct deck *d, const struct bundle_request *q, int n) {
+    struct bundle *b = deck_array(d, 1, sizeof *b);
+    struct sweep *sweep = deck_array(d, 1, sizeof *sweep);
+    double *number = deck_array(d, (size_t)n, sizeof *number);
+    if (!b || !sweep || !number) {
+        return NULL;
+    }
+    for (int i = 0; i < n; i++) {
+        number[i] = i + 1;
+    }
+    *sweep = (struct sweep){
+        .name = q->name.text, .n = n, .number = number, .known = true, .dimension = dimension_none};
+    *b = (struct bundle){
+        .sweep = sweep, .n = n, .place = q->count->place, .next = d->reader->bundles};
+    d->reader->bundles = b;
+    b->sound = parameter_is_free(d, &q->name, BY_BUNDLE) && number_bundle(d, q, b) &&
+               sweep_append(d, &q->name, sweep);
+    return b;
+}
+
+// The bundle of that name; NULL: something is wrong.
+static struct bundle *find(struct deck *d, const struct bundle_request *q,
+                           const struct sweep *own) {
+    struct bundle *b = d->reader->bundles;
+    while (b && strcmp(b->sweep->name, q->name.text) != 0) {
+        b = b->next;
+    }
+    b = b ? b : begin(d, q, own->n);
+    if (b && b->n != own->n) {
+        deck_error(d, q->count,
+                   "'%s' has %d values since %s, so all that is sampled together has; a sample "
+                   "of its own needs another name: -as NAME",
+                   b->sweep->name, b->n, source_mention(d, &b->place, &q->count->place));
+        return NULL;
+    }
+    return b && b->sound ? b : NULL;
+}
+
+// Leaves value `choice` only.
+static void cut(struct sweep *s, int choice) {
+    s->n = 1;
+    s->fixed = true;
+    s->number = s->number ? s->number + choice : NULL;
+    s->text = s->text ? s->text + choice : NULL;
+    s->label = s->label ? s->label + choice : NULL;
+    s->lines = (struct deck_lines){.text = NULL};
+}
+
+bool bundle_join(struct deck *d, const struct bundle_request *q, struct sweep *own,
+                 struct parameter *p) {
+    struct bundle *b = find(d, q, own);
+    if (!b) {
+        return false;
+    }
+    sweep_choose(own, b->choice, p);
+    p->swept = !b->sweep->fixed;
+    if (b->sweep->fixed) {
+        cut(own, b->choice);
+    }
+    struct sweep *before = b->last ? b->last : b->sweep;
+    before->along = own;
+    b->last = own;
+    return true;
+}
