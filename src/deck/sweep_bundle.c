@@ -28,7 +28,9 @@ bool bundle_name(struct deck *d, const struct argument *as, const struct word *a
 // Defines the parameter that numbers the bundle and decides which number it has in this run.
 static bool number_bundle(struct deck *d, const struct bundle_request *q, struct bundle *b) {
     const struct define *define = define_find(d, q->name.text);
-    sweep_bound(d, q->name.text, &b->choice);
+    if (!sweep_bound(d, q->name.text, &b->choice) || b->choice >= b->n) {
+        b->choice = 0;
+    }
     struct parameter p = {.kind = PARAMETER_NUMBER, .swept = true, .used = true};
     p.number = (struct quantity){b->choice + 1, true, dimension_none};
     if (!parameter_keep(d, &q->name, BY_BUNDLE, &p)) {

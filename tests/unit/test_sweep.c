@@ -339,6 +339,20 @@ static void a_bound_deck_takes_the_values_of_its_sample(void **state) {
     deck_free(first);
 }
 
+// Then the study is refused; until it is, there is no value to be read.
+static void a_bound_deck_with_fewer_values_takes_the_first(void **state) {
+    (void)state;
+    const char *shown = NULL;
+    struct deck *first = read_deck("sweep k random uniform 1 2 -n 5000 -seed 1\nshow $k\n", NULL,
+                                   NULL, NULL, &shown);
+    struct deck *d = read_deck("sweep k random uniform 1 2 -n 3 -seed 1\nshow $k\n", NULL, first,
+                               (const int[]){4999}, &shown);
+    assert_int_equal(d->diagnostics.n_error, 0);
+    assert_close(strtod(shown, NULL), d->sweeps->along->number[0], 1e-14);
+    deck_free(d);
+    deck_free(first);
+}
+
 // -D sample=I is run I; -D of a random parameter fixes that one and leaves the others as they are.
 static void a_define_fixes_a_sample_or_a_parameter_of_it(void **state) {
     (void)state;
@@ -379,6 +393,7 @@ int main(void) {
         cmocka_unit_test(a_wrong_sweep_over_a_param_is_read_once),
         cmocka_unit_test(random_sweeps_are_sampled_together),
         cmocka_unit_test(a_bound_deck_takes_the_values_of_its_sample),
+        cmocka_unit_test(a_bound_deck_with_fewer_values_takes_the_first),
         cmocka_unit_test(a_define_fixes_a_sample_or_a_parameter_of_it),
         cmocka_unit_test(files_are_sorted_and_have_the_shortest_labels_that_differ),
     };
