@@ -70,6 +70,7 @@ struct sweep {
     // Of the numbers 1 ... n of a sample: the first of the random parameters that take one of their
     // n values for each; of a random parameter the next. NULL: none.
     const struct sweep *along;
+    bool random;  // its values are drawn
     const struct sweep *next;
 };
 

@@ -189,6 +189,7 @@ bool sweep_random(struct deck *d, const struct statement *s, struct sweep *own,
         return sweep_take(d, own, &q.first, 1);
     }
     bundle->count = &q.argument[N].word[0];
+    own->random = true;
     own->n = q.values.n;
     own->known = q.first.number.known;
     own->dimension = q.first.number.dimension;
