@@ -67,8 +67,8 @@ struct sweep {
     struct dimension dimension;   // of it
     const char *units;            // of numbers, where they come from a file
     struct deck_lines lines;      // that give the values; none where they use parameters
-    // Of the numbers 1 ... n of a sample: the first of the random parameters that take one of their
-    // n values for each; of a random parameter the next. NULL: none.
+    // Of the numbers 1 ... n of sweeps that go together: the first of these, which take one of
+    // their n values for each; of that the next. NULL: none.
     const struct sweep *along;
     bool random;  // its values are drawn
     const struct sweep *next;
@@ -113,8 +113,9 @@ bool deck_is_study(const struct deck *d);
 bool deck_next(struct deck *d, struct statement *out);
 
 // To be asked at the end of the deck. True where a sweep gives values to a param that was used
-// above the sweep: then the deck stands before its first statement again, what was read and
-// reported is void, and the param gives the value of the first run.
+// above the sweep, or a -D chooses among sweeps that go together: then the deck stands before its
+// first statement again, what was read and reported is void, and the param gives the value of the
+// first run, or the -D its choice.
 bool deck_rewind(struct deck *d);
 
 // What the user gave for one row.

@@ -97,8 +97,9 @@ struct reader {
     struct sweep *last_sweep;
     struct bundle *bundles;  // of sweeps that go together; NULL: none
     int n_sweep;
-    bool swept;  // a parameter was read whose value depends on a sweep
-    bool late;   // a sweep gives values to a parameter that was used above it
+    bool swept;   // a parameter was read whose value depends on a sweep
+    bool late;    // a sweep gives values to a parameter that was used above it
+    bool turned;  // a -D was turned to another parameter
     bool ended;
     size_t n_repeated;  // values from repeats so far
     size_t n_replaced;  // bytes of words with replaced parameters so far
@@ -155,6 +156,8 @@ bool define_open(struct deck *d, const char *const *define, int n_define);
 void define_check(struct deck *d);
 // The files that another reading has found for labels; borrowed.
 void define_bind(struct deck *d, const struct deck *first);
+// Makes it -D NAME=NUMBER from the next reading on, which begins when this one has ended.
+void define_turn(struct deck *d, struct define *define, const char *name, int number);
 // What -D gives for the parameter; NULL: nothing.
 struct define *define_find(const struct deck *d, const char *name);
 

@@ -3,6 +3,7 @@
 // run. A param of the same name may stand above or below it: its value is that of the deck without
 // the sweep.
 // The values of a sweep do not depend on other sweeps, so that the runs of a study form a grid.
+#include <math.h>
 #include <string.h>
 
 #include "deck/reader.h"
@@ -13,38 +14,68 @@
 
 const char sweep_usage[] =
     "sweep NAME values LIST | range FROM TO N [-log] | files \"GLOB\" | random DISTRIBUTION A B "
-    "-n N -seed S [-lhs] [-min X] [-max X] [-as SAMPLE]";
+    "-n N -seed S [-lhs] [-min X] [-max X], each [-as DIMENSION]";
 
-static bool read_files(struct deck *d, const struct statement *s, struct sweep *sweep) {
-    if (s->n_word != 4) {
+enum { AS, LOG, N_ROW };
+
+static const struct row rows[N_ROW] = {
+    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the sweeps that go together"},
+    [LOG] = {"log", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "equal ratios"},
+};
+
+// Reads the first `n_row` options.
+static bool read_options(struct deck *d, const struct statement *s, int n_row,
+                         struct argument *argument, const struct sweep *own,
+                         struct bundle_request *q) {
+    struct row_set set = {rows, n_row, argument};
+    q->count = &s->word[1];
+    q->noun = "value";
+    return deck_options(d, s, &set, 1) && bundle_name(d, &argument[AS], &s->word[1], NULL, own, q);
+}
+
+static bool read_list(struct deck *d, const struct statement *s, struct sweep *own,
+                      struct bundle_request *q) {
+    struct argument argument[N_ROW];
+    return read_options(d, s, AS + 1, argument, own, q) &&
+           sweep_list(d, s, q->name.text ? VALUES_MAY_REPEAT : VALUES_DIFFER, own);
+}
+
+static bool read_range(struct deck *d, const struct statement *s, struct sweep *own,
+                       struct bundle_request *q) {
+    struct argument argument[N_ROW];
+    return read_options(d, s, N_ROW, argument, own, q) &&
+           sweep_range(d, s, argument[LOG].given ? SPACING_LOG : SPACING_LINEAR, own);
+}
+
+static bool read_files(struct deck *d, const struct statement *s, struct sweep *own,
+                       struct bundle_request *q) {
+    struct argument argument[N_ROW];
+    if (!read_options(d, s, AS + 1, argument, own, q)) {
+        return false;
+    }
+    q->noun = "file";
+    if (s->n_plain != 4) {
         deck_error(d, &s->word[2], "one pattern of file names is expected");
         return false;
     }
     const char *pattern = deck_text(d, &s->word[3]);
-    return pattern && sweep_files(d, &s->word[3], pattern, sweep);
+    return pattern && sweep_files(d, &s->word[3], pattern, own);
 }
 
-static bool refuse_options(struct deck *d, const struct statement *s) {
-    if (s->n_plain < s->n_word) {
-        deck_error(d, &s->word[s->n_plain], "the statement is %s", sweep_usage);
-    }
-    return s->n_plain == s->n_word;
-}
-
-static bool read_values_of(struct deck *d, const struct statement *s, struct sweep *sweep,
+static bool read_values_of(struct deck *d, const struct statement *s, struct sweep *own,
                            struct bundle_request *q) {
     enum { VALUES, RANGE, FILES, RANDOM, N_KIND };
     static const char *const kinds[N_KIND] = {
         [VALUES] = "values", [RANGE] = "range", [FILES] = "files", [RANDOM] = "random"};
     switch (deck_keyword(d, &s->word[2], "kind of sweep", kinds, N_KIND)) {
         case VALUES:
-            return refuse_options(d, s) && sweep_list(d, s, sweep);
+            return read_list(d, s, own, q);
         case RANGE:
-            return sweep_range(d, s, sweep);
+            return read_range(d, s, own, q);
         case FILES:
-            return refuse_options(d, s) && read_files(d, s, sweep);
+            return read_files(d, s, own, q);
         case RANDOM:
-            return sweep_random(d, s, sweep, q);
+            return sweep_random(d, s, own, q);
         default:
             return false;
     }
@@ -208,7 +239,7 @@ void sweep_run(struct deck *d, const struct statement *s) {
     struct bundle_request q = {.count = NULL};
     struct parameter p = {.kind = PARAMETER_WRONG};
     bool alone = true;  // a -D takes it out of its bundle
-    if (s->n_plain >= 4 && read(d, s, own, &q)) {
+    if (s->n_plain >= 4 && read(d, s, own, &q) && !bundle_choose(d, &q, own)) {
         alone = !q.name.text || define_find(d, own->name);
         if (alone) {
             p = chosen(d, own);

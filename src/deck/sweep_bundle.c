@@ -10,7 +10,9 @@ struct bundle {
     int n;                // values, although -D may choose one
     int choice;           // from 0, of this run
     bool sound;           // false: what is wrong with it has been reported
-    struct place place;   // of its first sweep
+    const char *first;    // its first sweep
+    const char *noun;     // of the values of that
+    struct place place;
     struct bundle *next;
 };
 
@@ -19,7 +21,7 @@ bool bundle_name(struct deck *d, const struct argument *as, const struct word *a
     q->name = as->given ? as->word[0] : *at;
     q->name.text = as->given ? as->text[0] : fallback;
     if (q->name.text && strcmp(q->name.text, own->name) == 0) {
-        deck_error(d, &q->name, "a sample needs another name than its parameters; -as gives it");
+        deck_error(d, &q->name, "what goes together needs another name than its parameters");
         return false;
     }
     return true;
@@ -47,7 +49,9 @@ static bool number_bundle(struct deck *d, const struct bundle_request *q, struct
 }
 
 // Begins a bundle, which stays in the list where it is wrong; NULL: no memory.
-static struct bundle *begin(struct deck *d, const struct bundle_request *q, int n) {
+static struct bundle *begin(struct deck *d, const struct bundle_request *q,
+                            const struct sweep *own) {
+    const int n = own->n;
     struct bundle *b = deck_array(d, 1, sizeof *b);
     struct sweep *sweep = deck_array(d, 1, sizeof *sweep);
     double *number = deck_array(d, (size_t)n, sizeof *number);
@@ -59,8 +63,12 @@ static struct bundle *begin(struct deck *d, const struct bundle_request *q, int 
     }
     *sweep = (struct sweep){
         .name = q->name.text, .n = n, .number = number, .known = true, .dimension = dimension_none};
-    *b = (struct bundle){
-        .sweep = sweep, .n = n, .place = q->count->place, .next = d->reader->bundles};
+    *b = (struct bundle){.sweep = sweep,
+                         .n = n,
+                         .first = own->name,
+                         .noun = q->noun,
+                         .place = q->count->place,
+                         .next = d->reader->bundles};
     d->reader->bundles = b;
     b->sound = parameter_is_free(d, &q->name, BY_BUNDLE) && number_bundle(d, q, b) &&
                sweep_append(d, &q->name, sweep);
@@ -74,15 +82,46 @@ static struct bundle *find(struct deck *d, const struct bundle_request *q,
     while (b && strcmp(b->sweep->name, q->name.text) != 0) {
         b = b->next;
     }
-    b = b ? b : begin(d, q, own->n);
+    b = b ? b : begin(d, q, own);
     if (b && b->n != own->n) {
         deck_error(d, q->count,
-                   "'%s' has %d values since %s, so all that is sampled together has; a sample "
-                   "of its own needs another name: -as NAME",
-                   b->sweep->name, b->n, source_mention(d, &b->place, &q->count->place));
+                   "'%s' has %d %s%s, but '%s' in %s has %d %s%s; what goes together as '%s' has "
+                   "equally many, and another -as NAME makes a dimension of its own",
+                   own->name, own->n, q->noun, own->n == 1 ? "" : "s", b->first,
+                   source_mention(d, &b->place, &q->count->place), b->n, b->noun,
+                   b->n == 1 ? "" : "s", b->sweep->name);
         return NULL;
     }
     return b && b->sound ? b : NULL;
+}
+
+// How often the text stands in `s`; in *at where, from 0.
+static int count(const struct sweep *s, const char *text, int *at) {
+    int n = 0;
+    for (int i = 0; s->text && i < s->n; i++) {
+        if (strcmp(s->text[i], text) == 0) {
+            *at = i;
+            n++;
+        }
+    }
+    return n;
+}
+
+bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct sweep *own) {
+    struct define *define = define_find(d, own->name);
+    int at = 0;
+    if (!define || !q->name.text || define_find(d, q->name.text)) {
+        return false;
+    }
+    const int n = count(own, define->value.text, &at);
+    if (n > 1) {
+        deck_error(d, &define->value, "this stands %d times in '%s'; -D %s=NUMBER chooses one", n,
+                   own->name, q->name.text);
+        define->taken = true;
+    } else if (n == 1) {
+        define_turn(d, define, q->name.text, at + 1);
+    }
+    return n > 0;
 }
 
 // Leaves value `choice` only.

@@ -26,7 +26,7 @@ static const struct row rows[N_ROW] = {
     [LHS] = {"lhs", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "Latin hypercube"},
     [MIN] = {"min", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "least value"},
     [MAX] = {"max", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "largest value"},
-    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "name of the sample"},
+    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the sweeps that go together"},
 };
 
 // The statement as read.
@@ -189,6 +189,7 @@ bool sweep_random(struct deck *d, const struct statement *s, struct sweep *own,
         return sweep_take(d, own, &q.first, 1);
     }
     bundle->count = &q.argument[N].word[0];
+    bundle->noun = "value";
     own->random = true;
     own->n = q.values.n;
     own->known = q.first.number.known;

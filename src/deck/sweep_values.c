@@ -111,23 +111,16 @@ static bool check_distinct(struct deck *d, const struct sweep *s, const struct w
     return true;
 }
 
-bool sweep_list(struct deck *d, const struct statement *s, struct sweep *sweep) {
-    const int n = s->n_word - 3;
+bool sweep_list(struct deck *d, const struct statement *s, enum repeats repeats,
+                struct sweep *sweep) {
+    const int n = s->n_plain - 3;
     if (n < 1 || n > SWEEP_VALUES_MAX) {
         deck_error(d, &s->word[2], "%d values are given; 1 to %d are allowed", n, SWEEP_VALUES_MAX);
         return false;
     }
     const struct parameter *p = read_values(d, &s->word[3], n);
-    return p && sweep_take(d, sweep, p, n) && check_distinct(d, sweep, &s->word[3]);
-}
-
-enum spacing { SPACING_LINEAR, SPACING_LOG };
-
-static bool read_spacing(struct deck *d, const struct statement *s, enum spacing *spacing) {
-    static const char *const known[] = {"-log"};
-    *spacing = s->n_plain < s->n_word ? SPACING_LOG : SPACING_LINEAR;
-    return *spacing == SPACING_LINEAR ||
-           deck_keyword(d, &s->word[s->n_plain], "option", known, 1) == 0;
+    return p && sweep_take(d, sweep, p, n) &&
+           (repeats == VALUES_MAY_REPEAT || check_distinct(d, sweep, &s->word[3]));
 }
 
 // FROM and TO; NULL after having reported what is wrong with them.
@@ -153,16 +146,13 @@ static const struct parameter *read_ends(struct deck *d, const struct word *word
     return p;
 }
 
-bool sweep_range(struct deck *d, const struct statement *s, struct sweep *sweep) {
+bool sweep_range(struct deck *d, const struct statement *s, enum spacing spacing,
+                 struct sweep *sweep) {
     static const struct range count = {
         .min = 2, .max = SWEEP_VALUES_MAX, .text = ">= 2 and <= 1e6"};
     const struct row row = {.key = "N", .kind = ROW_INTEGER, .range = &count};
     struct argument n;
-    enum spacing spacing;
-    if (!read_spacing(d, s, &spacing)) {
-        return false;
-    }
-    if (s->n_plain != 6 || s->n_word > 7) {
+    if (s->n_plain != 6) {
         deck_error(d, &s->word[2], "a range is FROM TO N [-log]");
         return false;
     }

@@ -16,7 +16,11 @@ bool sweep_take(struct deck *d, struct sweep *s, const struct parameter *p, int 
 
 // The values of the statement sweep NAME values LIST, or sweep NAME range FROM TO N; false after
 // having reported what is wrong with them.
-bool sweep_list(struct deck *d, const struct statement *s, struct sweep *sweep);
-bool sweep_range(struct deck *d, const struct statement *s, struct sweep *sweep);
+enum repeats { VALUES_DIFFER, VALUES_MAY_REPEAT };
+bool sweep_list(struct deck *d, const struct statement *s, enum repeats repeats,
+                struct sweep *sweep);
+enum spacing { SPACING_LINEAR, SPACING_LOG };
+bool sweep_range(struct deck *d, const struct statement *s, enum spacing spacing,
+                 struct sweep *sweep);
 
 #endif
