@@ -65,7 +65,7 @@ struct sweep {
     const char *const *label;     // (n) text, or the shortest name of a file; NULL: numbers
     bool known;                   // numbers have a unit
     struct dimension dimension;   // of it
-    const char *units;            // of numbers, where they come from a file
+    const char *units;            // where it comes from a file; "" for texts
     struct deck_lines lines;      // that give the values; none where they use parameters
     // Of the numbers 1 ... n of sweeps that go together: the first of these, which take one of
     // their n values for each; of that the next. NULL: none.

@@ -90,8 +90,7 @@ static void print_head(const struct study_peaks *p, const struct study_view *v, 
     }
     fputc('\n', to);
     for (int i = 0; i < v->n_sweep; i++) {
-        sweeps_print_line(v->sweep[i], v->sweep_units[i], to);
-        sweeps_print_along(v->sweep[i], NULL, to);
+        sweeps_print(v->sweep[i], NULL, to);
     }
 }
 

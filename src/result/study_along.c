@@ -102,7 +102,7 @@ static struct sweep *get_values(struct h5 *h, struct arena *a, hid_t group, cons
         h5_no_memory(h);
         return NULL;
     }
-    *s = (struct sweep){.name = name, .n = n};
+    *s = (struct sweep){.name = name, .n = n, .units = ""};
     hid_t values = h5_open_object(h, group, name);
     if (h5_is_number(values)) {
         s->number = h5_get_doubles(h, a, group, name, (size_t)n);

@@ -102,7 +102,7 @@ static herr_t visit_sweep(hid_t group, const char *name, const H5L_info_t *info,
         h5_fail(&f->h, "sweep '%s' has the position %ld", name, position);
     }
     if (!f->h.failed) {
-        struct sweep *s = study_reader_sweep(f, group, scale, name, &v->sweep_units[position]);
+        struct sweep *s = study_reader_sweep(f, group, scale, name);
         if (s && s->number) {
             study_along_get_dimension(&f->h, scale, s);
         }

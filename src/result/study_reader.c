@@ -152,8 +152,7 @@ static const char *const *get_links(struct study_file *f, const struct link_grou
     return (const char *const *)text;
 }
 
-struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name,
-                                 const char **units) {
+struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name) {
     struct study_view *v = &f->view;
     struct sweep *s = arena_alloc(v->arena, 1, sizeof *s);
     if (!s) {
@@ -162,11 +161,11 @@ struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale,
     }
     s->name = text_of(f, name);
     s->n = (int)h5_get_length(&f->h, group, s->name, STUDY_RUNS_MAX);
-    *units = "";
+    s->units = "";
     if (h5_is_number(scale)) {
         s->number = h5_get_doubles(&f->h, v->arena, group, s->name, (size_t)s->n);
         study_along_get(&f->h, v->arena, group, scale, s);
-        *units = h5_get_text(&f->h, v->arena, scale, "units");
+        s->units = h5_get_text(&f->h, v->arena, scale, "units");
     } else {
         s->label = (const char *const *)h5_get_texts(&f->h, v->arena, group, s->name, (size_t)s->n);
         s->text = s->label;
@@ -182,8 +181,7 @@ static void get_dimension(struct study_file *f, hid_t scale, int i) {
     }
     const char *slash = strrchr(name, '/');
     hid_t group = h5_get_group(&f->h, f->h.file, "sweep");
-    f->dim[i] =
-        study_reader_sweep(f, group, scale, slash ? slash + 1 : name, &f->view.sweep_units[i]);
+    f->dim[i] = study_reader_sweep(f, group, scale, slash ? slash + 1 : name);
     h5_close(&f->h, group);
     if (f->dim[i]) {
         f->n_dim++;

@@ -85,7 +85,7 @@ static int find_number(const struct study_view *v, int sweep, const char *text) 
     if (text_number(text, &end, &value) != TEXT_NUMBER_OK) {
         return -1;
     }
-    const struct dimension wanted = edp_units(v->sweep_units[sweep], v->units.gravity, &own);
+    const struct dimension wanted = edp_units(s->units, v->units.gravity, &own);
     if (*end != '\0') {
         if (!unit_parse(end, v->units.gravity, &behind, &dimension, &size) || *behind != '\0' ||
             !dimension_equal(dimension, wanted)) {
@@ -126,7 +126,7 @@ static int fix(const struct study_view *v, const char *text, struct roles *r, st
     }
     if (s->number) {
         return error_set(e, STATUS_INPUT, "--at %s: '%s' has %d values, from %.9g to %.9g %s", text,
-                         s->name, s->n, s->number[0], s->number[s->n - 1], v->sweep_units[i]);
+                         s->name, s->n, s->number[0], s->number[s->n - 1], s->units);
     }
     return error_set(e, STATUS_INPUT, "--at %s: '%s' has %d values: %s%s%s", text, s->name, s->n,
                      s->label[0], s->n > 1 ? " ... " : "", s->n > 1 ? s->label[s->n - 1] : "");

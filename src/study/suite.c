@@ -32,7 +32,7 @@ static const char *append_value(struct maker *m, const char *text, int sweep, in
     const struct sweep *s = v->sweep[sweep];
     char number[40];
     snprintf(number, sizeof number, "%.6g", s->number ? s->number[k] : 0.0);
-    const char *units = unit_suffix(v->sweep_units[sweep]);
+    const char *units = unit_suffix(s->units);
     const char *all =
         arena_format(m->s->arena, "%s%s%s%s%s%s%s", text, text[0] ? ", " : "", s->name, equals,
                      s->number ? number : s->label[k], units[0] ? " " : "", units);
@@ -205,9 +205,9 @@ static void take_abscissa(struct suite *s, const struct roles *r) {
     s->abscissa = r->along;
     s->is_random = s->abscissa != v->sweep[r->abscissa];
     s->is_intensity = r->is_intensity;
-    const char *units = s->is_random ? s->abscissa->units : v->sweep_units[r->abscissa];
-    s->abscissa_dimension = edp_units(units, v->units.gravity, &size);
-    s->abscissa_units = dimension_equal(s->abscissa_dimension, dimension_none) ? "" : units;
+    s->abscissa_dimension = edp_units(s->abscissa->units, v->units.gravity, &size);
+    s->abscissa_units =
+        dimension_equal(s->abscissa_dimension, dimension_none) ? "" : s->abscissa->units;
 }
 
 static int make(struct maker *m, struct study_file *f, const struct suite_request *q,
