@@ -108,6 +108,9 @@ void deck_bind(struct deck *d, const struct deck *first, const int *choice);
 // True if the deck that has been read has a sweep that -D does not fix.
 bool deck_is_study(const struct deck *d);
 
+// `s`, or the next along it, by whose values tables name a run: they are not drawn. NULL: none.
+const struct sweep *sweep_named(const struct sweep *s);
+
 // The next statement; false at the end of the deck, when -D names that no param took are reported
 // too. Words live as long as the deck.
 bool deck_next(struct deck *d, struct statement *out);

@@ -94,6 +94,13 @@ const struct sweep *sweep_bound(const struct deck *d, const char *name, int *cho
     return NULL;
 }
 
+const struct sweep *sweep_named(const struct sweep *s) {
+    while (s && s->random) {
+        s = s->along;
+    }
+    return s;
+}
+
 static bool stands_at(const struct deck_lines *lines, const struct frame *f) {
     const char *at = f->source->text + f->offset;
     const size_t n = lines->size, rest = f->source->size - f->offset;
