@@ -152,18 +152,19 @@ static const char *find_mixed(const struct suite *s, const struct sweep *dimensi
     return sweep_named(dimension->along) ? "a dimension of sweeps that go together" : NULL;
 }
 
-// Texts, or the values of what goes together along a dimension.
+// Texts, or the numbers of what goes together along a dimension with its values: long names are
+// cut.
 static void name_points(struct maker *m) {
     struct suite *s = m->s;
     const struct sweep *along = sweep_named(s->abscissa->along);
-    const bool dimension = s->abscissa == s->view->sweep[m->roles.abscissa];
     if (!s->abscissa->number) {
         s->point_name = s->abscissa->label;
-    } else if (dimension && along) {
+    } else if (along && s->abscissa == s->view->sweep[m->roles.abscissa]) {
         const char **name = take(m, (size_t)s->n_point, sizeof *name);
         for (int k = 0; name && k < s->n_point; k++) {
+            name[k] = append_value(m, "", s->abscissa, k);
             for (const struct sweep *p = along; p; p = sweep_named(p->along)) {
-                name[k] = append_value(m, p == along ? "" : append(m, name[k], ", "), p, k);
+                name[k] = append_value(m, append(m, name[k], p == along ? ": " : ", "), p, k);
             }
         }
         s->point_name = name;

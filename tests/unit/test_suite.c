@@ -101,7 +101,7 @@ static void what_goes_together_plays_one_part(void **state) {
     s = arranged(f,
                  (struct suite_request){.abscissa = "specimen", .over = "", .at = at, .n_at = 1});
     assert_true(s->n_point == 3 && s->n_group == 1);
-    assert_string_equal(s->point_name[2], "400, a");
+    assert_string_equal(s->point_name[2], "3: 400, a");
     assert_non_null(s->mixed);
     suite_free(s);
     s = arranged(f, (struct suite_request){.at = at + 1, .n_at = 1, .edp = "drift"});
