@@ -31,20 +31,17 @@ static const char *append(struct maker *m, const char *text, const char *more) {
     return all ? all : "";
 }
 
-// Appends value k of the sweep with its unit.
 static const char *append_value(struct maker *m, const char *text, const struct sweep *s, int k) {
     char number[40];
-    if (!s->number) {
-        return append(m, text, s->label[k]);
-    }
-    const char *units = unit_suffix(s->units);
-    snprintf(number, sizeof number, "%.6g%s", s->number[k], units[0] ? " " : "");
-    return append(m, append(m, text, number), units);
+    snprintf(number, sizeof number, "%.6g", s->number ? s->number[k] : 0.0);
+    return append(m, text, s->number ? number : s->label[k]);
 }
 
 static const char *append_pair(struct maker *m, const char *text, const struct sweep *s, int k,
                                const char *equals) {
-    return append_value(m, append(m, append(m, text, s->name), equals), s, k);
+    const char *units = unit_suffix(s->units);
+    text = append_value(m, append(m, append(m, text, s->name), equals), s, k);
+    return units[0] ? append(m, append(m, text, " "), units) : text;
 }
 
 // Appends "NAME = VALUE UNIT" or "NAME VALUE", and in brackets those of what goes together along
