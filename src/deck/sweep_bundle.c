@@ -48,18 +48,29 @@ static bool number_bundle(struct deck *d, const struct bundle_request *q, struct
     return p.kind == PARAMETER_NUMBER;
 }
 
+// 1 ... n; NULL: no memory. Runs share those of the first.
+static const double *numbers(struct deck *d, const char *name, int n) {
+    int choice;
+    const struct sweep *from = sweep_bound(d, name, &choice);
+    if (from && from->number && from->n == n && from->along) {
+        return from->number;
+    }
+    double *number = deck_array(d, (size_t)n, sizeof *number);
+    for (int i = 0; number && i < n; i++) {
+        number[i] = i + 1;
+    }
+    return number;
+}
+
 // Begins a bundle, which stays in the list where it is wrong; NULL: no memory.
 static struct bundle *begin(struct deck *d, const struct bundle_request *q,
                             const struct sweep *own) {
     const int n = own->n;
     struct bundle *b = deck_array(d, 1, sizeof *b);
     struct sweep *sweep = deck_array(d, 1, sizeof *sweep);
-    double *number = deck_array(d, (size_t)n, sizeof *number);
+    const double *number = numbers(d, q->name.text, n);
     if (!b || !sweep || !number) {
         return NULL;
-    }
-    for (int i = 0; i < n; i++) {
-        number[i] = i + 1;
     }
     *sweep = (struct sweep){
         .name = q->name.text, .n = n, .number = number, .known = true, .dimension = dimension_none};
