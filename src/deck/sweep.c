@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sweep NAME values|range|files|random ...: a parameter that takes one value after another, run by
 // run. A param of the same name may stand above or below it: its value is that of the deck without
-// the sweep.
-// The values of a sweep do not depend on other sweeps, so that the runs of a study form a grid.
+// the sweep. The values of a sweep do not depend on other sweeps, so that the runs of a study form
+// a grid.
 #include <math.h>
 #include <string.h>
 
+#include "deck/bundle.h"
 #include "deck/reader.h"
-#include "deck/sweep_bundle.h"
 #include "deck/sweep_files.h"
 #include "deck/sweep_random.h"
 #include "deck/sweep_values.h"

@@ -3,7 +3,7 @@
 #ifndef JOSTLE_SWEEP_RANDOM_H
 #define JOSTLE_SWEEP_RANDOM_H
 
-#include "deck/sweep_bundle.h"
+#include "deck/bundle.h"
 
 // The values of the statement, drawn or those of the bound deck, and the bundle of the sweep. Where
 // -D gives the parameter, only A of the distribution is kept. False after having reported what is

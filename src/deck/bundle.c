@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "deck/sweep_bundle.h"
+#include "deck/bundle.h"
 
 #include <math.h>
 #include <string.h>

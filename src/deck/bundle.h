@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sweeps that go together: value i of each belongs to number i of their bundle, which is one
 // dimension of the study, a sweep over the numbers 1 ... N.
-#ifndef JOSTLE_SWEEP_BUNDLE_H
-#define JOSTLE_SWEEP_BUNDLE_H
+#ifndef JOSTLE_BUNDLE_H
+#define JOSTLE_BUNDLE_H
 
 #include "deck/reader.h"
 
