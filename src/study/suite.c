@@ -74,7 +74,7 @@ static const char *const *name_all(struct maker *m, enum role role, int n, const
     const struct study_view *v = m->s->view;
     const char **name = take(m, (size_t)n, sizeof *name);
     for (int at = 0; name && at < n; at++) {
-        int k[STUDY_SWEEPS_MAX];
+        int k[STUDY_SWEEPS_MAX] = {0};
         int rest = at;
         for (int i = v->n_sweep - 1; i >= 0; i--) {
             if (m->roles.role[i] == role) {
