@@ -65,11 +65,12 @@ struct sweep {
     const char *const *label;     // (n) text, or the shortest name of a file; NULL: numbers
     bool known;                   // numbers have a unit
     struct dimension dimension;   // of it
-    const char *units;            // of numbers, where they come from a file
+    const char *units;            // where it comes from a file; "" for texts
     struct deck_lines lines;      // that give the values; none where they use parameters
-    // Of the numbers 1 ... n of a sample: the first of the random parameters that take one of their
-    // n values for each; of a random parameter the next. NULL: none.
+    // Of the numbers 1 ... n of sweeps that go together: the first of these, which take one of
+    // their n values for each; of that the next. NULL: none.
     const struct sweep *along;
+    bool random;  // its values are drawn
     const struct sweep *next;
 };
 
@@ -107,13 +108,17 @@ void deck_bind(struct deck *d, const struct deck *first, const int *choice);
 // True if the deck that has been read has a sweep that -D does not fix.
 bool deck_is_study(const struct deck *d);
 
+// `s`, or the next along it, by whose values tables name a run: they are not drawn. NULL: none.
+const struct sweep *sweep_named(const struct sweep *s);
+
 // The next statement; false at the end of the deck, when -D names that no param took are reported
 // too. Words live as long as the deck.
 bool deck_next(struct deck *d, struct statement *out);
 
 // To be asked at the end of the deck. True where a sweep gives values to a param that was used
-// above the sweep: then the deck stands before its first statement again, what was read and
-// reported is void, and the param gives the value of the first run.
+// above the sweep, or a -D chooses among sweeps that go together: then the deck stands before its
+// first statement again, what was read and reported is void, and the param gives the value of the
+// first run, or the -D its choice.
 bool deck_rewind(struct deck *d);
 
 // What the user gave for one row.

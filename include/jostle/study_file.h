@@ -108,11 +108,10 @@ struct study_view {
     struct unit_system units;
     int n_sweep;
     const struct sweep *sweep[STUDY_SWEEPS_MAX];
-    const char *sweep_units[STUDY_SWEEPS_MAX];  // "" for texts
-    long n_run;                                 // of the file
-    long n_study;                               // of the study
-    struct study_part part;                     // shard.n = 0: the file has all runs
-    int n_part;  // the parts that were joined; 0: it was run as a whole
+    long n_run;              // of the file
+    long n_study;            // of the study
+    struct study_part part;  // shard.n = 0: the file has all runs
+    int n_part;              // the parts that were joined; 0: it was run as a whole
     bool has_histories;
     long n_kept;
     int n_thread;

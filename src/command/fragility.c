@@ -254,11 +254,10 @@ static int print_all(const struct request *q, const struct suite *s, const doubl
 // and a straight line from there begins at the intensity below, wherever the crossing is.
 static int check_ida(const struct suite *s, const double *limit, int n, struct error *e) {
     const struct edp_quantity *quantity = s->edp.quantity;
-    if (s->is_random) {
+    if (s->mixed) {
         return error_set(e, STATUS_INPUT,
-                         "--method ida: '%s' is a random parameter, along which other things "
-                         "change, too",
-                         s->abscissa->name);
+                         "--method ida: '%s' is %s, along which other things change, too",
+                         s->abscissa->name, s->mixed);
     }
     if (s->n_sample < 2) {
         return error_set(e, STATUS_INPUT, "--method ida needs samples; name their sweep by --over");
@@ -278,8 +277,10 @@ static int check_ida(const struct suite *s, const double *limit, int n, struct e
 // Whether the suite is one that the method can do with.
 static int check_suite(const struct request *q, const struct suite *s, const double *limit, int n,
                        struct error *e) {
-    if (!s->abscissa->number) {
-        return error_set(e, STATUS_INPUT, "--im %s: its values are no numbers", s->abscissa->name);
+    if (s->point_name) {
+        return error_set(e, STATUS_INPUT, "--im %s: %s", s->abscissa->name,
+                         s->mixed ? "it only numbers what goes together"
+                                  : "its values are no numbers");
     }
     return q->method == METHOD_IDA ? check_ida(s, limit, n, e) : STATUS_OK;
 }

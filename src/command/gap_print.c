@@ -147,7 +147,7 @@ void gap_print_apart(const struct plan *p, const struct apart *a, double *scratc
     }
 }
 
-// A column for each sweep and each random parameter of it.
+// A column for each sweep and each one along it.
 static void print_sweep_names(const struct plan *p) {
     for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
         for (const struct sweep *along = s; along; along = along->along) {

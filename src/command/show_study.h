@@ -24,7 +24,7 @@ void show_sweep_cells(struct cells *c, const struct study_view *v, long number);
 // Their names.
 void show_sweep_names(struct cells *c, const struct study_view *v);
 
-// The cells and names of one sweep: its own, and those of the random parameters along it.
+// The cells and names of one sweep: its own, and those of what goes together along it.
 void show_sweep_value(struct cells *c, const struct sweep *sweep, int k);
 void show_sweep_name(struct cells *c, const struct sweep *sweep);
 

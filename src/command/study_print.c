@@ -61,18 +61,26 @@ void study_peaks_add(struct study_peaks *p, const struct study_view *v, const st
     }
 }
 
+static void print_value(const char *before, const struct sweep *s, int k, FILE *to) {
+    struct text_short t;
+    fprintf(to, "%s%s ", before, s->name);
+    if (s->number) {
+        fprintf(to, "%.4g", s->number[k]);
+    } else {
+        fputs(text_short(&t, s->label[k]), to);
+    }
+}
+
 static void print_run(const struct study_view *v, long run, FILE *to) {
     fprintf(to, "%ld (", run + 1);
     for (int i = 0; i < v->n_sweep; i++) {
-        struct text_short t;
-        const struct sweep *s = v->sweep[i];
         const int k = study_view_choice(v, run, i);
-        fprintf(to, "%s%s ", i > 0 ? ", " : "", s->name);
-        if (s->number) {
-            fprintf(to, "%.4g", s->number[k]);
-        } else {
-            fputs(text_short(&t, s->label[k]), to);
+        const struct sweep *along = sweep_named(v->sweep[i]->along);
+        print_value(i > 0 ? ", " : "", v->sweep[i], k, to);
+        for (const struct sweep *s = along; s; s = sweep_named(s->along)) {
+            print_value(s == along ? " (" : ", ", s, k, to);
         }
+        fputs(along ? ")" : "", to);
     }
     fputs(")\n", to);
 }
@@ -90,8 +98,7 @@ static void print_head(const struct study_peaks *p, const struct study_view *v, 
     }
     fputc('\n', to);
     for (int i = 0; i < v->n_sweep; i++) {
-        sweeps_print_line(v->sweep[i], v->sweep_units[i], to);
-        sweeps_print_along(v->sweep[i], NULL, to);
+        sweeps_print(v->sweep[i], NULL, to);
     }
 }
 

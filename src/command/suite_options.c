@@ -8,7 +8,8 @@
 
 const char suite_options_help[] =
     "  --over NAME    sweeps whose values are samples, as NAME or NAME,NAME (default: record, or\n"
-    "                 the only sweep of texts, and the samples of random sweeps)\n"
+    "                 the only sweep of texts, alone or with what goes together with it, and the\n"
+    "                 samples of random sweeps)\n"
     "  --at NAME=VALUE\n"
     "                 looks at the runs with this value of a sweep only; may be repeated\n"
     "  --failed above|left-out\n"

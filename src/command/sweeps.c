@@ -35,41 +35,37 @@ static void print_values(const struct sweep *s, FILE *to) {
     }
 }
 
-void sweeps_print_line(const struct sweep *s, const char *units, FILE *to) {
+static void print_line(const char *name, const struct sweep *s, const struct unit_system *u,
+                       FILE *to) {
+    char units[64] = "";
+    if (s->units) {
+        snprintf(units, sizeof units, "%s", s->units);
+    } else if (s->number && s->known) {
+        unit_text(u, s->dimension, units, sizeof units);
+    }
     const char *suffix = unit_suffix(units);
     if (s->fixed) {
-        fprintf(to, "  %-16s fixed by -D: ", s->name);
+        fprintf(to, "  %-16s fixed by -D: ", name);
     } else {
-        fprintf(to, "  %-16s %6d value%s  ", s->name, s->n, s->n == 1 ? ": " : "s:");
+        fprintf(to, "  %-16s %6d value%s  ", name, s->n, s->n == 1 ? ": " : "s:");
     }
     print_values(s, to);
     fprintf(to, "%s%s\n", suffix[0] ? " " : "", suffix);
 }
 
-void sweeps_print_along(const struct sweep *s, const struct unit_system *u, FILE *to) {
+void sweeps_print(const struct sweep *s, const struct unit_system *u, FILE *to) {
+    print_line(s->name, s, u, to);
     for (const struct sweep *p = s->along; p; p = p->along) {
-        char name[32], units[64] = "";
-        if (p->units) {
-            snprintf(units, sizeof units, "%s", p->units);
-        } else if (p->known) {
-            unit_text(u, p->dimension, units, sizeof units);
-        }
-        struct sweep shown = *p;
+        char name[32];
         snprintf(name, sizeof name, "  %s", p->name);
-        shown.name = name;
-        sweeps_print_line(&shown, units, to);
+        print_line(name, p, u, to);
     }
 }
 
 static void print_all(const struct deck *d) {
     printf("study of %ld run%s\n", d->n_run, d->n_run == 1 ? "" : "s");
     for (const struct sweep *s = d->sweeps; s; s = s->next) {
-        char units[64] = "";
-        if (s->number && s->known) {
-            unit_text(&d->units, s->dimension, units, sizeof units);
-        }
-        sweeps_print_line(s, units, stdout);
-        sweeps_print_along(s, &d->units, stdout);
+        sweeps_print(s, &d->units, stdout);
     }
 }
 

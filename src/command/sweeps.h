@@ -11,9 +11,8 @@
 // for a deck without sweeps.
 void sweeps_print_first(const struct deck *d, const char *before, const char *after);
 
-// A line for one sweep; `units` of its numbers.
-void sweeps_print_line(const struct sweep *s, const char *units, FILE *to);
-// A line for each random parameter along it; `u` is not needed where they come from a file.
-void sweeps_print_along(const struct sweep *s, const struct unit_system *u, FILE *to);
+// A line for the sweep and for each parameter along it; `u` is not needed where it comes from a
+// file.
+void sweeps_print(const struct sweep *s, const struct unit_system *u, FILE *to);
 
 #endif

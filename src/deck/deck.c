@@ -138,7 +138,8 @@ bool deck_rewind(struct deck *d) {
     struct reader *r = d->reader;
     struct source *top = r->frame[0].source;
     const bool failed = d->diagnostics.system || d->diagnostics.out_of_memory;
-    if (!r->late || r->bound || !d->sweeps || failed) {
+    const bool late = r->late && !r->bound && d->sweeps;
+    if (failed || !(r->turned || late)) {
         return false;
     }
     *r = (struct reader){.source = r->source,
@@ -146,7 +147,7 @@ bool deck_rewind(struct deck *d) {
                          .word_capacity = r->word_capacity,
                          .define = r->define,
                          .n_define = r->n_define,
-                         .bound = d->sweeps,
+                         .bound = r->turned ? NULL : d->sweeps,
                          .choice = first};
     begin(d, top);
     return true;

@@ -85,8 +85,21 @@ void define_check(struct deck *d) {
     }
 }
 
+void define_turn(struct deck *d, struct define *define, const char *name, int number) {
+    const char *text = arena_format(d->arena, "%d", number);
+    if (!text) {
+        diagnostics_no_memory(&d->diagnostics);
+        return;
+    }
+    define->name = name;
+    define->value.text = text;
+    define->beside = NULL;
+    d->reader->turned = true;
+}
+
 void define_bind(struct deck *d, const struct deck *first) {
     for (int i = 0; i < d->reader->n_define; i++) {
+        d->reader->define[i].name = first->reader->define[i].name;
         d->reader->define[i].value.text = first->reader->define[i].value.text;
         d->reader->define[i].beside = first->reader->define[i].beside;
     }

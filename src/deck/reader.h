@@ -95,10 +95,11 @@ struct reader {
     const struct sweep *bound;  // sweeps of another reading that give their values; NULL: none
     const int *choice;
     struct sweep *last_sweep;
-    struct sampling *sampling;  // of random sweeps; NULL: none
+    struct bundle *bundles;  // of sweeps that go together; NULL: none
     int n_sweep;
-    bool swept;  // a parameter was read whose value depends on a sweep
-    bool late;   // a sweep gives values to a parameter that was used above it
+    bool swept;   // a parameter was read whose value depends on a sweep
+    bool late;    // a sweep gives values to a parameter that was used above it
+    bool turned;  // a -D was turned to another parameter
     bool ended;
     size_t n_repeated;  // values from repeats so far
     size_t n_replaced;  // bytes of words with replaced parameters so far
@@ -133,11 +134,6 @@ bool statement_run(struct deck *d, const struct statement *s);
 
 extern const char sweep_usage[];
 void sweep_run(struct deck *d, const struct statement *s);
-// Reads `w` as a value that fits `first` (NULL: any); false after having reported why it does not.
-// Bare numbers are in the deck's units: they fit any dimension, and a bare first one takes that of
-// the first other.
-bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
-                 struct parameter *p);
 // Adds a sweep to those of the deck; `w` is its place. False after having reported that there
 // are too many of them, or of their runs.
 bool sweep_append(struct deck *d, const struct word *w, struct sweep *s);
@@ -160,6 +156,8 @@ bool define_open(struct deck *d, const char *const *define, int n_define);
 void define_check(struct deck *d);
 // The files that another reading has found for labels; borrowed.
 void define_bind(struct deck *d, const struct deck *first);
+// Makes it -D NAME=NUMBER from the next reading on, which begins when this one has ended.
+void define_turn(struct deck *d, struct define *define, const char *name, int number);
 // What -D gives for the parameter; NULL: nothing.
 struct define *define_find(const struct deck *d, const char *name);
 
@@ -168,8 +166,8 @@ struct define *define_find(const struct deck *d, const char *name);
 // param NAME VALUE. A sweep over the same parameter, above or below, or a -D, gives its values in
 // place of this one.
 void parameter_define(struct deck *d, const struct word *name, const struct word *value);
-// What defines a parameter: a param, a sweep, or both; the number of a sample is neither's to take.
-enum definition { BY_PARAM = 1, BY_SWEEP = 2, BY_SAMPLE = BY_PARAM | BY_SWEEP };
+// What defines a parameter: a param, a sweep, or both; the number of a bundle is neither's to take.
+enum definition { BY_PARAM = 1, BY_SWEEP = 2, BY_BUNDLE = BY_PARAM | BY_SWEEP };
 // The steps of a definition: false after having reported that `name` cannot be defined `by` this;
 // reads `w`; adds the parameter with `value` or that of a -D, in which case it returns true.
 bool parameter_is_free(struct deck *d, const struct word *name, enum definition by);

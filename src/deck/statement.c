@@ -14,8 +14,9 @@ const struct deck_statement deck_statements[] = {
     {"param", "param NAME VALUE", "a parameter; -D NAME=VALUE overrides it"},
     {"sweep", sweep_usage,
      "a parameter that takes one value after another, in place of that of its param if there is "
-     "one; sweeps multiply, but random ones are sampled together: normal MEAN SD, lognormal MEDIAN "
-     "DISPERSION or uniform LOW HIGH"},
+     "one; sweeps multiply, but those with the same -as go together, value by value, and so do "
+     "random "
+     "ones without: normal MEAN SD, lognormal MEDIAN DISPERSION or uniform LOW HIGH"},
     {"include", "include FILE", "reads another deck here"},
 };
 const int n_deck_statement = sizeof deck_statements / sizeof deck_statements[0];

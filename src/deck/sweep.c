@@ -1,226 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sweep NAME values|range|files|random ...: a parameter that takes one value after another, run by
 // run. A param of the same name may stand above or below it: its value is that of the deck without
-// the sweep.
-//
-// range gives FROM + i (TO - FROM) / (N - 1), or with -log FROM (TO / FROM)^(i / (N - 1)), i = 0 ..
-// N - 1; the last is TO itself. The values of a sweep do not depend on other sweeps, so that the
-// runs of a study form a grid.
+// the sweep. The values of a sweep do not depend on other sweeps, so that the runs of a study form
+// a grid.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "core/text.h"
+#include "deck/bundle.h"
 #include "deck/reader.h"
 #include "deck/sweep_files.h"
 #include "deck/sweep_random.h"
+#include "deck/sweep_values.h"
 
 const char sweep_usage[] =
     "sweep NAME values LIST | range FROM TO N [-log] | files \"GLOB\" | random DISTRIBUTION A B "
-    "-n N -seed S [-lhs] [-min X] [-max X] [-as SAMPLE]";
+    "-n N -seed S [-lhs] [-min X] [-max X], each [-as DIMENSION]";
 
-bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
-                 struct parameter *p) {
-    struct quantity_text got, needed;
-    parameter_read(d, w, p);
-    if (p->kind == PARAMETER_WRONG || (first && first->kind == PARAMETER_WRONG)) {
-        return false;
-    }
-    if (!first) {
-        return true;
-    }
-    if (p->kind != first->kind) {
-        deck_error(d, w, "this is a %s, the first value a %s",
-                   p->kind == PARAMETER_TEXT ? "text" : "number",
-                   p->kind == PARAMETER_TEXT ? "number" : "text");
-        return false;
-    }
-    if (p->kind == PARAMETER_TEXT || !p->number.known) {
-        return true;
-    }
-    if (!first->number.known) {
-        first->number.known = true;
-        first->number.dimension = p->number.dimension;
-    }
-    if (!dimension_equal(p->number.dimension, first->number.dimension)) {
-        deck_error(d, w, "this is %s; before it stands %s",
-                   quantity_describe(&d->units, p->number.dimension, &got),
-                   quantity_describe(&d->units, first->number.dimension, &needed));
-        return false;
-    }
-    return true;
-}
+enum { AS, LOG, N_ROW };
 
-// Reads `n` words that must be alike into an array; NULL after having reported.
-static struct parameter *read_values(struct deck *d, const struct word *word, int n) {
-    struct parameter *p = deck_array(d, (size_t)n, sizeof *p);
-    bool good = p != NULL;
-    for (int i = 0; p && i < n; i++) {
-        good = sweep_value(d, &word[i], i > 0 ? &p[0] : NULL, &p[i]) && good;
-    }
-    return good ? p : NULL;
-}
-
-// The values as the sweep keeps them.
-static bool take(struct deck *d, struct sweep *s, const struct parameter *p, int n) {
-    s->n = n;
-    if (p[0].kind == PARAMETER_TEXT) {
-        const char **text = deck_array(d, (size_t)n, sizeof *text);
-        for (int i = 0; text && i < n; i++) {
-            text[i] = p[i].text;
-        }
-        s->text = text;
-        s->origin = p[0].origin;
-        s->label = text;
-        return text != NULL;
-    }
-    double *number = deck_array(d, (size_t)n, sizeof *number);
-    for (int i = 0; number && i < n; i++) {
-        number[i] = p[i].number.value;
-    }
-    s->number = number;
-    s->known = p[0].number.known;
-    s->dimension = p[0].number.dimension;
-    return number != NULL;
-}
-
-struct key {
-    double number;
-    const char *label;  // NULL: a number
-    int at;
+static const struct row rows[N_ROW] = {
+    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the sweeps that go together"},
+    [LOG] = {"log", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "equal ratios"},
 };
 
-static int compare(const void *a, const void *b) {
-    const struct key *x = a, *y = b;
-    int order =
-        x->label ? strcmp(x->label, y->label) : (x->number > y->number) - (x->number < y->number);
-    return order ? order : x->at - y->at;
+// Reads the first `n_row` options.
+static bool read_options(struct deck *d, const struct statement *s, int n_row,
+                         struct argument *argument, const struct sweep *own,
+                         struct bundle_request *q) {
+    struct row_set set = {rows, n_row, argument};
+    q->count = &s->word[1];
+    q->noun = "value";
+    return deck_options(d, s, &set, 1) && bundle_name(d, &argument[AS], &s->word[1], NULL, own, q);
 }
 
-// False after having reported a value that is given twice: results are found by their values.
-static bool check_distinct(struct deck *d, const struct sweep *s, const struct word *word) {
-    struct key *key = deck_array(d, (size_t)s->n, sizeof *key);
-    for (int i = 0; key && i < s->n; i++) {
-        key[i] = (struct key){s->number ? s->number[i] : 0.0, s->label ? s->label[i] : NULL, i};
-    }
-    if (!key) {
+static bool read_list(struct deck *d, const struct statement *s, struct sweep *own,
+                      struct bundle_request *q) {
+    struct argument argument[N_ROW];
+    return read_options(d, s, AS + 1, argument, own, q) &&
+           sweep_list(d, s, q->name.text ? VALUES_MAY_REPEAT : VALUES_DIFFER, own);
+}
+
+static bool read_range(struct deck *d, const struct statement *s, struct sweep *own,
+                       struct bundle_request *q) {
+    struct argument argument[N_ROW];
+    return read_options(d, s, N_ROW, argument, own, q) &&
+           sweep_range(d, s, argument[LOG].given ? SPACING_LOG : SPACING_LINEAR, own);
+}
+
+static bool read_files(struct deck *d, const struct statement *s, struct sweep *own,
+                       struct bundle_request *q) {
+    struct argument argument[N_ROW];
+    if (!read_options(d, s, AS + 1, argument, own, q)) {
         return false;
     }
-    qsort(key, (size_t)s->n, sizeof *key, compare);
-    for (int i = 1; i < s->n; i++) {
-        struct key before = key[i - 1];
-        before.at = key[i].at;
-        if (compare(&before, &key[i]) == 0) {
-            struct text_short t;
-            deck_error(d, &word[key[i].at], "value %s stands twice",
-                       text_short(&t, word[key[i].at].text));
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool read_list(struct deck *d, const struct statement *s, struct sweep *sweep) {
-    const int n = s->n_word - 3;
-    if (n < 1 || n > SWEEP_VALUES_MAX) {
-        deck_error(d, &s->word[2], "%d values are given; 1 to %d are allowed", n, SWEEP_VALUES_MAX);
-        return false;
-    }
-    const struct parameter *p = read_values(d, &s->word[3], n);
-    return p && take(d, sweep, p, n) && check_distinct(d, sweep, &s->word[3]);
-}
-
-enum spacing { SPACING_LINEAR, SPACING_LOG };
-
-static bool read_spacing(struct deck *d, const struct statement *s, enum spacing *spacing) {
-    static const char *const known[] = {"-log"};
-    *spacing = s->n_plain < s->n_word ? SPACING_LOG : SPACING_LINEAR;
-    return *spacing == SPACING_LINEAR ||
-           deck_keyword(d, &s->word[s->n_plain], "option", known, 1) == 0;
-}
-
-// FROM and TO; NULL after having reported what is wrong with them.
-static const struct parameter *read_ends(struct deck *d, const struct word *word,
-                                         enum spacing spacing) {
-    const struct parameter *p = read_values(d, word, 2);
-    if (!p) {
-        return NULL;
-    }
-    if (p[0].kind == PARAMETER_TEXT) {
-        deck_error(d, &word[0], "a range goes from number to number; this is a text");
-        return NULL;
-    }
-    const double from = p[0].number.value, to = p[1].number.value;
-    if (from == to) {
-        deck_error(d, &word[1], "the range ends where it starts");
-        return NULL;
-    }
-    if (spacing == SPACING_LOG && (from <= 0.0 || to <= 0.0)) {
-        deck_error(d, &word[from <= 0.0 ? 0 : 1], "with -log both ends must be > 0");
-        return NULL;
-    }
-    return p;
-}
-
-static bool read_range(struct deck *d, const struct statement *s, struct sweep *sweep) {
-    static const struct range count = {
-        .min = 2, .max = SWEEP_VALUES_MAX, .text = ">= 2 and <= 1e6"};
-    const struct row row = {.key = "N", .kind = ROW_INTEGER, .range = &count};
-    struct argument n;
-    enum spacing spacing;
-    if (!read_spacing(d, s, &spacing)) {
-        return false;
-    }
-    if (s->n_plain != 6 || s->n_word > 7) {
-        deck_error(d, &s->word[2], "a range is FROM TO N [-log]");
-        return false;
-    }
-    const struct parameter *p = read_ends(d, &s->word[3], spacing);
-    if (!deck_values(d, &row, 0, &s->word[5], 1, &n) || !p) {
-        return false;
-    }
-    sweep->n = (int)n.number[0];
-    double *number = deck_array(d, (size_t)sweep->n, sizeof *number);
-    const double from = p[0].number.value, to = p[1].number.value;
-    for (int i = 0; number && i < sweep->n; i++) {
-        const double share = (double)i / (sweep->n - 1);
-        number[i] = i == sweep->n - 1        ? to
-                    : spacing == SPACING_LOG ? from * pow(to / from, share)
-                                             : from + (to - from) * share;
-    }
-    sweep->number = number;
-    sweep->known = p[0].number.known;
-    sweep->dimension = p[0].number.dimension;
-    return number != NULL;
-}
-
-static bool read_files(struct deck *d, const struct statement *s, struct sweep *sweep) {
-    if (s->n_word != 4) {
+    q->noun = "file";
+    if (s->n_plain != 4) {
         deck_error(d, &s->word[2], "one pattern of file names is expected");
         return false;
     }
     const char *pattern = deck_text(d, &s->word[3]);
-    return pattern && sweep_files(d, &s->word[3], pattern, sweep);
+    return pattern && sweep_files(d, &s->word[3], pattern, own);
 }
 
-static bool refuse_options(struct deck *d, const struct statement *s) {
-    if (s->n_plain < s->n_word) {
-        deck_error(d, &s->word[s->n_plain], "the statement is %s", sweep_usage);
-    }
-    return s->n_plain == s->n_word;
-}
-
-static bool read_values_of(struct deck *d, const struct statement *s, struct sweep *sweep) {
-    enum { VALUES, RANGE, FILES, RANDOM, N_KIND };  // RANDOM: see sweep_run
+static bool read_values_of(struct deck *d, const struct statement *s, struct sweep *own,
+                           struct bundle_request *q) {
+    enum { VALUES, RANGE, FILES, RANDOM, N_KIND };
     static const char *const kinds[N_KIND] = {
         [VALUES] = "values", [RANGE] = "range", [FILES] = "files", [RANDOM] = "random"};
     switch (deck_keyword(d, &s->word[2], "kind of sweep", kinds, N_KIND)) {
         case VALUES:
-            return refuse_options(d, s) && read_list(d, s, sweep);
+            return read_list(d, s, own, q);
         case RANGE:
-            return read_range(d, s, sweep);
+            return read_range(d, s, own, q);
         case FILES:
-            return refuse_options(d, s) && read_files(d, s, sweep);
+            return read_files(d, s, own, q);
+        case RANDOM:
+            return sweep_random(d, s, own, q);
         default:
             return false;
     }
@@ -239,19 +94,56 @@ const struct sweep *sweep_bound(const struct deck *d, const char *name, int *cho
     return NULL;
 }
 
+const struct sweep *sweep_named(const struct sweep *s) {
+    while (s && s->random) {
+        s = s->along;
+    }
+    return s;
+}
+
+static bool stands_at(const struct deck_lines *lines, const struct frame *f) {
+    const char *at = f->source->text + f->offset;
+    const size_t n = lines->size, rest = f->source->size - f->offset;
+    return lines->text && n <= rest && memcmp(lines->text, at, n) == 0 &&
+           (at[n - 1] == '\n' || n == rest);
+}
+
 // If each run read its sweeps anew, the time of a study would grow with the square of their
 // lengths.
 const struct sweep *sweep_known(const struct deck *d, const struct frame *f) {
     const struct deck *first = d->reader->first_reading;
-    const struct sweep *s = first ? first->sweeps : NULL;
-    const char *at = f->source->text + f->offset;
-    const size_t rest = f->source->size - f->offset;
-    while (s && !(s->lines.text && s->lines.size <= rest &&
-                  memcmp(s->lines.text, at, s->lines.size) == 0 &&
-                  (at[s->lines.size - 1] == '\n' || s->lines.size == rest))) {
-        s = s->next;
+    const bool same = first && unit_system_equal(&first->units, &d->units);
+    for (const struct sweep *s = same ? first->sweeps : NULL; s; s = s->next) {
+        for (const struct sweep *p = s; p; p = p->along) {
+            if (stands_at(&p->lines, f)) {
+                return p;
+            }
+        }
     }
-    return s && unit_system_equal(&first->units, &d->units) ? s : NULL;
+    return NULL;
+}
+
+// The sweep of the first reading that `s` is along; NULL: none.
+static const struct sweep *dimension_of(const struct deck *first, const struct sweep *s) {
+    for (const struct sweep *of = first->sweeps; of; of = of->next) {
+        for (const struct sweep *p = of->along; p; p = p->along) {
+            if (p == s) {
+                return of;
+            }
+        }
+    }
+    return NULL;
+}
+
+// What the first reading found.
+static void take_known(const struct deck *d, const struct statement *s, struct sweep *own,
+                       struct bundle_request *q) {
+    const struct sweep *of = dimension_of(d->reader->first_reading, s->known);
+    *own = *s->known;
+    own->next = own->along = NULL;
+    q->name = s->word[1];
+    q->name.text = of ? of->name : NULL;
+    q->count = &s->word[1];
 }
 
 void sweep_choose(const struct sweep *s, int choice, struct parameter *p) {
@@ -303,14 +195,14 @@ bool sweep_append(struct deck *d, const struct word *w, struct sweep *s) {
 }
 
 // Reads the values; false after having reported what is wrong with them.
-static bool read(struct deck *d, const struct statement *s, struct sweep *sweep) {
+static bool read(struct deck *d, const struct statement *s, struct sweep *own,
+                 struct bundle_request *q) {
     if (s->known) {
-        *sweep = *s->known;
-        sweep->next = NULL;
+        take_known(d, s, own, q);
         return true;
     }
     d->reader->swept = false;
-    if (!read_values_of(d, s, sweep)) {
+    if (!read_values_of(d, s, own, q)) {
         return false;
     }
     if (d->reader->swept) {
@@ -318,7 +210,7 @@ static bool read(struct deck *d, const struct statement *s, struct sweep *sweep)
         return false;
     }
     if (!memchr(s->lines.text, '$', s->lines.size)) {
-        sweep->lines = s->lines;
+        own->lines = s->lines;
     }
     return true;
 }
@@ -326,7 +218,7 @@ static bool read(struct deck *d, const struct statement *s, struct sweep *sweep)
 void sweep_fix(struct deck *d, const struct parameter *p, struct sweep *s) {
     s->fixed = true;
     if (p->kind != PARAMETER_WRONG) {
-        take(d, s, p, 1);
+        sweep_take(d, s, p, 1);
     }
 }
 
@@ -346,24 +238,27 @@ void sweep_run(struct deck *d, const struct statement *s) {
         return;
     }
     mark_param(d, s->word[1].text);
-    struct sweep *sweep = deck_array(d, 1, sizeof *sweep);
-    if (!sweep) {
+    struct sweep *own = deck_array(d, 1, sizeof *own);
+    if (!own) {
         return;
     }
-    sweep->name = s->word[1].text;
-    if (s->n_plain >= 4 && strcmp(s->word[2].text, "random") == 0) {
-        sweep_random(d, s, sweep);
-        return;
-    }
+    own->name = s->word[1].text;
+    struct bundle_request q = {.count = NULL};
     struct parameter p = {.kind = PARAMETER_WRONG};
-    if (s->n_plain >= 4 && read(d, s, sweep)) {
-        p = chosen(d, sweep);
+    bool alone = true;  // a -D takes it out of its bundle
+    if (s->n_plain >= 4 && read(d, s, own, &q) && !bundle_choose(d, &q, own)) {
+        alone = !q.name.text || define_find(d, own->name);
+        if (alone) {
+            p = chosen(d, own);
+        } else {
+            bundle_join(d, &q, own, &p);
+        }
     }
     const bool good = p.kind != PARAMETER_WRONG;
     if (parameter_keep(d, &s->word[1], BY_SWEEP, &p) && good) {
-        sweep_fix(d, &p, sweep);
+        sweep_fix(d, &p, own);
     }
-    if (good) {
-        sweep_append(d, &s->word[1], sweep);
+    if (good && alone) {
+        sweep_append(d, &s->word[1], own);
     }
 }

@@ -157,7 +157,8 @@ static bool take_label(struct deck *d, const struct sweep *s) {
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {
     int choice;
     const struct sweep *from = sweep_bound(d, out->name, &choice);
-    if (from && from->text) {
+    const bool one = from && from->fixed && !define_find(d, out->name);  // that its bundle takes
+    if (from && from->text && !one) {
         out->n = from->n;
         out->text = from->text;
         out->origin = from->origin;

@@ -3,10 +3,12 @@
 #ifndef JOSTLE_SWEEP_RANDOM_H
 #define JOSTLE_SWEEP_RANDOM_H
 
-#include "deck/reader.h"
+#include "deck/bundle.h"
 
-// Carries out the statement for the parameter of `own`, whose name is free: draws its values, or
-// takes those of the bound deck, defines it, and adds it to its sample.
-void sweep_random(struct deck *d, const struct statement *s, struct sweep *own);
+// The values of the statement, drawn or those of the bound deck, and the bundle of the sweep. Where
+// -D gives the parameter, only A of the distribution is kept. False after having reported what is
+// wrong with them.
+bool sweep_random(struct deck *d, const struct statement *s, struct sweep *own,
+                  struct bundle_request *q);
 
 #endif

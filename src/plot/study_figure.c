@@ -28,8 +28,8 @@ const struct study_figure *study_figure_find(const char *name) {
 }
 
 const struct study_figure *study_figure_default(const struct suite *s) {
-    const bool incremental = s->is_intensity && s->abscissa->number && s->n_point > 1 &&
-                             s->n_sample > 1 && s->n_group == 1;
+    const bool incremental = s->is_intensity && s->abscissa->number && !s->mixed &&
+                             s->n_point > 1 && s->n_sample > 1 && s->n_group == 1;
     return study_figure_find(incremental ? "ida" : "response");
 }
 

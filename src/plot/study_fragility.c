@@ -20,7 +20,7 @@ struct view {
 
 static int check(const struct study_picture *p, struct error *e) {
     const struct suite *s = p->suite;
-    if (!s->abscissa->number) {
+    if (s->point_name) {
         return error_set(e, STATUS_INPUT, "fragility cannot be drawn: '%s' is no sweep of numbers",
                          s->abscissa->name);
     }

@@ -28,11 +28,11 @@ static int check(const struct study_picture *p, struct error *e) {
         return error_set(e, STATUS_INPUT, "ida cannot be drawn: '%s' %s", s->abscissa->name,
                          s->abscissa->number ? "has one value only" : "is no sweep of numbers");
     }
-    if (s->is_random) {
+    if (s->mixed) {
         return error_set(e, STATUS_INPUT,
-                         "ida cannot be drawn: '%s' is a random parameter, along which other "
-                         "things change, too; see response",
-                         s->abscissa->name);
+                         "ida cannot be drawn: '%s' is %s, along which other things change, too; "
+                         "see response",
+                         s->abscissa->name, s->mixed);
     }
     if (s->n_group > 1) {
         return error_set(e, STATUS_INPUT,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A demand against any swept parameter: the median over the samples with the band from 16 to 84 %,
-// or a line for each value of the other sweeps. Against texts and random parameters, points:
-// nothing lies between them.
+// or a line for each value of the other sweeps. Against texts, random parameters and what
+// goes together, points: nothing lies between them.
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,7 +19,7 @@ struct view {
 };
 
 static bool has_points(const struct suite *s) {
-    return !s->abscissa->number || s->is_random;
+    return s->point_name || s->mixed;
 }
 
 static int check(const struct study_picture *p, struct error *e) {
@@ -89,7 +89,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
 static bool texts_fit(const struct suite *s, double width) {
     int most = 0;
     for (int i = 0; i < s->n_point; i++) {
-        const int n = script_columns(s->abscissa->label[i]);
+        const int n = script_columns(s->point_name[i]);
         most = n > most ? n : most;
     }
     return 0.6 * most + 1 < width / s->n_point;
@@ -102,7 +102,7 @@ static void write_texts(const struct suite *s, double width, struct canvas *c) {
     char cut[128];
     fprintf(c->to, "set xtics %s (", fit ? "norotate" : "rotate by 35 right");
     for (int i = 0; i < s->n_point; i += every) {
-        script_shorten(s->abscissa->label[s->order[i]], fit ? 64 : NAME_COLUMNS, cut, sizeof cut);
+        script_shorten(s->point_name[s->order[i]], fit ? 64 : NAME_COLUMNS, cut, sizeof cut);
         fprintf(c->to, "%s", i > 0 ? ", " : "");
         script_text(c->to, cut);
         fprintf(c->to, " %d", i + 1);
@@ -114,7 +114,7 @@ static void write_panel(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const struct axis y = study_demand_axis(&v->demand, s, v->span);
     struct axis x = study_abscissa_axis(s);
-    const bool texts = !s->abscissa->number, points = has_points(s);
+    const bool texts = s->point_name, points = has_points(s);
     const double width = study_panel_width(c);
     double bottom = 3.2;
     if (texts) {
@@ -150,7 +150,7 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
         return status;
     }
     char samples[128], text[256];
-    const bool texts = !s->abscissa->number;
+    const bool texts = s->point_name;
     const bool named = strcmp(s->over, "sample") != 0;
     snprintf(samples, sizeof samples, " over %d samples%s%s", s->n_sample, named ? " of " : "",
              named ? s->over : "");

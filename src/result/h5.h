@@ -126,8 +126,9 @@ void h5_attach(struct h5 *h, hid_t dataset, const hid_t *scale, int n_dim);
 // Lists in each scale the datasets that have come to use it since the last call. A scale can be
 // listed once: when all its users are there.
 void h5_list_uses(struct h5 *h);
-// True if the open dataset is a scale.
+// True if the open dataset is a scale; if it has floating-point numbers.
 bool h5_is_scale(hid_t dataset);
+bool h5_is_number(hid_t dataset);
 // The first scale of a dimension of the open dataset (n_dim), open.
 hid_t h5_get_scale(struct h5 *h, hid_t dataset, int n_dim, int dimension);
 // Creates, writes and closes.

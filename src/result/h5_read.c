@@ -40,6 +40,13 @@ bool h5_is_stored(hid_t dataset) {
            ((hsize_t)n <= stored / size || (hsize_t)n / packing(dataset) <= stored / size);
 }
 
+bool h5_is_number(hid_t dataset) {
+    hid_t type = H5Dget_type(dataset);
+    const bool number = H5Tget_class(type) == H5T_FLOAT;
+    H5Tclose(type);
+    return number;
+}
+
 bool h5_has(struct h5 *h, hid_t parent, const char *name) {
     return h5_has_room(h) && H5Lexists(parent, name, H5P_DEFAULT) > 0;
 }

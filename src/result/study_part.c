@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "result/study_along.h"
 #include "result/study_reader.h"
-#include "result/study_samples.h"
 #include "result/study_writer.h"
 
 enum { SOURCES_LIMIT = 1 << 26, SUM_DIGITS = 16 };
@@ -35,7 +35,7 @@ static void put_sweeps(struct study_writer *w, hid_t part) {
         hid_t scale = study_tree_sweep(w, group, s);
         h5_put_long(&w->h, scale, "position", position++);
         if (s->number) {
-            study_samples_put_dimension(&w->h, scale, s);
+            study_along_put_dimension(&w->h, scale, s);
         }
         h5_close(&w->h, scale);
     }
@@ -93,7 +93,7 @@ static herr_t visit_sweep(hid_t group, const char *name, const H5L_info_t *info,
     struct study_file *f = context;
     struct study_view *v = &f->view;
     hid_t scale = h5_open_object(&f->h, group, name);
-    if (scale >= 0 && !h5_is_scale(scale)) {  // random values along a sample, read with it
+    if (scale >= 0 && !h5_is_scale(scale)) {  // values along a sweep, read with it
         h5_close(&f->h, scale);
         return 0;
     }
@@ -102,9 +102,9 @@ static herr_t visit_sweep(hid_t group, const char *name, const H5L_info_t *info,
         h5_fail(&f->h, "sweep '%s' has the position %ld", name, position);
     }
     if (!f->h.failed) {
-        struct sweep *s = study_reader_sweep(f, group, scale, name, &v->sweep_units[position]);
+        struct sweep *s = study_reader_sweep(f, group, scale, name);
         if (s && s->number) {
-            study_samples_get_dimension(&f->h, scale, s);
+            study_along_get_dimension(&f->h, scale, s);
         }
         v->sweep[position] = s;
         v->n_sweep++;

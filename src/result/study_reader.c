@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "result/study_along.h"
 #include "result/study_reader.h"
-#include "result/study_samples.h"
 
 // What a file may claim before it is taken for damaged.
 enum { ITEMS_LIMIT = 1 << 20, VALUES_LIMIT = 1 << 26, GROUP_MAX = 4096 };
@@ -47,10 +47,7 @@ static bool grow(struct study_file *f) {
 
 // Numbers that are no scale: what runs gave. Scales, and texts and whole numbers of links, are not.
 static bool is_result(hid_t dataset) {
-    hid_t type = H5Dget_type(dataset);
-    const bool number = H5Tget_class(type) == H5T_FLOAT;
-    H5Tclose(type);
-    return number && !h5_is_scale(dataset);
+    return h5_is_number(dataset) && !h5_is_scale(dataset);
 }
 
 static void check_stored(struct study_file *f, hid_t dataset, const char *name) {
@@ -88,8 +85,8 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
     if (!grow(f)) {
         return -1;
     }
-    const bool sample = study_samples_has(f->dim, f->n_dim, name);
-    hid_t dataset = sample ? -1 : h5_open_object(&f->h, group, name);
+    const bool swept = study_along_has(f->dim, f->n_dim, name);
+    hid_t dataset = swept ? -1 : h5_open_object(&f->h, group, name);
     const bool result = H5Iget_type(dataset) == H5I_DATASET && is_result(dataset);
     const size_t n = result ? values_of_run(f, dataset, name) : 0;
     if (n == 0) {
@@ -155,8 +152,7 @@ static const char *const *get_links(struct study_file *f, const struct link_grou
     return (const char *const *)text;
 }
 
-struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name,
-                                 const char **units) {
+struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name) {
     struct study_view *v = &f->view;
     struct sweep *s = arena_alloc(v->arena, 1, sizeof *s);
     if (!s) {
@@ -165,17 +161,15 @@ struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale,
     }
     s->name = text_of(f, name);
     s->n = (int)h5_get_length(&f->h, group, s->name, STUDY_RUNS_MAX);
-    hid_t type = H5Dget_type(scale);
-    *units = "";
-    if (H5Tget_class(type) == H5T_FLOAT) {
+    s->units = "";
+    if (h5_is_number(scale)) {
         s->number = h5_get_doubles(&f->h, v->arena, group, s->name, (size_t)s->n);
-        study_samples_get(&f->h, v->arena, group, scale, s);
-        *units = h5_get_text(&f->h, v->arena, scale, "units");
+        study_along_get(&f->h, v->arena, group, scale, s);
+        s->units = h5_get_text(&f->h, v->arena, scale, "units");
     } else {
         s->label = (const char *const *)h5_get_texts(&f->h, v->arena, group, s->name, (size_t)s->n);
         s->text = s->label;
     }
-    H5Tclose(type);
     return f->h.failed ? NULL : s;
 }
 
@@ -187,8 +181,7 @@ static void get_dimension(struct study_file *f, hid_t scale, int i) {
     }
     const char *slash = strrchr(name, '/');
     hid_t group = h5_get_group(&f->h, f->h.file, "sweep");
-    f->dim[i] =
-        study_reader_sweep(f, group, scale, slash ? slash + 1 : name, &f->view.sweep_units[i]);
+    f->dim[i] = study_reader_sweep(f, group, scale, slash ? slash + 1 : name);
     h5_close(&f->h, group);
     if (f->dim[i]) {
         f->n_dim++;

@@ -17,9 +17,8 @@ struct study_file {
     hid_t status, message;
 };
 
-// The sweep in the dataset `name`, open as `scale`, of a group; *units of its numbers.
-struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name,
-                                 const char **units);
+// The sweep in the dataset `name`, open as `scale`, of a group.
+struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name);
 
 // The error for what the file's h5 has noted.
 int study_reader_fail(const struct study_file *f, struct error *e);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "result/h5_draft.h"
-#include "result/study_samples.h"
+#include "result/study_along.h"
 #include "result/study_writer.h"
 
 enum { GROUP_MAX = 4096 };
@@ -65,8 +65,8 @@ static void put_attributes(struct study_writer *w) {
     h5_put_long(&w->h, w->h.file, "parts", w->content->n_part);
 }
 
-// The values of a sweep, open: a scale, or, with the `scale` of their sample, random values along
-// it. A number without a unit may be of any dimension: only its use says which.
+// The values of a sweep, open: a scale, or, with the `scale` of their dimension, values along it. A
+// number without a unit may be of any dimension: only its use says which.
 static hid_t put_values(struct study_writer *w, hid_t group, const struct sweep *s, hid_t scale) {
     struct h5_dataset d = {
         .name = s->name,
@@ -95,19 +95,19 @@ hid_t study_tree_sweep(struct study_writer *w, hid_t group, const struct sweep *
     hid_t scale = put_values(w, group, s, 0);
     for (const struct sweep *p = s->along; p; p = p->along) {
         hid_t values = put_values(w, group, p, scale);
-        study_samples_put_dimension(&w->h, values, p);
+        study_along_put_dimension(&w->h, values, p);
         h5_close(&w->h, values);
     }
-    study_samples_name(&w->h, scale, &s, 1, STUDY_SAMPLES_NAMES);
+    study_along_put_names(&w->h, scale, s);
     return scale;
 }
 
 static void link_scales(struct study_writer *w, hid_t group) {
     for (int i = 0; i < w->n_sweep; i++) {
         h5_hard_link(&w->h, w->scale[i], group, w->sweep[i]->name);
-        study_samples_link(w, group, w->sweep[i]);
+        study_along_link(w, group, w->sweep[i]);
     }
-    study_samples_name(&w->h, group, w->sweep, w->n_sweep, "coordinates");
+    study_along_put_coordinates(&w->h, group, w->sweep, w->n_sweep);
 }
 
 // A group with the scale of its values, if it has one, and a group "envelope" with the same.
@@ -167,7 +167,7 @@ static struct h5_dataset over_sweeps(const struct study_writer *w, const char *n
 
 static hid_t put_item(struct study_writer *w, const struct study_item *item) {
     char path[GROUP_MAX];
-    if (study_samples_has(w->sweep, w->n_sweep, item->name)) {
+    if (study_along_has(w->sweep, w->n_sweep, item->name)) {
         return -1;
     }
     snprintf(path, sizeof path, "/%s%s%s", item->parent, item->owner ? "/" : "",

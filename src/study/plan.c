@@ -38,25 +38,42 @@ void plan_choose(const struct plan *p, long run, int *choice) {
     }
 }
 
+// Appends to the text, as far as there is room.
+static void append(struct plan_text *t, const char *text) {
+    const size_t used = strlen(t->text);
+    snprintf(t->text + used, sizeof t->text - used, "%s", text);
+}
+
+static void append_value(struct plan_text *t, const char *before, const struct sweep *s,
+                         int choice) {
+    char number[32];
+    append(t, before);
+    append(t, s->name);
+    snprintf(number, sizeof number, "%.6g", s->number ? s->number[choice] : 0.0);
+    append(t, " = ");
+    append(t, s->number ? number : s->label[choice]);
+}
+
 const char *plan_describe(const struct plan *p, long run, struct plan_text *t) {
     int choice[STUDY_SWEEPS_MAX];
     plan_choose(p, run, choice);
-    int used = snprintf(t->text, sizeof t->text, "run %ld", run + 1);
+    snprintf(t->text, sizeof t->text, "run %ld", run + 1);
     const char *before = " (";
     int i = 0;
     for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next, i++) {
-        const size_t at = (size_t)used < sizeof t->text ? (size_t)used : sizeof t->text - 1;
         if (s->fixed) {
             continue;
         }
-        used += s->number ? snprintf(t->text + at, sizeof t->text - at, "%s%s = %.6g", before,
-                                     s->name, s->number[choice[i]])
-                          : snprintf(t->text + at, sizeof t->text - at, "%s%s = %s", before,
-                                     s->name, s->label[choice[i]]);
+        const struct sweep *along = sweep_named(s->along);
+        append_value(t, before, s, choice[i]);
+        for (const struct sweep *v = along; v; v = sweep_named(v->along)) {
+            append_value(t, v == along ? " (" : ", ", v, choice[i]);
+        }
+        append(t, along ? ")" : "");
         before = ", ";
     }
-    const size_t at = (size_t)used < sizeof t->text ? (size_t)used : sizeof t->text - 2;
-    snprintf(t->text + at, sizeof t->text - at, ")");
+    t->text[sizeof t->text - 2] = '\0';
+    append(t, ")");
     return t->text;
 }
 

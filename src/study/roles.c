@@ -14,11 +14,12 @@ static bool is_name(const struct sweep *s, const char *name, size_t n) {
     return strlen(s->name) == n && strncmp(s->name, name, n) == 0;
 }
 
-// The random parameter of this name; NULL: there is none. *sweep is the sample it is along.
-static const struct sweep *find_random(const struct study_view *v, const char *name, size_t n,
-                                       int *sweep) {
+// The sweep of this name, or the parameter along one; NULL: there is none. *sweep is which
+// dimension it is of.
+static const struct sweep *find_name(const struct study_view *v, const char *name, size_t n,
+                                     int *sweep) {
     for (*sweep = 0; *sweep < v->n_sweep; ++*sweep) {
-        for (const struct sweep *p = v->sweep[*sweep]->along; p; p = p->along) {
+        for (const struct sweep *p = v->sweep[*sweep]; p; p = p->along) {
             if (is_name(p, name, n)) {
                 return p;
             }
@@ -27,27 +28,29 @@ static const struct sweep *find_random(const struct study_view *v, const char *n
     return NULL;
 }
 
-// The sweep of this name; -1 after an error, which lists those of the study.
-static int find_sweep(const struct study_view *v, const char *name, size_t n, const char *option,
-                      struct error *e) {
+static int report_unknown(const struct study_view *v, const char *name, size_t n,
+                          const char *option, struct error *e) {
     char list[256] = "";
     for (int i = 0; i < v->n_sweep; i++) {
-        const char *known = v->sweep[i]->name;
-        if (is_name(v->sweep[i], name, n)) {
-            return i;
-        }
         const size_t used = strlen(list);
-        snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", known);
+        snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", v->sweep[i]->name);
     }
-    int sample;
-    if (find_random(v, name, n, &sample)) {
-        error_set(e, STATUS_INPUT, "%s: '%.*s' is a random parameter; name its sweep '%s'", option,
-                  (int)n, name, v->sweep[sample]->name);
-        return -1;
+    return error_set(e, STATUS_INPUT, "%s: the study has no sweep '%.*s'; there are %s", option,
+                     (int)n, name, list);
+}
+
+// The sweep of this name, or one that goes together with others, along a dimension; NULL after an
+// error.
+static const struct sweep *find_sweep(const struct study_view *v, const char *name, size_t n,
+                                      const char *option, int *sweep, struct error *e) {
+    const struct sweep *s = find_name(v, name, n, sweep);
+    if (!s) {
+        report_unknown(v, name, n, option, e);
+    } else if (s->random) {
+        error_set(e, STATUS_INPUT, "%s: '%s' is a random parameter; name its sweep '%s'", option,
+                  s->name, v->sweep[*sweep]->name);
     }
-    error_set(e, STATUS_INPUT, "%s: the study has no sweep '%.*s'; there are %s", option, (int)n,
-              name, list);
-    return -1;
+    return s && !s->random ? s : NULL;
 }
 
 static int set_role(const struct study_view *v, struct roles *r, int sweep, enum role role,
@@ -77,15 +80,14 @@ static int find_shown(const struct sweep *s, const char *text) {
 }
 
 // The index of a number as typed, with or without a unit, among those of a sweep; -1: it is none.
-static int find_number(const struct study_view *v, int sweep, const char *text) {
-    const struct sweep *s = v->sweep[sweep];
+static int find_number(const struct study_view *v, const struct sweep *s, const char *text) {
     const char *end, *behind;
     struct dimension dimension;
     double value, size, own;
     if (text_number(text, &end, &value) != TEXT_NUMBER_OK) {
         return -1;
     }
-    const struct dimension wanted = edp_units(v->sweep_units[sweep], v->units.gravity, &own);
+    const struct dimension wanted = edp_units(s->units, v->units.gravity, &own);
     if (*end != '\0') {
         if (!unit_parse(end, v->units.gravity, &behind, &dimension, &size) || *behind != '\0' ||
             !dimension_equal(dimension, wanted)) {
@@ -110,34 +112,55 @@ static int find_label(const struct sweep *s, const char *text) {
     return -1;
 }
 
+// Whether a value stands elsewhere, too.
+static bool is_repeated(const struct sweep *s, int k) {
+    for (int i = 0; i < s->n; i++) {
+        if (i != k &&
+            (s->number ? s->number[i] == s->number[k] : strcmp(s->label[i], s->label[k]) == 0)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static int report_value(const struct sweep *s, const char *text, struct error *e) {
+    if (s->number) {
+        return error_set(e, STATUS_INPUT, "--at %s: '%s' has %d values, from %.9g to %.9g %s", text,
+                         s->name, s->n, s->number[0], s->number[s->n - 1], s->units);
+    }
+    return error_set(e, STATUS_INPUT, "--at %s: '%s' has %d values: %s%s%s", text, s->name, s->n,
+                     s->label[0], s->n > 1 ? " ... " : "", s->n > 1 ? s->label[s->n - 1] : "");
+}
+
 static int fix(const struct study_view *v, const char *text, struct roles *r, struct error *e) {
     const size_t n = strcspn(text, "=");
     if (text[n] == '\0') {
         return error_set(e, STATUS_INPUT, "--at takes NAME=VALUE, not '%s'", text);
     }
-    const int i = find_sweep(v, text, n, "--at", e);
-    if (i < 0) {
+    int i;
+    const struct sweep *s = find_sweep(v, text, n, "--at", &i, e);
+    if (!s) {
         return STATUS_INPUT;
     }
-    const struct sweep *s = v->sweep[i];
-    r->fixed[i] = s->number ? find_number(v, i, text + n + 1) : find_label(s, text + n + 1);
-    if (r->fixed[i] >= 0) {
-        return set_role(v, r, i, ROLE_FIXED, e);
+    r->fixed[i] = s->number ? find_number(v, s, text + n + 1) : find_label(s, text + n + 1);
+    if (r->fixed[i] < 0) {
+        return report_value(s, text, e);
     }
-    if (s->number) {
-        return error_set(e, STATUS_INPUT, "--at %s: '%s' has %d values, from %.9g to %.9g %s", text,
-                         s->name, s->n, s->number[0], s->number[s->n - 1], v->sweep_units[i]);
+    if (is_repeated(s, r->fixed[i])) {
+        return error_set(e, STATUS_INPUT,
+                         "--at %s: this stands more than once; name a number of '%s'", text,
+                         v->sweep[i]->name);
     }
-    return error_set(e, STATUS_INPUT, "--at %s: '%s' has %d values: %s%s%s", text, s->name, s->n,
-                     s->label[0], s->n > 1 ? " ... " : "", s->n > 1 ? s->label[s->n - 1] : "");
+    return set_role(v, r, i, ROLE_FIXED, e);
 }
 
 static int take_samples(const struct study_view *v, const char *over, struct roles *r,
                         struct error *e) {
     for (const char *at = over; *at; at += strspn(at, ",")) {
         const size_t n = strcspn(at, ",");
-        const int i = find_sweep(v, at, n, "--over", e);
-        int status = i < 0 ? STATUS_INPUT : set_role(v, r, i, ROLE_SAMPLE, e);
+        int i;
+        const bool found = find_sweep(v, at, n, "--over", &i, e);
+        int status = found ? set_role(v, r, i, ROLE_SAMPLE, e) : STATUS_INPUT;
         if (status != STATUS_OK) {
             return status;
         }
@@ -146,22 +169,48 @@ static int take_samples(const struct study_view *v, const char *over, struct rol
     return STATUS_OK;
 }
 
-// The first sweep still free that has one of these names, else the only one that is free among
-// texts (or numbers, but for those that count the realisations of random parameters); -1.
+// Whether the sweep, or one of those that go together along it, has texts.
+static bool has_texts(const struct sweep *s) {
+    while (s && s->number) {
+        s = s->along;
+    }
+    return s;
+}
+
+static bool has_random(const struct sweep *s) {
+    while (s && !s->random) {
+        s = s->along;
+    }
+    return s;
+}
+
+// Whether it has the name, or, where texts are looked for, one along it has.
 enum value_kind { VALUES_TEXT, VALUES_NUMBER };
+static bool is_called(const struct sweep *s, const char *name, enum value_kind kind) {
+    const bool own = strcmp(s->name, name) == 0;
+    const struct sweep *p = kind == VALUES_TEXT ? s->along : NULL;
+    while (p && strcmp(p->name, name) != 0) {
+        p = p->along;
+    }
+    return own || p;
+}
+
+// The first sweep still free that has one of these names, else the only one that is free among
+// those of texts (or of numbers, but for those that count what goes together); -1.
 static int guess(const struct study_view *v, const struct roles *r, const char *const *name,
                  enum value_kind kind) {
     int only = -1, n = 0;
     for (int i = 0; i < v->n_sweep; i++) {
-        if (r->role[i] == ROLE_GROUP && !v->sweep[i]->along &&
-            (v->sweep[i]->number != NULL) == (kind == VALUES_NUMBER)) {
+        const struct sweep *s = v->sweep[i];
+        if (r->role[i] == ROLE_GROUP &&
+            (kind == VALUES_TEXT ? has_texts(s) : s->number && !s->along)) {
             only = i;
             n++;
         }
     }
     for (const char *const *at = name; *at; at++) {
         for (int i = 0; i < v->n_sweep; i++) {
-            if (r->role[i] == ROLE_GROUP && strcmp(v->sweep[i]->name, *at) == 0) {
+            if (r->role[i] == ROLE_GROUP && is_called(v->sweep[i], *at, kind)) {
                 return i;
             }
         }
@@ -172,9 +221,10 @@ static int guess(const struct study_view *v, const struct roles *r, const char *
 static const char *const intensities[] = {"im", "sa", "pga", "intensity", "scale", NULL};
 static const char *const records[] = {"record", "records", NULL};
 
-// How well a sweep does as the one to go along: numbers, texts, the count of realisations.
+// How well a sweep does as the one to go along: numbers, texts and what goes together, the count of
+// realisations.
 static int rank(const struct sweep *s) {
-    return s->along ? 1 : s->number ? 3 : 2;
+    return has_random(s) ? 1 : s->number && !s->along ? 3 : 2;
 }
 
 // The first free sweep of the highest rank; -1.
@@ -192,7 +242,7 @@ static int any_free(const struct study_view *v, const struct roles *r) {
 static void default_samples(const struct study_view *v, struct roles *r) {
     const int found = guess(v, r, records, VALUES_TEXT);
     for (int i = 0; i < v->n_sweep; i++) {
-        if (r->role[i] == ROLE_GROUP && (i == found || v->sweep[i]->along)) {
+        if (r->role[i] == ROLE_GROUP && (i == found || has_random(v->sweep[i]))) {
             r->role[i] = ROLE_SAMPLE;
         }
     }
@@ -205,12 +255,16 @@ static bool is_one_of(const char *name, const char *const *known) {
     return *known != NULL;
 }
 
-// The sweep along which `name` goes, a sweep or a random parameter; -1 after an error.
+// The sweep along which `name` goes, a sweep or a parameter along it; -1 after an error.
 static int find_named(const struct study_view *v, const char *name, struct roles *r,
                       struct error *e) {
     int sweep;
-    r->along = find_random(v, name, strlen(name), &sweep);
-    return r->along ? sweep : find_sweep(v, name, strlen(name), "--im or --against", e);
+    r->along = find_name(v, name, strlen(name), &sweep);
+    if (!r->along) {
+        report_unknown(v, name, strlen(name), "--im or --against", e);
+        return -1;
+    }
+    return sweep;
 }
 
 static int guess_abscissa(const struct study_view *v, const struct suite_request *q,

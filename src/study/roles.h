@@ -10,7 +10,7 @@ struct roles {
     enum role role[STUDY_SWEEPS_MAX];
     int fixed[STUDY_SWEEPS_MAX];  // value of a fixed sweep
     int abscissa;                 // its sweep
-    const struct sweep *along;    // that sweep, or the random parameter along it that is meant
+    const struct sweep *along;    // that sweep, or the parameter along it that is meant
     bool is_intensity;            // it has the name of one
 };
 

@@ -25,19 +25,37 @@ static void *take(struct maker *m, size_t n, size_t size) {
     return p;
 }
 
-// Appends "NAME = VALUE UNIT" or "NAME VALUE" to `text`.
-static const char *append_value(struct maker *m, const char *text, int sweep, int k,
-                                const char *equals) {
-    const struct study_view *v = m->s->view;
-    const struct sweep *s = v->sweep[sweep];
-    char number[40];
-    snprintf(number, sizeof number, "%.6g", s->number ? s->number[k] : 0.0);
-    const char *units = unit_suffix(v->sweep_units[sweep]);
-    const char *all =
-        arena_format(m->s->arena, "%s%s%s%s%s%s%s", text, text[0] ? ", " : "", s->name, equals,
-                     s->number ? number : s->label[k], units[0] ? " " : "", units);
+static const char *append(struct maker *m, const char *text, const char *more) {
+    const char *all = arena_format(m->s->arena, "%s%s", text, more);
     m->no_memory |= !all;
     return all ? all : "";
+}
+
+static const char *append_value(struct maker *m, const char *text, const struct sweep *s, int k) {
+    char number[40];
+    snprintf(number, sizeof number, "%.6g", s->number ? s->number[k] : 0.0);
+    return append(m, text, s->number ? number : s->label[k]);
+}
+
+static const char *append_pair(struct maker *m, const char *text, const struct sweep *s, int k,
+                               const char *equals) {
+    const char *units = unit_suffix(s->units);
+    text = append_value(m, append(m, append(m, text, s->name), equals), s, k);
+    return units[0] ? append(m, append(m, text, " "), units) : text;
+}
+
+// Appends "NAME = VALUE UNIT" or "NAME VALUE", and in brackets those of what goes together along
+// it.
+static const char *append_choice(struct maker *m, const char *text, int sweep, int k,
+                                 const char *equals) {
+    const struct sweep *s = m->s->view->sweep[sweep], *along = sweep_named(s->along);
+    text = append_pair(m, text[0] ? append(m, text, ", ") : text, s, k, equals);
+    const char *before = " (";
+    for (const struct sweep *p = along; p; p = sweep_named(p->along)) {
+        text = append_pair(m, append(m, text, before), p, k, equals);
+        before = ", ";
+    }
+    return along ? append(m, text, ")") : text;
 }
 
 // The number of a run among the values of the sweeps of a role.
@@ -56,7 +74,7 @@ static const char *const *name_all(struct maker *m, enum role role, int n, const
     const struct study_view *v = m->s->view;
     const char **name = take(m, (size_t)n, sizeof *name);
     for (int at = 0; name && at < n; at++) {
-        int k[STUDY_SWEEPS_MAX];
+        int k[STUDY_SWEEPS_MAX] = {0};
         int rest = at;
         for (int i = v->n_sweep - 1; i >= 0; i--) {
             if (m->roles.role[i] == role) {
@@ -67,7 +85,7 @@ static const char *const *name_all(struct maker *m, enum role role, int n, const
         name[at] = "";
         for (int i = 0; i < v->n_sweep; i++) {
             if (m->roles.role[i] == role) {
-                name[at] = append_value(m, name[at], i, k[i], equals);
+                name[at] = append_choice(m, name[at], i, k[i], equals);
             }
         }
     }
@@ -87,7 +105,7 @@ static void name_roles(struct maker *m) {
             m->no_memory |= !s->over;
             s->over = s->over ? s->over : "";
         } else if (m->roles.role[i] == ROLE_FIXED) {
-            s->fixed = append_value(m, s->fixed, i, m->roles.fixed[i], " = ");
+            s->fixed = append_choice(m, s->fixed, i, m->roles.fixed[i], " = ");
         } else if (m->roles.role[i] == ROLE_GROUP && group_sweep) {
             group_sweep[s->n_group_sweep++] = i;
         }
@@ -122,6 +140,34 @@ static void order_points(struct maker *m) {
     s->point = point;
 }
 
+// Why other things change along the abscissa, too.
+static const char *find_mixed(const struct suite *s, const struct sweep *dimension) {
+    if (s->abscissa != dimension) {
+        return s->abscissa->random ? "a random parameter"
+                                   : "a sweep that goes together with others";
+    }
+    return sweep_named(dimension->along) ? "a dimension of sweeps that go together" : NULL;
+}
+
+// Texts, or the numbers of what goes together along a dimension with its values: long names are
+// cut.
+static void name_points(struct maker *m) {
+    struct suite *s = m->s;
+    const struct sweep *along = sweep_named(s->abscissa->along);
+    if (!s->abscissa->number) {
+        s->point_name = s->abscissa->label;
+    } else if (along && s->abscissa == s->view->sweep[m->roles.abscissa]) {
+        const char **name = take(m, (size_t)s->n_point, sizeof *name);
+        for (int k = 0; name && k < s->n_point; k++) {
+            name[k] = append_value(m, "", s->abscissa, k);
+            for (const struct sweep *p = along; p; p = sweep_named(p->along)) {
+                name[k] = append_value(m, append(m, name[k], p == along ? ": " : ", "), p, k);
+            }
+        }
+        s->point_name = name;
+    }
+}
+
 static void name_failed(struct maker *m, long run, const int *k, const char *why) {
     struct suite *s = m->s;
     if (s->n_failed++ >= SUITE_NAMED_MAX) {
@@ -129,7 +175,7 @@ static void name_failed(struct maker *m, long run, const int *k, const char *why
     }
     const char *values = "";
     for (int i = 0; i < s->view->n_sweep; i++) {
-        values = append_value(m, values, i, k[i], " = ");
+        values = append_choice(m, values, i, k[i], " = ");
     }
     const char *all = arena_format(s->arena, "run %ld (%s): %s", run + 1, values, why);
     m->no_memory |= !all;
@@ -203,11 +249,11 @@ static void take_abscissa(struct suite *s, const struct roles *r) {
     const struct study_view *v = s->view;
     double size;
     s->abscissa = r->along;
-    s->is_random = s->abscissa != v->sweep[r->abscissa];
+    s->mixed = find_mixed(s, v->sweep[r->abscissa]);
     s->is_intensity = r->is_intensity;
-    const char *units = s->is_random ? s->abscissa->units : v->sweep_units[r->abscissa];
-    s->abscissa_dimension = edp_units(units, v->units.gravity, &size);
-    s->abscissa_units = dimension_equal(s->abscissa_dimension, dimension_none) ? "" : units;
+    s->abscissa_dimension = edp_units(s->abscissa->units, v->units.gravity, &size);
+    s->abscissa_units =
+        dimension_equal(s->abscissa_dimension, dimension_none) ? "" : s->abscissa->units;
 }
 
 static int make(struct maker *m, struct study_file *f, const struct suite_request *q,
@@ -236,6 +282,7 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     }
     if (!m->no_memory) {
         name_roles(m);
+        name_points(m);
     }
     if (!m->no_memory) {
         status = study_file_each(f, take_run, m, e);

@@ -15,7 +15,7 @@ enum suite_guess { SUITE_INTENSITY, SUITE_ANY };
 
 struct suite_request {
     const char *edp;        // NULL: drift-ratio, or drift where the deck gives no heights
-    const char *abscissa;   // sweep, or random parameter, that it goes along; NULL: found
+    const char *abscissa;   // sweep, or parameter along one, that it goes along; NULL: found
     const char *over;       // sweeps whose values are samples, "record,k"; NULL: found; "": none
     const char *const *at;  // (n_at) NAME=VALUE, sweeps of which one value only is looked at
     int n_at;
@@ -28,17 +28,18 @@ struct suite {
     struct arena *arena;            // owns everything below
     const struct study_view *view;  // borrowed
     struct edp edp;
-    const struct sweep *abscissa;  // or a random parameter along it
-    bool is_random;                // one is
-    bool is_intensity;             // by its name
-    const char *abscissa_units;    // "" for texts and pure numbers
+    const struct sweep *abscissa;  // or a parameter along it
+    const char *mixed;  // "a random parameter": why other things change along it, too; NULL
+    bool is_intensity;  // by its name
+    const char *abscissa_units;  // "" for texts and pure numbers
     struct dimension abscissa_dimension;
     int n_point, n_sample, n_group;
-    const int *order;           // (n_point) value of the sweep at each point, ascending
-    const double *point;        // (n_point) its numbers; 1, 2, ... for texts
-    const char *const *sample;  // (n_sample) "ELCENTRO_1940_NS"
-    const char *const *group;   // (n_group) "gap = 0.02 m"; "" where there is one
-    const int *group_sweep;     // (n_group_sweep) sweeps of which groups are the values
+    const int *order;               // (n_point) value of the sweep at each point, ascending
+    const double *point;            // (n_point) its numbers; 1, 2, ... for texts
+    const char *const *point_name;  // (n_point) by the value of the sweep; NULL: they are numbers
+    const char *const *sample;      // (n_sample) "ELCENTRO_1940_NS"
+    const char *const *group;       // (n_group) "gap = 0.02 m"; "" where there is one
+    const int *group_sweep;         // (n_group_sweep) sweeps of which groups are the values
     int n_group_sweep;
     const char *over;     // names of the sampled sweeps, "record"; "" if none
     const char *fixed;    // "gap = 0.02 m" of --at; ""

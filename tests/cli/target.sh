@@ -72,7 +72,7 @@ expect "--deck prints two sweeps and no more" '[ $status -eq 0 ] && [ ! -s "$err
     \"centro.AT2\" \\
     \"./napa.AT2\" -as motion
 sweep factor values$factors -as motion" ]'
-sed 's/ -as motion$//' "$out" >study.deck
+cp "$out" study.deck
 cat >>study.deck <<'END'
 ground record $record -scale $factor
 building A -floors 1 -mass 100t -stiffness 50MN/m
@@ -80,7 +80,7 @@ contact wall A -gap 20mm -law linear -k 1e6kN/m
 step fixed 1ms
 END
 run "$jostle" check study.deck
-expect "which a deck reads" '[ $status -eq 0 ] && grep -q "4 runs" "$out"'
+expect "which a deck reads" '[ $status -eq 0 ] && grep -q "2 runs" "$out"'
 
 wrong() {
     local sentence=$1 words=$2

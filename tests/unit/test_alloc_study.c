@@ -12,11 +12,12 @@
 #include "support/support.h"
 
 static const char text[] = "sweep gap values 1mm 2mm\n"
-                           "sweep record files \"memory*.txt\"\n"
+                           "sweep factor values 1 2 -as motion\n"
+                           "sweep record files \"memory*.txt\" -as motion\n"
                            "sweep k random uniform 300 400 -n 2 -seed 1\n"
                            "building A -floors 2 -mass 1 -stiffness $k\n"
                            "contact A wall -gap $gap -law hertz -k 1e4\n"
-                           "ground record $record -unit m/s2 -dt 0.05\n"
+                           "ground record $record -unit m/s2 -dt 0.05 -scale $factor\n"
                            "step fixed 0.01\n";
 
 // What is run or joined, and its result; it must be there just when the work succeeds.
@@ -112,6 +113,30 @@ static void every_allocation_of_runs_with_histories_that_fails_ends_in_an_error(
     fail_alloc_each(attempt, &w, 100);
 }
 
+// The deck is read twice: the record stands below the factor that goes together with it.
+static int choose(void *path, struct error *e) {
+    const char *define[] = {"record=memory2"};
+    struct deck *d = NULL;
+    struct model *m = NULL;
+    int status = deck_open(path, define, 1, &d, e);
+    if (status == STATUS_OK) {
+        status = model_build(d, &m, e);
+        status = status == STATUS_INPUT ? diagnostics_cause(&d->diagnostics, e) : status;
+    }
+    if (status == STATUS_OK) {
+        assert_int_equal(d->n_run, 4);
+    }
+    deck_free(d);
+    return status;
+}
+
+static void every_allocation_of_a_choice_that_fails_ends_in_an_error(void **state) {
+    (void)state;
+    support_write("memory1.txt", "0\n1\n-2\n1\n");
+    support_write("memory2.txt", "0\n2\n-1\n1\n");
+    fail_alloc_each(choose, (void *)support_write("choose.deck", text), 10);
+}
+
 static const char pair[] = "param T1 1s\n"
                            "param T2 1s\n"
                            "building A -floors 1 -mass 1 -stiffness ${4 * pi^2 * 1kg / T1^2}\n"
@@ -143,6 +168,7 @@ int main(void) {
         cmocka_unit_test(every_allocation_of_a_part_that_fails_ends_in_an_error),
         cmocka_unit_test(every_allocation_of_a_merge_that_fails_ends_in_an_error),
         cmocka_unit_test(every_allocation_of_runs_with_histories_that_fails_ends_in_an_error),
+        cmocka_unit_test(every_allocation_of_a_choice_that_fails_ends_in_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

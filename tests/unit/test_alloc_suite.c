@@ -11,16 +11,17 @@
 #include "support/support.h"
 
 static const char text[] = "units kN m s\n"
-                           "sweep record values linear hertz\n"
+                           "sweep record values linear hertz -as motion\n"
+                           "sweep k values 1e4 2e4 -as motion\n"
                            "sweep im values 1 2 3\n"
                            "building A -floors 2 -mass 100t -stiffness 50MN/m -height 3\n"
-                           "contact A wall -gap 1mm -law $record -k 1e4\n"
+                           "contact A wall -gap 1mm -law $record -k $k\n"
                            "ground sine -amplitude $im -frequency 2 -cycles 2\n"
                            "step fixed 5ms\n";
 
 static int draw(struct study_file *f, const struct study_figure *figure, struct error *e) {
     static const double limit = 0.001;
-    const char *at = "record=linear";
+    const char *at = "im=1";                                      // against what goes together
     const bool response = strcmp(figure->name, "response") == 0;  // shows no limit
     const struct suite_request q = {.guess = figure->guess, .at = &at, .n_at = response};
     FILE *to = fopen("/dev/null", "w");

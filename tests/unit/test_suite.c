@@ -79,6 +79,47 @@ static void failed_runs_are_named_and_count_as_asked_for(void **state) {
     study_file_close(f);
 }
 
+// Records are samples also where a factor goes together with each, and texts that stand twice
+// choose nothing.
+static void what_goes_together_plays_one_part(void **state) {
+    (void)state;
+    struct study_file *f = suite_ran("sweep k values 2500 100 400 -as specimen\n"
+                                     "sweep im values 3 1\n"
+                                     "sweep record values a b a -as specimen\n"
+                                     "title \"$record\"\n"
+                                     "building A -floors 1 -mass 1 -stiffness $k\n"
+                                     "initial A:1 -velocity $im\n"
+                                     "step fixed 0.0005\n"
+                                     "duration 1\n");
+    const char *at[] = {"im=1", "record=b", "record=a"};
+    struct suite *s = arranged(f, (struct suite_request){.edp = "drift"});
+    assert_string_equal(s->over, "specimen");
+    assert_true(s->n_point == 2 && s->n_sample == 3 && s->n_group == 1);
+    assert_string_equal(s->sample[1], "specimen 2 (k 100, record b)");
+    assert_close(suite_value(s, 0, 1, 1), 3.0 / 10.0, PEAK);
+    suite_free(s);
+    s = arranged(f,
+                 (struct suite_request){.abscissa = "specimen", .over = "", .at = at, .n_at = 1});
+    assert_true(s->n_point == 3 && s->n_group == 1);
+    assert_string_equal(s->point_name[2], "3: 400, a");
+    assert_non_null(s->mixed);
+    suite_free(s);
+    s = arranged(f, (struct suite_request){.at = at + 1, .n_at = 1, .edp = "drift"});
+    assert_string_equal(s->fixed, "specimen = 2 (k = 100, record = b)");
+    assert_close(suite_value(s, 0, 0, 0), 1.0 / 10.0, PEAK);
+    suite_free(s);
+    s = arranged(f, (struct suite_request){.abscissa = "k", .edp = "drift"});
+    assert_true(s->point[0] == 100 && s->n_group == 2 && !s->point_name);
+    assert_non_null(s->mixed);
+    suite_free(s);
+    s = arranged(f, (struct suite_request){.over = "k"});
+    assert_string_equal(s->over, "specimen");
+    suite_free(s);
+    refused(f, (struct suite_request){.at = at + 2, .n_at = 1},
+            "--at record=a: this stands more than once; name a number of 'specimen'");
+    study_file_close(f);
+}
+
 static void sweeps_play_the_parts_they_are_given(void **state) {
     (void)state;
     struct study_file *f = suite_ran(suite_oscillators);
@@ -303,6 +344,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(runs_are_arranged_by_ascending_intensity_and_sample),
         cmocka_unit_test(failed_runs_are_named_and_count_as_asked_for),
+        cmocka_unit_test(what_goes_together_plays_one_part),
         cmocka_unit_test(sweeps_play_the_parts_they_are_given),
         cmocka_unit_test(demands_on_an_oscillator_are_those_of_the_closed_form),
         cmocka_unit_test(runs_at_the_limit_do_not_exceed_it),

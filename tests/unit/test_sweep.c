@@ -6,27 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "jostle/deck.h"
-#include "support/support.h"
-
-// Reads a whole deck; what its statement `show` says is kept in *shown.
-static struct deck *read_deck(const char *text, const char *define, const struct deck *bound,
-                              const int *choice, const char **shown) {
-    struct deck *d;
-    struct error e;
-    const char *path = support_path("sweep.deck");
-    assert_int_equal(deck_open_text(path, text, &define, define ? 1 : 0, &d, &e), STATUS_OK);
-    if (bound) {
-        deck_bind(d, bound, choice);
-    }
-    struct statement s;
-    do {
-        while (deck_next(d, &s)) {
-            *shown = s.n_word > 1 ? deck_text(d, &s.word[1]) : NULL;
-        }
-    } while (deck_rewind(d));
-    return d;
-}
+#include "sweep_cases.h"
 
 static void values_keep_their_order_and_their_unit(void **state) {
     (void)state;
@@ -214,25 +194,6 @@ static void a_sweep_takes_over_the_param_above_or_below_it(void **state) {
     }
 }
 
-static void a_random_sweep_takes_over_its_param_too(void **state) {
-    (void)state;
-    static const char text[] = "param k 9\nparam f x.txt\nshow $k/$f\nsweep f values a b\n"
-                               "sweep k random uniform 1 2 -n 3 -seed 1\n";
-    const char *shown = NULL;
-    struct deck *first = read_deck(text, NULL, NULL, NULL, &shown);
-    assert_int_equal(first->n_run, 6);
-    const double *k = first->sweeps->next->along->number;
-    for (int run = 0; run < 6; run++) {
-        struct deck *d = read_deck(text, NULL, first, (const int[]){run / 3, run % 3}, &shown);
-        assert_int_equal(d->diagnostics.n_error, 0);
-        char *rest;
-        assert_close(strtod(shown, &rest), k[run % 3], 1e-14);  // texts have 15 digits
-        assert_string_equal(rest, run / 3 ? "/b" : "/a");
-        deck_free(d);
-    }
-    deck_free(first);
-}
-
 // Nothing is left to be found by another reading, which would end no sooner.
 static void a_wrong_sweep_over_a_param_is_read_once(void **state) {
     (void)state;
@@ -275,95 +236,6 @@ static void files_are_sorted_and_have_the_shortest_labels_that_differ(void **sta
     assert_string_equal(labels("*/a.AT2", text, sizeof text), "one/a.AT2 two/a.AT2");
 }
 
-static const char random_text[] = "units kN m s\n"
-                                  "sweep k random lognormal 40MN/m 0.3 -n 5 -seed 1 -lhs\n"
-                                  "sweep v values 1 2\n"
-                                  "sweep gap random normal 20mm 4mm -n 5 -seed 1 -min 0mm\n"
-                                  "sweep z random uniform 0 1 -n 3 -seed 1 -as other\n"
-                                  "show \"$k $v $gap $z $sample $other\"\n";
-
-// Random sweeps of one sample make one dimension, where its first one stands; others multiply.
-static void random_sweeps_are_sampled_together(void **state) {
-    (void)state;
-    const char *shown = NULL;
-    struct deck *d = read_deck(random_text, NULL, NULL, NULL, &shown);
-    assert_int_equal(d->diagnostics.n_error, 0);
-    const struct sweep *sample = d->sweeps, *v = sample->next, *third = v->next;
-    assert_int_equal(d->n_run, 5 * 2 * 3);
-    assert_string_equal(sample->name, "sample");
-    assert_string_equal(v->name, "v");
-    assert_string_equal(third->name, "other");
-    assert_null(third->next);
-    const struct sweep *k = sample->along, *gap = k->along;
-    assert_string_equal(k->name, "k");
-    assert_string_equal(gap->name, "gap");
-    assert_null(gap->along);
-    assert_null(v->along);
-    assert_string_equal(third->along->name, "z");
-    assert_true(sample->number[0] == 1.0 && sample->number[4] == 5.0);
-    assert_int_equal(gap->n, 5);
-    assert_true(gap->known && dimension_equal(gap->dimension, dimension_length));
-    deck_free(d);
-}
-
-static void read_six(const char *text, double *to) {
-    for (int i = 0; i < 6; i++) {
-        char *end;
-        to[i] = strtod(text, &end);
-        assert_true(end > text);
-        text = end;
-    }
-}
-
-static void a_bound_deck_takes_the_values_of_its_sample(void **state) {
-    (void)state;
-    const char *shown = NULL;
-    struct deck *first = read_deck(random_text, NULL, NULL, NULL, &shown);
-    const struct sweep *sample = first->sweeps, *z = sample->next->next->along;
-    for (int run = 0; run < 30; run++) {
-        const int choice[] = {run / 6, run / 3 % 2, run % 3};
-        char want[128];
-        snprintf(want, sizeof want, "%.17g %d %.17g %.17g %d %d", sample->along->number[choice[0]],
-                 choice[1] + 1, sample->along->along->number[choice[0]], z->number[choice[2]],
-                 choice[0] + 1, choice[2] + 1);
-        struct deck *d = read_deck(random_text, NULL, first, choice, &shown);
-        assert_int_equal(d->diagnostics.n_error, 0);
-        double got[6], expected[6];
-        read_six(shown, got);
-        read_six(want, expected);
-        for (int i = 0; i < 6; i++) {
-            assert_close(got[i], expected[i], 1e-14);
-        }
-        deck_free(d);
-    }
-    deck_free(first);
-}
-
-// -D sample=I is run I; -D of a random parameter fixes that one and leaves the others as they are.
-static void a_define_fixes_a_sample_or_a_parameter_of_it(void **state) {
-    (void)state;
-    const char *shown = NULL;
-    struct deck *all = read_deck(random_text, NULL, NULL, NULL, &shown);
-    struct deck *one = read_deck(random_text, "sample=4", NULL, NULL, &shown);
-    assert_int_equal(one->diagnostics.n_error, 0);
-    assert_int_equal(one->n_run, 6);
-    const struct sweep *k = one->sweeps->along, *gap = k->along;
-    assert_true(one->sweeps->fixed && k->fixed && k->n == 1);
-    assert_true(k->number[0] == all->sweeps->along->number[3]);
-    assert_true(gap->number[0] == all->sweeps->along->along->number[3]);
-    struct deck *other = read_deck(random_text, "k=3e4", NULL, NULL, &shown);
-    assert_int_equal(other->diagnostics.n_error, 0);
-    assert_int_equal(other->n_run, 30);
-    assert_true(other->sweeps->fixed && other->sweeps->number[0] == 3e4);
-    const struct sweep *sample = other->sweeps->next->next;
-    assert_string_equal(sample->name, "sample");
-    assert_memory_equal(sample->along->number, all->sweeps->along->along->number,
-                        5 * sizeof(double));
-    deck_free(other);
-    deck_free(one);
-    deck_free(all);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_keep_their_order_and_their_unit),
@@ -375,11 +247,7 @@ int main(void) {
         cmocka_unit_test(a_define_fixes_a_known_sweep),
         cmocka_unit_test(a_define_fixes_a_sweep),
         cmocka_unit_test(a_sweep_takes_over_the_param_above_or_below_it),
-        cmocka_unit_test(a_random_sweep_takes_over_its_param_too),
         cmocka_unit_test(a_wrong_sweep_over_a_param_is_read_once),
-        cmocka_unit_test(random_sweeps_are_sampled_together),
-        cmocka_unit_test(a_bound_deck_takes_the_values_of_its_sample),
-        cmocka_unit_test(a_define_fixes_a_sample_or_a_parameter_of_it),
         cmocka_unit_test(files_are_sorted_and_have_the_shortest_labels_that_differ),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

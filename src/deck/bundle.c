@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "deck/bundle.h"
+
+#include <math.h>
+#include <string.h>
+
+struct bundle {
+    struct sweep *sweep;  // over its numbers
+    struct sweep *last;   // along it; NULL: none yet
+    int n;                // values, although -D may choose one
+    int choice;           // from 0, of this run
+    bool sound;           // false: what is wrong with it has been reported
+    const char *first;    // its first sweep
+    const char *noun;     // of the values of that
+    struct place place;
+    struct bundle *next;
+};
+
+bool bundle_name(struct deck *d, const struct argument *as, const struct word *at,
+                 const char *fallback, const struct sweep *own, struct bundle_request *q) {
+    q->name = as->given ? as->word[0] : *at;
+    q->name.text = as->given ? as->text[0] : fallback;
+    if (q->name.text && strcmp(q->name.text, own->name) == 0) {
+        deck_error(d, &q->name, "what goes together needs another name than its parameters");
+        return false;
+    }
+    return true;
+}
+
+// Defines the parameter that numbers the bundle and decides which number it has in this run.
+static bool number_bundle(struct deck *d, const struct bundle_request *q, struct bundle *b) {
+    const struct define *define = define_find(d, q->name.text);
+    if (!sweep_bound(d, q->name.text, &b->choice) || b->choice >= b->n) {
+        b->choice = 0;
+    }
+    struct parameter p = {.kind = PARAMETER_NUMBER, .swept = true, .used = true};
+    p.number = (struct quantity){b->choice + 1, true, dimension_none};
+    if (!parameter_keep(d, &q->name, BY_BUNDLE, &p)) {
+        return true;
+    }
+    const double x = p.kind == PARAMETER_NUMBER ? p.number.value : 1.0;
+    if (!(x >= 1.0 && x <= b->n && x == floor(x))) {
+        deck_error(d, &define->value, "'%s' is numbered from 1 to %d", q->name.text, b->n);
+        return false;
+    }
+    b->choice = (int)x - 1;
+    sweep_fix(d, &p, b->sweep);
+    return p.kind == PARAMETER_NUMBER;
+}
+
+// 1 ... n; NULL: no memory. Runs share those of the first.
+static const double *numbers(struct deck *d, const char *name, int n) {
+    int choice;
+    const struct sweep *from = sweep_bound(d, name, &choice);
+    if (from && from->number && from->n == n && from->along) {
+        return from->number;
+    }
+    double *number = deck_array(d, (size_t)n, sizeof *number);
+    for (int i = 0; number && i < n; i++) {
+        number[i] = i + 1;
+    }
+    return number;
+}
+
+// Begins a bundle, which stays in the list where it is wrong; NULL: no memory.
+static struct bundle *begin(struct deck *d, const struct bundle_request *q,
+                            const struct sweep *own) {
+    const int n = own->n;
+    struct bundle *b = deck_array(d, 1, sizeof *b);
+    struct sweep *sweep = deck_array(d, 1, sizeof *sweep);
+    const double *number = numbers(d, q->name.text, n);
+    if (!b || !sweep || !number) {
+        return NULL;
+    }
+    *sweep = (struct sweep){
+        .name = q->name.text, .n = n, .number = number, .known = true, .dimension = dimension_none};
+    *b = (struct bundle){.sweep = sweep,
+                         .n = n,
+                         .first = own->name,
+                         .noun = q->noun,
+                         .place = q->count->place,
+                         .next = d->reader->bundles};
+    d->reader->bundles = b;
+    b->sound = parameter_is_free(d, &q->name, BY_BUNDLE) && number_bundle(d, q, b) &&
+               sweep_append(d, &q->name, sweep);
+    return b;
+}
+
+// The bundle of that name; NULL: something is wrong.
+static struct bundle *find(struct deck *d, const struct bundle_request *q,
+                           const struct sweep *own) {
+    struct bundle *b = d->reader->bundles;
+    while (b && strcmp(b->sweep->name, q->name.text) != 0) {
+        b = b->next;
+    }
+    b = b ? b : begin(d, q, own);
+    if (b && b->n != own->n) {
+        deck_error(d, q->count,
+                   "'%s' has %d %s%s, but '%s' in %s has %d %s%s; what goes together as '%s' has "
+                   "equally many, and another -as NAME makes a dimension of its own",
+                   own->name, own->n, q->noun, own->n == 1 ? "" : "s", b->first,
+                   source_mention(d, &b->place, &q->count->place), b->n, b->noun,
+                   b->n == 1 ? "" : "s", b->sweep->name);
+        return NULL;
+    }
+    return b && b->sound ? b : NULL;
+}
+
+// How often the text stands in `s`; in *at where, from 0.
+static int count(const struct sweep *s, const char *text, int *at) {
+    int n = 0;
+    for (int i = 0; s->text && i < s->n; i++) {
+        if (strcmp(s->text[i], text) == 0) {
+            *at = i;
+            n++;
+        }
+    }
+    return n;
+}
+
+bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct sweep *own) {
+    struct define *define = define_find(d, own->name);
+    int at = 0;
+    if (!define || !q->name.text || define_find(d, q->name.text)) {
+        return false;
+    }
+    const int n = count(own, define->value.text, &at);
+    if (n > 1) {
+        deck_error(d, &define->value, "this stands %d times in '%s'; -D %s=NUMBER chooses one", n,
+                   own->name, q->name.text);
+        define->taken = true;
+    } else if (n == 1) {
+        define_turn(d, define, q->name.text, at + 1);
+    }
+    return n > 0;
+}
+
+// Leaves value `choice` only.
+static void cut(struct sweep *s, int choice) {
+    s->n = 1;
+    s->fixed = true;
+    s->number = s->number ? s->number + choice : NULL;
+    s->text = s->text ? s->text + choice : NULL;
+    s->label = s->label ? s->label + choice : NULL;
+    s->lines = (struct deck_lines){.text = NULL};
+}
+
+bool bundle_join(struct deck *d, const struct bundle_request *q, struct sweep *own,
+                 struct parameter *p) {
+    struct bundle *b = find(d, q, own);
+    if (!b) {
+        return false;
+    }
+    sweep_choose(own, b->choice, p);
+    p->swept = !b->sweep->fixed;
+    if (b->sweep->fixed) {
+        cut(own, b->choice);
+    }
+    struct sweep *before = b->last ? b->last : b->sweep;
+    before->along = own;
+    b->last = own;
+    return true;
+}
