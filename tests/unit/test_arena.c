@@ -38,6 +38,17 @@ static void a_size_that_overflows_is_refused(void **state) {
     arena_free(a);
 }
 
+static void a_failure_is_remembered(void **state) {
+    (void)state;
+    struct arena *a = arena_create();
+    assert_non_null(arena_alloc(a, 1, 8));
+    assert_false(arena_failed(a));
+    assert_null(arena_alloc(a, SIZE_MAX, 1));
+    assert_non_null(arena_alloc(a, 1, 8));
+    assert_true(arena_failed(a));
+    arena_free(a);
+}
+
 static void texts_are_copied_with_a_final_0(void **state) {
     (void)state;
     struct arena *a = arena_create();
@@ -73,6 +84,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(memory_is_zeroed_and_aligned),
         cmocka_unit_test(a_size_that_overflows_is_refused),
+        cmocka_unit_test(a_failure_is_remembered),
         cmocka_unit_test(texts_are_copied_with_a_final_0),
         cmocka_unit_test(arrays_for_lanes_are_0_from_one_before_to_one_behind_whole_lanes),
         cmocka_unit_test(freeing_nothing_is_allowed),

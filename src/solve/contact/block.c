@@ -39,7 +39,7 @@ bool block_alloc(struct block *b, const struct model *m, struct arena *a) {
     b->matrix = arena_alloc(a, n * n, sizeof *b->matrix);
     b->vector = arena_alloc(a, n, sizeof *b->vector);
     b->kept_q = lanes_array(a, m->n_dof);
-    return b->matrix && b->vector && b->kept_q;
+    return !arena_failed(a);
 }
 
 // Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different

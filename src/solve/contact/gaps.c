@@ -81,9 +81,7 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
         .touched = arena_alloc(a, n_building, sizeof *g->touched),
         .is_touched = arena_alloc(a, n_building, sizeof *g->is_touched),
     };
-    if (!g->gap || !g->limit || !g->nearest || !g->time || !g->run_of || !g->beyond || !g->all ||
-        !g->acting || !g->share || !g->run || !g->start || !g->of_building || !g->visited ||
-        !g->pressed || !g->touched || !g->is_touched) {
+    if (arena_failed(a)) {
         return false;
     }
     find_runs(g);
