@@ -64,7 +64,6 @@ static void fill(struct builder *b, struct building_draft *d, const struct argum
     size_t n = (size_t)d->n_floor;
     const char *owner = arena_format(b->arena, "floors of building %s", d->name);
     if (!owner) {
-        b->no_memory = true;
         return;
     }
     d->mass = builder_spread(b, &a[MASS], d->n_floor, owner);
@@ -72,11 +71,11 @@ static void fill(struct builder *b, struct building_draft *d, const struct argum
     if (a[HEIGHT].given) {
         d->height = builder_spread(b, &a[HEIGHT], d->n_floor, owner);
     }
-    d->storey = builder_array(b, n, sizeof *d->storey);
-    d->storey_word = builder_array(b, n, sizeof *d->storey_word);
-    d->displacement = builder_array(b, n, sizeof *d->displacement);
-    d->velocity = builder_array(b, n, sizeof *d->velocity);
-    d->initial = builder_array(b, n, sizeof *d->initial);
+    d->storey = arena_alloc(b->arena, n, sizeof *d->storey);
+    d->storey_word = arena_alloc(b->arena, n, sizeof *d->storey_word);
+    d->displacement = arena_alloc(b->arena, n, sizeof *d->displacement);
+    d->velocity = arena_alloc(b->arena, n, sizeof *d->velocity);
+    d->initial = arena_alloc(b->arena, n, sizeof *d->initial);
 }
 
 // 0 where it is missing or wrong.

@@ -60,7 +60,7 @@ static void coefficients(struct builder *b, struct building_draft *d, const stru
         deck_error(b->deck, &s->word[0], "give rayleigh either ratios, or -alpha and -beta");
         return;
     }
-    double *value = builder_array(b, 2, sizeof *value);
+    double *value = arena_alloc(b->arena, 2, sizeof *value);
     if (value) {
         value[0] = a[ALPHA].given ? a[ALPHA].number[0] : 0.0;
         value[1] = a[BETA].given ? a[BETA].number[0] : 0.0;

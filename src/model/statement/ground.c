@@ -82,7 +82,7 @@ static bool read_buildings(struct builder *b, const struct argument *a, struct g
     if (!a->given) {
         return true;
     }
-    int *building = builder_array(b, (size_t)a->n, sizeof *building);
+    int *building = arena_alloc(b->arena, (size_t)a->n, sizeof *building);
     bool good = building != NULL;
     for (int i = 0; building && i < a->n; i++) {
         building[i] = builder_building(b, &a->word[i]);
@@ -208,22 +208,15 @@ static void build_record(struct builder *b, const struct statement *s) {
         return;
     }
     struct record r;
-    if (!read_record(b, s, a, path, &r)) {
-        return;
-    }
     double scale;
     struct signal signal;
     struct error e;
-    if (!record_scale(b, a, &s->word[2], &r, &scale)) {
-        return;
+    if (read_record(b, s, a, path, &r) && record_scale(b, a, &s->word[2], &r, &scale) &&
+        signal_init_samples(&signal, b->arena, r.value, r.n, r.dt / b->deck->units.time, scale,
+                            a[R_DELAY].number[0], &e) == STATUS_OK) {
+        signal.name = name;
+        append(b, s, &signal, &a[R_BUILDINGS], a);
     }
-    if (signal_init_samples(&signal, b->arena, r.value, r.n, r.dt / b->deck->units.time, scale,
-                            a[R_DELAY].number[0], &e) != STATUS_OK) {
-        b->no_memory = true;
-        return;
-    }
-    signal.name = name;
-    append(b, s, &signal, &a[R_BUILDINGS], a);
 }
 
 static void build_sine(struct builder *b, const struct statement *s) {

@@ -72,7 +72,6 @@ static bool read_history(struct builder *b, const struct statement *s, struct si
     }
     if (signal_init_samples(out, b->arena, r.value, r.n, r.dt / second, a[H_SCALE].number[0], 0.0,
                             &e) != STATUS_OK) {
-        b->no_memory = true;
         return false;
     }
     out->name = name;
