@@ -24,6 +24,7 @@
 void sweep_init(struct link_scratch *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     *p = (struct link_scratch){
+        .end = {state_end(l, m, 0), state_end(l, m, 1)},
         .link = l,
         .index = k,
         .kind = l->law,
@@ -32,9 +33,6 @@ void sweep_init(struct link_scratch *p, const struct model *m, int k) {
         .bilateral = l->bilateral,
         .moving_ground = l->moving_ground,
     };
-    for (int i = 0; i < 2; i++) {
-        p->end[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
-    }
 }
 
 static double sum_of_sizes(const double *x, int n) {

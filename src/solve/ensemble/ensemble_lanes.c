@@ -18,9 +18,8 @@ static void alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
     for (int k = 0; e->nearest && e->end && k < m->n_contact; k++) {
-        const int *dof = m->link[k].dof;
         for (int i = 0; i < 2; i++) {
-            e->end[k][i] = dof[i] == WALL ? m->n_dof : dof[i];
+            e->end[k][i] = state_end(&m->link[k], m, i);
         }
         e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never enter too
     }

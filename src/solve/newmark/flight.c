@@ -15,7 +15,7 @@ static struct gap_group group_from(const struct model *m, int k) {
     const struct link *l = &m->link[k];
     struct gap_group g = {.contact = k};
     for (int i = 0; i < 2; i++) {
-        g.dof[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
+        g.dof[i] = state_end(l, m, i);
         g.ground[i] = l->moving_ground ? m->building[l->building[i]].ground : 0;
     }
     return g;
