@@ -37,21 +37,17 @@ enum { PULLING_SWEEPS = 25 };
 // A change of a force by less than this share of it may come from rounding errors in the others.
 static const double SMALL = 1e-8;
 
-static double ends_difference(const struct link_scratch *p, const double *x) {
-    return x[p->end[0]] - x[p->end[1]];
-}
-
 struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
     const struct link_scratch *p = &w->link[k];
     const struct link *l = p->link;
     double s = p->flexibility;
-    double corrected = ends_difference(p, w->correction) + s * p->force;
+    double corrected = sweep_across(p, w->correction) + s * p->force;
     return (struct line){
         .link = l,
         .history = next->link_history + l->history,
-        .d_free = ends_difference(p, w->u_trial) - l->gap + w->b * corrected +
+        .d_free = sweep_across(p, w->u_trial) - l->gap + w->b * corrected +
                   state_ground_gap(l, w->model, next->ground_u),
-        .v_free = ends_difference(p, w->v_trial) + w->g * corrected +
+        .v_free = sweep_across(p, w->v_trial) + w->g * corrected +
                   state_ground_gap(l, w->model, next->ground_v),
         .d_force = w->b * s,
         .v_force = w->g * s,
