@@ -146,9 +146,8 @@ void energy_meet(struct energy_account *a, const struct model *m, const struct s
     for (int k = 0; k < m->n_contact; k++) {
         const struct link *l = &m->link[k];
         a->contact += meeting[k].work;
-        if (meeting[k].struck && l->moving_ground) {
-            a->input += meeting[k].impulse * (s->ground_v[m->building[l->building[0]].ground] -
-                                              s->ground_v[m->building[l->building[1]].ground]);
+        if (meeting[k].struck) {
+            a->input += meeting[k].impulse * state_ground_gap(l, m, s->ground_v);
         }
     }
 }

@@ -147,12 +147,5 @@ void dp_system_commit(const struct dp_system *s, struct state *now) {
         law->law->commit(law->constant, now->storey_history + law->history, drift);
         s->most_drift[s->inelastic[i]] = fmax(s->most_drift[s->inelastic[i]], fabs(drift));
     }
-    for (int i = 0; i < now->n_live; i++) {
-        int k = now->live[i];
-        const struct link *l = &m->link[k];
-        if (l->law->commit) {
-            l->law->commit(l->constant, now->link_history + l->history, fmax(now->delta[k], 0.0),
-                           state_rate(now, m, k));
-        }
-    }
+    state_commit_links(now, m);
 }
