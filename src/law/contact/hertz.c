@@ -9,13 +9,7 @@
 enum { K, N, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k",
-           ROW_NUMBER,
-           ROW_REQUIRED | ROW_PER_LENGTH_POWER,
-           {1, 0, 0},
-           &range_positive,
-           NAN,
-           "impact stiffness"},
+    [K] = POWER_STIFFNESS_ROW("impact stiffness"),
     [N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
 };
 

@@ -8,13 +8,7 @@
 #include "law/restitution.h"
 
 static const struct row rows[HYSTERESIS_ROWS] = {
-    [HYSTERESIS_K] = {"k",
-                      ROW_NUMBER,
-                      ROW_REQUIRED | ROW_PER_LENGTH_POWER,
-                      {1, 0, 0},
-                      &range_positive,
-                      NAN,
-                      "impact stiffness"},
+    [HYSTERESIS_K] = POWER_STIFFNESS_ROW("impact stiffness"),
     [HYSTERESIS_E] = {"e",
                       ROW_NUMBER,
                       0,

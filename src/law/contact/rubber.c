@@ -31,13 +31,7 @@ enum { STIFFNESS, EXPONENT, ULTIMATE, BEYOND, FIXED, Q, LEAST_V0, N_CONSTANT };
 enum { DAMPING, N_HISTORY };  // c [T/L]
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k",
-           ROW_NUMBER,
-           ROW_REQUIRED | ROW_PER_LENGTH_POWER,
-           {1, 0, 0},
-           &range_positive,
-           NAN,
-           "stiffness of the bumper"},
+    [K] = POWER_STIFFNESS_ROW("stiffness of the bumper"),
     [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
     [ZETA] = {"zeta",
               ROW_NUMBER,

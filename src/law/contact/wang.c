@@ -28,13 +28,7 @@ static const struct range residual_range = {
     .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k",
-           ROW_NUMBER,
-           ROW_REQUIRED | ROW_PER_LENGTH_POWER,
-           {1, 0, 0},
-           &range_positive,
-           NAN,
-           "impact stiffness"},
+    [K] = POWER_STIFFNESS_ROW("impact stiffness"),
     [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
     [ZETA] = {"zeta",
               ROW_NUMBER,
