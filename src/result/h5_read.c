@@ -79,34 +79,31 @@ static hid_t open_attribute(struct h5 *h, hid_t object, const char *name, H5T_cl
     return attribute;
 }
 
-char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name) {
-    hid_t attribute = open_attribute(h, object, name, H5T_STRING);
-    if (attribute < 0) {
-        return NULL;
+// Reads the attribute as `type` into *value, which stays as it is after a failure.
+static void get_attribute(struct h5 *h, hid_t object, const char *name, H5T_class_t class,
+                          hid_t type, void *value) {
+    hid_t attribute = open_attribute(h, object, name, class);
+    if (attribute >= 0) {
+        h5_failed(h, H5Aread(attribute, type, value));
+        H5Aclose(attribute);
     }
-    struct h5_reference reference;
-    h5_failed(h, H5Aread(attribute, h->heap.reference, &reference));
-    H5Aclose(attribute);
+}
+
+char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name) {
+    struct h5_reference reference = {.byte = {0}};
+    get_attribute(h, object, name, H5T_STRING, h->heap.reference, &reference);
     return h->failed ? NULL : h5_heap_text(h, a, &reference);
 }
 
 long h5_get_long(struct h5 *h, hid_t object, const char *name) {
     long value = 0;
-    hid_t attribute = open_attribute(h, object, name, H5T_INTEGER);
-    if (attribute >= 0) {
-        h5_failed(h, H5Aread(attribute, H5T_NATIVE_LONG, &value));
-        H5Aclose(attribute);
-    }
+    get_attribute(h, object, name, H5T_INTEGER, H5T_NATIVE_LONG, &value);
     return value;
 }
 
 double h5_get_double(struct h5 *h, hid_t object, const char *name) {
     double value = 0;
-    hid_t attribute = open_attribute(h, object, name, H5T_FLOAT);
-    if (attribute >= 0) {
-        h5_failed(h, H5Aread(attribute, H5T_NATIVE_DOUBLE, &value));
-        H5Aclose(attribute);
-    }
+    get_attribute(h, object, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, &value);
     return value;
 }
 
