@@ -177,6 +177,15 @@ bool state_rests(const struct state *s, const struct model *m, int k) {
     return s->link[k].closed && m->link[k].law->rebound;
 }
 
+void state_push(const struct link *l, const struct model *m, double f, double *x) {
+    if (l->dof[0] != WALL) {
+        x[l->dof[0]] -= f / m->mass[l->dof[0]];
+    }
+    if (l->dof[1] != WALL) {
+        x[l->dof[1]] += f / m->mass[l->dof[1]];
+    }
+}
+
 void state_add_link_forces(const struct state *s, const struct model *m, double *floor) {
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];

@@ -138,6 +138,10 @@ static inline double state_ground_gap(const struct link *l, const struct model *
                             : 0.0;
 }
 
+// Adds to x (n_dof) what a force f of link l does to the accelerations of its floors, or an impulse
+// to their velocities.
+void state_push(const struct link *l, const struct model *m, double f, double *x);
+
 // Adds to `floor` (n_dof) the forces of the live links on the floors.
 void state_add_link_forces(const struct state *s, const struct model *m, double *floor);
 
