@@ -11,11 +11,10 @@ enum { DAMPING };  // q / v0 [T/L]
 
 const struct row hysteresis_rows[HYSTERESIS_ROWS] = {
     [HYSTERESIS_K] = POWER_STIFFNESS_ROW("impact stiffness"),
-    [HYSTERESIS_E] =
-        {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
+    [HYSTERESIS_E] = RESTITUTION_ROW,
     [HYSTERESIS_ZETA] = HYSTERESIS_ZETA_ROW,
     [HYSTERESIS_VMIN] = HYSTERESIS_VMIN_ROW,
-    [HYSTERESIS_N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
+    [HYSTERESIS_N] = {"n", ROW_NUMBER, ROW_POWER, OF_NONE, &power_range, 1.5, "exponent"},
 };
 
 int hysteresis_prepare(const double *value, double (*relation)(double e), double *constant,

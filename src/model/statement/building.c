@@ -12,21 +12,12 @@ static const struct range floors_range = {
     .min = 1.0, .max = FLOORS_MAX, .text = ">= 1 and <= 1000"};
 
 static const struct row rows[N_ROW] = {
-    [FLOORS] = {"floors", ROW_INTEGER, ROW_REQUIRED, {0}, &floors_range, NAN, "number of floors"},
-    [MASS] = {"mass", ROW_LIST, ROW_REQUIRED, {1, -1, 2}, &range_positive, NAN, "floor masses"},
-    [STIFFNESS] = {"stiffness",
-                   ROW_LIST,
-                   ROW_REQUIRED,
-                   {1, -1, 0},
-                   &range_non_negative,
-                   NAN,
+    [FLOORS] = {"floors", ROW_INTEGER, ROW_REQUIRED, OF_NONE, &floors_range, NAN,
+                "number of floors"},
+    [MASS] = {"mass", ROW_LIST, ROW_REQUIRED, OF_MASS, &range_positive, NAN, "floor masses"},
+    [STIFFNESS] = {"stiffness", ROW_LIST, ROW_REQUIRED, OF_STIFFNESS, &range_non_negative, NAN,
                    "storey stiffnesses; 0: a free body"},
-    [HEIGHT] = {"height",
-                ROW_LIST,
-                0,
-                {0, 1, 0},
-                &range_positive,
-                NAN,
+    [HEIGHT] = {"height", ROW_LIST, 0, OF_LENGTH, &range_positive, NAN,
                 "storey heights, for drift ratios"},
 };
 

@@ -6,12 +6,7 @@
 enum { STIFFNESS, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [STIFFNESS] = {"stiffness",
-                   ROW_LIST,
-                   0,
-                   {1, -1, 0},
-                   &range_non_negative,
-                   NAN,
+    [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
                    "initial stiffnesses in place of the building's"},
 };
 
