@@ -188,12 +188,10 @@ static void read_list(struct h5 *h, hid_t parent, const char *name, hid_t memory
 }
 
 double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n) {
-    double *value = arena_alloc(a, n, sizeof *value);
-    if (!value) {
-        h5_no_memory(h);
-        return NULL;
+    double *value = h5_alloc(h, a, n, sizeof *value);
+    if (value) {
+        read_list(h, parent, name, H5T_NATIVE_DOUBLE, n, value);
     }
-    read_list(h, parent, name, H5T_NATIVE_DOUBLE, n, value);
     return value;
 }
 

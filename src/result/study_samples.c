@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/arena.h"
-
 // The names with blanks between, to be given to free; NULL: no memory.
 static char *names_of(const struct sweep *const *sweep, int n) {
     size_t size = 1;
@@ -76,9 +74,8 @@ bool study_samples_has(const struct sweep *const *sweep, int n, const char *name
 
 static struct sweep *get_values(struct h5 *h, struct arena *a, hid_t group, const char *name,
                                 int n) {
-    struct sweep *s = arena_alloc(a, 1, sizeof *s);
+    struct sweep *s = h5_alloc(h, a, 1, sizeof *s);
     if (!s) {
-        h5_no_memory(h);
         return NULL;
     }
     *s = (struct sweep){.name = name, .n = n};
