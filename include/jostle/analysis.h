@@ -103,7 +103,7 @@ struct results {
     struct arena *arena;            // owns the arrays
     double *peak[PEAK_COUNT];       // (n_dof)
     double *peak_time[PEAK_COUNT];  // (n_dof) [T]
-    double *deepest;                // (n_contact) [L] largest delta so far
+    double *deepest;                // (n_link) [L] link[k].penetration, side by side
     struct link_peak *link;         // (n_link) contacts first
     struct impact *impact;          // (n_impact) in order of t_start; malloc'd
     long n_impact, impact_capacity;

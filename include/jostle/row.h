@@ -44,7 +44,7 @@ struct row {
     const char *key;  // without the dash
     enum row_kind kind;
     unsigned flags;              // enum row_flag
-    struct dimension dimension;  // of numbers
+    struct dimension dimension;  // of numbers: OF_LENGTH and the like, or {0, -2, 0}
     const struct range *range;   // NULL: any finite number
     double fallback;             // value in SI if not given (numbers); NAN: none
     const char *doc;             // half a sentence: what it is

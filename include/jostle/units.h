@@ -6,10 +6,28 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-// Exponents of force, length and time. Mass is {1, -1, 2}; a pure number is {0, 0, 0}.
+// Exponents of force, length and time.
 struct dimension {
     double force, length, time;
 };
+
+// The same as initialisers, for tables.
+// clang-format off
+#define OF_NONE {0, 0, 0}  // a pure number
+#define OF_FORCE {1, 0, 0}
+#define OF_LENGTH {0, 1, 0}
+#define OF_TIME {0, 0, 1}
+#define OF_MASS {1, -1, 2}
+#define OF_STIFFNESS {1, -1, 0}
+#define OF_HERTZ_STIFFNESS {1, -1.5, 0}
+#define OF_DASHPOT {1, -1, 1}
+#define OF_VELOCITY {0, 1, -1}
+#define OF_PER_VELOCITY {0, -1, 1}
+#define OF_ACCELERATION {0, 1, -2}
+#define OF_FREQUENCY {0, 0, -1}
+#define OF_AREA {0, 2, 0}
+#define OF_STRESS {1, -2, 0}
+// clang-format on
 
 extern const struct dimension dimension_none;
 extern const struct dimension dimension_force;

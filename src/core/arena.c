@@ -21,6 +21,7 @@ struct block {
 
 struct arena {
     struct block *last;
+    bool failed;
 };
 
 struct arena *arena_create(void) {
@@ -37,6 +38,10 @@ void arena_free(struct arena *a) {
         b = previous;
     }
     free(a);
+}
+
+bool arena_failed(const struct arena *a) {
+    return a->failed;
 }
 
 static struct block *block_open(struct arena *a, size_t bytes) {
@@ -57,17 +62,22 @@ static struct block *block_open(struct arena *a, size_t bytes) {
     return b;
 }
 
+static void *fail(struct arena *a) {
+    a->failed = true;
+    return NULL;
+}
+
 void *arena_alloc(struct arena *a, size_t n, size_t size) {
     const size_t unit = alignof(max_align_t);
     if (size != 0 && n > (SIZE_MAX / 2 - unit) / size) {
-        return NULL;
+        return fail(a);
     }
     size_t bytes = (n * size + unit - 1) / unit * unit;
     struct block *b = a->last;
     if (!b || b->size - b->used < bytes) {
         b = block_open(a, bytes);
         if (!b) {
-            return NULL;
+            return fail(a);
         }
     }
     void *p = b->byte + b->used;
@@ -88,7 +98,7 @@ char *arena_format(struct arena *a, const char *format, ...) {
     va_start(list, format);
     int n = vsnprintf(NULL, 0, format, list);
     va_end(list);
-    char *text = n < 0 ? NULL : arena_alloc(a, (size_t)n + 1, 1);
+    char *text = arena_alloc(a, n < 0 ? SIZE_MAX : (size_t)n + 1, 1);
     if (text) {
         va_start(list, format);
         vsnprintf(text, (size_t)n + 1, format, list);

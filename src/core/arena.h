@@ -4,6 +4,7 @@
 #ifndef JOSTLE_ARENA_H
 #define JOSTLE_ARENA_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 struct arena;
@@ -11,6 +12,9 @@ struct arena;
 // NULL: no memory.
 struct arena *arena_create(void);
 void arena_free(struct arena *a);  // NULL is allowed
+
+// Has it ever had no memory for a request? Whoever makes many may ask once, after the last.
+bool arena_failed(const struct arena *a);
 
 // `n` zeroed objects of `size` bytes, aligned for any type; NULL: no memory or n * size too large.
 // n = 0 gives a valid pointer that must not be read.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small helpers for text: numbers, near words, file names, whole files.
+// Small helpers for text: characters and file names, numbers (text_number.c), near words
+// (text_nearest.c), whole files (text_file.c).
 #ifndef JOSTLE_TEXT_H
 #define JOSTLE_TEXT_H
 

@@ -10,16 +10,16 @@
 #include <stdio.h>
 #include <string.h>
 
-const struct dimension dimension_none = {0, 0, 0};
-const struct dimension dimension_force = {1, 0, 0};
-const struct dimension dimension_length = {0, 1, 0};
-const struct dimension dimension_time = {0, 0, 1};
-const struct dimension dimension_mass = {1, -1, 2};
-const struct dimension dimension_stiffness = {1, -1, 0};
-const struct dimension dimension_dashpot = {1, -1, 1};
-const struct dimension dimension_velocity = {0, 1, -1};
-const struct dimension dimension_acceleration = {0, 1, -2};
-const struct dimension dimension_frequency = {0, 0, -1};
+const struct dimension dimension_none = OF_NONE;
+const struct dimension dimension_force = OF_FORCE;
+const struct dimension dimension_length = OF_LENGTH;
+const struct dimension dimension_time = OF_TIME;
+const struct dimension dimension_mass = OF_MASS;
+const struct dimension dimension_stiffness = OF_STIFFNESS;
+const struct dimension dimension_dashpot = OF_DASHPOT;
+const struct dimension dimension_velocity = OF_VELOCITY;
+const struct dimension dimension_acceleration = OF_ACCELERATION;
+const struct dimension dimension_frequency = OF_FREQUENCY;
 const struct dimension dimension_impulse = {1, 0, 1};
 const struct dimension dimension_energy = {1, 1, 0};
 

@@ -9,21 +9,11 @@ static const struct range exponent_range = {
     .min = 0.0, .max = 3.0, .min_open = true, .text = "> 0 and <= 3"};
 
 const struct row bilateral_rows[BILATERAL_ROWS] = {
-    [BILATERAL_STIFFNESS] =
-        {"stiffness", ROW_NUMBER, 0, {1, -1, 0}, &range_non_negative, 0.0, "spring stiffness"},
-    [BILATERAL_DASHPOT] = {"dashpot",
-                           ROW_NUMBER,
-                           ROW_PER_VELOCITY_POWER,
-                           {1, 0, 0},
-                           &range_non_negative,
-                           0.0,
-                           "damper constant: force at unit velocity"},
-    [BILATERAL_EXPONENT] = {"exponent",
-                            ROW_NUMBER,
-                            ROW_POWER,
-                            {0},
-                            &exponent_range,
-                            1.0,
+    [BILATERAL_STIFFNESS] = {"stiffness", ROW_NUMBER, 0, OF_STIFFNESS, &range_non_negative, 0.0,
+                             "spring stiffness"},
+    [BILATERAL_DASHPOT] = {"dashpot", ROW_NUMBER, ROW_PER_VELOCITY_POWER, OF_FORCE,
+                           &range_non_negative, 0.0, "damper constant: force at unit velocity"},
+    [BILATERAL_EXPONENT] = {"exponent", ROW_NUMBER, ROW_POWER, OF_NONE, &exponent_range, 1.0,
                             "exponent of the velocity in the damper"},
 };
 

@@ -6,12 +6,11 @@
 #include "law/restitution.h"
 
 const struct row dashpot_rows[DASHPOT_ROWS] = {
-    [DASHPOT_K] =
-        {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
-    [DASHPOT_E] =
-        {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
-    [DASHPOT_ZETA] =
-        {"zeta", ROW_NUMBER, ROW_ONE_OF, {0}, &range_non_negative, NAN, "damping ratio"},
+    [DASHPOT_K] = {"k", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN,
+                   "impact stiffness"},
+    [DASHPOT_E] = RESTITUTION_ROW,
+    [DASHPOT_ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &range_non_negative, NAN,
+                      "damping ratio"},
 };
 
 void dashpot_prepare(const double *value, double m_eff, double (*relation)(double e),

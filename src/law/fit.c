@@ -168,14 +168,8 @@ static int search(struct fit *f, struct fit_result *out, struct error *e) {
 // The normalised error at `p` with the samples in contact that really are.
 static double error_at(struct fit *f, const struct fit_point *p) {
     const struct fit_request *q = f->model.q;
-    double sum = 0.0;
-    fit_model_predict(&f->model, p, NULL);
-    for (size_t i = 0; i < q->n; i++) {
-        double residual = f->model.force[i] - q->force[i];
-        sum += residual * residual;
-    }
     gsl_vector_const_view measured = gsl_vector_const_view_array(q->force, q->n);
-    return sqrt(sum) / gsl_blas_dnrm2(&measured.vector);
+    return sqrt(fit_model_squares(&f->model, p)) / gsl_blas_dnrm2(&measured.vector);
 }
 
 // Searches from `from` with `held` samples in contact (NULL: none are held); *seen: those that

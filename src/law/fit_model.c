@@ -162,3 +162,13 @@ void fit_model_predict(struct fit_model *m, const struct fit_point *p,
     }
     leave_out_jumps(m);
 }
+
+double fit_model_squares(struct fit_model *m, const struct fit_point *p) {
+    double sum = 0.0;
+    fit_model_predict(m, p, NULL);
+    for (size_t i = 0; i < m->q->n; i++) {
+        double residual = m->force[i] - m->q->force[i];
+        sum += residual * residual;
+    }
+    return sum;
+}

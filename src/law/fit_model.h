@@ -44,6 +44,9 @@ int fit_model_impact(struct fit_model *m, const struct fit_point *p,
 void fit_model_predict(struct fit_model *m, const struct fit_point *p,
                        const struct fit_samples *held);
 
+// The sum of the squares of what fit_model_predict is off by, where none are held.
+double fit_model_squares(struct fit_model *m, const struct fit_point *p);
+
 // True if the force last predicted jumps at closure or opening.
 bool fit_model_jumps(const struct fit_model *m);
 

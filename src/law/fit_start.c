@@ -120,25 +120,15 @@ static int find_parameters(struct search *s, double rebound, struct error *e) {
     return STATUS_OK;
 }
 
-static double sum_of_squares(struct fit_model *m, const struct fit_point *p) {
-    fit_model_predict(m, p, NULL);
-    double sum = 0.0;
-    for (size_t i = 0; i < m->q->n; i++) {
-        double residual = m->force[i] - m->q->force[i];
-        sum += residual * residual;
-    }
-    return sum;
-}
-
 // Moves the instant of closure to where the sum of squares is smallest.
 static void scan(struct fit_model *m, struct fit_point *p, double width) {
-    double least = sum_of_squares(m, p);
+    double least = fit_model_squares(m, p);
     for (int round = 0; round < SCANS; round++, width /= SCAN_SHRINKS) {
         const double middle = p->start;
         double best = middle;
         for (int i = -SCAN_POINTS; i <= SCAN_POINTS; i++) {
             p->start = middle + width * i / SCAN_POINTS;
-            const double sum = sum_of_squares(m, p);
+            const double sum = fit_model_squares(m, p);
             best = sum < least ? p->start : best;
             least = fmin(least, sum);
         }

@@ -10,24 +10,11 @@ enum { STIFFNESS, EXPONENT, Q, LEAST_V0 };
 enum { DAMPING };  // q / v0 [T/L]
 
 const struct row hysteresis_rows[HYSTERESIS_ROWS] = {
-    [HYSTERESIS_K] = {"k",
-                      ROW_NUMBER,
-                      ROW_REQUIRED | ROW_PER_LENGTH_POWER,
-                      {1, 0, 0},
-                      &range_positive,
-                      NAN,
-                      "impact stiffness"},
-    [HYSTERESIS_E] =
-        {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
-    [HYSTERESIS_ZETA] = {"zeta",
-                         ROW_NUMBER,
-                         ROW_ONE_OF,
-                         {0},
-                         &range_non_negative,
-                         NAN,
-                         "dimensionless damping q = zeta v0 / k"},
+    [HYSTERESIS_K] = POWER_STIFFNESS_ROW("impact stiffness"),
+    [HYSTERESIS_E] = RESTITUTION_ROW,
+    [HYSTERESIS_ZETA] = HYSTERESIS_ZETA_ROW,
     [HYSTERESIS_VMIN] = HYSTERESIS_VMIN_ROW,
-    [HYSTERESIS_N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
+    [HYSTERESIS_N] = {"n", ROW_NUMBER, ROW_POWER, OF_NONE, &power_range, 1.5, "exponent"},
 };
 
 int hysteresis_prepare(const double *value, double (*relation)(double e), double *constant,

@@ -19,9 +19,15 @@ enum hysteresis_row {
 };
 extern const struct row hysteresis_rows[HYSTERESIS_ROWS];
 
+#define HYSTERESIS_ZETA_ROW                                                                        \
+    {                                                                                              \
+        "zeta", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &range_non_negative, NAN,                         \
+            "dimensionless damping q = zeta v0 / k"                                                \
+    }
+
 #define HYSTERESIS_VMIN_ROW                                                                        \
     {                                                                                              \
-        "vmin", ROW_NUMBER, 0, {0, 1, -1}, &range_positive, 1e-3,                                  \
+        "vmin", ROW_NUMBER, 0, OF_VELOCITY, &range_positive, 1e-3,                                 \
             "velocity at closure below which v0 counts as this"                                    \
     }
 

@@ -10,6 +10,9 @@
 // dissipate is lost in rounding from 1e-12 on.
 extern const struct range restitution_range;
 
+#define RESTITUTION_ROW                                                                            \
+    { "e", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &restitution_range, NAN, "coefficient of restitution" }
+
 // Damping ratio of a linear dashpot that delivers e when its tension is kept:
 //     zeta = -ln e / sqrt(pi^2 + ln^2 e).
 // Anagnostopoulos (1988), eq. 4; the minus sign is missing in several later papers, where the

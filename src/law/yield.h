@@ -9,13 +9,13 @@ extern const struct range yield_hardening_range;  // >= 0 and < 1
 
 #define YIELD_ROW                                                                                  \
     {                                                                                              \
-        "yield", ROW_LIST, ROW_REQUIRED, {1, 0, 0}, &range_positive, NAN,                          \
+        "yield", ROW_LIST, ROW_REQUIRED, OF_FORCE, &range_positive, NAN,                           \
             "storey shear at first yield"                                                          \
     }
 
 #define HARDENING_ROW                                                                              \
     {                                                                                              \
-        "hardening", ROW_NUMBER, ROW_REQUIRED, {0}, &yield_hardening_range, NAN,                   \
+        "hardening", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &yield_hardening_range, NAN,               \
             "stiffness after yield over initial stiffness"                                         \
     }
 

@@ -5,21 +5,14 @@
 #include <assert.h>
 #include <string.h>
 
-#include "core/arena.h"
 #include "deck/reader.h"
 
 static const char wall[] = "wall";
 
-void *builder_array(struct builder *b, size_t n, size_t size) {
-    void *p = arena_alloc(b->arena, n, size);
-    b->no_memory |= !p;
-    return p;
-}
-
 void *builder_append(struct builder *b, struct list *list, size_t size) {
     if (list->n == list->capacity) {
         int capacity = list->capacity ? 2 * list->capacity : 8;
-        void *item = builder_array(b, (size_t)capacity, size);
+        void *item = arena_alloc(b->arena, (size_t)capacity, size);
         if (!item) {
             return NULL;
         }
@@ -42,7 +35,7 @@ double *builder_spread(struct builder *b, const struct argument *a, int n, const
                    n);
         return NULL;
     }
-    double *value = builder_array(b, (size_t)n, sizeof *value);
+    double *value = arena_alloc(b->arena, (size_t)n, sizeof *value);
     for (int i = 0; value && i < n; i++) {
         value[i] = a->number[a->n == 1 ? 0 : i];
     }
@@ -94,11 +87,8 @@ int builder_find_building(const struct builder *b, const char *name, size_t leng
 
 struct building_draft *builder_add_building(struct builder *b, const char *name) {
     struct building_draft *d = builder_append(b, &b->buildings, sizeof *d);
-    if (!d || !name_index_add(&b->building_index, b->arena, name, b->buildings.n - 1)) {
-        b->no_memory = true;
-        return NULL;
-    }
-    return d;
+    bool added = d && name_index_add(&b->building_index, b->arena, name, b->buildings.n - 1);
+    return added ? d : NULL;
 }
 
 // In a torn deck the building may be in what could not be read, so nothing more is reported.
@@ -107,7 +97,7 @@ static int find_or_report(struct builder *b, const struct word *w, const char *n
     int i = builder_find_building(b, name, length);
     if (i < 0 && !b->deck->torn) {
         size_t n = (size_t)b->buildings.n;
-        const char **known = builder_array(b, n + 1, sizeof *known);
+        const char **known = arena_alloc(b->arena, n + 1, sizeof *known);
         for (size_t k = 0; known && k < n; k++) {
             known[k] = builder_draft(b, (int)k)->name;
         }
@@ -115,7 +105,6 @@ static int find_or_report(struct builder *b, const struct word *w, const char *n
             known[n++] = wall;
         }
         const char *text = arena_text(b->arena, name, length);
-        b->no_memory |= !text;
         if (known && text) {
             struct word part = *w;
             part.text = text;
@@ -197,7 +186,7 @@ static bool parse_floors(struct builder *b, const struct word *w, const char *te
 static bool select_floors(struct builder *b, const struct word *w, const char *floors,
                           struct selection *out) {
     int n = builder_draft(b, out->building)->n_floor;
-    int *floor = n > 0 ? builder_array(b, (size_t)n, sizeof *floor) : NULL;
+    int *floor = n > 0 ? arena_alloc(b->arena, (size_t)n, sizeof *floor) : NULL;
     if (!floor) {
         return false;
     }

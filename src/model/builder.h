@@ -4,6 +4,7 @@
 #ifndef JOSTLE_BUILDER_H
 #define JOSTLE_BUILDER_H
 
+#include "core/arena.h"
 #include "jostle/model.h"
 #include "model/name_index.h"
 
@@ -79,7 +80,6 @@ struct builder {
     struct shelf *records;
     struct list buildings, grounds, links, loads;
     struct name_index building_index;
-    bool no_memory;
 
     struct word integrator, newton, step, duration, output;  // text NULL: not given
     enum integrator method;                                  // that the integrator names
@@ -94,12 +94,11 @@ struct builder {
     bool any_building, any_history;  // the deck has such a statement, right or wrong
 };
 
-// Room for one more zeroed item of `size` bytes at the end of the list; NULL (and no_memory) if
-// there is no memory. Items may move.
-void *builder_append(struct builder *b, struct list *list, size_t size);
+// What finds no memory gives NULL or false and is not reported: the arena knows, and builder_finish
+// asks it.
 
-// A zeroed array from the arena; NULL and no_memory if there is no memory.
-void *builder_array(struct builder *b, size_t n, size_t size);
+// Room for one more zeroed item of `size` bytes at the end of the list. Items may move.
+void *builder_append(struct builder *b, struct list *list, size_t size);
 
 // Expands the list given for `row` to `n` values: one for all, or n. Reports other lengths. `owner`
 // names what there are n of ("floors of building A").
@@ -122,7 +121,7 @@ int builder_find_building(const struct builder *b, const char *name, size_t leng
 int builder_building(struct builder *b, const struct word *w);
 struct building_draft *builder_draft(struct builder *b, int i);
 
-// Room for a building of this new name; NULL (and no_memory) if there is no memory.
+// Room for a building of this new name.
 struct building_draft *builder_add_building(struct builder *b, const char *name);
 
 // A selection of floors, `BUILDING[:FLOORS]` or `wall`.

@@ -63,7 +63,7 @@ static double *modal(struct builder *b, const struct building_draft *d, const do
             return NULL;
         }
     }
-    double *full = builder_array(b, n * n, sizeof *full);
+    double *full = arena_alloc(b->arena, n * n, sizeof *full);
     for (size_t m = 0; full && m < n; m++) {
         const double *phi = shape + m * n;
         double factor = 2.0 * d->damping.value[m] * omega[m];
@@ -79,8 +79,8 @@ static double *modal(struct builder *b, const struct building_draft *d, const do
 void damping_matrix(struct builder *b, const struct building_draft *d, const double *omega,
                     const double *shape, struct building *building) {
     size_t n = (size_t)d->n_floor;
-    double *diagonal = builder_array(b, n, sizeof *diagonal);
-    double *off = builder_array(b, n, sizeof *off);
+    double *diagonal = arena_alloc(b->arena, n, sizeof *diagonal);
+    double *off = arena_alloc(b->arena, n, sizeof *off);
     if (!diagonal || !off) {
         return;
     }

@@ -20,7 +20,7 @@ static void check_deck(struct builder *b) {
 
 static int has_errors(const struct builder *b, struct error *e) {
     const struct diagnostics *found = &b->deck->diagnostics;
-    if (b->no_memory || found->out_of_memory) {
+    if (arena_failed(b->arena) || found->out_of_memory) {
         return error_no_memory(e);
     }
     return found->n_error > 0 ? error_set(e, STATUS_INPUT, "%d error%s in %s", found->n_error,

@@ -30,8 +30,8 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
         return STATUS_OK;
     }
     size_t n = (size_t)g->n_floor;
-    double *omega = builder_array(b, n, sizeof *omega);
-    double *shape = builder_array(b, n * n, sizeof *shape);
+    double *omega = arena_alloc(b->arena, n, sizeof *omega);
+    double *shape = arena_alloc(b->arena, n * n, sizeof *shape);
     if (!omega || !shape) {
         return error_no_memory(e);
     }
@@ -54,7 +54,7 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
         *s = d->storey[i];
         if (!s->law) {
             double *constant =
-                builder_array(b, (size_t)storey_elastic.n_constant, sizeof *constant);
+                arena_alloc(b->arena, (size_t)storey_elastic.n_constant, sizeof *constant);
             if (!constant) {
                 return;
             }
@@ -86,12 +86,12 @@ static void copy_floors(const struct building *g, const struct building_draft *d
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     size_t n = (size_t)(m->n_dof = count_floors(b));
     m->n_building = b->buildings.n;
-    struct building *building = builder_array(b, (size_t)m->n_building, sizeof *building);
-    struct storey *storey = builder_array(b, n, sizeof *storey);
-    double *mass = builder_array(b, n, sizeof *mass);
-    double *displacement = builder_array(b, n, sizeof *displacement);
-    double *velocity = builder_array(b, n, sizeof *velocity);
-    if (b->no_memory) {
+    struct building *building = arena_alloc(b->arena, (size_t)m->n_building, sizeof *building);
+    struct storey *storey = arena_alloc(b->arena, n, sizeof *storey);
+    double *mass = arena_alloc(b->arena, n, sizeof *mass);
+    double *displacement = arena_alloc(b->arena, n, sizeof *displacement);
+    double *velocity = arena_alloc(b->arena, n, sizeof *velocity);
+    if (arena_failed(b->arena)) {
         return error_no_memory(e);
     }
     for (int i = 0, first = 0; i < m->n_building; i++) {
@@ -116,5 +116,5 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     m->mass = mass;
     m->displacement = displacement;
     m->velocity = velocity;
-    return b->no_memory ? error_no_memory(e) : STATUS_OK;
+    return arena_failed(b->arena) ? error_no_memory(e) : STATUS_OK;
 }

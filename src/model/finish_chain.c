@@ -23,10 +23,9 @@ void finish_chain(struct builder *b, struct model *m) {
     double *x[N_ARRAY];
     for (int i = 0; i < N_ARRAY; i++) {
         x[i] = lanes_array(b->arena, m->n_dof);
-        if (!x[i]) {
-            b->no_memory = true;
-            return;
-        }
+    }
+    if (arena_failed(b->arena)) {
+        return;
     }
     m->chain = (struct chain){
         .n = lanes_whole(m->n_dof),

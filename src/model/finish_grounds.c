@@ -47,14 +47,12 @@ static void scale_record(struct builder *b, const struct building *building,
     unit_text(&b->deck->units, dimension_acceleration, unit, sizeof unit);
     if (signal_init_samples(&g->signal, b->arena, raw.value, raw.n, raw.dt, factor, raw.start,
                             &e) != STATUS_OK) {
-        b->no_memory = true;
         return;
     }
     g->signal.name = raw.name;
     g->signal.scaled = arena_format(
         b->arena, "scaled by %.6g to a PSA of %.6g %s at a period of %.6g %s, %.4g %% damping",
         factor, s->acceleration, unit, period, b->deck->units.time_name, 100.0 * s->damping);
-    b->no_memory |= !g->signal.scaled;
 }
 
 static void scale_records(struct builder *b, const struct building *building) {
@@ -88,7 +86,7 @@ static int mark_drafts(const struct builder *b, int building, bool *mark) {
 
 static void add_ground(struct builder *b, struct ground *g, const bool *mark, int n) {
     const struct ground_draft *draft = b->grounds.item;
-    struct signal *signal = builder_array(b, (size_t)n, sizeof *signal);
+    struct signal *signal = arena_alloc(b->arena, (size_t)n, sizeof *signal);
     if (!signal) {
         return;
     }
@@ -103,8 +101,8 @@ static void add_ground(struct builder *b, struct ground *g, const bool *mark, in
 void finish_grounds(struct builder *b, struct model *m, struct building *building) {
     scale_records(b, building);
     size_t n_draft = (size_t)b->grounds.n;
-    bool *set = builder_array(b, (size_t)m->n_building * n_draft, sizeof *set);
-    struct ground *ground = builder_array(b, (size_t)m->n_building, sizeof *ground);
+    bool *set = arena_alloc(b->arena, (size_t)m->n_building * n_draft, sizeof *set);
+    struct ground *ground = arena_alloc(b->arena, (size_t)m->n_building, sizeof *ground);
     if (!set || !ground) {
         return;
     }

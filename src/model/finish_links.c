@@ -61,14 +61,13 @@ static void rename_twin(struct builder *b, const struct link_draft *first, struc
         return;
     }
     const char *name = arena_format(b->arena, "%s#%d", twin->link.name, number);
-    b->no_memory |= !name;
     twin->link.name = name ? name : twin->link.name;
 }
 
 static void check_names(struct builder *b) {
     size_t n = (size_t)b->links.n;
     struct link_draft *draft = b->links.item;
-    struct link_draft **sorted = builder_array(b, n, sizeof(struct link_draft *));
+    struct link_draft **sorted = arena_alloc(b->arena, n, sizeof(struct link_draft *));
     if (!sorted || n == 0) {
         return;
     }
@@ -99,7 +98,7 @@ static void finish_ends(const struct model *m, struct link *l) {
 
 void finish_links(struct builder *b, struct model *m) {
     struct link_draft *draft = b->links.item;
-    struct link *link = builder_array(b, (size_t)b->links.n, sizeof *link);
+    struct link *link = arena_alloc(b->arena, (size_t)b->links.n, sizeof *link);
     check_names(b);
     for (int bilateral = 0; link && bilateral < 2; bilateral++) {
         for (int i = 0; i < b->links.n; i++) {
@@ -120,7 +119,7 @@ void finish_links(struct builder *b, struct model *m) {
 
 void finish_loads(struct builder *b, struct model *m) {
     const struct load_draft *draft = b->loads.item;
-    struct load *load = builder_array(b, (size_t)b->loads.n, sizeof *load);
+    struct load *load = arena_alloc(b->arena, (size_t)b->loads.n, sizeof *load);
     for (int i = 0; load && i < b->loads.n; i++) {
         load[i].dof = m->building[draft[i].building].first + draft[i].floor - 1;
         load[i].signal = draft[i].signal;

@@ -7,19 +7,9 @@
 #include "motion/curve_file.h"
 
 const struct row law_choice_rows[LAW_CHOICE_ROWS] = {
-    [LAW_CHOICE_CALIBRATE] = {"calibrate",
-                              ROW_FLAG,
-                              0,
-                              {0},
-                              NULL,
-                              NAN,
+    [LAW_CHOICE_CALIBRATE] = {"calibrate", ROW_FLAG, 0, OF_NONE, NULL, NAN,
                               "replace the published damping by that which delivers -e exactly"},
-    [LAW_CHOICE_K_FROM] = {"k-from",
-                           ROW_TEXT,
-                           0,
-                           {0},
-                           NULL,
-                           NAN,
+    [LAW_CHOICE_K_FROM] = {"k-from", ROW_TEXT, 0, OF_NONE, NULL, NAN,
                            "hertz or slab: -k from the bodies that meet, whose options go with it"},
 };
 

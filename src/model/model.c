@@ -21,7 +21,7 @@ static const double STEP_ROUNDING = 1e-9;  // of a step, in counting steps
 static void report_unknown(struct builder *b, const struct word *w) {
     b->deck->torn = true;
     int n = n_statement_kind + n_deck_statement;
-    const char **known = builder_array(b, (size_t)n, sizeof *known);
+    const char **known = arena_alloc(b->arena, (size_t)n, sizeof *known);
     for (int i = 0; known && i < n; i++) {
         known[i] = i < n_statement_kind ? statement_kinds[i]->name
                                         : deck_statements[i - n_statement_kind].name;
@@ -45,7 +45,7 @@ static int build_all(struct builder *b, struct error *e) {
     struct statement s;
     while (deck_next(b->deck, &s)) {
         build_statement(b, &s);
-        if (b->no_memory || b->deck->diagnostics.out_of_memory) {
+        if (arena_failed(b->arena) || b->deck->diagnostics.out_of_memory) {
             return error_no_memory(e);
         }
     }

@@ -77,8 +77,9 @@ bool pairs_read(struct builder *b, const struct statement *s, struct pairs *out)
     }
     out->n = side[0].building == WALL ? side[1].n_floor : side[0].n_floor;
     for (int i = 0; i < 2; i++) {
-        out->floor[i] = side[i].building == WALL ? builder_array(b, (size_t)out->n, sizeof(int))
-                                                 : side[i].floor;
+        out->floor[i] = side[i].building == WALL
+                            ? arena_alloc(b->arena, (size_t)out->n, sizeof(int))
+                            : side[i].floor;
     }
     return out->floor[0] && out->floor[1];
 }
@@ -126,11 +127,7 @@ struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k,
     }
     link.name = link_name(b, p, &link, name);
     link.mass = effective_mass(b, &link);
-    if (!link.name) {
-        b->no_memory = true;
-        return NULL;
-    }
-    struct link_draft *d = builder_append(b, &b->links, sizeof *d);
+    struct link_draft *d = link.name ? builder_append(b, &b->links, sizeof *d) : NULL;
     if (d) {
         *d = (struct link_draft){.link = link, .word = *name_word, .named = name != NULL};
     }

@@ -14,9 +14,9 @@ extern const struct range signals_frequency_range;
 enum sine_row { SINE_AMPLITUDE, SINE_FREQUENCY, SINE_PHASE, SINE_CYCLES, SINE_ROWS };
 #define SINE_SHAPE_ROWS                                                                            \
     [SINE_FREQUENCY] =                                                                             \
-        {"frequency", ROW_NUMBER, ROW_REQUIRED, {0, 0, -1}, &signals_frequency_range,              \
+        {"frequency", ROW_NUMBER, ROW_REQUIRED, OF_FREQUENCY, &signals_frequency_range,            \
          NAN,         "frequency"},                                                                \
-    [SINE_PHASE] = {"phase", ROW_NUMBER, 0, {0}, NULL, 0.0, "phase in radians"},                   \
+    [SINE_PHASE] = {"phase", ROW_NUMBER, 0, OF_NONE, NULL, 0.0, "phase in radians"},               \
     [SINE_CYCLES] = {"cycles",                                                                     \
                      ROW_NUMBER,                                                                   \
                      0,                                                                            \

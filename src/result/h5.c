@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/arena.h"
 #include "core/file.h"
 
 // In bytes. What the library takes before it is asked for again fits into ROOM: half a mebibyte for
@@ -83,6 +84,21 @@ static const char no_memory[] = "out of memory";
 
 void h5_no_memory(struct h5 *h) {
     h5_fail(h, "%s", no_memory);
+}
+
+static void *of_arena(struct h5 *h, void *p) {
+    if (!p) {
+        h5_no_memory(h);
+    }
+    return p;
+}
+
+void *h5_alloc(struct h5 *h, struct arena *a, size_t n, size_t size) {
+    return of_arena(h, arena_alloc(a, n, size));
+}
+
+char *h5_copy(struct h5 *h, struct arena *a, const char *text) {
+    return of_arena(h, arena_text(a, text, strlen(text)));
 }
 
 bool h5_lacks_memory(const struct h5 *h) {

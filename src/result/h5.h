@@ -80,6 +80,10 @@ bool h5_has_room(struct h5 *h);
 
 // Records that memory has run out; tells whether that is the failure recorded.
 void h5_no_memory(struct h5 *h);
+
+// Zeroed objects and a copy of a text in an arena; NULL: no memory, which is a failure.
+void *h5_alloc(struct h5 *h, struct arena *a, size_t n, size_t size);
+char *h5_copy(struct h5 *h, struct arena *a, const char *text);
 bool h5_lacks_memory(const struct h5 *h);
 
 // h5_has_room, before a file is opened. It starts the library, which takes longer than reading a

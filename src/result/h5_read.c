@@ -86,34 +86,31 @@ static hid_t open_attribute(struct h5 *h, hid_t object, const char *name, H5T_cl
     return attribute;
 }
 
-char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name) {
-    hid_t attribute = open_attribute(h, object, name, H5T_STRING);
-    if (attribute < 0) {
-        return NULL;
+// Reads the attribute as `type` into *value, which stays as it is after a failure.
+static void get_attribute(struct h5 *h, hid_t object, const char *name, H5T_class_t class,
+                          hid_t type, void *value) {
+    hid_t attribute = open_attribute(h, object, name, class);
+    if (attribute >= 0) {
+        h5_failed(h, H5Aread(attribute, type, value));
+        H5Aclose(attribute);
     }
-    struct h5_reference reference;
-    h5_failed(h, H5Aread(attribute, h->heap.reference, &reference));
-    H5Aclose(attribute);
+}
+
+char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name) {
+    struct h5_reference reference = {.byte = {0}};
+    get_attribute(h, object, name, H5T_STRING, h->heap.reference, &reference);
     return h->failed ? NULL : h5_heap_text(h, a, &reference);
 }
 
 long h5_get_long(struct h5 *h, hid_t object, const char *name) {
     long value = 0;
-    hid_t attribute = open_attribute(h, object, name, H5T_INTEGER);
-    if (attribute >= 0) {
-        h5_failed(h, H5Aread(attribute, H5T_NATIVE_LONG, &value));
-        H5Aclose(attribute);
-    }
+    get_attribute(h, object, name, H5T_INTEGER, H5T_NATIVE_LONG, &value);
     return value;
 }
 
 double h5_get_double(struct h5 *h, hid_t object, const char *name) {
     double value = 0;
-    hid_t attribute = open_attribute(h, object, name, H5T_FLOAT);
-    if (attribute >= 0) {
-        h5_failed(h, H5Aread(attribute, H5T_NATIVE_DOUBLE, &value));
-        H5Aclose(attribute);
-    }
+    get_attribute(h, object, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, &value);
     return value;
 }
 
@@ -198,12 +195,10 @@ static void read_list(struct h5 *h, hid_t parent, const char *name, hid_t memory
 }
 
 double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n) {
-    double *value = arena_alloc(a, n, sizeof *value);
-    if (!value) {
-        h5_no_memory(h);
-        return NULL;
+    double *value = h5_alloc(h, a, n, sizeof *value);
+    if (value) {
+        read_list(h, parent, name, H5T_NATIVE_DOUBLE, n, value);
     }
-    read_list(h, parent, name, H5T_NATIVE_DOUBLE, n, value);
     return value;
 }
 

@@ -101,10 +101,7 @@ static void get_building(struct result_file *f, hid_t group, struct report_build
 struct report_building *reader_building(struct h5 *h, hid_t group, const char *name,
                                         struct report *r) {
     const long position = h5_get_long(h, group, "position");
-    char *copy = arena_text(r->arena, name, strlen(name));
-    if (!copy) {
-        h5_no_memory(h);
-    }
+    char *copy = h5_copy(h, r->arena, name);
     if (!h->failed && (position < 0 || position >= r->n_building || r->building[position].name)) {
         h5_fail(h, "building '%s' has the position %ld", name, position);
     }
@@ -124,12 +121,10 @@ void reader_buildings(struct h5 *h, hid_t root, struct report *r, H5L_iterate_t 
         h5_fail(h, "it has %llu buildings; 1 to %d are allowed", (unsigned long long)info.nlinks,
                 BUILDINGS_LIMIT);
     }
-    r->building = h->failed ? NULL : arena_alloc(r->arena, info.nlinks, sizeof *r->building);
+    r->building = h->failed ? NULL : h5_alloc(h, r->arena, info.nlinks, sizeof *r->building);
     if (r->building) {
         r->n_building = (int)info.nlinks;
         h5_failed(h, H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, NULL, visit, context));
-    } else {
-        h5_no_memory(h);
     }
     h5_close(h, group);
 }
@@ -156,10 +151,7 @@ static struct report_link *get_links(struct result_file *f, const struct link_gr
     struct arena *a = f->report->arena;
     hid_t group = h5_get_group(&f->h, f->root, g->name);
     const size_t n = h5_get_length(&f->h, group, g->scale, LIST_LIMIT);
-    struct report_link *link = arena_alloc(a, n, sizeof *link);
-    if (!link) {
-        h5_no_memory(&f->h);
-    }
+    struct report_link *link = h5_alloc(&f->h, a, n, sizeof *link);
     for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
         h5_get_column(&f->h, a, group, &layout_link, c, link, n);
     }
@@ -181,12 +173,7 @@ static void get_impacts(struct result_file *f) {
     struct report *r = f->report;
     hid_t group = h5_get_group(&f->h, f->root, "impacts");
     const size_t n = h5_get_length(&f->h, group, "impact", LIST_LIMIT);
-    r->impact = arena_alloc(r->arena, n, sizeof *r->impact);
-    if (!r->impact) {
-        h5_no_memory(&f->h);
-        h5_close(&f->h, group);
-        return;
-    }
+    r->impact = h5_alloc(&f->h, r->arena, n, sizeof *r->impact);
     for (int c = 0; c < layout_impact.n_column && !f->h.failed; c++) {
         h5_get_column(&f->h, r->arena, group, &layout_impact, c, r->impact, n);
     }

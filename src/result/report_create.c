@@ -17,8 +17,8 @@ static const double *copy(struct arena *a, const double *from, size_t n) {
     return to;
 }
 
-static int building_fill(struct report_building *to, struct arena *a, const struct building *b,
-                         const struct results *r, struct error *e) {
+static void building_fill(struct report_building *to, struct arena *a, const struct building *b,
+                          const struct results *r) {
     const size_t n = (size_t)b->n_floor;
     double *period = arena_alloc(a, n, sizeof *period);
     to->name = arena_text(a, b->name, strlen(b->name));
@@ -27,20 +27,13 @@ static int building_fill(struct report_building *to, struct arena *a, const stru
     to->stiffness = copy(a, b->stiffness, n);
     to->height = copy(a, b->height, n);
     to->period = period;
-    if (!period || !to->name || !to->mass || !to->stiffness || !to->height) {
-        return error_no_memory(e);
-    }
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; period && i < n; i++) {
         period[i] = 2 * acos(-1.0) / b->omega[i];
     }
     for (int p = 0; r && p < PEAK_COUNT; p++) {
         to->peak[p] = copy(a, r->peak[p] + b->first, n);
         to->peak_time[p] = copy(a, r->peak_time[p] + b->first, n);
-        if (!to->peak[p] || !to->peak_time[p]) {
-            return error_no_memory(e);
-        }
     }
-    return STATUS_OK;
 }
 
 static const char *constants_text(struct arena *a, const struct link *l) {
@@ -55,8 +48,7 @@ static const char *constants_text(struct arena *a, const struct link *l) {
     return text;
 }
 
-static int link_fill(struct report_link *to, const struct report *r, const struct link *l,
-                     struct error *e) {
+static void link_fill(struct report_link *to, const struct report *r, const struct link *l) {
     *to = (struct report_link){
         .name = arena_text(r->arena, l->name, strlen(l->name)),
         .left = l->building[0] == WALL ? wall : r->building[l->building[0]].name,
@@ -70,16 +62,12 @@ static int link_fill(struct report_link *to, const struct report *r, const struc
         .restitution = l->restitution,
         .calibrated = l->calibrated,
     };
-    return to->name && to->constants ? STATUS_OK : error_no_memory(e);
 }
 
-static int results_fill(struct report *to, const struct results *r, struct error *e) {
+static void results_fill(struct report *to, const struct results *r) {
     to->n_impact = r->n_impact;
     to->impact = arena_alloc(to->arena, (size_t)r->n_impact, sizeof *to->impact);
-    if (!to->impact) {
-        return error_no_memory(e);
-    }
-    if (r->n_impact > 0) {
+    if (to->impact && r->n_impact > 0) {
         memcpy(to->impact, r->impact, (size_t)r->n_impact * sizeof *to->impact);
     }
     for (int i = 0; i < to->n_contact; i++) {
@@ -92,7 +80,6 @@ static int results_fill(struct report *to, const struct results *r, struct error
     to->initial_energy = r->initial_energy;
     to->residual_peak = r->residual_peak;
     to->totals = r->totals;
-    return STATUS_OK;
 }
 
 static const char *now(struct arena *a) {
@@ -109,8 +96,8 @@ static const char *text_or_nothing(struct arena *a, const char *text) {
     return text ? arena_text(a, text, strlen(text)) : "";
 }
 
-static int texts_fill(struct report *to, const struct model *m, const char *file,
-                      const char *version, struct error *e) {
+static void texts_fill(struct report *to, const struct model *m, const char *file,
+                       const char *version) {
     struct arena *a = to->arena;
     to->file = file ? arena_text(a, file, strlen(file)) : NULL;
     to->title = text_or_nothing(a, m->deck->title);
@@ -119,18 +106,12 @@ static int texts_fill(struct report *to, const struct model *m, const char *file
     to->created = now(a);
     to->deck_file = text_or_nothing(a, m->deck->path);
     to->deck = text_or_nothing(a, m->deck->text);
-    const char *includes = deck_includes(m->deck);
-    to->includes = text_or_nothing(a, includes);
+    to->includes = text_or_nothing(a, deck_includes(m->deck));
     to->parameters = text_or_nothing(a, deck_parameters(m->deck));
     to->command_line = "";
-    const bool good = (to->file || !file) && to->title && to->version && to->created &&
-                      to->deck_file && to->deck && includes && to->includes && to->parameters &&
-                      !m->deck->diagnostics.out_of_memory;
-    return good ? STATUS_OK : error_no_memory(e);
 }
 
-static int model_fill(struct report *to, const struct model *m, const struct results *r,
-                      struct error *e) {
+static void model_fill(struct report *to, const struct model *m, const struct results *r) {
     to->units = m->deck->units;
     to->duration = m->duration;
     to->dt = m->adaptive ? 0.0 : m->dt;
@@ -142,18 +123,19 @@ static int model_fill(struct report *to, const struct model *m, const struct res
     to->building = arena_alloc(to->arena, (size_t)to->n_building, sizeof *to->building);
     to->contact = arena_alloc(to->arena, (size_t)to->n_contact, sizeof *to->contact);
     to->link = arena_alloc(to->arena, (size_t)to->n_link, sizeof *to->link);
-    if (!to->building || !to->contact || !to->link) {
-        return error_no_memory(e);
+    if (arena_failed(to->arena)) {
+        return;
     }
-    int status = STATUS_OK;
-    for (int i = 0; i < m->n_building && status == STATUS_OK; i++) {
-        status = building_fill(&to->building[i], to->arena, &m->building[i], r, e);
+    for (int i = 0; i < m->n_building; i++) {
+        building_fill(&to->building[i], to->arena, &m->building[i], r);
     }
-    for (int i = 0; i < m->n_link && status == STATUS_OK; i++) {
+    for (int i = 0; i < m->n_link; i++) {
         struct report_link *l = i < m->n_contact ? &to->contact[i] : &to->link[i - m->n_contact];
-        status = link_fill(l, to, &m->link[i], e);
+        link_fill(l, to, &m->link[i]);
     }
-    return status;
+    if (r) {
+        results_fill(to, r);
+    }
 }
 
 int report_create(const struct model *m, const struct results *r, const char *file,
@@ -165,16 +147,11 @@ int report_create(const struct model *m, const struct results *r, const char *fi
         return error_no_memory(e);
     }
     report->arena = a;
-    int status = texts_fill(report, m, file, version, e);
-    if (status == STATUS_OK) {
-        status = model_fill(report, m, r, e);
-    }
-    if (status == STATUS_OK && r) {
-        status = results_fill(report, r, e);
-    }
-    if (status != STATUS_OK) {
+    texts_fill(report, m, file, version);
+    model_fill(report, m, r);
+    if (arena_failed(a) || arena_failed(m->deck->arena)) {
         arena_free(a);
-        return status;
+        return error_no_memory(e);
     }
     *out = report;
     return STATUS_OK;

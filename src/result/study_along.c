@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/arena.h"
-
 static const char together_attribute[] = "together", sampled_attribute[] = "sampled";
 
 enum which { ALL, RANDOM };
@@ -97,9 +95,8 @@ bool study_along_has(const struct sweep *const *sweep, int n, const char *name) 
 
 static struct sweep *get_values(struct h5 *h, struct arena *a, hid_t group, const char *name,
                                 int n) {
-    struct sweep *s = arena_alloc(a, 1, sizeof *s);
+    struct sweep *s = h5_alloc(h, a, 1, sizeof *s);
     if (!s) {
-        h5_no_memory(h);
         return NULL;
     }
     *s = (struct sweep){.name = name, .n = n, .units = ""};

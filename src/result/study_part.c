@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/arena.h"
 #include "result/study_along.h"
 #include "result/study_reader.h"
 #include "result/study_writer.h"
@@ -134,11 +133,7 @@ static void get_sources(struct study_file *f, hid_t group) {
     struct study_part *p = &f->view.part;
     const size_t n = h5_get_length(&f->h, group, "file", SOURCES_LIMIT);
     const size_t n_sum = h5_get_length(&f->h, group, "file_sum", SOURCES_LIMIT);
-    struct study_source *source = arena_alloc(f->view.arena, n, sizeof *source);
-    if (!source) {
-        h5_no_memory(&f->h);
-        return;
-    }
+    struct study_source *source = h5_alloc(&f->h, f->view.arena, n, sizeof *source);
     if (n != n_sum) {
         h5_fail(&f->h, "it has %zu files, but %zu checksums", n, n_sum);
     }

@@ -20,14 +20,6 @@ struct spot {
     const char *scale;
 };
 
-static char *text_of(struct study_file *f, const char *text) {
-    char *copy = arena_text(f->view.arena, text, strlen(text));
-    if (!copy) {
-        h5_no_memory(&f->h);
-    }
-    return copy;
-}
-
 static bool grow(struct study_file *f) {
     if (f->view.table.n_item < f->capacity) {
         return true;
@@ -99,7 +91,7 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
         .parent = p->parent,
         .owner = p->owner,
         .leaf = p->leaf,
-        .name = text_of(f, name),
+        .name = h5_copy(&f->h, f->view.arena, name),
         .long_name = h5_get_text(&f->h, f->view.arena, dataset, "long_name"),
         .units = h5_get_text(&f->h, f->view.arena, dataset, "units"),
         .scale = p->scale,
@@ -134,8 +126,10 @@ static void get_both(struct spot p) {
 static herr_t visit_building(hid_t group, const char *name, const H5L_info_t *info, void *context) {
     (void)info, (void)group;
     struct study_file *f = context;
-    const struct spot p = {
-        .file = f, .parent = "buildings", .owner = text_of(f, name), .scale = "floor"};
+    const struct spot p = {.file = f,
+                           .parent = "buildings",
+                           .owner = h5_copy(&f->h, f->view.arena, name),
+                           .scale = "floor"};
     if (!f->h.failed) {
         get_both(p);
     }
@@ -154,12 +148,11 @@ static const char *const *get_links(struct study_file *f, const struct link_grou
 
 struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name) {
     struct study_view *v = &f->view;
-    struct sweep *s = arena_alloc(v->arena, 1, sizeof *s);
+    struct sweep *s = h5_alloc(&f->h, v->arena, 1, sizeof *s);
     if (!s) {
-        h5_no_memory(&f->h);
         return NULL;
     }
-    s->name = text_of(f, name);
+    s->name = h5_copy(&f->h, v->arena, name);
     s->n = (int)h5_get_length(&f->h, group, s->name, STUDY_RUNS_MAX);
     s->units = "";
     if (h5_is_number(scale)) {
@@ -277,7 +270,7 @@ int study_file_open(const char *path, struct study_file **out, struct error *e) 
     f->status = f->message = -1;
     h5_open(&f->h, path, SIEVE_BYTES);
     f->view.path = path;
-    const char *copy = f->h.failed ? NULL : text_of(f, path);
+    const char *copy = f->h.failed ? NULL : h5_copy(&f->h, a, path);
     if (copy) {
         f->view.path = copy;
         get_all(f);

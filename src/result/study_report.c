@@ -40,10 +40,7 @@ static struct report_link *get_links(struct study_file *f, struct report *r,
                                      const struct link_group *g, int *n_link) {
     hid_t group = h5_get_group(&f->h, f->h.file, g->name);
     const size_t n = h5_get_length(&f->h, group, g->scale, LINKS_LIMIT);
-    struct report_link *link = arena_alloc(r->arena, n, sizeof *link);
-    if (!link) {
-        h5_no_memory(&f->h);
-    }
+    struct report_link *link = h5_alloc(&f->h, r->arena, n, sizeof *link);
     for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
         if (study_tree_is_fixed(&layout_link.column[c])) {
             h5_get_column(&f->h, r->arena, group, &layout_link, c, link, n);

@@ -15,7 +15,6 @@ struct walk {
     double *value;
     int n_item;
     size_t n_value;
-    bool no_memory;
 };
 
 // The next item; its place among the values is filled in. The values, or NULL.
@@ -56,12 +55,7 @@ static void add_column(struct walk *w, struct study_item item, const struct colu
 
 static const char *joined(struct walk *w, const char *before, const char *text,
                           const char *behind) {
-    if (!w->item) {
-        return "";
-    }
-    const char *all = arena_format(w->arena, "%s%s%s", before, text, behind);
-    w->no_memory = w->no_memory || !all;
-    return all;
+    return w->item ? arena_format(w->arena, "%s%s%s", before, text, behind) : "";
 }
 
 static void add_building(struct walk *w, const struct report_building *b) {
@@ -166,7 +160,7 @@ int study_table_create(const struct report *r, struct study_table **out, struct 
     if (w.item) {
         walk(&w, r);
     }
-    if (!w.item || w.no_memory) {
+    if (!w.item || arena_failed(a)) {
         arena_free(a);
         return error_no_memory(e);
     }

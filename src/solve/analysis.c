@@ -102,7 +102,7 @@ static bool run_alloc(struct run *r, struct arena *a) {
     r->now = &r->store[0];
     r->next = &r->store[1];
     r->row_force = arena_alloc(a, (size_t)m->n_link, sizeof *r->row_force);
-    return r->row_force && energy_alloc(&r->energy, m, a) && state_alloc(r->now, m, a) &&
+    return energy_alloc(&r->energy, m, a) && state_alloc(r->now, m, a) &&
            impacts_alloc(&r->impacts, m, r->results, &r->energy, a) &&
            peaks_alloc(r->results, m, a) && r->method->alloc(r, a);
 }

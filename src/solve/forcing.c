@@ -24,7 +24,7 @@ bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a) {
     f->load = arena_alloc(a, (size_t)m->n_load, sizeof *f->load);
     f->lines = arena_alloc(a, (size_t)m->n_ground, sizeof *f->lines);
     f->corner = -INFINITY;
-    return f->ground && f->load && f->lines;
+    return !arena_failed(a);
 }
 
 static double slack(const struct signal *s, double t) {

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "core/arena.h"
 #include "core/lanes.h"
 
 // Share of the expected motion that counts as its size from the start.
@@ -15,7 +16,7 @@ static const double SHARE = 1e-2;
 bool scale_alloc(struct scales *s, const struct model *m, struct arena *a) {
     s->over_u = lanes_array(a, m->n_dof);
     s->over_v = lanes_array(a, m->n_dof);
-    return s->over_u && s->over_v;
+    return !arena_failed(a);
 }
 
 void scale_expect(struct scales *s, const struct model *m) {

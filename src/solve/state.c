@@ -11,42 +11,27 @@
 #include "solve/excitation.h"
 #include "solve/floors/chain.h"
 
-static bool alloc_floors(struct state *s, const struct model *m, struct arena *a) {
-    double **const part[] = {&s->u,       &s->v,     &s->a,     &s->base,
-                             &s->total,   &s->drift, &s->shear, &s->damping_force,
-                             &s->external};
-    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        *part[i] = lanes_array(a, m->n_dof);
-        if (!*part[i]) {
-            return false;
-        }
-    }
-    return true;
-}
-
 bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
     size_t n_link = (size_t)m->n_link;
     size_t n_ground = (size_t)m->n_ground;
-    struct {
-        double **array;
-        size_t n;
-    } part[] = {
-        {&s->storey_history, (size_t)m->n_storey_history},
-        {&s->delta, n_link + LANES_WIDTH},
-        {&s->link_history, (size_t)m->n_link_history},
-        {&s->ground_a, n_ground},
-        {&s->ground_v, n_ground},
-        {&s->ground_u, n_ground},
-    };
-    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        *part[i].array = arena_alloc(a, part[i].n, sizeof(double));
-        if (!*part[i].array) {
-            return false;
-        }
-    }
+    s->u = lanes_array(a, m->n_dof);
+    s->v = lanes_array(a, m->n_dof);
+    s->a = lanes_array(a, m->n_dof);
+    s->base = lanes_array(a, m->n_dof);
+    s->total = lanes_array(a, m->n_dof);
+    s->drift = lanes_array(a, m->n_dof);
+    s->shear = lanes_array(a, m->n_dof);
+    s->damping_force = lanes_array(a, m->n_dof);
+    s->external = lanes_array(a, m->n_dof);
+    s->storey_history = arena_alloc(a, (size_t)m->n_storey_history, sizeof(double));
     s->live = arena_alloc(a, n_link, sizeof *s->live);
     s->link = lanes_lines(a, n_link, sizeof *s->link);
-    return s->live && s->link && alloc_floors(s, m, a);
+    s->delta = arena_alloc(a, n_link + LANES_WIDTH, sizeof(double));
+    s->link_history = arena_alloc(a, (size_t)m->n_link_history, sizeof(double));
+    s->ground_a = arena_alloc(a, n_ground, sizeof(double));
+    s->ground_v = arena_alloc(a, n_ground, sizeof(double));
+    s->ground_u = arena_alloc(a, n_ground, sizeof(double));
+    return !arena_failed(a);
 }
 
 void state_open_links(struct state *s) {
@@ -190,6 +175,15 @@ static bool is_idle(const struct state *s, const struct model *m, int k) {
 
 bool state_rests(const struct state *s, const struct model *m, int k) {
     return s->link[k].closed && m->link[k].law->rebound;
+}
+
+void state_push(const struct link *l, const struct model *m, double f, double *x) {
+    if (l->dof[0] != WALL) {
+        x[l->dof[0]] -= f / m->mass[l->dof[0]];
+    }
+    if (l->dof[1] != WALL) {
+        x[l->dof[1]] += f / m->mass[l->dof[1]];
+    }
 }
 
 void state_add_link_forces(const struct state *s, const struct model *m, double *floor) {

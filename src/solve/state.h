@@ -119,6 +119,11 @@ void state_complete(struct state *s, const struct model *m);
 // total = a + base.
 void state_totals(struct state *s, const struct model *m);
 
+// Where an end of link l stands in the arrays (n_dof); a wall is the zero behind them.
+static inline int state_end(const struct link *l, const struct model *m, int side) {
+    return l->dof[side] == WALL ? m->n_dof : l->dof[side];
+}
+
 // Penetration of link l before its gap is taken off, from displacements u and those of the grounds
 // (or its rate from velocities).
 double state_gap(const struct link *l, const struct model *m, const double *u,
@@ -132,6 +137,10 @@ static inline double state_ground_gap(const struct link *l, const struct model *
                                   ground[m->building[l->building[1]].ground]
                             : 0.0;
 }
+
+// Adds to x (n_dof) what a force f of link l does to the accelerations of its floors, or an impulse
+// to their velocities.
+void state_push(const struct link *l, const struct model *m, double f, double *x);
 
 // Adds to `floor` (n_dof) the forces of the live links on the floors.
 void state_add_link_forces(const struct state *s, const struct model *m, double *floor);

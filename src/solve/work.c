@@ -10,16 +10,15 @@
 
 static bool alloc_floors(struct work *w, const struct model *m, struct arena *a) {
     struct storeys *s = &w->storeys;
-    double **const part[] = {&w->u_trial, &w->v_trial,  &w->correction, &s->drift,
-                             &s->shear,   &s->residual, &s->change};
-    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        *part[i] = lanes_array(a, m->n_dof);
-        if (!*part[i]) {
-            return false;
-        }
-    }
+    w->u_trial = lanes_array(a, m->n_dof);
+    w->v_trial = lanes_array(a, m->n_dof);
+    w->correction = lanes_array(a, m->n_dof);
+    s->drift = lanes_array(a, m->n_dof);
+    s->shear = lanes_array(a, m->n_dof);
+    s->residual = lanes_array(a, m->n_dof);
+    s->change = lanes_array(a, m->n_dof);
     s->agree = arena_alloc(a, (size_t)m->n_building, sizeof *s->agree);
-    return s->agree && floors_alloc(&w->floors, m, a) && small_alloc(&w->small, m, a);
+    return floors_alloc(&w->floors, m, a) && small_alloc(&w->small, m, a);
 }
 
 static bool alloc_links(struct work *w, const struct model *m, struct arena *a) {
@@ -28,8 +27,8 @@ static bool alloc_links(struct work *w, const struct model *m, struct arena *a) 
     w->acting = arena_alloc(a, n_link, sizeof(void *));
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->toggled = arena_alloc(a, n_link, sizeof *w->toggled);
-    return w->link && w->acting && w->rigid && w->toggled && gaps_alloc(&w->gaps, m, a) &&
-           cluster_alloc(&w->clusters, m, a) && block_alloc(&w->block, m, a);
+    return gaps_alloc(&w->gaps, m, a) && cluster_alloc(&w->clusters, m, a) &&
+           block_alloc(&w->block, m, a);
 }
 
 // The most links with a force law at any floor, counted in `count` (n_dof), which is 0 before and
@@ -71,7 +70,7 @@ bool work_alloc(struct work *w, const struct model *m, struct totals *totals, st
     w->home = arena_alloc(a, n, sizeof *w->home);
     w->other = arena_alloc(a, n, sizeof *w->other);
     w->effective = w->home;
-    if (!w->home || !w->other || !alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
+    if (!alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
         return false;
     }
     fill_links(w, m);

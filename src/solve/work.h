@@ -81,6 +81,7 @@ struct work {
     struct block block;
 };
 
+// Room for the scratch of a model, whose factors are still to be found; false: no memory.
 bool work_alloc(struct work *w, const struct model *m, struct totals *totals, struct arena *a);
 
 // Factorises for steps of size h. The factors for the model's own step size are kept meanwhile.

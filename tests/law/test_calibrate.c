@@ -52,7 +52,7 @@ static const char *parameters(const struct contact_law *law) {
 static struct isolated_impact calibrated(const struct contact_law *law, double e) {
     double value[CONTACT_ROWS_MAX];
     struct error error;
-    impact_values(law, parameters(law), value);
+    impact_law(law->name, parameters(law), value);
     if (law->exact) {
         value[contact_law_row(law, "zeta")] = law->exact(e);
     } else {

@@ -10,41 +10,11 @@
 static const double V0 = 0.5;
 static const double MASS = 15384.615384615385;
 
-// A pad that hardens, with a residual penetration: d, loading and unloading force.
-enum { CURVE_POINTS = 5 };
-static const double curve[CURVE_POINTS * CURVE_COLUMNS] = {
-    0.0, 0.0, 0.0, 1e-5, 0.0, 0.0, 2e-3, 2e5, 2e4, 1e-2, 8e5, 2e5, 2e-2, 4e6, 4e6,
-};
-
-struct bound_law {
-    const struct contact_law *law;
-    double constant[CONTACT_CONSTANTS_MAX + CURVE_POINTS * CURVE_COLUMNS];
-    double history[CONTACT_HISTORY_MAX];
-};
-
-// The law with parameters like "k 1e8 e 0.65", closed at V0; the curve is the one above.
+// The law with parameters like "k 1e8 e 0.65", closed at V0.
 static struct bound_law bind(const char *name, const char *parameters) {
-    struct bound_law b = {.law = contact_law_find(name)};
-    double value[CONTACT_ROWS_MAX + CURVE_POINTS * CURVE_COLUMNS];
-    struct error e;
-    impact_values(b.law, parameters, value);
-    if (contact_law_curve(b.law) >= 0) {
-        value[contact_law_curve(b.law)] = CURVE_POINTS;
-        memcpy(value + b.law->n_row, curve, sizeof curve);
-    }
-    assert_int_equal(b.law->prepare(value, MASS, b.constant, &e), STATUS_OK);
-    if (b.law->close) {
-        b.law->close(b.constant, V0, b.history);
-    }
-    return b;
-}
-
-static struct contact_response at(const struct bound_law *b, double d, double v) {
-    return b->law->force(b->constant, b->history, d, v);
-}
-
-static void commit(struct bound_law *b, double d, double v) {
-    b->law->commit(b->constant, b->history, d, v);
+    double value[IMPACT_VALUES_MAX];
+    const struct contact_law *law = impact_law(name, parameters, value);
+    return bound_law(law, value, MASS, V0);
 }
 
 // Up to 2 mm, back to the line k2 d, up again: k1 4e8, k2 1e8, dy 0.02 mm.
@@ -52,16 +22,16 @@ static void bilinear_unloads_to_the_lower_line_and_reloads_from_it(void **state)
     (void)state;
     struct bound_law b = bind("bilinear", "k1 4e8 k2 1e8 dy 2e-5");
     const double height = 3e8 * 2e-5;
-    assert_close(at(&b, 1e-5, 0.1).force, 4e8 * 1e-5, 1e-14);
-    assert_close(at(&b, 2e-3, 0.1).force, 1e8 * 2e-3 + height, 1e-14);
-    commit(&b, 2e-3, 0.1);
-    assert_close(at(&b, 1.99e-3, -0.1).force, 1e8 * 2e-3 + height - 4e8 * 1e-5, 1e-12);
-    assert_close(at(&b, 1.9e-3, -0.1).force, 1e8 * 1.9e-3, 1e-14);
-    assert_true(at(&b, 1.99e-3, -0.1).force == at(&b, 1.99e-3, 0.1).force);
-    commit(&b, 1.9e-3, -0.1);
-    assert_close(at(&b, 1.91e-3, 0.1).force, 1e8 * 1.9e-3 + 4e8 * 1e-5, 1e-12);
-    assert_close(at(&b, 1.95e-3, 0.1).force, 1e8 * 1.95e-3 + height, 1e-14);
-    assert_close(at(&b, 3e-3, 0.1).force, 1e8 * 3e-3 + height, 1e-14);
+    assert_close(bound_at(&b, 1e-5, 0.1).force, 4e8 * 1e-5, 1e-14);
+    assert_close(bound_at(&b, 2e-3, 0.1).force, 1e8 * 2e-3 + height, 1e-14);
+    bound_commit(&b, 2e-3, 0.1);
+    assert_close(bound_at(&b, 1.99e-3, -0.1).force, 1e8 * 2e-3 + height - 4e8 * 1e-5, 1e-12);
+    assert_close(bound_at(&b, 1.9e-3, -0.1).force, 1e8 * 1.9e-3, 1e-14);
+    assert_true(bound_at(&b, 1.99e-3, -0.1).force == bound_at(&b, 1.99e-3, 0.1).force);
+    bound_commit(&b, 1.9e-3, -0.1);
+    assert_close(bound_at(&b, 1.91e-3, 0.1).force, 1e8 * 1.9e-3 + 4e8 * 1e-5, 1e-12);
+    assert_close(bound_at(&b, 1.95e-3, 0.1).force, 1e8 * 1.95e-3 + height, 1e-14);
+    assert_close(bound_at(&b, 3e-3, 0.1).force, 1e8 * 3e-3 + height, 1e-14);
 }
 
 // f_e ((d - d_e) / (d_max - d_e))^n with d_max 2 mm, d_e 0.5 mm, n = 3/2.
@@ -69,29 +39,29 @@ static void wang_releases_to_its_residual_penetration(void **state) {
     (void)state;
     struct bound_law b = bind("wang", "k 1e8 zeta 1e8 residual 0.25");
     double f_e = 1e8 * pow(2e-3, 1.5);
-    assert_close(at(&b, 2e-3, 0.1).force, f_e * 1.1, 1e-14);
-    commit(&b, 2e-3, 0.1);
-    assert_close(at(&b, 2e-3, -0.1).force, f_e, 1e-14);
-    assert_close(at(&b, 1.25e-3, -0.1).force, f_e * pow(0.5, 1.5), 1e-12);
-    assert_true(at(&b, 5e-4, -0.1).force == 0.0 && at(&b, 1e-4, -0.1).force == 0.0);
-    assert_close(at(&b, 1e-3, 0.0).force, 1e8 * pow(1e-3, 1.5), 1e-14);
+    assert_close(bound_at(&b, 2e-3, 0.1).force, f_e * 1.1, 1e-14);
+    bound_commit(&b, 2e-3, 0.1);
+    assert_close(bound_at(&b, 2e-3, -0.1).force, f_e, 1e-14);
+    assert_close(bound_at(&b, 1.25e-3, -0.1).force, f_e * pow(0.5, 1.5), 1e-12);
+    assert_true(bound_at(&b, 5e-4, -0.1).force == 0.0 && bound_at(&b, 1e-4, -0.1).force == 0.0);
+    assert_close(bound_at(&b, 1e-3, 0.0).force, 1e8 * pow(1e-3, 1.5), 1e-14);
 }
 
 // The points of the file, half-way between them, and the last slope beyond.
 static void a_table_goes_through_its_points_and_beyond(void **state) {
     (void)state;
     struct bound_law b = bind("table", "");
-    const double *last = curve + (ptrdiff_t)(CURVE_POINTS - 1) * CURVE_COLUMNS;
-    for (int i = 0; i < CURVE_POINTS; i++) {
-        const double *p = curve + (ptrdiff_t)i * CURVE_COLUMNS;
-        assert_close(at(&b, p[0], 0.1).force, p[1], 1e-14);
+    const double *last = pad + (ptrdiff_t)(PAD_POINTS - 1) * CURVE_COLUMNS;
+    for (int i = 0; i < PAD_POINTS; i++) {
+        const double *p = pad + (ptrdiff_t)i * CURVE_COLUMNS;
+        assert_close(bound_at(&b, p[0], 0.1).force, p[1], 1e-14);
     }
-    assert_close(at(&b, 6e-3, 0.1).force, 5e5, 1e-14);
-    assert_close(at(&b, 3e-2, 0.1).force, 4e6 + 3.2e6, 1e-14);
-    commit(&b, last[0], 0.1);
-    for (int i = 0; i < CURVE_POINTS; i++) {
-        const double *p = curve + (ptrdiff_t)i * CURVE_COLUMNS;
-        assert_close(at(&b, p[0], -0.1).force, p[2], 1e-14);
+    assert_close(bound_at(&b, 6e-3, 0.1).force, 5e5, 1e-14);
+    assert_close(bound_at(&b, 3e-2, 0.1).force, 4e6 + 3.2e6, 1e-14);
+    bound_commit(&b, last[0], 0.1);
+    for (int i = 0; i < PAD_POINTS; i++) {
+        const double *p = pad + (ptrdiff_t)i * CURVE_COLUMNS;
+        assert_close(bound_at(&b, p[0], -0.1).force, p[2], 1e-14);
     }
 }
 
@@ -100,14 +70,14 @@ static void a_table_goes_through_its_points_and_beyond(void **state) {
 static void a_table_unloads_similarly_and_reloads_the_same_way(void **state) {
     (void)state;
     struct bound_law b = bind("table", "");
-    commit(&b, 1e-2, 0.1);
+    bound_commit(&b, 1e-2, 0.1);
     double loading = 2e5 * (1e-3 - 1e-5) / (2e-3 - 1e-5);
-    assert_close(at(&b, 1e-3, -0.1).force, 0.1 * loading, 1e-13);
-    assert_close(at(&b, 5e-3, -0.1).force, 0.25 * 4.25e5, 1e-13);
-    commit(&b, 1e-3, -0.1);
-    assert_close(at(&b, 5e-3, 0.1).force, 0.25 * 4.25e5, 1e-13);
-    assert_close(at(&b, 1e-2, 0.1).force, 8e5, 1e-14);
-    assert_close(at(&b, 1.5e-2, 0.1).force, 2.4e6, 1e-14);
+    assert_close(bound_at(&b, 1e-3, -0.1).force, 0.1 * loading, 1e-13);
+    assert_close(bound_at(&b, 5e-3, -0.1).force, 0.25 * 4.25e5, 1e-13);
+    bound_commit(&b, 1e-3, -0.1);
+    assert_close(bound_at(&b, 5e-3, 0.1).force, 0.25 * 4.25e5, 1e-13);
+    assert_close(bound_at(&b, 1e-2, 0.1).force, 8e5, 1e-14);
+    assert_close(bound_at(&b, 1.5e-2, 0.1).force, 2.4e6, 1e-14);
 }
 
 // k 1e8, n 1.3, du 5 mm, ky 9e9, and q of e = 0.65 from ln(1 - e q) + e q + q^2 / 2 = 0.
@@ -117,40 +87,37 @@ static void rubber_hardens_beyond_its_ultimate_compression(void **state) {
     double ultimate = 1e8 * pow(5e-3, 1.3);
     double q = contact_law_find("rubber")->exact(0.65);
     assert_near(log(1.0 - 0.65 * q) + 0.65 * q + q * q / 2.0, 0.0, 1e-14);
-    assert_close(at(&b, 3e-3, 1.0).force, 1e8 * pow(3e-3, 1.3), 1e-14);
-    assert_close(at(&b, 7e-3, 1.0).force, ultimate + 9e9 * 2e-3, 1e-14);
-    assert_close(at(&b, 7e-3, -0.1).force, (ultimate + 9e9 * 2e-3) * (1.0 - 0.1 * q / V0), 1e-14);
-    assert_true(at(&b, 7e-3, -2.0).force == 0.0);
+    assert_close(bound_at(&b, 3e-3, 1.0).force, 1e8 * pow(3e-3, 1.3), 1e-14);
+    assert_close(bound_at(&b, 7e-3, 1.0).force, ultimate + 9e9 * 2e-3, 1e-14);
+    assert_close(bound_at(&b, 7e-3, -0.1).force, (ultimate + 9e9 * 2e-3) * (1.0 - 0.1 * q / V0),
+                 1e-14);
+    assert_true(bound_at(&b, 7e-3, -2.0).force == 0.0);
 }
 
-static int prepare(const char *law, const double *value, struct error *e) {
-    double constant[CONTACT_CONSTANTS_MAX];
-    return contact_law_find(law)->prepare(value, MASS, constant, e);
+static void assert_refused(const char *name, const char *parameters, const char *message) {
+    double value[CONTACT_ROWS_MAX], constant[CONTACT_CONSTANTS_MAX];
+    struct error e;
+    const struct contact_law *law = impact_law(name, parameters, value);
+    assert_int_equal(law->prepare(value, MASS, constant, &e), STATUS_INPUT);
+    assert_string_equal(e.message, message);
 }
 
 static void parameters_that_no_law_can_meet_are_refused(void **state) {
     (void)state;
-    struct error e;
+    assert_refused("wang", "k 1e8 e 0.9 residual 0.3",
+                   "e is 0.9; with a residual of 0.3 it must be <= 0.83666, sqrt(1 - R)");
+    assert_refused("bilinear", "k1 1e8 k2 1e7 dy 1e-3 e 0.5",
+                   "bilinear needs -k1, -k2 and -dy, or -kh, -e and -v0, and no mixture");
+    assert_refused("bilinear", "kh 1e8 e 0.2 v0 1 a 0.62",
+                   "a is 0.62; with e = 0.2 it must be < (3 + 2 e^2) / 5, which is 0.616");
+    assert_refused("rubber", "k 1e8 e 0.5 n 2 ky 1e6", "-ky is of no use without -du");
+    (void)bind("bilinear", "kh 1e8 e 0.2 v0 1 a 0.61");
     double value[CONTACT_ROWS_MAX];
-    impact_values(contact_law_find("wang"), "k 1e8 e 0.9 residual 0.3", value);
-    assert_int_equal(prepare("wang", value, &e), STATUS_INPUT);
-    assert_string_equal(e.message,
-                        "e is 0.9; with a residual of 0.3 it must be <= 0.83666, sqrt(1 - R)");
-    impact_values(contact_law_find("bilinear"), "k1 1e8 k2 1e7 dy 1e-3 e 0.5", value);
-    assert_int_equal(prepare("bilinear", value, &e), STATUS_INPUT);
-    impact_values(contact_law_find("bilinear"), "kh 1e8 e 0.2 v0 1 a 0.1", value);
-    assert_int_equal(prepare("bilinear", value, &e), STATUS_OK);
-    assert_int_equal(contact_law_find("bilinear")->calibrate(value, MASS, &e), STATUS_INPUT);
+    struct error e;
+    const struct contact_law *law = impact_law("bilinear", "kh 1e8 e 0.2 v0 1 a 0.1", value);
+    assert_int_equal(law->calibrate(value, MASS, &e), STATUS_INPUT);
     assert_string_equal(
         e.message, "a is 0.1; with e = 0.2 it must be < 2 e^2 / (1 + e^2), which is 0.0769231");
-    impact_values(contact_law_find("bilinear"), "kh 1e8 e 0.2 v0 1 a 0.62", value);
-    assert_int_equal(prepare("bilinear", value, &e), STATUS_INPUT);
-    assert_string_equal(e.message,
-                        "a is 0.62; with e = 0.2 it must be < (3 + 2 e^2) / 5, which is 0.616");
-    impact_values(contact_law_find("bilinear"), "kh 1e8 e 0.2 v0 1 a 0.61", value);
-    assert_int_equal(prepare("bilinear", value, &e), STATUS_OK);
-    impact_values(contact_law_find("rubber"), "k 1e8 e 0.5 n 2 ky 1e6", value);
-    assert_int_equal(prepare("rubber", value, &e), STATUS_INPUT);
 }
 
 // Values worked out by hand from the formulas: k = 1e8 (1e8 N/m^1.5), m* and e with the parameters
@@ -162,34 +129,35 @@ static void forces_agree_with_the_formulas(void **state) {
     double l = log(0.65);
     double c = 2.0 * (-l / sqrt(9.869604401089358 + l * l)) * sqrt(1e8 * MASS);
     struct bound_law b = bind("kelvin-voigt", "k 1e8 e 0.65");
-    assert_close(at(&b, d, v).force, 1e8 * d + c * v, 1e-14);
-    assert_close(at(&b, d, -1.9).force, 1e8 * d - 1.9 * c, 1e-13);
+    assert_close(bound_at(&b, d, v).force, 1e8 * d + c * v, 1e-14);
+    assert_close(bound_at(&b, d, -1.9).force, 1e8 * d - 1.9 * c, 1e-13);
     b = bind("komodromos", "k 1e8 e 0.65");
-    assert_close(at(&b, d, v).force, 1e8 * d + c * v, 1e-14);
-    assert_true(at(&b, d, -1.9).force == 0.0);
+    assert_close(bound_at(&b, d, v).force, 1e8 * d + c * v, 1e-14);
+    assert_true(bound_at(&b, d, -1.9).force == 0.0);
     b = bind("hertz", "k 1e8");
-    assert_close(at(&b, d, v).force, 1e8 * 8.94427190999916e-5, 1e-14);
+    assert_close(bound_at(&b, d, v).force, 1e8 * 8.94427190999916e-5, 1e-14);
     b = bind("hertz-damp", "k 1e8 e 0.65");
-    assert_close(at(&b, d, v).force, 8944.27190999916 * (1.0 + 0.433125 * v / V0), 1e-14);
+    assert_close(bound_at(&b, d, v).force, 8944.27190999916 * (1.0 + 0.433125 * v / V0), 1e-14);
     // zeta of 0.65: 4.5 sqrt5 0.5775 / (0.65 (0.65 (9 pi - 16) + 16)) = 0.37283566526 (reference
     // rows)
     b = bind("jankowski", "k 1e8 e 0.65");
     double damper = 2.0 * 0.3728356652600535 * sqrt(1e8 * sqrt(d) * MASS);
-    assert_close(at(&b, d, v).force, 8944.27190999916 + damper * v, 1e-14);
+    assert_close(bound_at(&b, d, v).force, 8944.27190999916 + damper * v, 1e-14);
     // (1 - e^2) / (e (e (pi - 2) + 2)), also a reference row.
     b = bind("mahmoud-jankowski", "k 1e8 e 0.65");
     damper = 2.0 * 0.3240153629009381 * sqrt(1e8 * MASS);
-    assert_close(at(&b, d, v).force, 1e8 * d + damper * v, 1e-14);
+    assert_close(bound_at(&b, d, v).force, 1e8 * d + damper * v, 1e-14);
     b = bind("ye-kelvin", "k 1e8 e 0.65");
-    assert_close(at(&b, d, v).force, 1e8 * d * (1.0 + 1.5 * 0.35 / 0.65 * v / V0), 1e-14);
+    assert_close(bound_at(&b, d, v).force, 1e8 * d * (1.0 + 1.5 * 0.35 / 0.65 * v / V0), 1e-14);
     b = bind("ye-hertz-damp", "k 1e8 e 0.65");
-    assert_close(at(&b, d, v).force, 8944.27190999916 * (1.0 + 1.6 * 0.35 / 0.65 * v / V0), 1e-14);
+    assert_close(bound_at(&b, d, v).force, 8944.27190999916 * (1.0 + 1.6 * 0.35 / 0.65 * v / V0),
+                 1e-14);
     b = bind("power", "k 1e8 n 1.3 e 0.65");
-    assert_close(at(&b, d, v).force, 1e8 * pow(d, 1.3) * (1.0 + 0.7931009088580941 * v / V0),
+    assert_close(bound_at(&b, d, v).force, 1e8 * pow(d, 1.3) * (1.0 + 0.7931009088580941 * v / V0),
                  1e-12);
     b = bind("khatami", "k 1e8 e 0.65");
     double factor = 0.01557 * pow(0.65, 0.2706) * V0 * 0.35;
-    assert_close(at(&b, d, v).force, 8944.27190999916 * (1.0 + factor), 1e-14);
+    assert_close(bound_at(&b, d, v).force, 8944.27190999916 * (1.0 + factor), 1e-14);
 }
 
 // A path whose penetration does not turn, in GRID steps; v goes evenly with d.
@@ -203,7 +171,7 @@ static struct contact_way place(const struct contact_way *leg, double i) {
 
 static double force_on(const struct bound_law *b, const struct contact_way *leg, int i) {
     const struct contact_way w = place(leg, i);
-    return at(b, w.d, w.v).force;
+    return bound_at(b, w.d, w.v).force;
 }
 
 static double bend(const struct bound_law *b, const struct contact_way *leg, int i) {
@@ -215,7 +183,7 @@ static double bend(const struct bound_law *b, const struct contact_way *leg, int
 static int first_kink(const struct bound_law *b, const struct contact_way *leg) {
     for (int i = BESIDE + 1; i < GRID - BESIDE; i++) {
         const struct contact_way w = place(leg, i);
-        const struct contact_response r = at(b, w.d, w.v);
+        const struct contact_response r = bound_at(b, w.d, w.v);
         const double rounding = 1e-14 * (fabs(r.force) + r.dfdd * w.d);
         const double both = bend(b, leg, i - BESIDE) + bend(b, leg, i + BESIDE);
         if (bend(b, leg, i) > 10.0 * (both + rounding)) {
@@ -248,7 +216,7 @@ static int walk(struct bound_law *b, struct contact_way leg) {
         assert_near(declared_kink(b, &leg), found, 1.0);
         const struct contact_way end = place(&leg, fmin(found + 1, GRID));
         if (b->law->commit) {
-            commit(b, end.d, end.v);
+            bound_commit(b, end.d, end.v);
         }
         leg.d0 = end.d;
         leg.v0 = end.v;

@@ -106,9 +106,8 @@ static double given(const struct contact_law *law, const double *value, const ch
 
 // Measured at most 4e-10, where damping is small.
 static void fits_exactly(const struct made_by *c) {
-    const struct contact_law *law = contact_law_find(c->law);
     double value[CONTACT_ROWS_MAX];
-    impact_values(law, c->parameters, value);
+    const struct contact_law *law = impact_law(c->law, c->parameters, value);
     for (int i = 0; i < N_PHASE; i++) {
         struct made m;
         make(law, value, PHASES[i], &m);
@@ -160,10 +159,9 @@ static void noise_moves_them_by_their_standard_errors(void **state) {
     };
     int beyond = 0;
     for (size_t c = 0; c < sizeof by / sizeof by[0]; c++) {
-        const struct contact_law *law = contact_law_find(by[c].law);
         double value[CONTACT_ROWS_MAX];
         static const double zero[SAMPLES];
-        impact_values(law, by[c].parameters, value);
+        const struct contact_law *law = impact_law(by[c].law, by[c].parameters, value);
         for (int i = 0; i < N_PHASE; i++) {
             struct made m;
             make(law, value, PHASES[i], &m);
@@ -194,10 +192,8 @@ static void a_record_without_damping_has_next_to_none(void **state) {
     (void)state;
     double value[CONTACT_ROWS_MAX];
     struct made m;
-    impact_values(contact_law_find("hertz"), "k 2.75e9", value);
-    make(contact_law_find("hertz"), value, 0.4, &m);
-    const struct contact_law *law = contact_law_find("jankowski");
-    impact_values(law, "", value);
+    make(impact_law("hertz", "k 2.75e9", value), value, 0.4, &m);
+    const struct contact_law *law = impact_law("jankowski", "", value);
     struct fit_result r = refit(law, value, &m);
     assert_close(r.k.value, 2.75e9, 1e-6);
     assert_true(r.zeta.value > 0.0 && r.zeta.value < 1e-6);
@@ -207,14 +203,11 @@ static void a_record_without_damping_has_next_to_none(void **state) {
 static void the_law_that_made_the_record_fits_best(void **state) {
     (void)state;
     static const char *const other[] = {"hertz", "hunt-crossley", "linear", "kelvin-voigt"};
-    const struct contact_law *law = contact_law_find("jankowski");
     double value[CONTACT_ROWS_MAX];
     struct made m;
-    impact_values(law, "k 2.75e9 zeta 0.35", value);
-    make(law, value, 0.2, &m);
+    make(impact_law("jankowski", "k 2.75e9 zeta 0.35", value), value, 0.2, &m);
     for (size_t i = 0; i < sizeof other / sizeof other[0]; i++) {
-        law = contact_law_find(other[i]);
-        impact_values(law, "", value);
+        const struct contact_law *law = impact_law(other[i], "", value);
         double error = refit(law, value, &m).normalised_error;
         assert_true(error > 0.05 && error < 0.5);
     }
@@ -222,11 +215,10 @@ static void the_law_that_made_the_record_fits_best(void **state) {
 
 static void refused(const char *name, const struct made *m, size_t n, int status,
                     const char *message) {
-    const struct contact_law *law = contact_law_find(name);
     double value[CONTACT_ROWS_MAX];
     struct fit_result r;
     struct error e = {0};
-    impact_values(law, "", value);
+    const struct contact_law *law = impact_law(name, "", value);
     const struct fit_request q = {law, value, MASS, V0, n, m->time, m->force};
     assert_int_equal(fit_run(&q, &r, &e), status);
     if (!strstr(e.message, message)) {
@@ -236,11 +228,9 @@ static void refused(const char *name, const struct made *m, size_t n, int status
 
 static void what_cannot_be_fitted_is_refused(void **state) {
     (void)state;
-    const struct contact_law *law = contact_law_find("hertz");
     double value[CONTACT_ROWS_MAX];
     struct made m;
-    impact_values(law, "k 2.75e9", value);
-    make(law, value, 0.4, &m);
+    make(impact_law("hertz", "k 2.75e9", value), value, 0.4, &m);
     refused("hertz", &m, 5, STATUS_INPUT, "the record has 5 samples; it must have 6 to");
     refused("bilinear", &m, SAMPLES, STATUS_INPUT, "bilinear has no k that could be fitted");
     for (int i = 0; i < SAMPLES; i++) {
@@ -252,10 +242,9 @@ static void what_cannot_be_fitted_is_refused(void **state) {
 // There is a best fit to anything; its error tells what it is worth.
 static void a_record_that_holds_no_impact_leaves_all_of_its_norm(void **state) {
     (void)state;
-    const struct contact_law *law = contact_law_find("jankowski");
     double value[CONTACT_ROWS_MAX];
     struct made m;
-    impact_values(law, "k 2.75e9 zeta 0.35", value);
+    const struct contact_law *law = impact_law("jankowski", "k 2.75e9 zeta 0.35", value);
     make(law, value, 0.4, &m);
     for (int i = 0; i < SAMPLES; i++) {
         m.force[i] = i % 2 ? 1.0 : -1.0;

@@ -227,10 +227,9 @@ static void every_law_agrees_with_an_independent_integration(void **state) {
 static void durations_alone_are_right_to_six_digits(void **state) {
     (void)state;
     for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
-        const struct contact_law *law = contact_law_find(row[k].law);
         double value[CONTACT_ROWS_MAX], constant[CONTACT_CONSTANTS_MAX], duration;
         struct error e;
-        impact_values(law, row[k].parameters, value);
+        const struct contact_law *law = impact_law(row[k].law, row[k].parameters, value);
         assert_int_equal(law->prepare(value, MASS, constant, &e), STATUS_OK);
         assert_int_equal(isolated_duration(law, constant, MASS, V0, &duration, &e), STATUS_OK);
         assert_close(duration, row[k].duration, 1e-6);
@@ -296,12 +295,11 @@ static void look(void *context, const struct isolated_point *p) {
 
 static void an_observer_sees_the_whole_impact(void **state) {
     (void)state;
-    const struct contact_law *law = contact_law_find("jankowski");
     double value[CONTACT_ROWS_MAX], constant[CONTACT_CONSTANTS_MAX];
     struct isolated_impact i;
     struct seen seen = {0};
     struct error e;
-    impact_values(law, "k 2.75e9 e 0.65", value);
+    const struct contact_law *law = impact_law("jankowski", "k 2.75e9 e 0.65", value);
     assert_int_equal(law->prepare(value, MASS, constant, &e), STATUS_OK);
     const struct isolated_observer observer = {.point = look, .context = &seen};
     assert_int_equal(isolated_run(law, constant, MASS, V0, &observer, &i, &e), STATUS_OK);
@@ -327,7 +325,6 @@ static void compare(void *context, int i, const struct isolated_point *p) {
 
 static void samples_lie_on_the_force_at_their_instants(void **state) {
     (void)state;
-    const struct contact_law *law = contact_law_find("linear");
     const double duration = M_PI / sqrt(93.5e6 / MASS);
     double value[CONTACT_ROWS_MAX], constant[CONTACT_CONSTANTS_MAX], time[1000];
     struct isolated_impact i;
@@ -336,7 +333,7 @@ static void samples_lie_on_the_force_at_their_instants(void **state) {
     for (int k = 0; k < 1000; k++) {
         time[k] = 1e-9 + k * duration / 900.0;  // the last hundred come after the opening
     }
-    impact_values(law, "k 93.5e6", value);
+    const struct contact_law *law = impact_law("linear", "k 93.5e6", value);
     assert_int_equal(law->prepare(value, MASS, constant, &e), STATUS_OK);
     struct isolated_observer observer = {.point = look, .context = &seen};
     assert_int_equal(isolated_run(law, constant, MASS, V0, &observer, &i, &e), STATUS_OK);
@@ -353,11 +350,10 @@ static void samples_lie_on_the_force_at_their_instants(void **state) {
 // Bodies glued together by an overdamped dashpot that pulls approach d = 0 for ever.
 static void bodies_that_do_not_part_are_an_error(void **state) {
     (void)state;
-    const struct contact_law *law = contact_law_find("kelvin-voigt");
     double value[CONTACT_ROWS_MAX], constant[CONTACT_CONSTANTS_MAX];
     struct isolated_impact i;
     struct error e = {0};
-    impact_values(law, "k 1 zeta 2", value);
+    const struct contact_law *law = impact_law("kelvin-voigt", "k 1 zeta 2", value);
     assert_int_equal(law->prepare(value, 1.0, constant, &e), STATUS_OK);
     assert_int_equal(isolated_run(law, constant, 1.0, 1.0, NULL, &i, &e), STATUS_FAILED);
     assert_non_null(strstr(e.message, "under kelvin-voigt the bodies have not parted "));

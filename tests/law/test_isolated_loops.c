@@ -22,7 +22,6 @@ static void bilinear_from_hertz_is_the_published_recipe_or_the_exact_one(void **
         {0.65, 0.757686779762259, 558592567.712882, 60599888.38103167},
         {0.90, 0.917197404126201, 287930312.7773244, 124088565.46468101},
     };
-    const struct contact_law *law = contact_law_find("bilinear");
     for (int k = 0; k < 3; k++) {
         char text[64];
         double value[CONTACT_ROWS_MAX];
@@ -30,7 +29,7 @@ static void bilinear_from_hertz_is_the_published_recipe_or_the_exact_one(void **
         snprintf(text, sizeof text, "kh 2.75e9 v0 0.5 e %.17g", known[k].e);
         assert_close(impact_under("bilinear", text, MASS, V0).restitution, known[k].delivered,
                      1e-10);
-        impact_values(law, text, value);
+        const struct contact_law *law = impact_law("bilinear", text, value);
         assert_int_equal(law->calibrate(value, MASS, &e), STATUS_OK);
         assert_close(value[contact_law_row(law, "k1")], known[k].k1, 1e-13);
         assert_close(value[contact_law_row(law, "k2")], known[k].k2, 1e-13);
@@ -44,9 +43,6 @@ static void bilinear_from_hertz_is_the_published_recipe_or_the_exact_one(void **
 // Facts from quadrature of both branches: depth from the energy, e^2 from what comes back.
 static void a_table_gives_back_what_lies_below_its_unloading_branch(void **state) {
     (void)state;
-    enum { N_POINT = 5 };
-    static const double curve[] = {0.0, 0.0,  0.0, 1e-5, 0.0,  0.0, 2e-3, 2e5,
-                                   2e4, 1e-2, 8e5, 2e5,  2e-2, 4e6, 4e6};
     static const struct {
         double energy, depth, restitution;
     } known[] = {
@@ -55,11 +51,9 @@ static void a_table_gives_back_what_lies_below_its_unloading_branch(void **state
         {40000.0, 0.0226659569431, 0.792843560678},
         {120000.0, 0.0345186278334, 0.780550579294},
     };
-    const struct contact_law *law = contact_law_find("table");
-    double value[CONTACT_ROWS_MAX + sizeof curve / sizeof curve[0]] = {N_POINT, NAN};
-    double constant[CONTACT_CONSTANTS_MAX + sizeof curve / sizeof curve[0]];
-    memcpy(value + law->n_row, curve, sizeof curve);
-    assert_int_equal(contact_law_n_value(law, value), law->n_row + 3 * N_POINT);
+    double value[IMPACT_VALUES_MAX], constant[IMPACT_CONSTANTS_MAX];
+    const struct contact_law *law = impact_law("table", "", value);
+    assert_int_equal(contact_law_n_value(law, value), law->n_row + PAD_NUMBERS);
     struct error e;
     assert_int_equal(law->prepare(value, MASS, constant, &e), STATUS_OK);
     for (int k = 0; k < 4; k++) {

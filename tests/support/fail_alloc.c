@@ -76,9 +76,9 @@ void *__wrap_realloc(void *p, size_t size) {
 }
 
 void *__wrap_arena_alloc(struct arena *a, size_t n, size_t size) {
-    return fails_now() ? NULL : __real_arena_alloc(a, n, size);
+    return __real_arena_alloc(a, fails_now() ? SIZE_MAX : n, size);
 }
 
 char *__wrap_arena_text(struct arena *a, const char *text, size_t n) {
-    return fails_now() ? NULL : __real_arena_text(a, text, n);
+    return fails_now() ? __real_arena_alloc(a, SIZE_MAX, 1) : __real_arena_text(a, text, n);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads decks from text for the tests of src/deck/. To be included behind cmocka.h.
+// Reads decks from text for the tests of src/deck/.
 #ifndef JOSTLE_DECK_CASES_H
 #define JOSTLE_DECK_CASES_H
 
@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "jostle/deck.h"
+#include "support/support.h"
 
 // A text and what is expected of it: all messages as "line:column: message", joined by " | ".
 struct deck_case {

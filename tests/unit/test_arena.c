@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Memory that is given back all at once.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include <stdalign.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "support/support.h"
 
 static void memory_is_zeroed_and_aligned(void **state) {
     (void)state;
@@ -35,6 +29,17 @@ static void a_size_that_overflows_is_refused(void **state) {
     assert_null(arena_alloc(a, SIZE_MAX / 4, 8));
     assert_null(arena_alloc(a, SIZE_MAX, 1));
     assert_non_null(arena_alloc(a, 0, 8));
+    arena_free(a);
+}
+
+static void a_failure_is_remembered(void **state) {
+    (void)state;
+    struct arena *a = arena_create();
+    assert_non_null(arena_alloc(a, 1, 8));
+    assert_false(arena_failed(a));
+    assert_null(arena_alloc(a, SIZE_MAX, 1));
+    assert_non_null(arena_alloc(a, 1, 8));
+    assert_true(arena_failed(a));
     arena_free(a);
 }
 
@@ -73,6 +78,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(memory_is_zeroed_and_aligned),
         cmocka_unit_test(a_size_that_overflows_is_refused),
+        cmocka_unit_test(a_failure_is_remembered),
         cmocka_unit_test(texts_are_copied_with_a_final_0),
         cmocka_unit_test(arrays_for_lanes_are_0_from_one_before_to_one_behind_whole_lanes),
         cmocka_unit_test(freeing_nothing_is_allowed),

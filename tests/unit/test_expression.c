@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions, literals with units, and the dimensions they carry.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "../support/support.h"
 #include "deck_cases.h"
+#include "support/support.h"
 
 #define DEFINITIONS "units kN m s\nparam a 20mm\nparam m 3t\nparam two 2\nparam f x.txt\n"
 

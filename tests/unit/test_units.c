@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unit texts and the units of a deck.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "../support/support.h"
 #include "jostle/units.h"
+#include "support/support.h"
 
 static void unit_texts_have_a_size_and_a_dimension(void **state) {
     (void)state;

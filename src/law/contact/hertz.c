@@ -9,14 +9,8 @@
 enum { K, N, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k",
-           ROW_NUMBER,
-           ROW_REQUIRED | ROW_PER_LENGTH_POWER,
-           {1, 0, 0},
-           &range_positive,
-           NAN,
-           "impact stiffness"},
-    [N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
+    [K] = POWER_STIFFNESS_ROW("impact stiffness"),
+    [N] = {"n", ROW_NUMBER, ROW_POWER, OF_NONE, &power_range, 1.5, "exponent"},
 };
 
 static int hertz_prepare(const double *value, double m_eff, double *constant, struct error *e) {

@@ -19,9 +19,10 @@ enum { K, E, ZETA, N_ROW };
 enum { STIFFNESS, DASHPOT, N_CONSTANT };  // DASHPOT: c / d^(1/4)
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1.5, 0}, &range_positive, NAN, "impact stiffness"},
-    [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
-    [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, {0}, &range_non_negative, NAN, "damping ratio"},
+    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, OF_HERTZ_STIFFNESS, &range_positive, NAN,
+           "impact stiffness"},
+    [E] = RESTITUTION_ROW,
+    [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &range_non_negative, NAN, "damping ratio"},
 };
 
 static double published_zeta(double e) {

@@ -17,23 +17,14 @@ enum { STIFFNESS, FIXED, PER_VELOCITY, N_CONSTANT };  // f = FIXED + PER_VELOCIT
 enum { FACTOR, N_HISTORY };                           // 1 + f
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1.5, 0}, &range_positive, NAN, "impact stiffness"},
-    [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
-    [ZETA] = {"zeta",
-              ROW_NUMBER,
-              ROW_ONE_OF,
-              {0},
-              &range_non_negative,
-              NAN,
+    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, OF_HERTZ_STIFFNESS, &range_positive, NAN,
+           "impact stiffness"},
+    [E] = RESTITUTION_ROW,
+    [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &range_non_negative, NAN,
               "f itself, in place of alpha e^beta v0 (1 - e)"},
-    [ALPHA] = {"alpha",
-               ROW_NUMBER,
-               0,
-               {0, -1, 1},
-               &range_non_negative,
-               0.01557,
+    [ALPHA] = {"alpha", ROW_NUMBER, 0, OF_PER_VELOCITY, &range_non_negative, 0.01557,
                "factor of v0, beside -e"},
-    [BETA] = {"beta", ROW_NUMBER, 0, {0}, NULL, 0.2706, "exponent of e, beside -e"},
+    [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, NULL, 0.2706, "exponent of e, beside -e"},
 };
 
 static int khatami_prepare(const double *value, double m_eff, double *constant, struct error *e) {

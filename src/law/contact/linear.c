@@ -9,7 +9,7 @@
 enum { K, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
+    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN, "impact stiffness"},
 };
 
 static int linear_prepare(const double *value, double m_eff, double *constant, struct error *e) {

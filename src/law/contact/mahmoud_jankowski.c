@@ -18,15 +18,10 @@ enum { K = DASHPOT_K, E = DASHPOT_E, ZETA = DASHPOT_ZETA, RELATION = DASHPOT_ROW
 static const struct range relation_range = {.min = 2008, .max = 2011, .text = "2008 or 2011"};
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
-    [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
-    [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, {0}, &range_non_negative, NAN, "damping ratio"},
-    [RELATION] = {"relation",
-                  ROW_INTEGER,
-                  0,
-                  {0},
-                  &relation_range,
-                  NAN,
+    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN, "impact stiffness"},
+    [E] = RESTITUTION_ROW,
+    [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &range_non_negative, NAN, "damping ratio"},
+    [RELATION] = {"relation", ROW_INTEGER, 0, OF_NONE, &relation_range, NAN,
                   "year of the relation zeta(e), 2011 if not given"},
 };
 

@@ -8,30 +8,14 @@
 #include "law/restitution.h"
 
 static const struct row rows[HYSTERESIS_ROWS] = {
-    [HYSTERESIS_K] = {"k",
-                      ROW_NUMBER,
-                      ROW_REQUIRED | ROW_PER_LENGTH_POWER,
-                      {1, 0, 0},
-                      &range_positive,
-                      NAN,
-                      "impact stiffness"},
-    [HYSTERESIS_E] = {"e",
-                      ROW_NUMBER,
-                      0,
-                      {0},
-                      &restitution_range,
-                      NAN,
+    [HYSTERESIS_K] = POWER_STIFFNESS_ROW("impact stiffness"),
+    [HYSTERESIS_E] = {"e", ROW_NUMBER, 0, OF_NONE, &restitution_range, NAN,
                       "coefficient of restitution; elastic without -e and -zeta"},
-    [HYSTERESIS_ZETA] = {"zeta",
-                         ROW_NUMBER,
-                         0,
-                         {0},
-                         &range_non_negative,
-                         NAN,
+    [HYSTERESIS_ZETA] = {"zeta", ROW_NUMBER, 0, OF_NONE, &range_non_negative, NAN,
                          "dimensionless damping q = zeta v0 / k, in place of -e"},
     [HYSTERESIS_VMIN] = HYSTERESIS_VMIN_ROW,
-    [HYSTERESIS_N] =
-        {"n", ROW_NUMBER, ROW_REQUIRED | ROW_POWER, {0}, &power_range, NAN, "exponent"},
+    [HYSTERESIS_N] = {"n", ROW_NUMBER, ROW_REQUIRED | ROW_POWER, OF_NONE, &power_range, NAN,
+                      "exponent"},
 };
 
 static int power_prepare(const double *value, double m_eff, double *constant, struct error *e) {

@@ -14,7 +14,7 @@ enum { E, N_ROW };
 static const struct range restitution = {.min = 0.0, .max = 1.0, .text = ">= 0 and <= 1"};
 
 static const struct row rows[N_ROW] = {
-    [E] = {"e", ROW_NUMBER, ROW_REQUIRED, {0}, &restitution, NAN, "coefficient of restitution"},
+    [E] = {"e", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &restitution, NAN, "coefficient of restitution"},
 };
 
 static int stereomechanical_prepare(const double *value, double m_eff, double *constant,

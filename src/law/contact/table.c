@@ -24,19 +24,9 @@ enum { DEEPEST, N_HISTORY };
 enum { SHARE = CURVE_UNLOADING };
 
 static const struct row rows[N_ROW] = {
-    [FILE_ROW] = {"file",
-                  ROW_FILE,
-                  ROW_REQUIRED,
-                  {0},
-                  NULL,
-                  NAN,
+    [FILE_ROW] = {"file", ROW_FILE, ROW_REQUIRED, OF_NONE, NULL, NAN,
                   "rows of penetration, loading force and, if it differs, unloading force"},
-    [UNITS] = {"units",
-               ROW_TEXTS,
-               0,
-               {0},
-               NULL,
-               NAN,
+    [UNITS] = {"units", ROW_TEXTS, 0, OF_NONE, NULL, NAN,
                "units of penetration and force in the file; the deck's if it does not say them"},
 };
 

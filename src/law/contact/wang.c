@@ -28,30 +28,14 @@ static const struct range residual_range = {
     .min = 0.0, .max = 1.0, .max_open = true, .text = ">= 0 and < 1"};
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k",
-           ROW_NUMBER,
-           ROW_REQUIRED | ROW_PER_LENGTH_POWER,
-           {1, 0, 0},
-           &range_positive,
-           NAN,
-           "impact stiffness"},
-    [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
-    [ZETA] = {"zeta",
-              ROW_NUMBER,
-              ROW_ONE_OF | ROW_PER_LENGTH_POWER,
-              {1, -1, 1},
-              &range_non_negative,
-              NAN,
-              "damping during approach"},
-    [RESIDUAL] = {"residual",
-                  ROW_NUMBER,
-                  ROW_REQUIRED,
-                  {0},
-                  &residual_range,
-                  NAN,
+    [K] = POWER_STIFFNESS_ROW("impact stiffness"),
+    [E] = RESTITUTION_ROW,
+    [ZETA] = {"zeta", ROW_NUMBER, ROW_ONE_OF | ROW_PER_LENGTH_POWER, OF_DASHPOT,
+              &range_non_negative, NAN, "damping during approach"},
+    [RESIDUAL] = {"residual", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &residual_range, NAN,
                   "residual over largest penetration"},
     [VMIN] = HYSTERESIS_VMIN_ROW,
-    [N] = {"n", ROW_NUMBER, ROW_POWER, {0}, &power_range, 1.5, "exponent"},
+    [N] = {"n", ROW_NUMBER, ROW_POWER, OF_NONE, &power_range, 1.5, "exponent"},
 };
 
 static int wang_prepare(const double *value, double m_eff, double *constant, struct error *e) {

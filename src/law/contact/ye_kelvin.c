@@ -10,15 +10,9 @@
 enum { K, E, ZETA, VMIN, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, {1, -1, 0}, &range_positive, NAN, "impact stiffness"},
-    [E] = {"e", ROW_NUMBER, ROW_ONE_OF, {0}, &restitution_range, NAN, "coefficient of restitution"},
-    [ZETA] = {"zeta",
-              ROW_NUMBER,
-              ROW_ONE_OF,
-              {0},
-              &range_non_negative,
-              NAN,
-              "dimensionless damping q = zeta v0 / k"},
+    [K] = {"k", ROW_NUMBER, ROW_REQUIRED, OF_STIFFNESS, &range_positive, NAN, "impact stiffness"},
+    [E] = RESTITUTION_ROW,
+    [ZETA] = HYSTERESIS_ZETA_ROW,
     [VMIN] = HYSTERESIS_VMIN_ROW,
 };
 

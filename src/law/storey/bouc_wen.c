@@ -26,9 +26,9 @@ static const struct range exponent_range = {.min = 1.0, .max = 20.0, .text = ">=
 static const struct row rows[N_ROW] = {
     [YIELD] = YIELD_ROW,
     [HARDENING] = HARDENING_ROW,
-    [N] = {"n", ROW_NUMBER, 0, {0}, &exponent_range, 2.0, "sharpness of the yielding"},
-    [BETA] = {"beta", ROW_NUMBER, 0, {0}, &range_positive, 0.5, "shape of the loops"},
-    [GAMMA] = {"gamma", ROW_NUMBER, 0, {0}, NULL, 0.5, "shape of the loops, of size <= beta"},
+    [N] = {"n", ROW_NUMBER, 0, OF_NONE, &exponent_range, 2.0, "sharpness of the yielding"},
+    [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &range_positive, 0.5, "shape of the loops"},
+    [GAMMA] = {"gamma", ROW_NUMBER, 0, OF_NONE, NULL, 0.5, "shape of the loops, of size <= beta"},
 };
 
 static int bouc_wen_prepare(const double *value, double stiffness, double *constant,

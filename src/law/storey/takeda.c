@@ -15,8 +15,9 @@ static const struct range share = {
 static const struct row rows[N_ROW] = {
     [YIELD] = YIELD_ROW,
     [HARDENING] = HARDENING_ROW,
-    [ALPHA] = {"alpha", ROW_NUMBER, 0, {0}, &share, 0.4, "exponent of the unloading stiffness"},
-    [BETA] = {"beta", ROW_NUMBER, 0, {0}, &share, 0.0, "how far short of the peak reloading aims"},
+    [ALPHA] = {"alpha", ROW_NUMBER, 0, OF_NONE, &share, 0.4, "exponent of the unloading stiffness"},
+    [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &share, 0.0,
+              "how far short of the peak reloading aims"},
 };
 
 static int takeda_prepare(const double *value, double stiffness, double *constant,

@@ -12,21 +12,12 @@ static const struct range floors_range = {
     .min = 1.0, .max = FLOORS_MAX, .text = ">= 1 and <= 1000"};
 
 static const struct row rows[N_ROW] = {
-    [FLOORS] = {"floors", ROW_INTEGER, ROW_REQUIRED, {0}, &floors_range, NAN, "number of floors"},
-    [MASS] = {"mass", ROW_LIST, ROW_REQUIRED, {1, -1, 2}, &range_positive, NAN, "floor masses"},
-    [STIFFNESS] = {"stiffness",
-                   ROW_LIST,
-                   ROW_REQUIRED,
-                   {1, -1, 0},
-                   &range_non_negative,
-                   NAN,
+    [FLOORS] = {"floors", ROW_INTEGER, ROW_REQUIRED, OF_NONE, &floors_range, NAN,
+                "number of floors"},
+    [MASS] = {"mass", ROW_LIST, ROW_REQUIRED, OF_MASS, &range_positive, NAN, "floor masses"},
+    [STIFFNESS] = {"stiffness", ROW_LIST, ROW_REQUIRED, OF_STIFFNESS, &range_non_negative, NAN,
                    "storey stiffnesses; 0: a free body"},
-    [HEIGHT] = {"height",
-                ROW_LIST,
-                0,
-                {0, 1, 0},
-                &range_positive,
-                NAN,
+    [HEIGHT] = {"height", ROW_LIST, 0, OF_LENGTH, &range_positive, NAN,
                 "storey heights, for drift ratios"},
 };
 
@@ -64,7 +55,6 @@ static void fill(struct builder *b, struct building_draft *d, const struct argum
     size_t n = (size_t)d->n_floor;
     const char *owner = arena_format(b->arena, "floors of building %s", d->name);
     if (!owner) {
-        b->no_memory = true;
         return;
     }
     d->mass = builder_spread(b, &a[MASS], d->n_floor, owner);
@@ -72,11 +62,11 @@ static void fill(struct builder *b, struct building_draft *d, const struct argum
     if (a[HEIGHT].given) {
         d->height = builder_spread(b, &a[HEIGHT], d->n_floor, owner);
     }
-    d->storey = builder_array(b, n, sizeof *d->storey);
-    d->storey_word = builder_array(b, n, sizeof *d->storey_word);
-    d->displacement = builder_array(b, n, sizeof *d->displacement);
-    d->velocity = builder_array(b, n, sizeof *d->velocity);
-    d->initial = builder_array(b, n, sizeof *d->initial);
+    d->storey = arena_alloc(b->arena, n, sizeof *d->storey);
+    d->storey_word = arena_alloc(b->arena, n, sizeof *d->storey_word);
+    d->displacement = arena_alloc(b->arena, n, sizeof *d->displacement);
+    d->velocity = arena_alloc(b->arena, n, sizeof *d->velocity);
+    d->initial = arena_alloc(b->arena, n, sizeof *d->initial);
 }
 
 // 0 where it is missing or wrong.

@@ -6,22 +6,12 @@
 enum { GAP, LAW, NAME, MEFF, OVERLAP, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [GAP] = {"gap", ROW_LIST, ROW_REQUIRED, {0, 1, 0}, NULL, NAN, "clear distance at rest"},
-    [LAW] = {"law", ROW_TEXT, ROW_REQUIRED, {0}, NULL, NAN, "contact law, see `jostle laws`"},
-    [NAME] = {"name", ROW_TEXT, 0, {0}, NULL, NAN, "name of the contact"},
-    [MEFF] = {"meff",
-              ROW_NUMBER,
-              0,
-              {1, -1, 2},
-              &range_positive,
-              NAN,
+    [GAP] = {"gap", ROW_LIST, ROW_REQUIRED, OF_LENGTH, NULL, NAN, "clear distance at rest"},
+    [LAW] = {"law", ROW_TEXT, ROW_REQUIRED, OF_NONE, NULL, NAN, "contact law, see `jostle laws`"},
+    [NAME] = {"name", ROW_TEXT, 0, OF_NONE, NULL, NAN, "name of the contact"},
+    [MEFF] = {"meff", ROW_NUMBER, 0, OF_MASS, &range_positive, NAN,
               "effective mass in place of m1 m2 / (m1 + m2)"},
-    [OVERLAP] = {"allow-overlap",
-                 ROW_FLAG,
-                 0,
-                 {0},
-                 NULL,
-                 NAN,
+    [OVERLAP] = {"allow-overlap", ROW_FLAG, 0, OF_NONE, NULL, NAN,
                  "allow a negative gap, or an initial penetration"},
 };
 

@@ -8,14 +8,14 @@ static const struct range ratio_range = {
     .min = 0.0, .max = 2.0, .text = ">= 0 and <= 2 (5 % is 0.05)"};
 
 static const struct row rows[N_ROW] = {
-    [MODES] = {"modes", ROW_LIST, 0, {0}, &mode_range, NAN, "the two modes of Rayleigh ratios"},
-    [ALPHA] = {"alpha", ROW_NUMBER, 0, {0, 0, -1}, NULL, NAN, "mass-proportional coefficient"},
-    [BETA] = {"beta", ROW_NUMBER, 0, {0, 0, 1}, NULL, NAN, "stiffness-proportional coefficient"},
+    [MODES] = {"modes", ROW_LIST, 0, OF_NONE, &mode_range, NAN, "the two modes of Rayleigh ratios"},
+    [ALPHA] = {"alpha", ROW_NUMBER, 0, OF_FREQUENCY, NULL, NAN, "mass-proportional coefficient"},
+    [BETA] = {"beta", ROW_NUMBER, 0, OF_TIME, NULL, NAN, "stiffness-proportional coefficient"},
 };
 
-static const struct row ratio_row = {"ratio",      ROW_LIST, ROW_REQUIRED,   {0, 0, 0},
+static const struct row ratio_row = {"ratio",      ROW_LIST, ROW_REQUIRED,   OF_NONE,
                                      &ratio_range, NAN,      "damping ratio"};
-static const struct row dashpot_row = {"dashpot",           ROW_LIST, ROW_REQUIRED,     {1, -1, 1},
+static const struct row dashpot_row = {"dashpot",           ROW_LIST, ROW_REQUIRED,     OF_DASHPOT,
                                        &range_non_negative, NAN,      "storey dashpots"};
 
 static bool refuse_options(struct builder *b, const struct argument *a, const char *kind) {
@@ -60,7 +60,7 @@ static void coefficients(struct builder *b, struct building_draft *d, const stru
         deck_error(b->deck, &s->word[0], "give rayleigh either ratios, or -alpha and -beta");
         return;
     }
-    double *value = builder_array(b, 2, sizeof *value);
+    double *value = arena_alloc(b->arena, 2, sizeof *value);
     if (value) {
         value[0] = a[ALPHA].given ? a[ALPHA].number[0] : 0.0;
         value[1] = a[BETA].given ? a[BETA].number[0] : 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/statement.h"
 
-static const struct row time_row = {"duration",      ROW_NUMBER, ROW_REQUIRED, {0, 0, 1},
+static const struct row time_row = {"duration",      ROW_NUMBER, ROW_REQUIRED, OF_TIME,
                                     &range_positive, NAN,        "duration"};
 
 static void build(struct builder *b, const struct statement *s) {

@@ -22,53 +22,36 @@ enum {
 enum { S_DELAY = SINE_ROWS, S_BUILDINGS, N_SINE_ROW };
 
 static const struct row record_rows[N_RECORD_ROW] = {
-    [R_FORMAT] = {"format", ROW_TEXT, 0, {0}, NULL, NAN, "format of the file; found if not given"},
-    [R_UNIT] = {"unit", ROW_TEXT, 0, {0}, NULL, NAN, "unit of the values: g, m/s2, cm/s2, gal ..."},
-    [R_DT] = {"dt", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "time between samples"},
-    [R_SCALE] = {"scale", ROW_NUMBER, 0, {0}, NULL, 1.0, "factor; negative turns the record round"},
-    [R_PGA] = {"pga",
-               ROW_NUMBER,
-               0,
-               {0, 1, -2},
-               &range_positive,
-               NAN,
+    [R_FORMAT] = {"format", ROW_TEXT, 0, OF_NONE, NULL, NAN,
+                  "format of the file; found if not given"},
+    [R_UNIT] = {"unit", ROW_TEXT, 0, OF_NONE, NULL, NAN,
+                "unit of the values: g, m/s2, cm/s2, gal ..."},
+    [R_DT] = {"dt", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN, "time between samples"},
+    [R_SCALE] = {"scale", ROW_NUMBER, 0, OF_NONE, NULL, 1.0,
+                 "factor; negative turns the record round"},
+    [R_PGA] = {"pga", ROW_NUMBER, 0, OF_ACCELERATION, &range_positive, NAN,
                "peak ground acceleration to scale to"},
-    [R_SA] = {"sa",
-              ROW_NUMBER,
-              0,
-              {0, 1, -2},
-              &range_positive,
-              NAN,
+    [R_SA] = {"sa", ROW_NUMBER, 0, OF_ACCELERATION, &range_positive, NAN,
               "pseudo-spectral acceleration to scale to"},
-    [R_PERIOD] = {"period",
-                  ROW_NUMBER,
-                  0,
-                  {0, 0, 1},
-                  &signals_period_range,
-                  NAN,
+    [R_PERIOD] = {"period", ROW_NUMBER, 0, OF_TIME, &signals_period_range, NAN,
                   "period for -sa; that of a building if not given"},
-    [R_BUILDING] = {"building",
-                    ROW_TEXT,
-                    0,
-                    {0},
-                    NULL,
-                    NAN,
+    [R_BUILDING] = {"building", ROW_TEXT, 0, OF_NONE, NULL, NAN,
                     "building whose first period is that for -sa; the first one it acts under"},
-    [R_DAMPING] =
-        {"damping", ROW_NUMBER, 0, {0}, &signals_damping_range, 0.05, "damping ratio for -sa"},
-    [R_DELAY] =
-        {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0, "time of the first sample"},
-    [R_BUILDINGS] =
-        {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN, "buildings it acts under; all if not given"},
+    [R_DAMPING] = {"damping", ROW_NUMBER, 0, OF_NONE, &signals_damping_range, 0.05,
+                   "damping ratio for -sa"},
+    [R_DELAY] = {"delay", ROW_NUMBER, 0, OF_TIME, &range_non_negative, 0.0,
+                 "time of the first sample"},
+    [R_BUILDINGS] = {"buildings", ROW_TEXTS, 0, OF_NONE, NULL, NAN,
+                     "buildings it acts under; all if not given"},
 };
 
 static const struct row sine_rows[N_SINE_ROW] = {
-    [SINE_AMPLITUDE] =
-        {"amplitude", ROW_NUMBER, ROW_REQUIRED, {0, 1, -2}, NULL, NAN, "peak ground acceleration"},
+    [SINE_AMPLITUDE] = {"amplitude", ROW_NUMBER, ROW_REQUIRED, OF_ACCELERATION, NULL, NAN,
+                        "peak ground acceleration"},
     SINE_SHAPE_ROWS,
-    [S_DELAY] = {"delay", ROW_NUMBER, 0, {0, 0, 1}, &range_non_negative, 0.0, "time of the start"},
-    [S_BUILDINGS] =
-        {"buildings", ROW_TEXTS, 0, {0}, NULL, NAN, "buildings it acts under; all if not given"},
+    [S_DELAY] = {"delay", ROW_NUMBER, 0, OF_TIME, &range_non_negative, 0.0, "time of the start"},
+    [S_BUILDINGS] = {"buildings", ROW_TEXTS, 0, OF_NONE, NULL, NAN,
+                     "buildings it acts under; all if not given"},
 };
 
 enum { RECORD, SINE, N_VARIANT };
@@ -82,7 +65,7 @@ static bool read_buildings(struct builder *b, const struct argument *a, struct g
     if (!a->given) {
         return true;
     }
-    int *building = builder_array(b, (size_t)a->n, sizeof *building);
+    int *building = arena_alloc(b->arena, (size_t)a->n, sizeof *building);
     bool good = building != NULL;
     for (int i = 0; building && i < a->n; i++) {
         building[i] = builder_building(b, &a->word[i]);
@@ -208,22 +191,15 @@ static void build_record(struct builder *b, const struct statement *s) {
         return;
     }
     struct record r;
-    if (!read_record(b, s, a, path, &r)) {
-        return;
-    }
     double scale;
     struct signal signal;
     struct error e;
-    if (!record_scale(b, a, &s->word[2], &r, &scale)) {
-        return;
+    if (read_record(b, s, a, path, &r) && record_scale(b, a, &s->word[2], &r, &scale) &&
+        signal_init_samples(&signal, b->arena, r.value, r.n, r.dt / b->deck->units.time, scale,
+                            a[R_DELAY].number[0], &e) == STATUS_OK) {
+        signal.name = name;
+        append(b, s, &signal, &a[R_BUILDINGS], a);
     }
-    if (signal_init_samples(&signal, b->arena, r.value, r.n, r.dt / b->deck->units.time, scale,
-                            a[R_DELAY].number[0], &e) != STATUS_OK) {
-        b->no_memory = true;
-        return;
-    }
-    signal.name = name;
-    append(b, s, &signal, &a[R_BUILDINGS], a);
 }
 
 static void build_sine(struct builder *b, const struct statement *s) {

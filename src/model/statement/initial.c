@@ -4,10 +4,10 @@
 enum { DISPLACEMENT, VELOCITY, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [DISPLACEMENT] =
-        {"displacement", ROW_NUMBER, 0, {0, 1, 0}, NULL, 0.0, "relative to the ground, at t = 0"},
-    [VELOCITY] =
-        {"velocity", ROW_NUMBER, 0, {0, 1, -1}, NULL, 0.0, "relative to the ground, at t = 0"},
+    [DISPLACEMENT] = {"displacement", ROW_NUMBER, 0, OF_LENGTH, NULL, 0.0,
+                      "relative to the ground, at t = 0"},
+    [VELOCITY] = {"velocity", ROW_NUMBER, 0, OF_VELOCITY, NULL, 0.0,
+                  "relative to the ground, at t = 0"},
 };
 
 static void build(struct builder *b, const struct statement *s) {

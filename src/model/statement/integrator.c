@@ -8,9 +8,9 @@ static const struct range beta_range = {.min = 0.0, .max = 1.0, .text = ">= 0 an
 static const struct range gamma_range = {.min = 0.5, .max = 1.0, .text = ">= 0.5 and <= 1"};
 
 static const struct row newmark_rows[N_NEWMARK_ROW] = {
-    [BETA] =
-        {"beta", ROW_NUMBER, 0, {0}, &beta_range, 0.25, "0: explicit, 1/6: linear acceleration"},
-    [GAMMA] = {"gamma", ROW_NUMBER, 0, {0}, &gamma_range, 0.5, "above 1/2: numerical damping"},
+    [BETA] = {"beta", ROW_NUMBER, 0, OF_NONE, &beta_range, 0.25,
+              "0: explicit, 1/6: linear acceleration"},
+    [GAMMA] = {"gamma", ROW_NUMBER, 0, OF_NONE, &gamma_range, 0.5, "above 1/2: numerical damping"},
 };
 
 enum { N_VARIANT = 2 };

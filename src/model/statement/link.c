@@ -6,7 +6,7 @@
 enum { NAME, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [NAME] = {"name", ROW_TEXT, 0, {0}, NULL, NAN, "name of the link"},
+    [NAME] = {"name", ROW_TEXT, 0, OF_NONE, NULL, NAN, "name of the link"},
 };
 
 enum { N_VARIANT = 1 };

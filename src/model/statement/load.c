@@ -8,16 +8,16 @@
 enum { H_DT, H_SCALE, N_HISTORY_ROW };
 
 static const struct row sine_rows[SINE_ROWS] = {
-    [SINE_AMPLITUDE] = {"amplitude", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0}, NULL, NAN, "peak force"},
+    [SINE_AMPLITUDE] = {"amplitude", ROW_NUMBER, ROW_REQUIRED, OF_FORCE, NULL, NAN, "peak force"},
     SINE_SHAPE_ROWS,
 };
 
 static const struct row history_rows[N_HISTORY_ROW] = {
-    [H_DT] = {"dt", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "time between samples"},
-    [H_SCALE] = {"scale", ROW_NUMBER, 0, {0}, NULL, 1.0, "factor"},
+    [H_DT] = {"dt", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN, "time between samples"},
+    [H_SCALE] = {"scale", ROW_NUMBER, 0, OF_NONE, NULL, 1.0, "factor"},
 };
 
-static const struct row force_row = {"force", ROW_NUMBER, ROW_REQUIRED, {1, 0, 0},
+static const struct row force_row = {"force", ROW_NUMBER, ROW_REQUIRED, OF_FORCE,
                                      NULL,    NAN,        "force"};
 
 enum { CONSTANT, SINE, HISTORY, N_VARIANT };
@@ -72,7 +72,6 @@ static bool read_history(struct builder *b, const struct statement *s, struct si
     }
     if (signal_init_samples(out, b->arena, r.value, r.n, r.dt / second, a[H_SCALE].number[0], 0.0,
                             &e) != STATUS_OK) {
-        b->no_memory = true;
         return false;
     }
     out->name = name;

@@ -9,19 +9,9 @@ static const struct range iterations_range = {
     .min = 1.0, .max = 1e6, .text = ">= 1 and <= 1000000"};
 
 static const struct row rows[N_ROW] = {
-    [TOLERANCE] = {"tolerance",
-                   ROW_NUMBER,
-                   0,
-                   {0},
-                   &tolerance_range,
-                   1e-12,
+    [TOLERANCE] = {"tolerance", ROW_NUMBER, 0, OF_NONE, &tolerance_range, 1e-12,
                    "change of a link force in the last iteration, relative to the largest"},
-    [ITERATIONS] = {"iterations",
-                    ROW_INTEGER,
-                    0,
-                    {0},
-                    &iterations_range,
-                    100,
+    [ITERATIONS] = {"iterations", ROW_INTEGER, 0, OF_NONE, &iterations_range, 100,
                     "iterations before the step is cut"},
 };
 

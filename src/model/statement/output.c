@@ -10,27 +10,18 @@ static const struct range every_range = {
 static const struct range level_range = {.min = 1.0, .max = 9.0, .text = ">= 1 and <= 9"};
 
 static const struct row rows[N_ROW] = {
-    [EVERY] = {"every", ROW_INTEGER, 0, {0}, &every_range, NAN, "steps from row to row"},
-    [INTERVAL] = {"interval",
-                  ROW_NUMBER,
-                  0,
-                  {0, 0, 1},
-                  &range_positive,
-                  NAN,
+    [EVERY] = {"every", ROW_INTEGER, 0, OF_NONE, &every_range, NAN, "steps from row to row"},
+    [INTERVAL] = {"interval", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN,
                   "time between rows, a multiple of fixed steps; default 0.01 s, adaptive at most "
                   "duration / 100"},
-    [FIELDS] = {"fields", ROW_TEXTS, 0, {0}, NULL, NAN, "histories written; all if not given"},
-    [PRECISION] = {"precision", ROW_TEXT, 0, {0}, NULL, NAN, "single: histories in 32 bits"},
-    [COMPRESS] = {"compress",
-                  ROW_INTEGER,
-                  0,
-                  {0},
-                  &level_range,
-                  NAN,
+    [FIELDS] = {"fields", ROW_TEXTS, 0, OF_NONE, NULL, NAN, "histories written; all if not given"},
+    [PRECISION] = {"precision", ROW_TEXT, 0, OF_NONE, NULL, NAN, "single: histories in 32 bits"},
+    [COMPRESS] = {"compress", ROW_INTEGER, 0, OF_NONE, &level_range, NAN,
                   "histories by shuffle and deflate of this level"},
-    [HISTORIES] =
-        {"histories", ROW_FLAG, 0, {0}, NULL, NAN, "for studies: the histories of each run too"},
-    [FILE_NAME] = {"file", ROW_TEXT, 0, {0}, NULL, NAN, "result file, from the current directory"},
+    [HISTORIES] = {"histories", ROW_FLAG, 0, OF_NONE, NULL, NAN,
+                   "for studies: the histories of each run too"},
+    [FILE_NAME] = {"file", ROW_TEXT, 0, OF_NONE, NULL, NAN,
+                   "result file, from the current directory"},
 };
 
 const char *const field_names[] = {"displacement", "velocity", "acceleration", "drift",

@@ -3,7 +3,7 @@
 
 enum { TOLERANCE, LONGEST, SHORTEST, N_ROW };
 
-static const struct row dt_row = {"step",          ROW_NUMBER, ROW_REQUIRED, {0, 0, 1},
+static const struct row dt_row = {"step",          ROW_NUMBER, ROW_REQUIRED, OF_TIME,
                                   &range_positive, NAN,        "time step"};
 
 // Below the smallest tolerance rounding is as large as the error of a step.
@@ -11,21 +11,11 @@ static const struct range tolerance_range = {
     .min = 1e-13, .max = 1e-2, .text = ">= 1e-13 and <= 0.01"};
 
 static const struct row adaptive_rows[N_ROW] = {
-    [TOLERANCE] = {"tolerance",
-                   ROW_NUMBER,
-                   0,
-                   {0},
-                   &tolerance_range,
-                   1e-6,
+    [TOLERANCE] = {"tolerance", ROW_NUMBER, 0, OF_NONE, &tolerance_range, 1e-6,
                    "error of a step relative to the largest displacement and velocity so far"},
-    [LONGEST] =
-        {"max", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "longest step; any if not given"},
-    [SHORTEST] = {"min",
-                  ROW_NUMBER,
-                  0,
-                  {0, 0, 1},
-                  &range_positive,
-                  NAN,
+    [LONGEST] = {"max", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN,
+                 "longest step; any if not given"},
+    [SHORTEST] = {"min", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN,
                   "a run that needs shorter steps ends with an error"},
 };
 

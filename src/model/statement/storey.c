@@ -6,12 +6,7 @@
 enum { STIFFNESS, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [STIFFNESS] = {"stiffness",
-                   ROW_LIST,
-                   0,
-                   {1, -1, 0},
-                   &range_non_negative,
-                   NAN,
+    [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
                    "initial stiffnesses in place of the building's"},
 };
 
@@ -19,7 +14,7 @@ static const struct storey_law *find_law(struct builder *b, const struct word *w
     const char *name = deck_text(b->deck, w);
     const struct storey_law *law = name ? storey_law_find(name) : NULL;
     if (name && !law) {
-        const char **known = builder_array(b, (size_t)n_storey_law, sizeof *known);
+        const char **known = arena_alloc(b->arena, (size_t)n_storey_law, sizeof *known);
         for (int i = 0; known && i < n_storey_law; i++) {
             known[i] = storey_laws[i]->name;
         }
@@ -37,7 +32,7 @@ static bool prepare(struct builder *b, const struct statement *s, const struct s
     for (int r = 0; r < law->n_row; r++) {
         own[r] = value[r] ? value[r][k] : NAN;
     }
-    double *constant = builder_array(b, (size_t)law->n_constant, sizeof *constant);
+    double *constant = arena_alloc(b->arena, (size_t)law->n_constant, sizeof *constant);
     if (!constant) {
         return false;
     }

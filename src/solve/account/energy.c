@@ -15,6 +15,7 @@
 
 #include <gsl/gsl_integration.h>
 
+#include "core/arena.h"
 #include "core/lanes.h"
 #include "solve/floors/chain.h"
 
@@ -46,7 +47,7 @@ static double stored(const struct model *m, const struct state *s, enum storey_k
 
 bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena) {
     a->storey_2x = lanes_array(arena, m->n_dof);
-    return a->storey_2x != NULL;
+    return !arena_failed(arena);
 }
 
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s) {
@@ -145,9 +146,8 @@ void energy_meet(struct energy_account *a, const struct model *m, const struct s
     for (int k = 0; k < m->n_contact; k++) {
         const struct link *l = &m->link[k];
         a->contact += meeting[k].work;
-        if (meeting[k].struck && l->moving_ground) {
-            a->input += meeting[k].impulse * (s->ground_v[m->building[l->building[0]].ground] -
-                                              s->ground_v[m->building[l->building[1]].ground]);
+        if (meeting[k].struck) {
+            a->input += meeting[k].impulse * state_ground_gap(l, m, s->ground_v);
         }
     }
 }

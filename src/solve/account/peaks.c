@@ -21,20 +21,19 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
     for (int q = 0; q < PEAK_COUNT; q++) {
         r->peak[q] = lanes_array(a, m->n_dof);
         r->peak_time[q] = lanes_array(a, m->n_dof);
-        if (!r->peak[q] || !r->peak_time[q]) {
-            return false;
-        }
+    }
+    r->link = arena_alloc(a, (size_t)m->n_link, sizeof *r->link);
+    r->deepest = arena_alloc(a, (size_t)m->n_link + LANES_WIDTH, sizeof *r->deepest);
+    if (arena_failed(a)) {
+        return false;
     }
     for (int i = m->n_dof; i < m->chain.n; i++) {
         r->peak[PEAK_ACCELERATION][i] = INFINITY;  // the ground shakes there too
     }
-    r->link = arena_alloc(a, (size_t)m->n_link, sizeof *r->link);
-    r->deepest = arena_alloc(a, (size_t)m->n_link + LANES_WIDTH, sizeof *r->deepest);
-    for (int k = 0; r->link && r->deepest && k < m->n_contact; k++) {
-        r->deepest[k] = -INFINITY;
-        r->link[k].penetration = -INFINITY;
+    for (int k = 0; k < m->n_contact; k++) {
+        r->deepest[k] = r->link[k].penetration = -INFINITY;
     }
-    return r->link && r->deepest;
+    return true;
 }
 
 LANES static void raise(int first, int n, const double *restrict x, double time,

@@ -26,7 +26,12 @@ static inline void peak_raise(double x, double time, double *peak, double *peak_
 // Raises the largest velocity of any floor so far to the peaks of n floors from `first` on.
 void peaks_speed(struct results *r, int first, int n);
 
-// Raises the largest penetration of contact k.
+// What counts of a force or penetration x of link k: of a bilateral one its size.
+static inline double peaks_size(const struct model *m, int k, double x) {
+    return k >= m->n_contact ? fabs(x) : x;
+}
+
+// Raise the largest penetration and the largest force of link k.
 static inline void peaks_penetration(struct results *r, int k, double delta, double time) {
     if (delta > r->deepest[k]) {
         r->deepest[k] = r->link[k].penetration = delta;
@@ -34,22 +39,18 @@ static inline void peaks_penetration(struct results *r, int k, double delta, dou
     }
 }
 
-// Raises the largest force and penetration of live link k.
+static inline void peaks_force(struct results *r, int k, double force, double time) {
+    if (force > r->link[k].force) {
+        r->link[k].force = force;
+        r->link[k].force_time = time;
+    }
+}
+
+// The same from state `s`, of a live link.
 static inline void peaks_link(struct results *r, const struct model *m, const struct state *s,
                               int k) {
-    struct link_peak *p = &r->link[k];
-    bool both = k >= m->n_contact;
-    double force = both ? fabs(s->link[k].force) : s->link[k].force;
-    if (force > p->force) {
-        p->force = force;
-        p->force_time = s->time;
-    }
-    if (!both) {
-        peaks_penetration(r, k, s->delta[k], s->time);
-    } else if (fabs(s->delta[k]) > p->penetration) {
-        p->penetration = fabs(s->delta[k]);
-        p->penetration_time = s->time;
-    }
+    peaks_force(r, k, peaks_size(m, k, s->link[k].force), s->time);
+    peaks_penetration(r, k, peaks_size(m, k, s->delta[k]), s->time);
 }
 
 #endif

@@ -23,9 +23,8 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "solve/contact/answer.h"
 #include "solve/contact/band.h"
-#include "solve/contact/contact.h"
-#include "solve/contact/sweep.h"
 
 // Links of a cluster.
 enum { BLOCK_MAX = 400 };
@@ -39,7 +38,7 @@ bool block_alloc(struct block *b, const struct model *m, struct arena *a) {
     b->matrix = arena_alloc(a, n * n, sizeof *b->matrix);
     b->vector = arena_alloc(a, n, sizeof *b->vector);
     b->kept_q = lanes_array(a, m->n_dof);
-    return b->matrix && b->vector && b->kept_q;
+    return !arena_failed(a);
 }
 
 // Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different
@@ -99,7 +98,7 @@ static void linearise(struct work *w, const struct state *now, const struct stat
     memset(w->block.matrix, 0, (size_t)c->n * (size_t)c->n * sizeof *w->block.matrix);
     for (int i = 0; i < c->n; i++) {
         int k = c->link[i];
-        struct line line = contact_line(w, now, next, k);
+        struct line line = answer_line(w, now, next, k);
         double force;
         enum branch branch = line_answer(&line, w->link[k].force, &force);
         double share = share_at(&line, branch, force) / w->link[k].flexibility;
@@ -161,7 +160,7 @@ static double sweep(struct work *w, const struct state *now, struct state *next,
                     const struct cluster *c) {
     double moved = 0.0;
     for (int i = 0; i < c->n; i++) {
-        moved += fabs(contact_answer(w, now, next, c->link[i])) * w->link[c->link[i]].flexibility;
+        moved += fabs(answer_link(w, now, next, c->link[i])) * w->link[c->link[i]].flexibility;
     }
     w->totals->iterations++;
     return moved;
@@ -191,7 +190,7 @@ static double descent(struct work *w, const struct state *now, struct state *nex
     double sum = 0.0;
     for (int i = 0; i < c->n; i++) {
         int k = c->link[i];
-        struct line line = contact_line(w, now, next, k);
+        struct line line = answer_line(w, now, next, k);
         sum += df[i] * w->link[k].flexibility * line_excess(&line, w->link[k].force);
     }
     return sum;

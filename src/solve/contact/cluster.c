@@ -14,7 +14,7 @@ bool cluster_alloc(struct clusters *c, const struct model *m, struct arena *a) {
     c->leader = arena_alloc(a, n, sizeof *c->leader);
     c->nearest = arena_alloc(a, n, sizeof *c->nearest);
     c->link = arena_alloc(a, (size_t)m->n_link, sizeof *c->link);
-    return c->parent && c->end && c->leader && c->nearest && c->link;
+    return !arena_failed(a);
 }
 
 static int leader(int *parent, int i) {

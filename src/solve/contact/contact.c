@@ -12,18 +12,17 @@
 // between sweeps, and kept only if it halves the error.
 //
 // Converged: another sweep would change no force by more than the tolerance times the largest, or
-// would move no link by more than the rounding error of its displacements. The latter keeps grazing
-// contacts, whose force is all rounding, from iterating for ever.
+// would move no link by more than the rounding error of its displacements (answer.c). The latter
+// keeps grazing contacts, whose force is all rounding, from iterating for ever.
 #include "solve/contact/contact.h"
 
-#include <float.h>
 #include <math.h>
 
 #include "core/number.h"
+#include "solve/contact/answer.h"
 #include "solve/contact/block.h"
 #include "solve/contact/link_terms.h"
 #include "solve/contact/resolve.h"
-#include "solve/contact/sweep.h"
 
 // Newton sweeps end, and block steps are tried, after so many sweeps, where the last one brought
 // the change of the forces down by less than the factor SLOW.
@@ -33,113 +32,6 @@ static const double SLOW = 0.2;
 
 // After so many, laws are no longer allowed to pull.
 enum { PULLING_SWEEPS = 25 };
-
-// A change of a force by less than this share of it may come from rounding errors in the others.
-static const double SMALL = 1e-8;
-
-static double ends_difference(const struct link_scratch *p, const double *x) {
-    return x[p->end[0]] - x[p->end[1]];
-}
-
-struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k) {
-    const struct link_scratch *p = &w->link[k];
-    const struct link *l = p->link;
-    double s = p->flexibility;
-    double corrected = ends_difference(p, w->correction) + s * p->force;
-    return (struct line){
-        .link = l,
-        .history = next->link_history + l->history,
-        .d_free = ends_difference(p, w->u_trial) - l->gap + w->b * corrected +
-                  state_ground_gap(l, w->model, next->ground_u),
-        .v_free = ends_difference(p, w->v_trial) + w->g * corrected +
-                  state_ground_gap(l, w->model, next->ground_v),
-        .d_force = w->b * s,
-        .v_force = w->g * s,
-        .v_rest = p->v_rest,
-        .v_rounding = l->law->rebound ? state_rounding(l, w->v_trial) : 0.0,
-        .closed = now->link[k].closed,
-        .clamped = p->clamped,
-        .held = now->link[k].closed && k == w->held,
-    };
-}
-
-// Rounding error that the forces of other links cause in x (n_dof).
-static double rounding_of_others(const struct work *w, const double *x) {
-    double largest = 0.0;
-    for (int i = 0; i < w->gaps.n_touched; i++) {
-        const struct building *g = &w->model->building[w->gaps.touched[i]];
-        for (int j = g->first; j < g->first + g->n_floor; j++) {
-            largest = number_max(largest, fabs(x[j]));
-        }
-    }
-    return 16.0 * DBL_EPSILON * largest;
-}
-
-// How much rounding errors d and v change the force of a link.
-static double noise(const struct line *l, enum branch branch, double f, double d, double v) {
-    if (l->link->law->rebound || f == l->v_free / l->v_force) {
-        return v / l->v_force;
-    }
-    if (branch == BRANCH_CLOSED) {
-        struct contact_response r = line_law(l, f);
-        double slope = l->d_force * r.dfdd + l->v_force * r.dfdv;
-        double change = (fabs(r.dfdd) * d + fabs(r.dfdv) * v) / (1.0 + fabs(slope));
-        if (isfinite(change)) {
-            return change;
-        }
-    }
-    return l->d_force > 0.0 ? d / l->d_force : 0.0;
-}
-
-// Is a change of the force no more than rounding? Rounding in other links' forces counts too where
-// the change is small and the sweeps have been going on for long.
-static bool negligible(const struct work *w, const struct line *l, enum branch branch, double f,
-                       double df) {
-    double corrected = state_rounding(l->link, w->correction);
-    double d =
-        state_rounding(l->link, w->u_trial) + w->b * corrected + 4.0 * DBL_EPSILON * l->link->gap;
-    double v = state_rounding(l->link, w->v_trial) + w->g * corrected;
-    if (fabs(df) <= SMALL * fabs(f)) {
-        d += w->others_d;
-        v += w->others_v;
-    }
-    bool maybe = l->v_force * fabs(df) <= v || l->d_force * fabs(df) <= d;
-    return maybe && fabs(df) <= noise(l, branch, f, d, v);
-}
-
-double contact_answer(struct work *w, const struct state *now, struct state *next, int k) {
-    struct link_scratch *p = &w->link[k];
-    struct line line = contact_line(w, now, next, k);
-    double force;
-    p->branch = line_answer(&line, p->force, &force);
-    double df = force - p->force;
-    sweep_push(w, p, df);
-    p->force = force;
-    return df;
-}
-
-// Gives the link its exact answer. Newton steps may follow where the law leaves no choice of
-// branch.
-static void answer_exactly(struct work *w, const struct state *now, struct state *next,
-                           struct link_scratch *p, struct progress *s) {
-    int k = p->index;
-    const struct contact_law *law = p->link->law;
-    double df = contact_answer(w, now, next, k);
-    bool jumps = law->traits & CONTACT_JUMPS;
-    bool pulls = law->traits & CONTACT_MAY_PULL;
-    p->trusted = p->branch == BRANCH_CLOSED && law->force && !p->clamped &&
-                 (now->link[k].closed || !(jumps || pulls));
-    p->open = p->branch == BRANCH_OPEN && law->force && !(now->link[k].closed && pulls);
-    p->ask = true;
-    s->answered = true;
-    s->largest = number_max(s->largest, fabs(p->force));
-    if (fabs(df) > s->moved[LAW_UNKNOWN]) {
-        struct line line = contact_line(w, now, next, k);
-        if (!negligible(w, &line, p->branch, p->force, df)) {
-            s->moved[LAW_UNKNOWN] = fabs(df);
-        }
-    }
-}
 
 // How a sweep answers: exactly, or by Newton steps where they are safe.
 enum answers { ANSWERS_EXACT, ANSWERS_NEWTON };
@@ -253,8 +145,8 @@ static int iterate(struct work *w, const struct state *now, struct state *next, 
             if (!is_hopeful(w, now, next)) {
                 return STATUS_RETRY;
             }
-            w->others_d = rounding_of_others(w, w->u_trial);
-            w->others_v = rounding_of_others(w, w->v_trial);
+            w->others_d = answer_rounding(w, w->u_trial);
+            w->others_v = answer_rounding(w, w->v_trial);
         }
         if (i == PULLING_SWEEPS) {
             clamp(w);
@@ -277,7 +169,7 @@ static enum branch judge_clamped(struct work *w, const struct state *now, const 
     if (!p->clamped || p->force != 0.0 || p->branch != BRANCH_CLOSED) {
         return p->branch;
     }
-    struct line line = contact_line(w, now, next, p->index);
+    struct line line = answer_line(w, now, next, p->index);
     line.clamped = false;
     return line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the link forces at the end of a step, with the buildings linear about their trial state.
+// The links in a step: which act (contact_step.c), and their forces at its end, with the buildings
+// linear about their trial state.
 #ifndef JOSTLE_CONTACT_H
 #define JOSTLE_CONTACT_H
 
@@ -22,11 +23,5 @@ int contact_solve(struct work *w, const struct state *now, struct state *next);
 
 // Brings the histories of closed links to the end of a step that is solved.
 void contact_finish(const struct work *w, struct state *next);
-
-// The equation of link k at the trial state of `next`, with the other forces held.
-struct line contact_line(struct work *w, const struct state *now, const struct state *next, int k);
-
-// Gives link k its exact answer while the other forces are held; returns the change of its force.
-double contact_answer(struct work *w, const struct state *now, struct state *next, int k);
 
 #endif

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "core/number.h"
+#include "solve/contact/answer.h"
 #include "solve/contact/contact.h"
 #include "solve/contact/link_terms.h"
-#include "solve/contact/sweep.h"
 #include "solve/event/crossing.h"
 #include "solve/event/rest.h"
 
@@ -105,7 +105,7 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
     p->clamped = false;
     p->checked = p->fits_to = p->force = 0.0;
     p->history = next->link_history + l->history;
-    struct line line = contact_line(w, now, next, k);
+    struct line line = answer_line(w, now, next, k);
     struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
                         line.v_free, w->h};
     double rate;

@@ -10,12 +10,6 @@
 #include "core/number.h"
 #include "solve/account/peaks.h"
 
-// Where the end of a link stands among the displacements; a wall is the zero behind them.
-static int end_of(const struct model *m, int k, int side) {
-    int dof = m->link[k].dof[side];
-    return dof == WALL ? m->n_dof : dof;
-}
-
 // Does link k carry on the run?
 static bool continues(const struct model *m, const struct gap_run *r, int k) {
     const struct link *l = &m->link[k];
@@ -36,7 +30,7 @@ static void find_runs(struct gaps *g) {
         }
         g->all[g->n_run] = g->run_of[k] = g->n_run;
         g->run[g->n_run++] = (struct gap_run){
-            k, 1, end_of(m, k, 0), end_of(m, k, 1), {l->building[0], l->building[1]}};
+            k, 1, state_end(l, m, 0), state_end(l, m, 1), {l->building[0], l->building[1]}};
     }
 }
 
@@ -81,9 +75,7 @@ bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
         .touched = arena_alloc(a, n_building, sizeof *g->touched),
         .is_touched = arena_alloc(a, n_building, sizeof *g->is_touched),
     };
-    if (!g->gap || !g->limit || !g->nearest || !g->time || !g->run_of || !g->beyond || !g->all ||
-        !g->acting || !g->share || !g->run || !g->start || !g->of_building || !g->visited ||
-        !g->pressed || !g->touched || !g->is_touched) {
+    if (arena_failed(a)) {
         return false;
     }
     find_runs(g);

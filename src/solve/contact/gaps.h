@@ -41,6 +41,7 @@ struct gaps {
     bool *is_touched;         // (n_building)
 };
 
+// Room for the links of a model, and their runs; false: no memory.
 bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a);
 
 // Brings s->delta to the displacements of `s`.

@@ -89,7 +89,7 @@ static bool resolved(struct work *w, const struct state *now, const struct state
 
 bool resolve_judge(struct work *w, const struct state *now, const struct state *next,
                    struct link_scratch *p) {
-    double x = w->correction[p->end[0]] - w->correction[p->end[1]];
+    double x = sweep_across(p, w->correction);
     if (p->bilateral || p->kind->rebound || resolved(w, now, next, p, x, p->d_trial + w->b * x)) {
         return true;
     }

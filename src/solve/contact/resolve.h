@@ -31,7 +31,7 @@ bool resolve_judge(struct work *w, const struct state *now, const struct state *
 // checked, the end has its tangents, and the spring is no stiffer than one that has been checked.
 static inline bool resolve_suffices(struct work *w, const struct state *now,
                                     const struct state *next, struct link_scratch *p) {
-    double x = w->correction[p->end[0]] - w->correction[p->end[1]];
+    double x = sweep_across(p, w->correction);
     if (p->checked >= w->h && !p->ask && p->d_trial + w->b * x <= p->fits_to &&
         DASHPOT_COARSENESS(p->dfdv, p->flexibility, w->g) <= RESOLVE_COARSEST_DASHPOT) {
         p->checked = w->h;

@@ -24,6 +24,7 @@
 void sweep_init(struct link_scratch *p, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     *p = (struct link_scratch){
+        .end = {state_end(l, m, 0), state_end(l, m, 1)},
         .link = l,
         .index = k,
         .kind = l->law,
@@ -32,9 +33,6 @@ void sweep_init(struct link_scratch *p, const struct model *m, int k) {
         .bilateral = l->bilateral,
         .moving_ground = l->moving_ground,
     };
-    for (int i = 0; i < 2; i++) {
-        p->end[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
-    }
 }
 
 static double sum_of_sizes(const double *x, int n) {
@@ -94,13 +92,11 @@ static inline bool ask(const struct work *w, struct link_scratch *p, double x, s
 
 // d and v of a link without corrections, and its columns unless they are those of the last step.
 static inline void gather(struct work *w, const struct state *next, struct link_scratch *p) {
-    int left = p->end[0];
-    int right = p->end[1];
     p->trusted = p->branch == BRANCH_CLOSED && p->kind->force && !p->clamped;
     p->open = false;
     p->ask = true;
-    p->d_trial = w->u_trial[left] - w->u_trial[right] - p->gap;
-    p->v_trial = w->v_trial[left] - w->v_trial[right];
+    p->d_trial = sweep_across(p, w->u_trial) - p->gap;
+    p->v_trial = sweep_across(p, w->v_trial);
     if (p->moving_ground) {
         p->d_trial += state_ground_gap(p->link, w->model, next->ground_u);
         p->v_trial += state_ground_gap(p->link, w->model, next->ground_v);
@@ -123,7 +119,7 @@ void sweep_begin(struct work *w, const struct state *next, struct progress *s) {
 
 // x of link_terms.h.
 static inline double sees(const struct work *w, const struct link_scratch *p) {
-    return w->correction[p->end[0]] - w->correction[p->end[1]];
+    return sweep_across(p, w->correction);
 }
 
 void sweep_gather(struct work *w, const struct state *next, int first, int end,

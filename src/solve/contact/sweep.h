@@ -77,6 +77,11 @@ struct progress {
     bool answered;  // some link got its exact answer: echo knows nothing of it
 };
 
+// The difference of x, an array (n_dof), between both ends of a link.
+static inline double sweep_across(const struct link_scratch *p, const double *x) {
+    return x[p->end[0]] - x[p->end[1]];
+}
+
 // What does not change of link k.
 void sweep_init(struct link_scratch *p, const struct model *m, int k);
 

@@ -21,14 +21,6 @@
 // Times that differ by less than this share of them are the same: of steps, corners and rows.
 static const double SAME_TIME = 8.0 * DBL_EPSILON;
 
-static bool alloc_stages(struct dp *p, struct arena *a) {
-    bool good = true;
-    for (int s = 0; s < DP_STAGES; s++) {
-        good = good && dp_rates_alloc(&p->rates[s], p->model, a);
-    }
-    return good;
-}
-
 static bool alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     size_t n_rate = (size_t)m->n_link + LANES_WIDTH;
@@ -43,9 +35,12 @@ static bool alloc(struct run *r, struct arena *a) {
     p->rate[1] = arena_alloc(a, n_rate, sizeof(double));
     p->reach = arena_alloc(a, n_rate, sizeof(double));
     p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
-    return p->meeting && p->rate[0] && p->rate[1] && p->reach && gaps_alloc(&p->gaps, m, a) &&
-           scale_alloc(&p->scales, m, a) && dp_system_alloc(&p->system, m, a) &&
-           state_alloc(&p->now, m, a) && state_alloc(&p->next, m, a) && alloc_stages(p, a);
+    for (int s = 0; s < DP_STAGES; s++) {
+        dp_rates_alloc(&p->rates[s], m, a);
+    }
+    return gaps_alloc(&p->gaps, m, a) && scale_alloc(&p->scales, m, a) &&
+           dp_system_alloc(&p->system, m, a) && state_alloc(&p->now, m, a) &&
+           state_alloc(&p->next, m, a);
 }
 
 // The first and the last stage stand at the ends of the step.

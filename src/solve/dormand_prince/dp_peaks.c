@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "core/number.h"
+#include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp_motion.h"
 #include "solve/dormand_prince/dp_stages.h"
 
@@ -218,37 +219,20 @@ static void floors_step(struct dp *p) {
     rescale(p);
 }
 
-static void note_force(struct link_peak *l, double force, double time) {
-    if (force > l->force) {
-        l->force = force;
-        l->force_time = time;
-    }
-}
-
-static void note_penetration(struct link_peak *l, double d, double time) {
-    if (d > l->penetration) {
-        l->penetration = d;
-        l->penetration_time = time;
-    }
-}
-
 // Largest penetration in the step: at its end, or where it turns.
 static double link_penetration(struct dp *p, int k, const struct motion *m) {
-    bool both = p->model->link[k].bilateral;
-    struct link_peak *l = &p->results->link[k];
-    double largest = both ? fabs(m->d[1]) : m->d[1];
-    note_penetration(l, largest, p->next.time);
+    double largest = peaks_size(p->model, k, m->d[1]);
+    peaks_penetration(p->results, k, largest, p->next.time);
     if (m->v[0] * m->v[1] < 0.0) {
         struct polynomial path = hermite_position(m);
         double x[TURNS_MAX];
         int n = hermite_turns(m, x);
         for (int j = 0; j < n; j++) {
-            double d = hermite_value(&path, x[j]);
-            largest = fmax(largest, both ? fabs(d) : d);
-            note_penetration(l, both ? fabs(d) : d, p->now.time + x[j] * p->h);
+            double d = peaks_size(p->model, k, hermite_value(&path, x[j]));
+            largest = fmax(largest, d);
+            peaks_penetration(p->results, k, d, p->now.time + x[j] * p->h);
         }
     }
-    p->results->deepest[k] = l->penetration;
     return largest;
 }
 
@@ -301,14 +285,13 @@ static double inner_force(const struct dp *p, int i, const struct motion *m, dou
 
 void dp_peaks_link(struct dp *p, int i, struct impact_share *share) {
     int k = p->now.live[i];
-    bool both = p->model->link[k].bilateral;
     struct motion m = dp_motion_link(p, k);
     double time;
     double force = inner_force(p, i, &m, &time);
     share->penetration = link_penetration(p, k, &m);
     share->force = p->stage[DP_STAGES - 1]->force[i];
-    note_force(&p->results->link[k], both ? fabs(share->force) : share->force, p->next.time);
-    note_force(&p->results->link[k], both ? fabs(force) : force, time);
+    peaks_force(p->results, k, peaks_size(p->model, k, share->force), p->next.time);
+    peaks_force(p->results, k, peaks_size(p->model, k, force), time);
     share->force = number_max(share->force, force);
 }
 
@@ -332,8 +315,7 @@ void dp_peaks_jump(struct dp *p) {
     rescale(p);
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
-        bool both = p->model->link[k].bilateral;
         double force = p->stage[0]->force[i];
-        note_force(&p->results->link[k], both ? fabs(force) : force, p->now.time);
+        peaks_force(p->results, k, peaks_size(p->model, k, force), p->now.time);
     }
 }

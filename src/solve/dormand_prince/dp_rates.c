@@ -19,8 +19,7 @@ bool dp_rates_alloc(struct dp_rates *r, const struct model *m, struct arena *a) 
     r->ground.a = arena_alloc(a, n_ground, sizeof(double));
     r->ground.v = arena_alloc(a, n_ground, sizeof(double));
     r->ground.u = arena_alloc(a, n_ground, sizeof(double));
-    return r->u && r->v && r->a && r->force && r->power && r->dfdd && r->dfdv && r->ground.a &&
-           r->ground.v && r->ground.u;
+    return !arena_failed(a);
 }
 
 // Accelerations of all floors from r->u and r->v without links, loads and what is special, under

@@ -22,21 +22,20 @@ static const double ROUNDING = 64.0 * DBL_EPSILON;
 bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a) {
     size_t n = (size_t)m->n_dof;
     *s = (struct dp_system){.model = m};
-    double **const part[] = {&s->mobility, &s->base, &s->tangent, &s->most_drift, &s->damping};
-    bool good = true;
-    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        good = good && (*part[i] = lanes_array(a, m->n_dof));
-    }
+    s->mobility = lanes_array(a, m->n_dof);
+    s->base = lanes_array(a, m->n_dof);
+    s->tangent = lanes_array(a, m->n_dof);
+    s->most_drift = lanes_array(a, m->n_dof);
+    s->damping = lanes_array(a, m->n_dof);
     for (int q = 0; q < DP_ROWS; q++) {
-        good = good && (s->row[q] = lanes_array(a, m->n_dof));
+        s->row[q] = lanes_array(a, m->n_dof);
     }
     s->phase = arena_alloc(a, (size_t)m->n_link, sizeof *s->phase);
     s->inelastic = arena_alloc(a, n, sizeof *s->inelastic);
     s->below = arena_alloc(a, n, sizeof *s->below);
     s->calls = arena_alloc(a, n, sizeof *s->calls);
     s->building = arena_alloc(a, n, sizeof *s->building);
-    return good && s->phase && s->inelastic && s->below && s->calls && s->building &&
-           forcing_alloc(&s->forcing, m, a);
+    return forcing_alloc(&s->forcing, m, a);
 }
 
 static bool is_straight(const struct storey *law) {
@@ -148,12 +147,5 @@ void dp_system_commit(const struct dp_system *s, struct state *now) {
         law->law->commit(law->constant, now->storey_history + law->history, drift);
         s->most_drift[s->inelastic[i]] = fmax(s->most_drift[s->inelastic[i]], fabs(drift));
     }
-    for (int i = 0; i < now->n_live; i++) {
-        int k = now->live[i];
-        const struct link *l = &m->link[k];
-        if (l->law->commit) {
-            l->law->commit(l->constant, now->link_history + l->history, fmax(now->delta[k], 0.0),
-                           state_rate(now, m, k));
-        }
-    }
+    state_commit_links(now, m);
 }

@@ -15,10 +15,11 @@ struct polynomial {
     double c[POLYNOMIAL_SIZE];
 };
 
+// Its value and its slope at x.
 double hermite_value(const struct polynomial *p, double x);
 double hermite_slope(const struct polynomial *p, double x);
 
-// The zero between low and high, where the values differ in sign (or are zero).
+// A zero between low and high, where the values differ in sign (or are zero).
 double hermite_root(const struct polynomial *p, double low, double high);
 
 // The zeros in (0, 1) of the slope of a cubic, ascending; returns how many, at most 2.

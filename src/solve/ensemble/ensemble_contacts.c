@@ -15,7 +15,7 @@ struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct
         s->acting = arena_alloc(a, (size_t)m->n_contact, sizeof *s->acting);
         s->touched = arena_alloc(a, (size_t)m->n_building, sizeof *s->touched);
     }
-    return s && s->contact && s->runs && s->acting && s->touched ? s : NULL;
+    return arena_failed(a) ? NULL : s;
 }
 
 // Finds the floors that feel the force of a contact; false: those of other runs differ.

@@ -8,7 +8,7 @@
 #include "core/number.h"
 #include "solve/ensemble/ensemble_contacts.h"
 
-static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
+static void alloc_contacts(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
     e->gap = lanes_wide_array(a, m->n_contact, sizeof *e->gap);
     e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
     e->contacts = ensemble_contacts_create(m, a);
@@ -18,17 +18,14 @@ static bool alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
     e->end = arena_alloc(a, (size_t)m->n_contact, sizeof *e->end);
     for (int k = 0; e->nearest && e->end && k < m->n_contact; k++) {
-        const int *dof = m->link[k].dof;
         for (int i = 0; i < 2; i++) {
-            e->end[k][i] = dof[i] == WALL ? m->n_dof : dof[i];
+            e->end[k][i] = state_end(&m->link[k], m, i);
         }
         e->nearest[k].depth = -INFINITY - (wide){0.0};  // of runs that never enter too
     }
-    return e->gap && e->nearest && e->contacts && e->grip && e->force && e->acts && e->end &&
-           e->pressed;
 }
 
-static bool alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
+static void alloc_building(struct ensemble_building *b, const struct building *g, struct arena *a) {
     const int n = g->n_floor;
     const bool low = n <= INVERSE_FLOORS_MAX;
     *b = (struct ensemble_building){
@@ -37,16 +34,6 @@ static bool alloc_building(struct ensemble_building *b, const struct building *g
         .factor = lanes_wide_array(a, n * FACTOR_COUNT, sizeof(wide)),
         .inverse = low ? lanes_wide_array(a, n * n, sizeof(wide)) : NULL,
     };
-    return b->number && b->factor && (b->inverse || !low);
-}
-
-static bool alloc_buildings(struct ensemble_lanes *e, const struct model *m, struct arena *a) {
-    e->building = arena_alloc(a, (size_t)m->n_building, sizeof *e->building);
-    bool all = e->building != NULL;
-    for (int k = 0; all && k < m->n_building; k++) {
-        all = alloc_building(&e->building[k], &m->building[k], a);
-    }
-    return all;
 }
 
 static void fill_factors(struct ensemble_factors *f, const struct model *m) {
@@ -82,16 +69,20 @@ bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
         .peak = lanes_wide_array(a, n, sizeof *e->peak),
         .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
+        .building = arena_alloc(a, (size_t)m->n_building, sizeof *e->building),
     };
     for (int lane = 0; lane < WIDE_RUNS; lane++) {
         ensemble_lanes_clear(e, lane);
     }
-    if (e->factors) {
-        fill_factors(e->factors, m);
+    alloc_contacts(e, m, a);
+    for (int k = 0; e->building && k < m->n_building; k++) {
+        alloc_building(&e->building[k], &m->building[k], a);
     }
-    return e->factors && e->now && e->next && e->trial && e->correction && e->kept && e->hidden &&
-           e->shown && e->beyond && e->works && e->peak && e->peak_time && e->base &&
-           alloc_contacts(e, m, a) && alloc_buildings(e, m, a);
+    if (arena_failed(a)) {
+        return false;
+    }
+    fill_factors(e->factors, m);
+    return true;
 }
 
 static bool is_small(double x) {

@@ -48,12 +48,7 @@ static double strike(struct state *s, const struct model *m, int k, enum rebound
         w = 0.0;
     }
     double impulse = l->mass * (r + w);
-    if (l->dof[0] != WALL) {
-        s->v[l->dof[0]] -= impulse / m->mass[l->dof[0]];
-    }
-    if (l->dof[1] != WALL) {
-        s->v[l->dof[1]] += impulse / m->mass[l->dof[1]];
-    }
+    state_push(l, m, impulse, s->v);
     if (!meeting->struck) {
         *meeting = (struct meeting){.struck = true, .approach = r};
     }

@@ -34,14 +34,8 @@ static const double PACE = 2.0;
 static const double SLOW = 4.0;
 
 static void push(struct state *s, const struct model *m, int k, double df) {
-    const int *dof = m->link[k].dof;
     s->link[k].force += df;
-    if (dof[0] != WALL) {
-        s->a[dof[0]] -= df / m->mass[dof[0]];
-    }
-    if (dof[1] != WALL) {
-        s->a[dof[1]] += df / m->mass[dof[1]];
-    }
+    state_push(&m->link[k], m, df, s->a);
 }
 
 static double approach(const struct state *s, const struct model *m, int k) {

@@ -16,7 +16,7 @@
 #include "core/lanes.h"
 #include "solve/floors/effective_low.h"
 
-static bool alloc_one(struct effective *e, const struct building *building, enum effective_use use,
+static void alloc_one(struct effective *e, const struct building *building, enum effective_use use,
                       struct arena *a) {
     size_t n = (size_t)building->n_floor;
     e->building = building;
@@ -27,11 +27,9 @@ static bool alloc_one(struct effective *e, const struct building *building, enum
     e->inverse = lanes_array(a, e->stride * e->stride);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
     e->reach = arena_alloc(a, n, sizeof *e->reach);
-    if (!e->tangent || !e->inverse || !e->ready || !e->reach) {
-        return false;
+    if (e->tangent) {
+        memcpy(e->tangent, building->stiffness, n * sizeof *e->tangent);
     }
-    memcpy(e->tangent, building->stiffness, n * sizeof *e->tangent);
-    return true;
 }
 
 // Fewer buildings than this are faster one after the other, low ones by their inverse.
@@ -53,22 +51,18 @@ static bool are_together(const struct effective *e, int n) {
 }
 
 // The factors of n buildings of one height.
-static bool alloc_factors(struct effective *e, int n, struct arena *a) {
+static void alloc_factors(struct effective *e, int n, struct arena *a) {
     const bool together = are_together(e, n);
     const int pitch = together ? EFFECTIVE_ABREAST : 1;
     const size_t floors = (size_t)e->building->n_floor;
-    for (int k = 0; k < n; k++) {
+    for (int k = 0; k < n && !arena_failed(a); k++) {
         const bool shares = k > 0 && together;
         e[k].pitch = pitch;
         e[k].pivot = shares ? e->pivot + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
         e[k].factor =
             shares ? e->factor + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
-        if (!e[k].pivot || !e[k].factor) {
-            return false;
-        }
     }
     e->abreast = together ? n : 0;
-    return true;
 }
 
 int effective_alike(const struct building *building, int n) {
@@ -81,15 +75,14 @@ int effective_alike(const struct building *building, int n) {
 
 bool effective_alloc(struct effective *e, const struct building *building, int n,
                      enum effective_use use, struct arena *a) {
-    bool done = true;
-    for (int k = 0; done && k < n; k++) {
-        done = alloc_one(&e[k], &building[k], use, a);
+    for (int k = 0; k < n; k++) {
+        alloc_one(&e[k], &building[k], use, a);
     }
-    for (int k = 0, alike; done && k < n; k += alike) {
+    for (int k = 0, alike; k < n; k += alike) {
         alike = effective_alike(&building[k], n - k);
-        done = alloc_factors(&e[k], alike, a);
+        alloc_factors(&e[k], alike, a);
     }
-    return done;
+    return !arena_failed(a);
 }
 
 // Diagonal entry i of M + b K; the entry to its right is -b tangent[i + 1].

@@ -58,7 +58,7 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
     f->correction = lanes_array(a, most + 2 * LANES_WIDTH);
     f->u_trial = lanes_array(a, most);
     f->v_trial = lanes_array(a, most);
-    return f->residual && f->correction && f->u_trial && f->v_trial;
+    return !arena_failed(a);
 }
 
 // Adds the forces of a run of links to the residual of building k, which is at one of its sides.

@@ -39,6 +39,7 @@ struct floors {
     struct floors_account account;
 };
 
+// Room for the floors of a model, and its blocks; false: no memory.
 bool floors_alloc(struct floors *f, const struct model *m, struct arena *a);
 
 // Sets where works and peaks of the floors go.

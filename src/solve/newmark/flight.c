@@ -15,7 +15,7 @@ static struct gap_group group_from(const struct model *m, int k) {
     const struct link *l = &m->link[k];
     struct gap_group g = {.contact = k};
     for (int i = 0; i < 2; i++) {
-        g.dof[i] = l->dof[i] == WALL ? m->n_dof : l->dof[i];
+        g.dof[i] = state_end(l, m, i);
         g.ground[i] = l->moving_ground ? m->building[l->building[i]].ground : 0;
     }
     return g;
@@ -107,17 +107,6 @@ static bool is_factorised(const struct flight *f) {
     return true;
 }
 
-static bool branches_alloc(struct flight *f, const struct model *m, struct arena *a) {
-    double **const part[] = {&f->back, &f->spring, &f->rest, &f->limit};
-    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++) {
-        *part[i] = lanes_array(a, m->n_dof);
-        if (!*part[i]) {
-            return false;
-        }
-    }
-    return true;
-}
-
 bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
     const struct model *m = w->model;
     *f = (struct flight){
@@ -132,7 +121,11 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
     f->group = arena_alloc(a, n, sizeof *f->group);
     f->gap = arena_alloc(a, n * LANES_WIDTH, sizeof *f->gap);
     f->group_end = arena_alloc(a, (size_t)m->n_building, sizeof *f->group_end);
-    if (!f->group || !f->gap || !f->group_end || !branches_alloc(f, m, a)) {
+    f->back = lanes_array(a, m->n_dof);
+    f->spring = lanes_array(a, m->n_dof);
+    f->rest = lanes_array(a, m->n_dof);
+    f->limit = lanes_array(a, m->n_dof);
+    if (arena_failed(a)) {
         return false;
     }
     for (size_t i = 0; i < n * LANES_WIDTH; i++) {

@@ -24,8 +24,7 @@ bool run_step_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
-    if (!r->events || !r->meeting || !state_alloc(r->next, m, a) ||
-        !work_alloc(&r->work, m, &r->results->totals, a)) {
+    if (!state_alloc(r->next, m, a) || !work_alloc(&r->work, m, &r->results->totals, a)) {
         return false;
     }
     floors_account_to(&r->work, &r->energy, r->results);

@@ -34,8 +34,7 @@ bool step_length_alloc(struct step_length *s, const struct model *m, const struc
     *s = (struct step_length){.model = m, .results = r};
     s->before = lanes_array(a, m->n_dof);
     s->within = lanes_array(a, m->n_dof);
-    return s->before && s->within && forcing_alloc(&s->forcing, m, a) &&
-           scale_alloc(&s->scales, m, a);
+    return forcing_alloc(&s->forcing, m, a) && scale_alloc(&s->scales, m, a);
 }
 
 void step_length_start(struct step_length *s, const struct state *now) {

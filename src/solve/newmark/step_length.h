@@ -28,6 +28,7 @@ struct step_length {
 bool step_length_alloc(struct step_length *s, const struct model *m, const struct results *r,
                        struct arena *a);
 
+// Begins at `now`, the state at t = 0, with a step far shorter than a row.
 void step_length_start(struct step_length *s, const struct state *now);
 
 // The next step from `now`: its size *h, and the instant *end at which it ends, at the latest
