@@ -333,7 +333,8 @@ void dp_peaks_jump(struct dp *p) {
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
         bool both = p->model->link[k].bilateral;
-        double force = p->stage[0]->force[i];
-        note_force(&p->results->link[k], both ? fabs(force) : force, p->now.time);
+        struct impact_share share = {.force = p->stage[0]->force[i]};
+        note_force(&p->results->link[k], both ? fabs(share.force) : share.force, p->now.time);
+        impacts_add(p->impacts, k, &share);
     }
 }
