@@ -223,6 +223,28 @@ static void the_peak_of_an_impact_is_that_of_a_force_which_jumps_within_it(void 
     }
 }
 
+// The force at closure is the largest. The instant is located to 1e-5 of a step, where the spring
+// may have some force or none.
+static void a_peak_at_closure_is_the_same_in_the_impact_and_in_the_envelope(void **state) {
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        struct analysis a =
+            analysis_of("building A -floors 1 -mass 1000 -stiffness 1e6\n"
+                        "damping A rayleigh 5%%\nduration 2\nstep adaptive\n"
+                        "ground sine -amplitude 3 -frequency 4 -phase %d\n"
+                        "contact A wall -gap 1mm -law kelvin-voigt -k 1e8 -zeta 1\n",
+                        i);
+        const struct results *r = a.results;
+        double largest = 0.0;
+        assert_true(r->n_impact > 0);
+        for (long n = 0; n < r->n_impact; n++) {
+            largest = fmax(largest, r->impact[n].peak_force);
+        }
+        assert_true(largest == r->link[0].force);
+        analysis_free(&a);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_linear_spring_gives_half_a_period),
@@ -236,6 +258,7 @@ int main(void) {
         cmocka_unit_test(a_wall_stands_on_either_side),
         cmocka_unit_test(the_velocity_just_before_an_impact_at_the_end_of_a_step_is_a_peak),
         cmocka_unit_test(the_peak_of_an_impact_is_that_of_a_force_which_jumps_within_it),
+        cmocka_unit_test(a_peak_at_closure_is_the_same_in_the_impact_and_in_the_envelope),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
