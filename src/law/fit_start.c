@@ -9,6 +9,7 @@
 #include "law/root.h"
 
 static const double PULSE = 0.05;            // of the peak: where the pulse ends
+static const double STIFF = 70.0;            // logarithm of a k beyond any, in SI
 static const double LITTLE_DAMPING = -3.0;   // logarithm of a zeta with which bodies part
 static const double RESTITUTION_MIN = 0.05;  // of a start
 static const double DAMPED = 0.95;           // of the restitution without damping: as near to it
@@ -103,10 +104,18 @@ static double solve(double (*function)(double x, void *context), struct search *
     return NAN;
 }
 
-// k and zeta from peak and restitution.
+// The logarithm of the k that gives the peak. A bumper with a limit may have a larger peak with a
+// small k, with which the limit is passed, than with a larger one: then it is searched from above.
+static double find_stiffness(struct search *s) {
+    double log_k = solve(excess_force, s, 0.0, 1.0);
+    return isfinite(log_k) ? log_k : solve(excess_force, s, STIFF, 1.0);
+}
+
+// k and zeta from peak and restitution. With much damping the peak may be too large for any k: then
+// that without damping is as good a start.
 static int find_parameters(struct search *s, double rebound, struct error *e) {
     struct isolated_impact i;
-    s->at.k = exp(solve(excess_force, s, 0.0, 1.0));
+    s->at.k = exp(find_stiffness(s));
     if (!(s->at.k > 0.0) || !s->model->damped) {
         return STATUS_OK;
     }
@@ -116,7 +125,8 @@ static int find_parameters(struct search *s, double rebound, struct error *e) {
     }
     s->restitution = fmin(fmax(rebound, RESTITUTION_MIN), DAMPED * i.restitution);
     s->at.zeta = exp(solve(excess_restitution, s, LITTLE_DAMPING, -1.0));
-    s->at.k = exp(solve(excess_force, s, log(s->at.k), 1.0));
+    double damped = exp(solve(excess_force, s, log(s->at.k), 1.0));
+    s->at.k = damped > 0.0 ? damped : s->at.k;
     return STATUS_OK;
 }
 

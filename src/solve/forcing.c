@@ -4,6 +4,7 @@
 // which on it holds, and is evaluated up to its end.
 #include "solve/forcing.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "core/arena.h"
@@ -11,7 +12,7 @@
 // A corner this close, relative to a sample or to the size of the time, is reached.
 static const double AT_SAMPLE = 1e-6, AT_TIME = 1e-12;
 
-// A smaller change of the value, relative to it, is rounding.
+// A smaller change of the value, relative to what it is made of, is rounding.
 static const double JUMP = 1e-12;
 
 bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a) {
@@ -68,6 +69,16 @@ static inline double piece_value(const struct piece *p, double t) {
     return p->shape == PIECE_LINE ? p->value + p->slope * (t - p->start) : sine_value(p->signal, t);
 }
 
+// What rounding makes of the value of a piece at its end, where the sum may cancel: that of its
+// terms, and of the time.
+static double rounding(const struct piece *p, double t) {
+    if (p->shape == PIECE_SINE) {
+        return JUMP * fabs(p->signal->amplitude);
+    }
+    double terms = fabs(p->value) + fabs(p->slope * (t - p->start));
+    return JUMP * terms + 4.0 * DBL_EPSILON * fabs(p->slope * t);
+}
+
 // Replaces the piece by the next one where it has ended. True if the signal jumps there.
 static bool turn(const struct forcing *f, struct piece *p, const struct signal *s, double t) {
     if (f->corner == -INFINITY) {
@@ -78,8 +89,9 @@ static bool turn(const struct forcing *f, struct piece *p, const struct signal *
         return false;
     }
     double before = piece_value(p, t);
+    double error = rounding(p, t);
     *p = piece_from(s, t);
-    return fabs(piece_value(p, t) - before) > JUMP * fabs(before);
+    return fabs(piece_value(p, t) - before) > fmax(error, rounding(p, t));
 }
 
 // Adds the piece to the lines of its ground if it is a line.

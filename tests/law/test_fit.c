@@ -88,6 +88,8 @@ static const struct made_by {
         {"power", "n 2.2 k 4e10 zeta 2"},
         {"ye-kelvin", "k 93.5e6 zeta 0.5"},
         {"wang", "residual 0.25 k 2.75e9 zeta 5.5e9"},
+        {"wang", "residual 0.24 k 2.75e9 zeta 3.6e10"},
+        {"rubber", "n 2 du 5e-3 ky 3e9 k 4e11 zeta 0.3"},
         {"khatami", "zeta 0.3 k 2.75e9"},
 },
   jumping[] = {
@@ -154,6 +156,8 @@ static void noise_moves_them_by_their_standard_errors(void **state) {
         {"jankowski", "k 2.75e9 zeta 0.35"},
         {"hunt-crossley", "k 2.75e9 zeta 0.8"},
         {"wang", "residual 0.25 k 2.75e9 zeta 5.5e9"},
+        {"wang", "residual 0.24 k 2.75e9 zeta 3.6e10"},
+        {"rubber", "n 2 du 5e-3 ky 3e9 k 4e11 zeta 0.3"},
         {"kelvin-voigt", "k 93.5e6 zeta 0.14"},
         {"mahmoud-jankowski", "k 93.5e6 zeta 0.33"},
     };

@@ -199,6 +199,52 @@ static void the_velocity_just_before_an_impact_at_the_end_of_a_step_is_a_peak(vo
     analysis_free(&a);
 }
 
+// A is slow at a dashpot when C strikes it: its velocity, and with that the force, jumps to the
+// largest value within the contact.
+static void the_peak_of_an_impact_is_that_of_a_force_which_jumps_within_it(void **state) {
+    (void)state;
+    static const char *const step[] = {"step fixed 0.1ms", "integrator newmark\nstep adaptive",
+                                       "step adaptive"};
+    const double dashpot = 2.0 * sqrt(1e6 * 1000.0);
+    for (size_t i = 0; i < sizeof step / sizeof step[0]; i++) {
+        struct analysis a = analysis_of(
+            "building C -floors 1 -mass 1000 -stiffness 0\ninitial C -velocity 2\n"
+            "building A -floors 1 -mass 1000 -stiffness 0\ninitial A -velocity 0.1\n"
+            "contact C A -gap 30mm -law stereomechanical -e 1\n"
+            "contact A wall -gap 1mm -law kelvin-voigt -k 1e6 -zeta 1\nduration 0.05\n%s\n",
+            step[i]);
+        const struct results *r = a.results;
+        assert_int_equal(r->n_impact, 2);
+        assert_int_equal(r->impact[0].contact, 1);
+        assert_close(r->impact[0].peak_force, 2.0 * dashpot, 0.01);  // and some of the spring
+        assert_true(r->impact[0].peak_force == r->link[1].force);
+        assert_close(r->link[1].force_time, r->impact[1].t_start, 1e-12);
+        analysis_free(&a);
+    }
+}
+
+// The force at closure is the largest. The instant is located to 1e-5 of a step, where the spring
+// may have some force or none.
+static void a_peak_at_closure_is_the_same_in_the_impact_and_in_the_envelope(void **state) {
+    (void)state;
+    for (int i = 0; i < 8; i++) {
+        struct analysis a =
+            analysis_of("building A -floors 1 -mass 1000 -stiffness 1e6\n"
+                        "damping A rayleigh 5%%\nduration 2\nstep adaptive\n"
+                        "ground sine -amplitude 3 -frequency 4 -phase %d\n"
+                        "contact A wall -gap 1mm -law kelvin-voigt -k 1e8 -zeta 1\n",
+                        i);
+        const struct results *r = a.results;
+        double largest = 0.0;
+        assert_true(r->n_impact > 0);
+        for (long n = 0; n < r->n_impact; n++) {
+            largest = fmax(largest, r->impact[n].peak_force);
+        }
+        assert_true(largest == r->link[0].force);
+        analysis_free(&a);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_linear_spring_gives_half_a_period),
@@ -211,6 +257,8 @@ int main(void) {
         cmocka_unit_test(a_row_of_equal_bodies_hands_an_impact_through),
         cmocka_unit_test(a_wall_stands_on_either_side),
         cmocka_unit_test(the_velocity_just_before_an_impact_at_the_end_of_a_step_is_a_peak),
+        cmocka_unit_test(the_peak_of_an_impact_is_that_of_a_force_which_jumps_within_it),
+        cmocka_unit_test(a_peak_at_closure_is_the_same_in_the_impact_and_in_the_envelope),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -117,6 +117,13 @@ int impacts_step(struct impact_log *log, const struct state *now, const struct s
     return STATUS_OK;
 }
 
+void impacts_jump(struct impact_log *log, const struct state *s) {
+    for (int i = 0; i < s->n_live; i++) {
+        struct impact_share share = {.force = s->link[s->live[i]].force};
+        impacts_add(log, s->live[i], &share);
+    }
+}
+
 // Ends the impact under way of contact k at the instant of `s`.
 static void end_impact(struct impact_log *log, const struct state *s, int k) {
     struct impact *i = &log->results->impact[log->open[k]];

@@ -49,6 +49,9 @@ static inline void impacts_add(const struct impact_log *log, int k,
     }
 }
 
+// Takes the forces of `s`, which have jumped, into the peaks of the impacts under way.
+void impacts_jump(struct impact_log *log, const struct state *s);
+
 // Opens or ends the impact of link k, which has just closed or opened at the instant of `s`.
 int impacts_toggle(struct impact_log *log, const struct state *s, int k, struct error *e);
 

@@ -23,6 +23,7 @@ static int toggle(struct dp *p, int k, struct error *e) {
     } else {
         p->system.phase[k] = PHASE_APPROACH;
         state_close_link(now, p->model, k);
+        now->link[k].force = 0.0;  // follows from the branch, and dp_peaks_jump takes it
     }
     return impacts_toggle(p->impacts, now, k, e);
 }

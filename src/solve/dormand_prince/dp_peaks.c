@@ -315,7 +315,8 @@ void dp_peaks_jump(struct dp *p) {
     rescale(p);
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
-        double force = p->stage[0]->force[i];
-        peaks_force(p->results, k, peaks_size(p->model, k, force), p->now.time);
+        struct impact_share share = {.force = p->stage[0]->force[i]};
+        peaks_force(p->results, k, peaks_size(p->model, k, share.force), p->now.time);
+        impacts_add(p->impacts, k, &share);
     }
 }

@@ -36,6 +36,7 @@ bool run_step_alloc(struct run *r, struct arena *a) {
 static void take_peaks_of_meeting(struct run *r) {
     if (r->has_met) {
         peaks_update(r->results, r->model, r->now);
+        impacts_jump(&r->impacts, r->now);
         r->has_met = false;
     }
 }

@@ -29,6 +29,9 @@ static const double FIRST = 1e-4, AFTER_EVENT = 1e-2;
 // A step this close to the last one, relative to it, is the last one: its factors are there.
 static const double SAME = 1e-9;
 
+// Instants this close, relative to them, are one: a row and a corner differ by rounding.
+static const double SAME_TIME = 8.0 * DBL_EPSILON;
+
 bool step_length_alloc(struct step_length *s, const struct model *m, const struct results *r,
                        struct arena *a) {
     *s = (struct step_length){.model = m, .results = r};
@@ -66,11 +69,12 @@ int step_length_next(struct step_length *s, const struct state *now, double limi
     if (pace_is_slow(&s->pace, s->model, now->time, &step)) {
         return too_slow(s, now->time, step, e);
     }
-    double corner = fmin(limit, s->forcing.corner);
-    double rest = corner - now->time;
+    double corner = s->forcing.corner;
+    double goal = limit - corner <= SAME_TIME * limit ? limit : corner;
+    double rest = goal - now->time;
     double parts = pace_parts(rest, s->trial, s->model->control.longest);
     *h = parts > 1.0 ? rest / parts : rest;
-    *end = parts > 1.0 ? now->time + *h : corner;
+    *end = parts > 1.0 ? now->time + *h : goal;
     if (fabs(*h - s->last) <= SAME * *h) {
         *h = s->last;
     }
@@ -142,7 +146,7 @@ int step_length_reject(struct step_length *s, const struct state *now, double h,
 // Passes the corner if `time` is there.
 static void turn(struct step_length *s, double time) {
     double corner = s->forcing.corner;
-    s->turned = time >= corner - 8.0 * DBL_EPSILON * corner;
+    s->turned = time >= corner - SAME_TIME * corner;
     s->jumped = s->turned && forcing_turn(&s->forcing, time);
     if (s->jumped) {
         s->last = 0.0;
