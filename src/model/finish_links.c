@@ -12,9 +12,22 @@ static double difference(const struct link *l, const double *state) {
     return left - right;
 }
 
+// Does -vmin in the place of v0 decide how the law lets go of bodies that part from rest?
+static bool parts_by_vmin(const struct link *l, double delta) {
+    const int row = contact_law_row(l->law, "vmin");
+    if (row < 0) {
+        return false;
+    }
+    const double v = l->value[row];
+    double least[CONTACT_HISTORY_MAX], faster[CONTACT_HISTORY_MAX];
+    l->law->close(l->constant, 0.0, least);
+    l->law->close(l->constant, 2.0 * v, faster);
+    return l->law->force(l->constant, least, delta, -v).force !=
+           l->law->force(l->constant, faster, delta, -v).force;
+}
+
 static void check_overlap(struct builder *b, const struct model *m, const struct link_draft *d) {
     const struct link *l = &d->link;
-    const unsigned sticks = CONTACT_NEEDS_V0 | CONTACT_MAY_PULL;
     double delta = difference(l, m->displacement) - l->gap;
     if (l->bilateral || delta <= 0.0) {
         return;
@@ -28,11 +41,13 @@ static void check_overlap(struct builder *b, const struct model *m, const struct
         deck_error(b->deck, &d->word,
                    "contact %s is closed by %.6g %s at t = 0; give -allow-overlap if that is meant",
                    l->name, delta, b->deck->units.length_name);
-    } else if ((l->law->traits & sticks) == sticks && difference(l, m->velocity) <= 0.0) {
+    } else if (difference(l, m->velocity) <= 0.0 && parts_by_vmin(l, delta)) {
         deck_warning(b->deck, &d->word,
                      "contact %s is closed at t = 0 and does not approach: %s takes -vmin for v0 "
-                     "and may hold the bodies together",
-                     l->name, l->law->name);
+                     "and %s",
+                     l->name, l->law->name,
+                     l->law->traits & CONTACT_MAY_PULL ? "may hold the bodies together"
+                                                       : "hardly pushes the bodies apart");
     }
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_statistics_double.h>
 
 #include "model/finish.h"
 
 static const double ROUNDING = 1e-9;
 static const double STEPS_PER_CYCLE = 10.0;  // fewer do not follow a vibration
-static const double LONGEST_PERIOD = 30.0;   // [s] of a building
 static const double SAME_LEVEL = 0.01;       // relative difference of two floors' heights
+
+const char *finish_more(char text[FINISH_MORE_MAX], int n) {
+    snprintf(text, FINISH_MORE_MAX, n > 1 ? " (and %d more)" : "", n - 1);
+    return text;
+}
 
 static bool same_statement(const struct word *a, const struct word *b) {
     return a->place.line == b->place.line && a->place.source == b->place.source;
@@ -65,25 +68,6 @@ static bool starts_moving(const struct builder *b, const struct model *m) {
     return moves;
 }
 
-// Has it no storey without stiffness?
-static bool stands(const struct building *g) {
-    return gsl_stats_min(g->stiffness, 1, (size_t)g->n_floor) > 0.0;
-}
-
-// Periods beyond those of any building come from units that were mixed up.
-static void check_units(struct builder *b, const struct model *m) {
-    const double longest = LONGEST_PERIOD / b->deck->units.time;
-    for (int i = 0; i < m->n_building; i++) {
-        const double period = 2.0 * M_PI / m->building[i].omega[0];
-        if (stands(&m->building[i]) && period > longest) {
-            deck_warning(b->deck, &builder_draft(b, i)->word,
-                         "the first period of building %s is %.4g %s; are its mass and stiffness "
-                         "in the units of the deck?",
-                         m->building[i].name, period, b->deck->units.time_name);
-        }
-    }
-}
-
 static void check_periods(struct builder *b, const struct model *m) {
     for (int i = 0; !m->adaptive && i < m->n_building; i++) {
         double period = 2.0 * M_PI / m->building[i].omega[0];
@@ -138,16 +122,41 @@ static double level(const struct building *g, int floor) {
     return height;
 }
 
-static void check_facing(struct builder *b, const struct model *m, const struct link_draft *d) {
+// Do the heights say that the floors of the contact stand at different levels?
+static bool at_two_levels(const struct model *m, const struct link *l, double at[2]) {
+    for (int i = 0; i < 2; i++) {
+        at[i] = l->building[i] == WALL ? 0.0 : level(&m->building[l->building[i]], l->floor[i]);
+    }
+    return at[0] > 0.0 && at[1] > 0.0 && fabs(at[0] - at[1]) > SAME_LEVEL * fmax(at[0], at[1]);
+}
+
+// `n` contacts from `d` on are made by one statement.
+static void check_levels(struct builder *b, const struct model *m, const struct link_draft *d,
+                         int n) {
+    const struct link_draft *first = NULL;
+    int count = 0;
+    double at[2];
+    for (int i = n - 1; i >= 0; i--) {
+        if (at_two_levels(m, &d[i].link, at)) {
+            first = &d[i];
+            count++;
+        }
+    }
+    if (first) {
+        char more[FINISH_MORE_MAX];
+        at_two_levels(m, &first->link, at);
+        deck_warning(b->deck, &first->word,
+                     "the floors of contact %s%s are at %.4g and %.4g %s; name the floors that "
+                     "meet, or give a building whose columns are hit a floor at that level",
+                     first->link.name, finish_more(more, count), at[0], at[1],
+                     b->deck->units.length_name);
+    }
+}
+
+static void check_between(struct builder *b, const struct model *m, const struct link_draft *d) {
     const struct link *l = &d->link;
     if (l->building[0] == WALL || l->building[1] == WALL) {
         return;
-    }
-    double left = level(&m->building[l->building[0]], l->floor[0]);
-    double right = level(&m->building[l->building[1]], l->floor[1]);
-    if (left > 0.0 && right > 0.0 && fabs(left - right) > SAME_LEVEL * fmax(left, right)) {
-        deck_warning(b->deck, &d->word, "the floors of contact %s are at %.4g and %.4g %s", l->name,
-                     left, right, b->deck->units.length_name);
     }
     for (int k = l->building[0] + 1; k < l->building[1]; k++) {
         if (m->building[k].n_floor >= l->floor[0] && m->building[k].n_floor >= l->floor[1]) {
@@ -157,13 +166,17 @@ static void check_facing(struct builder *b, const struct model *m, const struct 
     }
 }
 
-// One warning for each statement: its first contact represents the others.
+// One warning of a kind for each statement.
 static void check_contacts(struct builder *b, const struct model *m) {
     const struct link_draft *draft = b->links.item;
-    for (int i = 0; i < b->links.n; i++) {
-        bool same = i > 0 && same_statement(&draft[i - 1].word, &draft[i].word);
-        if (!same && !draft[i].link.bilateral) {
-            check_facing(b, m, &draft[i]);
+    for (int i = 0, n; i < b->links.n; i += n) {
+        n = 1;
+        while (i + n < b->links.n && same_statement(&draft[i].word, &draft[i + n].word)) {
+            n++;
+        }
+        if (!draft[i].link.bilateral) {
+            check_levels(b, m, &draft[i], n);
+            check_between(b, m, &draft[i]);
         }
     }
 }
@@ -174,7 +187,7 @@ void finish_warnings(struct builder *b, const struct model *m) {
         deck_warning(b->deck, NULL,
                      "nothing moves the buildings: no ground motion, load or initial state");
     }
-    check_units(b, m);
+    finish_magnitudes(b, m);
     check_periods(b, m);
     check_drift(b, m);
     check_contacts(b, m);

@@ -145,7 +145,8 @@ static int check_peak(const struct check *c, struct error *e) {
                            "value %zu is %g, that is %.3g g; no ground acceleration is so large",
                            content->peak + 1, value, peak);
     }
-    if (peak > WARN_G) {
+    c->out->large = peak > WARN_G;
+    if (c->out->large) {
         warn(c, content->peak_line,
              "the largest acceleration is %.3g g; if the values are in "
              "another unit, say so with -unit (cm/s2, m/s2, ...)",
@@ -162,8 +163,7 @@ static void check_offset(const struct check *c) {
     }
     double mean = sum / (double)content->n * c->out->unit;
     double velocity = mean * c->out->dt * (double)(content->n - 1);
-    bool large = fabs(content->value[content->peak]) * c->out->unit > WARN_G * G;
-    if (!large && fabs(velocity) > END_VELOCITY) {
+    if (!c->out->large && fabs(velocity) > END_VELOCITY) {
         warn(c, 0,
              "the mean is %.3g g, so that the ground is left with a velocity of %.3g m/s; "
              "correct the baseline of the record",
