@@ -328,3 +328,8 @@ const char *text_exact(struct text_exact *t, double value) {
     }
     return t->text;
 }
+
+const char *text_more(struct text_more *t, int n) {
+    snprintf(t->text, sizeof t->text, n > 1 ? " (and %d more)" : "", n - 1);
+    return t->text;
+}

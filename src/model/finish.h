@@ -22,10 +22,6 @@ void finish_loads(struct builder *b, struct model *m);
 // Duration, steps, rows of output, stability of the integrator.
 void finish_time(struct builder *b, struct model *m);
 
-// What a message about the first of n adds to its name: " (and 2 more)", or nothing.
-enum { FINISH_MORE_MAX = 32 };
-const char *finish_more(char text[FINISH_MORE_MAX], int n);
-
 // Warns of magnitudes that come from units that were mixed up.
 void finish_magnitudes(struct builder *b, const struct model *m);
 

@@ -120,6 +120,7 @@ void finish_links(struct builder *b, struct model *m) {
         for (int i = 0; i < b->links.n; i++) {
             if (draft[i].link.bilateral == bilateral) {
                 finish_ends(m, &draft[i].link);
+                draft[i].link.word = &draft[i].word;
                 check_overlap(b, m, &draft[i]);
                 draft[i].link.history = m->n_link_history;
                 m->n_link_history += draft[i].link.law->n_history;

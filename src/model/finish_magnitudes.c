@@ -11,6 +11,7 @@
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_statistics_double.h>
 
+#include "core/text.h"
 #include "model/finish.h"
 
 static const double G = 9.80665;  // [m/s^2]
@@ -72,10 +73,10 @@ static void look(const struct magnitude *kind, struct finding *f, const struct w
 }
 
 static void report(struct builder *b, const struct magnitude *kind, const struct finding *f) {
-    char more[FINISH_MORE_MAX];
+    struct text_more more;
     if (f->n > 0) {
         deck_warning(b->deck, f->word, "the %s %s%s is %.4g %s; %s", kind->what, f->name,
-                     finish_more(more, f->n), f->value, kind->unit, kind->doubt);
+                     text_more(&more, f->n), f->value, kind->unit, kind->doubt);
     }
 }
 

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gsl/gsl_math.h>
 
+#include "core/text.h"
 #include "model/finish.h"
 
 static const double ROUNDING = 1e-9;
 static const double STEPS_PER_CYCLE = 10.0;  // fewer do not follow a vibration
 static const double SAME_LEVEL = 0.01;       // relative difference of two floors' heights
-
-const char *finish_more(char text[FINISH_MORE_MAX], int n) {
-    snprintf(text, FINISH_MORE_MAX, n > 1 ? " (and %d more)" : "", n - 1);
-    return text;
-}
 
 static bool same_statement(const struct word *a, const struct word *b) {
     return a->place.line == b->place.line && a->place.source == b->place.source;
@@ -143,12 +139,12 @@ static void check_levels(struct builder *b, const struct model *m, const struct 
         }
     }
     if (first) {
-        char more[FINISH_MORE_MAX];
+        struct text_more more;
         at_two_levels(m, &first->link, at);
         deck_warning(b->deck, &first->word,
                      "the floors of contact %s%s are at %.4g and %.4g %s; name the floors that "
                      "meet, or give a building whose columns are hit a floor at that level",
-                     first->link.name, finish_more(more, count), at[0], at[1],
+                     first->link.name, text_more(&more, count), at[0], at[1],
                      b->deck->units.length_name);
     }
 }
