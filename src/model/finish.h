@@ -22,6 +22,9 @@ void finish_loads(struct builder *b, struct model *m);
 // Duration, steps, rows of output, stability of the integrator.
 void finish_time(struct builder *b, struct model *m);
 
+// Has the building no storey without stiffness?
+bool finish_stands(const struct building *g);
+
 // Warns of magnitudes that come from units that were mixed up.
 void finish_magnitudes(struct builder *b, const struct model *m);
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/text.h"
 #include "model/finish.h"
 
 // Of displacements or velocities, at the left end less at the right one.
@@ -80,6 +81,35 @@ static void rename_twin(struct builder *b, const struct link_draft *first, struc
     twin->link.name = name ? name : twin->link.name;
 }
 
+// Do both push with the same force?
+static bool same_contact(const struct link *a, const struct link *b) {
+    const int n = contact_law_n_value(a->law, a->value);
+    return !a->bilateral && a->law == b->law && a->gap == b->gap && a->mass == b->mass &&
+           contact_law_n_value(b->law, b->value) == n &&
+           memcmp(a->value, b->value, (size_t)n * sizeof *a->value) == 0;
+}
+
+// Contacts that repeat one of their floors: the first of them in the deck, and how many there are.
+struct repeated {
+    const struct link_draft *draft;
+    int n;
+};
+
+static void take_repeated(struct repeated *r, const struct link_draft *twin) {
+    r->n++;
+    r->draft = r->draft && r->draft < twin ? r->draft : twin;
+}
+
+static void warn_repeated(struct builder *b, const struct repeated *r) {
+    if (r->n > 0) {
+        struct text_more more;
+        deck_warning(b->deck, &r->draft->word,
+                     "contact %s%s repeats one of the same floors, gap and law, and adds to its "
+                     "force; give it a -name if that is meant",
+                     r->draft->link.name, text_more(&more, r->n));
+    }
+}
+
 static void check_names(struct builder *b) {
     size_t n = (size_t)b->links.n;
     struct link_draft *draft = b->links.item;
@@ -91,13 +121,18 @@ static void check_names(struct builder *b) {
         sorted[i] = &draft[i];
     }
     qsort(sorted, n, sizeof(struct link_draft *), compare_names);
+    struct repeated repeated = {0};
     for (size_t first = 0, i = 1; i < n; i++) {
-        if (same_name(sorted[first], sorted[i])) {
-            rename_twin(b, sorted[first], sorted[i], (int)(i - first) + 1);
-        } else {
+        if (!same_name(sorted[first], sorted[i])) {
             first = i;
+            continue;
         }
+        if (!sorted[i]->named && same_contact(&sorted[first]->link, &sorted[i]->link)) {
+            take_repeated(&repeated, sorted[i]);
+        }
+        rename_twin(b, sorted[first], sorted[i], (int)(i - first) + 1);
     }
+    warn_repeated(b, &repeated);
 }
 
 static void finish_ends(const struct model *m, struct link *l) {

@@ -80,8 +80,7 @@ static void report(struct builder *b, const struct magnitude *kind, const struct
     }
 }
 
-// Has it no storey without stiffness?
-static bool stands(const struct building *g) {
+bool finish_stands(const struct building *g) {
     return gsl_stats_min(g->stiffness, 1, (size_t)g->n_floor) > 0.0;
 }
 
@@ -91,7 +90,7 @@ static void check_buildings(struct builder *b, const struct model *m) {
     for (int i = 0; i < m->n_building; i++) {
         const struct building *g = &m->building[i];
         const struct word *w = &builder_draft(b, i)->word;
-        if (stands(g)) {
+        if (finish_stands(g)) {
             look(&first_period, &period, w, g->name, 2.0 * M_PI / g->omega[0] * u->time);
         }
         if (g->height) {

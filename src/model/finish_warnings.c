@@ -38,12 +38,80 @@ static bool check_signal(struct builder *b, const struct model *m, const struct 
     return true;
 }
 
+static bool acts_under(const struct ground_draft *g, int building) {
+    bool found = g->n_building == 0;
+    for (int i = 0; i < g->n_building; i++) {
+        found |= g->building[i] == building;
+    }
+    return found;
+}
+
+static bool share_a_building(const struct model *m, const struct ground_draft *a,
+                             const struct ground_draft *b) {
+    bool found = false;
+    for (int i = 0; i < m->n_building; i++) {
+        found |= acts_under(a, i) && acts_under(b, i);
+    }
+    return found;
+}
+
+// The sample of a record with the largest absolute value.
+static size_t peak_sample(const struct signal *s) {
+    size_t i = 0;
+    while (fabs(s->value[i]) < s->peak) {
+        i++;
+    }
+    return i;
+}
+
+// Has one record the values of the other, but for a factor, at the same times?
+static bool same_record(const struct signal *a, const struct signal *b) {
+    if (!a->value || !b->value || a->peak * b->peak == 0.0 || a->n != b->n || a->dt != b->dt ||
+        a->start != b->start) {
+        return false;
+    }
+    const size_t peak = peak_sample(a);
+    const double rounding = ROUNDING * a->peak * b->peak;
+    for (size_t i = 0; i < a->n; i++) {
+        if (fabs(a->value[i] * b->value[peak] - b->value[i] * a->value[peak]) > rounding) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void check_repeated(struct builder *b, const struct model *m) {
+    const struct ground_draft *g = b->grounds.item;
+    for (int i = 0; i < b->grounds.n; i++) {
+        for (int j = 0; j < i; j++) {
+            if (same_record(&g[j].signal, &g[i].signal) && share_a_building(m, &g[j], &g[i])) {
+                deck_warning(b->deck, &g[i].word,
+                             "%s acts twice at the same time under a building, where it adds up",
+                             g[i].signal.name);
+                return;
+            }
+        }
+    }
+}
+
+// An analysis that is shorter than a record may leave out what shakes most.
+static void check_duration(struct builder *b, const struct model *m, const struct signal *s) {
+    const char *unit = b->deck->units.time_name;
+    const double peak = s->value ? s->start + (double)peak_sample(s) * s->dt : 0.0;
+    if (s->start < m->duration && peak > m->duration * (1.0 + ROUNDING)) {
+        deck_warning(b->deck, &b->duration,
+                     "the analysis ends at %.6g %s, before the peak of %s at %.6g %s", m->duration,
+                     unit, s->name, peak, unit);
+    }
+}
+
 // True if a signal sets the buildings in motion.
 static bool check_signals(struct builder *b, const struct model *m) {
     bool moves = false;
     for (int i = 0; i < b->grounds.n; i++) {
         const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
         moves |= check_signal(b, m, &g->signal, &g->word);
+        check_duration(b, m, &g->signal);
     }
     for (int i = 0; i < b->loads.n; i++) {
         const struct load_draft *l = (const struct load_draft *)b->loads.item + i;
@@ -74,6 +142,38 @@ static void check_periods(struct builder *b, const struct model *m) {
                          m->dt, unit, m->building[i].name, period, unit);
             return;
         }
+    }
+}
+
+static bool is_linked(const struct builder *b, int building) {
+    const struct link_draft *d = b->links.item;
+    bool found = false;
+    for (int i = 0; i < b->links.n; i++) {
+        const struct link *l = &d[i].link;
+        found |= l->bilateral && (l->building[0] == building || l->building[1] == building);
+    }
+    return found;
+}
+
+// A building without damping beside others that have some was rather forgotten.
+static void check_dampings(struct builder *b, const struct model *m) {
+    const struct building_draft *first = NULL;
+    int n_damped = 0, n = 0;
+    for (int i = m->n_building - 1; i >= 0; i--) {
+        const struct building_draft *d = builder_draft(b, i);
+        if (d->damping.kind != DAMPING_NONE) {
+            n_damped++;
+        } else if (finish_stands(&m->building[i]) && !is_linked(b, i)) {
+            first = d;
+            n++;
+        }
+    }
+    if (first && n_damped > 0) {
+        struct text_more more;
+        deck_warning(b->deck, &first->word,
+                     "building %s%s has no damping, as others have; write damping %s rayleigh 0 if "
+                     "that is meant",
+                     first->name, text_more(&more, n), first->name);
     }
 }
 
@@ -185,6 +285,8 @@ void finish_warnings(struct builder *b, const struct model *m) {
     }
     finish_magnitudes(b, m);
     check_periods(b, m);
+    check_repeated(b, m);
     check_drift(b, m);
+    check_dampings(b, m);
     check_contacts(b, m);
 }

@@ -97,6 +97,35 @@ static void values_at_the_edge_of_what_there_is_are_not_warned_of(void **state) 
     }
 }
 
+static void a_yield_in_other_units_than_the_stiffness_is_warned_of(void **state) {
+    (void)state;
+    static const struct {
+        const char *yield, *message;
+    } of[] = {
+        {"1500kN", NULL},
+        {"7kN", NULL},
+        {"1500 2*2000 2500", NULL},
+        {"1500000", NULL},
+        {"1500 1.5 2*1500",
+         "storey 2 of building A yields at a drift of 4.35e-06 m; are its yield and stiffness in "
+         "the units of the deck?"},
+    };
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        struct model *m =
+            analysis_model("units kN m s\nbuilding A -floors 4 -mass 300t -stiffness 345MN/m\n"
+                           "storey A:all bilinear -yield %s -hardening 0.05\n"
+                           "initial A:1 -velocity 1\nstep fixed 1ms\nduration 1s\n",
+                           of[i].yield);
+        const struct diagnostics *d = &m->deck->diagnostics;
+        assert_int_equal(d->n_warning, of[i].message ? 1 : 0);
+        if (of[i].message) {
+            assert_string_equal(d->item[0].message, of[i].message);
+            assert_int_equal(d->item[0].line, 3);
+        }
+        model_free(m);
+    }
+}
+
 // Where a value replaces the size of the file, that value is looked at besides.
 static void a_record_that_is_too_large_is_warned_of_once(void **state) {
     (void)state;
@@ -121,6 +150,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(wrong_units_are_warned_of_at_the_first_statement),
         cmocka_unit_test(values_at_the_edge_of_what_there_is_are_not_warned_of),
+        cmocka_unit_test(a_yield_in_other_units_than_the_stiffness_is_warned_of),
         cmocka_unit_test(a_record_that_is_too_large_is_warned_of_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

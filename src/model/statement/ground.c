@@ -230,7 +230,7 @@ static void build_sine(struct builder *b, const struct statement *s) {
     struct argument a[N_SINE_ROW] = {0};
     bool good = builder_plain(b, s, 1, 1, statement_ground.usage);
     if (deck_options(b->deck, s, &(struct row_set){sine_rows, N_SINE_ROW, a}, 1) && good) {
-        const struct ground_draft g = {.signal = signals_sine(a, a[S_DELAY].number[0])};
+        const struct ground_draft g = {.signal = signals_sine(b, a, a[S_DELAY].number[0])};
         append(b, s, g, &a[S_BUILDINGS], NULL);
     }
 }
