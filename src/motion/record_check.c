@@ -2,7 +2,8 @@
 // Weighs what a file says against what the user says, and against what ground motions can be.
 //
 // Time step: a step that the user gives must be that of the file. A step from the file alone must
-// be believable for an accelerogram, DT_MIN to DT_MAX; -dt confirms one that is not.
+// be believable for an accelerogram, DT_MIN to DT_MAX; -dt confirms one that is not. A -dt that
+// nothing in the file confirms is warned of above DT_MAX.
 //
 // Unit: the user's overrides the file's, with a warning.
 //
@@ -76,6 +77,9 @@ static int check_dt(const struct check *c, struct error *e) {
     if (read > 0 && !(fabs(given - read) <= fmax(1e-6 * read, c->content->dt_tolerance))) {
         return lines_error(e, c->path, line,
                            "-dt %.9g contradicts the time step of %.9g s in the file", given, read);
+    }
+    if (read == 0 && !c->request->plain && given > DT_MAX) {
+        warn(c, 0, "-dt is %g s; accelerograms have %g s at most", given, DT_MAX);
     }
     c->out->wrong = RECORD_PATH;
     c->out->dt = given;
