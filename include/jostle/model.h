@@ -63,12 +63,13 @@ struct link {
     double mass;      // [M] effective mass m*
     bool bilateral;   // acts whatever the sign of delta
     const struct contact_law *law;
-    const double *value;     // (contact_law_n_value) of the law's rows; NAN: not given
-    const double *constant;  // (contact_law_n_constant)
-    double restitution;      // coefficient asked for; NAN: none
-    bool calibrated;         // the damping is the one that delivers it exactly
-    int history;             // offset of its values in the state's link history
-    bool moving_ground;      // the grounds of its ends move differently
+    const double *value;      // (contact_law_n_value) of the law's rows; NAN: not given
+    const double *constant;   // (contact_law_n_constant)
+    double restitution;       // coefficient asked for; NAN: none
+    bool calibrated;          // the damping is the one that delivers it exactly
+    int history;              // offset of its values in the state's link history
+    bool moving_ground;       // the grounds of its ends move differently
+    const struct word *word;  // that names it in its statement, for messages
 };
 
 // The ground acceleration under some buildings: the sum of the signals.

@@ -33,6 +33,7 @@ struct record {
     double unit;             // size of the file's unit [m/s^2]; 1 if plain
     const double *value;     // (n) as printed, in the file's unit
     double peak;             // the largest absolute value
+    bool large;              // beyond any ground acceleration, which a warning says
     int n_warning;
     char warning[RECORD_WARNINGS_MAX][512];  // "path:line: what is odd"
 };

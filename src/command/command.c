@@ -100,23 +100,63 @@ const char *command_line(struct arena *a, int argc, char **argv) {
     return line;
 }
 
+static bool is_long(const char *word) {
+    return word[0] == '-' && word[1] != '\0' && word[2] != '\0';
+}
+
+// Is `word`, "--force" or "--force=yes", the whole name?
+static bool is_whole(const char *word, const char *name) {
+    const char *own = word + strspn(word, "-");
+    const size_t n = strcspn(own, "=");
+    return n == strlen(name) && strncmp(own, name, n) == 0;
+}
+
+static int refuse_word(const struct command_options *o, const char *word) {
+    enum { OPTIONS_MAX = 64 };
+    const char *known[OPTIONS_MAX];
+    char name[64];
+    int n = 0;
+    for (const struct option *p = o->option; is_long(word) && p->name && n < OPTIONS_MAX; p++) {
+        if (is_whole(word, p->name)) {
+            return command_usage(o->command, "option '%s' takes no value", word);
+        }
+        known[n++] = p->name;
+    }
+    const char *own = word + strspn(word, "-");
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(own, "="), own);
+    const char *near = text_nearest(name, known, n);
+    return near ? command_usage(o->command, "unknown option '%s'; did you mean '--%s'?", word, near)
+                : command_usage(o->command, "unknown option '%s'", word);
+}
+
 // Says what getopt_long found wrong: '?' or ':'.
-static int refuse(const struct command *c, int answer, char **argv) {
+static int refuse(const struct command_options *o, int answer, char **argv) {
     // getopt_long leaves the letter in optopt; for a long option the word is the one before optind.
     // That may also be the option before a letter that others follow in its word (--force -zq).
     // With getopt_long_only a long option may have one dash; its value is above all letters.
     const char *word = optind > 1 ? argv[optind - 1] : "";
-    const bool is_long = word[0] == '-' && word[1] == '-' && (answer == ':' || strchr(word, '='));
+    const bool dashes = word[0] == '-' && word[1] == '-' && (answer == ':' || strchr(word, '='));
     const char letter[] = {'-', (char)optopt, '\0'};
-    const char *shown = is_long || optopt == 0 || optopt > UCHAR_MAX ? word : letter;
-    return command_usage(
-        c, answer == ':' ? "option '%s' needs a value" : "unknown or ambiguous option '%s'", shown);
+    const char *shown = dashes || optopt == 0 || optopt > UCHAR_MAX ? word : letter;
+    return answer == ':' ? command_usage(o->command, "option '%s' needs a value", shown)
+                         : refuse_word(o, shown);
+}
+
+// The word by which getopt_long found a long option: the one before optind, or before its value.
+static const char *taken_word(char **argv) {
+    return argv[optarg && optarg == argv[optind - 1] ? optind - 2 : optind - 1];
 }
 
 int command_parse(const struct command_options *o, int argc, char **argv, void *request) {
     opterr = 0;
     optind = 1;
-    for (int letter; (letter = o->next(argc, argv, o->letters, o->option, NULL)) != -1;) {
+    // getopt_long takes the beginning of a name, too. A slip may be that of another option, and a
+    // script breaks by an option to come.
+    for (int index = -1, letter;
+         (letter = o->next(argc, argv, o->letters, o->option, &index)) != -1; index = -1) {
+        if (index >= 0 && !is_whole(taken_word(argv), o->option[index].name)) {
+            return refuse_word(o, taken_word(argv));
+        }
         if (letter == 'h') {
             command_help(o->command, o->details);
             if (o->print_details) {
@@ -124,8 +164,8 @@ int command_parse(const struct command_options *o, int argc, char **argv, void *
             }
             return EXIT_DONE;
         }
-        const int status = letter == '?' || letter == ':' ? refuse(o->command, letter, argv)
-                                                          : o->take(request, letter);
+        const int status =
+            letter == '?' || letter == ':' ? refuse(o, letter, argv) : o->take(request, letter);
         if (status != EXIT_DONE) {
             return status;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle fragility: lognormal fragility curves of a study, with the counts they follow from.
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <string.h>
 
@@ -63,6 +64,19 @@ static void print_details(void) {
            "independent runs, or samples.\n");
 }
 
+// Where all runs are on one side of the limit, how far they are from it: it may be in a wrong unit.
+static void print_distance(const struct result *r) {
+    const bool none = r->fit.outcome == FRAGILITY_NONE_EXCEEDS;
+    const size_t n = (size_t)r->suite->n_sample * (size_t)r->suite->n_point;
+    const double *of = r->suite->value + (size_t)r->group * n;  // NaN where one is left out
+    const double demand = none ? gsl_stats_max(of, 1, n) : gsl_stats_min(of, 1, n);
+    const char *unit = unit_suffix(r->suite->edp.units);
+    if ((none || r->fit.outcome == FRAGILITY_ALL_EXCEED) && isfinite(demand)) {
+        printf("; the %s %s is %.4g%s%s", none ? "largest" : "smallest", r->suite->edp.text, demand,
+               unit[0] ? " " : "", unit);
+    }
+}
+
 static void print_parameters(const struct result *r) {
     const struct fragility *f = &r->fit;
     const char *unit = r->suite->abscissa_units;
@@ -81,6 +95,7 @@ static void print_parameters(const struct result *r) {
     } else if (f->outcome == FRAGILITY_SEPARATED) {
         printf("; only at %.4g%s%s are there both", f->between[0], blank, unit);
     }
+    print_distance(r);
     printf("\n");
 }
 

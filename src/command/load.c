@@ -22,7 +22,7 @@ int load_model(const struct load_request *request, struct model **out) {
     int status = deck_open(request->path, request->define, request->n_define, &deck, &e);
     if (status == STATUS_OK) {
         status = model_build(deck, out, &e);
-        if (status == STATUS_OK && request->guidance && !(*out)->adaptive) {
+        if (status == STATUS_OK && request->guidance) {
             status = guide(*out, request->guidance, &e);
         }
         print_diagnostics(deck, request->quiet);

@@ -111,3 +111,8 @@ const char *text_short(struct text_short *s, const char *text) {
     }
     return s->text;
 }
+
+const char *text_more(struct text_more *t, int n) {
+    snprintf(t->text, sizeof t->text, n > 1 ? " (and %d more)" : "", n - 1);
+    return t->text;
+}

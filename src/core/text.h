@@ -62,6 +62,12 @@ struct text_exact {
 };
 const char *text_exact(struct text_exact *t, double value);
 
+// What a message about the first of n things adds to its name: " (and 2 more)", or nothing.
+struct text_more {
+    char text[32];
+};
+const char *text_more(struct text_more *t, int n);
+
 // A word as it is quoted in a message: clean, and cut with `...` if it is long.
 struct text_short {
     char text[64];

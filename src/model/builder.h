@@ -56,6 +56,7 @@ struct spectral_scaling {
 struct ground_draft {
     struct signal signal;
     struct spectral_scaling scaling;
+    bool judged;          // the reader has warned of its size, which no -pga or -sa replaces
     int n_building;       // 0: all
     const int *building;  // (n_building)
     struct word word;

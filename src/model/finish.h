@@ -22,6 +22,12 @@ void finish_loads(struct builder *b, struct model *m);
 // Duration, steps, rows of output, stability of the integrator.
 void finish_time(struct builder *b, struct model *m);
 
+// Has the building no storey without stiffness?
+bool finish_stands(const struct building *g);
+
+// Warns of magnitudes that come from units that were mixed up.
+void finish_magnitudes(struct builder *b, const struct model *m);
+
 // Warns of what is legal but hardly meant: excitation that does nothing, steps that skip it,
 // grounds that drift apart, floors that do not face each other.
 void finish_warnings(struct builder *b, const struct model *m);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/text.h"
 #include "model/finish.h"
 
 // Of displacements or velocities, at the left end less at the right one.
@@ -12,9 +13,22 @@ static double difference(const struct link *l, const double *state) {
     return left - right;
 }
 
+// Does -vmin in the place of v0 decide how the law lets go of bodies that part from rest?
+static bool parts_by_vmin(const struct link *l, double delta) {
+    const int row = contact_law_row(l->law, "vmin");
+    if (row < 0) {
+        return false;
+    }
+    const double v = l->value[row];
+    double least[CONTACT_HISTORY_MAX], faster[CONTACT_HISTORY_MAX];
+    l->law->close(l->constant, 0.0, least);
+    l->law->close(l->constant, 2.0 * v, faster);
+    return l->law->force(l->constant, least, delta, -v).force !=
+           l->law->force(l->constant, faster, delta, -v).force;
+}
+
 static void check_overlap(struct builder *b, const struct model *m, const struct link_draft *d) {
     const struct link *l = &d->link;
-    const unsigned sticks = CONTACT_NEEDS_V0 | CONTACT_MAY_PULL;
     double delta = difference(l, m->displacement) - l->gap;
     if (l->bilateral || delta <= 0.0) {
         return;
@@ -28,11 +42,13 @@ static void check_overlap(struct builder *b, const struct model *m, const struct
         deck_error(b->deck, &d->word,
                    "contact %s is closed by %.6g %s at t = 0; give -allow-overlap if that is meant",
                    l->name, delta, b->deck->units.length_name);
-    } else if ((l->law->traits & sticks) == sticks && difference(l, m->velocity) <= 0.0) {
+    } else if (difference(l, m->velocity) <= 0.0 && parts_by_vmin(l, delta)) {
         deck_warning(b->deck, &d->word,
                      "contact %s is closed at t = 0 and does not approach: %s takes -vmin for v0 "
-                     "and may hold the bodies together",
-                     l->name, l->law->name);
+                     "and %s",
+                     l->name, l->law->name,
+                     l->law->traits & CONTACT_MAY_PULL ? "may hold the bodies together"
+                                                       : "hardly pushes the bodies apart");
     }
 }
 
@@ -64,6 +80,35 @@ static void rename_twin(struct builder *b, const struct link_draft *first, struc
     twin->link.name = name ? name : twin->link.name;
 }
 
+// Do both push with the same force?
+static bool same_contact(const struct link *a, const struct link *b) {
+    const int n = contact_law_n_value(a->law, a->value);
+    return !a->bilateral && a->law == b->law && a->gap == b->gap && a->mass == b->mass &&
+           contact_law_n_value(b->law, b->value) == n &&
+           memcmp(a->value, b->value, (size_t)n * sizeof *a->value) == 0;
+}
+
+// Contacts that repeat one of their floors: the first of them in the deck, and how many there are.
+struct repeated {
+    const struct link_draft *draft;
+    int n;
+};
+
+static void take_repeated(struct repeated *r, const struct link_draft *twin) {
+    r->n++;
+    r->draft = r->draft && r->draft < twin ? r->draft : twin;
+}
+
+static void warn_repeated(struct builder *b, const struct repeated *r) {
+    if (r->n > 0) {
+        struct text_more more;
+        deck_warning(b->deck, &r->draft->word,
+                     "contact %s%s repeats one of the same floors, gap and law, and adds to its "
+                     "force; give it a -name if that is meant",
+                     r->draft->link.name, text_more(&more, r->n));
+    }
+}
+
 static void check_names(struct builder *b) {
     size_t n = (size_t)b->links.n;
     struct link_draft *draft = b->links.item;
@@ -75,13 +120,18 @@ static void check_names(struct builder *b) {
         sorted[i] = &draft[i];
     }
     qsort(sorted, n, sizeof(struct link_draft *), compare_names);
+    struct repeated repeated = {0};
     for (size_t first = 0, i = 1; i < n; i++) {
-        if (same_name(sorted[first], sorted[i])) {
-            rename_twin(b, sorted[first], sorted[i], (int)(i - first) + 1);
-        } else {
+        if (!same_name(sorted[first], sorted[i])) {
             first = i;
+            continue;
         }
+        if (!sorted[i]->named && same_contact(&sorted[first]->link, &sorted[i]->link)) {
+            take_repeated(&repeated, sorted[i]);
+        }
+        rename_twin(b, sorted[first], sorted[i], (int)(i - first) + 1);
     }
+    warn_repeated(b, &repeated);
 }
 
 static void finish_ends(const struct model *m, struct link *l) {
@@ -104,6 +154,7 @@ void finish_links(struct builder *b, struct model *m) {
         for (int i = 0; i < b->links.n; i++) {
             if (draft[i].link.bilateral == bilateral) {
                 finish_ends(m, &draft[i].link);
+                draft[i].link.word = &draft[i].word;
                 check_overlap(b, m, &draft[i]);
                 draft[i].link.history = m->n_link_history;
                 m->n_link_history += draft[i].link.law->n_history;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_statistics_double.h>
 
+#include "core/text.h"
 #include "model/finish.h"
 
 static const double ROUNDING = 1e-9;
 static const double STEPS_PER_CYCLE = 10.0;  // fewer do not follow a vibration
-static const double LONGEST_PERIOD = 30.0;   // [s] of a building
 static const double SAME_LEVEL = 0.01;       // relative difference of two floors' heights
 
 static bool same_statement(const struct word *a, const struct word *b) {
@@ -39,12 +38,80 @@ static bool check_signal(struct builder *b, const struct model *m, const struct 
     return true;
 }
 
+static bool acts_under(const struct ground_draft *g, int building) {
+    bool found = g->n_building == 0;
+    for (int i = 0; i < g->n_building; i++) {
+        found |= g->building[i] == building;
+    }
+    return found;
+}
+
+static bool share_a_building(const struct model *m, const struct ground_draft *a,
+                             const struct ground_draft *b) {
+    bool found = false;
+    for (int i = 0; i < m->n_building; i++) {
+        found |= acts_under(a, i) && acts_under(b, i);
+    }
+    return found;
+}
+
+// The sample of a record with the largest absolute value.
+static size_t peak_sample(const struct signal *s) {
+    size_t i = 0;
+    while (fabs(s->value[i]) < s->peak) {
+        i++;
+    }
+    return i;
+}
+
+// Has one record the values of the other, but for a factor, at the same times?
+static bool same_record(const struct signal *a, const struct signal *b) {
+    if (!a->value || !b->value || a->peak * b->peak == 0.0 || a->n != b->n || a->dt != b->dt ||
+        a->start != b->start) {
+        return false;
+    }
+    const size_t peak = peak_sample(a);
+    const double rounding = ROUNDING * a->peak * b->peak;
+    for (size_t i = 0; i < a->n; i++) {
+        if (fabs(a->value[i] * b->value[peak] - b->value[i] * a->value[peak]) > rounding) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void check_repeated(struct builder *b, const struct model *m) {
+    const struct ground_draft *g = b->grounds.item;
+    for (int i = 0; i < b->grounds.n; i++) {
+        for (int j = 0; j < i; j++) {
+            if (same_record(&g[j].signal, &g[i].signal) && share_a_building(m, &g[j], &g[i])) {
+                deck_warning(b->deck, &g[i].word,
+                             "%s acts twice at the same time under a building, where it adds up",
+                             g[i].signal.name);
+                return;
+            }
+        }
+    }
+}
+
+// An analysis that is shorter than a record may leave out what shakes most.
+static void check_duration(struct builder *b, const struct model *m, const struct signal *s) {
+    const char *unit = b->deck->units.time_name;
+    const double peak = s->value ? s->start + (double)peak_sample(s) * s->dt : 0.0;
+    if (s->start < m->duration && peak > m->duration * (1.0 + ROUNDING)) {
+        deck_warning(b->deck, &b->duration,
+                     "the analysis ends at %.6g %s, before the peak of %s at %.6g %s", m->duration,
+                     unit, s->name, peak, unit);
+    }
+}
+
 // True if a signal sets the buildings in motion.
 static bool check_signals(struct builder *b, const struct model *m) {
     bool moves = false;
     for (int i = 0; i < b->grounds.n; i++) {
         const struct ground_draft *g = (const struct ground_draft *)b->grounds.item + i;
         moves |= check_signal(b, m, &g->signal, &g->word);
+        check_duration(b, m, &g->signal);
     }
     for (int i = 0; i < b->loads.n; i++) {
         const struct load_draft *l = (const struct load_draft *)b->loads.item + i;
@@ -65,25 +132,6 @@ static bool starts_moving(const struct builder *b, const struct model *m) {
     return moves;
 }
 
-// Has it no storey without stiffness?
-static bool stands(const struct building *g) {
-    return gsl_stats_min(g->stiffness, 1, (size_t)g->n_floor) > 0.0;
-}
-
-// Periods beyond those of any building come from units that were mixed up.
-static void check_units(struct builder *b, const struct model *m) {
-    const double longest = LONGEST_PERIOD / b->deck->units.time;
-    for (int i = 0; i < m->n_building; i++) {
-        const double period = 2.0 * M_PI / m->building[i].omega[0];
-        if (stands(&m->building[i]) && period > longest) {
-            deck_warning(b->deck, &builder_draft(b, i)->word,
-                         "the first period of building %s is %.4g %s; are its mass and stiffness "
-                         "in the units of the deck?",
-                         m->building[i].name, period, b->deck->units.time_name);
-        }
-    }
-}
-
 static void check_periods(struct builder *b, const struct model *m) {
     for (int i = 0; !m->adaptive && i < m->n_building; i++) {
         double period = 2.0 * M_PI / m->building[i].omega[0];
@@ -94,6 +142,38 @@ static void check_periods(struct builder *b, const struct model *m) {
                          m->dt, unit, m->building[i].name, period, unit);
             return;
         }
+    }
+}
+
+static bool is_linked(const struct builder *b, int building) {
+    const struct link_draft *d = b->links.item;
+    bool found = false;
+    for (int i = 0; i < b->links.n; i++) {
+        const struct link *l = &d[i].link;
+        found |= l->bilateral && (l->building[0] == building || l->building[1] == building);
+    }
+    return found;
+}
+
+// A building without damping beside others that have some was rather forgotten.
+static void check_dampings(struct builder *b, const struct model *m) {
+    const struct building_draft *first = NULL;
+    int n_damped = 0, n = 0;
+    for (int i = m->n_building - 1; i >= 0; i--) {
+        const struct building_draft *d = builder_draft(b, i);
+        if (d->damping.kind != DAMPING_NONE) {
+            n_damped++;
+        } else if (finish_stands(&m->building[i]) && !is_linked(b, i)) {
+            first = d;
+            n++;
+        }
+    }
+    if (first && n_damped > 0) {
+        struct text_more more;
+        deck_warning(b->deck, &first->word,
+                     "building %s%s has no damping, as others have; write damping %s rayleigh 0 if "
+                     "that is meant",
+                     first->name, text_more(&more, n), first->name);
     }
 }
 
@@ -138,16 +218,41 @@ static double level(const struct building *g, int floor) {
     return height;
 }
 
-static void check_facing(struct builder *b, const struct model *m, const struct link_draft *d) {
+// Do the heights say that the floors of the contact stand at different levels?
+static bool at_two_levels(const struct model *m, const struct link *l, double at[2]) {
+    for (int i = 0; i < 2; i++) {
+        at[i] = l->building[i] == WALL ? 0.0 : level(&m->building[l->building[i]], l->floor[i]);
+    }
+    return at[0] > 0.0 && at[1] > 0.0 && fabs(at[0] - at[1]) > SAME_LEVEL * fmax(at[0], at[1]);
+}
+
+// `n` contacts from `d` on are made by one statement.
+static void check_levels(struct builder *b, const struct model *m, const struct link_draft *d,
+                         int n) {
+    const struct link_draft *first = NULL;
+    int count = 0;
+    double at[2];
+    for (int i = n - 1; i >= 0; i--) {
+        if (at_two_levels(m, &d[i].link, at)) {
+            first = &d[i];
+            count++;
+        }
+    }
+    if (first) {
+        struct text_more more;
+        at_two_levels(m, &first->link, at);
+        deck_warning(b->deck, &first->word,
+                     "the floors of contact %s%s are at %.4g and %.4g %s; name the floors that "
+                     "meet, or give a building whose columns are hit a floor at that level",
+                     first->link.name, text_more(&more, count), at[0], at[1],
+                     b->deck->units.length_name);
+    }
+}
+
+static void check_between(struct builder *b, const struct model *m, const struct link_draft *d) {
     const struct link *l = &d->link;
     if (l->building[0] == WALL || l->building[1] == WALL) {
         return;
-    }
-    double left = level(&m->building[l->building[0]], l->floor[0]);
-    double right = level(&m->building[l->building[1]], l->floor[1]);
-    if (left > 0.0 && right > 0.0 && fabs(left - right) > SAME_LEVEL * fmax(left, right)) {
-        deck_warning(b->deck, &d->word, "the floors of contact %s are at %.4g and %.4g %s", l->name,
-                     left, right, b->deck->units.length_name);
     }
     for (int k = l->building[0] + 1; k < l->building[1]; k++) {
         if (m->building[k].n_floor >= l->floor[0] && m->building[k].n_floor >= l->floor[1]) {
@@ -157,13 +262,17 @@ static void check_facing(struct builder *b, const struct model *m, const struct 
     }
 }
 
-// One warning for each statement: its first contact represents the others.
+// One warning of a kind for each statement.
 static void check_contacts(struct builder *b, const struct model *m) {
     const struct link_draft *draft = b->links.item;
-    for (int i = 0; i < b->links.n; i++) {
-        bool same = i > 0 && same_statement(&draft[i - 1].word, &draft[i].word);
-        if (!same && !draft[i].link.bilateral) {
-            check_facing(b, m, &draft[i]);
+    for (int i = 0, n; i < b->links.n; i += n) {
+        n = 1;
+        while (i + n < b->links.n && same_statement(&draft[i].word, &draft[i + n].word)) {
+            n++;
+        }
+        if (!draft[i].link.bilateral) {
+            check_levels(b, m, &draft[i], n);
+            check_between(b, m, &draft[i]);
         }
     }
 }
@@ -174,8 +283,10 @@ void finish_warnings(struct builder *b, const struct model *m) {
         deck_warning(b->deck, NULL,
                      "nothing moves the buildings: no ground motion, load or initial state");
     }
-    check_units(b, m);
+    finish_magnitudes(b, m);
     check_periods(b, m);
+    check_repeated(b, m);
     check_drift(b, m);
+    check_dampings(b, m);
     check_contacts(b, m);
 }

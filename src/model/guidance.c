@@ -19,8 +19,6 @@
 #include "law/isolated.h"
 #include "model/floor_velocity.h"
 
-enum { STEPS_FEW = 10 };  // longer steps are cut, see docs/theory.md
-
 // Velocities of the floors that the contacts join, and of nobody else.
 static int find_velocities(const struct model *m, int n_contact, double *velocity,
                            struct error *e) {
@@ -144,25 +142,4 @@ int guidance_find(const struct model *m, struct guidance *out, struct error *e) 
     }
     out->step = isfinite(step) ? guidance_round(step) : INFINITY;
     return STATUS_OK;
-}
-
-void guidance_warn(const struct model *m, const struct guidance *g) {
-    if (g->shortest < 0) {
-        return;
-    }
-    const struct guidance_contact *c = &g->contact[g->shortest];
-    const struct unit_system *u = &m->deck->units;
-    int n_short = 0;
-    for (int k = 0; k < g->n_contact; k++) {
-        n_short += g->contact[k].duration > 0.0 && g->contact[k].duration < STEPS_FEW * m->dt;
-    }
-    if (n_short > 0) {
-        deck_warning(m->deck, &m->step,
-                     "step %.6g %s covers contact %s, which lasts about %.2g %s at %.2g %s/%s, by "
-                     "%.2g steps%s; fewer than %d are cut; step fixed %g resolves it",
-                     m->dt, u->time_name, m->link[g->shortest].name, c->duration, u->time_name,
-                     c->velocity, u->length_name, u->time_name, c->duration / m->dt,
-                     n_short > 1 ? ", others too" : "", STEPS_FEW,
-                     guidance_round(c->duration / GUIDANCE_CONTACT_STEPS));
-    }
 }

@@ -31,8 +31,8 @@ struct guidance {
 // Arrays are from the arena of the model's deck. Errors: STATUS_SYSTEM (no memory).
 int guidance_find(const struct model *m, struct guidance *out, struct error *e);
 
-// Warns in the diagnostics of the model's deck where its step covers an estimated contact by less
-// than ten steps.
+// Warns in the diagnostics of the model's deck of estimated contacts that its step covers by less
+// than ten steps, that are harder or softer than any, or that never end.
 void guidance_warn(const struct model *m, const struct guidance *g);
 
 // The largest of 1, 2 and 5 times a power of ten that is not above `step` > 0.

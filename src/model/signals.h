@@ -26,7 +26,8 @@ enum sine_row { SINE_AMPLITUDE, SINE_FREQUENCY, SINE_PHASE, SINE_CYCLES, SINE_RO
                      "number of cycles; endless if not given"}
 
 // A sine made from those options, starting at `start`; without cycles it never ends.
-struct signal signals_sine(const struct argument *a, double start);
+// Warns of a phase in degrees.
+struct signal signals_sine(struct builder *b, const struct argument *a, double start);
 
 // Remembers when a signal ends, for the default duration.
 void signals_longest(struct builder *b, const struct signal *s);

@@ -2,7 +2,8 @@
 // Weighs what a file says against what the user says, and against what ground motions can be.
 //
 // Time step: a step that the user gives must be that of the file. A step from the file alone must
-// be believable for an accelerogram, DT_MIN to DT_MAX; -dt confirms one that is not.
+// be believable for an accelerogram, DT_MIN to DT_MAX; -dt confirms one that is not. A -dt that
+// nothing in the file confirms is warned of above DT_MAX.
 //
 // Unit: the user's overrides the file's, with a warning.
 //
@@ -77,6 +78,9 @@ static int check_dt(const struct check *c, struct error *e) {
         return lines_error(e, c->path, line,
                            "-dt %.9g contradicts the time step of %.9g s in the file", given, read);
     }
+    if (read == 0 && !c->request->plain && given > DT_MAX) {
+        warn(c, 0, "-dt is %g s; accelerograms have %g s at most", given, DT_MAX);
+    }
     c->out->wrong = RECORD_PATH;
     c->out->dt = given;
     return STATUS_OK;
@@ -145,7 +149,8 @@ static int check_peak(const struct check *c, struct error *e) {
                            "value %zu is %g, that is %.3g g; no ground acceleration is so large",
                            content->peak + 1, value, peak);
     }
-    if (peak > WARN_G) {
+    c->out->large = peak > WARN_G;
+    if (c->out->large) {
         warn(c, content->peak_line,
              "the largest acceleration is %.3g g; if the values are in "
              "another unit, say so with -unit (cm/s2, m/s2, ...)",
@@ -162,8 +167,7 @@ static void check_offset(const struct check *c) {
     }
     double mean = sum / (double)content->n * c->out->unit;
     double velocity = mean * c->out->dt * (double)(content->n - 1);
-    bool large = fabs(content->value[content->peak]) * c->out->unit > WARN_G * G;
-    if (!large && fabs(velocity) > END_VELOCITY) {
+    if (!c->out->large && fabs(velocity) > END_VELOCITY) {
         warn(c, 0,
              "the mean is %.3g g, so that the ground is left with a velocity of %.3g m/s; "
              "correct the baseline of the record",

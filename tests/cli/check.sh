@@ -76,6 +76,20 @@ expect "but not with -q" '[ $status -eq 0 ] && [ ! -s "$err" ]'
 bodies fine.deck "linear -k 93.5MN/m" 4.02ms
 run "$jostle" check fine.deck
 expect "ten steps are not warned of" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+for step in "fixed 1ms" adaptive; do
+    bodies hard.deck "linear -k 5e20" 1ms
+    sed -i "s/^step.*/step $step/" hard.deck
+    run "$jostle" check hard.deck
+    expect "a contact harder than any is warned of once, step $step" '[ $status -eq 0 ] && [ "$(grep -c warning: "$err")" -eq 1 ] && said "hard.deck:4:9: warning: contact A:1-B:1 lasts about 1.7e-08 s, shorter than any contact of bodies; is its stiffness in the units of the deck?"'
+    bodies soft.deck "linear -k 1kN/m" 1ms
+    sed -i "s/^step.*/step $step/" soft.deck
+    run "$jostle" check soft.deck
+    expect "and one softer than any, step $step" '[ $status -eq 0 ] && [ "$(grep -c warning: "$err")" -eq 1 ] && said "soft.deck:4:9: warning: contact A:1-B:1 gives way by about 2 m at 0.5 m/s; is its stiffness in the units of the deck?"'
+    bodies stuck.deck "kelvin-voigt -k 93.5MN/m -zeta 1.4" 1ms
+    sed -i "s/^step.*/step $step/" stuck.deck
+    run "$jostle" check stuck.deck
+    expect "and one that never ends, step $step" '[ $status -eq 0 ] && [ "$(grep -c warning: "$err")" -eq 1 ] && said "stuck.deck:4:9: warning: contact A:1-B:1 does not part bodies that meet at 0.5 m/s: its damping is so strong that they stick"'
+done
 bodies rigid.deck "stereomechanical -e 0.5" 1ms
 run "$jostle" check rigid.deck
 expect "a rigid contact has no duration" '[ $status -eq 0 ] && grep -qE "^A:1-B:1 +0\.5 +- +-$" "$out" && ! grep -q "must resolve" "$out"'

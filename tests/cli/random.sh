@@ -4,7 +4,7 @@
 . tests/support/cli.sh
 
 two_buildings study.deck
-sed -i '/^damping B/d; s/^param gap .*/sweep gap random lognormal 5mm 0.5 -n 30 -seed 4 -lhs/; s/-e 0.65/-e $e/' study.deck
+sed -i 's/^damping B.*/damping B rayleigh 0/; s/^param gap .*/sweep gap random lognormal 5mm 0.5 -n 30 -seed 4 -lhs/; s/-e 0.65/-e $e/' study.deck
 sed -i '4i sweep e random normal 0.65 0.1 -n 30 -seed 4 -min 0.2 -max 0.95' study.deck
 sed -i '5i sweep pga values 0.2g 0.3g' study.deck
 sed -i 's/-amplitude 0.3g/-amplitude $pga/' study.deck

@@ -40,6 +40,16 @@ run "$jostle" run --force -Zq a.deck
 expect "of letters in one word the unknown one is named, not the option before" '[ $status -eq 2 ] && said "option '"'-Z'"'"'
 run "$jostle" run --force=yes a.deck
 expect "a value of an option that takes none is named" '[ $status -eq 2 ] && said "option '"'--force=yes'"'"'
+for word in --forc --threa=2 --f; do
+    run "$jostle" run $word a.deck
+    expect "$word is no option, though one begins so" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "unknown option '"'$word'"'"'
+done
+run "$jostle" run --forc a.deck
+expect "a mistyped long option is told with the nearest" '[ $status -eq 2 ] && said "did you mean '"'--force'?"'"'
+run "$jostle" spectrum a.AT2 --period 1:2:3
+expect "the beginning of an option before its value is none" '[ $status -eq 2 ] && said "unknown option '"'--period'; did you mean '--periods'?"'"'
+run "$jostle" spectrum a.AT2 -period 1:2:3
+expect "nor is it behind one dash" '[ $status -eq 2 ] && said "unknown option '"'-period'; did you mean '--periods'?"'"'
 
 for command in run check modes show plot; do
     run "$jostle" "$command"

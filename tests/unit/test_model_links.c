@@ -222,7 +222,10 @@ static void floors_that_do_not_face_each_other_are_warned_about(void **state) {
                        "initial A:1 -velocity 1\nstep fixed 0.1\nduration 1\n");
     const struct diagnostics *d = &m->deck->diagnostics;
     assert_int_equal(d->n_warning, 2);
-    assert_string_equal(d->item[0].message, "the floors of contact A:1-B:1 are at 3 and 4.5 m");
+    assert_string_equal(
+        d->item[0].message,
+        "the floors of contact A:1-B:1 (and 1 more) are at 3 and 4.5 m; name the floors that "
+        "meet, or give a building whose columns are hit a floor at that level");
     assert_string_equal(d->item[1].message,
                         "building B stands between the floors of contact A:1-C:1");
     model_free(m);
@@ -238,12 +241,20 @@ static void a_contact_that_begins_closed_has_no_velocity_of_closure(void **state
                        "contact A B -gap -1 -law hertz -k 1 -allow-overlap -name elastic\n"
                        "contact wall A -gap -1 -law power -n 2 -k 1 -e 0.5 -allow-overlap\n"
                        "contact B wall -gap 1 -law power -n 2 -k 1 -e 0.5 -name open\n"
+                       "contact A B -gap -1 -law power -n 2 -k 1 -e 1 -allow-overlap -name full\n"
+                       "contact A B -gap -1 -law wang -k 1 -e 0.5 -residual 0.1 -allow-overlap\n"
+                       "contact A B -gap -1 -law rubber -n 2 -k 1 -c 1 -allow-overlap -name free\n"
+                       "contact A B -gap -1 -law rubber -n 2 -k 1 -e 0.5 -allow-overlap -name "
+                       "soft\n"
                        "initial A -velocity -0.1\nstep fixed 0.1\nduration 1\n");
     const struct diagnostics *d = &m->deck->diagnostics;
-    assert_int_equal(d->n_warning, 1);
+    assert_int_equal(d->n_warning, 2);
     assert_string_equal(d->item[0].message,
                         "contact still is closed at t = 0 and does not approach: power takes -vmin "
                         "for v0 and may hold the bodies together");
+    assert_string_equal(d->item[1].message,
+                        "contact soft is closed at t = 0 and does not approach: rubber takes -vmin "
+                        "for v0 and hardly pushes the bodies apart");
     model_free(m);
 }
 

@@ -68,6 +68,10 @@ static void one_column_needs_the_time_step_and_the_unit(void **state) {
     reading_of_text(r, ".1\n.2\n.3\n");
     assert_read(r, "columns", 3, 0.02);
     assert_close(r->record.unit, 1, 1e-15);
+    assert_silent(r);
+    r->request.dt = 20;
+    reading_of_text(r, ".1\n-.2\n.1\n");
+    assert_warned(r, "a.txt: -dt is 20 s; accelerograms have 1 s at most");
 }
 
 static void a_comment_takes_no_value_away(void **state) {

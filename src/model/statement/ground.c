@@ -113,9 +113,9 @@ static bool read_scaling(struct builder *b, const struct argument *a, struct gro
 }
 
 // `record` holds the arguments of a record; NULL: it is none.
-static void append(struct builder *b, const struct statement *s, const struct signal *signal,
+static void append(struct builder *b, const struct statement *s, struct ground_draft g,
                    const struct argument *buildings, const struct argument *record) {
-    struct ground_draft g = {.signal = *signal, .word = s->word[0]};
+    g.word = s->word[0];
     if (read_buildings(b, buildings, &g) && (!record || read_scaling(b, record, &g))) {
         struct ground_draft *d = builder_append(b, &b->grounds, sizeof *d);
         if (d) {
@@ -192,13 +192,14 @@ static void build_record(struct builder *b, const struct statement *s) {
     }
     struct record r;
     double scale;
-    struct signal signal;
+    struct ground_draft g = {0};
     struct error e;
     if (read_record(b, s, a, path, &r) && record_scale(b, a, &s->word[2], &r, &scale) &&
-        signal_init_samples(&signal, b->arena, r.value, r.n, r.dt / b->deck->units.time, scale,
+        signal_init_samples(&g.signal, b->arena, r.value, r.n, r.dt / b->deck->units.time, scale,
                             a[R_DELAY].number[0], &e) == STATUS_OK) {
-        signal.name = name;
-        append(b, s, &signal, &a[R_BUILDINGS], a);
+        g.signal.name = name;
+        g.judged = r.large && !a[R_PGA].given && !a[R_SA].given;
+        append(b, s, g, &a[R_BUILDINGS], a);
     }
 }
 
@@ -206,8 +207,8 @@ static void build_sine(struct builder *b, const struct statement *s) {
     struct argument a[N_SINE_ROW] = {0};
     bool good = builder_plain(b, s, 1, 1, statement_ground.usage);
     if (deck_options(b->deck, s, &(struct row_set){sine_rows, N_SINE_ROW, a}, 1) && good) {
-        struct signal signal = signals_sine(a, a[S_DELAY].number[0]);
-        append(b, s, &signal, &a[S_BUILDINGS], NULL);
+        const struct ground_draft g = {.signal = signals_sine(b, a, a[S_DELAY].number[0])};
+        append(b, s, g, &a[S_BUILDINGS], NULL);
     }
 }
 

@@ -47,7 +47,7 @@ static bool read_sine(struct builder *b, const struct statement *s, struct signa
     if (!deck_options(b->deck, s, &(struct row_set){sine_rows, SINE_ROWS, a}, 1) || !good) {
         return false;
     }
-    *out = signals_sine(a, 0.0);
+    *out = signals_sine(b, a, 0.0);
     return true;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <string.h>
 
 #include "deck/reader.h"
 #include "model/statement.h"
@@ -58,6 +59,37 @@ static bool take(struct builder *b, struct building_draft *d, int i, const struc
     return true;
 }
 
+// Storeys of buildings yield at drifts of some millimetres to centimetres, isolators at 0.1 mm or
+// more. A very large yield is a way to say that there is none.
+static const double YIELD_MIN = 1e-5;  // [m]
+
+// True after a warning of a yield, said by `w`, that belongs to other units than the stiffness.
+static bool warn_yield(struct builder *b, const struct word *w, const char *building, int floor,
+                       double drift) {
+    const double metres = drift * b->deck->units.length;
+    if (metres < YIELD_MIN) {
+        deck_warning(b->deck, w,
+                     "storey %d of building %s yields at a drift of %.3g m; are its yield and "
+                     "stiffness in the units of the deck?",
+                     floor, building, metres);
+    }
+    return metres < YIELD_MIN;
+}
+
+// One warning at most for a statement; laws that yield have a row for it.
+static void check_yields(struct builder *b, const struct storey_law *law,
+                         const struct building_draft *d, const struct selection *floors,
+                         const struct argument *given, double *const *value) {
+    for (int r = 0; r < law->n_row; r++) {
+        bool warned = !value[r] || strcmp(law->row[r].key, "yield") != 0;
+        for (int k = 0; !warned && k < floors->n_floor; k++) {
+            const int i = floors->floor[k] - 1;
+            warned =
+                warn_yield(b, &given[r].word[0], d->name, i + 1, value[r][k] / d->stiffness[i]);
+        }
+    }
+}
+
 static void assign(struct builder *b, const struct statement *s, const struct storey_law *law,
                    const struct selection *floors, const struct argument *own,
                    const struct argument *given) {
@@ -82,6 +114,9 @@ static void assign(struct builder *b, const struct statement *s, const struct st
             d->stiffness[i] = stiffness[k];
         }
         good = good && prepare(b, s, law, value, k, d->stiffness[i], &d->storey[i]);
+    }
+    if (good) {
+        check_yields(b, law, d, floors, given, value);
     }
 }
 

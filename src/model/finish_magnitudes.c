@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Magnitudes that no building, gap or ground motion has come from units that were mixed up. The
+// limits lie well beyond what there is:
+//
+// Periods: 11.3 s of the highest tower (Baker, Korista & Novak 2007, The Structural Design of Tall
+// and Special Buildings 16, 361-375); stiff masonry of one storey has some 0.05 s.
+// Heights: 828 m of the same tower; storeys on shaking tables are some centimetres high.
+// Gaps: twice the largest drift that ASCE 7-22 allows, 2.5 % (table 12.12-1), of 100 m.
+// Ground: the largest horizontal acceleration recorded is 2.75 g (K-NET MYG004, Tohoku 2011); below
+// 0.0005 g nobody feels it (ShakeMap, by Worden et al. 2012, Bull. Seism. Soc. Am. 102, 204-221).
+#include <gsl/gsl_math.h>
+#include <gsl/gsl_statistics_double.h>
+
+#include "core/text.h"
+#include "model/finish.h"
+
+static const double G = 9.80665;  // [m/s^2]
+
+// One kind of magnitude, its limits and their unit.
+struct magnitude {
+    const char *what, *doubt, *unit;
+    double min, max;
+};
+static const struct magnitude first_period = {
+    .what = "first period of building",
+    .doubt = "are its mass and stiffness in the units of the deck?",
+    .unit = "s",
+    .min = 0.01,
+    .max = 15.0,
+};
+static const struct magnitude mean_storey = {
+    .what = "mean storey height of building",
+    .doubt = "are its heights in the units of the deck?",
+    .unit = "m",
+    .min = 0.01,
+    .max = 200.0,
+};
+static const struct magnitude total_height = {
+    .what = "height of building",
+    .doubt = "are its heights those of single storeys, in the units of the deck?",
+    .unit = "m",
+    .max = 1000.0,
+};
+static const struct magnitude clear_gap = {
+    .what = "gap of contact",
+    .doubt = "is it in the units of the deck?",
+    .unit = "m",
+    .max = 5.0,
+};
+static const struct magnitude ground_peak = {
+    .what = "peak of the ground motion",
+    .doubt = "are its unit and its scale right?",
+    .unit = "g",
+    .min = 0.0005,
+    .max = 3.0,
+};
+
+// Values beyond the limits of one kind: the first of them, and how many there are.
+struct finding {
+    const struct word *word;
+    const char *name;  // whose it is
+    double value;
+    int n;
+};
+
+static void look(const struct magnitude *kind, struct finding *f, const struct word *w,
+                 const char *name, double value) {
+    if ((value < kind->min || value > kind->max) && f->n++ == 0) {
+        f->word = w;
+        f->name = name;
+        f->value = value;
+    }
+}
+
+static void report(struct builder *b, const struct magnitude *kind, const struct finding *f) {
+    struct text_more more;
+    if (f->n > 0) {
+        deck_warning(b->deck, f->word, "the %s %s%s is %.4g %s; %s", kind->what, f->name,
+                     text_more(&more, f->n), f->value, kind->unit, kind->doubt);
+    }
+}
+
+bool finish_stands(const struct building *g) {
+    return gsl_stats_min(g->stiffness, 1, (size_t)g->n_floor) > 0.0;
+}
+
+static void check_buildings(struct builder *b, const struct model *m) {
+    const struct unit_system *u = &b->deck->units;
+    struct finding period = {0}, storey = {0}, height = {0};
+    for (int i = 0; i < m->n_building; i++) {
+        const struct building *g = &m->building[i];
+        const struct word *w = &builder_draft(b, i)->word;
+        if (finish_stands(g)) {
+            look(&first_period, &period, w, g->name, 2.0 * M_PI / g->omega[0] * u->time);
+        }
+        if (g->height) {
+            const double mean = gsl_stats_mean(g->height, 1, (size_t)g->n_floor) * u->length;
+            look(&mean_storey, &storey, w, g->name, mean);
+            look(&total_height, &height, w, g->name, mean * g->n_floor);
+        }
+    }
+    report(b, &first_period, &period);
+    report(b, &mean_storey, &storey);
+    if (storey.n == 0) {
+        report(b, &total_height, &height);
+    }
+}
+
+static void check_gaps(struct builder *b) {
+    const struct link_draft *draft = b->links.item;
+    struct finding gap = {0};
+    for (int i = 0; i < b->links.n; i++) {
+        const struct link *l = &draft[i].link;
+        if (!l->bilateral) {
+            look(&clear_gap, &gap, &draft[i].word, l->name, fabs(l->gap) * b->deck->units.length);
+        }
+    }
+    report(b, &clear_gap, &gap);
+}
+
+static void check_grounds(struct builder *b) {
+    const double unit = unit_size(&b->deck->units, dimension_acceleration) / G;
+    const struct ground_draft *draft = b->grounds.item;
+    struct finding peak = {0};
+    for (int i = 0; i < b->grounds.n; i++) {
+        const double value = signal_peak(&draft[i].signal) * unit;
+        if (value > 0.0 && !draft[i].judged) {
+            look(&ground_peak, &peak, &draft[i].word, draft[i].signal.name, value);
+        }
+    }
+    report(b, &ground_peak, &peak);
+}
+
+void finish_magnitudes(struct builder *b, const struct model *m) {
+    check_buildings(b, m);
+    check_gaps(b);
+    check_grounds(b);
+}
