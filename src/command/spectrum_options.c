@@ -28,6 +28,7 @@ enum {
     OPTION_FORMAT,
     OPTION_UNIT,
     OPTION_DT,
+    OPTION_DEMEAN,
     OPTION_SCALE,
     OPTION_PGA,
     OPTION_INTENSITIES,
@@ -58,6 +59,7 @@ static const char details[] =
     "  --format F       format of the records; found if not given\n"
     "  --unit U         unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it\n"
     "  --dt DT          time between samples, if a file does not say it\n"
+    "  --demean         subtracts the mean of the values from each record\n"
     "  --intensities    no spectra\n"
     "  --pounding DECK  the largest contact force of a deck over the periods of two structures,\n"
     "                   which it takes from its params T1 and T2; --periods is for both (default:\n"
@@ -252,6 +254,9 @@ static int take(void *request, int letter) {
         case 'D':
             q->define[q->n_define++] = optarg;
             break;
+        case OPTION_DEMEAN:
+            q->record.demean = true;
+            break;
         case OPTION_INTENSITIES:
             q->content = CONTENT_INTENSITIES;
             break;
@@ -269,7 +274,7 @@ static int take(void *request, int letter) {
 
 static int check_pounding(const struct spectrum_request *q) {
     const struct record_request *r = &q->record;
-    if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || q->scale != 1.0 ||
+    if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || r->demean || q->scale != 1.0 ||
         q->pga != 0.0 || q->damping || q->content == CONTENT_INTENSITIES) {
         return command_usage(self, "--pounding takes records and damping from the deck");
     }
@@ -334,6 +339,7 @@ static const struct option option[] = {
     {"format", required_argument, NULL, OPTION_FORMAT},
     {"unit", required_argument, NULL, OPTION_UNIT},
     {"dt", required_argument, NULL, OPTION_DT},
+    {"demean", no_argument, NULL, OPTION_DEMEAN},
     {"scale", required_argument, NULL, OPTION_SCALE},
     {"pga", required_argument, NULL, OPTION_PGA},
     {"intensities", no_argument, NULL, OPTION_INTENSITIES},

@@ -12,13 +12,15 @@
 // all others: those are broken numbers.
 //
 // Offset: the velocity left at the end is the mean times the duration. It is at most 0.25 m/s in
-// some 120 records of PEER and others as they were released.
+// some 120 records of PEER and others as they were released. Uncorrected records have offsets above
+// their peaks, which -demean takes off.
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
 
 #include "motion/record_format.h"
 #include "motion/record_unit.h"
+#include "motion/values.h"
 
 static const double G = 9.80665;
 static const double DT_MIN = 1e-5;
@@ -156,18 +158,24 @@ static int check_peak(const struct check *c, struct error *e) {
 
 static void check_offset(const struct check *c) {
     const struct record_content *content = c->content;
-    double sum = 0;
-    for (size_t i = 0; i < content->n; i++) {
-        sum += content->value[i];
-    }
-    double mean = sum / (double)content->n * c->out->unit;
+    double mean = values_mean(content->value, content->n) * c->out->unit;
     double velocity = mean * c->out->dt * (double)(content->n - 1);
     bool large = fabs(content->value[content->peak]) * c->out->unit > WARN_G * G;
     if (!large && fabs(velocity) > END_VELOCITY) {
         warn(c, 0,
              "the mean is %.3g g, so that the ground is left with a velocity of %.3g m/s; "
-             "correct the baseline of the record",
+             "-demean subtracts the mean, or correct the baseline of the record",
              mean / G, velocity);
+    }
+}
+
+// Takes the mean off the values, which have been weighed as they are printed.
+static void demean(const struct record_content *content, struct record *out) {
+    out->mean = values_mean(content->value, content->n);
+    out->peak = 0;
+    for (size_t i = 0; i < content->n; i++) {
+        content->value[i] -= out->mean;
+        out->peak = fmax(out->peak, fabs(content->value[i]));
     }
 }
 
@@ -205,7 +213,9 @@ int record_check(const struct record_request *request, const struct record_text 
     if (status) {
         return status;
     }
-    if (!request->plain) {
+    if (request->demean) {
+        demean(content, out);
+    } else if (!request->plain) {
         check_offset(&c);
     }
     check_times(&c);

@@ -21,9 +21,9 @@ int record_text_open(const char *path, size_t limit, struct record_text *out,
 // What a file says about itself. Lines are counted from 1.
 struct record_content {
     size_t n;
-    const double *value;  // (n) from the arena, as printed
-    size_t peak;          // index of the first largest |value|
-    int peak_line;        // where it stands
+    double *value;  // (n) from the arena, as printed
+    size_t peak;    // index of the first largest |value|
+    int peak_line;  // where it stands
 
     double dt;            // [s] > 0; 0: the file does not say it
     int dt_line;          // where it says or should say so

@@ -27,6 +27,20 @@ void values_note_peak(struct record_content *out, const double *value, size_t in
     }
 }
 
+// The mean of what the values are above `base`.
+static double mean_above(const double *value, size_t n, double base) {
+    double sum = 0;
+    for (size_t i = 0; i < n; i++) {
+        sum += value[i] - base;
+    }
+    return sum / (double)n;
+}
+
+double values_mean(const double *value, size_t n) {
+    const double mean = mean_above(value, n, 0);
+    return mean + mean_above(value, n, mean);
+}
+
 int values_read(struct arena *a, const struct record_text *t, struct lines from,
                 const char *separators, size_t n, struct record_content *out, struct error *e) {
     double *value = arena_alloc(a, n, sizeof *value);

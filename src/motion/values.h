@@ -20,4 +20,7 @@ int values_read(struct arena *a, const struct record_text *t, struct lines from,
 // Keeps `peak` and `peak_line` when value `index`, read from `line`, is larger than all before it.
 void values_note_peak(struct record_content *out, const double *value, size_t index, int line);
 
+// The mean of n >= 1 values, to the last bit where they are all the same.
+double values_mean(const double *value, size_t n);
+
 #endif

@@ -85,6 +85,11 @@ expect "a link without stiffness and damping is warned of" '[ $status -eq 0 ] &&
 run "$jostle" check idle.deck -D c=1kN*s/m
 expect "one that does something is not" '[ $status -eq 0 ] && ! said "does nothing"'
 
+printf '%s\n' 100 110 80 130 100 >offset.txt
+two_buildings offset.deck 'ground record offset.txt -dt 10ms -unit gal -demean -scale 2'
+run "$jostle" check offset.deck
+expect "check says what -demean subtracts" '[ $status -eq 0 ] && grep -q "offset.txt: peak 0.52 m/s^2" "$out" && grep -q "a mean of 2.08 m/s^2 was subtracted" "$out"'
+
 {
     cat idle.deck
     awk 'BEGIN { for (i = 0; i < 600000; i++) printf "param p%d %d\n", i, i }'

@@ -35,6 +35,11 @@ run "$jostle" spectrum --intensities values.txt --dt 10ms --unit cm/s2
 expect "--dt and --unit say what the file does not" '[ $status -eq 0 ] && grep -q "0.03059 .* 0.04  values$" "$out"'
 run "$jostle" spectrum --intensities values.txt -dt 0.01 -unit gal
 expect "they may be spelt as in a deck" '[ $status -eq 0 ] && grep -q "0.03059 .* 0.04  values$" "$out"'
+printf '%s\n' 100 110 80 130 100 >offset.txt
+run "$jostle" spectrum --intensities offset.txt --dt 0.01 --unit gal --demean
+expect "--demean subtracts the mean" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^ *0.02651 " "$out"'
+run "$jostle" spectrum --intensities offset.txt --dt 0.01 --unit gal --demean --pga 0.5g
+expect "--pga scales what --demean leaves" '[ $status -eq 0 ] && grep -q "^ *0.5 " "$out"'
 run "$jostle" spectrum values.txt --dt 0.01
 expect "without a unit the record is refused" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "values.txt: the file gives no unit"'
 run "$jostle" spectrum values.txt --dt 0.01 --unit mg --format columns

@@ -35,8 +35,30 @@ static void large_accelerations_raise_doubts_about_the_unit(void **state) {
 static void an_offset_that_leaves_a_velocity_is_said(void **state) {
     struct reading *r = *state;
     reading_of_text(r, PEER_TITLE "NPTS= 3, DT= .5 SEC\n.1 .1 .1\n");
-    assert_warned(r, "a.txt: the mean is 0.1 g, so that the ground is left with a velocity of "
-                     "0.981 m/s; correct the baseline of the record");
+    assert_warned(r,
+                  "a.txt: the mean is 0.1 g, so that the ground is left with a velocity of "
+                  "0.981 m/s; -demean subtracts the mean, or correct the baseline of the record");
+}
+
+static void demean_subtracts_the_mean_before_any_scaling(void **state) {
+    struct reading *r = *state;
+    r->request.demean = true;
+    reading_of_text(r, PEER_TITLE "NPTS= 4, DT= .5 SEC\n.5 .75 .25 .5\n");
+    assert_silent(r);
+    assert_true(r->record.mean == 0.5 && r->record.peak == 0.25);
+    assert_true(r->record.value[0] == 0 && r->record.value[1] == 0.25);
+    assert_true(r->record.value[2] == -0.25 && r->record.value[3] == 0);
+    reading_of_text(r, PEER_TITLE "NPTS= 3, DT= .5 SEC\n.1 .1 .1\n");
+    assert_silent(r);
+    assert_true(r->record.mean == 0.1 && r->record.peak == 0);
+}
+
+static void values_are_weighed_as_they_are_printed_before_demean(void **state) {
+    struct reading *r = *state;
+    r->request.demean = true;
+    reading_of_text(r, PEER_TITLE "NPTS= 3, DT= .01 SEC\n500 501\n499\n");
+    assert_warned(r, "a.txt:5: the largest acceleration is 501 g; if the values are in another "
+                     "unit, say so with -unit (cm/s2, m/s2, ...)");
 }
 
 static void files_that_are_no_records_are_called_by_their_name(void **state) {
@@ -252,6 +274,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         TEST_READING(large_accelerations_raise_doubts_about_the_unit),
         TEST_READING(an_offset_that_leaves_a_velocity_is_said),
+        TEST_READING(demean_subtracts_the_mean_before_any_scaling),
+        TEST_READING(values_are_weighed_as_they_are_printed_before_demean),
         TEST_READING(files_that_are_no_records_are_called_by_their_name),
         TEST_READING(an_unknown_format_gets_the_nearest_name),
         TEST_READING(a_zero_byte_in_the_text_is_refused),

@@ -9,6 +9,7 @@ enum {
     R_FORMAT,
     R_UNIT,
     R_DT,
+    R_DEMEAN,
     R_SCALE,
     R_PGA,
     R_SA,
@@ -25,6 +26,7 @@ static const struct row record_rows[N_RECORD_ROW] = {
     [R_FORMAT] = {"format", ROW_TEXT, 0, {0}, NULL, NAN, "format of the file; found if not given"},
     [R_UNIT] = {"unit", ROW_TEXT, 0, {0}, NULL, NAN, "unit of the values: g, m/s2, cm/s2, gal ..."},
     [R_DT] = {"dt", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "time between samples"},
+    [R_DEMEAN] = {"demean", ROW_FLAG, 0, {0}, NULL, NAN, "subtract the mean of the values"},
     [R_SCALE] = {"scale", ROW_NUMBER, 0, {0}, NULL, 1.0, "factor; negative turns the record round"},
     [R_PGA] = {"pga",
                ROW_NUMBER,
@@ -185,6 +187,7 @@ static bool read_record(struct builder *b, const struct statement *s, const stru
         .unit = a[R_UNIT].given ? a[R_UNIT].text[0] : NULL,
         .dt = a[R_DT].given ? a[R_DT].number[0] * b->deck->units.time : 0.0,
         .gravity = deck_gravity(b->deck),
+        .demean = a[R_DEMEAN].given,
     };
     struct error e;
     if (shelf_read(b->records, b->arena, &request, r, &e) != STATUS_OK) {
@@ -223,6 +226,7 @@ static void build_record(struct builder *b, const struct statement *s) {
         return;
     }
     signal.name = name;
+    signal.mean = scale * r.mean;
     append(b, s, &signal, &a[R_BUILDINGS], a);
 }
 
@@ -250,10 +254,9 @@ static void build(struct builder *b, const struct statement *s) {
 
 const struct statement_kind statement_ground = {
     .name = "ground",
-    .usage = "record FILE [-format F] [-unit U] [-dt DT] [-scale S | -pga A | -sa A [-period T | "
-             "-building NAME] [-damping Z]] [-delay T] [-buildings NAMES] | sine -amplitude A "
-             "-frequency F [-phase P] [-cycles N] [-delay T] [-buildings "
-             "NAMES]",
+    .usage = "record FILE [-format F] [-unit U] [-dt DT] [-demean] [-scale S | -pga A | -sa A "
+             "[-period T | -building NAME] [-damping Z]] [-delay T] [-buildings NAMES] | sine "
+             "-amplitude A -frequency F [-phase P] [-cycles N] [-delay T] [-buildings NAMES]",
     .summary = "ground acceleration; several under one building add up",
     .example = "ground record records/ELCENTRO_1940_NS.AT2 -pga 0.35g",
     .variant = variants,
