@@ -29,7 +29,6 @@ static const struct {
     int n_line;  // it stands in one of so many lines
 } formats[] = {
     {"COSMOS", "(FORMAT V", 1},
-    {"K-NET/KiK-net", "SAMPLING FREQ(HZ)", 20},
     {"SMC (USGS)", "1 UNCORRECTED ACCELEROGRAM", 1},
     {"SMC (USGS)", "2 CORRECTED ACCELEROGRAM", 1},
     {"GeoNet", "GNS SCIENCE", 1},

@@ -33,6 +33,11 @@ struct record_content {
     struct excerpt unit_text;  // as the file writes it
     int unit_line;             // where; 0: the file says nothing about a unit
 
+    double stated_peak;      // the largest acceleration that the file states, in its unit
+    double stated_rounding;  // its last digit
+    bool stated_about_mean;  // it is that of the values less their mean
+    int stated_line;         // where; 0: the file states none
+
     double time_offset;  // [s] time of the first sample
     double time_error;   // largest distance of a time from the even grid, in steps
 };

@@ -65,3 +65,23 @@ int values_read(struct arena *a, const struct record_text *t, struct lines from,
     out->n = n;
     return STATUS_OK;
 }
+
+// Where there are fewer than stated, what comes last may be half a number and is not read.
+int values_read_stated(struct arena *a, const struct record_text *t, struct lines from,
+                       double stated, int stated_line, struct record_content *out,
+                       struct error *e) {
+    int last_line;
+    const size_t n = values_count(from, "", &last_line);
+    const bool is_short = (double)n < stated;
+    const int status = values_read(a, t, from, "", is_short && n > 0 ? n - 1 : n, out, e);
+    if (status != STATUS_OK || (double)n == stated) {
+        return status;
+    }
+    if (!is_short) {
+        return lines_error(e, t->path, stated_line,
+                           "the header says %.0f values; the file holds %zu", stated, n);
+    }
+    return lines_error(e, t->path, last_line ? last_line : from.number,
+                       "the file ends after %zu values; its header (line %d) says %.0f", n,
+                       stated_line, stated);
+}

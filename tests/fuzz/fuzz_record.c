@@ -13,15 +13,16 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static struct record_request make_request(unsigned choice) {
-    unsigned format = choice & 7;
+    unsigned format = choice & 15;
     bool known = format > 0 && format <= (unsigned)n_record_format;
     return (struct record_request){
         .path = "fuzz.AT2",
         .format = known ? record_formats[format - 1]->name : NULL,
-        .dt = choice & 8 ? 0.01 : 0,
-        .unit = choice & 16 ? "g" : NULL,
+        .dt = choice & 16 ? 0.01 : 0,
+        .unit = choice & 32 ? "g" : NULL,
         .gravity = 9.80665,
-        .plain = choice & 32,
+        .demean = (choice & 192) == 64,
+        .plain = choice & 128,
     };
 }
 
