@@ -11,7 +11,7 @@
 // Then the values in whole counts, eight a line, as many as rate times duration. They are not
 // corrected: they carry an offset that may be many times the largest acceleration.
 //
-// Source: NIED, https://www.kyoshin.bosai.go.jp, "K-NET ASCII format".
+// Source: NIED, https://www.kyoshin.bosai.go.jp, and the reader of ObsPy, obspy.io.nied.knet.
 #include <math.h>
 #include <string.h>
 

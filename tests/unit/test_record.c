@@ -76,8 +76,6 @@ static void files_that_are_no_records_are_called_by_their_name(void **state) {
          "a.txt: looks like format COSMOS, which cannot be read yet"},
         {"2 CORRECTED ACCELEROGRAM\n*\n1 2\n",
          "a.txt: looks like format SMC (USGS), which cannot be read yet"},
-        {"EVENT_NAME: X\n1\n2\n",
-         "a.txt: looks like format ESM/ITACA DYNA, which cannot be read yet"},
     };
     struct reading *r = *state;
     for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
@@ -91,7 +89,7 @@ static void an_unknown_format_gets_the_nearest_name(void **state) {
     r->request.format = "colums";
     reading_of_text(r, "1\n2\n");
     assert_refused(r, "a.txt: unknown record format 'colums'; did you mean 'columns'?; there are "
-                      "knet, peer, series, columns");
+                      "knet, esm, peer, series, columns");
 }
 
 static void a_zero_byte_in_the_text_is_refused(void **state) {
