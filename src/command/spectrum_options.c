@@ -26,6 +26,7 @@ enum {
     OPTION_DAMPING = UCHAR_MAX + 1,
     OPTION_PERIODS,
     OPTION_FORMAT,
+    OPTION_CHANNEL,
     OPTION_UNIT,
     OPTION_DT,
     OPTION_DEMEAN,
@@ -57,6 +58,7 @@ static const char details[] =
     "  --scale S        multiplies each record by S\n"
     "  --pga A          scales each record to this peak, 0.35g or 3.4m/s2\n"
     "  --format F       format of the records; found if not given\n"
+    "  --channel N      channel of the records, where a file holds several\n"
     "  --unit U         unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it\n"
     "  --dt DT          time between samples, if a file does not say it\n"
     "  --demean         subtracts the mean of the values from each record\n"
@@ -214,6 +216,16 @@ static int parse_pga(const char *text, struct spectrum_request *q) {
                      text);
 }
 
+static int parse_channel(const char *text, struct spectrum_request *q) {
+    double n;
+    if (!read_whole(text, &dimension_none, BARE_ALLOWED, &n) || n != floor(n) ||
+        !(n >= 1.0 && n <= INT_MAX)) {
+        return command_usage(self, "--channel takes a number from 1, not '%s'", text);
+    }
+    q->record.channel = (int)n;
+    return EXIT_DONE;
+}
+
 static int parse_dt(const char *text, struct spectrum_request *q) {
     return read_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) && q->record.dt > 0.0
                ? EXIT_DONE
@@ -247,6 +259,8 @@ static int take(void *request, int letter) {
             return parse_scale(optarg, q);
         case OPTION_PGA:
             return parse_pga(optarg, q);
+        case OPTION_CHANNEL:
+            return parse_channel(optarg, q);
         case OPTION_DT:
             return parse_dt(optarg, q);
         case 'j':
@@ -274,8 +288,8 @@ static int take(void *request, int letter) {
 
 static int check_pounding(const struct spectrum_request *q) {
     const struct record_request *r = &q->record;
-    if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || r->demean || q->scale != 1.0 ||
-        q->pga != 0.0 || q->damping || q->content == CONTENT_INTENSITIES) {
+    if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || r->demean || r->channel ||
+        q->scale != 1.0 || q->pga != 0.0 || q->damping || q->content == CONTENT_INTENSITIES) {
         return command_usage(self, "--pounding takes records and damping from the deck");
     }
     if (q->period && q->period[0] == 0.0) {
@@ -337,6 +351,7 @@ static const struct option option[] = {
     {"damping", required_argument, NULL, OPTION_DAMPING},
     {"periods", required_argument, NULL, OPTION_PERIODS},
     {"format", required_argument, NULL, OPTION_FORMAT},
+    {"channel", required_argument, NULL, OPTION_CHANNEL},
     {"unit", required_argument, NULL, OPTION_UNIT},
     {"dt", required_argument, NULL, OPTION_DT},
     {"demean", no_argument, NULL, OPTION_DEMEAN},

@@ -33,8 +33,6 @@ static const struct {
     {"SMC (USGS)", "2 CORRECTED ACCELEROGRAM", 1},
     {"GeoNet", "GNS SCIENCE", 1},
     {"CSMIP volume 1 or 2, or one made after it", "CORRECTED ACCELEROGRAM", 3},
-    {"CWA", "#EARTHQUAKE INFORMATION", 1},
-    {"AFAD/NSMN", "STRONG GROUND MOTION RECORDS OF TURKIYE", 3},
     {"UNAM", "INSTITUTO DE INGENIERIA, UNAM", 5},
     {"BHRC volume 1", "VOL1DS FILE", 1},
 };

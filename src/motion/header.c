@@ -90,6 +90,22 @@ int header_count(const struct header *h, const char *key, struct header_entry *o
     return status;
 }
 
+int header_duration(const struct header *h, const char *key, double rate, struct header_entry *out,
+                    double *n, struct error *e) {
+    double duration;
+    const int status = header_positive(h, key, out, &duration, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    *n = rate * duration;
+    return *n == floor(*n) && *n >= 2
+               ? STATUS_OK
+               : lines_error(e, h->text->path, out->line,
+                             "%g s at %g Hz are %g values; they must be a whole number of at "
+                             "least 2",
+                             duration, rate, *n);
+}
+
 // One unit in the last digit of a decimal number.
 static double last_digit(struct piece number) {
     const char *point = memchr(number.text, '.', number.n);

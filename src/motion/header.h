@@ -31,6 +31,10 @@ int header_positive(const struct header *h, const char *key, struct header_entry
 int header_count(const struct header *h, const char *key, struct header_entry *out, double *n,
                  struct error *e);
 
+// The number of values of a duration at `rate` a second.
+int header_duration(const struct header *h, const char *key, double rate, struct header_entry *out,
+                    double *n, struct error *e);
+
 // `value`, a piece of the entry's, as a number > 0.
 int header_read_positive(const struct header *h, const struct header_entry *from,
                          struct piece value, double *number, struct error *e);

@@ -61,28 +61,6 @@ static int read_rate(const struct header *h, double *rate, struct record_content
     return status;
 }
 
-// The number of values, and the line that says the duration.
-static int read_count(const struct header *h, double *n, int *line, struct record_content *out,
-                      struct error *e) {
-    double rate, duration;
-    struct header_entry entry;
-    int status = read_rate(h, &rate, out, e);
-    if (status == STATUS_OK) {
-        status = header_positive(h, "Duration Time(s)", &entry, &duration, e);
-    }
-    if (status != STATUS_OK) {
-        return status;
-    }
-    *n = rate * duration;
-    *line = entry.line;
-    return *n == floor(*n) && *n >= 2
-               ? STATUS_OK
-               : lines_error(e, h->text->path, entry.line,
-                             "%g s at %g Hz are %g values; they must be a whole number of at "
-                             "least 2",
-                             duration, rate, *n);
-}
-
 // The acceleration of one count in the unit of the file, `3920(gal)/6182761`.
 static int read_scale(const struct record_request *request, const struct header *h, double *scale,
                       struct record_content *out, struct error *e) {
@@ -125,10 +103,15 @@ static int read_peak(const struct header *h, struct record_content *out, struct 
     return header_read_peak(h, &entry, entry.value, out, e);
 }
 
-static int read_counts(struct arena *a, const struct record_text *t, const struct lines *l,
-                       double n, int n_line, double scale, struct record_content *out,
-                       struct error *e) {
-    const int status = values_read_stated(a, t, *l, n, n_line, out, e);
+// Reads the counts and scales them.
+static int read_values(struct arena *a, const struct header *h, const struct lines *l, double rate,
+                       double scale, struct record_content *out, struct error *e) {
+    double n;
+    struct header_entry entry;
+    int status = header_duration(h, "Duration Time(s)", rate, &entry, &n, e);
+    if (status == STATUS_OK) {
+        status = values_read_stated(a, h->text, *l, n, entry.line, out, e);
+    }
     for (size_t i = 0; status == STATUS_OK && i < out->n; i++) {
         out->value[i] *= scale;
     }
@@ -145,17 +128,16 @@ static int knet_read(struct arena *a, const struct record_request *request,
                            HEADER_LINES_MAX);
     }
     const struct header h = {t, l.number};
-    double n;
-    double scale = 1;
-    int n_line;
-    int status = read_count(&h, &n, &n_line, out, e);
+    double rate = 0;
+    double scale = 0;
+    int status = read_rate(&h, &rate, out, e);
     if (status == STATUS_OK) {
         status = read_scale(request, &h, &scale, out, e);
     }
     if (status == STATUS_OK) {
         status = read_peak(&h, out, e);
     }
-    return status == STATUS_OK ? read_counts(a, t, &l, n, n_line, scale, out, e) : status;
+    return status == STATUS_OK ? read_values(a, &h, &l, rate, scale, out, e) : status;
 }
 
 const struct record_format record_knet = {

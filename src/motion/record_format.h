@@ -20,6 +20,8 @@ int record_text_open(const char *path, size_t limit, struct record_text *out,
 
 // What a file says about itself. Lines are counted from 1.
 struct record_content {
+    enum record_part wrong;  // after an error, as in struct record
+
     size_t n;
     double *value;  // (n) from the arena, as printed
     size_t peak;    // index of the first largest |value|

@@ -7,6 +7,7 @@
 
 enum {
     R_FORMAT,
+    R_CHANNEL,
     R_UNIT,
     R_DT,
     R_DEMEAN,
@@ -22,8 +23,17 @@ enum {
 };
 enum { S_DELAY = SINE_ROWS, S_BUILDINGS, N_SINE_ROW };
 
+static const struct range channel_range = {.min = 1.0, .max = 1000.0, .text = ">= 1 and <= 1000"};
+
 static const struct row record_rows[N_RECORD_ROW] = {
     [R_FORMAT] = {"format", ROW_TEXT, 0, {0}, NULL, NAN, "format of the file; found if not given"},
+    [R_CHANNEL] = {"channel",
+                   ROW_INTEGER,
+                   0,
+                   {0},
+                   &channel_range,
+                   NAN,
+                   "which one, of a file that holds several"},
     [R_UNIT] = {"unit", ROW_TEXT, 0, {0}, NULL, NAN, "unit of the values: g, m/s2, cm/s2, gal ..."},
     [R_DT] = {"dt", ROW_NUMBER, 0, {0, 0, 1}, &range_positive, NAN, "time between samples"},
     [R_DEMEAN] = {"demean", ROW_FLAG, 0, {0}, NULL, NAN, "subtract the mean of the values"},
@@ -173,8 +183,10 @@ static bool record_scale(struct builder *b, const struct argument *a, const stru
 // The word of the statement that an error of the record is about.
 static const struct word *blamed(const struct statement *s, const struct argument *a,
                                  enum record_part wrong) {
-    static const int row[] = {
-        [RECORD_FORMAT_NAME] = R_FORMAT, [RECORD_DT] = R_DT, [RECORD_UNIT] = R_UNIT};
+    static const int row[] = {[RECORD_CHANNEL] = R_CHANNEL,
+                              [RECORD_FORMAT_NAME] = R_FORMAT,
+                              [RECORD_DT] = R_DT,
+                              [RECORD_UNIT] = R_UNIT};
     return wrong == RECORD_PATH ? &s->word[2] : &a[row[wrong]].word[0];
 }
 
@@ -187,6 +199,7 @@ static bool read_record(struct builder *b, const struct statement *s, const stru
         .unit = a[R_UNIT].given ? a[R_UNIT].text[0] : NULL,
         .dt = a[R_DT].given ? a[R_DT].number[0] * b->deck->units.time : 0.0,
         .gravity = deck_gravity(b->deck),
+        .channel = a[R_CHANNEL].given ? (int)a[R_CHANNEL].number[0] : 0,
         .demean = a[R_DEMEAN].given,
     };
     struct error e;
@@ -254,7 +267,8 @@ static void build(struct builder *b, const struct statement *s) {
 
 const struct statement_kind statement_ground = {
     .name = "ground",
-    .usage = "record FILE [-format F] [-unit U] [-dt DT] [-demean] [-scale S | -pga A | -sa A "
+    .usage = "record FILE [-format F] [-channel N] [-unit U] [-dt DT] [-demean] [-scale S | -pga A "
+             "| -sa A "
              "[-period T | -building NAME] [-damping Z]] [-delay T] [-buildings NAMES] | sine "
              "-amplitude A -frequency F [-phase P] [-cycles N] [-delay T] [-buildings NAMES]",
     .summary = "ground acceleration; several under one building add up",
