@@ -18,20 +18,23 @@ struct record_request {
     double dt;           // [s]; 0: the file must say it. Must agree with the file where it says it
     const char *unit;    // "g", "m/s2", "cm/s2", "gal" ...; NULL: the file must say it
     double gravity;      // value of the unit g [m/s^2]
+    int channel;         // of a file that holds several, from 1; 0: not said
+    bool demean;         // subtract the mean of the values
     bool plain;          // values have no acceleration unit (a load history): read as printed
 };
 
 // Which part of the request an error is about.
-enum record_part { RECORD_PATH, RECORD_FORMAT_NAME, RECORD_DT, RECORD_UNIT };
+enum record_part { RECORD_PATH, RECORD_FORMAT_NAME, RECORD_DT, RECORD_UNIT, RECORD_CHANNEL };
 
-enum { RECORD_WARNINGS_MAX = 4 };
+enum { RECORD_WARNINGS_MAX = 5 };
 struct record {
     enum record_part wrong;  // after an error of record_read
     const char *format;      // name of the format read
     size_t n;                // samples, at least 2
     double dt;               // [s]
     double unit;             // size of the file's unit [m/s^2]; 1 if plain
-    const double *value;     // (n) as printed, in the file's unit
+    const double *value;     // (n) in the file's unit, as printed, or less their mean
+    double mean;             // that was subtracted, in the file's unit; 0: none was
     double peak;             // the largest absolute value
     bool large;              // beyond any ground acceleration, which a warning says
     int n_warning;
@@ -51,6 +54,7 @@ struct record_content;
 struct record_format {
     const char *name;  // for -format
     const char *doc;   // one line
+    bool channels;     // its files hold several channels
     bool plain;        // can read values without an acceleration unit
 
     // True if the text looks like this format. Formats are asked in the order of the list.

@@ -24,6 +24,7 @@ struct signal {
     // amplitude sin(omega (t - start) + phase); a constant has omega = 0 and phase = pi/2.
     double amplitude, omega, phase;
     const char *name;    // file name, "sine" or "constant"
+    double mean;         // that was subtracted from the samples of a record; 0: none was
     const char *scaled;  // how a record was scaled to a spectrum, half a sentence; NULL: it was not
 };
 

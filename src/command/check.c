@@ -105,6 +105,9 @@ static void print_signals(const struct model *m, const struct unit_texts *t) {
             const struct signal *s = &g->signal[i];
             printf("  %s: peak %.4g %s, from %.4g to %.4g %s\n", s->name, signal_peak(s),
                    t->acceleration, s->start, s->end, t->time);
+            if (s->mean != 0.0) {
+                printf("    a mean of %.4g %s was subtracted\n", s->mean, t->acceleration);
+            }
             if (s->scaled) {
                 printf("    %s\n", s->scaled);
             }

@@ -18,8 +18,8 @@ const struct command command_spectrum = {
     .usage =
         "RECORD... [--damping LIST] [--periods FROM:TO:N|LIST]\n"
         "           [--scale S|--pga A|--target FILE [--match FROM:TO:N|LIST] [--deck]]\n"
-        "           [--format F] [--unit U] [--dt DT] [--intensities] [--tsv]\n"
-        "           [-o FILE.png|.svg|.pdf] [--script DIR] [--force]\n"
+        "           [--format F] [--channel N] [--unit U] [--dt DT] [--demean]\n"
+        "           [--intensities] [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]\n"
         "       jostle spectrum --pounding DECK [--periods FROM:TO:N|LIST] [-D NAME=VALUE]...\n"
         "           [-j THREADS] [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
     .summary = "prints or draws intensities and response spectra of ground motions",

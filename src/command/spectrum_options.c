@@ -26,8 +26,10 @@ enum {
     OPTION_DAMPING = UCHAR_MAX + 1,
     OPTION_PERIODS,
     OPTION_FORMAT,
+    OPTION_CHANNEL,
     OPTION_UNIT,
     OPTION_DT,
+    OPTION_DEMEAN,
     OPTION_SCALE,
     OPTION_PGA,
     OPTION_TARGET,
@@ -65,8 +67,10 @@ static const char details[] =
     "                   over the whole target)\n"
     "  --deck           prints the records and their factors as sweeps for a deck, nothing else\n"
     "  --format F       format of the records; found if not given\n"
+    "  --channel N      channel of the records, where a file holds several\n"
     "  --unit U         unit of the values, g, m/s2, cm/s2, gal ..., if a file does not say it\n"
     "  --dt DT          time between samples, if a file does not say it\n"
+    "  --demean         subtracts the mean of the values from each record\n"
     "  --intensities    no spectra\n"
     "  --pounding DECK  the largest contact force of a deck over the periods of two structures,\n"
     "                   which it takes from its params T1 and T2; --periods is for both (default:\n"
@@ -125,6 +129,16 @@ static int parse_pga(const char *text, struct spectrum_request *q) {
                      text);
 }
 
+static int parse_channel(const char *text, struct spectrum_request *q) {
+    double n;
+    if (!quantity_whole(text, &dimension_none, BARE_ALLOWED, &n) || n != floor(n) ||
+        !(n >= 1.0 && n <= INT_MAX)) {
+        return command_usage(self, "--channel takes a number from 1, not '%s'", text);
+    }
+    q->record.channel = (int)n;
+    return EXIT_DONE;
+}
+
 static int parse_dt(const char *text, struct spectrum_request *q) {
     return quantity_whole(text, &dimension_time, BARE_ALLOWED, &q->record.dt) && q->record.dt > 0.0
                ? EXIT_DONE
@@ -153,8 +167,10 @@ static const struct option option[] = {
     {"damping", required_argument, NULL, OPTION_DAMPING},
     {"periods", required_argument, NULL, OPTION_PERIODS},
     {"format", required_argument, NULL, OPTION_FORMAT},
+    {"channel", required_argument, NULL, OPTION_CHANNEL},
     {"unit", required_argument, NULL, OPTION_UNIT},
     {"dt", required_argument, NULL, OPTION_DT},
+    {"demean", no_argument, NULL, OPTION_DEMEAN},
     {"scale", required_argument, NULL, OPTION_SCALE},
     {"pga", required_argument, NULL, OPTION_PGA},
     {"target", required_argument, NULL, OPTION_TARGET},
@@ -211,12 +227,17 @@ static int take(void *request, int letter) {
             return parse_scale(optarg, q);
         case OPTION_PGA:
             return parse_pga(optarg, q);
+        case OPTION_CHANNEL:
+            return parse_channel(optarg, q);
         case OPTION_DT:
             return parse_dt(optarg, q);
         case 'j':
             return threads_parse(self, optarg, &q->n_thread);
         case 'D':
             q->define[q->n_define++] = optarg;
+            break;
+        case OPTION_DEMEAN:
+            q->record.demean = true;
             break;
         case OPTION_INTENSITIES:
             q->content = CONTENT_INTENSITIES;
@@ -236,8 +257,9 @@ static int take(void *request, int letter) {
 
 static int check_pounding(const struct spectrum_request *q) {
     const struct record_request *r = &q->record;
-    if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || q->scale != 1.0 ||
-        q->pga != 0.0 || q->target || q->damping || q->content == CONTENT_INTENSITIES) {
+    if (q->n_record > 0 || r->format || r->unit || r->dt != 0.0 || r->demean || r->channel ||
+        q->scale != 1.0 || q->pga != 0.0 || q->target || q->damping ||
+        q->content == CONTENT_INTENSITIES) {
         return command_usage(self, "--pounding takes records and damping from the deck");
     }
     if (q->periods.value && q->periods.value[0] == 0.0) {

@@ -50,6 +50,7 @@ static void scale_record(struct builder *b, const struct building *building,
         return;
     }
     g->signal.name = raw.name;
+    g->signal.mean = factor * raw.mean;
     g->signal.scaled = arena_format(
         b->arena, "scaled by %.6g to a PSA of %.6g %s at a period of %.6g %s, %.4g %% damping",
         factor, s->acceleration, unit, period, b->deck->units.time_name, 100.0 * s->damping);

@@ -29,14 +29,10 @@ static const struct {
     int n_line;  // it stands in one of so many lines
 } formats[] = {
     {"COSMOS", "(FORMAT V", 1},
-    {"K-NET/KiK-net", "SAMPLING FREQ(HZ)", 20},
     {"SMC (USGS)", "1 UNCORRECTED ACCELEROGRAM", 1},
     {"SMC (USGS)", "2 CORRECTED ACCELEROGRAM", 1},
     {"GeoNet", "GNS SCIENCE", 1},
     {"CSMIP volume 1 or 2, or one made after it", "CORRECTED ACCELEROGRAM", 3},
-    {"ESM/ITACA DYNA", "EVENT_NAME:", 1},
-    {"CWA", "#EARTHQUAKE INFORMATION", 1},
-    {"AFAD/NSMN", "STRONG GROUND MOTION RECORDS OF TURKIYE", 3},
     {"UNAM", "INSTITUTO DE INGENIERIA, UNAM", 5},
     {"BHRC volume 1", "VOL1DS FILE", 1},
 };

@@ -183,31 +183,6 @@ static int read_titles(const struct record_request *request, const struct record
     return STATUS_OK;
 }
 
-// Reads the values. Where there are fewer than the header says, what comes last may be half a
-// number.
-static int read_values(struct arena *a, const struct record_text *t, const struct lines *l,
-                       double npts, struct record_content *out, struct error *e) {
-    int last_line;
-    const size_t n = values_count(*l, "", &last_line);
-    const bool is_short = (double)n < npts;
-    const int status = values_read(a, t, *l, "", is_short && n > 0 ? n - 1 : n, out, e);
-    if (status != STATUS_OK || !is_short) {
-        return status;
-    }
-    return lines_error(e, t->path, last_line ? last_line : l->number,
-                       "the file ends after %zu values; its header (line %d) says %.0f", n,
-                       l->number, npts);
-}
-
-static int check_long(const struct record_text *t, const struct lines *l, double npts, size_t n,
-                      struct error *e) {
-    if ((double)n <= npts) {
-        return STATUS_OK;
-    }
-    return lines_error(e, t->path, l->number, "the header says %.0f values; the file holds %zu",
-                       npts, n);
-}
-
 static int peer_read(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record_content *out, struct error *e) {
     struct lines l;
@@ -234,9 +209,9 @@ static int peer_read(struct arena *a, const struct record_request *request,
         status = read_titles(request, t, &titles, out, e);
     }
     if (!status) {
-        status = read_values(a, t, &l, npts, out, e);
+        status = values_read_stated(a, t, l, npts, l.number, out, e);
     }
-    return status ? status : check_long(t, &l, npts, out->n, e);
+    return status;
 }
 
 const struct record_format record_peer = {

@@ -137,9 +137,17 @@ int record_read_text(struct arena *a, const struct record_request *request,
         out->wrong = request->format ? RECORD_FORMAT_NAME : RECORD_PATH;
         return STATUS_INPUT;
     }
+    if (request->channel > 0 && !f->channels) {
+        out->wrong = RECORD_CHANNEL;
+        return lines_error(e, t->path, 0,
+                           "a file of format %s has one channel; -channel is not "
+                           "for it",
+                           f->name);
+    }
     struct record_content content = {0};
     status = f->read(a, request, &stripped, &content, e);
     if (status) {
+        out->wrong = content.wrong;
         return status;
     }
     out->format = f->name;

@@ -12,14 +12,19 @@
 // No such mistake makes more than REFUSE_G, and none makes a single value SPIKE times larger than
 // all others: those are broken numbers.
 //
+// Peak: where the file states one, that of the values must agree to its last digit, or there is a
+// warning.
+//
 // Offset: the velocity left at the end is the mean times the duration. It is at most 0.25 m/s in
-// some 120 records of PEER and others as they were released.
+// some 120 records of PEER and others as they were released. Uncorrected records have offsets above
+// their peaks, which -demean takes off.
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
 
 #include "motion/record_format.h"
 #include "motion/record_unit.h"
+#include "motion/values.h"
 
 static const double G = 9.80665;
 static const double DT_MIN = 1e-5;
@@ -159,19 +164,45 @@ static int check_peak(const struct check *c, struct error *e) {
     return STATUS_OK;
 }
 
+// A peak that is stated may be that of another version of the record, so that one that differs is
+// no error.
+static void check_stated_peak(const struct check *c) {
+    const struct record_content *content = c->content;
+    if (content->stated_line == 0) {
+        return;
+    }
+    double middle = content->stated_about_mean ? values_mean(content->value, content->n) : 0;
+    double peak = 0;
+    for (size_t i = 0; i < content->n; i++) {
+        peak = fmax(peak, fabs(content->value[i] - middle));
+    }
+    if (fabs(peak - content->stated_peak) > (1 + 1e-6) * content->stated_rounding) {
+        warn(c, content->stated_line,
+             "the header states a largest acceleration of %.7g %s; that of the values%s is %.7g",
+             content->stated_peak, content->unit_text.text,
+             content->stated_about_mean ? ", less their mean," : "", peak);
+    }
+}
+
 static void check_offset(const struct check *c) {
     const struct record_content *content = c->content;
-    double sum = 0;
-    for (size_t i = 0; i < content->n; i++) {
-        sum += content->value[i];
-    }
-    double mean = sum / (double)content->n * c->out->unit;
+    double mean = values_mean(content->value, content->n) * c->out->unit;
     double velocity = mean * c->out->dt * (double)(content->n - 1);
     if (!c->out->large && fabs(velocity) > END_VELOCITY) {
         warn(c, 0,
              "the mean is %.3g g, so that the ground is left with a velocity of %.3g m/s; "
-             "correct the baseline of the record",
+             "-demean subtracts the mean, or correct the baseline of the record",
              mean / G, velocity);
+    }
+}
+
+// Takes the mean off the values, which have been weighed as they are printed.
+static void demean(const struct record_content *content, struct record *out) {
+    out->mean = values_mean(content->value, content->n);
+    out->peak = 0;
+    for (size_t i = 0; i < content->n; i++) {
+        content->value[i] -= out->mean;
+        out->peak = fmax(out->peak, fabs(content->value[i]));
     }
 }
 
@@ -209,7 +240,10 @@ int record_check(const struct record_request *request, const struct record_text 
     if (status) {
         return status;
     }
-    if (!request->plain) {
+    check_stated_peak(&c);
+    if (request->demean) {
+        demean(content, out);
+    } else if (!request->plain) {
         check_offset(&c);
     }
     check_times(&c);

@@ -20,10 +20,12 @@ int record_text_open(const char *path, size_t limit, struct record_text *out,
 
 // What a file says about itself. Lines are counted from 1.
 struct record_content {
+    enum record_part wrong;  // after an error, as in struct record
+
     size_t n;
-    const double *value;  // (n) from the arena, as printed
-    size_t peak;          // index of the first largest |value|
-    int peak_line;        // where it stands
+    double *value;  // (n) from the arena, as printed
+    size_t peak;    // index of the first largest |value|
+    int peak_line;  // where it stands
 
     double dt;            // [s] > 0; 0: the file does not say it
     int dt_line;          // where it says or should say so
@@ -32,6 +34,11 @@ struct record_content {
     double unit;               // [m/s^2]; 0: the file does not say one that is an acceleration
     struct excerpt unit_text;  // as the file writes it
     int unit_line;             // where; 0: the file says nothing about a unit
+
+    double stated_peak;      // the largest acceleration that the file states, in its unit
+    double stated_rounding;  // its last digit
+    bool stated_about_mean;  // it is that of the values less their mean
+    int stated_line;         // where; 0: the file states none
 
     double time_offset;  // [s] time of the first sample
     double time_error;   // largest distance of a time from the even grid, in steps

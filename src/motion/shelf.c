@@ -53,7 +53,8 @@ static bool same_text(const char *a, const char *b) {
 
 static bool same(const struct record_request *a, const struct record_request *b) {
     return strcmp(a->path, b->path) == 0 && same_text(a->format, b->format) && a->dt == b->dt &&
-           same_text(a->unit, b->unit) && a->gravity == b->gravity && a->plain == b->plain;
+           same_text(a->unit, b->unit) && a->gravity == b->gravity && a->channel == b->channel &&
+           a->demean == b->demean && a->plain == b->plain;
 }
 
 static size_t bytes_of(const struct record *r) {

@@ -27,6 +27,20 @@ void values_note_peak(struct record_content *out, const double *value, size_t in
     }
 }
 
+// The mean of what the values are above `base`.
+static double mean_above(const double *value, size_t n, double base) {
+    double sum = 0;
+    for (size_t i = 0; i < n; i++) {
+        sum += value[i] - base;
+    }
+    return sum / (double)n;
+}
+
+double values_mean(const double *value, size_t n) {
+    const double mean = mean_above(value, n, 0);
+    return mean + mean_above(value, n, mean);
+}
+
 int values_read(struct arena *a, const struct record_text *t, struct lines from,
                 const char *separators, size_t n, struct record_content *out, struct error *e) {
     double *value = arena_alloc(a, n, sizeof *value);
@@ -50,4 +64,24 @@ int values_read(struct arena *a, const struct record_text *t, struct lines from,
     out->value = value;
     out->n = n;
     return STATUS_OK;
+}
+
+// Where there are fewer than stated, what comes last may be half a number and is not read.
+int values_read_stated(struct arena *a, const struct record_text *t, struct lines from,
+                       double stated, int stated_line, struct record_content *out,
+                       struct error *e) {
+    int last_line;
+    const size_t n = values_count(from, "", &last_line);
+    const bool is_short = (double)n < stated;
+    const int status = values_read(a, t, from, "", is_short && n > 0 ? n - 1 : n, out, e);
+    if (status != STATUS_OK || (double)n == stated) {
+        return status;
+    }
+    if (!is_short) {
+        return lines_error(e, t->path, stated_line,
+                           "the header says %.0f values; the file holds %zu", stated, n);
+    }
+    return lines_error(e, t->path, last_line ? last_line : from.number,
+                       "the file ends after %zu values; its header (line %d) says %.0f", n,
+                       stated_line, stated);
 }

@@ -17,7 +17,15 @@ size_t values_count(struct lines from, const char *separators, int *last_line);
 int values_read(struct arena *a, const struct record_text *t, struct lines from,
                 const char *separators, size_t n, struct record_content *out, struct error *e);
 
+// Reads all, which are to be as many as the header states in line `stated_line`, separated by
+// blanks.
+int values_read_stated(struct arena *a, const struct record_text *t, struct lines from,
+                       double stated, int stated_line, struct record_content *out, struct error *e);
+
 // Keeps `peak` and `peak_line` when value `index`, read from `line`, is larger than all before it.
 void values_note_peak(struct record_content *out, const double *value, size_t index, int line);
+
+// The mean of n >= 1 values, to the last bit where they are all the same.
+double values_mean(const double *value, size_t n);
 
 #endif

@@ -99,6 +99,19 @@ expect "a link without stiffness and damping is warned of" '[ $status -eq 0 ] &&
 run "$jostle" check idle.deck -D c=1kN*s/m
 expect "one that does something is not" '[ $status -eq 0 ] && ! said "does nothing"'
 
+printf '%s\n' 100 110 80 130 100 >offset.txt
+two_buildings offset.deck 'ground record offset.txt -dt 10ms -unit gal -demean -scale 2'
+run "$jostle" check offset.deck
+expect "check says what -demean subtracts" '[ $status -eq 0 ] && grep -q "offset.txt: peak 0.52 m/s^2" "$out" && grep -q "a mean of 2.08 m/s^2 was subtracted" "$out"'
+
+cp "$root/tests/records/good/cwa.dat" .
+two_buildings channel.deck 'ground record cwa.dat -channel 3'
+run "$jostle" check channel.deck
+expect "a channel of a file is read" '[ $status -eq 0 ] && grep -q "cwa.dat: peak 0.8999 m/s^2" "$out"'
+two_buildings channel.deck 'ground record cwa.dat -channel 4'
+run "$jostle" check channel.deck
+expect "the caret of a wrong channel is below it" '[ $status -eq 2 ] && said "channel.deck:11:32: error" && said "there is no channel 4"'
+
 {
     cat idle.deck
     awk 'BEGIN { for (i = 0; i < 600000; i++) printf "param p%d %d\n", i, i }'

@@ -35,6 +35,16 @@ run "$jostle" spectrum --intensities values.txt --dt 10ms --unit cm/s2
 expect "--dt and --unit say what the file does not" '[ $status -eq 0 ] && grep -q "0.03059 .* 0.04  values$" "$out"'
 run "$jostle" spectrum --intensities values.txt -dt 0.01 -unit gal
 expect "they may be spelt as in a deck" '[ $status -eq 0 ] && grep -q "0.03059 .* 0.04  values$" "$out"'
+cp "$root/tests/records/good/afad.txt" .
+run "$jostle" spectrum --intensities afad.txt --channel 2
+expect "--channel chooses one" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "0.49  afad$" "$out"'
+run "$jostle" spectrum --intensities afad.txt
+expect "without it the channels are listed" '[ $status -eq 2 ] && said "3 channels: 1 '"'N-S', 2 'E-W', 3 'U-D'"'; -channel chooses one"'
+printf '%s\n' 100 110 80 130 100 >offset.txt
+run "$jostle" spectrum --intensities offset.txt --dt 0.01 --unit gal --demean
+expect "--demean subtracts the mean" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^ *0.02651 " "$out"'
+run "$jostle" spectrum --intensities offset.txt --dt 0.01 --unit gal --demean --pga 0.5g
+expect "--pga scales what --demean leaves" '[ $status -eq 0 ] && grep -q "^ *0.5 " "$out"'
 run "$jostle" spectrum values.txt --dt 0.01
 expect "without a unit the record is refused" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "values.txt: the file gives no unit"'
 run "$jostle" spectrum values.txt --dt 0.01 --unit mg --format columns
@@ -54,6 +64,8 @@ wrong "a folder is no record" "is a directory" .
 wrong "an option needs its value" "option '-dt' needs a value" centro.AT2 -dt
 wrong "damping in per cent needs its sign" "a damping ratio is 5; it must be >= 0 and < 1" centro.AT2 --damping 5
 wrong "a negative damping is refused" "a damping ratio is -0.1" centro.AT2 --damping -0.1
+wrong "channels are counted from 1" "--channel takes a number from 1, not '0'" centro.AT2 --channel 0
+wrong "a file of one has none to choose" "a file of format peer has one channel" centro.AT2 --channel 1
 wrong "a list has no empty places" "not '0.1,,0.2'" centro.AT2 --damping 0.1,,0.2
 wrong "there are at most 7 dampings" "at most 7 are taken" centro.AT2 --damping 0,.1,.2,.3,.4,.5,.6,.7
 wrong "a damping has no unit of time" "not '1s'" centro.AT2 --damping 1s

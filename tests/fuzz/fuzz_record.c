@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feeds bytes to the record readers: a file, and its last byte chooses the request. A file that
-// ends with a line end is read with nothing given, so that real files are good seeds.
+// Feeds bytes to the record readers: a file, and its last byte chooses the request, its size the
+// channel. A file that ends with a line end is read with nothing else given, so that real files are
+// good seeds.
 #include <assert.h>
 #include <math.h>
 #include <stdint.h>
@@ -12,16 +13,18 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-static struct record_request make_request(unsigned choice) {
-    unsigned format = choice & 7;
+static struct record_request make_request(unsigned choice, size_t size) {
+    unsigned format = choice & 15;
     bool known = format > 0 && format <= (unsigned)n_record_format;
     return (struct record_request){
         .path = "fuzz.AT2",
         .format = known ? record_formats[format - 1]->name : NULL,
-        .dt = choice & 8 ? 0.01 : 0,
-        .unit = choice & 16 ? "g" : NULL,
+        .dt = choice & 16 ? 0.01 : 0,
+        .unit = choice & 32 ? "g" : NULL,
         .gravity = 9.80665,
-        .plain = choice & 32,
+        .channel = (int)(size % 4),
+        .demean = (choice & 192) == 64,
+        .plain = choice & 128,
     };
 }
 
@@ -44,7 +47,7 @@ static void read_bytes(const uint8_t *data, size_t size, unsigned choice) {
     if (text && a) {
         memcpy(text, data, size);
         text[size] = '\0';
-        struct record_request request = make_request(choice);
+        struct record_request request = make_request(choice, size);
         struct record_text t = {request.path, text, size};
         struct record record;
         struct error e;

@@ -29,8 +29,30 @@ static void large_accelerations_raise_doubts_about_the_unit(void **state) {
 static void an_offset_that_leaves_a_velocity_is_said(void **state) {
     struct reading *r = *state;
     reading_of_text(r, PEER_TITLE "NPTS= 3, DT= .5 SEC\n.1 .1 .1\n");
-    assert_warned(r, "a.txt: the mean is 0.1 g, so that the ground is left with a velocity of "
-                     "0.981 m/s; correct the baseline of the record");
+    assert_warned(r,
+                  "a.txt: the mean is 0.1 g, so that the ground is left with a velocity of "
+                  "0.981 m/s; -demean subtracts the mean, or correct the baseline of the record");
+}
+
+static void demean_subtracts_the_mean_before_any_scaling(void **state) {
+    struct reading *r = *state;
+    r->request.demean = true;
+    reading_of_text(r, PEER_TITLE "NPTS= 4, DT= .5 SEC\n.5 .75 .25 .5\n");
+    assert_silent(r);
+    assert_true(r->record.mean == 0.5 && r->record.peak == 0.25);
+    assert_true(r->record.value[0] == 0 && r->record.value[1] == 0.25);
+    assert_true(r->record.value[2] == -0.25 && r->record.value[3] == 0);
+    reading_of_text(r, PEER_TITLE "NPTS= 3, DT= .5 SEC\n.1 .1 .1\n");
+    assert_silent(r);
+    assert_true(r->record.mean == 0.1 && r->record.peak == 0);
+}
+
+static void values_are_weighed_as_they_are_printed_before_demean(void **state) {
+    struct reading *r = *state;
+    r->request.demean = true;
+    reading_of_text(r, PEER_TITLE "NPTS= 3, DT= .01 SEC\n500 501\n499\n");
+    assert_warned(r, "a.txt:5: the largest acceleration is 501 g; if the values are in another "
+                     "unit, say so with -unit (cm/s2, m/s2, ...)");
 }
 
 static void files_that_are_no_records_are_called_by_their_name(void **state) {
@@ -44,14 +66,10 @@ static void files_that_are_no_records_are_called_by_their_name(void **state) {
          "a.txt: this is a Git LFS pointer, not a record"},
         {"PK\x03\x04", "a.txt: this is a zip archive, not a record"},
         {"0 1\n\x1b 2\n", "a.txt: this is not text: byte 0x1b at offset 4"},
-        {"Origin Time       2018/01/24\nSampling Freq(Hz) 100Hz\n1 2\n",
-         "a.txt: looks like format K-NET/KiK-net, which cannot be read yet"},
         {"Corrected acceleration    (Format v01.20 with 13 text lines)\n1 2\n",
          "a.txt: looks like format COSMOS, which cannot be read yet"},
         {"2 CORRECTED ACCELEROGRAM\n*\n1 2\n",
          "a.txt: looks like format SMC (USGS), which cannot be read yet"},
-        {"EVENT_NAME: X\n1\n2\n",
-         "a.txt: looks like format ESM/ITACA DYNA, which cannot be read yet"},
     };
     struct reading *r = *state;
     for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
@@ -65,7 +83,7 @@ static void an_unknown_format_gets_the_nearest_name(void **state) {
     r->request.format = "colums";
     reading_of_text(r, "1\n2\n");
     assert_refused(r, "a.txt: unknown record format 'colums'; did you mean 'columns'?; there are "
-                      "peer, series, columns");
+                      "knet, esm, afad, cwa, peer, series, columns");
 }
 
 static void a_zero_byte_in_the_text_is_refused(void **state) {
@@ -246,6 +264,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         TEST_READING(large_accelerations_raise_doubts_about_the_unit),
         TEST_READING(an_offset_that_leaves_a_velocity_is_said),
+        TEST_READING(demean_subtracts_the_mean_before_any_scaling),
+        TEST_READING(values_are_weighed_as_they_are_printed_before_demean),
         TEST_READING(files_that_are_no_records_are_called_by_their_name),
         TEST_READING(an_unknown_format_gets_the_nearest_name),
         TEST_READING(a_zero_byte_in_the_text_is_refused),

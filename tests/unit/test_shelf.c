@@ -66,6 +66,9 @@ static void another_request_for_the_file_is_another_record(void **state) {
     request.dt = 0.02;
     assert_int_equal(shelf_read(s, a, &request, &r, &e), STATUS_OK);
     assert_true(r.dt == 0.02);
+    request.demean = true;
+    assert_int_equal(shelf_read(s, a, &request, &r, &e), STATUS_OK);
+    assert_true(r.mean != 0.0);
     unlink("two.txt");
     shelf_free(s);
     arena_free(a);

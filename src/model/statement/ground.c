@@ -7,8 +7,10 @@
 
 enum {
     R_FORMAT,
+    R_CHANNEL,
     R_UNIT,
     R_DT,
+    R_DEMEAN,
     R_SCALE,
     R_PGA,
     R_SA,
@@ -21,12 +23,17 @@ enum {
 };
 enum { S_DELAY = SINE_ROWS, S_BUILDINGS, N_SINE_ROW };
 
+static const struct range channel_range = {.min = 1.0, .max = 1000.0, .text = ">= 1 and <= 1000"};
+
 static const struct row record_rows[N_RECORD_ROW] = {
     [R_FORMAT] = {"format", ROW_TEXT, 0, OF_NONE, NULL, NAN,
                   "format of the file; found if not given"},
+    [R_CHANNEL] = {"channel", ROW_INTEGER, 0, OF_NONE, &channel_range, NAN,
+                   "which one, of a file that holds several"},
     [R_UNIT] = {"unit", ROW_TEXT, 0, OF_NONE, NULL, NAN,
                 "unit of the values: g, m/s2, cm/s2, gal ..."},
     [R_DT] = {"dt", ROW_NUMBER, 0, OF_TIME, &range_positive, NAN, "time between samples"},
+    [R_DEMEAN] = {"demean", ROW_FLAG, 0, OF_NONE, NULL, NAN, "subtract the mean of the values"},
     [R_SCALE] = {"scale", ROW_NUMBER, 0, OF_NONE, NULL, 1.0,
                  "factor; negative turns the record round"},
     [R_PGA] = {"pga", ROW_NUMBER, 0, OF_ACCELERATION, &range_positive, NAN,
@@ -154,8 +161,10 @@ static bool record_scale(struct builder *b, const struct argument *a, const stru
 // The word of the statement that an error of the record is about.
 static const struct word *blamed(const struct statement *s, const struct argument *a,
                                  enum record_part wrong) {
-    static const int row[] = {
-        [RECORD_FORMAT_NAME] = R_FORMAT, [RECORD_DT] = R_DT, [RECORD_UNIT] = R_UNIT};
+    static const int row[] = {[RECORD_CHANNEL] = R_CHANNEL,
+                              [RECORD_FORMAT_NAME] = R_FORMAT,
+                              [RECORD_DT] = R_DT,
+                              [RECORD_UNIT] = R_UNIT};
     return wrong == RECORD_PATH ? &s->word[2] : &a[row[wrong]].word[0];
 }
 
@@ -168,6 +177,8 @@ static bool read_record(struct builder *b, const struct statement *s, const stru
         .unit = a[R_UNIT].given ? a[R_UNIT].text[0] : NULL,
         .dt = a[R_DT].given ? a[R_DT].number[0] * b->deck->units.time : 0.0,
         .gravity = deck_gravity(b->deck),
+        .channel = a[R_CHANNEL].given ? (int)a[R_CHANNEL].number[0] : 0,
+        .demean = a[R_DEMEAN].given,
     };
     struct error e;
     if (shelf_read(b->records, b->arena, &request, r, &e) != STATUS_OK) {
@@ -198,6 +209,7 @@ static void build_record(struct builder *b, const struct statement *s) {
         signal_init_samples(&g.signal, b->arena, r.value, r.n, r.dt / b->deck->units.time, scale,
                             a[R_DELAY].number[0], &e) == STATUS_OK) {
         g.signal.name = name;
+        g.signal.mean = scale * r.mean;
         g.judged = r.large && !a[R_PGA].given && !a[R_SA].given;
         append(b, s, g, &a[R_BUILDINGS], a);
     }
@@ -227,10 +239,10 @@ static void build(struct builder *b, const struct statement *s) {
 
 const struct statement_kind statement_ground = {
     .name = "ground",
-    .usage = "record FILE [-format F] [-unit U] [-dt DT] [-scale S | -pga A | -sa A [-period T | "
-             "-building NAME] [-damping Z]] [-delay T] [-buildings NAMES] | sine -amplitude A "
-             "-frequency F [-phase P] [-cycles N] [-delay T] [-buildings "
-             "NAMES]",
+    .usage = "record FILE [-format F] [-channel N] [-unit U] [-dt DT] [-demean] [-scale S | -pga A "
+             "| -sa A "
+             "[-period T | -building NAME] [-damping Z]] [-delay T] [-buildings NAMES] | sine "
+             "-amplitude A -frequency F [-phase P] [-cycles N] [-delay T] [-buildings NAMES]",
     .summary = "ground acceleration; several under one building add up",
     .example = "ground record records/ELCENTRO_1940_NS.AT2 -pga 0.35g",
     .variant = variants,

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of several channels: which one is asked for, and channels that stand side by side in rows.
+#include "motion/channels.h"
+
+#include <math.h>
+
+#include "core/arena.h"
+#include "motion/values.h"
+
+// In steps. Times of 256 samples a second, printed with three decimals, are 0.13 steps off.
+static const double TIME_ERROR_MAX = 0.2;
+
+int channels_choose(const struct record_request *request, const struct record_text *t,
+                    const struct channels *c, int *chosen, struct record_content *out,
+                    struct error *e) {
+    if (request->channel > 0 && request->channel <= c->n) {
+        *chosen = request->channel - 1;
+        return STATUS_OK;
+    }
+    char list[256] = "";
+    size_t n = 0;
+    for (int i = 0; i < c->n && n < sizeof list; i++) {
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s%d '%s'", i ? ", " : "", i + 1,
+                              lines_excerpt(c->name[i]).text);
+    }
+    if (request->channel == 0) {
+        return lines_error(e, t->path, 0, "%d channels: %s; -channel chooses one", c->n, list);
+    }
+    out->wrong = RECORD_CHANNEL;
+    return lines_error(e, t->path, 0, "there is no channel %d; there are %s", request->channel,
+                       list);
+}
+
+static bool next_row(struct lines *l) {
+    while (lines_next(l)) {
+        if (l->line.n > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static int check_time(const struct record_text *t, int line, double time, double wanted, double dt,
+                      struct error *e) {
+    return fabs(time - wanted) <= TIME_ERROR_MAX * dt
+               ? STATUS_OK
+               : lines_error(e, t->path, line, "time %.9g; the header's step of %g s makes it %.9g",
+                             time, dt, wanted);
+}
+
+// Reads row `i`, on which `l` stands.
+static int read_row(const struct record_text *t, const struct channel_rows *rows,
+                    const struct lines *l, size_t i, struct record_content *out, struct error *e) {
+    struct piece rest = l->line;
+    struct number_field f = {t->path, l->number, "value", i + 1, {0}};
+    const size_t n = lines_count(l->line, "");
+    if (n != (size_t)rows->n_column) {
+        return lines_error(e, t->path, l->number, "row of %zu values; the header says %d", n,
+                           rows->n_column);
+    }
+    int status = STATUS_OK;
+    for (int c = 0; status == STATUS_OK && c < rows->n_column; c++) {
+        double x;
+        lines_field(&rest, "", &f.field);
+        status = lines_read_number(&f, &x, e);
+        if (status == STATUS_OK && rows->timed && c == 0) {
+            out->time_offset = i == 0 ? x : out->time_offset;
+            const double wanted = out->time_offset + (double)i * out->dt;
+            status = check_time(t, l->number, x, wanted, out->dt, e);
+        }
+        if (status == STATUS_OK && c == rows->column) {
+            out->value[i] = x;
+        }
+    }
+    return status;
+}
+
+static int check_count(const struct record_text *t, const struct channel_rows *rows, size_t n,
+                       int last_line, struct error *e) {
+    if ((double)n == rows->stated) {
+        return STATUS_OK;
+    }
+    return (double)n < rows->stated
+               ? lines_error(e, t->path, last_line,
+                             "the file ends after %zu rows; its header (line %d) says %.0f", n,
+                             rows->stated_line, rows->stated)
+               : lines_error(e, t->path, rows->stated_line,
+                             "the header says %.0f rows; the file holds %zu", rows->stated, n);
+}
+
+int channels_read(struct arena *a, const struct record_text *t, const struct channel_rows *rows,
+                  struct record_content *out, struct error *e) {
+    struct lines l = rows->from;
+    int last_line = l.number;
+    for (out->n = 0; next_row(&l); out->n++) {
+        last_line = l.number;
+    }
+    int status = check_count(t, rows, out->n, last_line, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    out->value = arena_alloc(a, out->n, sizeof *out->value);
+    if (!out->value) {
+        return error_no_memory(e);
+    }
+    l = rows->from;
+    for (size_t i = 0; status == STATUS_OK && next_row(&l); i++) {
+        status = read_row(t, rows, &l, i, out, e);
+        if (status == STATUS_OK) {
+            values_note_peak(out, out->value, i, l.number);
+        }
+    }
+    return status;
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Records in formats with channels side by side, afad and cwa. Reads tests/records/ from the top of
+// the project.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "support/reading.h"
+#include "support/support.h"
+
+// Channel c of the files holds 100 exp(-i / 40) sin(2 pi i / (25 - 5 c)).
+static void assert_waves(const struct reading *r, int channel, double rounding) {
+    assert_int_equal(r->record.n, 50);
+    for (int i = 0; i < 50; i++) {
+        const double period = 25.0 - 5.0 * channel;
+        const double wave = exp(-i / 40.0) * sin(2.0 * acos(-1.0) * i / period);
+        assert_true(fabs(r->record.value[i] - 100.0 * wave) <= rounding);
+    }
+}
+
+static void each_channel_of_a_file_is_read(void **state) {
+    struct reading *r = *state;
+    for (int c = 0; c < 3; c++) {
+        r->request.channel = c + 1;
+        reading_of_file(r, "tests/records/good/afad.txt");
+        assert_read(r, "afad", 50, 0.01);
+        assert_silent(r);
+        assert_close(r->record.unit, 0.01, 1e-15);
+        assert_waves(r, c, 5.1e-7);
+        reading_of_file(r, "tests/records/good/cwa.dat");
+        assert_read(r, "cwa", 50, 0.02);
+        assert_silent(r);
+        assert_close(r->record.unit, 0.01, 1e-15);
+        assert_waves(r, c, 5.1e-4);
+    }
+}
+
+static void without_a_channel_there_is_a_list(void **state) {
+    struct reading *r = *state;
+    reading_of_file(r, "tests/records/good/afad.txt");
+    assert_refused(r, "tests/records/good/afad.txt: 3 channels: 1 'N-S', 2 'E-W', 3 'U-D'; "
+                      "-channel chooses one");
+    assert_int_equal(r->record.wrong, RECORD_PATH);
+    r->request.channel = 4;
+    reading_of_file(r, "tests/records/good/cwa.dat");
+    assert_refused(r, "tests/records/good/cwa.dat: there is no channel 4; there are 1 'U', 2 'N', "
+                      "3 'E'");
+    assert_int_equal(r->record.wrong, RECORD_CHANNEL);
+}
+
+static void formats_of_one_channel_refuse_to_be_asked(void **state) {
+    struct reading *r = *state;
+    r->request.channel = 1;
+    reading_of_text(r, PEER_TITLE "NPTS= 2, DT= .01 SEC\n.1 -.1\n");
+    assert_refused(r, "a.txt: a file of format peer has one channel; -channel is not for it");
+    assert_int_equal(r->record.wrong, RECORD_CHANNEL);
+}
+
+#define AFAD "STRONG GROUND MOTION RECORDS OF TURKIYE\n"
+#define COUNT "NUMBER OF DATA          : 2\n"
+#define STEP "SAMPLING INTERVAL (sec) : 0.01\n"
+#define PEAKS "RAW PGA VALUES (gal)    : (N-S) 3.0 (E-W) 4.0 (U-D) 5.0\n"
+#define NAMES "   N-S  E-W  U-D\n"
+
+static void wrong_afad_files_are_refused(void **state) {
+    static const struct {
+        const char *text, *message;
+    } c[] = {
+        {AFAD COUNT STEP PEAKS "1 2 3\n", "a.txt: no line 'N-S E-W U-D' in the first 32 lines; it "
+                                          "ends the header of an AFAD file"},
+        {AFAD STEP PEAKS NAMES "1 2 3\n4 5 6\n",
+         "a.txt: there is no 'NUMBER OF DATA' in the header"},
+        {AFAD COUNT PEAKS NAMES "1 2 3\n4 5 6\n",
+         "a.txt: there is no 'SAMPLING INTERVAL (sec)' in the header"},
+        {AFAD COUNT STEP NAMES "1 2 3\n4 5 6\n",
+         "a.txt: there is no 'RAW PGA VALUES (gal)' in the header"},
+        {AFAD COUNT STEP PEAKS NAMES "1 2 3\n",
+         "a.txt:6: the file ends after 1 rows; its header (line 2) says 2"},
+        {AFAD COUNT STEP PEAKS NAMES "1 2 3\n4 5 6\n7 8 9\n",
+         "a.txt:2: the header says 2 rows; the file holds 3"},
+        {AFAD COUNT STEP PEAKS NAMES "1 2 3\n4 5\n", "a.txt:7: row of 2 values; the header says 3"},
+        {AFAD COUNT STEP PEAKS NAMES "1 2 3\n4 5 6x\n", "a.txt:7: value 2 '6x' is not a number"},
+    };
+    struct reading *r = *state;
+    r->request.channel = 1;
+    for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
+        reading_of_text(r, c[i].text);
+        assert_refused(r, c[i].message);
+    }
+}
+
+static void the_peak_of_the_channel_is_compared(void **state) {
+    struct reading *r = *state;
+    const char *text = AFAD COUNT STEP PEAKS NAMES "1 2 -5\n-3 6 4\n";
+    r->request.channel = 1;
+    reading_of_text(r, text);
+    assert_silent(r);
+    r->request.channel = 3;
+    reading_of_text(r, text);
+    assert_silent(r);
+    r->request.channel = 2;
+    reading_of_text(r, text);
+    assert_warned(r, "a.txt:4: the header states a largest acceleration of 4 gal; that of the "
+                     "values is 6");
+}
+
+#define CWA "#Earthquake Information\n"
+#define LENGTH "#RecordLength(sec): 0.04\n"
+#define RATE "#SampleRate(Hz): 50\n"
+#define UNIT "#AmplitudeUnit:  gal. DCoffset(corr)\n"
+#define SEQUENCE "#DataSequence: Time U(+); N(+)\n"
+#define DATA "#Data: 3F10.3\n"
+
+static void wrong_cwa_files_are_refused(void **state) {
+    static const struct {
+        const char *text, *message;
+    } c[] = {
+        {CWA LENGTH RATE UNIT SEQUENCE "0 1 2\n",
+         "a.txt: no '#Data:' in the first 64 lines; it ends the header of a CWA file"},
+        {CWA RATE UNIT SEQUENCE DATA "0 1 2\n",
+         "a.txt: there is no '#RecordLength(sec)' in the header"},
+        {CWA LENGTH UNIT SEQUENCE DATA "0 1 2\n",
+         "a.txt: there is no '#SampleRate(Hz)' in the header"},
+        {CWA LENGTH RATE SEQUENCE DATA "0 1 2\n", "a.txt: there is no '#AmplitudeUnit' in the "
+                                                  "header"},
+        {CWA LENGTH RATE UNIT DATA "0 1 2\n", "a.txt: there is no '#DataSequence' in the header"},
+        {CWA LENGTH RATE UNIT "#DataSequence: U(+); N(+)\n" DATA "0 1 2\n",
+         "a.txt:5: #DataSequence 'U(+); N(+)' is not of the form Time U(+); N(+); E(+)"},
+        {CWA LENGTH RATE "#AmplitudeUnit:  count.\n" SEQUENCE DATA "0 1 2\n.02 3 4\n",
+         "a.txt:4: 'count' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
+        {CWA LENGTH RATE UNIT SEQUENCE DATA "0 1 2\n.03 3 4\n",
+         "a.txt:8: time 0.03; the header's step of 0.02 s makes it 0.02"},
+        {CWA LENGTH RATE UNIT SEQUENCE DATA "0 1 2\n.02 3 4 5\n",
+         "a.txt:8: row of 4 values; the header says 3"},
+        {CWA LENGTH RATE UNIT "#AmplitudeMAX. U:  x~ 1\n" SEQUENCE DATA "0 1 2\n.02 3 4\n",
+         "a.txt:5: #AmplitudeMAX. U 'x' is not a number"},
+    };
+    struct reading *r = *state;
+    r->request.channel = 1;
+    for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
+        reading_of_text(r, c[i].text);
+        assert_refused(r, c[i].message);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        TEST_READING(each_channel_of_a_file_is_read),
+        TEST_READING(without_a_channel_there_is_a_list),
+        TEST_READING(formats_of_one_channel_refuse_to_be_asked),
+        TEST_READING(wrong_afad_files_are_refused),
+        TEST_READING(the_peak_of_the_channel_is_compared),
+        TEST_READING(wrong_cwa_files_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
