@@ -55,9 +55,11 @@ struct record_format {
     const char *name;  // for -format
     const char *doc;   // one line
     bool channels;     // its files hold several channels
+    bool certain;      // what it goes by is in no file of another format
     bool plain;        // can read values without an acceleration unit
 
-    // True if the text looks like this format. Formats are asked in the order of the list.
+    // True if the text looks like this format. Formats are asked in the order of the list, those
+    // that are certain first.
     bool (*matches)(const struct record_text *t);
 
     // Reads what the file says, and no more: the request is weighed against it by record_read.

@@ -106,6 +106,7 @@ const struct record_format record_afad = {
     .name = "afad",
     .doc = "AFAD (NSMN), Turkey, three channels side by side",
     .channels = true,
+    .certain = true,
     .matches = afad_matches,
     .read = afad_read,
 };

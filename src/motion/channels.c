@@ -13,11 +13,12 @@ static const double TIME_ERROR_MAX = 0.2;
 int channels_choose(const struct record_request *request, const struct record_text *t,
                     const struct channels *c, int *chosen, struct record_content *out,
                     struct error *e) {
-    if (request->channel > 0 && request->channel <= c->n) {
-        *chosen = request->channel - 1;
+    const int wanted = request->channel == 0 && c->n == 1 ? 1 : request->channel;
+    if (wanted > 0 && wanted <= c->n) {
+        *chosen = wanted - 1;
         return STATUS_OK;
     }
-    char list[256] = "";
+    char list[400] = "";
     size_t n = 0;
     for (int i = 0; i < c->n && n < sizeof list; i++) {
         n += (size_t)snprintf(list + n, sizeof list - n, "%s%d '%s'", i ? ", " : "", i + 1,

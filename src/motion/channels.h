@@ -8,14 +8,14 @@
 
 struct arena;
 
-enum { CHANNELS_MAX = 12 };
+enum { CHANNELS_MAX = 64 };
 
 struct channels {
     int n;
     struct piece name[CHANNELS_MAX];
 };
 
-// The channel that -channel asks for, from 0. Errors: STATUS_INPUT, with a list of the channels
+// The channel that -channel asks for, from 0; the only one need not be. Errors: STATUS_INPUT, with a list of the channels
 // where none is asked for, or one that is not there; out->wrong says which.
 int channels_choose(const struct record_request *request, const struct record_text *t,
                     const struct channels *c, int *chosen, struct record_content *out,

@@ -140,6 +140,7 @@ const struct record_format record_cwa = {
     .name = "cwa",
     .doc = "CWA, Taiwan, time and three channels side by side",
     .channels = true,
+    .certain = true,
     .matches = cwa_matches,
     .read = cwa_read,
 };

@@ -87,6 +87,7 @@ static int esm_read(struct arena *a, const struct record_request *request,
 const struct record_format record_esm = {
     .name = "esm",
     .doc = "DYNA ASCII of ESM and ITACA",
+    .certain = true,
     .matches = esm_matches,
     .read = esm_read,
 };

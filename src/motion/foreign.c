@@ -32,7 +32,7 @@ static const struct {
     {"SMC (USGS)", "1 UNCORRECTED ACCELEROGRAM", 1},
     {"SMC (USGS)", "2 CORRECTED ACCELEROGRAM", 1},
     {"GeoNet", "GNS SCIENCE", 1},
-    {"CSMIP volume 1 or 2, or one made after it", "CORRECTED ACCELEROGRAM", 3},
+    {"USC or RENADIC, or CSMIP without values", "CORRECTED ACCELEROGRAM", 3},
     {"UNAM", "INSTITUTO DE INGENIERIA, UNAM", 5},
     {"BHRC volume 1", "VOL1DS FILE", 1},
 };

@@ -143,6 +143,7 @@ static int knet_read(struct arena *a, const struct record_request *request,
 const struct record_format record_knet = {
     .name = "knet",
     .doc = "K-NET and KiK-net ASCII, counts with a scale factor",
+    .certain = true,
     .matches = knet_matches,
     .read = knet_read,
 };

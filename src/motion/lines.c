@@ -52,7 +52,8 @@ bool lines_next(struct lines *l) {
     }
     const char *stop = memchr(l->at, l->terminator, (size_t)(l->end - l->at));
     const char *line_end = stop ? stop : l->end;
-    l->line = trim((struct piece){l->at, (size_t)(line_end - l->at)});
+    l->whole = (struct piece){l->at, (size_t)(line_end - l->at)};
+    l->line = trim(l->whole);
     l->at = stop ? stop + 1 : l->end;
     l->number++;
     return true;

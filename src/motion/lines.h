@@ -21,7 +21,8 @@ struct lines {
     const char *at, *end;  // what is still to come
     char terminator;       // '\n', or '\r' in a file that has no '\n'
     struct piece line;
-    int number;  // of the line, from 1; 0 before the first
+    struct piece whole;  // the same with its blanks, for fields of a fixed width
+    int number;          // of the line, from 1; 0 before the first
 };
 
 void lines_init(struct lines *l, const struct record_text *t);

@@ -28,7 +28,7 @@ const int n_record_format = N_FORMAT;
 static const struct record_format *find_by_name(const struct record_text *t, const char *name,
                                                 struct error *e) {
     const char *names[N_FORMAT];
-    char list[128] = "";
+    char list[256] = "";
     size_t n = 0;
     for (int i = 0; i < N_FORMAT; i++) {
         names[i] = record_formats[i]->name;
@@ -46,19 +46,33 @@ static const struct record_format *find_by_name(const struct record_text *t, con
     return NULL;
 }
 
+// The first of the formats, certain or not, that the text looks like.
+static const struct record_format *first_match(const struct record_request *request,
+                                               const struct record_text *t, bool certain) {
+    for (int i = 0; i < N_FORMAT; i++) {
+        const struct record_format *f = record_formats[i];
+        if (f->certain == certain && (f->plain || !request->plain) && f->matches(t)) {
+            return f;
+        }
+    }
+    return NULL;
+}
+
 // The first format that the text looks like; NULL after having set the error.
 static const struct record_format *find_by_content(const struct record_request *request,
                                                    const struct record_text *t, struct error *e) {
+    const struct record_format *f = first_match(request, t, true);
+    if (f) {
+        return f;
+    }
     const char *foreign = foreign_format(t);
     if (foreign) {
         lines_error(e, t->path, 0, "looks like format %s, which cannot be read yet", foreign);
         return NULL;
     }
-    for (int i = 0; i < N_FORMAT; i++) {
-        const struct record_format *f = record_formats[i];
-        if ((f->plain || !request->plain) && f->matches(t)) {
-            return f;
-        }
+    f = first_match(request, t, false);
+    if (f) {
+        return f;
     }
     lines_error(e, t->path, 0,
                 "no record format fits: no header with NPTS and DT, no line of "

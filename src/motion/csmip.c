@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CSMIP/CGS volume 1 and 2: channel after channel, each with lines of text, headers of integers and
+// of reals, and its values. The line before the values tells their number, the time step and the
+// unit:
+//
+//      31932 Accelerogram points at 100 pts/sec in units of g.       Format: (8f9.6)     volume 1
+//      3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)       volume 2
+//
+// Values of volume 2 are (8F10.3) and have velocities and displacements after them, which are not
+// read. The lines of text name the channel, `CHAN  1:  90 DEG`, and its peak, `MAX  =   .344 G` or
+// `PEAK ACCELERATION =  -267.957`, by which the values are checked. What the headers of numbers say
+// is in the lines of text too; they are skipped.
+//
+// Source: Shakal & Huang (1985), Standard tape format for CSMIP strong-motion data tapes, OSMS
+// 85-03; volume 1 as later written with `pts/sec`. Volume 1 with a time for every value is refused.
+#include <math.h>
+#include <string.h>
+
+#include "motion/channels.h"
+#include "motion/fixed.h"
+#include "motion/header.h"
+
+enum { TITLE_LINES = 3, SEARCHED_LINES_MAX = 200 };
+
+static const char volume_1[] = "ACCELEROGRAM POINTS AT";
+static const char volume_2[] = "POINTS OF ACCEL DATA EQUALLY SPACED AT";
+
+// A channel: its names and its place in the file.
+struct channel {
+    struct lines title;        // at the line before the values
+    struct piece name;         // `CHAN  1:  90 DEG`; empty: not told
+    struct header_entry peak;  // its value empty: not told
+};
+
+static bool is_title(struct piece line) {
+    return lines_contain(line, volume_1) || lines_contain(line, volume_2);
+}
+
+static bool csmip_matches(const struct record_text *t) {
+    struct lines l;
+    lines_init(&l, t);
+    bool is_accelerogram = false;
+    while (l.number < SEARCHED_LINES_MAX && lines_next(&l)) {
+        is_accelerogram |= l.number <= TITLE_LINES && lines_contain(l.line, "CORRECTED ACCELERO");
+        if (is_accelerogram && is_title(l.line)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// What stands behind `word` in the line; empty: the word does not.
+static struct piece behind(struct piece line, const char *word) {
+    const char *at = lines_word(line, word);
+    if (!at) {
+        return (struct piece){line.text, 0};
+    }
+    at += strlen(word);
+    return (struct piece){at, (size_t)(line.text + line.n - at)};
+}
+
+// Takes the name and the peak from a line of text.
+static void note_text(struct channel *c, const struct lines *l) {
+    const char *name = lines_word(l->line, "CHAN");
+    if (name && memchr(name, ':', (size_t)(l->line.text + l->line.n - name))) {
+        c->name = (struct piece){name, (size_t)(l->line.text + l->line.n - name)};
+    }
+    struct piece rest = behind(l->line, "PEAK ACCELERATION");
+    if (rest.n == 0 && !lines_word(l->line, "UNCOR MAX")) {
+        rest = behind(l->line, "MAX");
+    }
+    struct piece mark, peak;
+    if (lines_field(&rest, "=", &mark) && mark.n == 0 && lines_field(&rest, "", &peak)) {
+        c->peak = (struct header_entry){"peak", peak, l->number};
+    }
+}
+
+// Steps to the next line before accelerations; false: there is no further channel.
+static bool next_channel(struct lines *l, struct channel *c) {
+    *c = (struct channel){0};
+    while (lines_next(l)) {
+        if (is_title(l->line)) {
+            c->title = *l;
+            return true;
+        }
+        note_text(c, l);
+    }
+    return false;
+}
+
+// The channels of the file, by name.
+static int find_channels(const struct record_text *t, struct channels *all, struct error *e) {
+    struct lines l;
+    struct channel c;
+    lines_init(&l, t);
+    for (all->n = 0; next_channel(&l, &c); all->n++) {
+        if (all->n == CHANNELS_MAX) {
+            return lines_error(e, t->path, l.number, "more than %d channels", CHANNELS_MAX);
+        }
+        all->name[all->n] = c.name;
+    }
+    return all->n > 0 ? STATUS_OK
+                      : lines_error(e, t->path, 0, "no line '%s' or '%s' before values", volume_1,
+                                    volume_2);
+}
+
+static int choose_channel(const struct record_request *request, const struct record_text *t,
+                          struct channel *chosen, struct record_content *out, struct error *e) {
+    struct channels all;
+    int number = 0;
+    int status = find_channels(t, &all, e);
+    if (status == STATUS_OK) {
+        status = channels_choose(request, t, &all, &number, out, e);
+    }
+    struct lines l;
+    lines_init(&l, t);
+    for (int i = 0; status == STATUS_OK && i <= number; i++) {
+        next_channel(&l, chosen);
+    }
+    return status;
+}
+
+// The number of values and the time step of the line before them.
+static int read_sizes(const struct record_text *t, const struct lines *l, double *npts, double *dt,
+                      struct error *e) {
+    struct piece rest = l->line;
+    struct piece count, step;
+    struct piece spacing = behind(l->line, "AT");
+    if (!lines_field(&rest, "", &count) || lines_number(count, npts) != NUMBER_OK ||
+        *npts != floor(*npts) || *npts < 2 || *npts > 1e9) {
+        struct excerpt shown = lines_excerpt(count);
+        return lines_error(e, t->path, l->number,
+                           "'%s' is not a number of values: it must be whole and at least 2",
+                           shown.text);
+    }
+    if (!lines_field(&spacing, "", &step) || lines_number(step, dt) != NUMBER_OK || *dt <= 0) {
+        struct excerpt shown = lines_excerpt(step);
+        return lines_error(e, t->path, l->number, "'%s' after AT is not a number > 0", shown.text);
+    }
+    struct piece unit;
+    lines_field(&spacing, ".,", &unit);
+    if (unit.n == 7 && lines_contain(unit, "PTS/SEC")) {
+        *dt = 1 / *dt;
+    } else if (unit.n != 3 || !lines_contain(unit, "SEC")) {
+        struct excerpt shown = lines_excerpt(unit);
+        return lines_error(e, t->path, l->number, "'%s' is neither SEC nor PTS/SEC", shown.text);
+    }
+    return STATUS_OK;
+}
+
+static void read_unit(const struct record_request *request, const struct lines *l,
+                      struct record_content *out) {
+    struct piece rest = behind(l->line, "UNITS OF");
+    rest = rest.n ? rest : behind(l->line, "UNITS:");
+    rest = rest.n ? rest : behind(l->line, "IN");
+    struct piece unit;
+    if (lines_field(&rest, ".,)", &unit)) {
+        header_read_unit(request, &(struct header_entry){.line = l->number}, unit, out);
+    }
+}
+
+// The last format in brackets; volume 2 writes (8F10.3) where the line tells none.
+static int read_format(const struct record_text *t, const struct lines *l,
+                       struct fixed_format *format, struct error *e) {
+    bool found = false;
+    struct piece rest = l->line;
+    struct piece inside;
+    while (lines_bracket(&rest, &inside)) {
+        struct fixed_format f;
+        if (fixed_format_read(inside, &f)) {
+            *format = f;
+            found = true;
+        }
+    }
+    if (!found && lines_contain(l->line, volume_2)) {
+        *format = (struct fixed_format){.n = 8, .width = 10};
+        found = true;
+    }
+    return found ? STATUS_OK : lines_error(e, t->path, l->number, "no format such as (8F9.6)");
+}
+
+// Refuses a row of numbers after the last value.
+static int check_end(const struct record_text *t, struct lines l, size_t n, struct error *e) {
+    struct piece field;
+    double value;
+    bool is_row;
+    while ((is_row = lines_next(&l)) && l.line.n == 0) {
+    }
+    struct piece rest = l.line;
+    while (is_row && lines_field(&rest, "", &field)) {
+        is_row = lines_number(field, &value) == NUMBER_OK;
+    }
+    return is_row ? lines_error(e, t->path, l.number, "more than the %zu values that are told", n)
+                  : STATUS_OK;
+}
+
+static int csmip_read(struct arena *a, const struct record_request *request,
+                      const struct record_text *t, struct record_content *out, struct error *e) {
+    struct channel c = {0};
+    struct fixed_format format;
+    double npts;
+    int status = choose_channel(request, t, &c, out, e);
+    if (status == STATUS_OK) {
+        status = read_sizes(t, &c.title, &npts, &out->dt, e);
+    }
+    if (status == STATUS_OK) {
+        status = read_format(t, &c.title, &format, e);
+    }
+    if (status == STATUS_OK) {
+        status = header_read_peak(&(struct header){.text = t}, &c.peak, c.peak.value, out, e);
+    }
+    if (status != STATUS_OK) {
+        return status;
+    }
+    out->dt_line = c.title.number;
+    read_unit(request, &c.title, out);
+    struct lines l = c.title;
+    status = fixed_read(a, t, &l, &format, (size_t)npts, out, e);
+    return status == STATUS_OK ? check_end(t, l, out->n, e) : status;
+}
+
+const struct record_format record_csmip = {
+    .name = "csmip",
+    .doc = "CSMIP/CGS volume 1 and 2, accelerations of one of their channels",
+    .certain = true,
+    .channels = true,
+    .matches = csmip_matches,
+    .read = csmip_read,
+};

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values in fields of a fixed width.
+#include "motion/fixed.h"
+
+#include <string.h>
+
+#include "core/arena.h"
+#include "motion/values.h"
+
+// Takes a whole number of at most three digits off `rest`; 0: there is none.
+static size_t take_count(struct piece *rest) {
+    size_t count = 0;
+    for (int i = 0; i < 3 && rest->n > 0 && rest->text[0] >= '0' && rest->text[0] <= '9'; i++) {
+        count = 10 * count + (size_t)(rest->text[0] - '0');
+        rest->text++;
+        rest->n--;
+    }
+    return count;
+}
+
+bool fixed_format_read(struct piece text, struct fixed_format *out) {
+    out->n = take_count(&text);
+    if (text.n < 2 || !strchr("FfEe", text.text[0])) {
+        return false;
+    }
+    text.text++;
+    text.n--;
+    out->width = take_count(&text);
+    return out->n > 0 && out->width > 0 && text.n > 1 && text.text[0] == '.' &&
+           take_count(&(struct piece){text.text + 1, text.n - 1}) > 0;
+}
+
+// Field i of the line without the blanks around it; of no characters if the line is shorter.
+static struct piece field_of(struct piece line, const struct fixed_format *format, size_t i) {
+    const size_t from = i * format->width;
+    const size_t left = from < line.n ? line.n - from : 0;
+    struct piece rest = {line.text + (left ? from : line.n),
+                         left < format->width ? left : format->width};
+    const struct piece whole = rest;
+    struct piece field;
+    if (!lines_field(&rest, "", &field)) {
+        return (struct piece){whole.text, 0};
+    }
+    return rest.n == 0 ? field : whole;
+}
+
+static int check_rest(const struct record_text *t, const struct lines *l, size_t used,
+                      struct error *e) {
+    struct piece rest = {l->whole.text + used, used < l->whole.n ? l->whole.n - used : 0};
+    struct piece field;
+    if (!lines_field(&rest, "", &field)) {
+        return STATUS_OK;
+    }
+    struct excerpt shown = lines_excerpt(field);
+    return lines_error(e, t->path, l->number, "'%s' stands behind the last value of the line",
+                       shown.text);
+}
+
+int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
+               const struct fixed_format *format, size_t n, struct record_content *out,
+               struct error *e) {
+    const int title = l->number;
+    if (n > (size_t)(l->end - l->at)) {
+        return lines_error(e, t->path, title, "the line says %zu values; the file ends before", n);
+    }
+    double *value = arena_alloc(a, n, sizeof *value);
+    if (!value) {
+        return error_no_memory(e);
+    }
+    for (size_t i = 0; i < n; i++) {
+        const size_t column = i % format->n;
+        if (column == 0 && !lines_next(l)) {
+            return lines_error(e, t->path, l->number,
+                               "the file ends after %zu values; line %d says %zu", i, title, n);
+        }
+        const struct number_field f = {t->path, l->number, "value", i + 1,
+                                       field_of(l->whole, format, column)};
+        int status = lines_read_number(&f, &value[i], e);
+        if (status == STATUS_OK && (column + 1 == format->n || i + 1 == n)) {
+            status = check_rest(t, l, (column + 1) * format->width, e);
+        }
+        if (status) {
+            return status;
+        }
+        values_note_peak(out, value, i, l->number);
+    }
+    out->value = value;
+    out->n = n;
+    return STATUS_OK;
+}

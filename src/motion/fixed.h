@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values in fields of a fixed width, as a Fortran format such as (8F9.6) writes them. Fields may
+// touch, so that blanks do not part them.
+#ifndef JOSTLE_MOTION_FIXED_H
+#define JOSTLE_MOTION_FIXED_H
+
+#include "motion/lines.h"
+#include "motion/record_format.h"
+
+struct arena;
+
+struct fixed_format {
+    size_t n;      // fields a line
+    size_t width;  // characters a field
+};
+
+// Reads `8F9.6`, `5E15.6`, also in small letters. False: it is no such format.
+bool fixed_format_read(struct piece text, struct fixed_format *out);
+
+// Reads n values from the lines after the one where `l` stands, to the end of the line with the
+// last: sets value, n, peak and peak_line of `out`. Errors: STATUS_INPUT (too few lines, a field
+// that is empty or no number, characters behind the last field).
+int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
+               const struct fixed_format *format, size_t n, struct record_content *out,
+               struct error *e);
+
+#endif
