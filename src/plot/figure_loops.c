@@ -8,7 +8,8 @@
 #include "plot/figure.h"
 #include "plot/script.h"
 
-enum { BINS = 800, IMPACTS_MAX = 12, STOREYS_MAX = 2, PANELS_MAX = 1 + STOREYS_MAX };
+enum { BINS = 800, IMPACTS_MAX = 12, LOOP_ROWS = 3 };
+enum { STOREYS_MAX = 2, PANELS_MAX = 1 + STOREYS_MAX };
 
 struct view {
     const struct runs *s;
@@ -79,9 +80,16 @@ static bool is_shown(const struct report *r, long i) {
     return harder < IMPACTS_MAX;
 }
 
+// Fewer rows than make a loop are left unjoined, each in a block of its own.
 static void write_loop(const struct data *d, const struct impact *p, FILE *to) {
-    for (size_t i = data_row(d, p->t_start); i < d->n_row && d->column[0][i] <= p->t_end; i++) {
-        fprintf(to, "%.7g %.7g\n", d->column[1][i], d->column[2][i]);
+    const size_t first = data_row(d, p->t_start);
+    size_t end = first;
+    while (end < d->n_row && d->column[0][end] <= p->t_end) {
+        end++;
+    }
+    const char *between = end - first < LOOP_ROWS ? "\n" : "";
+    for (size_t i = first; i < end; i++) {
+        fprintf(to, "%.7g %.7g\n%s", d->column[1][i], d->column[2][i], between);
     }
     fprintf(to, "\n");
 }

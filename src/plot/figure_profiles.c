@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Peak displacement, drift, acceleration and storey shear over the height. Floors are points,
-// storeys are steps. Of many buildings, those with the largest drift are shown. A second run is
+// storeys are steps. Free bodies have no storeys; where there is nothing else, only the panels of
+// floors are drawn. Of many buildings, those with the largest drift are shown. A second run is
 // dashed.
 #include <math.h>
 
@@ -28,12 +29,22 @@ struct selection {
     int building[BUILDINGS_MAX];
     int n;
     bool heights;  // all shown buildings have them
+    bool storeys;  // one of them at least is no free body
 };
+
+static bool is_of_storeys(const struct panel *p) {
+    return p->data[0] == 's';
+}
+
+// Of floor i or the storey below it; NAN where a free body has none.
+static double value_of(const struct report_building *b, const struct panel *p, int i) {
+    return is_of_storeys(p) && b->stiffness[i] == 0 ? (double)NAN : b->peak[p->peak][i];
+}
 
 static double largest_drift(const struct report_building *b) {
     double value = 0;
     for (int i = 0; i < b->n_floor; i++) {
-        value = fmax(value, b->peak[PEAK_DRIFT][i]);
+        value = fmax(value, value_of(b, &panels[1], i));
     }
     return value;
 }
@@ -70,6 +81,7 @@ static struct selection choose(const struct runs *runs) {
         const struct report_building *b = &runs->r[k / s.n]->building[s.building[k % s.n]];
         for (int i = 0; i < b->n_floor; i++) {
             s.heights = s.heights && b->height[i] > 0;
+            s.storeys = s.storeys || b->stiffness[i] > 0;
         }
     }
     return s;
@@ -82,7 +94,8 @@ static const struct report_building *shown(const struct selection *s, int run, i
 static void write_building(const struct selection *s, int run, int k, FILE *to) {
     const struct report_building *b = shown(s, run, k);
     double level = 0;
-    fprintf(to, "$floors%d%d << EOD\n# level displacement acceleration\n0 0 NaN\n", run, k);
+    fprintf(to, "$floors%d%d << EOD\n# level displacement acceleration\n0 %s NaN\n", run, k,
+            b->stiffness[0] > 0 ? "0" : "NaN");
     for (int i = 0; i < b->n_floor; i++) {
         level += s->heights ? b->height[i] : 1;
         fprintf(to, "%.9g %.9g %.9g\n", level, b->peak[PEAK_DISPLACEMENT][i],
@@ -93,9 +106,10 @@ static void write_building(const struct selection *s, int run, int k, FILE *to) 
     level = 0;
     for (int i = 0; i < b->n_floor; i++) {
         const double height = s->heights ? b->height[i] : 1;
-        const double drift = b->peak[PEAK_DRIFT][i] / (s->heights ? height / 100 : 1);
-        fprintf(to, "%.9g %.9g %.9g\n%.9g %.9g %.9g\n", level, drift, b->peak[PEAK_SHEAR][i],
-                level + height, drift, b->peak[PEAK_SHEAR][i]);
+        const double drift = value_of(b, &panels[1], i) / (s->heights ? height / 100 : 1);
+        const double shear = value_of(b, &panels[3], i);
+        fprintf(to, "%.9g %.9g %.9g\n%.9g %.9g %.9g\n", level, drift, shear, level + height, drift,
+                shear);
         level += height;
     }
     fprintf(to, "EOD\n");
@@ -107,7 +121,7 @@ static struct span panel_span(const struct selection *s, const struct panel *p) 
         const struct report_building *b = shown(s, k / s->n, k % s->n);
         for (int i = 0; i < b->n_floor; i++) {
             const bool ratio = p->peak == PEAK_DRIFT && s->heights;
-            span_add(&span, b->peak[p->peak][i] / (ratio ? b->height[i] / 100 : 1));
+            span_add(&span, value_of(b, p, i) / (ratio ? b->height[i] / 100 : 1));
         }
     }
     return span_with_room(span, 0);
@@ -126,8 +140,9 @@ static double top_level(const struct selection *s) {
     return top;
 }
 
-static void write_panel(const struct selection *s, int at, struct canvas *c) {
-    const struct panel *p = &panels[at];
+// The panel `at` of `n` beside each other.
+static void write_panel(const struct selection *s, const struct panel *p, int at, int n,
+                        struct canvas *c) {
     const bool ratio = p->peak == PEAK_DRIFT && s->heights;
     const struct axis x = {.name = ratio ? "drift / height" : p->name,
                            .brief = p->brief,
@@ -144,15 +159,15 @@ static void write_panel(const struct selection *s, int at, struct canvas *c) {
                            .step = s->heights ? 0 : 1};
     struct canvas within = *c;
     within.area.left += 4.2;
-    const struct area part = canvas_part(&within, at / 4.0, (at + 1) / 4.0, 0, 1);
+    const struct area part = canvas_part(&within, (double)at / n, (at + 1.0) / n, 0, 1);
     canvas_panel(c, canvas_inset(part, 1.1, 1.1, 3.2, 0.5), &s->s->r[0]->units, &x, &y);
     fprintf(c->to, "plot");
     for (int k = 0; k < s->n * s->s->n; k++) {
         const int run = k / s->n, building = k % s->n;
         fprintf(c->to, "%s \\\n  $%s%d%d using %d:1 with %s lc rgb '%s' dt %s", k > 0 ? "," : "",
-                p->data, run, building, p->column, p->data[0] == 'f' ? "linespoints" : "lines",
+                p->data, run, building, p->column, is_of_storeys(p) ? "lines" : "linespoints",
                 script_colour[building], run > 0 ? "(10,6)" : "solid");
-        if (p->data[0] == 'f') {
+        if (!is_of_storeys(p)) {
             fprintf(c->to, " pt %d ps 1*point", run > 0 ? POINT_RING : POINT_DISC);
         }
     }
@@ -183,8 +198,11 @@ static int draw(const struct runs *runs, struct canvas *c, struct error *e) {
         write_building(&s, k / s.n, k % s.n, c->data);
     }
     write_head(&s, c);
-    for (int at = 0; at < PANELS; at++) {
-        write_panel(&s, at, c);
+    const int n = s.storeys ? PANELS : PANELS - 2;
+    for (int i = 0, at = 0; i < PANELS; i++) {
+        if (s.storeys || !is_of_storeys(&panels[i])) {
+            write_panel(&s, &panels[i], at++, n, c);
+        }
     }
     return STATUS_OK;
 }

@@ -29,7 +29,16 @@ initial Gebäude:3 -velocity -0.5m/s
 ground sine -amplitude 2m/s^2 -frequency 1.5 -cycles 3
 step fixed 1ms
 END
-for deck in pair other wall; do
+cat >body.deck <<'END'
+units kN mm s
+building Turm -floors 2 -mass 100t -stiffness 50MN/m
+building Karren -floors 1 -mass 40t -stiffness 0
+contact Turm:1 Karren -gap 5mm -law linear -k 1e6N/m
+initial Karren:1 -velocity -0.5m/s
+ground sine -amplitude 2m/s^2 -frequency 1.5 -cycles 3
+step fixed 1ms
+END
+for deck in pair other wall body; do
     run "$jostle" run -q $deck.deck
     expect "$deck.deck runs" '[ $status -eq 0 ]'
 done
@@ -37,7 +46,7 @@ run "$jostle" run -q pair.deck -D gap=8mm -o wider.h5
 
 kinds=$("$jostle" plot --help | sed -n '/^KIND/,/^$/ s/^  \([a-z]*\) .*/\1/p' | grep -v overview)
 for kind in $kinds; do
-    for files in pair.h5 other.h5 wall.h5 "pair.h5 wider.h5"; do
+    for files in pair.h5 other.h5 wall.h5 body.h5 "pair.h5 wider.h5"; do
         # shellcheck disable=SC2086  # one file or two
         set -- $files
         run "$jostle" plot "$1" ${2:+--compare "$2"} "$kind" --script scripts --force

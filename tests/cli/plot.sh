@@ -135,6 +135,24 @@ run "$jostle" plot closed.h5 histories --script closed
 expect "a ground at rest takes no room" '[ $status -eq 0 ] && ! grep -q "ground acc\." closed/histories.gp && grep -q "time \[" closed/histories.gp'
 rm -rf closed closed.*
 
+# Two free bodies that collide once; two rows are within the impact.
+cat >bodies.deck <<'END'
+building A -floors 1 -mass 25t -stiffness 0
+building B -floors 1 -mass 40t -stiffness 0
+initial A:1 -velocity 1
+contact A B -gap 5mm -law linear -k 1e8
+step fixed 0.1ms
+duration 0.2
+output -every 150
+END
+run "$jostle" run -q bodies.deck
+run "$jostle" plot bodies.h5 loops --script bodies
+sed -n "/^.hardest0/,/^EOD/p" bodies/loops.dat >hardest
+expect "an impact of two rows is no loop: they are not joined" '[ $status -eq 0 ] && [ "$(grep -c "^[0-9]" hardest)" -eq 2 ] && awk "/^[0-9]/ && joined { exit 1 } { joined = /^[0-9]/ }" hardest'
+run "$jostle" plot bodies.h5 profiles --script bodies
+expect "free bodies have no storeys to show" '[ $status -eq 0 ] && [ "$(grep -c "^plot" bodies/profiles.gp)" -eq 2 ] && ! grep -q "drift\|shear" <(grep "^set label" bodies/profiles.gp)'
+rm -rf bodies bodies.* hardest
+
 rm -rf scripts
 run "$jostle" plot pair.h5 overview --script scripts
 expect "no two blocks of a picture have one name" '[ "$(grep -c "<< EOD" scripts/overview.dat)" -gt 5 ] && [ -z "$(grep "<< EOD" scripts/overview.dat | sort | uniq -d)" ] && ! grep -q EOD scripts/overview.gp'

@@ -188,7 +188,7 @@ def loops(runs):
                     ("contact force", r.unit("contacts/envelope/force")), curves,
                     r.f["contacts/name"][c].decode())]
     for side in (sides[0], sides[2]):
-        if side in r.buildings:
+        if side in r.buildings and r.buildings[side]["stiffness"][0] > 0:
             storey = int(np.argmax(r.buildings[side]["envelope/drift"][:]))
             curves = [Curve(run.buildings[side]["drift"][:, storey],
                             run.buildings[side]["storey_shear"][:, storey], thinned=True)
@@ -213,14 +213,17 @@ def profiles(runs):
                 level = np.concatenate([[0], np.cumsum(storeys)])
                 ratio = heights and name == "drift"
                 value = b["envelope"][name][:] / (storeys / 100 if ratio else 1)
+                free = b["stiffness"][:] == 0
+                value = np.where(free & (name in ("drift", "storey_shear")), np.nan, value)
                 line = (np.repeat(value, 2), np.repeat(level, 2)[1:-1])
-                base = np.nan if name == "acceleration" else 0
+                base = np.nan if name == "acceleration" or free[0] else 0
                 points = (np.concatenate([[base], value]), level)
                 curves.append(Curve(*(line if name in ("drift", "storey_shear") else points),
                                     legend=building))
         x = (text, r.unit(f"buildings/{building}/envelope/{name}"))
         x = ("drift / height", "%") if heights and name == "drift" else x
-        panels.append(Panel(x, None, curves))
+        if any(curve.rows.size for curve in curves):
+            panels.append(Panel(x, None, curves))
     height = ("height", r.unit("contacts/gap")) if heights else ("floor", None)
     panels[0].y = height
     return panels, None
@@ -297,7 +300,8 @@ def modes(runs):
                 column = shape[:, m] if m < n else np.full(n, np.nan)
                 column = column / column[np.argmax(np.abs(column))]
                 level = np.cumsum([0, *(b["height"][:] if heights else np.ones(n))])
-                curves.append(Curve(np.append(0 * column[0], column), level))
+                base = np.nan if k[0] == 0 and m == 0 else 0 * column[0]
+                curves.append(Curve(np.append(base, column), level))
         panels.append(Panel(("shape", None), None, curves, f"mode {m + 1}"))
     return panels, None
 
