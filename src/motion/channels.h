@@ -15,8 +15,9 @@ struct channels {
     struct piece name[CHANNELS_MAX];
 };
 
-// The channel that -channel asks for, from 0; the only one need not be. Errors: STATUS_INPUT, with a list of the channels
-// where none is asked for, or one that is not there; out->wrong says which.
+// The channel that -channel asks for, from 0; the only one need not be asked for. Errors:
+// STATUS_INPUT, with a list of the channels where none is asked for, or one that is not there;
+// out->wrong says which.
 int channels_choose(const struct record_request *request, const struct record_text *t,
                     const struct channels *c, int *chosen, struct record_content *out,
                     struct error *e);
