@@ -197,8 +197,8 @@ static int check_end(const struct record_text *t, struct lines l, size_t n, stru
 static int csmip_read(struct arena *a, const struct record_request *request,
                       const struct record_text *t, struct record_content *out, struct error *e) {
     struct channel c = {0};
-    struct fixed_format format;
-    double npts;
+    struct fixed_format format = {0};
+    double npts = 0.0;
     int status = choose_channel(request, t, &c, out, e);
     if (status == STATUS_OK) {
         status = read_sizes(t, &c.title, &npts, &out->dt, e);
