@@ -50,7 +50,7 @@ const struct bench_case bench_cases[] = {
      bench_histories, 0.0, 0.0},
     {"pair, each step, compressed", 0, 0, NEAR JANKOWSKI, "output -every 1 -compress 1\n", 1e-3,
      40.0, bench_histories, 0.0, 0.0},
-    {"pair, whole program", 0, 0, NEAR JANKOWSKI, NULL, 1e-3, 2.0, bench_program, 0.0, 2500.0},
+    {"pair, whole program", 0, 0, NEAR JANKOWSKI, NULL, 1.25e-3, 2.5, bench_program, 0.0, 2500.0},
 };
 const int n_bench_case = sizeof bench_cases / sizeof bench_cases[0];
 
