@@ -113,6 +113,9 @@ const char *text_short(struct text_short *s, const char *text) {
 }
 
 const char *text_more(struct text_more *t, int n) {
-    snprintf(t->text, sizeof t->text, n > 1 ? " (and %d more)" : "", n - 1);
+    t->text[0] = '\0';
+    if (n > 1) {
+        snprintf(t->text, sizeof t->text, " (and %d more)", n - 1);
+    }
     return t->text;
 }
