@@ -2,6 +2,7 @@
 // The list of commands, and what they have in common: messages, help, exit status.
 #include "command/command.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <limits.h>
 #include <stdarg.h>
@@ -84,14 +85,6 @@ int command_count(const struct command *c, const char *what, const char *text, l
     return EXIT_DONE;
 }
 
-int command_once(const struct command *c, const char *option, const char **text) {
-    if (*text) {
-        return command_usage(c, "%s is given twice", option);
-    }
-    *text = optarg;
-    return EXIT_DONE;
-}
-
 const char *command_line(struct arena *a, int argc, char **argv) {
     const char *line = "jostle";
     for (int i = 0; i < argc && line; i++) {
@@ -99,6 +92,8 @@ const char *command_line(struct arena *a, int argc, char **argv) {
     }
     return line;
 }
+
+enum { OPTIONS_MAX = 64 };
 
 static bool is_long(const char *word) {
     return word[0] == '-' && word[1] != '\0' && word[2] != '\0';
@@ -112,7 +107,6 @@ static bool is_whole(const char *word, const char *name) {
 }
 
 static int refuse_word(const struct command_options *o, const char *word) {
-    enum { OPTIONS_MAX = 64 };
     const char *known[OPTIONS_MAX];
     char name[64];
     int n = 0;
@@ -147,7 +141,39 @@ static const char *taken_word(char **argv) {
     return argv[optarg && optarg == argv[optind - 1] ? optind - 2 : optind - 1];
 }
 
+// The place of the first long option of this letter.
+static int place_of(const struct command_options *o, int letter) {
+    int i = 0;
+    while (o->option[i].val != letter) {
+        assert(o->option[i].name && i + 1 < OPTIONS_MAX);
+        i++;
+    }
+    return i;
+}
+
+// May it stand only once? A flag says the same as often as it is given.
+static bool stands_once(const struct command_options *o, const struct option *option) {
+    return option->has_arg != no_argument &&
+           !(o->repeatable && strcmp(o->repeatable, option->name) == 0);
+}
+
+// "-o or --output is given twice".
+static int refuse_twice(const struct command_options *o, int letter) {
+    char names[128] = "";
+    size_t n = 0;
+    if (letter <= UCHAR_MAX && strchr(o->letters, letter)) {
+        n = (size_t)snprintf(names, sizeof names, "-%c", letter);
+    }
+    for (const struct option *p = o->option; p->name && n < sizeof names; p++) {
+        if (p->val == letter) {
+            n += (size_t)snprintf(names + n, sizeof names - n, "%s--%s", n ? " or " : "", p->name);
+        }
+    }
+    return command_usage(o->command, "%s is given twice", names);
+}
+
 int command_parse(const struct command_options *o, int argc, char **argv, void *request) {
+    bool given[OPTIONS_MAX] = {false};
     opterr = 0;
     optind = 1;
     // getopt_long takes the beginning of a name, too. A slip may be that of another option, and a
@@ -164,8 +190,15 @@ int command_parse(const struct command_options *o, int argc, char **argv, void *
             }
             return EXIT_DONE;
         }
-        const int status =
-            letter == '?' || letter == ':' ? refuse(o, letter, argv) : o->take(request, letter);
+        if (letter == '?' || letter == ':') {
+            return refuse(o, letter, argv);
+        }
+        const int place = place_of(o, letter);
+        if (given[place] && stands_once(o, &o->option[place])) {
+            return refuse_twice(o, letter);
+        }
+        given[place] = true;
+        const int status = o->take(request, letter);
         if (status != EXIT_DONE) {
             return status;
         }

@@ -44,9 +44,6 @@ int command_help(const struct command *c, const char *details);
 int command_count(const struct command *c, const char *what, const char *text, long max,
                   long *value);
 
-// Takes optarg as the value of an option that may be given once. Returns EXIT_DONE or EXIT_INPUT.
-int command_once(const struct command *c, const char *option, const char **text);
-
 // The words of the command as one text; NULL: no memory.
 struct arena;
 const char *command_line(struct arena *a, int argc, char **argv);
@@ -63,10 +60,12 @@ struct command_options {
     // Takes an option other than -h, with optarg. Returns EXIT_DONE or, after a message, the exit
     // status.
     int (*take)(void *request, int letter);
+    // Long name of the option with a value that may stand more than once; NULL: none.
+    const char *repeatable;
 };
 
-// Reads the options; optind is then the first of the other words. Returns GO_ON, or the exit status
-// after help or a message.
+// Reads the options, of which those with a value stand once; optind is then the first of the other
+// words. Returns GO_ON, or the exit status after help or a message.
 int command_parse(const struct command_options *o, int argc, char **argv, void *request);
 
 // True if stderr may be coloured: it is a terminal and NO_COLOR is not set.

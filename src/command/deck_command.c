@@ -26,7 +26,7 @@ static int take(void *request, int letter) {
 static int parse(const struct deck_command *c, int argc, char **argv, struct load_request *load,
                  void *options) {
     const struct command_options reading = {c->command, c->details, NULL, getopt_long,
-                                            c->letters, c->option,  take};
+                                            c->letters, c->option,  take, "define"};
     const int status = command_parse(&reading, argc, argv, &(struct target){c, load, options});
     if (status == GO_ON && argc - optind != 1) {
         return command_usage(c->command, "one deck is expected, not %d", argc - optind);

@@ -372,7 +372,7 @@ static int parse(int argc, char **argv, struct request *q) {
                                            {"help", no_argument, NULL, 'h'},
                                            {NULL, 0, NULL, 0}};
     static const struct command_options options = {
-        &command_fragility, "", print_details, getopt_long, ":h", option, take};
+        &command_fragility, "", print_details, getopt_long, ":h", option, take, SUITE_REPEATABLE};
     const int status = command_parse(&options, argc, argv, q);
     if (status == GO_ON && argc - optind != 1) {
         return command_usage(&command_fragility, "one result file is expected, not %d",

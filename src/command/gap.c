@@ -249,15 +249,20 @@ static int take(void *options, int letter) {
     struct options *o = options;
     switch (letter) {
         case 'l':
-            return command_once(&command_gap, "--limit", &o->limit);
+            o->limit = optarg;
+            return EXIT_DONE;
         case 'r':
-            return command_once(&command_gap, "--range", &o->range);
+            o->range = optarg;
+            return EXIT_DONE;
         case 't':
-            return command_once(&command_gap, "--tolerance", &o->tolerance);
+            o->tolerance = optarg;
+            return EXIT_DONE;
         case 'p':
-            return command_once(&command_gap, "--percentile", &o->percentile);
+            o->percentile = optarg;
+            return EXIT_DONE;
         case 'n':
-            return command_once(&command_gap, "--parameter", &o->parameter);
+            o->parameter = optarg;
+            return EXIT_DONE;
         case 'j':
             return threads_parse(&command_gap, optarg, &o->n_thread);
         default:

@@ -42,7 +42,8 @@ static int take(void *options, int letter) {
     struct merge_options *o = options;
     switch (letter) {
         case 'o':
-            return command_once(&command_merge, "-o", &o->request.result.path);
+            o->request.result.path = optarg;
+            return EXIT_DONE;
         case 'q':
             o->quiet = true;
             return EXIT_DONE;
@@ -63,7 +64,7 @@ static int parse(int argc, char **argv, struct merge_options *o) {
         {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0},
     };
     static const struct command_options options = {&command_merge, details, NULL, getopt_long,
-                                                   ":o:qh",        option,  take};
+                                                   ":o:qh",        option,  take, NULL};
     struct study_merge_request *q = &o->request;
     const int status = command_parse(&options, argc, argv, o);
     q->path = (const char *const *)argv + optind;

@@ -58,11 +58,14 @@ static int take(void *request, int letter) {
     struct request *q = request;
     switch (letter) {
         case 'o':
-            return command_once(&command_plot, "-o", &q->picture.output);
+            q->picture.output = optarg;
+            return EXIT_DONE;
         case 'c':
-            return command_once(&command_plot, "--compare", &q->other);
+            q->other = optarg;
+            return EXIT_DONE;
         case 's':
-            return command_once(&command_plot, "--script", &q->picture.script_folder);
+            q->picture.script_folder = optarg;
+            return EXIT_DONE;
         case 'f':
             q->picture.existing = RESULT_REPLACE;
             return EXIT_DONE;
@@ -103,7 +106,7 @@ static int parse(int argc, char **argv, struct request *q) {
         {NULL, 0, NULL, 0},
     };
     static const struct command_options options = {
-        &command_plot, "", print_details, getopt_long, ":ho:", option, take};
+        &command_plot, "", print_details, getopt_long, ":ho:", option, take, SUITE_REPEATABLE};
     const int status = command_parse(&options, argc, argv, q);
     if (status != GO_ON) {
         return status;

@@ -216,7 +216,8 @@ int rows_options(const struct command *c, int argc, char **argv, enum page *page
         {"help", no_argument, NULL, 'h'},
         {NULL, 0, NULL, 0},
     };
-    const struct command_options options = {c, details, NULL, getopt_long, ":h", option, take};
+    const struct command_options options = {c,    details, NULL, getopt_long,
+                                            ":h", option,  take, NULL};
     *page = PAGE_TEXT;
     const int status = command_parse(&options, argc, argv, page);
     if (status == GO_ON && argc - optind > 1) {

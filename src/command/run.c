@@ -45,9 +45,6 @@ static int watch_poll(void *context, double time, struct error *e) {
 }
 
 static int parse_shard(const char *text, struct run_options *o) {
-    if (o->shard.n > 0) {
-        return command_usage(&command_run, "--shard is given twice");
-    }
     return output_parse_shard(text, &o->shard)
                ? EXIT_DONE
                : command_usage(&command_run,
@@ -59,7 +56,8 @@ static int take(void *options, int letter) {
     struct run_options *o = options;
     switch (letter) {
         case 'o':
-            return command_once(&command_run, "-o", &o->output);
+            o->output = optarg;
+            return EXIT_DONE;
         case 'j':
             return threads_parse(&command_run, optarg, &o->n_thread);
         case 's':

@@ -107,7 +107,7 @@ static int parse(int argc, char **argv, struct request *q) {
         {NULL, 0, NULL, 0},
     };
     static const struct command_options options = {&command_show, details, NULL, getopt_long,
-                                                   ":h",          option,  take};
+                                                   ":h",          option,  take, "edp"};
     const int status = command_parse(&options, argc, argv, q);
     if (status == GO_ON && argc - optind != 1) {
         return command_usage(&command_show, "one result file is expected, not %d", argc - optind);

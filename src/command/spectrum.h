@@ -16,7 +16,6 @@ enum spectrum_content { CONTENT_ALL, CONTENT_INTENSITIES };
 
 struct spectrum_request {
     struct arena *arena;  // borrowed: of its lists
-    unsigned given;       // a bit for each option that was
     char **path;          // (n_record)
     int n_record;
     struct record_request record;  // without its path

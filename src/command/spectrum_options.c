@@ -188,21 +188,6 @@ static const struct option option[] = {
     {NULL, 0, NULL, 0},
 };
 
-// Options with a value stand once, but for -D.
-static int check_once(struct spectrum_request *q, int letter) {
-    int i = 0;
-    while (option[i].val != letter) {
-        i++;
-    }
-    const unsigned mark = 1u << i;
-    if (q->given & mark && option[i].has_arg && letter != 'D') {
-        return letter > UCHAR_MAX ? command_usage(self, "--%s is given twice", option[i].name)
-                                  : command_usage(self, "-%c is given twice", letter);
-    }
-    q->given |= mark;
-    return EXIT_DONE;
-}
-
 static int take_form(struct spectrum_request *q, enum spectrum_form form) {
     if (q->form != FORM_TEXT && q->form != form) {
         return command_usage(self, "give --tsv or --deck, not both");
@@ -213,9 +198,6 @@ static int take_form(struct spectrum_request *q, enum spectrum_form form) {
 
 static int take(void *request, int letter) {
     struct spectrum_request *q = request;
-    if (check_once(q, letter) != EXIT_DONE) {
-        return EXIT_INPUT;
-    }
     switch (letter) {
         case OPTION_DAMPING:
             return parse_damping(optarg, q);
@@ -332,7 +314,7 @@ static int set_defaults(struct spectrum_request *q) {
 }
 
 static const struct command_options options = {&command_spectrum, details, NULL, getopt_long_only,
-                                               ":hD:j:o:",        option,  take};
+                                               ":hD:j:o:",        option,  take, "define"};
 
 int spectrum_parse(int argc, char **argv, struct arena *a, struct spectrum_request *q) {
     struct unit_system si;

@@ -40,12 +40,12 @@ bool suite_options_has(int letter) {
 }
 
 static int take_failed(const struct command *c, struct suite_options *o) {
-    const int status = command_once(c, "--failed", &o->failed);
-    if (status == EXIT_DONE && strcmp(optarg, "above") != 0 && strcmp(optarg, "left-out") != 0) {
+    const bool above = strcmp(optarg, "above") == 0;
+    if (!above && strcmp(optarg, "left-out") != 0) {
         return command_usage(c, "--failed is above or left-out, not '%s'", optarg);
     }
-    o->request.failed = strcmp(optarg, "above") == 0 ? SUITE_FAILED_ABOVE : SUITE_FAILED_LEFT_OUT;
-    return status;
+    o->request.failed = above ? SUITE_FAILED_ABOVE : SUITE_FAILED_LEFT_OUT;
+    return EXIT_DONE;
 }
 
 int suite_options_take(const struct command *c, int letter, struct suite_options *o) {
@@ -55,16 +55,20 @@ int suite_options_take(const struct command *c, int letter, struct suite_options
     struct suite_request *q = &o->request;
     switch (letter) {
         case SUITE_EDP:
-            return command_once(c, "--edp", &q->edp);
+            q->edp = optarg;
+            return EXIT_DONE;
         case SUITE_IM:
-            return command_once(c, "--im or --against", &q->abscissa);
+            q->abscissa = optarg;
+            return EXIT_DONE;
         case SUITE_OVER:
-            return command_once(c, "--over (NAME,NAME for two sweeps)", &q->over);
+            q->over = optarg;
+            return EXIT_DONE;
         case SUITE_AT:
             o->at[q->n_at++] = optarg;
             return EXIT_DONE;
         case SUITE_LIMIT:
-            return command_once(c, "--limit (VALUE,VALUE for two limits)", &o->limits);
+            o->limits = optarg;
+            return EXIT_DONE;
         default:
             return take_failed(c, o);
     }

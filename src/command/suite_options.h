@@ -15,11 +15,13 @@ enum { SUITE_EDP = 1000, SUITE_IM, SUITE_OVER, SUITE_AT, SUITE_LIMIT, SUITE_FAIL
         "failed", required_argument, NULL, SUITE_FAILED                                            \
     }
 
+// The one of them that may be repeated.
+#define SUITE_REPEATABLE "at"
+
 struct suite_options {
     struct suite_request request;
     const char **at;     // (argc) owned
     const char *limits;  // "VALUE,VALUE"; NULL: none
-    const char *failed;  // as given; NULL: not
     const char *first;   // the first of these options that was given; NULL: none
 };
 

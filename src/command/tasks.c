@@ -125,7 +125,8 @@ static int take(void *options, int letter) {
     struct tasks_options *o = options;
     switch (letter) {
         case 'o':
-            return command_once(&command_tasks, "-o", &o->output);
+            o->output = optarg;
+            return EXIT_DONE;
         case 'n':
             return command_count(&command_tasks, "-n takes a number of parts", optarg,
                                  STUDY_RUNS_MAX, &o->n_part);

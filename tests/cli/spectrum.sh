@@ -85,7 +85,7 @@ wrong "intensities have no damping" "--intensities" centro.AT2 --intensities --d
 for option in --damping=0 --periods=1 --scale=2 --pga=1g --dt=1 --unit=g --format=peer --script=folder; do
     wrong "$option stands once" "${option%=*} is given twice" centro.AT2 $option $option
 done
-wrong "-o stands once" "-o is given twice" centro.AT2 -o one.png -o two.png
+wrong "-o stands once" "-o or --output is given twice" centro.AT2 -o one.png -o two.png
 for file in "$root"/tests/records/bad/*; do
     case $file in
     */dt_missing.AT2) word="dt" ;;

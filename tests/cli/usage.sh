@@ -51,6 +51,20 @@ expect "the beginning of an option before its value is none" '[ $status -eq 2 ] 
 run "$jostle" spectrum a.AT2 -period 1:2:3
 expect "nor is it behind one dash" '[ $status -eq 2 ] && said "unknown option '"'-period'; did you mean '--periods'?"'"'
 
+while read -r command first second names; do
+    run "$jostle" "$command" a.file $first $second
+    expect "$command $first $second says twice" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "$names is given twice"'
+done <<'END'
+run -j2 --threads=2 -j or --threads
+run -oa.h5 -oa.h5 -o or --output
+gap --threads=1 -j1 -j or --threads
+tasks -n3 --parts=3 -n or --parts
+converge --rtol=1e-3 --rtol=1e-4 --rtol
+fragility --im=pga --im=pga --im
+fragility --method=ida --method=ida --method
+plot --against=pga --im=pga --against or --im
+spectrum --output=a.png -oa.png -o or --output
+END
 for command in run check modes show plot; do
     run "$jostle" "$command"
     expect "$command needs a file" '[ $status -eq 2 ] && [ ! -s "$out" ] && [ -s "$err" ]'
