@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "result/draft.h"
@@ -63,8 +64,24 @@ static int check_names(const struct report *r, struct error *e) {
     return STATUS_OK;
 }
 
+// Refuses a name that promises another kind of file. Any other ending is the user's choice.
+static int check_ending(const char *path, struct error *e) {
+    static const char *const other[] = {"csv", "tsv", "txt", "json", "png", "svg", "pdf", "deck"};
+    const char *point = strrchr(path, '.');
+    for (size_t i = 0; point && i < sizeof other / sizeof other[0]; i++) {
+        if (strcasecmp(point + 1, other[i]) == 0) {
+            return error_set(e, STATUS_INPUT,
+                             "%s: a result is an HDF5 file, not %s; call it NAME.h5 (jostle show "
+                             "prints tables of it, jostle plot draws it)",
+                             path, other[i]);
+        }
+    }
+    return STATUS_OK;
+}
+
 int h5_draft_check(const struct report *r, const struct result_options *o, struct error *e) {
     int status = result_check_path(o->path, o->existing, e);
+    status = status == STATUS_OK ? check_ending(o->path, e) : status;
     return status == STATUS_OK ? check_names(r, e) : status;
 }
 

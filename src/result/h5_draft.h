@@ -6,8 +6,8 @@
 #include "jostle/result.h"
 #include "result/h5.h"
 
-// Can a result of `r` be written under this name? Errors: STATUS_INPUT (the file exists, a name of
-// a building that the file cannot have).
+// Can a result of `r` be written under this name? Errors: STATUS_INPUT (the file exists, its ending
+// is that of another kind of file, a name of a building that the file cannot have).
 int h5_draft_check(const struct report *r, const struct result_options *o, struct error *e);
 
 // Creates the file `draft` of the result `path`, locked until h5_unlock: one left by a killed run

@@ -29,6 +29,10 @@ run "$jostle" run pair.deck -o results/one.h5
 expect "-o names the result file" '[ $status -eq 0 ] && only pair.deck results/one.h5'
 run "$jostle" run -q --output=results/two.h5 pair.deck
 expect "--output=FILE may stand before the deck" '[ $status -eq 0 ] && [ -s results/two.h5 ]'
+for name in table.csv picture.PNG results/one.deck; do
+    run "$jostle" run pair.deck -o $name
+    expect "$name promises another kind of file" '[ $status -eq 2 ] && said "$name: a result is an HDF5 file, not" && [ ! -e $name ]'
+done
 run "$jostle" run pair.deck -o no/such/folder.h5
 expect "a folder that does not exist ends with 3" '[ $status -eq 3 ] && said "No such file or directory" && [ ! -s "$out" ]'
 run "$jostle" run pair.deck -o results
