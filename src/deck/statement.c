@@ -115,6 +115,10 @@ static void run_units(struct deck *d, const struct statement *s) {
     }
 }
 
+// On earth gravity is 9.764 to 9.834 m/s^2 (Hirt et al. 2013, Geophys. Res. Lett. 40, 4279-4283).
+// Beyond these limits it is in other units than those of the deck [m/s^2].
+static const double GRAVITY_MIN = 9.0, GRAVITY_MAX = 11.0;
+
 static void run_gravity(struct deck *d, const struct statement *s) {
     const struct row row = {
         .key = "gravity",
@@ -131,8 +135,11 @@ static void run_gravity(struct deck *d, const struct statement *s) {
         deck_error(d, s->word, "gravity must stand above the first use of the unit g");
         return;
     }
-    d->units.gravity =
-        unit_convert(value.number[0], unit_size(&d->units, dimension_acceleration), 1);
+    const double g = unit_convert(value.number[0], unit_size(&d->units, dimension_acceleration), 1);
+    if (g < GRAVITY_MIN || g > GRAVITY_MAX) {
+        deck_warning(d, &s->word[1], "gravity is %.4g m/s^2; is it in the units of the deck?", g);
+    }
+    d->units.gravity = g;
 }
 
 static void run_param(struct deck *d, const struct statement *s) {

@@ -40,7 +40,7 @@ struct building_draft {
     struct storey *storey;     // (n_floor)
     struct word *storey_word;  // (n_floor) where its law was given; text NULL: elastic by default
     double *displacement, *velocity;  // (n_floor)
-    bool *initial;                    // (n_floor) given
+    struct word *initial;             // (n_floor) where they were given; text NULL: at rest
 };
 
 // A record still to be scaled to a pseudo-spectral acceleration, once the buildings' periods are

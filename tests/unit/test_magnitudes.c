@@ -126,6 +126,43 @@ static void a_yield_in_other_units_than_the_stiffness_is_warned_of(void **state)
     }
 }
 
+// One building with the units of a deck, its gravity and an initial state.
+static void a_start_or_a_gravity_in_other_units_is_warned_of(void **state) {
+    (void)state;
+    static const struct {
+        const char *units, *gravity, *start, *message;
+        int line;
+    } of[] = {
+        {"kN m s", "9.81", "-displacement 5 -velocity 20", NULL, 0},
+        {"kN mm s", "9810", "-displacement -5000 -velocity 20000", NULL, 0},
+        {"kN m s", "9.81", "-displacement -20",
+         "the initial displacement of building A (and 3 more) is 20 m; is it in the units of the "
+         "deck?",
+         4},
+        {"kN m s", "9.81", "-velocity 500",
+         "the initial velocity of building A (and 3 more) is 500 m/s; is it in the units of the "
+         "deck?",
+         4},
+        {"kN mm s", "9.81", "-velocity 500",
+         "gravity is 0.00981 m/s^2; is it in the units of the deck?", 2},
+        {"kN m s", "9810", "-velocity 0.5",
+         "gravity is 9810 m/s^2; is it in the units of the deck?", 2},
+    };
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        struct model *m = analysis_model("units %s\ngravity %s\n"
+                                         "building A -floors 4 -mass 300t -stiffness 345MN/m\n"
+                                         "initial A:all %s\nstep fixed 1ms\nduration 1s\n",
+                                         of[i].units, of[i].gravity, of[i].start);
+        const struct diagnostics *d = &m->deck->diagnostics;
+        assert_int_equal(d->n_warning, of[i].message ? 1 : 0);
+        if (of[i].message) {
+            assert_string_equal(d->item[0].message, of[i].message);
+            assert_int_equal(d->item[0].line, of[i].line);
+        }
+        model_free(m);
+    }
+}
+
 // Where a value replaces the size of the file, that value is looked at besides.
 static void a_record_that_is_too_large_is_warned_of_once(void **state) {
     (void)state;
@@ -150,6 +187,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(wrong_units_are_warned_of_at_the_first_statement),
         cmocka_unit_test(values_at_the_edge_of_what_there_is_are_not_warned_of),
+        cmocka_unit_test(a_start_or_a_gravity_in_other_units_is_warned_of),
         cmocka_unit_test(a_yield_in_other_units_than_the_stiffness_is_warned_of),
         cmocka_unit_test(a_record_that_is_too_large_is_warned_of_once),
     };

@@ -27,12 +27,12 @@ static void build(struct builder *b, const struct statement *s) {
     struct building_draft *d = builder_draft(b, floors.building);
     for (int k = 0; d->initial && k < floors.n_floor; k++) {
         int i = floors.floor[k] - 1;
-        if (d->initial[i]) {
+        if (d->initial[i].text) {
             deck_error(b->deck, &s->word[1], "floor %d of building %s has an initial state already",
                        i + 1, d->name);
             return;
         }
-        d->initial[i] = true;
+        d->initial[i] = s->word[1];
         d->displacement[i] = a[DISPLACEMENT].number[0];
         d->velocity[i] = a[VELOCITY].number[0];
     }
