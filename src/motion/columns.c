@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One column of values, or two of time and value, separated by blanks, tabs, commas or semicolons.
-// Lines that begin with % ! * or // are comments, and so is what follows a #; lines of text may
-// stand above the numbers. The last line above the numbers may give the units in brackets: `time
-// (s),acceleration (g)`.
+// One column of values, or times and then one or more columns of values, which are the channels of
+// the file, separated by blanks, tabs, commas or semicolons. Lines that begin with % ! * or // are
+// comments, and so is what follows a #; lines of text may stand above the numbers. The last line
+// above the numbers may give the units in brackets: `time (s),acceleration (g)`.
 //
 // Times must grow in even steps. The step is the mean one, with the fewest digits that give it to
 // 1e-12, which takes away no more than the noise of the division. A time may lie TIME_ERROR_MAX
@@ -24,6 +24,16 @@ static bool columns_matches(const struct record_text *t) {
     return table_find(t, &table);
 }
 
+// What is read of a table.
+struct columns {
+    const struct record_text *text;
+    const struct table *table;
+    bool has_time;  // column 0 has times
+    size_t column;  // of the values, from 0
+    double *time;   // (n_row) where there are times
+    double *value;  // (n_row)
+};
+
 static int check_time_unit(const struct record_text *t, const struct table *table,
                            struct piece unit, struct dimension dimension, double si,
                            struct error *e) {
@@ -35,11 +45,15 @@ static int check_time_unit(const struct record_text *t, const struct table *tabl
     return STATUS_OK;
 }
 
-// Takes the unit of the values from the caption. Brackets that hold no unit are text.
-static int read_caption(const struct record_request *request, const struct record_text *t,
-                        const struct table *table, struct record_content *out, struct error *e) {
+// Takes the unit of the values from the caption: one is that of all columns, and of as many as
+// there are columns of values each has its own. Brackets that hold no unit are text.
+static int read_caption(const struct record_request *request, const struct columns *c,
+                        struct record_content *out, struct error *e) {
+    const struct table *table = c->table;
+    const size_t n_channel = table->n_column - c->has_time;
     struct piece rest = table->caption;
     struct piece unit;
+    size_t n = 0;
     int status = STATUS_OK;
     while (!status && lines_bracket(&rest, &unit)) {
         struct dimension dimension;
@@ -47,13 +61,18 @@ static int read_caption(const struct record_request *request, const struct recor
         if (!record_unit(unit, request->gravity, &dimension, &si)) {
             continue;
         }
-        status = check_time_unit(t, table, unit, dimension, si, e);
-        if (!dimension_equal(dimension, dimension_time)) {
+        status = check_time_unit(c->text, table, unit, dimension, si, e);
+        if (dimension_equal(dimension, dimension_time)) {
+            continue;
+        }
+        if (n == 0 || n + c->has_time == c->column) {
             out->unit = dimension_equal(dimension, dimension_acceleration) ? si : 0;
             out->unit_text = lines_excerpt(unit);
             out->unit_line = table->caption_line;
         }
+        n++;
     }
+    out->unit_line = n == 1 || n == n_channel ? out->unit_line : 0;
     return status;
 }
 
@@ -69,13 +88,6 @@ static double shortest(double x) {
     }
     return x;
 }
-
-struct columns {
-    const struct record_text *text;
-    const struct table *table;
-    double *time;   // (n_row); NULL: there is no column of times
-    double *value;  // (n_row)
-};
 
 static int check_step(const struct columns *c, size_t i, const struct lines *l, struct error *e) {
     const double *time = c->time;
@@ -108,15 +120,17 @@ static int read_row(const struct columns *c, const struct lines *l, size_t i,
     struct piece rest = l->line;
     struct number_field f = {c->text->path, l->number, "time", i + 1, {0}};
     int status = STATUS_OK;
-    if (c->time) {
-        lines_field(&rest, table_separators, &f.field);
+    lines_field(&rest, table_separators, &f.field);
+    if (c->has_time) {
         status = lines_read_number(&f, &c->time[i], e);
         if (!status && i > 0) {
             status = check_step(c, i, l, e);
         }
     }
-    if (!status) {
+    for (size_t k = 0; k < c->column; k++) {
         lines_field(&rest, table_separators, &f.field);
+    }
+    if (!status) {
         f.what = "value";
         status = lines_read_number(&f, &c->value[i], e);
     }
@@ -171,39 +185,47 @@ static int find_step(const struct columns *c, size_t n, struct record_content *o
     return STATUS_OK;
 }
 
-static int check_columns(const struct record_text *t, const struct table *table, struct error *e) {
-    int status = table_check(t, table, e);
-    if (!status && table->n_column > 2) {
-        return lines_error(e, t->path, table->first_line,
-                           "%zu columns; one or two (time and value) are read; -format series "
-                           "reads values that run on from line to line",
-                           table->n_column);
+// Finds the column that -channel asks for.
+static int choose_column(const struct record_request *request, struct columns *c,
+                         struct record_content *out, struct error *e) {
+    const size_t n = c->table->n_column - c->has_time;
+    const size_t wanted = request->channel == 0 && n == 1 ? 1 : (size_t)request->channel;
+    if (wanted == 0) {
+        return lines_error(e, c->text->path, c->table->first_line,
+                           "%zu columns; %s; -format series reads values that run on from line "
+                           "to line",
+                           c->table->n_column,
+                           request->plain ? "one or two (time and value) are read"
+                                          : "-channel chooses one of those behind the times");
     }
-    return status;
+    if (wanted > n) {
+        out->wrong = RECORD_CHANNEL;
+        return lines_error(e, c->text->path, c->table->first_line,
+                           "there is no channel %zu; the file has %zu, one a column%s", wanted, n,
+                           c->has_time ? " behind the times" : "");
+    }
+    c->column = wanted - !c->has_time;
+    return STATUS_OK;
 }
 
-static int read_table(struct arena *a, const struct record_text *t, const struct table *table,
-                      struct record_content *out, struct error *e) {
-    bool has_time = table->n_column == 2;
-    struct columns c = {
-        .text = t,
-        .table = table,
-        .time = has_time ? calloc(table->n_row, sizeof *c.time) : NULL,
-        .value = arena_alloc(a, table->n_row, sizeof *c.value),
-    };
+static int read_table(struct arena *a, struct columns *c, struct record_content *out,
+                      struct error *e) {
+    const size_t n = c->table->n_row;
+    c->time = c->has_time ? calloc(n, sizeof *c->time) : NULL;
+    c->value = arena_alloc(a, n, sizeof *c->value);
     int status = STATUS_OK;
-    if (!c.value || (has_time && !c.time)) {
+    if (!c->value || (c->has_time && !c->time)) {
         status = error_no_memory(e);
     }
     if (!status) {
-        status = read_rows(&c, out, e);
+        status = read_rows(c, out, e);
     }
-    if (!status && has_time) {
-        status = find_step(&c, table->n_row, out, e);
+    if (!status && c->has_time) {
+        status = find_step(c, n, out, e);
     }
-    free(c.time);
-    out->n = table->n_row;
-    out->value = c.value;
+    free(c->time);
+    out->n = n;
+    out->value = c->value;
     return status;
 }
 
@@ -213,17 +235,22 @@ static int columns_read(struct arena *a, const struct record_request *request,
     if (!table_find(t, &table)) {
         return lines_error(e, t->path, 0, "there is no line of numbers");
     }
-    int status = check_columns(t, &table, e);
+    struct columns c = {.text = t, .table = &table, .has_time = table.n_column > 1};
+    int status = table_check(t, &table, e);
     if (!status) {
-        status = read_caption(request, t, &table, out, e);
+        status = choose_column(request, &c, out, e);
     }
-    return status ? status : read_table(a, t, &table, out, e);
+    if (!status) {
+        status = read_caption(request, &c, out, e);
+    }
+    return status ? status : read_table(a, &c, out, e);
 }
 
 const struct record_format record_columns = {
     .name = "columns",
-    .doc = "one column of values with -dt, or two of time and value",
+    .doc = "one column of values with -dt, or times and one or more columns of values",
     .plain = true,
+    .channels = true,
     .matches = columns_matches,
     .read = columns_read,
 };

@@ -158,8 +158,8 @@ static void broken_files_are_refused_with_file_and_line(void **state) {
         {"time_goes_back.txt", ":101: time 0.5 after 0.99; times must grow"},
         {"time_gap.txt", ":91: step of 0.21 s to time 1.1; the first step is 0.01 s and steps must "
                          "be even"},
-        {"three_columns.txt", ":1: 3 columns; one or two (time and value) are read; -format series "
-                              "reads values that run on from line to line"},
+        {"three_columns.txt", ":1: 3 columns; -channel chooses one of those behind the times; "
+                              "-format series reads values that run on from line to line"},
         {"decimal_comma.txt", ":1: '0,000 -0,030157' has commas beside other separators; numbers "
                               "need a decimal point"},
     };

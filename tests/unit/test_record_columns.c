@@ -148,11 +148,55 @@ static void three_columns_are_not_guessed_at(void **state) {
     r->request.unit = "g";
     r->request.dt = 0.01;
     reading_of_text(r, "0 1 2\n.01 1 2\n");
+    assert_refused(r, "a.txt:1: 3 columns; -channel chooses one of those behind the times; -format "
+                      "series reads values that run on from line to line");
+    r->request.plain = true;
+    reading_of_text(r, "0 1 2\n.01 1 2\n");
     assert_refused(r, "a.txt:1: 3 columns; one or two (time and value) are read; -format series "
                       "reads values that run on from line to line");
+    r->request.plain = false;
     r->request.format = "series";
     reading_of_text(r, "0 1 2\n.01 1 2\n");
     assert_read(r, "series", 6, 0.01);
+}
+
+static void a_channel_is_a_column_behind_the_times(void **state) {
+    static const struct {
+        const char *caption;
+        double unit[3];  // of each channel; 0: none is told
+    } c[] = {
+        {"t (s), x (g), y (cm/s2), z (m/s2)", {9.80665, 0.01, 1.0}},
+        {"t, x, y, z (g)", {9.80665, 9.80665, 9.80665}},
+        {"t (s), x (g), y (g), z", {0.0, 0.0, 0.0}},
+    };
+    struct reading *r = *state;
+    for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
+        for (int k = 0; k < 3; k++) {
+            char text[128];
+            snprintf(text, sizeof text, "%s\n0 .1 .2 .3\n.01 -.4 -.5 -.6\n", c[i].caption);
+            r->request.channel = k + 1;
+            reading_of_text(r, text);
+            if (c[i].unit[k] == 0.0) {
+                assert_refused(r, "a.txt: the file gives no unit; give -unit U (g, m/s2, cm/s2, "
+                                  "gal, ...)");
+                continue;
+            }
+            assert_read(r, "columns", 2, 0.01);
+            assert_close(r->record.unit, c[i].unit[k], 1e-15);
+            assert_close(r->record.value[0], 0.1 + 0.1 * k, 1e-15);
+            assert_close(r->record.value[1], -0.4 - 0.1 * k, 1e-15);
+        }
+    }
+    reading_of_text(r, "t (s), a (g), v (cm/s), u (cm)\n0 1 2 3\n.01 1 2 3\n");
+    assert_refused(r, "a.txt:1: 'cm' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, "
+                      "gal, ...)");
+    r->request.channel = 2;
+    reading_of_text(r, "a (g)\n.1\n.2\n");
+    assert_refused(r, "a.txt:2: there is no channel 2; the file has 1, one a column");
+    assert_int_equal(r->record.wrong, RECORD_CHANNEL);
+    reading_of_text(r, "t (s) a (g)\n0 .1\n.01 .2\n");
+    assert_refused(r, "a.txt:2: there is no channel 2; the file has 1, one a column behind the "
+                      "times");
 }
 
 static void a_short_last_row_shows_that_values_run_on(void **state) {
@@ -187,6 +231,7 @@ int main(void) {
         TEST_READING(a_first_time_that_is_not_zero_is_said),
         TEST_READING(rows_that_could_be_misread_are_refused),
         TEST_READING(three_columns_are_not_guessed_at),
+        TEST_READING(a_channel_is_a_column_behind_the_times),
         TEST_READING(a_short_last_row_shows_that_values_run_on),
         TEST_READING(a_load_history_is_read_as_printed),
     };
