@@ -18,11 +18,18 @@ energy_is_kept() {
         }' "$out"
 }
 
+# The last line of `check` is: so 'step fixed 0.001' does; here it is 0.001 s
+step_is_short_enough() {
+    LC_ALL=C awk -F "[' ]" '/^so .step fixed/ { found = 1; good = $(NF - 1) <= $5 }
+        END { exit !(found && good) }' "$out"
+}
+
 for deck in "$root"/input/*.deck; do
     name=$(basename "$deck" .deck)
     for command in check modes; do
         run "$jostle" $command "$deck"
         expect "$command $name is done without a warning" '[ $status -eq 0 ] && [ -s "$out" ] && [ ! -s "$err" ]'
+        [ $command != check ] || expect "$name has a step that check is content with" step_is_short_enough
     done
     run "$jostle" run "$deck"
     # On a slow machine studies say there how far they are.
