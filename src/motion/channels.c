@@ -32,6 +32,32 @@ int channels_choose(const struct record_request *request, const struct record_te
                        list);
 }
 
+int channels_seek(const struct record_request *request, const struct record_text *t,
+                  bool (*next)(struct lines *l, struct piece *name), const char *none,
+                  struct lines *before, struct record_content *out, struct error *e) {
+    struct channels all = {0};
+    struct lines at[CHANNELS_MAX];
+    struct lines l, last;
+    struct piece name;
+    lines_init(&l, t);
+    for (last = l; next(&l, &name); last = l) {
+        if (all.n == CHANNELS_MAX) {
+            return lines_error(e, t->path, l.number, "more than %d channels", CHANNELS_MAX);
+        }
+        at[all.n] = last;
+        all.name[all.n++] = name;
+    }
+    if (all.n == 0) {
+        return lines_error(e, t->path, 0, "%s", none);
+    }
+    int chosen;
+    const int status = channels_choose(request, t, &all, &chosen, out, e);
+    if (status == STATUS_OK) {
+        *before = at[chosen];
+    }
+    return status;
+}
+
 static bool next_row(struct lines *l) {
     while (lines_next(l)) {
         if (l->line.n > 0) {

@@ -134,6 +134,15 @@ const char *lines_word(struct piece line, const char *word) {
     return at;
 }
 
+struct piece lines_behind(struct piece line, const char *word) {
+    const char *at = lines_word(line, word);
+    if (!at) {
+        return (struct piece){line.text, 0};
+    }
+    at += strlen(word);
+    return (struct piece){at, (size_t)(line.text + line.n - at)};
+}
+
 bool lines_contain(struct piece line, const char *text) {
     return find(line, text, 0) != NULL;
 }

@@ -48,6 +48,9 @@ struct piece lines_without_comment(struct piece line);
 // of a longer word; NULL: nowhere.
 const char *lines_word(struct piece line, const char *word);
 
+// What stands behind `word` in the line; empty: the word does not.
+struct piece lines_behind(struct piece line, const char *word);
+
 // True if `text` (upper case) stands anywhere in the line, whatever its case.
 bool lines_contain(struct piece line, const char *text);
 
