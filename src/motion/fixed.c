@@ -19,7 +19,7 @@ static size_t take_count(struct piece *rest) {
 }
 
 bool fixed_format_read(struct piece text, struct fixed_format *out) {
-    out->n = take_count(&text);
+    *out = (struct fixed_format){.n = take_count(&text)};
     if (text.n < 2 || !strchr("FfEe", text.text[0])) {
         return false;
     }
@@ -30,8 +30,7 @@ bool fixed_format_read(struct piece text, struct fixed_format *out) {
            take_count(&(struct piece){text.text + 1, text.n - 1}) > 0;
 }
 
-// Field i of the line without the blanks around it; of no characters if the line is shorter.
-static struct piece field_of(struct piece line, const struct fixed_format *format, size_t i) {
+struct piece fixed_field(struct piece line, const struct fixed_format *format, size_t i) {
     const size_t from = i * format->width;
     const size_t left = from < line.n ? line.n - from : 0;
     struct piece rest = {line.text + (left ? from : line.n),
@@ -59,7 +58,7 @@ static int check_rest(const struct record_text *t, const struct lines *l, size_t
 int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                const struct fixed_format *format, size_t n, struct record_content *out,
                struct error *e) {
-    const int title = l->number;
+    const int title = format->stated ? format->stated : l->number;
     if (n > (size_t)(l->end - l->at)) {
         return lines_error(e, t->path, title, "the line says %zu values; the file ends before", n);
     }
@@ -74,7 +73,7 @@ int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                                "the file ends after %zu values; line %d says %zu", i, title, n);
         }
         const struct number_field f = {t->path, l->number, "value", i + 1,
-                                       field_of(l->whole, format, column)};
+                                       fixed_field(l->whole, format, column)};
         int status = lines_read_number(&f, &value[i], e);
         if (status == STATUS_OK && (column + 1 == format->n || i + 1 == n)) {
             status = check_rest(t, l, (column + 1) * format->width, e);

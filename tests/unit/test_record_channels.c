@@ -7,21 +7,9 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <math.h>
-#include <stdio.h>
 
 #include "support/reading.h"
 #include "support/support.h"
-
-// Channel c of the files holds 100 exp(-i / 40) sin(2 pi i / (25 - 5 c)).
-static void assert_waves(const struct reading *r, int channel, double rounding) {
-    assert_int_equal(r->record.n, 50);
-    for (int i = 0; i < 50; i++) {
-        const double period = 25.0 - 5.0 * channel;
-        const double wave = exp(-i / 40.0) * sin(2.0 * acos(-1.0) * i / period);
-        assert_true(fabs(r->record.value[i] - 100.0 * wave) <= rounding);
-    }
-}
 
 static void each_channel_of_a_file_is_read(void **state) {
     struct reading *r = *state;
