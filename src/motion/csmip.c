@@ -56,12 +56,9 @@ static void note_text(struct channel *c, const struct lines *l) {
     if (name && memchr(name, ':', (size_t)(l->line.text + l->line.n - name))) {
         c->name = (struct piece){name, (size_t)(l->line.text + l->line.n - name)};
     }
-    struct piece rest = lines_behind(l->line, "PEAK ACCELERATION");
-    if (rest.n == 0 && !lines_word(l->line, "UNCOR MAX")) {
-        rest = lines_behind(l->line, "MAX");
-    }
-    struct piece mark, peak;
-    if (lines_field(&rest, "=", &mark) && mark.n == 0 && lines_field(&rest, "", &peak)) {
+    struct piece peak;
+    if (lines_value(l->line, "PEAK ACCELERATION", &peak) ||
+        (!lines_word(l->line, "UNCOR MAX") && lines_value(l->line, "MAX", &peak))) {
         c->peak = (struct header_entry){"peak", peak, l->number};
     }
 }

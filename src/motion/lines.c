@@ -143,6 +143,16 @@ struct piece lines_behind(struct piece line, const char *word) {
     return (struct piece){at, (size_t)(line.text + line.n - at)};
 }
 
+bool lines_value(struct piece line, const char *word, struct piece *value) {
+    struct piece rest = lines_behind(line, word);
+    struct piece mark;
+    if (!lines_field(&rest, "=", &mark) || mark.n > 0) {
+        return false;
+    }
+    lines_field(&rest, ",", value);
+    return true;
+}
+
 bool lines_contain(struct piece line, const char *text) {
     return find(line, text, 0) != NULL;
 }
