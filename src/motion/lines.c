@@ -187,11 +187,14 @@ enum number lines_number(struct piece field, double *value) {
     if (how != NUMBER_BAD || field.n > LONGEST) {
         return how;
     }
+    // Where fields of a fixed width touch, read_plain has read on into the next.
+    char copy[LONGEST + 2];
     size_t at = fortran_exponent(field);
     if (at == field.n) {
-        return NUMBER_BAD;
+        memcpy(copy, field.text, field.n);
+        copy[field.n] = '\0';
+        return read_plain(copy, field.n, value);
     }
-    char copy[LONGEST + 2];
     size_t skipped = upper(field.text[at]) == 'D' ? at + 1 : at;
     memcpy(copy, field.text, at);
     copy[at] = 'E';

@@ -32,6 +32,17 @@ static void volume_1_is_read_by_the_width_of_its_fields(void **state) {
     assert_close(r->record.peak, 1.5, 1e-15);
 }
 
+static void fields_touch_where_none_has_a_sign(void **state) {
+    struct reading *r = *state;
+    reading_of_text(r, VOLUME_1("Chan 1: Up", "3.500",
+                                " 3 Accelerogram points at 100 pts/sec in units of g. (3f9.7)",
+                                "1.12500002.25000003.5000000\r\n"));
+    assert_read(r, "csmip", 3, 0.01);
+    assert_close(r->record.value[0], 1.125, 1e-15);
+    assert_close(r->record.value[1], 2.25, 1e-15);
+    assert_close(r->record.value[2], 3.5, 1e-15);
+}
+
 static void volume_2_is_read_without_its_velocities(void **state) {
     struct reading *r = *state;
     reading_of_text(r, VOLUME_2);
@@ -124,6 +135,7 @@ static void a_file_that_breaks_off_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST_READING(volume_1_is_read_by_the_width_of_its_fields),
+        TEST_READING(fields_touch_where_none_has_a_sign),
         TEST_READING(volume_2_is_read_without_its_velocities),
         TEST_READING(later_volume_2_parts_the_unit_by_a_comma),
         TEST_READING(a_channel_is_chosen_by_its_place),
