@@ -2,13 +2,8 @@
 // Files of several channels: which one is asked for, and channels that stand side by side in rows.
 #include "motion/channels.h"
 
-#include <math.h>
-
 #include "core/arena.h"
 #include "motion/values.h"
-
-// In steps. Times of 256 samples a second, printed with three decimals, are 0.13 steps off.
-static const double TIME_ERROR_MAX = 0.2;
 
 int channels_choose(const struct record_request *request, const struct record_text *t,
                     const struct channels *c, int *chosen, struct record_content *out,
@@ -67,14 +62,6 @@ static bool next_row(struct lines *l) {
     return false;
 }
 
-static int check_time(const struct record_text *t, int line, double time, double wanted, double dt,
-                      struct error *e) {
-    return fabs(time - wanted) <= TIME_ERROR_MAX * dt
-               ? STATUS_OK
-               : lines_error(e, t->path, line, "time %.9g; the header's step of %g s makes it %.9g",
-                             time, dt, wanted);
-}
-
 // Reads row `i`, on which `l` stands.
 static int read_row(const struct record_text *t, const struct channel_rows *rows,
                     const struct lines *l, size_t i, struct record_content *out, struct error *e) {
@@ -91,9 +78,7 @@ static int read_row(const struct record_text *t, const struct channel_rows *rows
         lines_field(&rest, "", &f.field);
         status = lines_read_number(&f, &x, e);
         if (status == STATUS_OK && rows->timed && c == 0) {
-            out->time_offset = i == 0 ? x : out->time_offset;
-            const double wanted = out->time_offset + (double)i * out->dt;
-            status = check_time(t, l->number, x, wanted, out->dt, e);
+            status = values_check_time(t, l->number, i, x, out, e);
         }
         if (status == STATUS_OK && c == rows->column) {
             out->value[i] = x;

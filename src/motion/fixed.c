@@ -55,6 +55,28 @@ static int check_rest(const struct record_text *t, const struct lines *l, size_t
                        shown.text);
 }
 
+static size_t fields_each(const struct fixed_format *format) {
+    return format->timed ? 2 : 1;
+}
+
+static int read_time(const struct record_text *t, const struct lines *l,
+                     const struct fixed_format *format, size_t i, struct record_content *out,
+                     struct error *e) {
+    const struct number_field f = {t->path, l->number, "time", i + 1,
+                                   fixed_field(l->whole, format, 2 * (i % format->n))};
+    double time;
+    const int status = lines_read_number(&f, &time, e);
+    return status == STATUS_OK ? values_check_time(t, l->number, i, time, out, e) : status;
+}
+
+static int read_value(const struct record_text *t, const struct lines *l,
+                      const struct fixed_format *format, size_t i, double *value, struct error *e) {
+    const size_t used = (i % format->n + 1) * fields_each(format);
+    const struct number_field f = {t->path, l->number, "value", i + 1,
+                                   fixed_field(l->whole, format, used - 1)};
+    return lines_read_number(&f, value, e);
+}
+
 int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                const struct fixed_format *format, size_t n, struct record_content *out,
                struct error *e) {
@@ -72,13 +94,14 @@ int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
             return lines_error(e, t->path, l->number,
                                "the file ends after %zu values; line %d says %zu", i, title, n);
         }
-        const struct number_field f = {t->path, l->number, "value", i + 1,
-                                       fixed_field(l->whole, format, column)};
-        int status = lines_read_number(&f, &value[i], e);
-        if (status == STATUS_OK && (column + 1 == format->n || i + 1 == n)) {
-            status = check_rest(t, l, (column + 1) * format->width, e);
+        int status = format->timed ? read_time(t, l, format, i, out, e) : STATUS_OK;
+        if (status == STATUS_OK) {
+            status = read_value(t, l, format, i, &value[i], e);
         }
-        if (status) {
+        if (status == STATUS_OK && (column + 1 == format->n || i + 1 == n)) {
+            status = check_rest(t, l, (column + 1) * fields_each(format) * format->width, e);
+        }
+        if (status != STATUS_OK) {
             return status;
         }
         values_note_peak(out, value, i, l->number);

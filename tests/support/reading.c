@@ -76,11 +76,11 @@ void assert_silent(const struct reading *r) {
     assert_int_equal(r->record.n_warning, 0);
 }
 
-void assert_waves(const struct reading *r, int channel, double rounding) {
+void assert_waves(const struct reading *r, int channel, double size, double rounding) {
     assert_int_equal(r->record.n, 50);
     for (int i = 0; i < 50; i++) {
         const double period = 25.0 - 5.0 * channel;
         const double wave = exp(-i / 40.0) * sin(2.0 * acos(-1.0) * i / period);
-        assert_true(fabs(r->record.value[i] - 100.0 * wave) <= rounding);
+        assert_true(fabs(r->record.value[i] - size * wave) <= rounding);
     }
 }

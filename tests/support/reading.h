@@ -39,9 +39,9 @@ void assert_refused(const struct reading *r, const char *message);
 void assert_warned(const struct reading *r, const char *message);
 void assert_silent(const struct reading *r);
 
-// That its 50 values are 100 exp(-i / 40) sin(2 pi i / (25 - 5 channel)), rounded: what the files
+// That its 50 values are size exp(-i / 40) sin(2 pi i / (25 - 5 channel)), rounded: what the files
 // of several channels in tests/records/good hold.
-void assert_waves(const struct reading *r, int channel, double rounding);
+void assert_waves(const struct reading *r, int channel, double size, double rounding);
 
 #define TEST_READING(name) cmocka_unit_test_setup_teardown(name, reading_setup, reading_teardown)
 

@@ -29,7 +29,7 @@ static void each_component_of_a_file_is_read(void **state) {
         assert_read(r, "geonet", 50, 0.02);
         assert_silent(r);
         assert_close(r->record.unit, 0.001, 1e-15);
-        assert_waves(r, c, 0.051);
+        assert_waves(r, c, 100, 0.051);
     }
 }
 
