@@ -33,7 +33,6 @@ static const struct {
     {"SMC (USGS)", "2 CORRECTED ACCELEROGRAM", 1},
     {"USC volume 1 (times that are not even)", "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME", 1},
     {"USC, or CSMIP without values", "CORRECTED ACCELEROGRAM", 3},
-    {"UNAM", "INSTITUTO DE INGENIERIA, UNAM", 5},
 };
 
 const char *foreign_file(const struct record_text *t) {
