@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CSMIP/CGS volume 1 and 2: channel after channel, each with lines of text, headers of integers and
-// of reals, and its values. The line before the values tells their number, the time step and the
-// unit:
+// CSMIP/CGS volume 1 and 2, and USC volume 2: channel after channel, each with lines of text,
+// headers of integers and of reals, and its values. The line before the values tells their number,
+// the time step and the unit:
 //
 //      31932 Accelerogram points at 100 pts/sec in units of g.       Format: (8f9.6)     volume 1
 //      3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)       volume 2
+//      1887 POINTS OF ACC DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS CM/SEC/SEC        of USC
 //
 // Values of volume 2 are (8F10.3) and have velocities and displacements after them, which are not
-// read. The lines of text name the channel, `CHAN  1:  90 DEG`, and its peak, `MAX  =   .344 G` or
-// `PEAK ACCELERATION =  -267.957`, by which the values are checked. What the headers of numbers say
-// is in the lines of text too; they are skipped.
+// read. The lines of text name the channel, `CHAN  1:  90 DEG`, of USC `COMP N08W`, and its peak,
+// `MAX  =   .344 G` or `PEAK ACCELERATION =  -267.957`, by which the values are checked. What the
+// headers of numbers say is in the lines of text too; they are skipped.
 //
 // Source: Shakal & Huang (1985), Standard tape format for CSMIP strong-motion data tapes, OSMS
 // 85-03; volume 1 as later written with `pts/sec`. Volume 1 with a time for every value is refused.
+// Files of USC; the reader of gmprocess (USGS) for them.
 #include <math.h>
 #include <string.h>
 
@@ -25,16 +27,21 @@ enum { TITLE_LINES = 3, SEARCHED_LINES_MAX = 200 };
 static const char none[] = "no line 'accelerogram points at' or 'points of accel data'";
 static const char volume_1[] = "ACCELEROGRAM POINTS AT";
 static const char volume_2[] = "POINTS OF ACCEL DATA EQUALLY SPACED AT";
+static const char volume_2_usc[] = "POINTS OF ACC DATA EQUALLY SPACED AT";
 
 // A channel: its names and its place in the file.
 struct channel {
     struct lines title;        // at the line before the values
-    struct piece name;         // `CHAN  1:  90 DEG`; empty: not told
+    struct piece name;         // `CHAN  1:  90 DEG`, `N08W`; empty: not told
     struct header_entry peak;  // its value empty: not told
 };
 
+static bool is_volume_2(struct piece line) {
+    return lines_contain(line, volume_2) || lines_contain(line, volume_2_usc);
+}
+
 static bool is_title(struct piece line) {
-    return lines_contain(line, volume_1) || lines_contain(line, volume_2);
+    return lines_contain(line, volume_1) || is_volume_2(line);
 }
 
 static bool csmip_matches(const struct record_text *t) {
@@ -55,6 +62,10 @@ static void note_text(struct channel *c, const struct lines *l) {
     const char *name = lines_word(l->line, "CHAN");
     if (name && memchr(name, ':', (size_t)(l->line.text + l->line.n - name))) {
         c->name = (struct piece){name, (size_t)(l->line.text + l->line.n - name)};
+    }
+    struct piece component = lines_behind(l->line, "COMP");
+    if (c->name.n == 0) {
+        lines_field(&component, "", &c->name);
     }
     struct piece peak;
     if (lines_value(l->line, "PEAK ACCELERATION", &peak) ||
@@ -115,6 +126,7 @@ static void read_unit(const struct record_request *request, const struct lines *
                       struct record_content *out) {
     struct piece rest = lines_behind(l->line, "UNITS OF");
     rest = rest.n ? rest : lines_behind(l->line, "UNITS:");
+    rest = rest.n ? rest : lines_behind(l->line, "IN UNITS");
     rest = rest.n ? rest : lines_behind(l->line, "IN");
     struct piece unit;
     if (lines_field(&rest, ".,)", &unit)) {
@@ -135,8 +147,8 @@ static int read_format(const struct record_text *t, const struct lines *l,
             found = true;
         }
     }
-    if (!found && lines_contain(l->line, volume_2)) {
-        *format = (struct fixed_format){.n = 8, .width = 10};
+    if (!found && is_volume_2(l->line)) {
+        *format = (struct fixed_format){.n = 8, .width = 10, .decimals = 3};
         found = true;
     }
     return found ? STATUS_OK : lines_error(e, t->path, l->number, "no format such as (8F9.6)");
@@ -178,6 +190,7 @@ static int csmip_read(struct arena *a, const struct record_request *request,
         return status;
     }
     out->dt_line = c.title.number;
+    out->stated_rounding = fmax(out->stated_rounding, pow(10, -(double)format.decimals));
     read_unit(request, &c.title, out);
     l = c.title;
     status = fixed_read(a, t, &l, &format, (size_t)npts, out, e);

@@ -26,8 +26,13 @@ bool fixed_format_read(struct piece text, struct fixed_format *out) {
     text.text++;
     text.n--;
     out->width = take_count(&text);
-    return out->n > 0 && out->width > 0 && text.n > 1 && text.text[0] == '.' &&
-           take_count(&(struct piece){text.text + 1, text.n - 1}) > 0;
+    if (text.n < 2 || text.text[0] != '.') {
+        return false;
+    }
+    text.text++;
+    text.n--;
+    out->decimals = take_count(&text);
+    return out->n > 0 && out->width > 0 && out->decimals > 0;
 }
 
 struct piece fixed_field(struct piece line, const struct fixed_format *format, size_t i) {

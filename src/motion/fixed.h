@@ -12,8 +12,9 @@ struct arena;
 struct fixed_format {
     size_t n;      // values a line
     size_t width;  // characters a field
-    bool timed;    // each value has a field with its time before it, which must agree with out->dt
-    int stated;    // line that states the number of values; 0: the one before them
+    size_t decimals;
+    bool timed;  // each value has a field with its time before it, which must agree with out->dt
+    int stated;  // line that states the number of values; 0: the one before them
 };
 
 // Reads `8F9.6`, `5E15.6`, also in small letters. False: it is no such format.

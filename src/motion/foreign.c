@@ -32,7 +32,7 @@ static const struct {
     {"SMC (USGS)", "1 UNCORRECTED ACCELEROGRAM", 1},
     {"SMC (USGS)", "2 CORRECTED ACCELEROGRAM", 1},
     {"USC volume 1 (times that are not even)", "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME", 1},
-    {"USC, or CSMIP without values", "CORRECTED ACCELEROGRAM", 3},
+    {"CSMIP or USC without values", "CORRECTED ACCELEROGRAM", 3},
 };
 
 const char *foreign_file(const struct record_text *t) {

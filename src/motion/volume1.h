@@ -14,8 +14,8 @@
 //
 // Caltech's own times, of digitised films, are not even, and so refused.
 //
-// Source: Hudson, Brady & Trifunac (1969), Strong motion earthquake accelerograms, digitized and
-// plotted data, volume I, EERL 70-20.
+// Source: files of the networks; of the layout, Caltech (1969), Strong motion earthquake
+// accelerograms, digitized and plotted data, volume I, part A, EERL 70-20.
 #ifndef JOSTLE_MOTION_VOLUME1_H
 #define JOSTLE_MOTION_VOLUME1_H
 
