@@ -2,13 +2,8 @@
 // Files of several channels: which one is asked for, and channels that stand side by side in rows.
 #include "motion/channels.h"
 
-#include <math.h>
-
 #include "core/arena.h"
 #include "motion/values.h"
-
-// In steps. Times of 256 samples a second, printed with three decimals, are 0.13 steps off.
-static const double TIME_ERROR_MAX = 0.2;
 
 int channels_choose(const struct record_request *request, const struct record_text *t,
                     const struct channels *c, int *chosen, struct record_content *out,
@@ -32,6 +27,32 @@ int channels_choose(const struct record_request *request, const struct record_te
                        list);
 }
 
+int channels_seek(const struct record_request *request, const struct record_text *t,
+                  bool (*next)(struct lines *l, struct piece *name), const char *none,
+                  struct lines *before, struct record_content *out, struct error *e) {
+    struct channels all = {0};
+    struct lines at[CHANNELS_MAX];
+    struct lines l, last;
+    struct piece name;
+    lines_init(&l, t);
+    for (last = l; next(&l, &name); last = l) {
+        if (all.n == CHANNELS_MAX) {
+            return lines_error(e, t->path, l.number, "more than %d channels", CHANNELS_MAX);
+        }
+        at[all.n] = last;
+        all.name[all.n++] = name;
+    }
+    if (all.n == 0) {
+        return lines_error(e, t->path, 0, "%s", none);
+    }
+    int chosen;
+    const int status = channels_choose(request, t, &all, &chosen, out, e);
+    if (status == STATUS_OK) {
+        *before = at[chosen];
+    }
+    return status;
+}
+
 static bool next_row(struct lines *l) {
     while (lines_next(l)) {
         if (l->line.n > 0) {
@@ -39,14 +60,6 @@ static bool next_row(struct lines *l) {
         }
     }
     return false;
-}
-
-static int check_time(const struct record_text *t, int line, double time, double wanted, double dt,
-                      struct error *e) {
-    return fabs(time - wanted) <= TIME_ERROR_MAX * dt
-               ? STATUS_OK
-               : lines_error(e, t->path, line, "time %.9g; the header's step of %g s makes it %.9g",
-                             time, dt, wanted);
 }
 
 // Reads row `i`, on which `l` stands.
@@ -65,9 +78,7 @@ static int read_row(const struct record_text *t, const struct channel_rows *rows
         lines_field(&rest, "", &f.field);
         status = lines_read_number(&f, &x, e);
         if (status == STATUS_OK && rows->timed && c == 0) {
-            out->time_offset = i == 0 ? x : out->time_offset;
-            const double wanted = out->time_offset + (double)i * out->dt;
-            status = check_time(t, l->number, x, wanted, out->dt, e);
+            status = values_check_time(t, l->number, i, x, out, e);
         }
         if (status == STATUS_OK && c == rows->column) {
             out->value[i] = x;

@@ -22,6 +22,13 @@ int channels_choose(const struct record_request *request, const struct record_te
                     const struct channels *c, int *chosen, struct record_content *out,
                     struct error *e);
 
+// Seeks the channel that is asked for in a file of one after the other. `next` steps to the next
+// and gives its name; false: there is none. *before: from there, `next` steps to the channel.
+// Errors: as above, and `none` where there is no channel.
+int channels_seek(const struct record_request *request, const struct record_text *t,
+                  bool (*next)(struct lines *l, struct piece *name), const char *none,
+                  struct lines *before, struct record_content *out, struct error *e);
+
 // Rows of numbers to the end of the file, all of n_column.
 struct channel_rows {
     struct lines from;  // stands on the line before the first

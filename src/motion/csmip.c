@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CSMIP/CGS volume 1 and 2: channel after channel, each with lines of text, headers of integers and
-// of reals, and its values. The line before the values tells their number, the time step and the
-// unit:
+// CSMIP/CGS volume 1 and 2, and USC volume 2: channel after channel, each with lines of text,
+// headers of integers and of reals, and its values. The line before the values tells their number,
+// the time step and the unit:
 //
 //      31932 Accelerogram points at 100 pts/sec in units of g.       Format: (8f9.6)     volume 1
 //      3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)       volume 2
+//      1887 POINTS OF ACC DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS CM/SEC/SEC        of USC
 //
 // Values of volume 2 are (8F10.3) and have velocities and displacements after them, which are not
-// read. The lines of text name the channel, `CHAN  1:  90 DEG`, and its peak, `MAX  =   .344 G` or
-// `PEAK ACCELERATION =  -267.957`, by which the values are checked. What the headers of numbers say
-// is in the lines of text too; they are skipped.
+// read. The lines of text name the channel, `CHAN  1:  90 DEG`, of USC `COMP N08W`, and its peak,
+// `MAX  =   .344 G` or `PEAK ACCELERATION =  -267.957`, by which the values are checked. What the
+// headers of numbers say is in the lines of text too; they are skipped.
 //
 // Source: Shakal & Huang (1985), Standard tape format for CSMIP strong-motion data tapes, OSMS
 // 85-03; volume 1 as later written with `pts/sec`. Volume 1 with a time for every value is refused.
+// Files of USC; the reader of gmprocess (USGS) for them.
 #include <math.h>
 #include <string.h>
 
@@ -22,18 +24,24 @@
 
 enum { TITLE_LINES = 3, SEARCHED_LINES_MAX = 200 };
 
+static const char none[] = "no line 'accelerogram points at' or 'points of accel data'";
 static const char volume_1[] = "ACCELEROGRAM POINTS AT";
 static const char volume_2[] = "POINTS OF ACCEL DATA EQUALLY SPACED AT";
+static const char volume_2_usc[] = "POINTS OF ACC DATA EQUALLY SPACED AT";
 
 // A channel: its names and its place in the file.
 struct channel {
     struct lines title;        // at the line before the values
-    struct piece name;         // `CHAN  1:  90 DEG`; empty: not told
+    struct piece name;         // `CHAN  1:  90 DEG`, `N08W`; empty: not told
     struct header_entry peak;  // its value empty: not told
 };
 
+static bool is_volume_2(struct piece line) {
+    return lines_contain(line, volume_2) || lines_contain(line, volume_2_usc);
+}
+
 static bool is_title(struct piece line) {
-    return lines_contain(line, volume_1) || lines_contain(line, volume_2);
+    return lines_contain(line, volume_1) || is_volume_2(line);
 }
 
 static bool csmip_matches(const struct record_text *t) {
@@ -49,28 +57,19 @@ static bool csmip_matches(const struct record_text *t) {
     return false;
 }
 
-// What stands behind `word` in the line; empty: the word does not.
-static struct piece behind(struct piece line, const char *word) {
-    const char *at = lines_word(line, word);
-    if (!at) {
-        return (struct piece){line.text, 0};
-    }
-    at += strlen(word);
-    return (struct piece){at, (size_t)(line.text + line.n - at)};
-}
-
 // Takes the name and the peak from a line of text.
 static void note_text(struct channel *c, const struct lines *l) {
     const char *name = lines_word(l->line, "CHAN");
     if (name && memchr(name, ':', (size_t)(l->line.text + l->line.n - name))) {
         c->name = (struct piece){name, (size_t)(l->line.text + l->line.n - name)};
     }
-    struct piece rest = behind(l->line, "PEAK ACCELERATION");
-    if (rest.n == 0 && !lines_word(l->line, "UNCOR MAX")) {
-        rest = behind(l->line, "MAX");
+    struct piece component = lines_behind(l->line, "COMP");
+    if (c->name.n == 0) {
+        lines_field(&component, "", &c->name);
     }
-    struct piece mark, peak;
-    if (lines_field(&rest, "=", &mark) && mark.n == 0 && lines_field(&rest, "", &peak)) {
+    struct piece peak;
+    if (lines_value(l->line, "PEAK ACCELERATION", &peak) ||
+        (!lines_word(l->line, "UNCOR MAX") && lines_value(l->line, "MAX", &peak))) {
         c->peak = (struct header_entry){"peak", peak, l->number};
     }
 }
@@ -88,36 +87,11 @@ static bool next_channel(struct lines *l, struct channel *c) {
     return false;
 }
 
-// The channels of the file, by name.
-static int find_channels(const struct record_text *t, struct channels *all, struct error *e) {
-    struct lines l;
+static bool next_name(struct lines *l, struct piece *name) {
     struct channel c;
-    lines_init(&l, t);
-    for (all->n = 0; next_channel(&l, &c); all->n++) {
-        if (all->n == CHANNELS_MAX) {
-            return lines_error(e, t->path, l.number, "more than %d channels", CHANNELS_MAX);
-        }
-        all->name[all->n] = c.name;
-    }
-    return all->n > 0 ? STATUS_OK
-                      : lines_error(e, t->path, 0, "no line '%s' or '%s' before values", volume_1,
-                                    volume_2);
-}
-
-static int choose_channel(const struct record_request *request, const struct record_text *t,
-                          struct channel *chosen, struct record_content *out, struct error *e) {
-    struct channels all;
-    int number = 0;
-    int status = find_channels(t, &all, e);
-    if (status == STATUS_OK) {
-        status = channels_choose(request, t, &all, &number, out, e);
-    }
-    struct lines l;
-    lines_init(&l, t);
-    for (int i = 0; status == STATUS_OK && i <= number; i++) {
-        next_channel(&l, chosen);
-    }
-    return status;
+    const bool found = next_channel(l, &c);
+    *name = c.name;
+    return found;
 }
 
 // The number of values and the time step of the line before them.
@@ -125,7 +99,7 @@ static int read_sizes(const struct record_text *t, const struct lines *l, double
                       struct error *e) {
     struct piece rest = l->line;
     struct piece count, step;
-    struct piece spacing = behind(l->line, "AT");
+    struct piece spacing = lines_behind(l->line, "AT");
     if (!lines_field(&rest, "", &count) || lines_number(count, npts) != NUMBER_OK ||
         *npts != floor(*npts) || *npts < 2 || *npts > 1e9) {
         struct excerpt shown = lines_excerpt(count);
@@ -150,9 +124,10 @@ static int read_sizes(const struct record_text *t, const struct lines *l, double
 
 static void read_unit(const struct record_request *request, const struct lines *l,
                       struct record_content *out) {
-    struct piece rest = behind(l->line, "UNITS OF");
-    rest = rest.n ? rest : behind(l->line, "UNITS:");
-    rest = rest.n ? rest : behind(l->line, "IN");
+    struct piece rest = lines_behind(l->line, "UNITS OF");
+    rest = rest.n ? rest : lines_behind(l->line, "UNITS:");
+    rest = rest.n ? rest : lines_behind(l->line, "IN UNITS");
+    rest = rest.n ? rest : lines_behind(l->line, "IN");
     struct piece unit;
     if (lines_field(&rest, ".,)", &unit)) {
         header_read_unit(request, &(struct header_entry){.line = l->number}, unit, out);
@@ -172,8 +147,8 @@ static int read_format(const struct record_text *t, const struct lines *l,
             found = true;
         }
     }
-    if (!found && lines_contain(l->line, volume_2)) {
-        *format = (struct fixed_format){.n = 8, .width = 10};
+    if (!found && is_volume_2(l->line)) {
+        *format = (struct fixed_format){.n = 8, .width = 10, .decimals = 3};
         found = true;
     }
     return found ? STATUS_OK : lines_error(e, t->path, l->number, "no format such as (8F9.6)");
@@ -199,8 +174,10 @@ static int csmip_read(struct arena *a, const struct record_request *request,
     struct channel c = {0};
     struct fixed_format format = {0};
     double npts = 0.0;
-    int status = choose_channel(request, t, &c, out, e);
+    struct lines l;
+    int status = channels_seek(request, t, next_name, none, &l, out, e);
     if (status == STATUS_OK) {
+        next_channel(&l, &c);
         status = read_sizes(t, &c.title, &npts, &out->dt, e);
     }
     if (status == STATUS_OK) {
@@ -213,8 +190,9 @@ static int csmip_read(struct arena *a, const struct record_request *request,
         return status;
     }
     out->dt_line = c.title.number;
+    out->stated_rounding = fmax(out->stated_rounding, pow(10, -(double)format.decimals));
     read_unit(request, &c.title, out);
-    struct lines l = c.title;
+    l = c.title;
     status = fixed_read(a, t, &l, &format, (size_t)npts, out, e);
     return status == STATUS_OK ? check_end(t, l, out->n, e) : status;
 }

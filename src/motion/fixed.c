@@ -19,19 +19,23 @@ static size_t take_count(struct piece *rest) {
 }
 
 bool fixed_format_read(struct piece text, struct fixed_format *out) {
-    out->n = take_count(&text);
+    *out = (struct fixed_format){.n = take_count(&text)};
     if (text.n < 2 || !strchr("FfEe", text.text[0])) {
         return false;
     }
     text.text++;
     text.n--;
     out->width = take_count(&text);
-    return out->n > 0 && out->width > 0 && text.n > 1 && text.text[0] == '.' &&
-           take_count(&(struct piece){text.text + 1, text.n - 1}) > 0;
+    if (text.n < 2 || text.text[0] != '.') {
+        return false;
+    }
+    text.text++;
+    text.n--;
+    out->decimals = take_count(&text);
+    return out->n > 0 && out->width > 0 && out->decimals > 0;
 }
 
-// Field i of the line without the blanks around it; of no characters if the line is shorter.
-static struct piece field_of(struct piece line, const struct fixed_format *format, size_t i) {
+struct piece fixed_field(struct piece line, const struct fixed_format *format, size_t i) {
     const size_t from = i * format->width;
     const size_t left = from < line.n ? line.n - from : 0;
     struct piece rest = {line.text + (left ? from : line.n),
@@ -56,10 +60,32 @@ static int check_rest(const struct record_text *t, const struct lines *l, size_t
                        shown.text);
 }
 
+static size_t fields_each(const struct fixed_format *format) {
+    return format->timed ? 2 : 1;
+}
+
+static int read_time(const struct record_text *t, const struct lines *l,
+                     const struct fixed_format *format, size_t i, struct record_content *out,
+                     struct error *e) {
+    const struct number_field f = {t->path, l->number, "time", i + 1,
+                                   fixed_field(l->whole, format, 2 * (i % format->n))};
+    double time;
+    const int status = lines_read_number(&f, &time, e);
+    return status == STATUS_OK ? values_check_time(t, l->number, i, time, out, e) : status;
+}
+
+static int read_value(const struct record_text *t, const struct lines *l,
+                      const struct fixed_format *format, size_t i, double *value, struct error *e) {
+    const size_t used = (i % format->n + 1) * fields_each(format);
+    const struct number_field f = {t->path, l->number, "value", i + 1,
+                                   fixed_field(l->whole, format, used - 1)};
+    return lines_read_number(&f, value, e);
+}
+
 int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                const struct fixed_format *format, size_t n, struct record_content *out,
                struct error *e) {
-    const int title = l->number;
+    const int title = format->stated ? format->stated : l->number;
     if (n > (size_t)(l->end - l->at)) {
         return lines_error(e, t->path, title, "the line says %zu values; the file ends before", n);
     }
@@ -73,13 +99,14 @@ int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
             return lines_error(e, t->path, l->number,
                                "the file ends after %zu values; line %d says %zu", i, title, n);
         }
-        const struct number_field f = {t->path, l->number, "value", i + 1,
-                                       field_of(l->whole, format, column)};
-        int status = lines_read_number(&f, &value[i], e);
-        if (status == STATUS_OK && (column + 1 == format->n || i + 1 == n)) {
-            status = check_rest(t, l, (column + 1) * format->width, e);
+        int status = format->timed ? read_time(t, l, format, i, out, e) : STATUS_OK;
+        if (status == STATUS_OK) {
+            status = read_value(t, l, format, i, &value[i], e);
         }
-        if (status) {
+        if (status == STATUS_OK && (column + 1 == format->n || i + 1 == n)) {
+            status = check_rest(t, l, (column + 1) * fields_each(format) * format->width, e);
+        }
+        if (status != STATUS_OK) {
             return status;
         }
         values_note_peak(out, value, i, l->number);

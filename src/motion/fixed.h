@@ -10,16 +10,23 @@
 struct arena;
 
 struct fixed_format {
-    size_t n;      // fields a line
+    size_t n;      // values a line
     size_t width;  // characters a field
+    size_t decimals;
+    bool timed;  // each value has a field with its time before it, which must agree with out->dt
+    int stated;  // line that states the number of values; 0: the one before them
 };
 
 // Reads `8F9.6`, `5E15.6`, also in small letters. False: it is no such format.
 bool fixed_format_read(struct piece text, struct fixed_format *out);
 
+// Field i, from 0, of the line, without the blanks around it; of no characters if the line is
+// shorter.
+struct piece fixed_field(struct piece line, const struct fixed_format *format, size_t i);
+
 // Reads n values from the lines after the one where `l` stands, to the end of the line with the
 // last: sets value, n, peak and peak_line of `out`. Errors: STATUS_INPUT (too few lines, a field
-// that is empty or no number, characters behind the last field).
+// that is empty or no number, characters behind the last field, a time off the even grid).
 int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                const struct fixed_format *format, size_t n, struct record_content *out,
                struct error *e);

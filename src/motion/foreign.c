@@ -31,10 +31,8 @@ static const struct {
     {"COSMOS", "(FORMAT V", 1},
     {"SMC (USGS)", "1 UNCORRECTED ACCELEROGRAM", 1},
     {"SMC (USGS)", "2 CORRECTED ACCELEROGRAM", 1},
-    {"GeoNet", "GNS SCIENCE", 1},
-    {"USC or RENADIC, or CSMIP without values", "CORRECTED ACCELEROGRAM", 3},
-    {"UNAM", "INSTITUTO DE INGENIERIA, UNAM", 5},
-    {"BHRC volume 1", "VOL1DS FILE", 1},
+    {"USC volume 1 (times that are not even)", "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME", 1},
+    {"CSMIP or USC without values", "CORRECTED ACCELEROGRAM", 3},
 };
 
 const char *foreign_file(const struct record_text *t) {

@@ -76,18 +76,21 @@ int header_positive(const struct header *h, const char *key, struct header_entry
     return status == STATUS_OK ? header_read_positive(h, out, out->value, number, e) : status;
 }
 
-int header_count(const struct header *h, const char *key, struct header_entry *out, double *n,
-                 struct error *e) {
-    int status = header_text(h, key, out, e);
-    if (status == STATUS_OK) {
-        status = read_number(h, out, out->value, n, e);
-    }
+int header_read_count(const struct header *h, const struct header_entry *from, double *n,
+                      struct error *e) {
+    const int status = read_number(h, from, from->value, n, e);
     if (status == STATUS_OK && (*n != floor(*n) || *n < 2)) {
-        return lines_error(e, h->text->path, out->line,
-                           "%s is %s; it must be a whole number of at least 2", key,
-                           lines_excerpt(out->value).text);
+        return lines_error(e, h->text->path, from->line,
+                           "%s is %s; it must be a whole number of at least 2", from->key,
+                           lines_excerpt(from->value).text);
     }
     return status;
+}
+
+int header_count(const struct header *h, const char *key, struct header_entry *out, double *n,
+                 struct error *e) {
+    const int status = header_text(h, key, out, e);
+    return status == STATUS_OK ? header_read_count(h, out, n, e) : status;
 }
 
 int header_duration(const struct header *h, const char *key, double rate, struct header_entry *out,

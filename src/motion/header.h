@@ -39,6 +39,10 @@ int header_duration(const struct header *h, const char *key, double rate, struct
 int header_read_positive(const struct header *h, const struct header_entry *from,
                          struct piece value, double *number, struct error *e);
 
+// The same as a number of values: whole, and at least 2.
+int header_read_count(const struct header *h, const struct header_entry *from, double *n,
+                      struct error *e);
+
 // The same as the largest acceleration that the file states, in its unit. It may be rounded or cut
 // off in its last digit, and have a sign; an empty one states nothing.
 int header_read_peak(const struct header *h, const struct header_entry *from, struct piece value,

@@ -134,6 +134,25 @@ const char *lines_word(struct piece line, const char *word) {
     return at;
 }
 
+struct piece lines_behind(struct piece line, const char *word) {
+    const char *at = lines_word(line, word);
+    if (!at) {
+        return (struct piece){line.text, 0};
+    }
+    at += strlen(word);
+    return (struct piece){at, (size_t)(line.text + line.n - at)};
+}
+
+bool lines_value(struct piece line, const char *word, struct piece *value) {
+    struct piece rest = lines_behind(line, word);
+    struct piece mark;
+    if (!lines_field(&rest, "=", &mark) || mark.n > 0) {
+        return false;
+    }
+    lines_field(&rest, ",", value);
+    return true;
+}
+
 bool lines_contain(struct piece line, const char *text) {
     return find(line, text, 0) != NULL;
 }
@@ -168,11 +187,14 @@ enum number lines_number(struct piece field, double *value) {
     if (how != NUMBER_BAD || field.n > LONGEST) {
         return how;
     }
+    // Where fields of a fixed width touch, read_plain has read on into the next.
+    char copy[LONGEST + 2];
     size_t at = fortran_exponent(field);
     if (at == field.n) {
-        return NUMBER_BAD;
+        memcpy(copy, field.text, field.n);
+        copy[field.n] = '\0';
+        return read_plain(copy, field.n, value);
     }
-    char copy[LONGEST + 2];
     size_t skipped = upper(field.text[at]) == 'D' ? at + 1 : at;
     memcpy(copy, field.text, at);
     copy[at] = 'E';

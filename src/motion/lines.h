@@ -48,6 +48,13 @@ struct piece lines_without_comment(struct piece line);
 // of a longer word; NULL: nowhere.
 const char *lines_word(struct piece line, const char *word);
 
+// What stands behind `word` in the line; empty: the word does not.
+struct piece lines_behind(struct piece line, const char *word);
+
+// The field, separated by blanks or a comma, that stands behind `word` and an equals sign; it may
+// be empty. False: there is no such thing.
+bool lines_value(struct piece line, const char *word, struct piece *value);
+
 // True if `text` (upper case) stands anywhere in the line, whatever its case.
 bool lines_contain(struct piece line, const char *text);
 

@@ -45,32 +45,11 @@ static bool peer_matches(const struct record_text *t) {
     return false;
 }
 
-// What stands behind `word` and an equals sign; false: there is no such thing.
-static bool find_value(struct piece line, const char *word, struct piece *value) {
-    const char *at = lines_word(line, word);
-    if (!at) {
-        return false;
-    }
-    const char *end = line.text + line.n;
-    at += strlen(word);
-    while (at < end && (*at == ' ' || *at == '\t')) {
-        at++;
-    }
-    if (at == end || *at != '=') {
-        return false;
-    }
-    struct piece rest = {at + 1, (size_t)(end - at - 1)};
-    if (!lines_field(&rest, ",", value)) {
-        *value = (struct piece){end, 0};
-    }
-    return true;
-}
-
 // The texts of both values of the header's last line. dt->n = 0 and dt->text = NULL: not there.
 static bool find_sizes(struct piece line, struct piece *npts, struct piece *dt) {
     *dt = (struct piece){0};
-    if (find_value(line, "NPTS", npts)) {
-        find_value(line, "DT", dt);
+    if (lines_value(line, "NPTS", npts)) {
+        lines_value(line, "DT", dt);
         return true;
     }
     struct piece rest = line;

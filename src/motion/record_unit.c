@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units as record files and users write them: in capitals, with `sec` for s and `**` for ^.
+// Units as record files and users write them: in capitals, with `sec` for s and `**` for ^; and
+// G/10, of volume 1.
 #include "motion/record_unit.h"
 
 #include <string.h>
@@ -42,5 +43,10 @@ bool record_unit(struct piece text, double gravity, struct dimension *dimension,
         return true;
     }
     normalise(text, copy);
+    if (strcmp(copy, "g/10") == 0) {
+        *dimension = dimension_acceleration;
+        *si = gravity / 10;
+        return true;
+    }
     return parse_whole(copy, gravity, dimension, si);
 }

@@ -7,6 +7,9 @@
 
 #include "core/arena.h"
 
+// In steps. Times of 256 samples a second, printed with three decimals, are 0.13 steps off.
+static const double TIME_ERROR_MAX = 0.2;
+
 size_t values_count(struct lines from, const char *separators, int *last_line) {
     size_t n = 0;
     *last_line = 0;
@@ -18,6 +21,16 @@ size_t values_count(struct lines from, const char *separators, int *last_line) {
         }
     }
     return n;
+}
+
+int values_check_time(const struct record_text *t, int line, size_t index, double time,
+                      struct record_content *out, struct error *e) {
+    out->time_offset = index == 0 ? time : out->time_offset;
+    const double wanted = out->time_offset + (double)index * out->dt;
+    return fabs(time - wanted) <= TIME_ERROR_MAX * out->dt
+               ? STATUS_OK
+               : lines_error(e, t->path, line, "time %.9g; the header's step of %g s makes it %.9g",
+                             time, out->dt, wanted);
 }
 
 void values_note_peak(struct record_content *out, const double *value, size_t index, int line) {

@@ -22,6 +22,11 @@ int values_read(struct arena *a, const struct record_text *t, struct lines from,
 int values_read_stated(struct arena *a, const struct record_text *t, struct lines from,
                        double stated, int stated_line, struct record_content *out, struct error *e);
 
+// Time of value `index`: out->time_offset, which that of the first sets, and so many steps of
+// out->dt, but for rounding. Errors: STATUS_INPUT.
+int values_check_time(const struct record_text *t, int line, size_t index, double time,
+                      struct record_content *out, struct error *e);
+
 // Keeps `peak` and `peak_line` when value `index`, read from `line`, is larger than all before it.
 void values_note_peak(struct record_content *out, const double *value, size_t index, int line);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading records in tests.
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,6 +39,19 @@ void reading_of_file(struct reading *r, const char *path) {
     r->status = record_read(r->arena, &r->request, &r->record, &r->error);
 }
 
+void reading_of_changed(struct reading *r, const char *path, const char *from, const char *to) {
+    struct record_text whole;
+    struct arena *scratch;
+    assert_int_equal(record_text_open(path, 1 << 20, &whole, &scratch, &r->error), STATUS_OK);
+    const char *at = strstr(whole.text, from);
+    assert_non_null(at);
+    const size_t size = whole.size + strlen(to) + 1;
+    char *text = arena_alloc(r->arena, size, 1);
+    snprintf(text, size, "%.*s%s%s", (int)(at - whole.text), whole.text, to, at + strlen(from));
+    arena_free(scratch);
+    reading_of_text(r, text);
+}
+
 void assert_read(const struct reading *r, const char *format, size_t n, double dt) {
     assert_string_equal(r->error.message, "");
     assert_int_equal(r->status, STATUS_OK);
@@ -59,4 +74,13 @@ void assert_warned(const struct reading *r, const char *message) {
 void assert_silent(const struct reading *r) {
     assert_int_equal(r->status, STATUS_OK);
     assert_int_equal(r->record.n_warning, 0);
+}
+
+void assert_waves(const struct reading *r, int channel, double size, double rounding) {
+    assert_int_equal(r->record.n, 50);
+    for (int i = 0; i < 50; i++) {
+        const double period = 25.0 - 5.0 * channel;
+        const double wave = exp(-i / 40.0) * sin(2.0 * acos(-1.0) * i / period);
+        assert_true(fabs(r->record.value[i] - size * wave) <= rounding);
+    }
 }

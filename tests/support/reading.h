@@ -26,6 +26,9 @@ int reading_teardown(void **state);
 void reading_of_text(struct reading *r, const char *text);
 void reading_of_file(struct reading *r, const char *path);
 
+// Reads the text of a file whose first `from` is replaced by `to`.
+void reading_of_changed(struct reading *r, const char *path, const char *from, const char *to);
+
 // That the record was read, whatever it was warned about.
 void assert_read(const struct reading *r, const char *format, size_t n, double dt);
 
@@ -35,6 +38,10 @@ void assert_refused(const struct reading *r, const char *message);
 // That it was read with exactly this warning, or none.
 void assert_warned(const struct reading *r, const char *message);
 void assert_silent(const struct reading *r);
+
+// That its 50 values are size exp(-i / 40) sin(2 pi i / (25 - 5 channel)), rounded: what the files
+// of several channels in tests/records/good hold.
+void assert_waves(const struct reading *r, int channel, double size, double rounding);
 
 #define TEST_READING(name) cmocka_unit_test_setup_teardown(name, reading_setup, reading_teardown)
 

@@ -82,8 +82,9 @@ static void an_unknown_format_gets_the_nearest_name(void **state) {
     struct reading *r = *state;
     r->request.format = "colums";
     reading_of_text(r, "1\n2\n");
-    assert_refused(r, "a.txt: unknown record format 'colums'; did you mean 'columns'?; there are "
-                      "knet, esm, afad, cwa, csmip, peer, series, columns");
+    assert_refused(
+        r, "a.txt: unknown record format 'colums'; did you mean 'columns'?; there are "
+           "knet, esm, afad, cwa, unam, csmip, geonet, renadic, bhrc, peer, series, columns");
 }
 
 static void a_zero_byte_in_the_text_is_refused(void **state) {

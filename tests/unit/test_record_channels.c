@@ -1,27 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records in formats with channels side by side, afad and cwa. Reads tests/records/ from the top of
-// the project.
+// Records in formats with channels side by side, afad, cwa and unam. Reads tests/records/ from the
+// top of the project.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <math.h>
-#include <stdio.h>
 
 #include "support/reading.h"
 #include "support/support.h"
 
-// Channel c of the files holds 100 exp(-i / 40) sin(2 pi i / (25 - 5 c)).
-static void assert_waves(const struct reading *r, int channel, double rounding) {
-    assert_int_equal(r->record.n, 50);
-    for (int i = 0; i < 50; i++) {
-        const double period = 25.0 - 5.0 * channel;
-        const double wave = exp(-i / 40.0) * sin(2.0 * acos(-1.0) * i / period);
-        assert_true(fabs(r->record.value[i] - 100.0 * wave) <= rounding);
-    }
-}
+#define UNAM "tests/records/good/unam.txt"
 
 static void each_channel_of_a_file_is_read(void **state) {
     struct reading *r = *state;
@@ -31,12 +21,17 @@ static void each_channel_of_a_file_is_read(void **state) {
         assert_read(r, "afad", 50, 0.01);
         assert_silent(r);
         assert_close(r->record.unit, 0.01, 1e-15);
-        assert_waves(r, c, 5.1e-7);
+        assert_waves(r, c, 100, 5.1e-7);
         reading_of_file(r, "tests/records/good/cwa.dat");
         assert_read(r, "cwa", 50, 0.02);
         assert_silent(r);
         assert_close(r->record.unit, 0.01, 1e-15);
-        assert_waves(r, c, 5.1e-4);
+        assert_waves(r, c, 100, 5.1e-4);
+        reading_of_file(r, UNAM);
+        assert_read(r, "unam", 50, 0.004);
+        assert_silent(r);
+        assert_close(r->record.unit, 0.01, 1e-15);
+        assert_waves(r, c, 100, 5.1e-4);
     }
 }
 
@@ -148,6 +143,45 @@ static void wrong_cwa_files_are_refused(void **state) {
     }
 }
 
+static void wrong_unam_files_are_refused(void **state) {
+    static const struct {
+        const char *from, *to, *message;
+    } c[] = {
+        {": 2.0", ": 1.0", "a.txt:5: VERSION DEL FORMATO is 1.0; only 2 can be read"},
+        {": 2.0", ":", "a.txt:5: VERSION DEL FORMATO is empty"},
+        {": 1\r", ": 2\r", "a.txt:25: FACTOR DE DECIMACION is 2; only 1 can be read"},
+        {": 3\r", ": 4\r",
+         "a.txt:10: NUMERO DE CANALES is 4; it must be at most 6, and 3 are named above the "
+         "values"},
+        {"/250/250", "/250",
+         "a.txt:13: VEL. DE MUESTREO, C1-C6 (muestras/s) '/250/250' has no "
+         "value of channel 3"},
+        {"/250/250/250", "250/250/250",
+         "a.txt:13: VEL. DE MUESTREO, C1-C6 (muestras/s) '250/250/250' has no value of channel 3"},
+        {"/250/250/250", "/250/250/200",
+         "a.txt:15: a time step of 0.004 s; 200 samples a second make it 0.005 s"},
+        {"0.004/0.004\r", "0.004/0\r",
+         "a.txt:15: INTERVALO DE MUESTREO, C1-C6 (s) is 0; it must be > 0"},
+        {"/50/50/50", "/50/50/48", "a.txt:20: the header says 48 rows; the file holds 50"},
+        {"/50/50/50", "/50/50/52",
+         "a.txt:87: the file ends after 50 rows; its header (line 20) says 52"},
+        {"/50/50/50", "/50/50/1",
+         "a.txt:20: NUM. TOTAL DE MUESTRAS, C1-C6 is 1; it must be a "
+         "whole number of at least 2"},
+        {": Gal (", ": m/s (",
+         "a.txt:24: 'm/s' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
+        {"N00E\r\n---", "N00E\r\n1 2",
+         "a.txt: no 'DATOS DE ACELERACION:' with four lines, the last a rule, in the first 200 "
+         "lines; it ends the header of a UNAM file"},
+    };
+    struct reading *r = *state;
+    r->request.channel = 3;
+    for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
+        reading_of_changed(r, UNAM, c[i].from, c[i].to);
+        assert_refused(r, c[i].message);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST_READING(each_channel_of_a_file_is_read),
@@ -156,6 +190,7 @@ int main(void) {
         TEST_READING(wrong_afad_files_are_refused),
         TEST_READING(the_peak_of_the_channel_is_compared),
         TEST_READING(wrong_cwa_files_are_refused),
+        TEST_READING(wrong_unam_files_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,12 +32,43 @@ static void volume_1_is_read_by_the_width_of_its_fields(void **state) {
     assert_close(r->record.peak, 1.5, 1e-15);
 }
 
+static void fields_touch_where_none_has_a_sign(void **state) {
+    struct reading *r = *state;
+    reading_of_text(r, VOLUME_1("Chan 1: Up", "3.500",
+                                " 3 Accelerogram points at 100 pts/sec in units of g. (3f9.7)",
+                                "1.12500002.25000003.5000000\r\n"));
+    assert_read(r, "csmip", 3, 0.01);
+    assert_close(r->record.value[0], 1.125, 1e-15);
+    assert_close(r->record.value[1], 2.25, 1e-15);
+    assert_close(r->record.value[2], 3.5, 1e-15);
+}
+
 static void volume_2_is_read_without_its_velocities(void **state) {
     struct reading *r = *state;
     reading_of_text(r, VOLUME_2);
     assert_read(r, "csmip", 3, 0.02);
     assert_close(r->record.unit, 0.01, 1e-15);
     assert_close(r->record.value[2], -267.957, 1e-15);
+}
+
+static void volume_2_of_usc_is_read(void **state) {
+    static const char text[] =
+        "CORRECTED ACCELEROGRAM  A1 COMP N08W   FILE   0  CORRESPONDING T\nFILE     0 OF "
+        "UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:\n\nUNITS ARE SEC AND G/10\n"
+        "PEAK ACCELERATION =  -242.39450  CMS/SEC/SEC AT    4.580   SEC.\nA1   COMP N08\nW\n"
+        "     3 POINTS OF ACC DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS CM/SEC/SEC\n"
+        "    -1.133     -.596   242.395\n"
+        "     3 POINTS OF VEL DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS CM/SEC\n"
+        "     1.000     1.000   900.000\n";
+    struct reading *r = *state;
+    reading_of_text(r, text);
+    assert_read(r, "csmip", 3, 0.02);
+    assert_silent(r);
+    assert_close(r->record.unit, 0.01, 1e-15);
+    assert_close(r->record.value[2], 242.395, 1e-15);
+    r->request.channel = 2;
+    reading_of_text(r, text);
+    assert_refused(r, "a.txt: there is no channel 2; there are 1 'N08W'");
 }
 
 static void later_volume_2_parts_the_unit_by_a_comma(void **state) {
@@ -124,7 +155,9 @@ static void a_file_that_breaks_off_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST_READING(volume_1_is_read_by_the_width_of_its_fields),
+        TEST_READING(fields_touch_where_none_has_a_sign),
         TEST_READING(volume_2_is_read_without_its_velocities),
+        TEST_READING(volume_2_of_usc_is_read),
         TEST_READING(later_volume_2_parts_the_unit_by_a_comma),
         TEST_READING(a_channel_is_chosen_by_its_place),
         TEST_READING(another_peak_than_the_one_stated_is_warned_of),
