@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places on the sheet. A character is taken to be 0.56 em wide, the mean of usual sans-serif fonts
-// over running text; columns are reckoned with that.
+// Places on the sheet.
 #include "plot/canvas.h"
 
 #include <math.h>
@@ -8,10 +7,9 @@
 
 #include "plot/script.h"
 
-static const double character = 0.56;  // [em]
-static const double SMALL = 0.75;      // of small_font
-static const double BOLD = 1.15;       // width of bold text over that of plain text
-static const double TIGHT = 0.9;       // numbers above each other that are nearer [em] touch
+static const double SMALL = 0.75;  // of small_font
+static const double BOLD = 1.15;   // width of bold text over that of plain text
+static const double TIGHT = 0.9;   // numbers above each other that are nearer [em] touch
 
 // " at screen x,y" of a point in em.
 static void write_place(const struct canvas *c, double x, double y) {
@@ -20,7 +18,7 @@ static void write_place(const struct canvas *c, double x, double y) {
 
 static void write_label(const struct canvas *c, const char *text, double width) {
     char cut[512];
-    script_cut(text, (int)(width / character), cut, sizeof cut);
+    script_cut(text, width, cut, sizeof cut);
     fprintf(c->to, "set label ");
     script_text(c->to, cut);
 }
@@ -37,7 +35,7 @@ void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
     write_label(c, title, c->width / 1.25);
     write_place(c, c->width / 2, a->top - 1);
     fprintf(c->to, " center font title_font\n");
-    const bool fits = character * script_columns(subtitle) <= c->width;
+    const bool fits = script_width(subtitle) <= c->width;
     write_label(c, subtitle, fits ? c->width : c->width / SMALL);
     write_place(c, c->width / 2, a->top - 2.5);
     fprintf(c->to, " center%s\n", fits ? "" : " font small_font");
@@ -87,8 +85,8 @@ static void write_mark(const struct canvas *c, struct mark mark, double x, doubl
 
 void canvas_legend(struct canvas *c, struct mark mark, const char *name) {
     char cut[128];
-    script_cut(name, 40, cut, sizeof cut);
-    const double width = 2.1 + character * script_columns(cut) + 1.6;
+    script_cut(name, 23, cut, sizeof cut);
+    const double width = 2.1 + script_width(cut) + 1.6;
     const double left = c->area.left + (c->kind == CANVAS_SHEET ? 1 : 0);
     if (c->entry == 0 || c->entry + width > c->area.right + 1) {
         c->entry = left;
@@ -141,7 +139,7 @@ static void write_across(const struct canvas *c, struct area a, const struct uni
                          const struct axis *axis) {
     char text[160];
     axis_text(axis, axis->name, units, text, sizeof text);
-    if (axis->brief && 0.5 * script_columns(text) > a.right - a.left + 2) {
+    if (axis->brief && script_width(text) > a.right - a.left + 2) {
         axis_text(axis, axis->brief, units, text, sizeof text);
     }
     fprintf(c->to, "set label ");
@@ -269,7 +267,7 @@ static void write_scale(const struct canvas *c, char letter, const struct axis *
 static void write_upright(const struct canvas *c, const char *text, double x, struct area a) {
     fprintf(c->to, "set label ");
     script_text(c->to, text);
-    const double highest = a.top + 0.5 - character * script_columns(text) / 2;
+    const double highest = a.top + 0.5 - script_width(text) / 2;
     write_place(c, x, fmin((a.top + a.bottom) / 2, highest));
     fprintf(c->to, " center rotate by 90\n");
 }
@@ -279,7 +277,7 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
     char text[160], name[160];
     axis_text(axis, axis->name, units, text, sizeof text);
     const char *unit = strstr(text, " [");
-    const bool fits = !unit || character * script_columns(text) <= a.top - a.bottom;
+    const bool fits = !unit || script_width(text) <= a.top - a.bottom;
     if (fits) {
         write_upright(c, text, a.left - 4.4, a);
         return;
@@ -305,13 +303,13 @@ void canvas_panel(const struct canvas *c, struct area a, const struct unit_syste
     }
 }
 
-int canvas_caption_columns(struct area a) {
-    return (int)((a.right - a.left + 1) / 0.58);
+double canvas_caption_width(struct area a) {
+    return a.right - a.left + 1;
 }
 
 void canvas_caption(const struct canvas *c, struct area a, const char *text) {
     char cut[256];
-    script_shorten(text, canvas_caption_columns(a), cut, sizeof cut);
+    script_shorten(text, canvas_caption_width(a), cut, sizeof cut);
     fprintf(c->to, "set label ");
     script_text(c->to, cut);
     write_place(c, a.left, a.top + 0.65);

@@ -73,8 +73,8 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
 // A text above the upper left corner of the panel to be plotted.
 void canvas_caption(const struct canvas *c, struct area a, const char *text);
 
-// The characters that it has room for.
-int canvas_caption_columns(struct area a);
+// The room that it has [em].
+double canvas_caption_width(struct area a);
 
 // Behind the plot command: takes away what belongs to that panel.
 void canvas_panel_end(const struct canvas *c);

@@ -121,7 +121,7 @@ static void side_name(const struct view *v, int side, char *text, size_t size) {
         snprintf(text, size, "wall");
         return;
     }
-    script_shorten(v->s->r[0]->building[v->building[side]].name, 16, name, sizeof name);
+    script_shorten(v->s->r[0]->building[v->building[side]].name, 9, name, sizeof name);
     snprintf(text, size, "%s, floor %d", name, v->floor[side] + 1);
 }
 
@@ -158,7 +158,7 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
     const char *impacts = h.impacts[0] == 1 ? "impact" : "impacts";
     script_unit(&r->units, dimension_length, length, sizeof length);
     script_unit(&r->units, dimension_force, unit, sizeof unit);
-    script_shorten(c->name, 20, name, sizeof name);
+    script_shorten(c->name, 12, name, sizeof name);
     script_number(c->gap, gap, sizeof gap);
     if (v->s->n > 1 && h.rigid) {
         snprintf(text, size, "contact %s: %ld and %ld impacts", name, h.impacts[0], h.impacts[1]);

@@ -203,9 +203,9 @@ static void write_storey(const struct view *v, struct canvas *c, struct area a, 
                            .span = span_with_room(v->y[1 + k], NAN),
                            .scale = v->all_y};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    const int taken = snprintf(storey, sizeof storey, ", storey %d", v->storey[k] + 1);
-    script_shorten(v->s->r[0]->building[v->building[k]].name, canvas_caption_columns(a) - taken,
-                   name, sizeof name);
+    snprintf(storey, sizeof storey, ", storey %d", v->storey[k] + 1);
+    script_shorten(v->s->r[0]->building[v->building[k]].name,
+                   canvas_caption_width(a) - script_width(storey), name, sizeof name);
     snprintf(text, sizeof text, "%s%s", name, storey);
     canvas_caption(c, a, text);
     fprintf(c->to, "plot");

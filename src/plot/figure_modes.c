@@ -118,7 +118,7 @@ static void write_period(double period, char *text, size_t size) {
 static void write_entry(const struct view *v, struct canvas *c, int k) {
     const struct report_building *b = shown(v, 0, k);
     char text[160], name[64];
-    script_shorten(b->name, 9, name, sizeof name);
+    script_shorten(b->name, 5, name, sizeof name);
     size_t n = (size_t)snprintf(text, sizeof text, "%s:", name);
     for (int m = 0; m < v->n_mode && m < b->n_floor && m < 3; m++) {
         char period[32] = "rigid body";

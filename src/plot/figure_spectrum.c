@@ -150,7 +150,7 @@ static void write_head(const struct view *v, struct canvas *c) {
     canvas_head(c, runs_title(v->s), text);
     for (int i = 0; i < v->n; i++) {
         const struct series *p = &v->series[i];
-        script_shorten(r->building[p->building].name, 16, name, sizeof name);
+        script_shorten(r->building[p->building].name, 9, name, sizeof name);
         snprintf(text, sizeof text, "%s, floor %d", name, p->floor + 1);
         canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = colour(v, i)},
                       p->floor < 0 ? "ground" : text);

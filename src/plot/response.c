@@ -59,10 +59,10 @@ static void write_data(const struct response_sheet *sheet, FILE *to) {
 }
 
 // Its name, with its middle left out, and the factor that brings it to the target.
-static void name_record(const struct response_sheet *sheet, int record, int columns, char *text,
+static void name_record(const struct response_sheet *sheet, int record, double width, char *text,
                         size_t size) {
     char name[64];
-    script_shorten(sheet->name[record], columns, name, sizeof name);
+    script_shorten(sheet->name[record], width, name, sizeof name);
     if (sheet->target) {
         snprintf(text, size, "%s × %.2g", name, sheet->factor[record]);
     } else {
@@ -80,7 +80,7 @@ static void write_title(const struct response_sheet *sheet, char *text, size_t s
         snprintf(text, size, "Response spectra of %d%s records%s", s->n_record,
                  sheet->target ? " scaled" : "", damping);
     } else {
-        name_record(sheet, 0, 30, name, sizeof name);
+        name_record(sheet, 0, 20, name, sizeof name);
         snprintf(text, size, "Response spectrum of %s%s", name, damping);
     }
 }
@@ -112,7 +112,7 @@ static void write_records(const struct response_sheet *sheet, struct canvas *c) 
         return;
     }
     for (int r = 0; r < s->n_record; r++) {
-        name_record(sheet, r, 23, text, sizeof text);
+        name_record(sheet, r, 14, text, sizeof text);
         if (!sheet->target) {
             const size_t n = strlen(text);
             snprintf(text + n, sizeof text - n, ": %.2g g",

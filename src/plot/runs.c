@@ -15,7 +15,7 @@ static void name_run(struct runs *s, int run, bool whole) {
     size_t n;
     const char *stem = text_stem(path, &n);
     snprintf(text, sizeof text, "%.*s", (int)n, stem);
-    script_shorten(whole ? path : text, 28, s->name[run], sizeof s->name[run]);
+    script_shorten(whole ? path : text, 16, s->name[run], sizeof s->name[run]);
 }
 
 static int other(const struct runs *s, struct error *e, const char *what, const char *first,
