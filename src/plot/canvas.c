@@ -11,8 +11,7 @@ static const double SMALL = 0.75;  // of small_font
 static const double BOLD = 1.15;   // width of bold text over that of plain text
 static const double TIGHT = 0.9;   // numbers above each other that are nearer [em] touch
 
-// " at screen x,y" of a point in em.
-static void write_place(const struct canvas *c, double x, double y) {
+void canvas_place(const struct canvas *c, double x, double y) {
     fprintf(c->to, " at screen %.4f,%.4f", x / c->width, y / c->height);
 }
 
@@ -27,78 +26,19 @@ void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
     struct area *a = &c->area;
     if (c->kind == CANVAS_BLOCK) {
         write_label(c, subtitle, (a->right - a->left) / BOLD);
-        write_place(c, a->left, a->top - 0.7);
+        canvas_place(c, a->left, a->top - 0.7);
         fprintf(c->to, " left font block_font\n");
         a->top -= 1.5;
         return;
     }
     write_label(c, title, c->width / 1.25);
-    write_place(c, c->width / 2, a->top - 1);
+    canvas_place(c, c->width / 2, a->top - 1);
     fprintf(c->to, " center font title_font\n");
     const bool fits = script_width(subtitle) <= c->width;
     write_label(c, subtitle, fits ? c->width : c->width / SMALL);
-    write_place(c, c->width / 2, a->top - 2.5);
+    canvas_place(c, c->width / 2, a->top - 2.5);
     fprintf(c->to, " center%s\n", fits ? "" : " font small_font");
     a->top -= 3.3;
-}
-
-// A line of the legend. Dashes are lines of their own: gnuplot's svg terminal draws dashed arrows
-// solid.
-static void write_line(const struct canvas *c, struct mark mark, double x, double y) {
-    const bool dashed = mark.kind == MARK_DASHED;
-    const double length = dashed ? 0.4 : 1.6;
-    for (double at = 0; at + length < 1.65; at += 0.6) {
-        fprintf(c->to,
-                "set arrow from screen %.4f,%.4f rto screen %.4f,0 nohead lc rgb '%s' lw 1.5\n",
-                (x + at) / c->width, y / c->height, length / c->width, mark.colour);
-    }
-}
-
-static void write_point(const struct canvas *c, struct mark mark, double x, double y) {
-    fprintf(c->to, "set label ''");
-    write_place(c, x + 0.8, y);
-    fprintf(c->to, " point pt %d ps %.3g*point lc rgb '%s'\n",
-            mark.point > 0 ? mark.point : POINT_DISC, mark.size > 0 ? mark.size : 1, mark.colour);
-}
-
-static void write_mark(const struct canvas *c, struct mark mark, double x, double y) {
-    switch (mark.kind) {
-        case MARK_LINE:
-        case MARK_DASHED:
-            write_line(c, mark, x, y);
-            if (mark.point > 0) {
-                write_point(c, mark, x, y);
-            }
-            break;
-        case MARK_AREA:
-            fprintf(c->to,
-                    "set object rectangle from screen %.4f,%.4f rto screen %.4f,%.4f "
-                    "fc rgb '%s' fs solid noborder\n",
-                    x / c->width, (y - 0.35) / c->height, 1.6 / c->width, 0.7 / c->height,
-                    mark.colour);
-            break;
-        case MARK_POINT:
-            write_point(c, mark, x, y);
-            break;
-    }
-}
-
-void canvas_legend(struct canvas *c, struct mark mark, const char *name) {
-    char cut[128];
-    script_cut(name, 23, cut, sizeof cut);
-    const double width = 2.1 + script_width(cut) + 1.6;
-    const double left = c->area.left + (c->kind == CANVAS_SHEET ? 1 : 0);
-    if (c->entry == 0 || c->entry + width > c->area.right + 1) {
-        c->entry = left;
-        c->area.top -= 1.35;
-    }
-    const double y = c->area.top + 0.5;
-    write_mark(c, mark, c->entry, y);
-    fprintf(c->to, "set label ");
-    script_text(c->to, cut);
-    write_place(c, c->entry + 2.1, y);
-    fprintf(c->to, " left\n");
-    c->entry += width;
 }
 
 struct area canvas_part(const struct canvas *c, double x0, double x1, double y0, double y1) {
@@ -144,7 +84,7 @@ static void write_across(const struct canvas *c, struct area a, const struct uni
     }
     fprintf(c->to, "set label ");
     script_text(c->to, text);
-    write_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
+    canvas_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
     fprintf(c->to, " center\n");
 }
 
@@ -268,7 +208,7 @@ static void write_upright(const struct canvas *c, const char *text, double x, st
     fprintf(c->to, "set label ");
     script_text(c->to, text);
     const double highest = a.top + 0.5 - script_width(text) / 2;
-    write_place(c, x, fmin((a.top + a.bottom) / 2, highest));
+    canvas_place(c, x, fmin((a.top + a.bottom) / 2, highest));
     fprintf(c->to, " center rotate by 90\n");
 }
 
@@ -303,16 +243,13 @@ void canvas_panel(const struct canvas *c, struct area a, const struct unit_syste
     }
 }
 
-double canvas_caption_width(struct area a) {
-    return a.right - a.left + 1;
-}
-
-void canvas_caption(const struct canvas *c, struct area a, const char *text) {
-    char cut[256];
-    script_shorten(text, canvas_caption_width(a), cut, sizeof cut);
+void canvas_caption(const struct canvas *c, struct area a, const char *name, const char *tail) {
+    char cut[256], text[320];
+    script_shorten(name, a.right - a.left + 1 - script_width(tail), cut, sizeof cut);
+    snprintf(text, sizeof text, "%s%s", cut, tail);
     fprintf(c->to, "set label ");
-    script_text(c->to, cut);
-    write_place(c, a.left, a.top + 0.65);
+    script_text(c->to, text);
+    canvas_place(c, a.left, a.top + 0.65);
     fprintf(c->to, " left\n");
 }
 

@@ -236,7 +236,7 @@ static void write_strip(const struct view *v, struct canvas *c, struct area a, i
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "%s%s", v->strip[strip] < v->s->r[0]->n_contact ? "" : "link ",
              link_of(v->s->r[0], v->strip[strip])->name);
-    canvas_caption(c, a, text);
+    canvas_caption(c, a, text, "");
     const char *before = "plot";
     for (int k = 0; k < v->s->n; k++) {
         const int i = index_in(v, k, v->strip[strip]);
@@ -270,7 +270,7 @@ static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
         .dimension = dimension_force, .span = span_with_room(force, 0), .scale = v->all};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "hardest: %s", link_of(v->s->r[0], v->contact[0])->name);
-    canvas_caption(c, a, text);
+    canvas_caption(c, a, text, "");
     const char *before = "plot";
     for (int k = 0; k < v->s->n; k++) {
         if (v->impact[k] >= 0) {
@@ -295,6 +295,7 @@ static bool is_rigid(const struct report *r) {
 
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
+    struct legend l = {0};
     char text[160];
     if (v->n_active == 0) {
         snprintf(text, sizeof text, "contact forces; no contact closed");
@@ -306,7 +307,8 @@ static void write_head(const struct view *v, struct canvas *c) {
         snprintf(text, sizeof text, "contact forces%s", r->n_link > 0 ? " and link forces" : "");
     }
     canvas_head(c, runs_title(v->s), text);
-    runs_legend(v->s, NULL, c);
+    runs_legend(v->s, NULL, &l);
+    legend_write(&l, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {

@@ -57,7 +57,7 @@ static void write_stack(const struct runs *s, struct canvas *c, struct area a, i
                            .kind = run == 0 ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
     canvas_panel(c, a, &s->r[0]->units, &x, &y);
     if (s->n > 1) {
-        canvas_caption(c, a, s->name[run]);
+        canvas_caption(c, a, s->name[run], "");
     }
     fprintf(c->to, "plot");
     for (int p = 0; p < PARTS; p++) {
@@ -106,6 +106,7 @@ static void write_head(const struct runs *s, struct canvas *c) {
     snprintf(text, sizeof text, "energy: %s %s in, %s %s into %s", in, unit, contact, unit,
              work_name(s));
     canvas_head(c, runs_title(s), s->n > 1 ? "where the energy went" : text);
+    struct legend l = {0};
     for (int p = 0; p < PARTS; p++) {
         bool any = false;
         for (int k = 0; k < s->n; k++) {
@@ -113,12 +114,13 @@ static void write_head(const struct runs *s, struct canvas *c) {
                 any || parts[p].energy < ENERGY_HYSTERETIC || s->r[k]->energy[parts[p].energy] != 0;
         }
         if (any) {
-            canvas_legend(c, (struct mark){.kind = MARK_AREA, .colour = parts[p].colour},
-                          parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name);
+            legend_add(&l, (struct mark){.kind = MARK_AREA, .colour = parts[p].colour},
+                       parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name, "");
         }
     }
-    canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = "#404040"},
-                  r->initial_energy > 0 ? "initial + input" : "input");
+    legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = "#404040"},
+               r->initial_energy > 0 ? "initial + input" : "input", "");
+    legend_write(&l, c);
 }
 
 static int write_data(const struct runs *s, struct scale *scale, FILE *to, struct error *e) {

@@ -227,7 +227,7 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a) {
 }
 
 // What the sizes of points stand for, in one power of ten.
-static void write_sizes(const struct view *v, struct canvas *c) {
+static void add_sizes(const struct view *v, struct legend *l) {
     char text[160], unit[64], power[32] = "";
     const double step = script_step(v->largest, 2);
     const double shown[] = {step / 10, step / 2, step};
@@ -240,10 +240,10 @@ static void write_sizes(const struct view *v, struct canvas *c) {
     for (size_t i = 0; i < 3 && v->largest > 0; i++) {
         snprintf(text, sizeof text, "%.6g%s%s %s", shown[i] / pow(10, exponent),
                  power[0] ? "\u00b7" : "", power, unit);
-        canvas_legend(
-            c,
+        legend_add(
+            l,
             (struct mark){.kind = MARK_POINT, .colour = "#707070", .size = point_size(v, shown[i])},
-            text);
+            text, "");
     }
 }
 
@@ -270,15 +270,17 @@ static void write_head(const struct view *v, struct canvas *c) {
     char text[160];
     write_subtitle(v, text, sizeof text);
     canvas_head(c, runs_title(v->s), text);
+    struct legend l = {0};
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c,
-                      (struct mark){.kind = MARK_POINT,
-                                    .colour = script_colour[k],
-                                    .size = 2,
-                                    .point = k > 0 ? POINT_RING : POINT_DISC},
-                      v->s->name[k]);
+        legend_add(&l,
+                   (struct mark){.kind = MARK_POINT,
+                                 .colour = script_colour[k],
+                                 .size = 2,
+                                 .point = k > 0 ? POINT_RING : POINT_DISC},
+                   v->s->name[k], "");
     }
-    write_sizes(v, c);
+    add_sizes(v, &l);
+    legend_write(&l, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {

@@ -173,7 +173,7 @@ static void write_contact(const struct view *v, struct canvas *c, struct area a)
                            .span = span_with_room(v->y[0], 0),
                            .scale = v->all_y};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    canvas_caption(c, a, v->s->r[0]->contact[v->contact[0]].name);
+    canvas_caption(c, a, v->s->r[0]->contact[v->contact[0]].name, "");
     fprintf(c->to, "plot");
     const char *before = "";
     for (int k = 0; k < v->s->n; k++) {
@@ -193,7 +193,7 @@ static void write_contact(const struct view *v, struct canvas *c, struct area a)
 }
 
 static void write_storey(const struct view *v, struct canvas *c, struct area a, int k) {
-    char text[160], name[96], storey[32];
+    char storey[32];
     const struct axis x = {.name = "drift",
                            .dimension = dimension_length,
                            .span = span_with_room(v->x[1 + k], NAN),
@@ -204,10 +204,7 @@ static void write_storey(const struct view *v, struct canvas *c, struct area a, 
                            .scale = v->all_y};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(storey, sizeof storey, ", storey %d", v->storey[k] + 1);
-    script_shorten(v->s->r[0]->building[v->building[k]].name,
-                   canvas_caption_width(a) - script_width(storey), name, sizeof name);
-    snprintf(text, sizeof text, "%s%s", name, storey);
-    canvas_caption(c, a, text);
+    canvas_caption(c, a, v->s->r[0]->building[v->building[k]].name, storey);
     fprintf(c->to, "plot");
     for (int run = 0; run < v->s->n; run++) {
         fprintf(c->to, "%s \\\n  $storey%d%d using 2:3 with lines lc rgb '%s' lw 0.7",
@@ -226,18 +223,19 @@ static double rows_in_impact(const struct view *v) {
 
 static void write_head(const struct view *v, struct canvas *c) {
     const char *text = "forces against deformations";
+    struct legend l = {0};
     if (v->impact[0] >= 0 && rows_in_impact(v) < 10) {
         text = "forces against deformations; output -every 1 gives whole contact loops";
     }
     canvas_head(c, runs_title(v->s), text);
     if (v->impact[0] >= 0) {
-        canvas_legend(
-            c,
-            (struct mark){
-                .kind = MARK_POINT, .colour = "#404040", .size = 1.3, .point = POINT_CROSS},
-            "largest force, penetration");
+        legend_add(&l,
+                   (struct mark){
+                       .kind = MARK_POINT, .colour = "#404040", .size = 1.3, .point = POINT_CROSS},
+                   "largest force, penetration", "");
     }
-    runs_legend(v->s, NULL, c);
+    runs_legend(v->s, NULL, &l);
+    legend_write(&l, c);
 }
 
 static int write_data(struct view *v, FILE *to, struct error *e) {

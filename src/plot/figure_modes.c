@@ -91,7 +91,7 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a, i
                            .step = v->heights ? 0 : 1};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "mode %d", mode + 1);
-    canvas_caption(c, a, text);
+    canvas_caption(c, a, text, "");
     fprintf(c->to, "plot");
     for (int k = 0; k < v->n_building * v->s->n; k++) {
         const int run = k / v->n_building, building = k % v->n_building;
@@ -115,11 +115,10 @@ static void write_period(double period, char *text, size_t size) {
 }
 
 // The name of a building with its first periods.
-static void write_entry(const struct view *v, struct canvas *c, int k) {
+static void add_entry(const struct view *v, struct legend *l, int k) {
     const struct report_building *b = shown(v, 0, k);
-    char text[160], name[64];
-    script_shorten(b->name, 5, name, sizeof name);
-    size_t n = (size_t)snprintf(text, sizeof text, "%s:", name);
+    char text[128] = ":";
+    size_t n = 1;
     for (int m = 0; m < v->n_mode && m < b->n_floor && m < 3; m++) {
         char period[32] = "rigid body";
         if (isfinite(b->period[m])) {
@@ -130,7 +129,7 @@ static void write_entry(const struct view *v, struct canvas *c, int k) {
     if (isfinite(b->period[0])) {
         snprintf(text + n, sizeof text - n, " %s", v->s->r[0]->units.time_name);
     }
-    canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]}, text);
+    legend_add(l, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]}, b->name, text);
 }
 
 static void write_head(const struct view *v, struct canvas *c) {
@@ -142,10 +141,12 @@ static void write_head(const struct view *v, struct canvas *c) {
                  v->n_building, n);
     }
     canvas_head(c, runs_title(v->s), text);
+    struct legend l = {0};
     for (int k = 0; k < v->n_building; k++) {
-        write_entry(v, c, k);
+        add_entry(v, &l, k);
     }
-    runs_legend(v->s, "#808080", c);
+    runs_legend(v->s, "#808080", &l);
+    legend_write(&l, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {

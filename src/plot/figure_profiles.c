@@ -184,11 +184,13 @@ static void write_head(const struct selection *s, struct canvas *c) {
                  r->n_building);
     }
     canvas_head(c, runs_title(s->s), text);
+    struct legend l = {0};
     for (int k = 0; k < s->n; k++) {
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
-                      shown(s, 0, k)->name);
+        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
+                   shown(s, 0, k)->name, "");
     }
-    runs_legend(s->s, "#808080", c);
+    runs_legend(s->s, "#808080", &l);
+    legend_write(&l, c);
 }
 
 static int draw(const struct runs *runs, struct canvas *c, struct error *e) {

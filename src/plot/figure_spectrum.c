@@ -144,18 +144,20 @@ static const char *colour(const struct view *v, int series) {
 
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
-    char text[160], name[64];
+    struct legend l = {0};
+    char text[160];
     snprintf(text, sizeof text, "floor response spectra, %g %% damping, of rows every %.4g %s",
              100 * damping_ratio, v->dt, r->units.time_name);
     canvas_head(c, runs_title(v->s), text);
     for (int i = 0; i < v->n; i++) {
         const struct series *p = &v->series[i];
-        script_shorten(r->building[p->building].name, 9, name, sizeof name);
-        snprintf(text, sizeof text, "%s, floor %d", name, p->floor + 1);
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = colour(v, i)},
-                      p->floor < 0 ? "ground" : text);
+        const bool ground = p->floor < 0;
+        snprintf(text, sizeof text, ", floor %d", p->floor + 1);
+        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = colour(v, i)},
+                   ground ? "ground" : r->building[p->building].name, ground ? "" : text);
     }
-    runs_legend(v->s, "#000000", c);
+    runs_legend(v->s, "#000000", &l);
+    legend_write(&l, c);
 }
 
 static void write_panel(const struct view *v, struct canvas *c) {

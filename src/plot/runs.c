@@ -187,10 +187,10 @@ double runs_duration(const struct runs *s) {
     return s->n == 1 ? s->r[0]->duration : fmax(s->r[0]->duration, s->r[1]->duration);
 }
 
-void runs_legend(const struct runs *s, const char *colour, struct canvas *c) {
+void runs_legend(const struct runs *s, const char *colour, struct legend *l) {
     for (int k = 0; k < s->n && s->n > 1; k++) {
         const struct mark mark = {.kind = colour && k > 0 ? MARK_DASHED : MARK_LINE,
                                   .colour = colour ? colour : script_colour[k]};
-        canvas_legend(c, mark, s->name[k]);
+        legend_add(l, mark, s->name[k], "");
     }
 }

@@ -67,23 +67,24 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
 static void write_legend(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const bool points = has_points(s);
-    const enum mark_kind kind = points ? MARK_POINT : MARK_LINE;
+    struct mark mark = {.kind = points ? MARK_POINT : MARK_LINE};
+    struct legend l = {0};
+    char text[128] = "median";
+    for (int g = 0; g < s->n_group && (v->band || s->n_group > 1); g++) {
+        if (s->n_group > 1) {
+            study_group_text(s, g, text, sizeof text);
+        }
+        mark.colour = script_colour[g];
+        mark.point = script_point[g];
+        legend_add(&l, mark, "", text);
+    }
     if (v->band) {
-        canvas_legend(
-            c, (struct mark){.kind = kind, .colour = script_colour[0], .point = script_point[0]},
-            "median");
-        canvas_legend(c,
-                      (struct mark){.kind = points ? MARK_LINE : MARK_AREA,
-                                    .colour = points ? script_colour[0] : band_colour},
-                      "16 to 84 %");
+        legend_add(&l,
+                   (struct mark){.kind = points ? MARK_LINE : MARK_AREA,
+                                 .colour = points ? script_colour[0] : band_colour},
+                   "16 to 84 %", "");
     }
-    char text[128];
-    for (int g = 0; g < s->n_group && s->n_group > 1; g++) {
-        study_group_text(s, g, text, sizeof text);
-        canvas_legend(
-            c, (struct mark){.kind = kind, .colour = script_colour[g], .point = script_point[g]},
-            text);
-    }
+    legend_write(&l, c);
 }
 
 // True if the texts find room beside each other within `width` em.
