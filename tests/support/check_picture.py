@@ -238,7 +238,9 @@ def energy(runs):
     for run in runs:
         e = {name: d[:] for name, d in run.f["energy"].items()}
         work = "contacts and links" if "links" in run.f else "contacts"
-        names = ["damping", None, work, "strain", "kinetic"]
+        names = ["damping", "yielding", work, "strain", "kinetic"]
+        names = [text if any(r.f[f"energy/{part}"][:].any() for r in runs) else None
+                 for part, text in zip(PARTS, names)]
         total = np.cumsum([0 * run.time] + [e[name] for name in PARTS], axis=0)
         curves = [Curve(run.time, total[i], total[i + 1], thinned=True, legend=names[i])
                   for i in range(5)]
@@ -253,6 +255,12 @@ def energy(runs):
         return [upper[0], lower[0], upper[1], lower[1]], None
     return [upper[0], lower[0]], (f"energy: {{}} {unit} in, {{}} {unit} into ",
                                   [entered[-1], e["contact"][-1]])
+
+
+def check_energy(picture, runs):
+    """Parts that nothing ever goes into are not in the legend."""
+    parts = [part for part in PARTS if any(run.f[f"energy/{part}"][:].any() for run in runs)]
+    assert len(picture.legend) == len(parts) + 1, f"legend {picture.legend}"
 
 
 def impacts(runs):
@@ -356,6 +364,7 @@ def spectrum(runs):
 
 KINDS = {f.__name__: f for f in (histories, contact, loops, profiles, energy, impacts, modes,
                                  spectrum)}
+CHECKS = {"energy": check_energy, "impacts": check_impacts}
 
 
 def main(script, *results):
@@ -366,8 +375,8 @@ def main(script, *results):
     picture = Picture(script)
     panels, text = KINDS[kind](runs)
     check_panels(picture, panels)
-    if kind == "impacts":
-        check_impacts(picture, runs)
+    if kind in CHECKS:
+        CHECKS[kind](picture, runs)
     if text:
         check_text(picture.texts[1], *text)
 
