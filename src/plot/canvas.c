@@ -48,6 +48,10 @@ struct area canvas_part(const struct canvas *c, double x0, double x1, double y0,
                          a->bottom + y1 * height};
 }
 
+bool canvas_has_room(const struct canvas *c, int n) {
+    return c->area.top - c->area.bottom > 0.6 * n;
+}
+
 struct area canvas_inset(struct area a, double left, double right, double bottom, double top) {
     return (struct area){a.left + left, a.right - right, a.bottom + bottom, a.top - top};
 }

@@ -32,6 +32,9 @@ void canvas_head(struct canvas *c, const char *title, const char *subtitle);
 // The part of the area between the fractions x0 to x1 of its width and y0 to y1 of its height.
 struct area canvas_part(const struct canvas *c, double x0, double x1, double y0, double y1);
 
+// True if `n` points above each other in the area do not make a thick line.
+bool canvas_has_room(const struct canvas *c, int n);
+
 // Room for the texts at the axes within an area [em].
 struct area canvas_inset(struct area a, double left, double right, double bottom, double top);
 

@@ -153,6 +153,22 @@ run "$jostle" plot bodies.h5 profiles --script bodies
 expect "free bodies have no storeys to show" '[ $status -eq 0 ] && [ "$(grep -c "^plot" bodies/profiles.gp)" -eq 2 ] && ! grep -q "drift\|shear" <(grep "^set label" bodies/profiles.gp)'
 rm -rf bodies bodies.* hardest
 
+# A building beside a free body, which is drawn as points without a line.
+cat >cart.deck <<'END'
+building tower -floors 2 -mass 100t -stiffness 50MN/m
+building cart -floors 1 -mass 40t -stiffness 0
+contact tower:1 cart -gap 5mm -law linear -k 1e9
+initial cart:1 -velocity -0.5
+step fixed 1ms
+duration 0.5
+END
+run "$jostle" run -q cart.deck
+for kind in profiles modes; do
+    run "$jostle" plot cart.h5 $kind --script cart
+    expect "the legend of $kind has no line for a free body" '[ $status -eq 0 ] && [ "$(grep -c "^set arrow from screen" cart/$kind.gp)" -eq 1 ] && [ "$(grep -c "^set label .. at screen.* point pt" cart/$kind.gp)" -eq 2 ]'
+done
+rm -rf cart cart.*
+
 rm -rf scripts
 run "$jostle" plot pair.h5 overview --script scripts
 expect "no two blocks of a picture have one name" '[ "$(grep -c "<< EOD" scripts/overview.dat)" -gt 5 ] && [ -z "$(grep "<< EOD" scripts/overview.dat | sort | uniq -d)" ] && ! grep -q EOD scripts/overview.gp'

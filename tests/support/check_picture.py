@@ -199,11 +199,19 @@ def loops(runs):
     return panels, None
 
 
+def profile_row(run, b, value):
+    """Of a building of one floor: a line from zero to its point, a second run below the first."""
+    order = list(run.buildings.values())
+    row = len(order) - order.index(b) + 0.15 * run.several * (1 if run.first else -1)
+    return [Curve(0 * value, row, value, 0), Curve(value, row)]
+
+
 def profiles(runs):
     r = runs[0]
     heights = all((b["height"][:] > 0).all() for b in r.buildings.values())
+    rows = all(b["floor"].size == 1 for b in r.buildings.values())
     kinds = [("displacement", "displacement"), ("drift", "storey drift"),
-             ("acceleration", "acceleration"), ("storey_shear", "shear")]
+             ("acceleration", "acceleration"), ("storey_shear", "storey shear")]
     panels = []
     for name, text in kinds:
         curves = []
@@ -215,6 +223,9 @@ def profiles(runs):
                 value = b["envelope"][name][:] / (storeys / 100 if ratio else 1)
                 free = b["stiffness"][:] == 0
                 value = np.where(free & (name in ("drift", "storey_shear")), np.nan, value)
+                if rows:
+                    curves += profile_row(run, b, value)
+                    continue
                 line = (np.repeat(value, 2), np.repeat(level, 2)[1:-1])
                 base = np.nan if name == "acceleration" or free[0] else 0
                 points = (np.concatenate([[base], value]), level)
@@ -225,8 +236,16 @@ def profiles(runs):
         if any(curve.rows.size for curve in curves):
             panels.append(Panel(x, None, curves))
     height = ("height", r.unit("contacts/gap")) if heights else ("floor", None)
-    panels[0].y = height
+    panels[0].y = None if rows else height
     return panels, None
+
+
+def check_profiles(picture, runs):
+    """Rows have the names of their buildings."""
+    names = list(runs[0].buildings)
+    if all(b["floor"].size == 1 for b in runs[0].buildings.values()):
+        rows = [(name, len(names) - i) for i, name in enumerate(names)]
+        assert picture.panels[0].y.tics == rows, f"rows {picture.panels[0].y.tics}"
 
 
 PARTS = "damping hysteretic contact strain kinetic".split()
@@ -364,13 +383,14 @@ def spectrum(runs):
 
 KINDS = {f.__name__: f for f in (histories, contact, loops, profiles, energy, impacts, modes,
                                  spectrum)}
-CHECKS = {"energy": check_energy, "impacts": check_impacts}
+CHECKS = {"energy": check_energy, "impacts": check_impacts, "profiles": check_profiles}
 
 
 def main(script, *results):
     runs = [Run(path) for path in results]
     for run, path in zip(runs, results):
         run.name, run.several = os.path.basename(path)[:-3], len(runs) > 1
+        run.first = run is runs[0]
     kind = os.path.basename(script)[:-3]
     picture = Picture(script)
     panels, text = KINDS[kind](runs)
