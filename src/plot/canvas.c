@@ -257,6 +257,12 @@ void canvas_caption(const struct canvas *c, struct area a, const char *name, con
     fprintf(c->to, " left\n");
 }
 
+void canvas_note(const struct canvas *c, struct area a, const char *text) {
+    write_label(c, text, a.right - a.left);
+    canvas_place(c, (a.left + a.right) / 2, (a.bottom + a.top) / 2);
+    fprintf(c->to, " center textcolor rgb '#606060'\n");
+}
+
 void canvas_panel_end(const struct canvas *c) {
     fprintf(c->to, "unset label\nunset arrow\nunset object\n");
 }

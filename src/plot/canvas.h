@@ -67,6 +67,9 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
 // where there is little room, and what is told behind it.
 void canvas_caption(const struct canvas *c, struct area a, const char *name, const char *tail);
 
+// A text in the middle of a panel that is otherwise empty: why it is.
+void canvas_note(const struct canvas *c, struct area a, const char *text);
+
 // Behind the plot command: takes away what belongs to that panel.
 void canvas_panel_end(const struct canvas *c);
 

@@ -151,7 +151,16 @@ sed -n "/^.hardest0/,/^EOD/p" bodies/loops.dat >hardest
 expect "an impact of two rows is no loop: they are not joined" '[ $status -eq 0 ] && [ "$(grep -c "^[0-9]" hardest)" -eq 2 ] && awk "/^[0-9]/ && joined { exit 1 } { joined = /^[0-9]/ }" hardest'
 run "$jostle" plot bodies.h5 profiles --script bodies
 expect "free bodies have no storeys to show" '[ $status -eq 0 ] && [ "$(grep -c "^plot" bodies/profiles.gp)" -eq 2 ] && ! grep -q "drift\|shear" <(grep "^set label" bodies/profiles.gp)'
-rm -rf bodies bodies.* hardest
+sed -i 's/-velocity 1/-velocity -1/' bodies.deck
+run "$jostle" run -q bodies.deck -o apart_bodies.h5
+run "$jostle" plot apart_bodies.h5 loops
+expect "bodies that never meet have no loops" '[ $status -eq 2 ] && said "has no storeys, and no impact with a force" && [ ! -e apart_bodies-loops.png ]'
+rm -rf bodies bodies.* apart_bodies.h5 hardest
+run "$jostle" plot rigid.h5 loops --script scripts --force
+expect "rigid impacts have no loop, the storeys beside them have" '[ $status -eq 0 ] && [ "$(grep -c "^plot" scripts/loops.gp)" -eq 2 ] && ! grep -q "^set label .penetration" scripts/loops.gp'
+run "$jostle" plot rigid.h5 contact --script scripts --force
+expect "an empty strip of contact forces says why it is empty" '[ $status -eq 0 ] && grep -q "^set label .rigid impacts have no force" scripts/contact.gp && ! grep -q "label .hardest:" scripts/contact.gp'
+rm -rf scripts
 
 # A building beside a free body, which is drawn as points without a line.
 cat >cart.deck <<'END'
