@@ -367,13 +367,17 @@ def spectrum(runs):
     sides = [(left, left_floor), (right, right_floor)]
     sides += [(side, r.buildings[side]["floor"].size) for side, _ in sides if side in r.buildings]
     sides = [side for side in dict.fromkeys(sides) if side[0] in r.buildings]
+    grounds = [side for side in (left, right) if any(run.ground(side).any() for run in runs)]
+    if all(np.array_equal(run.ground(left), run.ground(right)) for run in runs):
+        grounds = grounds[:1]
     curves = []
     for run in runs:
         dt = run.time[1] - run.time[0]
         even = np.abs(run.time - dt * np.arange(run.time.size)) < 1e-6 * dt
         ground = [run.history(*side, "acceleration")[even] for side in sides]
-        ground.append(run.ground(sides[0][0])[even])
-        names = [side_text(*side) for side in sides] + ["ground"]
+        ground += [run.ground(side)[even] for side in grounds]
+        names = [side_text(*side) for side in sides]
+        names += [f"{side}, ground" if len(grounds) > 1 else "ground" for side in grounds]
         for text, values in zip(names, pseudo_acceleration(run.time[even], ground, period)):
             curves.append(Curve(period, values, legend=text, digits=2e-4))
     unit = r.unit(f"buildings/{sides[0][0]}/acceleration")
