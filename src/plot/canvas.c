@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places on the sheet. A character is taken to be 0.56 em wide, the mean of usual sans-serif fonts
-// over running text; columns are reckoned with that.
+// Places on the sheet.
 #include "plot/canvas.h"
 
 #include <math.h>
@@ -8,19 +7,17 @@
 
 #include "plot/script.h"
 
-static const double character = 0.56;  // [em]
-static const double SMALL = 0.75;      // of small_font
-static const double BOLD = 1.15;       // width of bold text over that of plain text
-static const double TIGHT = 0.9;       // numbers above each other that are nearer [em] touch
+static const double SMALL = 0.75;  // of small_font
+static const double BOLD = 1.15;   // width of bold text over that of plain text
+static const double TIGHT = 0.9;   // numbers above each other that are nearer [em] touch
 
-// " at screen x,y" of a point in em.
-static void write_place(const struct canvas *c, double x, double y) {
+void canvas_place(const struct canvas *c, double x, double y) {
     fprintf(c->to, " at screen %.4f,%.4f", x / c->width, y / c->height);
 }
 
 static void write_label(const struct canvas *c, const char *text, double width) {
     char cut[512];
-    script_cut(text, (int)(width / character), cut, sizeof cut);
+    script_cut(text, width, cut, sizeof cut);
     fprintf(c->to, "set label ");
     script_text(c->to, cut);
 }
@@ -29,78 +26,19 @@ void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
     struct area *a = &c->area;
     if (c->kind == CANVAS_BLOCK) {
         write_label(c, subtitle, (a->right - a->left) / BOLD);
-        write_place(c, a->left, a->top - 0.7);
+        canvas_place(c, a->left, a->top - 0.7);
         fprintf(c->to, " left font block_font\n");
         a->top -= 1.5;
         return;
     }
     write_label(c, title, c->width / 1.25);
-    write_place(c, c->width / 2, a->top - 1);
+    canvas_place(c, c->width / 2, a->top - 1);
     fprintf(c->to, " center font title_font\n");
-    const bool fits = character * script_columns(subtitle) <= c->width;
+    const bool fits = script_width(subtitle) <= c->width;
     write_label(c, subtitle, fits ? c->width : c->width / SMALL);
-    write_place(c, c->width / 2, a->top - 2.5);
+    canvas_place(c, c->width / 2, a->top - 2.5);
     fprintf(c->to, " center%s\n", fits ? "" : " font small_font");
     a->top -= 3.3;
-}
-
-// A line of the legend. Dashes are lines of their own: gnuplot's svg terminal draws dashed arrows
-// solid.
-static void write_line(const struct canvas *c, struct mark mark, double x, double y) {
-    const bool dashed = mark.kind == MARK_DASHED;
-    const double length = dashed ? 0.4 : 1.6;
-    for (double at = 0; at + length < 1.65; at += 0.6) {
-        fprintf(c->to,
-                "set arrow from screen %.4f,%.4f rto screen %.4f,0 nohead lc rgb '%s' lw 1.5\n",
-                (x + at) / c->width, y / c->height, length / c->width, mark.colour);
-    }
-}
-
-static void write_point(const struct canvas *c, struct mark mark, double x, double y) {
-    fprintf(c->to, "set label ''");
-    write_place(c, x + 0.8, y);
-    fprintf(c->to, " point pt %d ps %.3g*point lc rgb '%s'\n",
-            mark.point > 0 ? mark.point : POINT_DISC, mark.size > 0 ? mark.size : 1, mark.colour);
-}
-
-static void write_mark(const struct canvas *c, struct mark mark, double x, double y) {
-    switch (mark.kind) {
-        case MARK_LINE:
-        case MARK_DASHED:
-            write_line(c, mark, x, y);
-            if (mark.point > 0) {
-                write_point(c, mark, x, y);
-            }
-            break;
-        case MARK_AREA:
-            fprintf(c->to,
-                    "set object rectangle from screen %.4f,%.4f rto screen %.4f,%.4f "
-                    "fc rgb '%s' fs solid noborder\n",
-                    x / c->width, (y - 0.35) / c->height, 1.6 / c->width, 0.7 / c->height,
-                    mark.colour);
-            break;
-        case MARK_POINT:
-            write_point(c, mark, x, y);
-            break;
-    }
-}
-
-void canvas_legend(struct canvas *c, struct mark mark, const char *name) {
-    char cut[128];
-    script_cut(name, 40, cut, sizeof cut);
-    const double width = 2.1 + character * script_columns(cut) + 1.6;
-    const double left = c->area.left + (c->kind == CANVAS_SHEET ? 1 : 0);
-    if (c->entry == 0 || c->entry + width > c->area.right + 1) {
-        c->entry = left;
-        c->area.top -= 1.35;
-    }
-    const double y = c->area.top + 0.5;
-    write_mark(c, mark, c->entry, y);
-    fprintf(c->to, "set label ");
-    script_text(c->to, cut);
-    write_place(c, c->entry + 2.1, y);
-    fprintf(c->to, " left\n");
-    c->entry += width;
 }
 
 struct area canvas_part(const struct canvas *c, double x0, double x1, double y0, double y1) {
@@ -108,6 +46,10 @@ struct area canvas_part(const struct canvas *c, double x0, double x1, double y0,
     const double width = a->right - a->left, height = a->top - a->bottom;
     return (struct area){a->left + x0 * width, a->left + x1 * width, a->bottom + y0 * height,
                          a->bottom + y1 * height};
+}
+
+bool canvas_has_room(const struct canvas *c, int n) {
+    return c->area.top - c->area.bottom > 0.6 * n;
 }
 
 struct area canvas_inset(struct area a, double left, double right, double bottom, double top) {
@@ -141,12 +83,12 @@ static void write_across(const struct canvas *c, struct area a, const struct uni
                          const struct axis *axis) {
     char text[160];
     axis_text(axis, axis->name, units, text, sizeof text);
-    if (axis->brief && 0.5 * script_columns(text) > a.right - a.left + 2) {
+    if (axis->brief && script_width(text) > a.right - a.left + 2) {
         axis_text(axis, axis->brief, units, text, sizeof text);
     }
     fprintf(c->to, "set label ");
     script_text(c->to, text);
-    write_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
+    canvas_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
     fprintf(c->to, " center\n");
 }
 
@@ -269,8 +211,8 @@ static void write_scale(const struct canvas *c, char letter, const struct axis *
 static void write_upright(const struct canvas *c, const char *text, double x, struct area a) {
     fprintf(c->to, "set label ");
     script_text(c->to, text);
-    const double highest = a.top + 0.5 - character * script_columns(text) / 2;
-    write_place(c, x, fmin((a.top + a.bottom) / 2, highest));
+    const double highest = a.top + 0.5 - script_width(text) / 2;
+    canvas_place(c, x, fmin((a.top + a.bottom) / 2, highest));
     fprintf(c->to, " center rotate by 90\n");
 }
 
@@ -279,7 +221,7 @@ void canvas_upright(const struct canvas *c, struct area a, const struct unit_sys
     char text[160], name[160];
     axis_text(axis, axis->name, units, text, sizeof text);
     const char *unit = strstr(text, " [");
-    const bool fits = !unit || character * script_columns(text) <= a.top - a.bottom;
+    const bool fits = !unit || script_width(text) <= a.top - a.bottom;
     if (fits) {
         write_upright(c, text, a.left - 4.4, a);
         return;
@@ -305,17 +247,20 @@ void canvas_panel(const struct canvas *c, struct area a, const struct unit_syste
     }
 }
 
-int canvas_caption_columns(struct area a) {
-    return (int)((a.right - a.left + 1) / 0.58);
+void canvas_caption(const struct canvas *c, struct area a, const char *name, const char *tail) {
+    char cut[256], text[320];
+    script_shorten(name, a.right - a.left + 1 - script_width(tail), cut, sizeof cut);
+    snprintf(text, sizeof text, "%s%s", cut, tail);
+    fprintf(c->to, "set label ");
+    script_text(c->to, text);
+    canvas_place(c, a.left, a.top + 0.65);
+    fprintf(c->to, " left\n");
 }
 
-void canvas_caption(const struct canvas *c, struct area a, const char *text) {
-    char cut[256];
-    script_shorten(text, canvas_caption_columns(a), cut, sizeof cut);
-    fprintf(c->to, "set label ");
-    script_text(c->to, cut);
-    write_place(c, a.left, a.top + 0.65);
-    fprintf(c->to, " left\n");
+void canvas_note(const struct canvas *c, struct area a, const char *text) {
+    write_label(c, text, a.right - a.left);
+    canvas_place(c, (a.left + a.right) / 2, (a.bottom + a.top) / 2);
+    fprintf(c->to, " center textcolor rgb '#606060'\n");
 }
 
 void canvas_panel_end(const struct canvas *c) {

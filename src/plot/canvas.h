@@ -22,28 +22,18 @@ struct canvas {
     FILE *data;  // blocks of data, $NAME; borrowed. No two of a picture have one name
     enum canvas_kind kind;
     double width, height;  // of the sheet [em]
-    struct area area;      // what is left for the panels; the legend takes from it
-    double entry;          // where the next entry of the legend begins [em]; 0: no line is open
+    struct area area;      // what is left for the panels: heads and legends take from it
 };
 
-// The title, on a sheet only, and a line that says what is shown. They, and the legend, are drawn
-// with the first panel. Texts that do not fit are cut.
+// The title, on a sheet only, and a line that says what is shown. They are drawn with the first
+// panel. Texts that do not fit are cut.
 void canvas_head(struct canvas *c, const char *title, const char *subtitle);
-
-// An entry of the legend behind the last one: what stands for the data, and its name.
-enum mark_kind { MARK_LINE, MARK_DASHED, MARK_AREA, MARK_POINT };
-// Points by gnuplot's numbers, which mean the same on all terminals used.
-enum mark_point { POINT_CROSS = 2, POINT_RING = 6, POINT_DISC = 7 };
-struct mark {
-    enum mark_kind kind;
-    const char *colour;
-    double size;  // of points; 0: as usual
-    int point;    // enum mark_point, or of script_point; 0: a disc, on a line none
-};
-void canvas_legend(struct canvas *c, struct mark mark, const char *name);
 
 // The part of the area between the fractions x0 to x1 of its width and y0 to y1 of its height.
 struct area canvas_part(const struct canvas *c, double x0, double x1, double y0, double y1);
+
+// True if `n` points above each other in the area do not make a thick line.
+bool canvas_has_room(const struct canvas *c, int n);
 
 // Room for the texts at the axes within an area [em].
 struct area canvas_inset(struct area a, double left, double right, double bottom, double top);
@@ -65,16 +55,20 @@ struct axis {
 void canvas_panel(const struct canvas *c, struct area a, const struct unit_system *units,
                   const struct axis *x, const struct axis *y);
 
+// " at screen X,Y" of a label at a point in em.
+void canvas_place(const struct canvas *c, double x, double y);
+
 // The name of an upright axis beside `a`, for several panels above each other. The unit takes a
 // second line where there is no room.
 void canvas_upright(const struct canvas *c, struct area a, const struct unit_system *units,
                     const struct axis *axis);
 
-// A text above the upper left corner of the panel to be plotted.
-void canvas_caption(const struct canvas *c, struct area a, const char *text);
+// A text above the upper left corner of the panel to be plotted: a name, whose middle is left out
+// where there is little room, and what is told behind it.
+void canvas_caption(const struct canvas *c, struct area a, const char *name, const char *tail);
 
-// The characters that it has room for.
-int canvas_caption_columns(struct area a);
+// A text in the middle of a panel that is otherwise empty: why it is.
+void canvas_note(const struct canvas *c, struct area a, const char *text);
 
 // Behind the plot command: takes away what belongs to that panel.
 void canvas_panel_end(const struct canvas *c);

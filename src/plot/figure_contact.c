@@ -10,17 +10,21 @@
 #include "plot/script.h"
 
 enum { STRIPS_MAX = 6, BINS = 500, PEAKS_MAX = 500 };
+enum { PULSE_ROWS = 3 };  // fewer do not tell the course of an impact: it is dotted
 
 // A contact, or behind the contacts a link, of the first run.
 struct view {
     const struct runs *s;
-    int n;                  // strips
-    int strip[STRIPS_MAX];  // contact, or n_contact + link
-    int n_active;           // contacts that hit and links
-    int contact[RUNS_MAX];  // the hardest; -1: none
-    long impact[RUNS_MAX];  // its hardest impact; -1: none
-    struct span force;      // of the contacts
-    struct span all;        // and of the links: they share the name of the axis, and its unit
+    int n;                    // strips
+    int strip[STRIPS_MAX];    // contact, or n_contact + link
+    bool pushed[STRIPS_MAX];  // it ever has a force
+    int n_active;             // contacts that hit and links
+    int contact[RUNS_MAX];    // the hardest; -1: none
+    long impact[RUNS_MAX];    // its hardest impact; -1: none, or none with a force
+    int rows[RUNS_MAX];       // within that impact
+    bool missed;              // rows miss the peak of an impact
+    struct span force;        // of the contacts
+    struct span all;          // and of the links: they share the name of the axis, and its unit
 };
 
 static const char *lacks(const struct runs *s) {
@@ -98,7 +102,10 @@ static void choose(struct view *v) {
     qsort(v->strip, (size_t)v->n, sizeof v->strip[0], ascending);
     runs_hardest_contact(v->s, v->contact);
     for (int k = 0; k < RUNS_MAX; k++) {
-        v->impact[k] = k < v->s->n ? runs_hardest_impact(v->s->r[k], v->contact[k]) : -1;
+        const struct report *run = k < v->s->n ? v->s->r[k] : NULL;
+        const bool force =
+            run && v->contact[k] >= 0 && isfinite(run->contact[v->contact[k]].peak.force);
+        v->impact[k] = force ? runs_hardest_impact(run, v->contact[k]) : -1;
     }
 }
 
@@ -117,8 +124,9 @@ static double largest_row(const struct impact *p, const struct data *d, double *
 
 // The largest force of each impact that the rows miss, thinned to the hardest of equal parts of the
 // duration.
-static int write_peaks(const struct report *r, int contact, const struct data *d, const char *name,
+static int write_peaks(struct view *v, int run, int contact, const struct data *d, const char *name,
                        FILE *to, struct error *e) {
+    const struct report *r = v->s->r[run];
     long *hardest = malloc(PEAKS_MAX * sizeof *hardest);
     if (!hardest) {
         return error_no_memory(e);
@@ -130,6 +138,7 @@ static int write_peaks(const struct report *r, int contact, const struct data *d
         double time;
         if (p && largest_row(p, d, &time) < 0.98 * p->peak_force) {
             fprintf(to, "%.7g %.7g\n", time, p->peak_force);
+            v->missed = true;
         }
     }
     fprintf(to, "EOD\n");
@@ -148,7 +157,7 @@ static int read_force(const struct runs *s, int run, int i, struct data *d, stru
 }
 
 // The rows of the hardest impact from closure on, with its ends and its peak where they are known.
-static void write_pulse(const struct view *v, int run, const struct data *d, FILE *to) {
+static void write_pulse(struct view *v, int run, const struct data *d, FILE *to) {
     const struct report *r = v->s->r[run];
     const struct impact *p = &r->impact[v->impact[run]];
     const struct link_peak *peak = &r->contact[v->contact[run]].peak;
@@ -160,6 +169,7 @@ static void write_pulse(const struct view *v, int run, const struct data *d, FIL
             done = true;
         }
         fprintf(to, "%.7g %.7g\n", d->column[0][i] - p->t_start, d->column[1][i]);
+        v->rows[run]++;
     }
     if (!done) {
         fprintf(to, "%.7g %.7g\n", peak->force_time - p->t_start, peak->force);
@@ -188,10 +198,13 @@ static int write_strip_data(struct view *v, int run, int strip, FILE *to, struct
         status = data_write(&d, name, "time force", BINS, to, e);
     }
     if (status == STATUS_OK && i < r->n_contact) {
-        data_span(&d, 1, &v->force);
+        struct span force = {0, 0};
+        data_span(&d, 1, &force);
+        v->pushed[strip] |= force.low < force.high || r->contact[i].peak.force > 0;
+        span_join(&v->force, force);
         span_add(&v->force, r->contact[i].peak.force);
         snprintf(name, sizeof name, "peaks%d%d", run, strip);
-        status = write_peaks(r, i, &d, name, to, e);
+        status = write_peaks(v, run, i, &d, name, to, e);
     }
     if (status == STATUS_OK && i == v->contact[run] && v->impact[run] >= 0) {
         write_pulse(v, run, &d, to);
@@ -224,19 +237,33 @@ static struct span all_spans(const struct view *v) {
     return all;
 }
 
+// Why a strip is empty; NULL: it is not.
+static const char *empty_reason(const struct view *v, int strip) {
+    if (v->strip[strip] >= v->s->r[0]->n_contact || v->pushed[strip]) {
+        return NULL;
+    }
+    return is_active(v, v->strip[strip]) ? "rigid impacts have no force" : "never closed";
+}
+
 static void write_strip(const struct view *v, struct canvas *c, struct area a, int strip) {
     const bool last = strip == v->n - 1;
+    const char *empty = empty_reason(v, strip);
     char text[320];
     const struct axis x = {.name = last ? "time" : NULL,
                            .dimension = dimension_time,
                            .span = {0, runs_duration(v->s)},
                            .kind = last ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
-    const struct axis y = {
-        .dimension = dimension_force, .span = strip_span(v, strip), .scale = v->all};
+    const struct axis y = {.dimension = dimension_force,
+                           .span = strip_span(v, strip),
+                           .scale = v->all,
+                           .kind = empty ? AXIS_WITHOUT_NUMBERS : AXIS_FULL};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "%s%s", v->strip[strip] < v->s->r[0]->n_contact ? "" : "link ",
              link_of(v->s->r[0], v->strip[strip])->name);
-    canvas_caption(c, a, text);
+    canvas_caption(c, a, text, "");
+    if (empty) {
+        canvas_note(c, a, empty);
+    }
     const char *before = "plot";
     for (int k = 0; k < v->s->n; k++) {
         const int i = index_in(v, k, v->strip[strip]);
@@ -270,13 +297,14 @@ static void write_zoom(const struct view *v, struct canvas *c, struct area a) {
         .dimension = dimension_force, .span = span_with_room(force, 0), .scale = v->all};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "hardest: %s", link_of(v->s->r[0], v->contact[0])->name);
-    canvas_caption(c, a, text);
+    canvas_caption(c, a, text, "");
     const char *before = "plot";
     for (int k = 0; k < v->s->n; k++) {
         if (v->impact[k] >= 0) {
             fprintf(c->to,
-                    "%s \\\n  $pulse%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s'",
-                    before, k, k > 0 ? POINT_RING : POINT_DISC, script_colour[k]);
+                    "%s \\\n  $pulse%d using 1:2 with linespoints pt %d ps 0.8*point lc rgb '%s'%s",
+                    before, k, k > 0 ? POINT_RING : POINT_DISC, script_colour[k],
+                    v->rows[k] < PULSE_ROWS ? " dt (2,4)" : "");
             before = ",";
         }
     }
@@ -295,18 +323,25 @@ static bool is_rigid(const struct report *r) {
 
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
+    const char *peaks = v->missed ? "; upright lines are peaks between rows" : "";
+    struct legend l = {0};
     char text[160];
     if (v->n_active == 0) {
         snprintf(text, sizeof text, "contact forces; no contact closed");
     } else if (is_rigid(r) || is_rigid(v->s->r[v->s->n - 1])) {
         snprintf(text, sizeof text, "contact forces; rigid impacts have none, only rest has");
     } else if (v->n < v->n_active) {
-        snprintf(text, sizeof text, "contact forces; the %d largest of %d", v->n, v->n_active);
+        snprintf(text, sizeof text, "contact forces; the %d largest of %d%s", v->n, v->n_active,
+                 peaks);
     } else {
-        snprintf(text, sizeof text, "contact forces%s", r->n_link > 0 ? " and link forces" : "");
+        const char *contacts = r->n_contact > 0 ? "contact forces" : "";
+        const char *between = r->n_contact > 0 && r->n_link > 0 ? " and " : "";
+        snprintf(text, sizeof text, "%s%s%s%s", contacts, between,
+                 r->n_link > 0 ? "link forces" : "", peaks);
     }
     canvas_head(c, runs_title(v->s), text);
-    runs_legend(v->s, NULL, c);
+    runs_legend(v->s, NULL, &l);
+    legend_write(&l, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {

@@ -43,21 +43,22 @@ static int read_run(const struct runs *s, int run, struct data *d, struct error 
                                : status;
 }
 
-struct scale {
+// What all runs hold.
+struct extent {
     struct span energy, residual;
-    double power;  // the residual is drawn in 10^power of its unit
+    bool part[PARTS];  // whether it is ever other than zero
 };
 
 static void write_stack(const struct runs *s, struct canvas *c, struct area a, int run,
-                        const struct scale *scale) {
-    const struct axis x = {.span = {0, runs_duration(s)}, .kind = AXIS_WITHOUT_NUMBERS};
-    const struct axis y = {.name = run == 0 ? "energy" : NULL,
-                           .dimension = dimension_energy,
-                           .span = scale->energy,
-                           .kind = run == 0 ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
-    canvas_panel(c, a, &s->r[0]->units, &x, &y);
+                        const struct extent *x) {
+    const struct axis time = {.span = {0, runs_duration(s)}, .kind = AXIS_WITHOUT_NUMBERS};
+    const struct axis upright = {.name = run == 0 ? "energy" : NULL,
+                                 .dimension = dimension_energy,
+                                 .span = x->energy,
+                                 .kind = run == 0 ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
+    canvas_panel(c, a, &s->r[0]->units, &time, &upright);
     if (s->n > 1) {
-        canvas_caption(c, a, s->name[run]);
+        canvas_caption(c, a, s->name[run], "");
     }
     fprintf(c->to, "plot");
     for (int p = 0; p < PARTS; p++) {
@@ -70,20 +71,16 @@ static void write_stack(const struct runs *s, struct canvas *c, struct area a, i
 }
 
 static void write_residual(const struct runs *s, struct canvas *c, struct area a, int run,
-                           const struct scale *scale) {
-    char unit[64], power[32], text[128];
-    script_unit(&s->r[0]->units, dimension_energy, unit, sizeof unit);
-    script_power((int)scale->power, power, sizeof power);
-    snprintf(text, sizeof text, "%s %s", power, unit);
-    const struct axis x = {
+                           const struct extent *x) {
+    const struct axis time = {
         .name = "time", .dimension = dimension_time, .span = {0, runs_duration(s)}};
-    const struct axis y = {.name = run == 0 ? "residual" : NULL,
-                           .unit = text,
-                           .span = scale->residual,
-                           .kind = run == 0 ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
-    canvas_panel(c, a, &s->r[0]->units, &x, &y);
-    fprintf(c->to, "plot $energy%d using 1:($%d/1e%.0f) with lines lc rgb '#404040' lw 0.8\n", run,
-            RESIDUAL + 1, scale->power);
+    const struct axis upright = {.name = run == 0 ? "residual" : NULL,
+                                 .dimension = dimension_energy,
+                                 .span = x->residual,
+                                 .kind = run == 0 ? AXIS_FULL : AXIS_WITHOUT_NUMBERS};
+    canvas_panel(c, a, &s->r[0]->units, &time, &upright);
+    fprintf(c->to, "plot $energy%d using 1:%d with lines lc rgb '#404040' lw 0.8\n", run,
+            RESIDUAL + 1);
     canvas_panel_end(c);
 }
 
@@ -97,32 +94,53 @@ static const char *work_name(const struct runs *s) {
     return !links ? "contacts" : contacts ? "contacts and links" : "links";
 }
 
-static void write_head(const struct runs *s, struct canvas *c) {
+static void write_subtitle(const struct runs *s, char *text, size_t size) {
     const struct report *r = s->r[0];
-    char text[256], unit[64], in[32], contact[32];
+    char unit[64], in[32], contact[32];
+    if (s->n > 1) {
+        snprintf(text, size, "where the energy went");
+        return;
+    }
     script_unit(&r->units, dimension_energy, unit, sizeof unit);
     script_number(r->initial_energy + r->energy[ENERGY_INPUT], in, sizeof in);
     script_number(r->energy[ENERGY_CONTACT], contact, sizeof contact);
-    snprintf(text, sizeof text, "energy: %s %s in, %s %s into %s", in, unit, contact, unit,
-             work_name(s));
-    canvas_head(c, runs_title(s), s->n > 1 ? "where the energy went" : text);
-    for (int p = 0; p < PARTS; p++) {
-        bool any = false;
-        for (int k = 0; k < s->n; k++) {
-            any =
-                any || parts[p].energy < ENERGY_HYSTERETIC || s->r[k]->energy[parts[p].energy] != 0;
-        }
-        if (any) {
-            canvas_legend(c, (struct mark){.kind = MARK_AREA, .colour = parts[p].colour},
-                          parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name);
-        }
+    if (r->n_contact + r->n_link > 0) {
+        snprintf(text, size, "energy: %s %s in, %s %s into %s", in, unit, contact, unit,
+                 work_name(s));
+    } else {
+        snprintf(text, size, "energy: %s %s in", in, unit);
     }
-    canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = "#404040"},
-                  r->initial_energy > 0 ? "initial + input" : "input");
 }
 
-static int write_data(const struct runs *s, struct scale *scale, FILE *to, struct error *e) {
-    struct span energy = span_none, residual = span_none;
+static void write_head(const struct runs *s, const struct extent *x, struct canvas *c) {
+    struct legend l = {0};
+    char text[256];
+    write_subtitle(s, text, sizeof text);
+    canvas_head(c, runs_title(s), text);
+    for (int p = 0; p < PARTS; p++) {
+        if (x->part[p]) {
+            legend_add(&l, (struct mark){.kind = MARK_AREA, .colour = parts[p].colour},
+                       parts[p].energy == ENERGY_CONTACT ? work_name(s) : parts[p].name, "");
+        }
+    }
+    legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = "#404040"},
+               s->r[0]->initial_energy > 0 ? "initial + input" : "input", "");
+    legend_write(&l, c);
+}
+
+static void extend(struct extent *x, const struct data *d) {
+    data_span(d, PARTS, &x->energy);
+    data_span(d, TOTAL, &x->energy);
+    data_span(d, RESIDUAL, &x->residual);
+    for (int p = 0; p < PARTS; p++) {
+        for (size_t i = 0; i < d->n_row; i++) {
+            x->part[p] |= d->column[1 + p][i] != (p > 0 ? d->column[p][i] : 0);
+        }
+    }
+}
+
+static int write_data(const struct runs *s, struct extent *x, FILE *to, struct error *e) {
+    *x = (struct extent){.energy = span_none, .residual = span_none};
     int status = STATUS_OK;
     for (int k = 0; k < s->n && status == STATUS_OK; k++) {
         struct data d;
@@ -131,35 +149,30 @@ static int write_data(const struct runs *s, struct scale *scale, FILE *to, struc
         if (status == STATUS_OK) {
             snprintf(name, sizeof name, "energy%d", k);
             status = data_write(&d, name, "time, parts summed up, total, residual", BINS, to, e);
-            data_span(&d, PARTS, &energy);
-            data_span(&d, TOTAL, &energy);
-            data_span(&d, RESIDUAL, &residual);
+            extend(x, &d);
         }
         data_free(&d);
     }
-    const double most = fmax(fabs(residual.low), fabs(residual.high));
-    scale->power = most > 0 && isfinite(most) ? floor(log10(most)) : 0;
-    const double unit = pow(10, scale->power);
-    scale->energy = span_with_room(energy, 0);
-    scale->residual = span_with_room((struct span){residual.low / unit, residual.high / unit}, NAN);
+    x->energy = span_with_room(x->energy, 0);
+    x->residual = span_with_room(x->residual, NAN);
     return status;
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
-    struct scale scale;
-    int status = write_data(s, &scale, c->data, e);
+    struct extent x;
+    int status = write_data(s, &x, c->data, e);
     if (status != STATUS_OK) {
         return status;
     }
-    write_head(s, c);
+    write_head(s, &x, c);
     c->area.left += 5.8;
     const double top = s->n > 1 ? 1.6 : 0.7;
     for (int k = 0; k < s->n; k++) {
         const double left = (double)k / s->n, right = (k + 1.0) / s->n;
         write_stack(s, c, canvas_inset(canvas_part(c, left, right, 0.36, 1), 0, 0.8, 0.4, top), k,
-                    &scale);
+                    &x);
         write_residual(s, c, canvas_inset(canvas_part(c, left, right, 0, 0.36), 0, 0.8, 3.2, 0.6),
-                       k, &scale);
+                       k, &x);
     }
     return STATUS_OK;
 }

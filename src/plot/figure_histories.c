@@ -115,14 +115,17 @@ static int write_marks(const struct view *v, int run, int column, const char *na
     return STATUS_OK;
 }
 
-static void side_name(const struct view *v, int side, char *text, size_t size) {
-    char name[128];
-    if (v->building[side] < 0) {
-        snprintf(text, size, "wall");
-        return;
+static const char *side_name(const struct view *v, int side) {
+    const int building = v->building[side];
+    return building < 0 ? "wall" : v->s->r[0]->building[building].name;
+}
+
+// Behind the name.
+static void write_floor_name(const struct view *v, int side, char *text, size_t size) {
+    text[0] = '\0';
+    if (v->building[side] >= 0) {
+        snprintf(text, size, ", floor %d", v->floor[side] + 1);
     }
-    script_shorten(v->s->r[0]->building[v->building[side]].name, 16, name, sizeof name);
-    snprintf(text, size, "%s, floor %d", name, v->floor[side] + 1);
 }
 
 // What the contact met with, in each run.
@@ -158,7 +161,7 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
     const char *impacts = h.impacts[0] == 1 ? "impact" : "impacts";
     script_unit(&r->units, dimension_length, length, sizeof length);
     script_unit(&r->units, dimension_force, unit, sizeof unit);
-    script_shorten(c->name, 20, name, sizeof name);
+    script_shorten(c->name, 12, name, sizeof name);
     script_number(c->gap, gap, sizeof gap);
     if (v->s->n > 1 && h.rigid) {
         snprintf(text, size, "contact %s: %ld and %ld impacts", name, h.impacts[0], h.impacts[1]);
@@ -214,7 +217,7 @@ static void write_facing(const struct view *v, struct canvas *c, struct area a,
 // One floor in both runs.
 static void write_floor(const struct view *v, struct canvas *c, struct area a, int side) {
     struct span span = span_none;
-    char name[160];
+    char floor[32];
     for (int k = 0; k < v->s->n; k++) {
         data_span(&v->data[k], LEFT + side, &span);
     }
@@ -222,8 +225,8 @@ static void write_floor(const struct view *v, struct canvas *c, struct area a, i
     const struct axis y = {
         .name = "displ.", .dimension = dimension_length, .span = span_with_room(span, NAN)};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    side_name(v, side, name, sizeof name);
-    canvas_caption(c, a, name);
+    write_floor_name(v, side, floor, sizeof floor);
+    canvas_caption(c, a, side_name(v, side), floor);
     fprintf(c->to, "plot");
     for (int k = 0; k < v->s->n; k++) {
         fprintf(c->to, "%s \\\n  $rows%d using 1:%d with lines lc rgb '%s'", k > 0 ? "," : "", k,
@@ -267,28 +270,35 @@ static void write_ground(const struct view *v, struct canvas *c, struct area a) 
     canvas_panel_end(c);
 }
 
-static void write_legend(const struct view *v, struct canvas *c) {
-    char name[160], text[192];
-    if (v->s->n > 1) {
-        runs_legend(v->s, NULL, c);
-    } else {
-        for (int side = 0; side < 2; side++) {
-            side_name(v, side, name, sizeof name);
-            snprintf(text, sizeof text, "%s%s", name,
-                     side == 1 && v->contact[0] >= 0 ? " + gap" : "");
-            if (v->contact[0] >= 0 || v->building[side] >= 0) {
-                canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[side]},
-                              text);
-            }
+// Both sides, the right one as the left one sees it.
+static void add_sides(const struct view *v, struct legend *l) {
+    const bool hit = v->contact[0] >= 0;
+    char floor[32], tail[64];
+    for (int side = 0; side < 2; side++) {
+        write_floor_name(v, side, floor, sizeof floor);
+        snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");
+        if (hit || v->building[side] >= 0) {
+            legend_add(l, (struct mark){.kind = MARK_LINE, .colour = script_colour[side]},
+                       side_name(v, side), tail);
         }
     }
-    if (v->contact[0] >= 0 && v->s->n == 1) {
-        canvas_legend(c, (struct mark){.kind = MARK_AREA, .colour = gap_colour}, "gap");
+    if (hit) {
+        legend_add(l, (struct mark){.kind = MARK_AREA, .colour = gap_colour}, "gap", "");
+    }
+}
+
+static void write_legend(const struct view *v, struct canvas *c) {
+    struct legend l = {0};
+    if (v->s->n > 1) {
+        runs_legend(v->s, NULL, &l);
+    } else {
+        add_sides(v, &l);
     }
     if (v->contact[0] >= 0) {
-        canvas_legend(c, (struct mark){.kind = MARK_POINT, .colour = "#000000", .size = 0.8},
-                      "impacts");
+        legend_add(&l, (struct mark){.kind = MARK_POINT, .colour = "#000000", .size = 0.8},
+                   "impacts", "");
     }
+    legend_write(&l, c);
 }
 
 static int write_data(const struct view *v, FILE *to, struct error *e) {

@@ -134,20 +134,20 @@ static int write_data(const struct view *v, int run, FILE *to, struct error *e) 
 
 static void band_name(const struct band *band, char *text, size_t size) {
     char left[64], right[64];
-    script_shorten(band->left, 11, left, sizeof left);
-    script_shorten(band->right, 11, right, sizeof right);
+    script_shorten(band->left, 6.5, left, sizeof left);
+    script_shorten(band->right, 6.5, right, sizeof right);
     snprintf(text, size, "%s | %s: %ld", left, right, band->impacts);
 }
 
 // Room for the names of the bands [em].
 static double names_width(const struct view *v) {
-    int most = 0;
+    double most = 0;
     for (int b = 0; b < v->n && v->n > 1; b++) {
         char text[160];
         band_name(&v->band[b], text, sizeof text);
-        most = script_columns(text) > most ? script_columns(text) : most;
+        most = fmax(most, script_width(text));
     }
-    return most > 0 ? 0.45 * most + 1 : 0.5;
+    return most > 0 ? 0.75 * most + 1.2 : 0.5;
 }
 
 // Numbers of the floors in each band, as far as they find room; `em` of one floor.
@@ -227,7 +227,7 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a) {
 }
 
 // What the sizes of points stand for, in one power of ten.
-static void write_sizes(const struct view *v, struct canvas *c) {
+static void add_sizes(const struct view *v, struct legend *l) {
     char text[160], unit[64], power[32] = "";
     const double step = script_step(v->largest, 2);
     const double shown[] = {step / 10, step / 2, step};
@@ -240,10 +240,10 @@ static void write_sizes(const struct view *v, struct canvas *c) {
     for (size_t i = 0; i < 3 && v->largest > 0; i++) {
         snprintf(text, sizeof text, "%.6g%s%s %s", shown[i] / pow(10, exponent),
                  power[0] ? "\u00b7" : "", power, unit);
-        canvas_legend(
-            c,
+        legend_add(
+            l,
             (struct mark){.kind = MARK_POINT, .colour = "#707070", .size = point_size(v, shown[i])},
-            text);
+            text, "");
     }
 }
 
@@ -256,8 +256,8 @@ static void write_subtitle(const struct view *v, char *text, size_t size) {
     if (v->s->n > 1) {
         snprintf(text, size, "%ld and %ld impacts%s", r->n_impact, v->s->r[1]->n_impact, part);
     } else if (v->n == 1) {
-        script_shorten(v->band[0].left, 16, left, sizeof left);
-        script_shorten(v->band[0].right, 16, right, sizeof right);
+        script_shorten(v->band[0].left, 9, left, sizeof left);
+        script_shorten(v->band[0].right, 9, right, sizeof right);
         snprintf(text, size, "%ld impact%s between %s and %s", r->n_impact,
                  r->n_impact == 1 ? "" : "s", left, right);
     } else {
@@ -270,15 +270,17 @@ static void write_head(const struct view *v, struct canvas *c) {
     char text[160];
     write_subtitle(v, text, sizeof text);
     canvas_head(c, runs_title(v->s), text);
+    struct legend l = {0};
     for (int k = 0; k < v->s->n && v->s->n > 1; k++) {
-        canvas_legend(c,
-                      (struct mark){.kind = MARK_POINT,
-                                    .colour = script_colour[k],
-                                    .size = 2,
-                                    .point = k > 0 ? POINT_RING : POINT_DISC},
-                      v->s->name[k]);
+        legend_add(&l,
+                   (struct mark){.kind = MARK_POINT,
+                                 .colour = script_colour[k],
+                                 .size = 2,
+                                 .point = k > 0 ? POINT_RING : POINT_DISC},
+                   v->s->name[k], "");
     }
-    write_sizes(v, c);
+    add_sizes(v, &l);
+    legend_write(&l, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Force against deformation: the contact that was hit hardest, and of the buildings beside it the
-// storey with the largest drift. The rows of output are drawn; a contact needs many of them.
+// Force against deformation: the contact that was hit hardest, and of the buildings beside it, or
+// the first two, the storey with the largest drift. The rows of output are drawn; a contact needs
+// many of them.
 #include <math.h>
 #include <stdlib.h>
 
@@ -15,29 +16,46 @@ struct view {
     const struct runs *s;
     int contact[RUNS_MAX];                           // the hardest; -1: none
     long impact[RUNS_MAX];                           // its hardest impact
+    size_t rows[RUNS_MAX];                           // within that
     int building[STOREYS_MAX], storey[STOREYS_MAX];  // from 0
     int n_storey;
     struct span x[PANELS_MAX], y[PANELS_MAX];  // the contact's first
     struct span all_x, all_y;                  // drifts, forces: one unit for one quantity
 };
 
-static bool has_storeys(const struct runs *s) {
-    return runs_have(s, FIELD_DRIFT | FIELD_STOREY_SHEAR);
+static const unsigned storey_fields = FIELD_DRIFT | FIELD_STOREY_SHEAR;
+static const unsigned contact_fields = FIELD_FORCE | FIELD_PENETRATION;
+
+// A free body has none.
+static bool has_storeys(const struct runs *s, int building) {
+    return runs_have(s, storey_fields) && s->r[0]->building[building].stiffness[0] > 0;
 }
 
+// Rigid impacts have no force.
 static bool has_contact(const struct runs *s) {
     int contact[RUNS_MAX];
     runs_hardest_contact(s, contact);
-    return runs_have(s, FIELD_FORCE | FIELD_PENETRATION) && contact[0] >= 0 &&
-           runs_hardest_impact(s->r[0], contact[0]) >= 0;
+    return runs_have(s, contact_fields) && runs_hardest_impact(s->r[0], contact[0]) >= 0 &&
+           isfinite(s->r[0]->contact[contact[0]].peak.force);
 }
 
 static const char *lacks(const struct runs *s) {
-    return has_storeys(s) || has_contact(s) ? NULL
-                                            : "forces with their deformations; see output -fields";
+    bool any = has_contact(s);
+    for (int i = 0; i < s->r[0]->n_building && !any; i++) {
+        any = has_storeys(s, i);
+    }
+    if (any) {
+        return NULL;
+    }
+    return runs_have(s, storey_fields | contact_fields)
+               ? "storeys, and no impact with a force"
+               : "forces with their deformations; see output -fields";
 }
 
 static void add_storey(struct view *v, int building) {
+    if (building < 0 || v->n_storey == STOREYS_MAX || !has_storeys(v->s, building)) {
+        return;
+    }
     const struct report_building *b = &v->s->r[0]->building[building];
     int most = 0;
     for (int i = 1; i < b->n_floor; i++) {
@@ -49,24 +67,19 @@ static void add_storey(struct view *v, int building) {
 
 static void choose(struct view *v) {
     const struct report *r = v->s->r[0];
-    if (has_contact(v->s)) {
-        runs_hardest_contact(v->s, v->contact);
-    }
+    int hit[RUNS_MAX];
+    runs_hardest_contact(v->s, hit);
+    const struct report_link *c = hit[0] >= 0 ? &r->contact[hit[0]] : NULL;
     for (int k = 0; k < RUNS_MAX; k++) {
+        v->contact[k] = has_contact(v->s) ? hit[k] : -1;
         v->impact[k] = k < v->s->n ? runs_hardest_impact(v->s->r[k], v->contact[k]) : -1;
     }
-    for (int side = 0; side < STOREYS_MAX && has_storeys(v->s); side++) {
-        int building = side < r->n_building ? side : -1;
-        if (v->contact[0] >= 0) {
-            const struct report_link *c = &r->contact[v->contact[0]];
-            building = runs_building(r, side == 0 ? c->left : c->right);
-        }
-        if (building >= 0 && r->building[building].stiffness[0] > 0) {
-            add_storey(v, building);
-        }
+    if (c) {
+        add_storey(v, runs_building(r, c->left));
+        add_storey(v, runs_building(r, c->right));
     }
-    if (v->n_storey == 0 && v->contact[0] < 0) {
-        add_storey(v, 0);
+    for (int i = 0; i < r->n_building && !c; i++) {
+        add_storey(v, i);
     }
 }
 
@@ -80,8 +93,8 @@ static bool is_shown(const struct report *r, long i) {
     return harder < IMPACTS_MAX;
 }
 
-// Fewer rows than make a loop are left unjoined, each in a block of its own.
-static void write_loop(const struct data *d, const struct impact *p, FILE *to) {
+// Fewer rows than make a loop are left unjoined, each in a block of its own. Returns how many.
+static size_t write_loop(const struct data *d, const struct impact *p, FILE *to) {
     const size_t first = data_row(d, p->t_start);
     size_t end = first;
     while (end < d->n_row && d->column[0][end] <= p->t_end) {
@@ -92,6 +105,7 @@ static void write_loop(const struct data *d, const struct impact *p, FILE *to) {
         fprintf(to, "%.7g %.7g\n%s", d->column[1][i], d->column[2][i], between);
     }
     fprintf(to, "\n");
+    return end - first;
 }
 
 // Penetration and force of each impact shown, the largest over all computed steps.
@@ -128,7 +142,7 @@ static int write_contact_data(struct view *v, int run, FILE *to, struct error *e
             }
         }
         fprintf(to, "EOD\n$hardest%d << EOD\n# penetration force\nNaN NaN\n", run);
-        write_loop(&d, &r->impact[v->impact[run]], to);
+        v->rows[run] = write_loop(&d, &r->impact[v->impact[run]], to);
         fprintf(to, "EOD\n");
         write_largest(r, contact, run, to);
         span_add(&v->x[0], r->contact[contact].peak.penetration);
@@ -173,7 +187,7 @@ static void write_contact(const struct view *v, struct canvas *c, struct area a)
                            .span = span_with_room(v->y[0], 0),
                            .scale = v->all_y};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    canvas_caption(c, a, v->s->r[0]->contact[v->contact[0]].name);
+    canvas_caption(c, a, v->s->r[0]->contact[v->contact[0]].name, "");
     fprintf(c->to, "plot");
     const char *before = "";
     for (int k = 0; k < v->s->n; k++) {
@@ -193,7 +207,7 @@ static void write_contact(const struct view *v, struct canvas *c, struct area a)
 }
 
 static void write_storey(const struct view *v, struct canvas *c, struct area a, int k) {
-    char text[160], name[96], storey[32];
+    char storey[32];
     const struct axis x = {.name = "drift",
                            .dimension = dimension_length,
                            .span = span_with_room(v->x[1 + k], NAN),
@@ -203,11 +217,8 @@ static void write_storey(const struct view *v, struct canvas *c, struct area a, 
                            .span = span_with_room(v->y[1 + k], NAN),
                            .scale = v->all_y};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
-    const int taken = snprintf(storey, sizeof storey, ", storey %d", v->storey[k] + 1);
-    script_shorten(v->s->r[0]->building[v->building[k]].name, canvas_caption_columns(a) - taken,
-                   name, sizeof name);
-    snprintf(text, sizeof text, "%s%s", name, storey);
-    canvas_caption(c, a, text);
+    snprintf(storey, sizeof storey, ", storey %d", v->storey[k] + 1);
+    canvas_caption(c, a, v->s->r[0]->building[v->building[k]].name, storey);
     fprintf(c->to, "plot");
     for (int run = 0; run < v->s->n; run++) {
         fprintf(c->to, "%s \\\n  $storey%d%d using 2:3 with lines lc rgb '%s' lw 0.7",
@@ -217,27 +228,29 @@ static void write_storey(const struct view *v, struct canvas *c, struct area a, 
     canvas_panel_end(c);
 }
 
-// Rows of the first run within its hardest impact.
-static double rows_in_impact(const struct view *v) {
-    const struct report *r = v->s->r[0];
-    const struct impact *p = &r->impact[v->impact[0]];
-    return r->n_row > 1 ? (p->t_end - p->t_start) / (r->duration / (double)(r->n_row - 1)) : 0;
-}
-
 static void write_head(const struct view *v, struct canvas *c) {
     const char *text = "forces against deformations";
-    if (v->impact[0] >= 0 && rows_in_impact(v) < 10) {
+    struct legend l = {0};
+    if (v->impact[0] >= 0 && v->rows[0] < 10) {
         text = "forces against deformations; output -every 1 gives whole contact loops";
     }
     canvas_head(c, runs_title(v->s), text);
     if (v->impact[0] >= 0) {
-        canvas_legend(
-            c,
-            (struct mark){
-                .kind = MARK_POINT, .colour = "#404040", .size = 1.3, .point = POINT_CROSS},
-            "largest force, penetration");
+        legend_add(&l,
+                   (struct mark){
+                       .kind = MARK_POINT, .colour = "#404040", .size = 1.3, .point = POINT_CROSS},
+                   "largest force, penetration", "");
     }
-    runs_legend(v->s, NULL, c);
+    if (v->rows[0] > 0 && v->s->n == 1) {
+        legend_add(&l,
+                   (struct mark){.kind = v->rows[0] < LOOP_ROWS ? MARK_POINT : MARK_LINE,
+                                 .colour = script_colour[0],
+                                 .size = 0.8,
+                                 .point = POINT_DISC},
+                   "hardest impact, at rows", "");
+    }
+    runs_legend(v->s, NULL, &l);
+    legend_write(&l, c);
 }
 
 static int write_data(struct view *v, FILE *to, struct error *e) {
@@ -265,7 +278,7 @@ static void join(struct view *v) {
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
-    struct view v = {.s = s, .contact = {-1, -1}};
+    struct view v = {.s = s};
     for (int i = 0; i < PANELS_MAX; i++) {
         v.x[i] = span_none;
         v.y[i] = span_none;

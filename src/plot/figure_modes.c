@@ -15,6 +15,7 @@ struct view {
     int n_building, n_mode;
     bool heights;  // all shown buildings have them
     double top;    // [L], or floors
+    bool points;   // there is room for those of all floors
 };
 
 static const struct report_building *shown(const struct view *v, int run, int k) {
@@ -29,7 +30,7 @@ static double level(const struct view *v, const struct report_building *b, int f
     return sum;
 }
 
-static struct view choose(const struct runs *s) {
+static struct view choose(const struct runs *s, const struct canvas *c) {
     const struct report *r = s->r[0];
     struct view v = {.s = s,
                      .n_building = r->n_building < BUILDINGS_MAX ? r->n_building : BUILDINGS_MAX,
@@ -41,6 +42,7 @@ static struct view choose(const struct runs *s) {
             v.heights = v.heights && b->height[i] > 0;
         }
     }
+    v.points = canvas_has_room(c, v.n_mode);
     v.n_mode = v.n_mode < MODES_MAX ? v.n_mode : MODES_MAX;
     for (int k = 0; k < s->n * v.n_building; k++) {
         const struct report_building *b = shown(&v, k / v.n_building, k % v.n_building);
@@ -78,6 +80,11 @@ static int write_shapes(const struct view *v, int run, int k, FILE *to, struct e
     return status;
 }
 
+// Where shapes coincide the later points lie on the earlier ones, which are larger.
+static double point_size(const struct view *v, int building) {
+    return 1 + 2.5 * (v->n_building - 1 - building) / v->n_building;
+}
+
 static void write_panel(const struct view *v, struct canvas *c, struct area a, int mode) {
     char text[32];
     const struct axis x = {.name = "shape", .unit = "", .span = {-1.1, 1.1}, .step = 1};
@@ -91,15 +98,17 @@ static void write_panel(const struct view *v, struct canvas *c, struct area a, i
                            .step = v->heights ? 0 : 1};
     canvas_panel(c, a, &v->s->r[0]->units, &x, &y);
     snprintf(text, sizeof text, "mode %d", mode + 1);
-    canvas_caption(c, a, text);
+    canvas_caption(c, a, text, "");
     fprintf(c->to, "plot");
     for (int k = 0; k < v->n_building * v->s->n; k++) {
         const int run = k / v->n_building, building = k % v->n_building;
-        fprintf(
-            c->to,
-            "%s \\\n  $shapes%d%d using %d:1 with linespoints pt %d ps 1*point lc rgb '%s' dt %s",
-            k > 0 ? "," : "", run, building, mode + 2, run > 0 ? POINT_RING : POINT_DISC,
-            script_colour[building], run > 0 ? "(10,6)" : "solid");
+        fprintf(c->to, "%s \\\n  $shapes%d%d using %d:1 with %s lc rgb '%s' dt %s",
+                k > 0 ? "," : "", run, building, mode + 2, v->points ? "linespoints" : "lines",
+                script_colour[building], run > 0 ? "(10,6)" : "solid");
+        if (v->points) {
+            fprintf(c->to, " pt %d ps %.3g*point", run > 0 ? POINT_RING : script_point[building],
+                    point_size(v, building));
+        }
     }
     fprintf(c->to, "\n");
     canvas_panel_end(c);
@@ -115,11 +124,10 @@ static void write_period(double period, char *text, size_t size) {
 }
 
 // The name of a building with its first periods.
-static void write_entry(const struct view *v, struct canvas *c, int k) {
+static void add_entry(const struct view *v, struct legend *l, int k) {
     const struct report_building *b = shown(v, 0, k);
-    char text[160], name[64];
-    script_shorten(b->name, 9, name, sizeof name);
-    size_t n = (size_t)snprintf(text, sizeof text, "%s:", name);
+    char text[128] = ":";
+    size_t n = 1;
     for (int m = 0; m < v->n_mode && m < b->n_floor && m < 3; m++) {
         char period[32] = "rigid body";
         if (isfinite(b->period[m])) {
@@ -130,26 +138,35 @@ static void write_entry(const struct view *v, struct canvas *c, int k) {
     if (isfinite(b->period[0])) {
         snprintf(text + n, sizeof text - n, " %s", v->s->r[0]->units.time_name);
     }
-    canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]}, text);
+    const bool line = b->n_floor > 1 || b->stiffness[0] > 0;
+    legend_add(l,
+               (struct mark){.kind = line ? MARK_LINE : MARK_POINT,
+                             .colour = script_colour[k],
+                             .size = point_size(v, k),
+                             .point = v->points ? script_point[k] : 0},
+               b->name, text);
 }
 
 static void write_head(const struct view *v, struct canvas *c) {
     char text[160];
     const int n = v->s->r[0]->n_building;
-    snprintf(text, sizeof text, "mode shapes and periods of each building alone");
+    snprintf(text, sizeof text, "mode shapes of each building alone, and its first periods");
     if (n > v->n_building) {
-        snprintf(text, sizeof text, "mode shapes and periods of the first %d of %d buildings",
+        snprintf(text, sizeof text,
+                 "mode shapes of the first %d of %d buildings, and their first periods",
                  v->n_building, n);
     }
     canvas_head(c, runs_title(v->s), text);
+    struct legend l = {0};
     for (int k = 0; k < v->n_building; k++) {
-        write_entry(v, c, k);
+        add_entry(v, &l, k);
     }
-    runs_legend(v->s, "#808080", c);
+    runs_legend(v->s, "#808080", &l);
+    legend_write(&l, c);
 }
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
-    const struct view v = choose(s);
+    const struct view v = choose(s, c);
     int status = STATUS_OK;
     for (int k = 0; k < s->n * v.n_building && status == STATUS_OK; k++) {
         status = write_shapes(&v, k / v.n_building, k % v.n_building, c->data, e);

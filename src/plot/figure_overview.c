@@ -30,7 +30,6 @@ static int draw_block(const struct figure *f, const struct runs *s, const struct
     struct canvas block = *page;
     block.kind = CANVAS_BLOCK;
     block.area = a;
-    block.entry = 0;
     return f->draw(s, &block, e);
 }
 

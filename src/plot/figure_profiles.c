@@ -2,7 +2,7 @@
 // Peak displacement, drift, acceleration and storey shear over the height. Floors are points,
 // storeys are steps. Free bodies have no storeys; where there is nothing else, only the panels of
 // floors are drawn. Of many buildings, those with the largest drift are shown. A second run is
-// dashed.
+// dashed. Buildings of one floor have no profile: each has a row instead.
 #include <math.h>
 
 #include "plot/figure.h"
@@ -21,7 +21,7 @@ static const struct panel panels[PANELS] = {
     {PEAK_DISPLACEMENT, "displacement", "displ.", &dimension_length, "floors", 2},
     {PEAK_DRIFT, "storey drift", "drift", &dimension_length, "storeys", 2},
     {PEAK_ACCELERATION, "acceleration", "accel.", &dimension_acceleration, "floors", 3},
-    {PEAK_SHEAR, "shear", NULL, &dimension_force, "storeys", 3},
+    {PEAK_SHEAR, "storey shear", "shear", &dimension_force, "storeys", 3},
 };
 
 struct selection {
@@ -30,7 +30,12 @@ struct selection {
     int n;
     bool heights;  // all shown buildings have them
     bool storeys;  // one of them at least is no free body
+    bool rows;     // none has more than one floor
+    int floors;    // of the highest
+    bool points;   // there is room for those of all floors
 };
+
+static const double NAME_WIDTH = 9, ROW_HEIGHT = 1.4;  // [em]
 
 static bool is_of_storeys(const struct panel *p) {
     return p->data[0] == 's';
@@ -79,16 +84,39 @@ static struct selection choose(const struct runs *runs) {
     }
     for (int k = 0; k < s.n * runs->n; k++) {
         const struct report_building *b = &runs->r[k / s.n]->building[s.building[k % s.n]];
+        s.floors = b->n_floor > s.floors ? b->n_floor : s.floors;
         for (int i = 0; i < b->n_floor; i++) {
             s.heights = s.heights && b->height[i] > 0;
             s.storeys = s.storeys || b->stiffness[i] > 0;
         }
     }
+    s.rows = s.floors == 1;
     return s;
 }
 
 static const struct report_building *shown(const struct selection *s, int run, int k) {
     return &s->s->r[run]->building[s->building[k]];
+}
+
+// Drifts are in percent where there are heights.
+static double drawn_value(const struct selection *s, const struct report_building *b,
+                          const struct panel *p, int i) {
+    const bool ratio = p->peak == PEAK_DRIFT && s->heights;
+    return value_of(b, p, i) / (ratio ? b->height[i] / 100 : 1);
+}
+
+// Of a building of one floor. Rows count upwards; a second run stands below the first.
+static void write_row(const struct selection *s, int run, int k, FILE *to) {
+    const struct report_building *b = shown(s, run, k);
+    const double row = s->n - k + (s->s->n > 1 ? 0.15 - 0.3 * run : 0);
+    double value[PANELS];
+    for (int i = 0; i < PANELS; i++) {
+        value[i] = drawn_value(s, b, &panels[i], 0);
+    }
+    fprintf(to, "$floors%d%d << EOD\n# row displacement acceleration\n%.9g %.9g %.9g\nEOD\n", run,
+            k, row, value[0], value[2]);
+    fprintf(to, "$storeys%d%d << EOD\n# row drift shear\n%.9g %.9g %.9g\nEOD\n", run, k, row,
+            value[1], value[3]);
 }
 
 static void write_building(const struct selection *s, int run, int k, FILE *to) {
@@ -106,8 +134,8 @@ static void write_building(const struct selection *s, int run, int k, FILE *to) 
     level = 0;
     for (int i = 0; i < b->n_floor; i++) {
         const double height = s->heights ? b->height[i] : 1;
-        const double drift = value_of(b, &panels[1], i) / (s->heights ? height / 100 : 1);
-        const double shear = value_of(b, &panels[3], i);
+        const double drift = drawn_value(s, b, &panels[1], i);
+        const double shear = drawn_value(s, b, &panels[3], i);
         fprintf(to, "%.9g %.9g %.9g\n%.9g %.9g %.9g\n", level, drift, shear, level + height, drift,
                 shear);
         level += height;
@@ -120,8 +148,7 @@ static struct span panel_span(const struct selection *s, const struct panel *p) 
     for (int k = 0; k < s->n * s->s->n; k++) {
         const struct report_building *b = shown(s, k / s->n, k % s->n);
         for (int i = 0; i < b->n_floor; i++) {
-            const bool ratio = p->peak == PEAK_DRIFT && s->heights;
-            span_add(&span, value_of(b, p, i) / (ratio ? b->height[i] / 100 : 1));
+            span_add(&span, drawn_value(s, b, p, i));
         }
     }
     return span_with_room(span, 0);
@@ -140,15 +167,33 @@ static double top_level(const struct selection *s) {
     return top;
 }
 
+static struct axis value_axis(const struct selection *s, const struct panel *p) {
+    const bool ratio = p->peak == PEAK_DRIFT && s->heights;
+    return (struct axis){.name = ratio ? "drift / height" : p->name,
+                         .brief = ratio ? NULL : p->brief,
+                         .unit = ratio ? "%" : NULL,
+                         .dimension = *p->dimension,
+                         .span = panel_span(s, p)};
+}
+
+static void plot_profiles(const struct selection *s, const struct panel *p, bool points, FILE *to) {
+    fprintf(to, "plot");
+    for (int k = 0; k < s->n * s->s->n; k++) {
+        const int run = k / s->n, building = k % s->n;
+        fprintf(to, "%s \\\n  $%s%d%d using %d:1 with %s lc rgb '%s' dt %s", k > 0 ? "," : "",
+                p->data, run, building, p->column, points ? "linespoints" : "lines",
+                script_colour[building], run > 0 ? "(10,6)" : "solid");
+        if (points) {
+            fprintf(to, " pt %d ps 1.2*point", run > 0 ? POINT_RING : script_point[building]);
+        }
+    }
+    fprintf(to, "\n");
+}
+
 // The panel `at` of `n` beside each other.
 static void write_panel(const struct selection *s, const struct panel *p, int at, int n,
                         struct canvas *c) {
-    const bool ratio = p->peak == PEAK_DRIFT && s->heights;
-    const struct axis x = {.name = ratio ? "drift / height" : p->name,
-                           .brief = p->brief,
-                           .unit = ratio ? "%" : NULL,
-                           .dimension = *p->dimension,
-                           .span = panel_span(s, p)};
+    const struct axis x = value_axis(s, p);
     const struct axis y = {.name = at > 0       ? NULL
                                    : s->heights ? "height"
                                                 : "floor",
@@ -159,49 +204,108 @@ static void write_panel(const struct selection *s, const struct panel *p, int at
                            .step = s->heights ? 0 : 1};
     struct canvas within = *c;
     within.area.left += 4.2;
-    const struct area part = canvas_part(&within, (double)at / n, (at + 1.0) / n, 0, 1);
-    canvas_panel(c, canvas_inset(part, 1.1, 1.1, 3.2, 0.5), &s->s->r[0]->units, &x, &y);
-    fprintf(c->to, "plot");
-    for (int k = 0; k < s->n * s->s->n; k++) {
-        const int run = k / s->n, building = k % s->n;
-        fprintf(c->to, "%s \\\n  $%s%d%d using %d:1 with %s lc rgb '%s' dt %s", k > 0 ? "," : "",
-                p->data, run, building, p->column, is_of_storeys(p) ? "lines" : "linespoints",
-                script_colour[building], run > 0 ? "(10,6)" : "solid");
-        if (!is_of_storeys(p)) {
-            fprintf(c->to, " pt %d ps 1*point", run > 0 ? POINT_RING : POINT_DISC);
-        }
-    }
-    fprintf(c->to, "\n");
+    const struct area a = canvas_inset(canvas_part(&within, (double)at / n, (at + 1.0) / n, 0, 1),
+                                       1.1, 1.1, 3.2, 0.5);
+    canvas_panel(c, a, &s->s->r[0]->units, &x, &y);
+    plot_profiles(s, p, s->points && !is_of_storeys(p), c->to);
     canvas_panel_end(c);
 }
 
+static void write_names(const struct selection *s, FILE *to) {
+    fprintf(to, "set ytics (");
+    for (int k = 0; k < s->n; k++) {
+        char name[64];
+        script_shorten(shown(s, 0, k)->name, NAME_WIDTH, name, sizeof name);
+        fprintf(to, "%s", k > 0 ? ", " : "");
+        script_text(to, name);
+        fprintf(to, " %d", s->n - k);
+    }
+    fprintf(to, ")\n");
+}
+
+static void plot_rows(const struct selection *s, const struct panel *p, FILE *to) {
+    fprintf(to, "plot");
+    for (int k = 0; k < s->n * s->s->n; k++) {
+        const int run = k / s->n, building = k % s->n;
+        fprintf(to,
+                "%s \\\n  $%s%d%d using (0):1:%d:(0) with vectors nohead lc rgb '%s' lw 1.5 dt %s, "
+                "\\\n  $%s%d%d using %d:1 with points pt %d ps 1.8*point lc rgb '%s'",
+                k > 0 ? "," : "", p->data, run, building, p->column, script_colour[building],
+                run > 0 ? "(10,6)" : "solid", p->data, run, building, p->column,
+                run > 0 ? POINT_RING : script_point[building], script_colour[building]);
+    }
+    fprintf(to, "\n");
+}
+
+// Panel `at` of `n`, two above each other where there is room.
+static void write_rows(const struct selection *s, const struct panel *p, int at, int n,
+                       struct canvas *c) {
+    struct canvas within = *c;
+    double names = 0;
+    for (int k = 0; k < s->n; k++) {
+        names = fmax(names, fmin(NAME_WIDTH, script_width(shown(s, 0, k)->name)));
+    }
+    within.area.left += names;
+    const double height = c->area.top - c->area.bottom;
+    const int across = height > 2 * (ROW_HEIGHT * (s->n + 0.2) + 3.7) ? 2 : n;
+    const int column = at % across, line = at / across, lines = n / across;
+    const struct area a =
+        canvas_inset(canvas_part(&within, (double)column / across, (column + 1.0) / across,
+                                 1 - (line + 1.0) / lines, 1 - (double)line / lines),
+                     1.1, 1.1, 3.2, 0.5);
+    const struct axis x = value_axis(s, p);
+    const struct axis y = {.span = {0.4, s->n + 0.6}, .kind = AXIS_WITHOUT_NUMBERS, .step = 1};
+    canvas_panel(c, a, &s->s->r[0]->units, &x, &y);
+    if (column == 0) {
+        write_names(s, c->to);
+    }
+    plot_rows(s, p, c->to);
+    canvas_panel_end(c);
+}
+
+// Rows have their names beside them; a free body has a point on each panel, but no line.
+static void write_legend(const struct selection *s, struct canvas *c) {
+    struct legend l = {0};
+    for (int k = 0; k < s->n && !s->rows; k++) {
+        const struct report_building *b = shown(s, 0, k);
+        const bool line = b->n_floor > 1 || b->stiffness[0] > 0;
+        legend_add(&l,
+                   (struct mark){.kind = line ? MARK_LINE : MARK_POINT,
+                                 .colour = script_colour[k],
+                                 .size = 1.2,
+                                 .point = s->points ? script_point[k] : 0},
+                   b->name, "");
+    }
+    runs_legend(s->s, "#808080", &l);
+    legend_write(&l, c);
+}
+
 static void write_head(const struct selection *s, struct canvas *c) {
-    const struct report *r = s->s->r[0];
-    char text[160] = "largest absolute values over all computed steps; total accelerations";
-    if (s->n < r->n_building) {
-        snprintf(text, sizeof text,
-                 "largest absolute values of the %d of %d buildings that drift most", s->n,
-                 r->n_building);
+    static const char kinds[] = "relative displacements, total accelerations";
+    const int n = s->s->r[0]->n_building;
+    char text[160];
+    if (s->n < n) {
+        snprintf(text, sizeof text, "peaks of the %d of %d buildings that drift most; %s", s->n, n,
+                 kinds);
+    } else {
+        snprintf(text, sizeof text, "peaks over all steps; %s", kinds);
     }
     canvas_head(c, runs_title(s->s), text);
-    for (int k = 0; k < s->n; k++) {
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
-                      shown(s, 0, k)->name);
-    }
-    runs_legend(s->s, "#808080", c);
+    write_legend(s, c);
 }
 
 static int draw(const struct runs *runs, struct canvas *c, struct error *e) {
     (void)e;
-    const struct selection s = choose(runs);
+    struct selection s = choose(runs);
+    s.points = canvas_has_room(c, s.floors);
     for (int k = 0; k < s.n * runs->n; k++) {
-        write_building(&s, k / s.n, k % s.n, c->data);
+        (s.rows ? write_row : write_building)(&s, k / s.n, k % s.n, c->data);
     }
     write_head(&s, c);
     const int n = s.storeys ? PANELS : PANELS - 2;
     for (int i = 0, at = 0; i < PANELS; i++) {
         if (s.storeys || !is_of_storeys(&panels[i])) {
-            write_panel(&s, &panels[i], at++, n, c);
+            (s.rows ? write_rows : write_panel)(&s, &panels[i], at++, n, c);
         }
     }
     return STATUS_OK;

@@ -10,11 +10,11 @@
 #include "plot/figure.h"
 #include "plot/script.h"
 
-enum { PERIODS = 100, SERIES_MAX = 5 };
+enum { PERIODS = 100, SERIES_MAX = 6 };
 
 static const double damping_ratio = 0.05;
 static const double first_period = 0.02, last_period = 5;  // [s]
-static const char ground_colour[] = "#808080";
+static const char *const ground_colour[] = {"#808080", "#b8b8b8"};
 
 // A floor, or a ground.
 struct series {
@@ -25,7 +25,8 @@ struct view {
     const struct runs *s;
     struct series series[SERIES_MAX];
     int n;
-    double dt;  // of the first run's rows
+    int n_ground;  // of them, the last ones
+    double dt;     // of the first run's rows
     struct span acceleration;
 };
 
@@ -42,7 +43,36 @@ static void add(struct view *v, int building, int floor) {
     v->series[v->n++] = (struct series){building, floor};
 }
 
-static void choose(struct view *v) {
+// The ground below each of the two buildings, one where they are the same; none that is at rest.
+static int add_grounds(struct view *v, const int *building, struct error *e) {
+    bool moves[2] = {false, false}, differ = false;
+    int status = STATUS_OK;
+    for (int run = 0; run < v->s->n && status == STATUS_OK; run++) {
+        struct data d;
+        status = data_create(&d, v->s->r[run]->n_row, 2, e);
+        for (int side = 0; side < 2 && status == STATUS_OK; side++) {
+            if (building[side] >= 0) {
+                status = result_ground(v->s->file[run], building[side], d.column[side], e);
+            }
+        }
+        for (size_t i = 0; i < d.n_row && status == STATUS_OK; i++) {
+            moves[0] |= d.column[0][i] != 0;
+            moves[1] |= d.column[1][i] != 0;
+            differ |= d.column[0][i] != d.column[1][i];
+        }
+        data_free(&d);
+    }
+    const int n = v->n;
+    for (int side = 0; side < 2 && status == STATUS_OK; side++) {
+        if (moves[side] && (side == 0 || differ)) {
+            add(v, building[side], -1);
+        }
+    }
+    v->n_ground = v->n - n;
+    return status;
+}
+
+static int choose(struct view *v, struct error *e) {
     const struct report *r = v->s->r[0];
     int contact[RUNS_MAX], building[2] = {0, r->n_building > 1 ? 1 : -1};
     runs_hardest_contact(v->s, contact);
@@ -61,7 +91,7 @@ static void choose(struct view *v) {
             add(v, building[side], r->building[building[side]].n_floor - 1);
         }
     }
-    add(v, building[0] >= 0 ? building[0] : building[1], -1);
+    return add_grounds(v, building, e);
 }
 
 // How many rows follow each other at even distances; the last row may stand nearer.
@@ -139,23 +169,29 @@ static int write_series(struct view *v, int run, int series, FILE *to, struct er
 }
 
 static const char *colour(const struct view *v, int series) {
-    return v->series[series].floor < 0 ? ground_colour : script_colour[series];
+    const int ground = series - (v->n - v->n_ground);
+    return ground < 0 ? script_colour[series] : ground_colour[ground];
 }
 
 static void write_head(const struct view *v, struct canvas *c) {
     const struct report *r = v->s->r[0];
-    char text[160], name[64];
+    struct legend l = {0};
+    char text[160];
     snprintf(text, sizeof text, "floor response spectra, %g %% damping, of rows every %.4g %s",
              100 * damping_ratio, v->dt, r->units.time_name);
     canvas_head(c, runs_title(v->s), text);
     for (int i = 0; i < v->n; i++) {
         const struct series *p = &v->series[i];
-        script_shorten(r->building[p->building].name, 16, name, sizeof name);
-        snprintf(text, sizeof text, "%s, floor %d", name, p->floor + 1);
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = colour(v, i)},
-                      p->floor < 0 ? "ground" : text);
+        const char *name = r->building[p->building].name;
+        snprintf(text, sizeof text, ", floor %d", p->floor + 1);
+        if (p->floor < 0) {
+            name = v->n_ground > 1 ? name : "";
+            snprintf(text, sizeof text, "%sground", name[0] ? ", " : "");
+        }
+        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = colour(v, i)}, name, text);
     }
-    runs_legend(v->s, "#000000", c);
+    runs_legend(v->s, "#000000", &l);
+    legend_write(&l, c);
 }
 
 static void write_panel(const struct view *v, struct canvas *c) {
@@ -181,8 +217,7 @@ static void write_panel(const struct view *v, struct canvas *c) {
 
 static int draw(const struct runs *s, struct canvas *c, struct error *e) {
     struct view v = {.s = s, .acceleration = span_none};
-    int status = STATUS_OK;
-    choose(&v);
+    int status = choose(&v, e);
     for (int k = 0; k < s->n * v.n && status == STATUS_OK; k++) {
         status = write_series(&v, k / v.n, k % v.n, c->data, e);
     }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "plot/legend.h"
 #include "plot/script.h"
 
 enum { SAMPLES_SHOWN = 1500 };  // pairs of a smallest and a largest one
@@ -110,14 +111,16 @@ static void write_head(const struct impact_figure *f, struct canvas *c) {
     if (f->n_curve + (f->n_sample > 0) == 1) {
         return;
     }
+    struct legend l = {0};
     for (int k = 0; k < f->n_curve; k++) {
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
-                      f->curve[k].name);
+        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = script_colour[k]},
+                   f->curve[k].name, "");
     }
     if (f->n_sample > 0) {
-        canvas_legend(c, (struct mark){.kind = MARK_POINT, .colour = sample_colour, .size = 0.8},
-                      "measured");
+        legend_add(&l, (struct mark){.kind = MARK_POINT, .colour = sample_colour, .size = 0.8},
+                   "measured", "");
     }
+    legend_write(&l, c);
 }
 
 static struct axis axis_of(const char *name, const struct scale *s, struct span span) {
@@ -169,13 +172,13 @@ static void write_panels(const struct impact_figure *f, const struct extent *x,
     const struct area left = canvas_inset(canvas_part(c, 0, 0.5, 0, 1), 0, 0.8, 3.2, top);
     const struct area right = canvas_inset(canvas_part(c, 0.5, 1, 0, 1), 0.8, 0.5, 3.2, top);
     canvas_panel(c, left, &si, &time, &force);
-    canvas_caption(c, left, over_time);
+    canvas_caption(c, left, over_time, "");
     write_plot(f, 1, c->to);
     canvas_panel_end(c);
     force.name = NULL;
     force.kind = AXIS_WITHOUT_NUMBERS;
     canvas_panel(c, right, &si, &depth, &force);
-    canvas_caption(c, right, over_depth);
+    canvas_caption(c, right, over_depth, "");
     write_plot(f, 3, c->to);
     canvas_panel_end(c);
 }

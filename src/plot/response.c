@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "plot/legend.h"
 #include "plot/script.h"
 
 // More records than this are grey lines without names.
@@ -58,21 +59,17 @@ static void write_data(const struct response_sheet *sheet, FILE *to) {
     fprintf(to, "EOD\n");
 }
 
-// Its name, with its middle left out, and the factor that brings it to the target.
-static void name_record(const struct response_sheet *sheet, int record, int columns, char *text,
-                        size_t size) {
-    char name[64];
-    script_shorten(sheet->name[record], columns, name, sizeof name);
+// Behind its name: the factor that brings it to the target.
+static void write_factor(const struct response_sheet *sheet, int record, char *text, size_t size) {
+    text[0] = '\0';
     if (sheet->target) {
-        snprintf(text, size, "%s × %.2g", name, sheet->factor[record]);
-    } else {
-        snprintf(text, size, "%s", name);
+        snprintf(text, size, " × %.2g", sheet->factor[record]);
     }
 }
 
 static void write_title(const struct response_sheet *sheet, char *text, size_t size) {
     const struct spectra *s = sheet->spectra;
-    char damping[64] = "", name[128];
+    char damping[64] = "", name[128], factor[32];
     if (s->n_damping == 1) {
         snprintf(damping, sizeof damping, ", %g %% damping", 100.0 * s->damping[0]);
     }
@@ -80,8 +77,9 @@ static void write_title(const struct response_sheet *sheet, char *text, size_t s
         snprintf(text, size, "Response spectra of %d%s records%s", s->n_record,
                  sheet->target ? " scaled" : "", damping);
     } else {
-        name_record(sheet, 0, 30, name, sizeof name);
-        snprintf(text, size, "Response spectrum of %s%s", name, damping);
+        write_factor(sheet, 0, factor, sizeof factor);
+        script_shorten(sheet->name[0], 20, name, sizeof name);
+        snprintf(text, size, "Response spectrum of %s%s%s", name, factor, damping);
     }
 }
 
@@ -103,41 +101,42 @@ static void write_subtitle(const struct response_sheet *sheet, char *text, size_
 }
 
 // Each record by name with its factor or peak, or all as one entry.
-static void write_records(const struct response_sheet *sheet, struct canvas *c) {
+static void write_records(const struct response_sheet *sheet, struct legend *l) {
     const struct spectra *s = sheet->spectra;
     char text[128];
     if (s->n_record > NAMED_MAX) {
         snprintf(text, sizeof text, "%d records", s->n_record);
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = other_colour}, text);
+        legend_add(l, (struct mark){.kind = MARK_LINE, .colour = other_colour}, text, "");
         return;
     }
     for (int r = 0; r < s->n_record; r++) {
-        name_record(sheet, r, 23, text, sizeof text);
+        write_factor(sheet, r, text, sizeof text);
         if (!sheet->target) {
-            const size_t n = strlen(text);
-            snprintf(text + n, sizeof text - n, ": %.2g g",
-                     sheet->intensity[r].pga / sheet->gravity);
+            snprintf(text, sizeof text, ": %.2g g", sheet->intensity[r].pga / sheet->gravity);
         }
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = record_colour[r]}, text);
+        legend_add(l, (struct mark){.kind = MARK_LINE, .colour = record_colour[r]}, sheet->name[r],
+                   text);
     }
 }
 
 static void write_legend(const struct response_sheet *sheet, struct canvas *c) {
     const struct spectra *s = sheet->spectra;
+    struct legend l = {0};
     if (s->n_damping == 1 && s->n_record > 1) {
-        write_records(sheet, c);
-        canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = mean_colour}, "mean");
-        canvas_legend(c, (struct mark){.kind = MARK_AREA, .colour = band_colour}, "16 to 84 %");
+        write_records(sheet, &l);
+        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = mean_colour}, "mean", "");
+        legend_add(&l, (struct mark){.kind = MARK_AREA, .colour = band_colour}, "16 to 84 %", "");
     }
     if (sheet->target) {
-        canvas_legend(c, (struct mark){.kind = MARK_DASHED, .colour = target_colour}, "target");
+        legend_add(&l, (struct mark){.kind = MARK_DASHED, .colour = target_colour}, "target", "");
     }
     for (int d = 0; s->n_damping > 1 && d < s->n_damping; d++) {
         char text[64];
         snprintf(text, sizeof text, "%g %% damping", 100.0 * s->damping[d]);
-        canvas_legend(
-            c, (struct mark){.kind = MARK_LINE, .colour = script_colour[d % SCRIPT_COLOURS]}, text);
+        const char *colour = script_colour[d % SCRIPT_COLOURS];
+        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = colour}, text, "");
     }
+    legend_write(&l, c);
 }
 
 // Periods within a factor of 2 are drawn without logarithms.

@@ -15,7 +15,7 @@ static void name_run(struct runs *s, int run, bool whole) {
     size_t n;
     const char *stem = text_stem(path, &n);
     snprintf(text, sizeof text, "%.*s", (int)n, stem);
-    script_shorten(whole ? path : text, 28, s->name[run], sizeof s->name[run]);
+    script_shorten(whole ? path : text, 16, s->name[run], sizeof s->name[run]);
 }
 
 static int other(const struct runs *s, struct error *e, const char *what, const char *first,
@@ -187,10 +187,10 @@ double runs_duration(const struct runs *s) {
     return s->n == 1 ? s->r[0]->duration : fmax(s->r[0]->duration, s->r[1]->duration);
 }
 
-void runs_legend(const struct runs *s, const char *colour, struct canvas *c) {
+void runs_legend(const struct runs *s, const char *colour, struct legend *l) {
     for (int k = 0; k < s->n && s->n > 1; k++) {
         const struct mark mark = {.kind = colour && k > 0 ? MARK_DASHED : MARK_LINE,
                                   .colour = colour ? colour : script_colour[k]};
-        canvas_legend(c, mark, s->name[k]);
+        legend_add(l, mark, s->name[k], "");
     }
 }

@@ -4,7 +4,7 @@
 #define JOSTLE_RUNS_H
 
 #include "jostle/result.h"
-#include "plot/canvas.h"
+#include "plot/legend.h"
 
 enum { RUNS_MAX = 2 };
 struct runs {
@@ -50,6 +50,6 @@ double runs_duration(const struct runs *s);
 
 // Entries of the legend that tell two runs apart: by their colours, or where all is of one `colour`
 // the second by dashes. None for one run.
-void runs_legend(const struct runs *s, const char *colour, struct canvas *c);
+void runs_legend(const struct runs *s, const char *colour, struct legend *l);
 
 #endif

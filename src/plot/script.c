@@ -100,26 +100,63 @@ static const char *skip(const char *text, int n) {
     return text;
 }
 
-int script_columns(const char *text) {
+// Of a character, as DejaVu Sans has it, which is one of the wider fonts [em].
+static double letter_width(const char *at) {
+    static const struct {
+        const char *letters;
+        double width;
+    } kinds[] = {
+        {"'Iijl", 0.29},
+        {" ,./:;\\|\u00b7", 0.33},
+        {"!\"()-[]frt\u00b9\u00b2\u00b3\u2070\u2074\u2075\u2076\u2077\u2078\u2079\u207b", 0.4},
+        {"*_sz", 0.51},
+        {"DGHNOQU", 0.76},
+        {"#+<=>^w~\u00d7", 0.84},
+        {"%&@MWm\u2026", 0.96},
+    };
+    char letter[8];
+    snprintf(letter, sizeof letter, "%.*s", (int)(skip(at, 1) - at), at);
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (strstr(kinds[i].letters, letter)) {
+            return kinds[i].width;
+        }
+    }
+    const bool wide = (unsigned char)*at >= 0xE3;  // Chinese, Japanese, Korean
+    return wide ? 1 : *at >= 'A' && *at <= 'Z' ? 0.67 : 0.61;
+}
+
+static double width_between(const char *from, const char *end) {
+    double width = 0;
+    for (; from < end; from = skip(from, 1)) {
+        width += letter_width(from);
+    }
+    return width;
+}
+
+double script_width(const char *text) {
+    return width_between(text, text + strlen(text));
+}
+
+void script_shorten(const char *name, double width, char *cut, size_t size) {
     int n = 0;
-    for (; *text; text = skip(text, 1)) {
+    for (const char *at = name; *at; at = skip(at, 1)) {
         n++;
     }
-    return n;
-}
-
-void script_shorten(const char *name, int columns, char *cut, size_t size) {
-    const int n = script_columns(name);
-    if (n <= columns) {
-        snprintf(cut, size, "%s", name);
-        return;
+    const char *end = name + strlen(name), *head = end, *tail = end;
+    double shown = width_between(name, end);
+    for (int kept = n - 1; kept > 0 && shown > width; kept--) {
+        head = skip(name, (kept + 1) / 2);
+        tail = skip(name, n - kept / 2);
+        shown = width_between(name, head) + script_width("\u2026") + width_between(tail, end);
     }
-    const int tail = (columns - 1) / 2, head = columns - 1 - tail;
-    snprintf(cut, size, "%.*s\u2026%s", (int)(skip(name, head) - name), name, skip(name, n - tail));
+    snprintf(cut, size, "%.*s%s%s", (int)(head - name), name, head < end ? "\u2026" : "", tail);
 }
 
-void script_cut(const char *text, int columns, char *cut, size_t size) {
-    const char *end = skip(text, columns);
+void script_cut(const char *text, double width, char *cut, size_t size) {
+    const char *end = text;
+    while (*end && width_between(text, skip(end, 1)) <= width) {
+        end = skip(end, 1);
+    }
     snprintf(cut, size, "%.*s%s", (int)(end - text), text, *end ? "\u2026" : "");
 }
 

@@ -19,14 +19,14 @@ extern const int script_point[];
 // `text` as a gnuplot string in single quotes. Line ends become blanks.
 void script_text(FILE *to, const char *text);
 
-// A text whose end is cut off behind `columns` characters.
-void script_cut(const char *text, int columns, char *cut, size_t size);
+// About how wide an UTF-8 text is [em]: usual sans-serif fonts are not wider.
+double script_width(const char *text);
 
-// A name with its middle left out, so that it has at most `columns` characters.
-void script_shorten(const char *name, int columns, char *cut, size_t size);
+// A text whose end is cut off behind `width` em.
+void script_cut(const char *text, double width, char *cut, size_t size);
 
-// The number of characters of an UTF-8 text.
-int script_columns(const char *text);
+// A name with as much of its middle left out as makes it at most `width` em wide.
+void script_shorten(const char *name, double width, char *cut, size_t size);
 
 // The unit, powers as raised digits, products with raised points.
 void script_unit(const struct unit_system *units, struct dimension dimension, char *text,

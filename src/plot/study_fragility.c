@@ -89,6 +89,7 @@ static double mark_size(const struct view *v, int curve) {
 
 static void write_legend(const struct view *v, struct canvas *c) {
     const struct suite *s = v->p->suite;
+    struct legend l = {0};
     char limit[96], group[128], text[256];
     for (int i = 0; i < v->n; i++) {
         const bool fitted = v->fit[i].outcome == FRAGILITY_FITTED;
@@ -97,13 +98,14 @@ static void write_legend(const struct view *v, struct canvas *c) {
         snprintf(text, sizeof text, "%s%s%s%s%s", group, group[0] && v->p->n_limit > 1 ? ", " : "",
                  group[0] && v->p->n_limit == 1 ? "" : "> ",
                  group[0] && v->p->n_limit == 1 ? "" : limit, fitted ? "" : " (no curve)");
-        canvas_legend(c,
-                      (struct mark){.kind = fitted ? MARK_LINE : MARK_POINT,
-                                    .colour = script_colour[i],
-                                    .size = mark_size(v, i),
-                                    .point = script_point[i]},
-                      text);
+        legend_add(&l,
+                   (struct mark){.kind = fitted ? MARK_LINE : MARK_POINT,
+                                 .colour = script_colour[i],
+                                 .size = mark_size(v, i),
+                                 .point = script_point[i]},
+                   "", text);
     }
+    legend_write(&l, c);
 }
 
 static void write_panel(const struct view *v, struct canvas *c) {

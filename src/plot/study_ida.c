@@ -92,22 +92,23 @@ static int write_percentiles(struct view *v, FILE *to, struct error *e) {
 }
 
 static void write_legend(const struct view *v, const struct study_picture *p, struct canvas *c) {
+    struct legend l = {0};
     char text[128];
     for (int i = 0; v->s->n_sample > 1 && i < CURVES; i++) {
         const enum mark_kind kind = i == 1 ? MARK_LINE : MARK_DASHED;
-        canvas_legend(c, (struct mark){.kind = kind, .colour = curve_colour[i]}, curve_name[i]);
+        legend_add(&l, (struct mark){.kind = kind, .colour = curve_colour[i]}, curve_name[i], "");
     }
     snprintf(text, sizeof text, "each %s", v->s->over[0] ? v->s->over : "run");
-    canvas_legend(c, (struct mark){.kind = MARK_LINE, .colour = record_colour}, text);
+    legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = record_colour}, text, "");
     if (p->n_limit > 0) {
-        canvas_legend(c, (struct mark){.kind = MARK_DASHED, .colour = "#000000"},
-                      p->n_limit > 1 ? "limits" : "limit");
+        legend_add(&l, (struct mark){.kind = MARK_DASHED, .colour = "#000000"},
+                   p->n_limit > 1 ? "limits" : "limit", "");
     }
     if (v->crosses) {
-        canvas_legend(c,
-                      (struct mark){.kind = MARK_POINT, .colour = "#000000", .point = POINT_CROSS},
-                      "the next run failed");
+        legend_add(&l, (struct mark){.kind = MARK_POINT, .colour = "#000000", .point = POINT_CROSS},
+                   "the next run failed", "");
     }
+    legend_write(&l, c);
 }
 
 static void write_limits(const struct view *v, const struct study_picture *p, struct canvas *c) {

@@ -2,13 +2,14 @@
 // A demand against any swept parameter: the median over the samples with the band from 16 to 84 %,
 // or a line for each value of the other sweeps. Against texts, random parameters and what
 // goes together, points: nothing lies between them.
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "plot/script.h"
 #include "plot/study_figure.h"
 
-enum { NAME_COLUMNS = 18 };  // of a text at the axis
+static const double name_width = 10.5;  // of a text at the axis [em]
 static const char band_colour[] = "#cfe3f1";
 
 struct view {
@@ -66,33 +67,33 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
 static void write_legend(const struct view *v, struct canvas *c) {
     const struct suite *s = v->s;
     const bool points = has_points(s);
-    const enum mark_kind kind = points ? MARK_POINT : MARK_LINE;
+    struct mark mark = {.kind = points ? MARK_POINT : MARK_LINE};
+    struct legend l = {0};
+    char text[128] = "median";
+    for (int g = 0; g < s->n_group && (v->band || s->n_group > 1); g++) {
+        if (s->n_group > 1) {
+            study_group_text(s, g, text, sizeof text);
+        }
+        mark.colour = script_colour[g];
+        mark.point = script_point[g];
+        legend_add(&l, mark, "", text);
+    }
     if (v->band) {
-        canvas_legend(
-            c, (struct mark){.kind = kind, .colour = script_colour[0], .point = script_point[0]},
-            "median");
-        canvas_legend(c,
-                      (struct mark){.kind = points ? MARK_LINE : MARK_AREA,
-                                    .colour = points ? script_colour[0] : band_colour},
-                      "16 to 84 %");
+        legend_add(&l,
+                   (struct mark){.kind = points ? MARK_LINE : MARK_AREA,
+                                 .colour = points ? script_colour[0] : band_colour},
+                   "16 to 84 %", "");
     }
-    char text[128];
-    for (int g = 0; g < s->n_group && s->n_group > 1; g++) {
-        study_group_text(s, g, text, sizeof text);
-        canvas_legend(
-            c, (struct mark){.kind = kind, .colour = script_colour[g], .point = script_point[g]},
-            text);
-    }
+    legend_write(&l, c);
 }
 
 // True if the texts find room beside each other within `width` em.
 static bool texts_fit(const struct suite *s, double width) {
-    int most = 0;
+    double most = 0;
     for (int i = 0; i < s->n_point; i++) {
-        const int n = script_columns(s->point_name[i]);
-        most = n > most ? n : most;
+        most = fmax(most, script_width(s->point_name[i]));
     }
-    return 0.6 * most + 1 < width / s->n_point;
+    return most + 1 < width / s->n_point;
 }
 
 // Names below the axis in place of numbers; of many, some.
@@ -102,7 +103,7 @@ static void write_texts(const struct suite *s, double width, struct canvas *c) {
     char cut[128];
     fprintf(c->to, "set xtics %s (", fit ? "norotate" : "rotate by 35 right");
     for (int i = 0; i < s->n_point; i += every) {
-        script_shorten(s->point_name[s->order[i]], fit ? 64 : NAME_COLUMNS, cut, sizeof cut);
+        script_shorten(s->point_name[s->order[i]], fit ? width : name_width, cut, sizeof cut);
         fprintf(c->to, "%s", i > 0 ? ", " : "");
         script_text(c->to, cut);
         fprintf(c->to, " %d", i + 1);
@@ -119,7 +120,7 @@ static void write_panel(const struct view *v, struct canvas *c) {
     double bottom = 3.2;
     if (texts) {
         x = (struct axis){.span = {0.5, s->n_point + 0.5}, .kind = AXIS_WITHOUT_NUMBERS};
-        bottom = texts_fit(s, width) ? 2 : 0.35 * NAME_COLUMNS + 2;
+        bottom = texts_fit(s, width) ? 2 : 0.6 * name_width + 2;
     }
     study_panel(c, s, bottom, &x, &y);
     if (texts) {

@@ -38,15 +38,25 @@ initial Karren:1 -velocity -0.5m/s
 ground sine -amplitude 2m/s^2 -frequency 1.5 -cycles 3
 step fixed 1ms
 END
-for deck in pair other wall body; do
+cat >towers.deck <<'END'
+units kN m s
+building left -floors 1 -mass 100t -stiffness 20MN/m -height 3m
+building right -floors 1 -mass 80t -stiffness 40MN/m -height 3m
+contact left right -gap 5mm -law linear -k 1e5
+ground sine -amplitude 0.3g -frequency 1.5 -cycles 3
+step fixed 1ms
+END
+for deck in pair other wall body towers; do
     run "$jostle" run -q $deck.deck
     expect "$deck.deck runs" '[ $status -eq 0 ]'
 done
 run "$jostle" run -q pair.deck -D gap=8mm -o wider.h5
+sed -i 's/-gap 5mm/-gap 8mm/' towers.deck
+run "$jostle" run -q towers.deck -o farther.h5
 
 kinds=$("$jostle" plot --help | sed -n '/^KIND/,/^$/ s/^  \([a-z]*\) .*/\1/p' | grep -v overview)
 for kind in $kinds; do
-    for files in pair.h5 other.h5 wall.h5 body.h5 "pair.h5 wider.h5"; do
+    for files in pair.h5 other.h5 wall.h5 body.h5 towers.h5 "pair.h5 wider.h5" "towers.h5 farther.h5"; do
         # shellcheck disable=SC2086  # one file or two
         set -- $files
         run "$jostle" plot "$1" ${2:+--compare "$2"} "$kind" --script scripts --force

@@ -151,7 +151,32 @@ sed -n "/^.hardest0/,/^EOD/p" bodies/loops.dat >hardest
 expect "an impact of two rows is no loop: they are not joined" '[ $status -eq 0 ] && [ "$(grep -c "^[0-9]" hardest)" -eq 2 ] && awk "/^[0-9]/ && joined { exit 1 } { joined = /^[0-9]/ }" hardest'
 run "$jostle" plot bodies.h5 profiles --script bodies
 expect "free bodies have no storeys to show" '[ $status -eq 0 ] && [ "$(grep -c "^plot" bodies/profiles.gp)" -eq 2 ] && ! grep -q "drift\|shear" <(grep "^set label" bodies/profiles.gp)'
-rm -rf bodies bodies.* hardest
+sed -i 's/-velocity 1/-velocity -1/' bodies.deck
+run "$jostle" run -q bodies.deck -o apart_bodies.h5
+run "$jostle" plot apart_bodies.h5 loops
+expect "bodies that never meet have no loops" '[ $status -eq 2 ] && said "has no storeys, and no impact with a force" && [ ! -e apart_bodies-loops.png ]'
+rm -rf bodies bodies.* apart_bodies.h5 hardest
+run "$jostle" plot rigid.h5 loops --script scripts --force
+expect "rigid impacts have no loop, the storeys beside them have" '[ $status -eq 0 ] && [ "$(grep -c "^plot" scripts/loops.gp)" -eq 2 ] && ! grep -q "^set label .penetration" scripts/loops.gp'
+run "$jostle" plot rigid.h5 contact --script scripts --force
+expect "an empty strip of contact forces says why it is empty" '[ $status -eq 0 ] && grep -q "^set label .rigid impacts have no force" scripts/contact.gp && ! grep -q "label .hardest:" scripts/contact.gp'
+rm -rf scripts
+
+# A building beside a free body, which is drawn as points without a line.
+cat >cart.deck <<'END'
+building tower -floors 2 -mass 100t -stiffness 50MN/m
+building cart -floors 1 -mass 40t -stiffness 0
+contact tower:1 cart -gap 5mm -law linear -k 1e9
+initial cart:1 -velocity -0.5
+step fixed 1ms
+duration 0.5
+END
+run "$jostle" run -q cart.deck
+for kind in profiles modes; do
+    run "$jostle" plot cart.h5 $kind --script cart
+    expect "the legend of $kind has no line for a free body" '[ $status -eq 0 ] && [ "$(grep -c "^set arrow from screen" cart/$kind.gp)" -eq 1 ] && [ "$(grep -c "^set label .. at screen.* point pt" cart/$kind.gp)" -eq 2 ]'
+done
+rm -rf cart cart.*
 
 rm -rf scripts
 run "$jostle" plot pair.h5 overview --script scripts

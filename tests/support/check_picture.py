@@ -199,11 +199,19 @@ def loops(runs):
     return panels, None
 
 
+def profile_row(run, b, value):
+    """Of a building of one floor: a line from zero to its point, a second run below the first."""
+    order = list(run.buildings.values())
+    row = len(order) - order.index(b) + 0.15 * run.several * (1 if run.first else -1)
+    return [Curve(0 * value, row, value, 0), Curve(value, row)]
+
+
 def profiles(runs):
     r = runs[0]
     heights = all((b["height"][:] > 0).all() for b in r.buildings.values())
+    rows = all(b["floor"].size == 1 for b in r.buildings.values())
     kinds = [("displacement", "displacement"), ("drift", "storey drift"),
-             ("acceleration", "acceleration"), ("storey_shear", "shear")]
+             ("acceleration", "acceleration"), ("storey_shear", "storey shear")]
     panels = []
     for name, text in kinds:
         curves = []
@@ -215,6 +223,9 @@ def profiles(runs):
                 value = b["envelope"][name][:] / (storeys / 100 if ratio else 1)
                 free = b["stiffness"][:] == 0
                 value = np.where(free & (name in ("drift", "storey_shear")), np.nan, value)
+                if rows:
+                    curves += profile_row(run, b, value)
+                    continue
                 line = (np.repeat(value, 2), np.repeat(level, 2)[1:-1])
                 base = np.nan if name == "acceleration" or free[0] else 0
                 points = (np.concatenate([[base], value]), level)
@@ -225,8 +236,16 @@ def profiles(runs):
         if any(curve.rows.size for curve in curves):
             panels.append(Panel(x, None, curves))
     height = ("height", r.unit("contacts/gap")) if heights else ("floor", None)
-    panels[0].y = height
+    panels[0].y = None if rows else height
     return panels, None
+
+
+def check_profiles(picture, runs):
+    """Rows have the names of their buildings."""
+    names = list(runs[0].buildings)
+    if all(b["floor"].size == 1 for b in runs[0].buildings.values()):
+        rows = [(name, len(names) - i) for i, name in enumerate(names)]
+        assert picture.panels[0].y.tics == rows, f"rows {picture.panels[0].y.tics}"
 
 
 PARTS = "damping hysteretic contact strain kinetic".split()
@@ -238,7 +257,9 @@ def energy(runs):
     for run in runs:
         e = {name: d[:] for name, d in run.f["energy"].items()}
         work = "contacts and links" if "links" in run.f else "contacts"
-        names = ["damping", None, work, "strain", "kinetic"]
+        names = ["damping", "yielding", work, "strain", "kinetic"]
+        names = [text if any(r.f[f"energy/{part}"][:].any() for r in runs) else None
+                 for part, text in zip(PARTS, names)]
         total = np.cumsum([0 * run.time] + [e[name] for name in PARTS], axis=0)
         curves = [Curve(run.time, total[i], total[i + 1], thinned=True, legend=names[i])
                   for i in range(5)]
@@ -253,6 +274,12 @@ def energy(runs):
         return [upper[0], lower[0], upper[1], lower[1]], None
     return [upper[0], lower[0]], (f"energy: {{}} {unit} in, {{}} {unit} into ",
                                   [entered[-1], e["contact"][-1]])
+
+
+def check_energy(picture, runs):
+    """Parts that nothing ever goes into are not in the legend."""
+    parts = [part for part in PARTS if any(run.f[f"energy/{part}"][:].any() for run in runs)]
+    assert len(picture.legend) == len(parts) + 1, f"legend {picture.legend}"
 
 
 def impacts(runs):
@@ -340,13 +367,17 @@ def spectrum(runs):
     sides = [(left, left_floor), (right, right_floor)]
     sides += [(side, r.buildings[side]["floor"].size) for side, _ in sides if side in r.buildings]
     sides = [side for side in dict.fromkeys(sides) if side[0] in r.buildings]
+    grounds = [side for side in (left, right) if any(run.ground(side).any() for run in runs)]
+    if all(np.array_equal(run.ground(left), run.ground(right)) for run in runs):
+        grounds = grounds[:1]
     curves = []
     for run in runs:
         dt = run.time[1] - run.time[0]
         even = np.abs(run.time - dt * np.arange(run.time.size)) < 1e-6 * dt
         ground = [run.history(*side, "acceleration")[even] for side in sides]
-        ground.append(run.ground(sides[0][0])[even])
-        names = [side_text(*side) for side in sides] + ["ground"]
+        ground += [run.ground(side)[even] for side in grounds]
+        names = [side_text(*side) for side in sides]
+        names += [f"{side}, ground" if len(grounds) > 1 else "ground" for side in grounds]
         for text, values in zip(names, pseudo_acceleration(run.time[even], ground, period)):
             curves.append(Curve(period, values, legend=text, digits=2e-4))
     unit = r.unit(f"buildings/{sides[0][0]}/acceleration")
@@ -356,18 +387,20 @@ def spectrum(runs):
 
 KINDS = {f.__name__: f for f in (histories, contact, loops, profiles, energy, impacts, modes,
                                  spectrum)}
+CHECKS = {"energy": check_energy, "impacts": check_impacts, "profiles": check_profiles}
 
 
 def main(script, *results):
     runs = [Run(path) for path in results]
     for run, path in zip(runs, results):
         run.name, run.several = os.path.basename(path)[:-3], len(runs) > 1
+        run.first = run is runs[0]
     kind = os.path.basename(script)[:-3]
     picture = Picture(script)
     panels, text = KINDS[kind](runs)
     check_panels(picture, panels)
-    if kind == "impacts":
-        check_impacts(picture, runs)
+    if kind in CHECKS:
+        CHECKS[kind](picture, runs)
     if text:
         check_text(picture.texts[1], *text)
 

@@ -184,10 +184,11 @@ def same_thinned(got, want, where):
 
 def check_axis(axis, want, where):
     if want:
-        brief = {"acceleration": "accel.", "displacement": "displ.", "storey drift": "drift"}
+        brief = {"acceleration": "accel.", "displacement": "displ.", "storey drift": "drift",
+                 "storey shear": "shear"}
         assert axis.name in (want[0], brief.get(want[0])), f"{where}: axis {axis.label}"
         assert (axis.unit or None) == want[1], f"{where}: unit {axis.unit}, not {want[1]}"
-    for text, place in axis.tics if axis.tics and axis.name != "floor" else []:
+    for text, place in axis.tics if axis.tics and axis.name not in ("floor", "") else []:
         assert abs(float(text) * axis.power - place) <= 1e-4 * abs(place), (
             f"{where}: '{text}' of {axis.label} at {place}")
 
