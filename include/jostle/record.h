@@ -26,7 +26,7 @@ struct record_request {
 // Which part of the request an error is about.
 enum record_part { RECORD_PATH, RECORD_FORMAT_NAME, RECORD_DT, RECORD_UNIT, RECORD_CHANNEL };
 
-enum { RECORD_WARNINGS_MAX = 5 };
+enum { RECORD_WARNINGS_MAX = 8 };
 struct record {
     enum record_part wrong;  // after an error of record_read
     const char *format;      // name of the format read

@@ -2,6 +2,8 @@
 // Files of several channels: which one is asked for, and channels that stand side by side in rows.
 #include "motion/channels.h"
 
+#include <string.h>
+
 #include "core/arena.h"
 #include "motion/values.h"
 
@@ -87,9 +89,30 @@ static int read_row(const struct record_text *t, const struct channel_rows *rows
     return status;
 }
 
-static int check_count(const struct record_text *t, const struct channel_rows *rows, size_t n,
-                       int last_line, struct error *e) {
-    if ((double)n == rows->stated) {
+// True if the rows behind the stated number are the same as the last of them, with which some
+// recorders fill up.
+static bool is_filling(const struct channel_rows *rows) {
+    struct lines l = rows->from;
+    struct piece last = {0};
+    for (double i = 1; next_row(&l); i++) {
+        if (i == rows->stated) {
+            last = l.line;
+        } else if (i > rows->stated &&
+                   (l.line.n != last.n || memcmp(l.line.text, last.text, last.n) != 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static int check_count(const struct record_text *t, const struct channel_rows *rows, int last_line,
+                       struct record_content *out, struct error *e) {
+    const size_t n = out->n;
+    if ((double)n > rows->stated && is_filling(rows)) {
+        out->n_filling = n - (size_t)rows->stated;
+        out->count_line = rows->stated_line;
+    }
+    if ((double)n == rows->stated || out->n_filling > 0) {
         return STATUS_OK;
     }
     return (double)n < rows->stated
@@ -107,7 +130,7 @@ int channels_read(struct arena *a, const struct record_text *t, const struct cha
     for (out->n = 0; next_row(&l); out->n++) {
         last_line = l.number;
     }
-    int status = check_count(t, rows, out->n, last_line, e);
+    int status = check_count(t, rows, last_line, out, e);
     if (status != STATUS_OK) {
         return status;
     }

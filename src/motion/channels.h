@@ -39,7 +39,8 @@ struct channel_rows {
     int stated_line;  // where the header states so many rows
 };
 
-// Reads a column: sets value, n, peak and peak_line of `out`.
+// Reads a column: sets value, n, peak and peak_line of `out`; n_filling where more rows than stated
+// follow, all the same as the last.
 int channels_read(struct arena *a, const struct record_text *t, const struct channel_rows *rows,
                   struct record_content *out, struct error *e);
 

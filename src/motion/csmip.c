@@ -137,36 +137,12 @@ static void read_unit(const struct record_request *request, const struct lines *
 // The last format in brackets; volume 2 writes (8F10.3) where the line tells none.
 static int read_format(const struct record_text *t, const struct lines *l,
                        struct fixed_format *format, struct error *e) {
-    bool found = false;
-    struct piece rest = l->line;
-    struct piece inside;
-    while (lines_bracket(&rest, &inside)) {
-        struct fixed_format f;
-        if (fixed_format_read(inside, &f)) {
-            *format = f;
-            found = true;
-        }
+    if (fixed_format_find(l->line, format)) {
+        return STATUS_OK;
     }
-    if (!found && is_volume_2(l->line)) {
-        *format = (struct fixed_format){.n = 8, .width = 10, .decimals = 3};
-        found = true;
-    }
-    return found ? STATUS_OK : lines_error(e, t->path, l->number, "no format such as (8F9.6)");
-}
-
-// Refuses a row of numbers after the last value.
-static int check_end(const struct record_text *t, struct lines l, size_t n, struct error *e) {
-    struct piece field;
-    double value;
-    bool is_row;
-    while ((is_row = lines_next(&l)) && l.line.n == 0) {
-    }
-    struct piece rest = l.line;
-    while (is_row && lines_field(&rest, "", &field)) {
-        is_row = lines_number(field, &value) == NUMBER_OK;
-    }
-    return is_row ? lines_error(e, t->path, l.number, "more than the %zu values that are told", n)
-                  : STATUS_OK;
+    *format = (struct fixed_format){.n = 8, .width = 10, .decimals = 3};
+    return is_volume_2(l->line) ? STATUS_OK
+                                : lines_error(e, t->path, l->number, "no format such as (8F9.6)");
 }
 
 static int csmip_read(struct arena *a, const struct record_request *request,
@@ -194,7 +170,7 @@ static int csmip_read(struct arena *a, const struct record_request *request,
     read_unit(request, &c.title, out);
     l = c.title;
     status = fixed_read(a, t, &l, &format, (size_t)npts, out, e);
-    return status == STATUS_OK ? check_end(t, l, out->n, e) : status;
+    return status == STATUS_OK ? fixed_check_end(t, l, &format, out->n, e) : status;
 }
 
 const struct record_format record_csmip = {

@@ -18,7 +18,9 @@ static size_t take_count(struct piece *rest) {
     return count;
 }
 
-bool fixed_format_read(struct piece text, struct fixed_format *out) {
+// Reads `8F9.6`, `5E15.6`, also in small letters and with more behind, `1F15.6E`. False: it is no
+// such format.
+static bool read_format(struct piece text, struct fixed_format *out) {
     *out = (struct fixed_format){.n = take_count(&text)};
     if (text.n < 2 || !strchr("FfEe", text.text[0])) {
         return false;
@@ -33,6 +35,19 @@ bool fixed_format_read(struct piece text, struct fixed_format *out) {
     text.n--;
     out->decimals = take_count(&text);
     return out->n > 0 && out->width > 0 && out->decimals > 0;
+}
+
+bool fixed_format_find(struct piece line, struct fixed_format *out) {
+    bool found = false;
+    struct piece inside;
+    while (lines_bracket(&line, &inside)) {
+        struct fixed_format f;
+        if (read_format(inside, &f)) {
+            *out = f;
+            found = true;
+        }
+    }
+    return found;
 }
 
 struct piece fixed_field(struct piece line, const struct fixed_format *format, size_t i) {
@@ -114,4 +129,29 @@ int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
     out->value = value;
     out->n = n;
     return STATUS_OK;
+}
+
+// True if the line holds numbers alone, parted by blanks or by the width of the fields.
+static bool is_row(const struct lines *l, const struct fixed_format *format) {
+    bool by_blanks = true, by_width = true;
+    double value;
+    struct piece rest = l->line;
+    for (struct piece field; lines_field(&rest, "", &field);) {
+        by_blanks &= lines_number(field, &value) == NUMBER_OK;
+    }
+    const size_t used = (size_t)(l->line.text + l->line.n - l->whole.text);
+    for (size_t i = 0; i * format->width < used; i++) {
+        by_width &= lines_number(fixed_field(l->whole, format, i), &value) == NUMBER_OK;
+    }
+    return by_blanks || by_width;
+}
+
+int fixed_check_end(const struct record_text *t, struct lines l, const struct fixed_format *format,
+                    size_t n, struct error *e) {
+    bool found;
+    while ((found = lines_next(&l)) && l.line.n == 0) {
+    }
+    return found && is_row(&l, format)
+               ? lines_error(e, t->path, l.number, "more than the %zu values that are told", n)
+               : STATUS_OK;
 }

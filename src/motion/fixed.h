@@ -17,8 +17,8 @@ struct fixed_format {
     int stated;  // line that states the number of values; 0: the one before them
 };
 
-// Reads `8F9.6`, `5E15.6`, also in small letters. False: it is no such format.
-bool fixed_format_read(struct piece text, struct fixed_format *out);
+// The last format in brackets in the line, as (8F9.6) or (5e15.6); false: there is none.
+bool fixed_format_find(struct piece line, struct fixed_format *out);
 
 // Field i, from 0, of the line, without the blanks around it; of no characters if the line is
 // shorter.
@@ -30,5 +30,9 @@ struct piece fixed_field(struct piece line, const struct fixed_format *format, s
 int fixed_read(struct arena *a, const struct record_text *t, struct lines *l,
                const struct fixed_format *format, size_t n, struct record_content *out,
                struct error *e);
+
+// Refuses a row of numbers after the n values, the last of which is in the line where `l` stands.
+int fixed_check_end(const struct record_text *t, struct lines l, const struct fixed_format *format,
+                    size_t n, struct error *e);
 
 #endif

@@ -28,9 +28,9 @@ static const struct {
     const char *name, *text;
     int n_line;  // it stands in one of so many lines
 } formats[] = {
-    {"COSMOS", "(FORMAT V", 1},
-    {"SMC (USGS)", "1 UNCORRECTED ACCELEROGRAM", 1},
-    {"SMC (USGS)", "2 CORRECTED ACCELEROGRAM", 1},
+    {"SMC of uncorrected accelerations (times that are not even)", "1 UNCORRECTED ACCELEROGRAM", 1},
+    {"SMC of velocities", "3 VELOCITY", 1},
+    {"SMC of displacements", "4 DISPLACEMENT", 1},
     {"USC volume 1 (times that are not even)", "OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME", 1},
     {"CSMIP or USC without values", "CORRECTED ACCELEROGRAM", 3},
 };

@@ -52,7 +52,7 @@ int header_text(const struct header *h, const char *key, struct header_entry *ou
                             : lines_error(e, h->text->path, out->line, "%s is empty", key);
 }
 
-static int read_number(const struct header *h, const struct header_entry *from, struct piece value,
+int header_read_number(const struct header *h, const struct header_entry *from, struct piece value,
                        double *number, struct error *e) {
     if (lines_number(value, number) == NUMBER_OK) {
         return STATUS_OK;
@@ -63,7 +63,7 @@ static int read_number(const struct header *h, const struct header_entry *from, 
 
 int header_read_positive(const struct header *h, const struct header_entry *from,
                          struct piece value, double *number, struct error *e) {
-    const int status = read_number(h, from, value, number, e);
+    const int status = header_read_number(h, from, value, number, e);
     return status != STATUS_OK || *number > 0
                ? status
                : lines_error(e, h->text->path, from->line, "%s is %s; it must be > 0", from->key,
@@ -78,10 +78,10 @@ int header_positive(const struct header *h, const char *key, struct header_entry
 
 int header_read_count(const struct header *h, const struct header_entry *from, double *n,
                       struct error *e) {
-    const int status = read_number(h, from, from->value, n, e);
-    if (status == STATUS_OK && (*n != floor(*n) || *n < 2)) {
+    const int status = header_read_number(h, from, from->value, n, e);
+    if (status == STATUS_OK && (*n != floor(*n) || *n < 2 || *n > 1e9)) {
         return lines_error(e, h->text->path, from->line,
-                           "%s is %s; it must be a whole number of at least 2", from->key,
+                           "%s is %s; it must be a whole number from 2 to 1e9", from->key,
                            lines_excerpt(from->value).text);
     }
     return status;
@@ -121,11 +121,22 @@ int header_read_peak(const struct header *h, const struct header_entry *from, st
     if (value.n == 0) {
         return STATUS_OK;
     }
-    const int status = read_number(h, from, value, &peak, e);
+    const int status = header_read_number(h, from, value, &peak, e);
     if (status == STATUS_OK) {
         out->stated_peak = fabs(peak);
         out->stated_rounding = last_digit(value);
         out->stated_line = from->line;
+    }
+    return status;
+}
+
+int header_read_peak_of_unit(const struct header *h, const struct header_entry *from,
+                             struct piece value, double unit, struct record_content *out,
+                             struct error *e) {
+    const int status = header_read_peak(h, from, value, out, e);
+    if (unit > 0 && out->unit > 0) {
+        out->stated_peak *= unit / out->unit;
+        out->stated_rounding *= unit / out->unit;
     }
     return status;
 }

@@ -27,7 +27,7 @@ int header_text(const struct header *h, const char *key, struct header_entry *ou
 int header_positive(const struct header *h, const char *key, struct header_entry *out,
                     double *number, struct error *e);
 
-// One that must be a number of values: whole, and at least 2.
+// One that must be a number of values: whole, from 2 to 1e9.
 int header_count(const struct header *h, const char *key, struct header_entry *out, double *n,
                  struct error *e);
 
@@ -35,18 +35,27 @@ int header_count(const struct header *h, const char *key, struct header_entry *o
 int header_duration(const struct header *h, const char *key, double rate, struct header_entry *out,
                     double *n, struct error *e);
 
-// `value`, a piece of the entry's, as a number > 0.
+// `value`, a piece of the entry's, as a number.
+int header_read_number(const struct header *h, const struct header_entry *from, struct piece value,
+                       double *number, struct error *e);
+
+// The same as a number > 0.
 int header_read_positive(const struct header *h, const struct header_entry *from,
                          struct piece value, double *number, struct error *e);
 
-// The same as a number of values: whole, and at least 2.
+// The entry's value as a number of values: whole, from 2 to 1e9.
 int header_read_count(const struct header *h, const struct header_entry *from, double *n,
                       struct error *e);
 
-// The same as the largest acceleration that the file states, in its unit. It may be rounded or cut
+// `value` as the largest acceleration that the file states, in its unit. It may be rounded or cut
 // off in its last digit, and have a sign; an empty one states nothing.
 int header_read_peak(const struct header *h, const struct header_entry *from, struct piece value,
                      struct record_content *out, struct error *e);
+
+// The same where the peak has a unit of its own [m/s^2], 0: that of the values, which out->unit is.
+int header_read_peak_of_unit(const struct header *h, const struct header_entry *from,
+                             struct piece value, double unit, struct record_content *out,
+                             struct error *e);
 
 // The same as the unit of the values, which is left 0 where it is none of acceleration.
 void header_read_unit(const struct record_request *request, const struct header_entry *from,

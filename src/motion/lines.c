@@ -25,7 +25,7 @@ static bool is_word(char c) {
     return is_digit(c) || (upper(c) >= 'A' && upper(c) <= 'Z') || c == '_';
 }
 
-static struct piece trim(struct piece s) {
+struct piece lines_trim(struct piece s) {
     while (s.n > 0 && is_blank(s.text[0])) {
         s.text++;
         s.n--;
@@ -53,7 +53,7 @@ bool lines_next(struct lines *l) {
     const char *stop = memchr(l->at, l->terminator, (size_t)(l->end - l->at));
     const char *line_end = stop ? stop : l->end;
     l->whole = (struct piece){l->at, (size_t)(line_end - l->at)};
-    l->line = trim(l->whole);
+    l->line = lines_trim(l->whole);
     l->at = stop ? stop + 1 : l->end;
     l->number++;
     return true;
@@ -107,7 +107,7 @@ struct piece lines_without_comment(struct piece line) {
         return (struct piece){line.text, 0};
     }
     const char *mark = memchr(line.text, '#', line.n);
-    return mark ? trim((struct piece){line.text, (size_t)(mark - line.text)}) : line;
+    return mark ? lines_trim((struct piece){line.text, (size_t)(mark - line.text)}) : line;
 }
 
 static const char *find(struct piece line, const char *text, size_t from) {

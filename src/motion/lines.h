@@ -30,6 +30,9 @@ void lines_init(struct lines *l, const struct record_text *t);
 // Goes to the next line; false at the end of the text.
 bool lines_next(struct lines *l);
 
+// The piece without blanks and carriage returns at either end.
+struct piece lines_trim(struct piece s);
+
 // Takes the first field off `rest`. Fields are separated by blanks, or by one character of
 // `separators` ("" or ",;") with blanks around it; a separator at the end of the line is allowed,
 // two in a row make an empty field. False: none is left.

@@ -184,6 +184,16 @@ static void check_stated_peak(const struct check *c) {
     }
 }
 
+static void check_filling(const struct check *c) {
+    const struct record_content *content = c->content;
+    if (content->n_filling > 0) {
+        warn(c, content->count_line,
+             "the header says %zu rows; the file holds %zu more, which repeat the last of them and "
+             "are read too",
+             content->n - content->n_filling, content->n_filling);
+    }
+}
+
 static void check_offset(const struct check *c) {
     const struct record_content *content = c->content;
     double mean = values_mean(content->value, content->n) * c->out->unit;
@@ -240,6 +250,7 @@ int record_check(const struct record_request *request, const struct record_text 
     if (status) {
         return status;
     }
+    check_filling(&c);
     check_stated_peak(&c);
     if (request->demean) {
         demean(content, out);

@@ -27,6 +27,9 @@ struct record_content {
     size_t peak;    // index of the first largest |value|
     int peak_line;  // where it stands
 
+    size_t n_filling;  // so many values at the end repeat the one before, beyond the stated number
+    int count_line;    // where that is stated
+
     double dt;            // [s] > 0; 0: the file does not say it
     int dt_line;          // where it says or should say so
     double dt_tolerance;  // [s] how well the file says it; 0 unless made from rounded times

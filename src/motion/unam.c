@@ -14,9 +14,9 @@
 //     FACTOR DE DECIMACION                   : 1
 //     DATOS DE ACELERACION:                         then four lines, the third with the names,
 //
-// and a row of values for each time, as many as samples. Refused are files with more rows, as there
-// are of 2004, since nothing says which are the samples; with a factor other than 1; with more than
-// 6 channels, which have keys of their own; and with values that touch, of 1000 gal and more.
+// and a row of values for each time, as many as samples; files of 2004 repeat the last one. Refused
+// are files with a factor other than 1; with more than 6 channels, which have keys of their own;
+// and with values that touch, of 1000 gal and more.
 //
 // Source: files of UNAM; the reader of gmprocess (USGS) for them.
 #include <math.h>

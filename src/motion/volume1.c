@@ -89,12 +89,7 @@ static int read_unit(const struct record_request *request, const struct record_t
         return lines_error(e, t->path, l->number, "unit '%s' of MAX is no unit of acceleration",
                            peak.unit_text.text);
     }
-    const int status = header_read_peak(&h, &entry, value, &peak, e);
-    const double factor = out->unit > 0 ? peak.unit / out->unit : 1;
-    out->stated_peak = factor * peak.stated_peak;
-    out->stated_rounding = factor * peak.stated_rounding;
-    out->stated_line = peak.stated_line;
-    return status;
+    return header_read_peak_of_unit(&h, &entry, value, peak.unit, out, e);
 }
 
 // The line `/&`, unless the file ends.

@@ -66,10 +66,8 @@ static void files_that_are_no_records_are_called_by_their_name(void **state) {
          "a.txt: this is a Git LFS pointer, not a record"},
         {"PK\x03\x04", "a.txt: this is a zip archive, not a record"},
         {"0 1\n\x1b 2\n", "a.txt: this is not text: byte 0x1b at offset 4"},
-        {"Corrected acceleration    (Format v01.20 with 13 text lines)\n1 2\n",
-         "a.txt: looks like format COSMOS, which cannot be read yet"},
-        {"2 CORRECTED ACCELEROGRAM\n*\n1 2\n",
-         "a.txt: looks like format SMC (USGS), which cannot be read yet"},
+        {"4 DISPLACEMENT\n*\n1 2\n",
+         "a.txt: looks like format SMC of displacements, which cannot be read yet"},
     };
     struct reading *r = *state;
     for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {
@@ -84,7 +82,8 @@ static void an_unknown_format_gets_the_nearest_name(void **state) {
     reading_of_text(r, "1\n2\n");
     assert_refused(
         r, "a.txt: unknown record format 'colums'; did you mean 'columns'?; there are "
-           "knet, esm, afad, cwa, unam, csmip, geonet, renadic, bhrc, peer, series, columns");
+           "knet, esm, afad, cwa, unam, csmip, cosmos, smc, geonet, renadic, bhrc, peer, series, "
+           "columns");
 }
 
 static void a_zero_byte_in_the_text_is_refused(void **state) {

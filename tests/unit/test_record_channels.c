@@ -167,7 +167,7 @@ static void wrong_unam_files_are_refused(void **state) {
          "a.txt:87: the file ends after 50 rows; its header (line 20) says 52"},
         {"/50/50/50", "/50/50/1",
          "a.txt:20: NUM. TOTAL DE MUESTRAS, C1-C6 is 1; it must be a "
-         "whole number of at least 2"},
+         "whole number from 2 to 1e9"},
         {": Gal (", ": m/s (",
          "a.txt:24: 'm/s' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {"N00E\r\n---", "N00E\r\n1 2",
@@ -182,6 +182,18 @@ static void wrong_unam_files_are_refused(void **state) {
     }
 }
 
+static void rows_that_fill_up_are_read_with_a_warning(void **state) {
+    struct reading *r = *state;
+    r->request.channel = 1;
+    reading_of_text(r, AFAD COUNT STEP PEAKS NAMES "1 2 3\n3 4 5\n3 4 5\n3 4 5\n");
+    assert_read(r, "afad", 4, 0.01);
+    assert_warned(r,
+                  "a.txt:2: the header says 2 rows; the file holds 2 more, which repeat the last "
+                  "of them and are read too");
+    reading_of_text(r, AFAD COUNT STEP PEAKS NAMES "1 2 3\n3 4 5\n3 4 5\n3 4 6\n");
+    assert_refused(r, "a.txt:2: the header says 2 rows; the file holds 4");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         TEST_READING(each_channel_of_a_file_is_read),
@@ -191,6 +203,7 @@ int main(void) {
         TEST_READING(the_peak_of_the_channel_is_compared),
         TEST_READING(wrong_cwa_files_are_refused),
         TEST_READING(wrong_unam_files_are_refused),
+        TEST_READING(rows_that_fill_up_are_read_with_a_warning),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -80,7 +80,7 @@ static void headers_that_do_not_say_enough_are_refused(void **state) {
         {TOP UNIT TYPE "1\n2\n", "a.txt: there is no 'NDATA' in the header"},
         {TOP "NDATA: \n" UNIT TYPE "1\n2\n", "a.txt:4: NDATA is empty"},
         {TOP "NDATA: 2.5\n" UNIT TYPE "1\n2\n",
-         "a.txt:4: NDATA is 2.5; it must be a whole number of at least 2"},
+         "a.txt:4: NDATA is 2.5; it must be a whole number from 2 to 1e9"},
         {TOP COUNT TYPE "1\n2\n3\n", "a.txt: there is no 'UNITS' in the header"},
         {TOP COUNT "UNITS: cm\n" TYPE "1\n2\n3\n",
          "a.txt:5: 'cm' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},

@@ -75,7 +75,7 @@ static void what_a_file_says_wrongly_is_refused(void **state) {
         {BHRC, "     50      DUR", "1000000      DUR",
          "a.txt:11: 1000000 values; the file ends before"},
         {BHRC, "     50      DUR", "    0.5      DUR",
-         "a.txt:11: NO. OF POINTS is 0.5; it must be a whole number of at least 2"},
+         "a.txt:11: NO. OF POINTS is 0.5; it must be a whole number from 2 to 1e9"},
         {BHRC, "DURATION =   0.250", "DURATION =   0.000",
          "a.txt:11: DURATION is 0.000; it must be > 0"},
         {BHRC, "DURATION =   0.250", "", "a.txt:11: no 'NO. OF POINTS =' and 'DURATION ='"},

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// COSMOS 1.20: channel after channel, each with 13 lines of text, 100 integers, 100 reals, lines of
+// comment and its values; velocities and displacements may follow with or without headers of their
+// own. What is read:
+//
+//     Corrected acceleration    (Format v01.20 with 13 text lines) Src: ...
+//     Sta Chan   1: 90 deg (Rcrdr Chan  1) Location: ...                     the name
+//     Processed: 06/17/2005, 12:01:00 PDT      Max =  -161.962 cm/sec2  at  27.850 sec
+//     Values used when parameter or data value is unknown/unspecified:   -999, -999.0
+//      100 Real-header values follow on  17 lines, Format= (6F13.6)          real 62: step in ms
+//        7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)
+//
+// The step must agree with the number of values and their duration, which is told in seconds.
+// Volume 0, counts of a recorder, is refused: the factors in its header are those of parts of the
+// instrument, which not every network gives.
+//
+// Source: COSMOS Strong Motion Data Format, Ver. 1.20 (2001), www.cosmos-eq.org.
+#include <math.h>
+#include <string.h>
+
+#include "motion/channels.h"
+#include "motion/fixed.h"
+#include "motion/header.h"
+
+enum { REAL_STEP = 62 };
+
+static const char none[] = "no line 'acceleration pts' with 'units=' and 'Format='";
+static const double DURATION_ROUNDING = 1;  // [s]
+
+// A channel: its lines in the file and what its text says.
+struct channel {
+    struct lines reals, values;  // at the lines before them; number 0: there is none
+    struct piece name;           // `90 deg`; empty: not told
+    struct header_entry peak;    // its value empty: not told
+    struct piece peak_unit;
+    struct header_entry unknown;  // what stands for a value that is not known
+};
+
+static bool is_title(struct piece line) {
+    return lines_contain(line, "(FORMAT V") && lines_contain(line, "TEXT LINES");
+}
+
+static bool cosmos_matches(const struct record_text *t) {
+    struct lines l;
+    lines_init(&l, t);
+    return lines_next(&l) && is_title(l.line);
+}
+
+// `90 deg` of `   1: 90 deg (Rcrdr Chan  1) Location: ...`.
+static struct piece channel_name(struct piece text) {
+    const char *bracket = memchr(text.text, '(', text.n);
+    text.n = bracket ? (size_t)(bracket - text.text) : text.n;
+    for (const char *colon; (colon = memchr(text.text, ':', text.n));) {
+        text.n -= (size_t)(colon + 1 - text.text);
+        text.text = colon + 1;
+    }
+    return lines_trim(text);
+}
+
+static void note_text(struct channel *c, const struct lines *l) {
+    struct piece rest;
+    if (is_title(l->line)) {
+        *c = (struct channel){0};
+    } else if (lines_contain(l->line, "REAL-HEADER VALUES")) {
+        c->reals = *l;
+    } else if ((rest = lines_behind(l->line, "STA CHAN")).n > 0 ||
+               (rest = lines_behind(l->line, "STA CHA")).n > 0) {
+        c->name = channel_name(rest);
+    } else if (lines_word(l->line, "PROCESSED") && lines_value(l->line, "MAX", &rest)) {
+        c->peak = (struct header_entry){"Max", rest, l->number};
+        rest.n = (size_t)(l->line.text + l->line.n - rest.text);
+        lines_field(&rest, "", &c->peak_unit);
+        lines_field(&rest, "", &c->peak_unit);
+    } else {
+        rest = lines_behind(l->line, "UNKNOWN/UNSPECIFIED");
+        for (struct piece field; lines_field(&rest, ":,", &field);) {
+            c->unknown = (struct header_entry){"unknown", field, l->number};
+        }
+    }
+}
+
+// Steps to the next line before accelerations; false: there is no further channel.
+static bool next_channel(struct lines *l, struct channel *c) {
+    *c = (struct channel){0};
+    while (lines_next(l)) {
+        if (lines_contain(l->line, " ACC") && lines_contain(l->line, " PTS") &&
+            lines_contain(l->line, "UNITS=")) {
+            c->values = *l;
+            return true;
+        }
+        note_text(c, l);
+    }
+    return false;
+}
+
+static bool next_name(struct lines *l, struct piece *name) {
+    struct channel c;
+    const bool found = next_channel(l, &c);
+    *name = c.name;
+    return found;
+}
+
+// A time step that the header leaves open must be given by the user.
+static int read_step(const struct record_text *t, const struct channel *c, double unknown,
+                     struct record_content *out, struct error *e) {
+    struct fixed_format format;
+    struct lines l = c->reals;
+    if (l.number == 0 || !fixed_format_find(l.line, &format)) {
+        return lines_error(e, t->path, c->values.number,
+                           "no line 'Real-header values follow' with their format before it");
+    }
+    for (size_t row = 0; row <= (REAL_STEP - 1) / format.n; row++) {
+        if (!lines_next(&l)) {
+            return lines_error(e, t->path, l.number, "the file ends within its reals");
+        }
+    }
+    const struct number_field f = {t->path, l.number, "real", REAL_STEP,
+                                   fixed_field(l.whole, &format, (REAL_STEP - 1) % format.n)};
+    double step;
+    const int status = lines_read_number(&f, &step, e);
+    if (status == STATUS_OK && step <= 0 && step != unknown) {
+        return lines_error(e, t->path, l.number, "a time step of %g ms; it must be > 0", step);
+    }
+    out->dt = step == unknown ? 0 : step / 1000;
+    out->dt_line = l.number;
+    return status;
+}
+
+static int read_count(const struct record_text *t, const struct channel *c, double *n,
+                      const struct record_content *out, struct error *e) {
+    const struct header h = {.text = t};
+    struct header_entry entry = {.key = "number of values", .line = c->values.number};
+    struct piece rest = c->values.line;
+    struct piece approx = lines_behind(c->values.line, "APPROX");
+    struct piece told;
+    double duration;
+    lines_field(&rest, "", &entry.value);
+    const int status = header_read_count(&h, &entry, n, e);
+    if (status != STATUS_OK || !lines_field(&approx, "", &told) ||
+        lines_number(told, &duration) != NUMBER_OK || out->dt == 0 ||
+        fabs(*n * out->dt - duration) <= DURATION_ROUNDING + out->dt) {
+        return status;
+    }
+    return lines_error(e, t->path, entry.line,
+                       "%.0f values in approx %g s; the time step of %g s (line %d) makes it %g",
+                       *n, duration, out->dt, out->dt_line, *n * out->dt);
+}
+
+static int read_unit(const struct record_request *request, const struct record_text *t,
+                     const struct channel *c, struct record_content *out, struct error *e) {
+    struct piece rest = lines_behind(c->values.line, "UNITS");
+    struct piece unit;
+    lines_field(&rest, "=", &unit);
+    lines_field(&rest, "(,", &unit);
+    if (lines_contain(unit, "COUNT")) {
+        return lines_error(e, t->path, c->values.number,
+                           "the values are counts of a recorder (volume 0), which are not "
+                           "converted; volumes 1 and 2 hold accelerations");
+    }
+    header_read_unit(request, &(struct header_entry){.line = c->values.number}, unit, out);
+    return STATUS_OK;
+}
+
+static int read_peak(const struct record_request *request, const struct record_text *t,
+                     const struct channel *c, struct record_content *out, struct error *e) {
+    struct record_content peak = {0};
+    header_read_unit(request, &c->peak, c->peak_unit, &peak);
+    return header_read_peak_of_unit(&(struct header){.text = t}, &c->peak, c->peak.value, peak.unit,
+                                    out, e);
+}
+
+static int check_unknown(const struct record_text *t, const struct channel *c, double unknown,
+                         const struct record_content *out, struct error *e) {
+    for (size_t i = 0; i < out->n; i++) {
+        if (out->value[i] == unknown) {
+            return lines_error(e, t->path, c->values.number,
+                               "value %zu of those below is %g, which stands for one that is not "
+                               "known (line %d)",
+                               i + 1, unknown, c->unknown.line);
+        }
+    }
+    return STATUS_OK;
+}
+
+static int cosmos_read(struct arena *a, const struct record_request *request,
+                       const struct record_text *t, struct record_content *out, struct error *e) {
+    struct channel c;
+    struct fixed_format format;
+    struct lines l;
+    double n = 0;
+    double unknown;
+    int status = channels_seek(request, t, next_name, none, &l, out, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    next_channel(&l, &c);
+    if (lines_number(c.unknown.value, &unknown) != NUMBER_OK) {
+        unknown = -999;
+    }
+    status = read_unit(request, t, &c, out, e);
+    if (status == STATUS_OK) {
+        status = read_step(t, &c, unknown, out, e);
+    }
+    if (status == STATUS_OK) {
+        status = read_count(t, &c, &n, out, e);
+    }
+    if (status == STATUS_OK) {
+        status = read_peak(request, t, &c, out, e);
+    }
+    if (status == STATUS_OK && !fixed_format_find(c.values.line, &format)) {
+        status = lines_error(e, t->path, c.values.number, "no format such as (8F10.5)");
+    }
+    if (status == STATUS_OK) {
+        status = fixed_read(a, t, &l, &format, (size_t)n, out, e);
+    }
+    if (status == STATUS_OK) {
+        status = fixed_check_end(t, l, &format, out->n, e);
+    }
+    return status == STATUS_OK ? check_unknown(t, &c, unknown, out, e) : status;
+}
+
+const struct record_format record_cosmos = {
+    .name = "cosmos",
+    .doc = "COSMOS 1.20, volumes 1 and 2, accelerations of one of their channels",
+    .certain = true,
+    .channels = true,
+    .matches = cosmos_matches,
+    .read = cosmos_read,
+};

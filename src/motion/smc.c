@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SMC of the USGS, corrected accelerations: 11 lines of text, 6 of integers (8I10), 10 of reals
+// (5E15.7), lines of comment that begin with a |, and values in cm/s/s in fields of 10 that touch.
+// What is read:
+//
+//     line 1         2 CORRECTED ACCELEROGRAM
+//     integer 16     number of lines of comment
+//     integer 17     number of values
+//     real 2         samples a second
+//     real 30, 32    largest and smallest value; 1.7E+38: not known
+//
+// Uncorrected accelerations have times that are not even; they are refused, as are velocities,
+// displacements and spectra, which the first line names.
+//
+// Source: USGS National Strong-Motion Project, SMC-format data files,
+// http://escweb.wr.usgs.gov/nsmp-data/smcfmt.html; files of the USGS.
+#include <math.h>
+
+#include "motion/fixed.h"
+#include "motion/header.h"
+
+enum { INTEGER_LINE = 12, REAL_LINE = 18, HEADER_LINES = 27 };
+enum { INT_COMMENTS = 16, INT_VALUES = 17, REAL_RATE = 2, REAL_LARGEST = 30, REAL_SMALLEST = 32 };
+
+static const struct fixed_format integers = {.n = 8, .width = 10};
+static const struct fixed_format reals = {.n = 5, .width = 15};
+static const struct fixed_format values = {.n = 8, .width = 10, .stated = 14};
+static const double UNKNOWN = 1e38;
+static const double ROUNDING = 1e-4;  // of values of five digits
+
+struct smc {
+    const struct record_text *text;
+    struct lines line[HEADER_LINES + 1];
+};
+
+static bool is_title(struct piece line) {
+    return lines_contain(line, "2 CORRECTED ACCELEROGRAM") && line.text[0] == '2';
+}
+
+static bool smc_matches(const struct record_text *t) {
+    struct lines l;
+    lines_init(&l, t);
+    return lines_next(&l) && is_title(l.line);
+}
+
+static int read_lines(struct smc *s, struct error *e) {
+    struct lines l;
+    lines_init(&l, s->text);
+    for (int i = 1; i <= HEADER_LINES; i++) {
+        if (!lines_next(&l)) {
+            return lines_error(e, s->text->path, l.number,
+                               "the file ends after %d of the %d lines of a header", i - 1,
+                               HEADER_LINES);
+        }
+        s->line[i] = l;
+    }
+    return is_title(s->line[1].line)
+               ? STATUS_OK
+               : lines_error(e, s->text->path, 1, "no '2 CORRECTED ACCELEROGRAM'");
+}
+
+// Number `i`, from 1, of those in fields of this format from line `first`.
+static struct header_entry number(const struct smc *s, const char *key, int first,
+                                  const struct fixed_format *format, size_t i) {
+    const int line = first + (int)((i - 1) / format->n);
+    return (struct header_entry){key, fixed_field(s->line[line].whole, format, (i - 1) % format->n),
+                                 line};
+}
+
+// Steps over the lines of comment, to the last.
+static int skip_comments(const struct smc *s, struct lines *l, struct error *e) {
+    const struct header h = {.text = s->text};
+    const struct header_entry entry =
+        number(s, "number of comments", INTEGER_LINE, &integers, INT_COMMENTS);
+    double told;
+    int n = 0;
+    for (struct lines next = *l; lines_next(&next) && next.line.n > 0 && next.line.text[0] == '|';
+         n++) {
+        *l = next;
+    }
+    const int status = header_read_number(&h, &entry, entry.value, &told, e);
+    return status != STATUS_OK || told == n
+               ? status
+               : lines_error(e, s->text->path, entry.line,
+                             "%.0f lines of comment are told; %d lines begin with a |", told, n);
+}
+
+static int read_peak(const struct smc *s, struct record_content *out, struct error *e) {
+    const struct header h = {.text = s->text};
+    static const size_t places[] = {REAL_LARGEST, REAL_SMALLEST};
+    int status = STATUS_OK;
+    for (int i = 0; i < 2 && status == STATUS_OK; i++) {
+        const struct header_entry entry = number(s, "peak", REAL_LINE, &reals, places[i]);
+        double peak;
+        status = header_read_number(&h, &entry, entry.value, &peak, e);
+        if (status == STATUS_OK && fabs(peak) < UNKNOWN && fabs(peak) > out->stated_peak) {
+            out->stated_peak = fabs(peak);
+            out->stated_rounding = ROUNDING * fabs(peak);
+            out->stated_line = entry.line;
+        }
+    }
+    return status;
+}
+
+static int smc_read(struct arena *a, const struct record_request *request,
+                    const struct record_text *t, struct record_content *out, struct error *e) {
+    static const char unit[] = "cm/s/s";
+    struct smc s = {.text = t};
+    const struct header h = {.text = t};
+    struct header_entry entry;
+    struct lines l;
+    double n = 0;
+    int status = read_lines(&s, e);
+    if (status == STATUS_OK) {
+        entry = number(&s, "number of values", INTEGER_LINE, &integers, INT_VALUES);
+        status = header_read_count(&h, &entry, &n, e);
+    }
+    if (status == STATUS_OK) {
+        double rate;
+        entry = number(&s, "samples a second", REAL_LINE, &reals, REAL_RATE);
+        status = header_read_positive(&h, &entry, entry.value, &rate, e);
+        out->dt = 1 / rate;
+        out->dt_line = entry.line;
+    }
+    if (status == STATUS_OK) {
+        status = read_peak(&s, out, e);
+    }
+    if (status == STATUS_OK) {
+        header_read_unit(request, &(struct header_entry){.line = 1},
+                         (struct piece){unit, sizeof unit - 1}, out);
+        l = s.line[HEADER_LINES];
+        status = skip_comments(&s, &l, e);
+    }
+    if (status == STATUS_OK) {
+        status = fixed_read(a, t, &l, &values, (size_t)n, out, e);
+    }
+    return status == STATUS_OK ? fixed_check_end(t, l, &values, out->n, e) : status;
+}
+
+const struct record_format record_smc = {
+    .name = "smc",
+    .doc = "SMC (USGS), corrected accelerations",
+    .certain = true,
+    .matches = smc_matches,
+    .read = smc_read,
+};
