@@ -47,7 +47,7 @@ int channels_seek(const struct record_request *request, const struct record_text
     if (all.n == 0) {
         return lines_error(e, t->path, 0, "%s", none);
     }
-    int chosen;
+    int chosen = 0;
     const int status = channels_choose(request, t, &all, &chosen, out, e);
     if (status == STATUS_OK) {
         *before = at[chosen];
@@ -93,16 +93,15 @@ static int read_row(const struct record_text *t, const struct channel_rows *rows
 // recorders fill up.
 static bool is_filling(const struct channel_rows *rows) {
     struct lines l = rows->from;
-    struct piece last = {0};
-    for (double i = 1; next_row(&l); i++) {
-        if (i == rows->stated) {
-            last = l.line;
-        } else if (i > rows->stated &&
-                   (l.line.n != last.n || memcmp(l.line.text, last.text, last.n) != 0)) {
-            return false;
-        }
+    for (double i = 0; i < rows->stated; i++) {
+        next_row(&l);
     }
-    return true;
+    const struct piece last = l.line;
+    bool same = true;
+    while (same && next_row(&l)) {
+        same = l.line.n == last.n && memcmp(l.line.text, last.text, last.n) == 0;
+    }
+    return same;
 }
 
 static int check_count(const struct record_text *t, const struct channel_rows *rows, int last_line,

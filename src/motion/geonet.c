@@ -150,7 +150,7 @@ static int read_acceleration(const struct record_request *request, const struct 
                              struct record_content *out, struct error *e) {
     const struct header h = {.text = c->text};
     struct piece rest = lines_behind(c->line[LINE_PEAK].line, "ACCELERATION:  PEAK");
-    struct piece peak, unit;
+    struct piece peak = {0}, unit = {0};
     double factor;
     int status = read_number(c, LINE_FACTOR, 8, &factor, e);
     if (status == STATUS_OK && factor != 1) {

@@ -183,6 +183,9 @@ static size_t fortran_exponent(struct piece s) {
 
 enum number lines_number(struct piece field, double *value) {
     enum { LONGEST = 60 };
+    if (field.n == 0) {
+        return NUMBER_BAD;
+    }
     enum number how = read_plain(field.text, field.n, value);
     if (how != NUMBER_BAD || field.n > LONGEST) {
         return how;

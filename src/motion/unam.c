@@ -153,7 +153,7 @@ static int read_channel(const struct record_request *request, const struct heade
 
 static int unam_read(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record_content *out, struct error *e) {
-    struct channels c;
+    struct channels c = {0};
     struct channel_rows rows = {0};
     struct piece names = {0};
     lines_init(&rows.from, t);

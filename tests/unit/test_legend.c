@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Legends: their entries stand on the sheet, apart from each other, and leave room for the panels.
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "plot/legend.h"
@@ -28,9 +29,11 @@ static int written(const struct legend *l, struct text *text) {
     rewind(c.to);
     while (fgets(line, sizeof line, c.to)) {
         struct text *t = &text[n];
-        if (sscanf(line, "set label '%255[^']' at screen %lf,%lf left", t->text, &t->left, &t->y) ==
+        char left[32], y[32];
+        if (sscanf(line, "set label '%255[^']' at screen %31[^,],%31s left", t->text, left, y) ==
             3) {
-            t->left *= WIDTH;
+            t->left = WIDTH * strtod(left, NULL);
+            t->y = strtod(y, NULL);
             n++;
         }
     }

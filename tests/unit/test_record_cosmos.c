@@ -99,6 +99,9 @@ static void wrong_cosmos_files_are_refused(void **state) {
         reading_of_changed(r, COSMOS, c[i].from, c[i].to);
         assert_refused(r, c[i].message);
     }
+    reading_of_text(r, "Corrected acceleration (Format v01.20 with 13 text lines)\n"
+                       "9 acceleration pts, approx 1 secs, units=g,Format=(8F10.5)\n");
+    assert_refused(r, "a.txt:2: no line 'Real-header values follow' with their format before it");
     reading_of_text(r, "Corrected velocity (Format v01.20 with 13 text lines)\n");
     assert_refused(r, "a.txt: no line 'acceleration pts' with 'units=' and 'Format='");
 }

@@ -78,7 +78,7 @@ static void what_was_not_used_for_longest_makes_room(void **state) {
     (void)state;
     struct arena *a = arena_create();
     // Two records: 8 bytes a sample, the record, and what the shelf notes of it.
-    struct shelf *s = shelf_create(2 * (8 * N_SAMPLE + sizeof(struct record) + 1000));
+    struct shelf *s = shelf_create(2 * (sizeof(double) * N_SAMPLE + sizeof(struct record) + 1000));
     const char *const path[] = {"a.txt", "b.txt", "c.txt"};
     for (int i = 0; i < 2; i++) {
         write_record(path[i], 0.1 * (i + 1));
