@@ -123,6 +123,22 @@ static int refuse_word(const struct command_options *o, const char *word) {
                 : command_usage(o->command, "unknown option '%s'", word);
 }
 
+// Is it one of the options, as in `-o --force`, where a value is forgotten?
+static bool is_option(const struct command_options *o, const char *word) {
+    if (word[0] != '-' || word[1] == '\0') {
+        return false;
+    }
+    if (word[2] == '\0') {
+        return word[1] != ':' && strchr(o->letters, word[1]);
+    }
+    for (const struct option *p = o->option; is_long(word) && p->name; p++) {
+        if (is_whole(word, p->name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // Says what getopt_long found wrong: '?' or ':'.
 static int refuse(const struct command_options *o, int answer, char **argv) {
     // getopt_long leaves the letter in optopt; for a long option the word is the one before optind.
@@ -192,6 +208,10 @@ int command_parse(const struct command_options *o, int argc, char **argv, void *
         }
         if (letter == '?' || letter == ':') {
             return refuse(o, letter, argv);
+        }
+        if (optarg && optarg == argv[optind - 1] && is_option(o, optarg)) {
+            return command_usage(o->command, "option '%s' needs a value; '%s' is an option",
+                                 taken_word(argv), optarg);
         }
         const int place = place_of(o, letter);
         if (given[place] && stands_once(o, &o->option[place])) {

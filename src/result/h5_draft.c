@@ -2,6 +2,7 @@
 #include "result/h5_draft.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 #include <unistd.h>
@@ -64,24 +65,54 @@ static int check_names(const struct report *r, struct error *e) {
     return STATUS_OK;
 }
 
+static bool has_ending(const char *path, const char *const *ending, size_t n) {
+    const char *point = strrchr(path, '.');
+    for (size_t i = 0; point && i < n; i++) {
+        if (strcasecmp(point + 1, ending[i]) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // Refuses a name that promises another kind of file. Any other ending is the user's choice.
 static int check_ending(const char *path, struct error *e) {
     static const char *const other[] = {"csv", "tsv", "txt", "json", "png", "svg", "pdf", "deck"};
-    const char *point = strrchr(path, '.');
-    for (size_t i = 0; point && i < sizeof other / sizeof other[0]; i++) {
-        if (strcasecmp(point + 1, other[i]) == 0) {
-            return error_set(e, STATUS_INPUT,
-                             "%s: a result is an HDF5 file, not %s; call it NAME.h5 (jostle show "
-                             "prints tables of it, jostle plot draws it)",
-                             path, other[i]);
-        }
+    return has_ending(path, other, sizeof other / sizeof other[0])
+               ? error_set(e, STATUS_INPUT,
+                           "%s: a result is an HDF5 file, not %s; call it NAME.h5 (jostle show "
+                           "prints tables of it, jostle plot draws it)",
+                           path, strrchr(path, '.') + 1)
+               : STATUS_OK;
+}
+
+// Does a file begin as HDF5 files do? One that is empty, or cannot be read, might.
+static bool may_be_hdf5(const char *path) {
+    static const char begin[] = {'\x89', 'H', 'D', 'F'};
+    char found[sizeof begin];
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        return true;
     }
-    return STATUS_OK;
+    const size_t n = fread(found, 1, sizeof found, file);
+    fclose(file);
+    return n == 0 || (n == sizeof begin && memcmp(found, begin, n) == 0);
+}
+
+// Keeps --force from a record or a script, the name of which stands behind -o by mistake.
+static int check_replaced(const char *path, struct error *e) {
+    static const char *const own[] = {"h5", "hdf5", "hdf"};
+    if (has_ending(path, own, sizeof own / sizeof own[0]) || may_be_hdf5(path)) {
+        return STATUS_OK;
+    }
+    return error_set(e, STATUS_INPUT,
+                     "%s exists and is no HDF5 file; --force replaces no other ones", path);
 }
 
 int h5_draft_check(const struct report *r, const struct result_options *o, struct error *e) {
     int status = result_check_path(o->path, o->existing, e);
     status = status == STATUS_OK ? check_ending(o->path, e) : status;
+    status = status == STATUS_OK ? check_replaced(o->path, e) : status;
     return status == STATUS_OK ? check_names(r, e) : status;
 }
 

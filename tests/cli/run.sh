@@ -33,6 +33,16 @@ for name in table.csv picture.PNG results/one.deck; do
     run "$jostle" run pair.deck -o $name
     expect "$name promises another kind of file" '[ $status -eq 2 ] && said "$name: a result is an HDF5 file, not" && [ ! -e $name ]'
 done
+cp pair.deck pair.old
+run "$jostle" run pair.deck -o pair.old --force
+expect "--force does not replace what is no HDF5 file" '[ $status -eq 2 ] && said "pair.old exists and is no HDF5 file" && cmp -s pair.deck pair.old'
+for name in empty.old junk.h5; do
+    [ $name = empty.old ] || echo junk >$name
+    >>$name
+    run "$jostle" run pair.deck -o $name -q --force
+    expect "but it replaces $name" '[ $status -eq 0 ] && [ "$(head -c 4 $name | tail -c 3)" = HDF ]'
+done
+rm *.old junk.h5
 run "$jostle" run pair.deck -o no/such/folder.h5
 expect "a folder that does not exist ends with 3" '[ $status -eq 3 ] && said "No such file or directory" && [ ! -s "$out" ]'
 run "$jostle" run pair.deck -o results

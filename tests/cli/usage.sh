@@ -51,6 +51,13 @@ expect "the beginning of an option before its value is none" '[ $status -eq 2 ] 
 run "$jostle" spectrum a.AT2 -period 1:2:3
 expect "nor is it behind one dash" '[ $status -eq 2 ] && said "unknown option '"'-period'; did you mean '--periods'?"'"'
 
+for value in --force -q; do
+    run "$jostle" run a.deck -o $value
+    expect "-o $value lacks the name" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "option '"'-o' needs a value; '$value' is an option"'"'
+done
+run "$jostle" law hertz -k -m1 3
+expect "-k -m1 lacks a number" '[ $status -eq 2 ] && said "needs a value"'
+
 while read -r command first second names; do
     run "$jostle" "$command" a.file $first $second
     expect "$command $first $second says twice" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "$names is given twice"'
