@@ -142,6 +142,17 @@ void study_panel(const struct canvas *c, const struct suite *s, double bottom, c
     canvas_upright(c, a, &s->view->units, y);
 }
 
+void study_foot(const struct canvas *c, const char *text) {
+    const struct area a = canvas_inset(c->area, LEFT, RIGHT, 0, 0);
+    char shown[256];
+    script_shorten(text, a.right - a.left, shown, sizeof shown);
+    script_raise(shown);
+    fprintf(c->to, "set label ");
+    script_text(c->to, shown);
+    canvas_place(c, (a.left + a.right) / 2, a.bottom + 0.7);
+    fprintf(c->to, " center\n");
+}
+
 void study_number(FILE *to, double value) {
     if (isfinite(value)) {
         fprintf(to, " %.7g", value);

@@ -65,6 +65,8 @@ void study_limit_text(const struct study_demand *d, const struct suite *s, doubl
 // Opens the panel: the room at the left is for numbers of five characters.
 void study_panel(const struct canvas *c, const struct suite *s, double bottom, const struct axis *x,
                  const struct axis *y);
+// Writes what stands across below the panel, at the foot of the sheet.
+void study_foot(const struct canvas *c, const char *text);
 double study_panel_width(const struct canvas *c);  // [em]
 
 // A number of the data; what is not finite becomes NaN, which gnuplot leaves out.

@@ -87,13 +87,22 @@ static void write_legend(const struct view *v, struct canvas *c) {
     legend_write(&l, c);
 }
 
-// True if the texts find room beside each other within `width` em.
-static bool texts_fit(const struct suite *s, double width) {
+static double widest_text(const struct suite *s) {
     double most = 0;
     for (int i = 0; i < s->n_point; i++) {
         most = fmax(most, script_width(s->point_name[i]));
     }
-    return most + 1 < width / s->n_point;
+    return most;
+}
+
+// True if the texts find room beside each other within `width` em.
+static bool texts_fit(const struct suite *s, double width) {
+    return widest_text(s) + 1 < width / s->n_point;
+}
+
+// How much they take below the axis, with their title.
+static double texts_depth(const struct suite *s, double width) {
+    return 3.6 + (texts_fit(s, width) ? 0 : 0.6 * fmin(name_width, widest_text(s)) - 0.4);
 }
 
 // Names below the axis in place of numbers; of many, some.
@@ -120,7 +129,8 @@ static void write_panel(const struct view *v, struct canvas *c) {
     double bottom = 3.2;
     if (texts) {
         x = (struct axis){.span = {0.5, s->n_point + 0.5}, .kind = AXIS_WITHOUT_NUMBERS};
-        bottom = texts_fit(s, width) ? 2 : 0.6 * name_width + 2;
+        bottom = texts_depth(s, width);
+        study_foot(c, s->point_title);
     }
     study_panel(c, s, bottom, &x, &y);
     if (texts) {
@@ -151,13 +161,11 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
         return status;
     }
     char samples[128], text[256];
-    const bool texts = s->point_name;
     const bool named = strcmp(s->over, "sample") != 0;
     snprintf(samples, sizeof samples, " over %d samples%s%s", s->n_sample, named ? " of " : "",
              named ? s->over : "");
-    snprintf(text, sizeof text, "%s of %s%s%s%s", s->n_sample > 1 ? "medians" : "values",
-             v.demand.name, s->n_sample > 1 ? samples : "", texts ? ", against " : "",
-             texts ? s->abscissa->name : "");
+    snprintf(text, sizeof text, "%s of %s%s", s->n_sample > 1 ? "medians" : "values", v.demand.name,
+             s->n_sample > 1 ? samples : "");
     study_head(c, s, text);
     write_legend(&v, c);
     write_panel(&v, c);

@@ -149,22 +149,39 @@ static const char *find_mixed(const struct suite *s, const struct sweep *dimensi
     return sweep_named(dimension->along) ? "a dimension of sweeps that go together" : NULL;
 }
 
-// Texts, or the numbers of what goes together along a dimension with its values: long names are
-// cut.
+static const char *append_title(struct maker *m, const char *text, const struct sweep *s) {
+    const char *units = unit_suffix(s->units);
+    text = append(m, text, s->name);
+    return units[0] ? append(m, append(m, append(m, text, " ["), units), "]") : text;
+}
+
+// The numbers of a dimension, with the values of what goes together along it.
+static void name_numbers(struct maker *m, const struct sweep *along) {
+    struct suite *s = m->s;
+    const char **name = take(m, (size_t)s->n_point, sizeof *name);
+    for (int k = 0; name && k < s->n_point; k++) {
+        name[k] = append_value(m, "", s->abscissa, k);
+    }
+    const char *title = s->abscissa->name, *before = ": ";
+    for (const struct sweep *p = along; name && p; p = sweep_named(p->along)) {
+        for (int k = 0; k < s->n_point; k++) {
+            name[k] = append_value(m, append(m, name[k], before), p, k);
+        }
+        title = append_title(m, append(m, title, before), p);
+        before = ", ";
+    }
+    s->point_name = name;
+    s->point_title = title;
+}
+
 static void name_points(struct maker *m) {
     struct suite *s = m->s;
     const struct sweep *along = sweep_named(s->abscissa->along);
     if (!s->abscissa->number) {
         s->point_name = s->abscissa->label;
+        s->point_title = s->abscissa->name;
     } else if (along && s->abscissa == s->view->sweep[m->roles.abscissa]) {
-        const char **name = take(m, (size_t)s->n_point, sizeof *name);
-        for (int k = 0; name && k < s->n_point; k++) {
-            name[k] = append_value(m, "", s->abscissa, k);
-            for (const struct sweep *p = along; p; p = sweep_named(p->along)) {
-                name[k] = append_value(m, append(m, name[k], p == along ? ": " : ", "), p, k);
-            }
-        }
-        s->point_name = name;
+        name_numbers(m, along);
     }
 }
 

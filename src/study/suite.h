@@ -37,6 +37,7 @@ struct suite {
     const int *order;               // (n_point) value of the sweep at each point, ascending
     const double *point;            // (n_point) its numbers; 1, 2, ... for texts
     const char *const *point_name;  // (n_point) by the value of the sweep; NULL: they are numbers
+    const char *point_title;        // of these names: "measure: gap [m], damper [kN]"
     const char *const *sample;      // (n_sample) "ELCENTRO_1940_NS"
     const char *const *group;       // (n_group) "gap = 0.02 m"; "" where there is one
     const int *group_sweep;         // (n_group_sweep) sweeps of which groups are the values

@@ -143,7 +143,7 @@ expect "first exceedances along one of them are refused" '[ $status -eq 2 ] && s
 run "$jostle" plot whole.h5 ida --im measure -o ida.png
 expect "and so is ida along them" '[ $status -eq 2 ] && said "'"'measure'"' is a dimension of sweeps that go together" && [ ! -e ida.png ]'
 run "$jostle" plot whole.h5 response --against measure --at im=2.5 --script scripts
-expect "response is drawn over their values" '[ $status -eq 0 ] && grep -q "2: 0.005, 200000. 2" scripts/response.gp && ! grep -q linespoints scripts/response.gp'
+expect "response is drawn over their values" '[ $status -eq 0 ] && grep -q "2: 0.005, 200000. 2" scripts/response.gp && grep -q "measure: gap \[m\], k" scripts/response.gp && ! grep -q linespoints scripts/response.gp'
 if command -v gnuplot >/dev/null; then
     (cd scripts && gnuplot response.gp) >said 2>&1
     expect "gnuplot draws it without a word" '[ ! -s said ] && [ -s scripts/response.png ]'
