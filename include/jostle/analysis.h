@@ -103,6 +103,7 @@ struct results {
     struct arena *arena;            // owns the arrays
     double *peak[PEAK_COUNT];       // (n_dof)
     double *peak_time[PEAK_COUNT];  // (n_dof) [T]
+    double *residual_drift;         // (n_dof) [L] where the storeys have no shear after the end
     double *deepest;                // (n_link) [L] link[k].penetration, side by side
     struct link_peak *link;         // (n_link) contacts first
     struct impact *impact;          // (n_impact) in order of t_start; malloc'd

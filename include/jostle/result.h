@@ -21,6 +21,7 @@ struct report_building {
     const double *period;                 // [T] of the building alone, elastic, longest first
     const double *peak[PEAK_COUNT];       // largest absolute values; NULL before the run
     const double *peak_time[PEAK_COUNT];  // [T]
+    const double *residual_drift;         // [L] of the storeys; NULL: none can yield
 };
 
 // A contact or a bilateral link of a report.

@@ -58,6 +58,10 @@ static void building(const struct table *t, const struct report_building *b) {
                 b->peak_time[p][i]);
         }
     }
+    for (int i = 0; b->residual_drift && i < b->n_floor; i++) {
+        row(t, b->name, residual_drift_name, i + 1, b->residual_drift[i],
+            layout_residual_drift.dimension, NAN);
+    }
 }
 
 // One row a numeric member of a struct; texts are left out.

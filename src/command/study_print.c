@@ -6,6 +6,7 @@
 
 #include "command/sweeps.h"
 #include "core/text.h"
+#include "result/layout.h"
 
 const char *study_print_status(const struct study_outcome *outcome) {
     switch (outcome->status) {
@@ -102,6 +103,11 @@ static void print_head(const struct study_peaks *p, const struct study_view *v, 
     }
 }
 
+// Elastic storeys keep no drift.
+static bool is_nothing(const struct study_item *item, const struct study_peak *peak) {
+    return strcmp(item->name, residual_drift_name) == 0 && peak->value == 0;
+}
+
 static void print_peaks(const struct study_peaks *p, const struct study_view *v, FILE *to) {
     fprintf(to, "\nlargest values\n%-12s %-14s %5s %12s %-8s run\n", "", "quantity", "floor", "",
             "unit");
@@ -110,7 +116,7 @@ static void print_peaks(const struct study_peaks *p, const struct study_view *v,
         const struct study_peak *peak = &p->peak[k];
         struct text_short t;
         char floor[24] = "";
-        if (!peak->found) {
+        if (!peak->found || is_nothing(item, peak)) {
             continue;
         }
         if (item->owner) {

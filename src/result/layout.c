@@ -193,6 +193,11 @@ const struct quantity layout_peak[] = {
     [PEAK_SHEAR] = {"largest restoring force of the storey below each floor", &dimension_force},
 };
 
+const struct quantity layout_residual_drift = {
+    "absolute drift of the storey below each floor that remains when it unloads after the end",
+    &dimension_length};
+const char residual_drift_name[] = "residual_drift";
+
 const struct quantity layout_energy[] = {
     [ENERGY_INPUT] = {"work of the ground motion and the loads", &dimension_energy},
     [ENERGY_KINETIC] = {"kinetic energy relative to the ground", &dimension_energy},

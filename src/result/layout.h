@@ -47,6 +47,8 @@ struct quantity {
 extern const struct quantity layout_field[];   // in the order of enum field's bits
 extern const struct quantity layout_peak[];    // (PEAK_COUNT)
 extern const struct quantity layout_energy[];  // (ENERGY_COUNT)
+extern const struct quantity layout_residual_drift;
+extern const char residual_drift_name[];
 
 enum { FLOOR_FIELD_COUNT = 5, FIELD_COUNT = 7 };
 

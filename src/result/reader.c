@@ -72,15 +72,19 @@ static void get_attributes(struct result_file *f) {
 
 static void get_envelope(struct result_file *f, hid_t building, struct report_building *b) {
     hid_t envelope = h5_get_group(&f->h, building, "envelope");
+    const size_t n = (size_t)b->n_floor;
     for (int p = 0; p < PEAK_COUNT && !f->h.failed; p++) {
         const char *time = arena_format(f->report->arena, "%s_time", peak_names[p]);
         if (!time) {
             h5_no_memory(&f->h);
             break;
         }
-        const size_t n = (size_t)b->n_floor;
         b->peak[p] = h5_get_doubles(&f->h, f->report->arena, envelope, peak_names[p], n);
         b->peak_time[p] = h5_get_doubles(&f->h, f->report->arena, envelope, time, n);
+    }
+    if (!f->h.failed && h5_has(&f->h, envelope, residual_drift_name)) {
+        b->residual_drift =
+            h5_get_doubles(&f->h, f->report->arena, envelope, residual_drift_name, n);
     }
     h5_close(&f->h, envelope);
 }

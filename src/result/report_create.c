@@ -34,6 +34,9 @@ static void building_fill(struct report_building *to, struct arena *a, const str
         to->peak[p] = copy(a, r->peak[p] + b->first, n);
         to->peak_time[p] = copy(a, r->peak_time[p] + b->first, n);
     }
+    if (r && !b->elastic) {
+        to->residual_drift = copy(a, r->residual_drift + b->first, n);
+    }
 }
 
 static const char *constants_text(struct arena *a, const struct link *l) {

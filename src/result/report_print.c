@@ -172,6 +172,15 @@ static void print_buildings(const struct printer *p, const struct shown_building
     not_shown(p, p->r->n_building - s->n, "buildings", "drift");
 }
 
+// The largest of the drifts; returns the index of its storey.
+static int print_drift(FILE *to, const struct report_building *b, const double *drift) {
+    const int i = largest(drift, b->n_floor);
+    number(to, drift[i], 12);
+    number(to, b->height[i] > 0 ? 100 * drift[i] / b->height[i] : (double)NAN, 9);
+    fprintf(to, " %7d", i + 1);
+    return i;
+}
+
 static void print_displacements(const struct printer *p, const struct shown_buildings *s) {
     FILE *to = p->to;
     fprintf(to, "\n%-*s %12s %8s %12s %9s %7s %8s\n", s->width, "peak of", "roof displ.", "time",
@@ -181,18 +190,30 @@ static void print_displacements(const struct printer *p, const struct shown_buil
     for (int i = 0; i < s->n; i++) {
         const struct report_building *b = &p->r->building[s->choice[i].index];
         const int roof = b->n_floor - 1;
-        const int storey = largest(b->peak[PEAK_DRIFT], b->n_floor);
         cell(to, b->name, s->width);
         number(to, b->peak[PEAK_DISPLACEMENT][roof], 12);
         number(to, b->peak_time[PEAK_DISPLACEMENT][roof], 8);
-        number(to, b->peak[PEAK_DRIFT][storey], 12);
-        number(to,
-               b->height[storey] > 0 ? 100 * b->peak[PEAK_DRIFT][storey] / b->height[storey]
-                                     : (double)NAN,
-               9);
-        fprintf(to, " %7d", storey + 1);
+        const int storey = print_drift(to, b, b->peak[PEAK_DRIFT]);
         number(to, b->peak_time[PEAK_DRIFT][storey], 8);
         fprintf(to, "\n");
+    }
+}
+
+// Of storeys that can yield.
+static void print_residuals(const struct printer *p, const struct shown_buildings *s) {
+    FILE *to = p->to;
+    for (int i = 0, n = 0; i < s->n; i++) {
+        const struct report_building *b = &p->r->building[s->choice[i].index];
+        if (b->residual_drift && n++ == 0) {
+            fprintf(to, "\n%-*s %12s %9s %7s\n%-*s %12s %9s\n", s->width, "residual",
+                    "storey drift", "of height", "storey", s->width, "", p->unit[UNIT_LENGTH],
+                    "[%]");
+        }
+        if (b->residual_drift) {
+            cell(to, b->name, s->width);
+            print_drift(to, b, b->residual_drift);
+            fprintf(to, "\n");
+        }
     }
 }
 
@@ -370,6 +391,7 @@ void report_print(const struct report *r, FILE *to) {
     print_buildings(&p, &s);
     if (r->n_building > 0 && r->building[0].peak[0]) {
         print_displacements(&p, &s);
+        print_residuals(&p, &s);
         print_forces(&p, &s);
         print_contacts(&p);
         print_links(&p);

@@ -28,10 +28,11 @@ static double *add(struct walk *w, struct study_item item) {
     return w->value ? w->value + item.first : NULL;
 }
 
+// Of zeros where `from` is NULL.
 static void add_array(struct walk *w, struct study_item item, const double *from) {
     double *to = add(w, item);
-    if (to) {
-        memcpy(to, from, item.n * sizeof *to);
+    for (size_t i = 0; to && i < item.n; i++) {
+        to[i] = from ? from[i] : 0.0;
     }
 }
 
@@ -82,6 +83,10 @@ static void add_building(struct walk *w, const struct report_building *b) {
         item.dimension = &dimension_time;
         add_array(w, item, b->peak_time[p]);
     }
+    item.name = residual_drift_name;
+    item.long_name = layout_residual_drift.long_name;
+    item.dimension = layout_residual_drift.dimension;
+    add_array(w, item, b->residual_drift);
 }
 
 // Which floors a link connects is the same for all runs; texts are no values.

@@ -4,36 +4,49 @@
 
 #include "result/writer.h"
 
-static void put_peak(struct h5 *h, hid_t envelope, hid_t floor, const struct report_building *b,
-                     int p) {
-    char name[64], long_name[128];
-    struct h5_dataset d = {
-        .name = peak_names[p],
-        .quantity = layout_peak[p],
+// The envelope of a building, being written.
+struct envelope {
+    hid_t group, floor;
+    hsize_t n_floor;
+};
+
+static void put_values(struct h5 *h, const struct envelope *to, const char *name,
+                       struct quantity quantity, const double *value) {
+    const struct h5_dataset d = {
+        .name = name,
+        .quantity = quantity,
         .memory_type = H5T_NATIVE_DOUBLE,
         .file_type = H5T_IEEE_F64LE,
         .n_dim = 1,
-        .dim = {(hsize_t)b->n_floor},
-        .scale = {floor},
+        .dim = {to->n_floor},
+        .scale = {to->floor},
     };
-    h5_put(h, envelope, &d, b->peak[p]);
+    h5_put(h, to->group, &d, value);
+}
+
+static void put_peak(struct h5 *h, const struct envelope *to, const struct report_building *b,
+                     int p) {
+    char name[64], long_name[128];
+    put_values(h, to, peak_names[p], layout_peak[p], b->peak[p]);
     snprintf(name, sizeof name, "%s_time", peak_names[p]);
     snprintf(long_name, sizeof long_name, "time of the %s", layout_peak[p].long_name);
-    d.name = name;
-    d.quantity = (struct quantity){long_name, &dimension_time};
-    h5_put(h, envelope, &d, b->peak_time[p]);
+    put_values(h, to, name, (struct quantity){long_name, &dimension_time}, b->peak_time[p]);
 }
 
 static void put_envelope(struct h5 *h, hid_t buildings, const struct report_building *b) {
     hid_t building = h5_open_object(h, buildings, b->name);
-    hid_t floor = h5_open_object(h, building, "floor");
-    hid_t envelope = h5_group(h, building, "envelope");
-    h5_hard_link(h, floor, envelope, "floor");
+    const struct envelope to = {.group = h5_group(h, building, "envelope"),
+                                .floor = h5_open_object(h, building, "floor"),
+                                .n_floor = (hsize_t)b->n_floor};
+    h5_hard_link(h, to.floor, to.group, "floor");
     for (int p = 0; p < PEAK_COUNT && !h->failed; p++) {
-        put_peak(h, envelope, floor, b, p);
+        put_peak(h, &to, b, p);
     }
-    h5_close(h, envelope);
-    h5_close(h, floor);
+    if (b->residual_drift) {
+        put_values(h, &to, residual_drift_name, layout_residual_drift, b->residual_drift);
+    }
+    h5_close(h, to.group);
+    h5_close(h, to.floor);
     h5_close(h, building);
 }
 

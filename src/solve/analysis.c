@@ -9,6 +9,7 @@
 #include "core/arena.h"
 #include "core/wall.h"
 #include "solve/account/peaks.h"
+#include "solve/account/residual_drift.h"
 #include "solve/method.h"
 
 int run_poll_now(struct run *r, double time) {
@@ -158,6 +159,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
         r->method->finish(r);
     }
     impacts_finish(&r->impacts, r->now);
+    residual_drifts(r->model, r->now, results->residual_drift);
     results->initial_energy = r->energy.initial;
     results->totals.seconds = wall_seconds() - r->start;
     *out = results;

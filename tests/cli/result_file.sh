@@ -13,12 +13,13 @@ if command -v h5ls >/dev/null; then
         expect "$group is a group" 'grep -qE "^$group  *Group" "$out"'
     done
     for dataset in time buildings/B/{floor,mass,stiffness,height,period,displacement,velocity,acceleration,drift,storey_shear} \
-        buildings/B/envelope/{displacement,drift_time} contacts/{contact,name,left,right,law,left_floor,right_floor,gap,effective_mass,restitution,calibrated,force,penetration} \
+        buildings/B/envelope/{displacement,drift_time} buildings/A/envelope/residual_drift contacts/{contact,name,left,right,law,left_floor,right_floor,gap,effective_mass,restitution,calibrated,force,penetration} \
         contacts/envelope/{force,force_time,penetration,impulse,impacts,dissipated} \
         impacts/{impact,contact,t_start,t_end,v_approach,v_rebound,peak_force,max_penetration,impulse,dissipated} \
         energy/{input,kinetic,strain,damping,hysteretic,contact,residual} ground/{A,B}; do
         expect "/$dataset is a dataset" 'grep -qE "^/$dataset  *Dataset" "$out"'
     done
+    expect "a building that cannot yield has no residual drift" '! grep -q "^/buildings/B/envelope/residual_drift" "$out"'
     h5dump -H pair.h5 >"$out"
     for attribute in format format_version title status program version deck_file deck includes parameters impacts_coarse unit_force \
         unit_length unit_time command_line created steps newton_iterations wall_seconds; do

@@ -56,6 +56,22 @@ expect "an unknown demand is refused" '[ $status -eq 2 ] && [ ! -s "$out" ] && s
 run "$jostle" show whole.h5 --tsv --csv
 expect "two forms exclude each other" '[ $status -eq 2 ]'
 
+cat >yielding.deck <<'END'
+units kN m s
+sweep im values 0.1m/s^2 4m/s^2 7m/s^2
+building A -floors 2 -mass 100t -stiffness 40MN/m -height 4m
+storey A:1 bilinear -yield 400kN -hardening 0.02
+ground sine -amplitude $im -frequency 1.5Hz -cycles 3
+step fixed 1ms
+END
+run "$jostle" run yielding.deck -q
+run "$jostle" show yielding.h5 --long --edp residual-drift --edp residual-drift-ratio:A:1
+expect "residual drifts are of storeys that have yielded, and ratios of their heights" '[ $status -eq 0 ] && awk -F "\t" "\$2 == \"residual-drift\" { drift[\$1] = \$4 } \$2 == \"residual-drift-ratio:A:1\" { ratio[\$1] = \$4 } END { exit !(drift[\"0.1\"] < 1e-15 && drift[7] > 1e-3 && ratio[7] > 0.2499 * drift[7] && ratio[7] < 0.2501 * drift[7]) }" "$out"'
+run "$jostle" show yielding.h5
+expect "the largest one is shown" '[ $status -eq 0 ] && grep -qE "^A +residual_drift +1 .* 3 \(im 7\)$" "$out"'
+run "$jostle" show whole.h5
+expect "of elastic storeys there is none" '[ $status -eq 0 ] && ! grep -q residual_drift "$out"'
+
 cat >quotes.deck <<'END'
 sweep word values "a,b" plain
 building A -floors 1 -mass 1 -stiffness 100

@@ -26,7 +26,7 @@ CONTACT_ENVELOPE = "force force_time penetration impulse impacts dissipated".spl
 # is not named here is a plain number, a name or a text.
 POWERS = {
     (1, 0, 0): "force peak_force storey_shear",
-    (0, 1, 0): "displacement drift penetration max_penetration deformation gap height",
+    (0, 1, 0): "displacement drift residual_drift penetration max_penetration deformation gap height",
     (0, 0, 1): "time period t_start t_end duration step",
     (0, 1, -1): "velocity v_approach v_rebound",
     (0, 1, -2): "acceleration",
@@ -90,6 +90,8 @@ class Checker:
             self.expect(list(floor[:]) == list(range(1, floor.size + 1)), f"{name}: floors")
             for key in ("mass", "stiffness", "height", "period"):
                 self.dataset(group, key, ["floor"])
+            if "residual_drift" in group["envelope"]:
+                self.dataset(group["envelope"], "residual_drift", ["floor"])
             for key in PEAKS:
                 peak = self.dataset(group["envelope"], key, ["floor"])
                 self.dataset(group["envelope"], key + "_time", ["floor"])

@@ -32,6 +32,7 @@ static const struct building building[2] = {
      .mass = mass + FLOORS,
      .stiffness = stiffness + FLOORS,
      .omega = omega,
+     .elastic = true,
      .ground = 0},
 };
 static const struct link contacts[3] = {
@@ -66,6 +67,10 @@ static void put_results(struct results *r, struct arena *a, int n_contact) {
             r->peak[p][i] = 100 * p + i + 0.125;
             r->peak_time[p][i] = 0.01 * i;
         }
+    }
+    r->residual_drift = arena_alloc(a, DOF, sizeof(double));
+    for (int i = 0; i < DOF; i++) {
+        r->residual_drift[i] = 0.25 * i;
     }
     r->link = arena_alloc(a, 3, sizeof *r->link);
     r->impact = arena_alloc(a, 2, sizeof *r->impact);

@@ -28,6 +28,8 @@ static void a_report_comes_back_as_it_was_written(void **state) {
             assert_close(r->building[1].peak_time[p][i], 0.01 * (FLOORS + i), 0);
         }
     }
+    assert_close(r->building[0].residual_drift[2], 0.5, 0);
+    assert_null(r->building[1].residual_drift);
     assert_close(r->building[0].period[1], acos(-1.0) / 2, 1e-15);
     assert_close(r->energy[ENERGY_CONTACT], 1000.5 + ENERGY_CONTACT, 0);
     assert_close(r->residual_peak, 1e-7, 0);

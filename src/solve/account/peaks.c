@@ -22,6 +22,7 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
         r->peak[q] = lanes_array(a, m->n_dof);
         r->peak_time[q] = lanes_array(a, m->n_dof);
     }
+    r->residual_drift = arena_alloc(a, (size_t)m->n_dof, sizeof *r->residual_drift);
     r->link = arena_alloc(a, (size_t)m->n_link, sizeof *r->link);
     r->deepest = arena_alloc(a, (size_t)m->n_link + LANES_WIDTH, sizeof *r->deepest);
     if (arena_failed(a)) {
