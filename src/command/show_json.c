@@ -88,7 +88,7 @@ static void put_building(struct json *j, const struct report_building *b) {
         put_array(j, name, b->peak_time[p], b->n_floor);
     }
     if (b->residual_drift) {
-        put_array(j, residual_drift_name, b->residual_drift, b->n_floor);
+        put_array(j, layout_residual_drift_name, b->residual_drift, b->n_floor);
     }
     close_list(j, '}');
     close_list(j, '}');

@@ -59,7 +59,7 @@ static void building(const struct table *t, const struct report_building *b) {
         }
     }
     for (int i = 0; b->residual_drift && i < b->n_floor; i++) {
-        row(t, b->name, residual_drift_name, i + 1, b->residual_drift[i],
+        row(t, b->name, layout_residual_drift_name, i + 1, b->residual_drift[i],
             layout_residual_drift.dimension, NAN);
     }
 }

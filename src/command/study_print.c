@@ -105,7 +105,7 @@ static void print_head(const struct study_peaks *p, const struct study_view *v, 
 
 // Elastic storeys keep no drift.
 static bool is_nothing(const struct study_item *item, const struct study_peak *peak) {
-    return strcmp(item->name, residual_drift_name) == 0 && peak->value == 0;
+    return strcmp(item->name, layout_residual_drift_name) == 0 && peak->value == 0;
 }
 
 static void print_peaks(const struct study_peaks *p, const struct study_view *v, FILE *to) {

@@ -196,7 +196,7 @@ const struct quantity layout_peak[] = {
 const struct quantity layout_residual_drift = {
     "absolute drift of the storey below each floor that remains when it unloads after the end",
     &dimension_length};
-const char residual_drift_name[] = "residual_drift";
+const char layout_residual_drift_name[] = "residual_drift";
 
 const struct quantity layout_energy[] = {
     [ENERGY_INPUT] = {"work of the ground motion and the loads", &dimension_energy},

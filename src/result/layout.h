@@ -48,7 +48,7 @@ extern const struct quantity layout_field[];   // in the order of enum field's b
 extern const struct quantity layout_peak[];    // (PEAK_COUNT)
 extern const struct quantity layout_energy[];  // (ENERGY_COUNT)
 extern const struct quantity layout_residual_drift;
-extern const char residual_drift_name[];
+extern const char layout_residual_drift_name[];
 
 enum { FLOOR_FIELD_COUNT = 5, FIELD_COUNT = 7 };
 

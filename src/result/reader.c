@@ -82,9 +82,9 @@ static void get_envelope(struct result_file *f, hid_t building, struct report_bu
         b->peak[p] = h5_get_doubles(&f->h, f->report->arena, envelope, peak_names[p], n);
         b->peak_time[p] = h5_get_doubles(&f->h, f->report->arena, envelope, time, n);
     }
-    if (!f->h.failed && h5_has(&f->h, envelope, residual_drift_name)) {
+    if (!f->h.failed && h5_has(&f->h, envelope, layout_residual_drift_name)) {
         b->residual_drift =
-            h5_get_doubles(&f->h, f->report->arena, envelope, residual_drift_name, n);
+            h5_get_doubles(&f->h, f->report->arena, envelope, layout_residual_drift_name, n);
     }
     h5_close(&f->h, envelope);
 }

@@ -83,7 +83,7 @@ static void add_building(struct walk *w, const struct report_building *b) {
         item.dimension = &dimension_time;
         add_array(w, item, b->peak_time[p]);
     }
-    item.name = residual_drift_name;
+    item.name = layout_residual_drift_name;
     item.long_name = layout_residual_drift.long_name;
     item.dimension = layout_residual_drift.dimension;
     add_array(w, item, b->residual_drift);

@@ -43,7 +43,7 @@ static void put_envelope(struct h5 *h, hid_t buildings, const struct report_buil
         put_peak(h, &to, b, p);
     }
     if (b->residual_drift) {
-        put_values(h, &to, residual_drift_name, layout_residual_drift, b->residual_drift);
+        put_values(h, &to, layout_residual_drift_name, layout_residual_drift, b->residual_drift);
     }
     h5_close(h, to.group);
     h5_close(h, to.floor);
