@@ -13,7 +13,7 @@ RECORDS = #           folder of the records of make bench-studies; default: thos
 ROUNDS = 3#           how often it runs
 FUZZ_SECONDS = 30#    for each reader
 TEST_SECONDS = 600#   limit for one test program
-STATIC  = 1#          0: the program takes GSL and HDF5 as shared libraries even if it need not
+STATIC  = 1#          0: the program takes its libraries as shared ones even if it need not
 CORES  := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
 prefix      = /usr/local
@@ -49,6 +49,9 @@ COMPILE    = $(CC) $(LANGUAGE) $(WARNINGS) $(CFLAGS) $(CONTRACTION) -fno-math-er
 LINK       = $(CC) -pthread $(CFLAGS) $(SANITIZER) $(LDFLAGS)
 FAIL_ALLOC = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
              -Wl,--wrap=arena_alloc,--wrap=arena_text
+FAIL_SYSTEM = $(patsubst %,-Wl$(COMMA)--wrap=%,open fsync flock pread pwrite ftruncate linkat \
+              renameat unlink unlinkat waitid)
+COMMA      := ,
 
 # --- files ---------------------------------------------------------------------------------------
 B        := $(strip $(BUILD))
@@ -129,7 +132,7 @@ $(B)/members: FORCE
 	$(call remember,$(OBJECTS) $(TRY))
 
 # --- tests ---------------------------------------------------------------------------------------
-.PHONY: demo test check test-long asan coverage fuzz
+.PHONY: demo test check test-long asan coverage fuzz numerics
 demo: setup  ## a study of two towers: result file and picture below build/demo
 	@$(MAKE) all
 	@sh tests/support/demo.sh $(PROGRAM) $(B)/demo
@@ -138,7 +141,7 @@ test: setup  ## everything that is needed, installed and built, and all tests
 	@$(MAKE) check
 
 check: $(PROGRAM) $(TESTS)  # test without looking for what is missing
-	@JOSTLE=$(PROGRAM) LIMIT=$(TEST_SECONDS) JOBS=$(CORES) \
+	@JOSTLE=$(abspath $(PROGRAM)) LIMIT=$(TEST_SECONDS) JOBS=$(CORES) BUILT='$(BUILT)' \
 	    bash tests/support/run_tests.sh $(B)/log $(TESTS) $(SCRIPTS)
 
 test-long: setup  ## the tests, and those that take long (tests/*/long_*), JOSTLE_LONG=1
@@ -146,7 +149,8 @@ test-long: setup  ## the tests, and those that take long (tests/*/long_*), JOSTL
 
 .PHONY: check-long
 check-long: $(PROGRAM) $(TESTS) $(LONG)
-	@JOSTLE=$(PROGRAM) JOSTLE_LONG=1 LIMIT=3600 JOBS=$(CORES) bash tests/support/run_tests.sh \
+	@JOSTLE=$(abspath $(PROGRAM)) JOSTLE_LONG=1 LIMIT=3600 JOBS=$(CORES) BUILT='$(BUILT)' \
+	    bash tests/support/run_tests.sh \
 	    $(B)/log $(TESTS) $(LONG) $(SCRIPTS) $(LONG_SCRIPTS)
 
 asan: setup  ## the tests under the address and undefined-behaviour sanitizers
@@ -173,12 +177,16 @@ $(B)/tests/fuzz/%: $(B)/object/tests/fuzz/%.o $(LIBRARY)
 	@mkdir -p $(@D)
 	$(Q)$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
 
+$(B)/tests/unit/test_system: LINK += $(FAIL_SYSTEM)
 $(ALLOC_TESTS): LINK += $(FAIL_ALLOC)
 $(ALLOC_TESTS): $(B)/object/tests/support/fail_alloc.o
 $(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.o,$(HELPERS)) $(LIBRARY)
 	$(SAY) LINK $@
 	@mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) $(CMOCKA)
+
+numerics: $(PROGRAM)  ## results of tests/numerics against those on record; ACCEPT=1 records them
+	@JOSTLE=$(PROGRAM) ACCEPT='$(ACCEPT)' BUILT='$(BUILT)' bash tests/cli/numerics.sh
 
 # --- speed ---------------------------------------------------------------------------------------
 .PHONY: bench bench-docs bench-count bench-studies
@@ -192,6 +200,14 @@ bench-docs: setup  ## bench, and its table into docs/performance.md
 	@RECORDS= bash tests/bench/studies.sh $(PROGRAM) $(B)/studies >$(B)/studies.txt
 	@sh tests/support/with_block.sh bench $(B)/bench.txt <docs/performance.md | \
 	    sh tests/support/with_block.sh studies $(B)/studies.txt >$(B)/performance.md
+	@cp $(B)/performance.md docs
+
+bench-half: setup  ## lockstep and single runs without AVX-512; their times into docs/performance.md
+	@$(MAKE) BUILD=$(B)/half CPPFLAGS='$(CPPFLAGS) -DLANES_HALF_AT_MOST' $(B)/half/bench
+	@for text in pair x10 'of 8, no'; do $(B)/half/bench -f "$$text" $(PROGRAM) $(B)/half; done | \
+	    awk '!n++ || /^model/ && !m++ || /^(pair  |pair, no|row|ensemble)/ && !/prince/' \
+	    >$(B)/half.txt
+	@sh tests/support/with_block.sh half $(B)/half.txt <docs/performance.md >$(B)/performance.md
 	@cp $(B)/performance.md docs
 
 bench-count: setup  ## instructions per step against those on record; ACCEPT=1 records them
@@ -209,11 +225,12 @@ $(B)/bench: $(BENCH_OBJECTS) $(LIBRARY)
 
 # --- the state of the source ---------------------------------------------------------------------
 .PHONY: lint tidy format check-format
-lint: setup-lint  ## layers, names, lengths and clang-tidy
+lint: setup-lint  ## layers, names, lengths, texts of scripts and clang-tidy
 	@$(MAKE) $(LIBRARY)
 	@bash tests/support/check_layers.sh
 	@bash tests/support/check_symbols.sh $(LIBRARY)
 	@bash tests/support/check_length.sh
+	@bash tests/support/check_script.sh
 	@$(MAKE) tidy
 
 tidy: setup-lint

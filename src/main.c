@@ -12,6 +12,7 @@
 
 #include "command/command.h"
 #include "command/crash.h"
+#include "core/safe.h"
 #include "core/text.h"
 
 static void print_help(FILE *to) {
@@ -35,11 +36,9 @@ static int unknown(const char *word) {
         known[n] = commands[n]->name;
     }
     const char *near = text_nearest(word, known, n);
-    fprintf(stderr, "jostle: error: unknown %s '%s'", word[0] == '-' ? "option" : "command", word);
-    if (near) {
-        fprintf(stderr, "; did you mean '%s'?", near);
-    }
-    fprintf(stderr, "\ntry 'jostle --help'\n");
+    safe_line(stderr, "jostle: error: unknown %s '%s'%s%s%s", word[0] == '-' ? "option" : "command",
+              word, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    fprintf(stderr, "try 'jostle --help'\n");
     return EXIT_INPUT;
 }
 
@@ -74,8 +73,8 @@ static int dispatch(int argc, char **argv) {
     const bool asks = asks_for_help(argv[1]);
     const bool version = strcmp(argv[1], "--version") == 0;
     if (argc > (asks ? 3 : 2) && (asks || version)) {
-        fprintf(stderr, "jostle: error: '%s' is not expected after %s\ntry 'jostle --help'\n",
-                argv[argc - 1], argv[1]);
+        safe_line(stderr, "jostle: error: '%s' is not expected after %s", argv[argc - 1], argv[1]);
+        fprintf(stderr, "try 'jostle --help'\n");
         return EXIT_INPUT;
     }
     if (version) {
@@ -103,6 +102,7 @@ int main(int argc, char **argv) {
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
     int status = dispatch(argc, argv);
+    crash_release();
     errno = 0;
     if (fflush(stdout) != 0 || ferror(stdout)) {
         if (errno == EPIPE) {

@@ -81,14 +81,15 @@ struct impact {
     long steps;              // computed steps in contact
 };
 
-// Fewer computed steps do not resolve an impact; longer steps are cut where that is foreseen.
+// Fewer computed steps do not resolve an impact; longer steps are rejected where that is foreseen.
 enum { IMPACT_STEPS_MIN = 10 };
 
 struct totals {
-    long steps;   // computed, cut ones included
-    long cuts;    // steps that were not solved and halved; adaptive: rejected
-    long events;  // steps split where a law that jumps closed or opened; adaptive: ended where a
-                  // law changed its branch
+    long steps;  // computed, split ones included
+    long
+        rejected;  // attempts of steps that were not solved, or not to the tolerance; tried shorter
+    long events;   // steps split where a law that jumps closed or opened; adaptive: ended where a
+                   // law changed its branch
     long iterations;  // Newton iterations: storeys and contacts
     long fast;        // contact solves settled by Newton sweeps, that take Newton steps
     long scalar;      // by further sweeps, of exact scalar answers
@@ -103,8 +104,10 @@ struct results {
     struct arena *arena;            // owns the arrays
     double *peak[PEAK_COUNT];       // (n_dof)
     double *peak_time[PEAK_COUNT];  // (n_dof) [T]
+    double *drift_rate;             // (n_dof) [L/T] largest at the rows that are observed
     double *residual_drift;         // (n_dof) [L] where the storeys have no shear after the end
-    double *deepest;                // (n_link) [L] link[k].penetration, side by side
+    double *deepest;                // (n_link) [L] largest penetration of each link so far,
+    double *deepest_time;           // (n_link) [T] and when
     struct link_peak *link;         // (n_link) contacts first
     struct impact *impact;          // (n_impact) in order of t_start; malloc'd
     long n_impact, impact_capacity;

@@ -24,6 +24,7 @@ enum contact_trait {
     CONTACT_EXACT = 16,      // delivers e exactly as it is: -calibrate changes nothing
     CONTACT_SMOOTH = 32,     // no kinks or jumps but at d = 0 and v = 0, whatever the history; like
                              // powers of d, of at most third degree, and linear in v
+    CONTACT_BUMPER = 64,     // is soft on purpose
 };
 
 // Force of a link in contact, positive in compression, and its tangents.

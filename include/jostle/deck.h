@@ -8,6 +8,7 @@
 #ifndef JOSTLE_DECK_H
 #define JOSTLE_DECK_H
 
+#include "jostle/checksum.h"
 #include "jostle/error.h"
 #include "jostle/row.h"
 #include "jostle/units.h"
@@ -49,6 +50,7 @@ struct statement {
 // A file that the deck names as input.
 struct deck_path {
     const char *path;
+    bool included;  // it is a deck
     const struct deck_path *next;
 };
 
@@ -84,6 +86,7 @@ struct deck {
     const struct deck_path *files;  // included files, records and histories; not the deck itself
     const struct sweep *sweeps;     // in the order of the deck
     long n_run;                     // of the study; 1 without sweeps
+    bool varies;  // a word that names floors, links or laws, or a whole number, depends on a sweep
     bool torn;  // a statement, or a file of them, could not be read: others may seem to be missing
     struct reader *reader;
 };
@@ -99,6 +102,11 @@ int deck_open(const char *path, const char *const *define, int n_define, struct 
 int deck_open_text(const char *path, const char *text, const char *const *define, int n_define,
                    struct deck **out, struct error *e);
 void deck_free(struct deck *d);  // NULL is allowed
+
+// The checksum of what a deck means: of its statements but the title, without comments and layout.
+// Included decks count by the names that the deck has for them only. Errors: those of deck_open.
+int deck_meaning(const char *text, struct checksum *out, struct error *e);
+int deck_meaning_of_file(const char *path, struct checksum *out, struct error *e);
 
 // Makes the deck that of one run of a study, before its first statement is read: a swept parameter
 // takes value choice[k] of sweep number k of `first`, another reading of this deck that has come to
@@ -127,6 +135,7 @@ struct argument {
     struct word key;          // the option word; for plain words, the first of them
     int n;                    // values (repeats expanded)
     double *number;           // (n) in the deck's units; NULL for text rows
+    bool bare;                // given as numbers, the last of which has no unit
     const char **text;        // (n) with parameters replaced; NULL for number rows
     const struct word *word;  // (n) the word each value came from
 };
@@ -155,6 +164,9 @@ const struct word *deck_option(const struct statement *s, const char *key, int *
 // The text of one word with parameters replaced; NULL after having reported an error.
 const char *deck_text(struct deck *d, const struct word *w);
 
+// The same of a file's name, or a title, which do not decide what floors, links and laws there are.
+const char *deck_text_of_file(struct deck *d, const struct word *w);
+
 // A zeroed array from the deck's arena; NULL: no memory, which diagnostics.out_of_memory remembers.
 void *deck_array(struct deck *d, size_t n, size_t size);
 
@@ -174,16 +186,24 @@ const char *deck_parameters(struct deck *d);
 // NULL: no memory.
 const char *deck_includes(struct deck *d);
 
+// `value`, which the word `w` stands for, as messages quote it: 'elastik', and 'elastik' (from
+// $law) where `w` takes the value from parameters.
+struct deck_quote {
+    char text[160];
+};
+const char *deck_quote(struct deck_quote *q, const struct word *w, const char *value);
+
 // Report at a word (NULL: at the end of the deck, where what is missing could be added).
-// deck_unknown adds the nearest of `known` (n texts), which it returns, or NULL and, if there are
-// few of them, lists them: "unknown contact law 'herz'; did you mean 'hertz'?".
+// deck_unknown quotes `value`, which `w` stands for. It adds the nearest of `known` (n texts),
+// which it returns, or NULL and, if there are few of them, lists them: "unknown contact law 'herz';
+// did you mean 'hertz'?".
 void deck_error(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 // The same with the message of `e`; diagnostics.system remembers that it was STATUS_SYSTEM.
 void deck_error_of(struct deck *d, const struct word *w, const struct error *e);
 void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-const char *deck_unknown(struct deck *d, const struct word *w, const char *what,
+const char *deck_unknown(struct deck *d, const struct word *w, const char *value, const char *what,
                          const char *const *known, int n);
 
 // Which of the `known` keywords (n) the word is; -1 after deck_unknown.

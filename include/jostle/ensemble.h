@@ -21,9 +21,10 @@ struct ensemble_member {
 // not so many floors that the state of all lanes would not stay near the processor.
 bool ensemble_suits(const struct model *m);
 
-// Whether lockstep is faster on this processor than one run after the other, which it is where the
-// registers that this library is compiled for hold ENSEMBLE_MAX numbers, or half as many.
-bool ensemble_pays(void);
+// Whether runs of models with n_dof floors are faster in lockstep than one after the other where a
+// register holds so many numbers, and on this processor. docs/performance.md has what was measured.
+bool ensemble_pays_with(int in_register, int n_dof);
+bool ensemble_pays(const struct model *m);
 
 // Whether `b` can go in lockstep with `a`, which suits: the same floors, contacts, step and rows;
 // all else may differ, the duration too.

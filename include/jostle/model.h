@@ -9,27 +9,40 @@
 
 #include "jostle/contact_law.h"
 #include "jostle/deck.h"
+#include "jostle/part.h"
 #include "jostle/signal.h"
 #include "jostle/storey_law.h"
 
 enum { FLOORS_MAX = 1000 };  // of one building
 enum { WALL = -1 };          // in place of a building or degree of freedom
 
-// A shear building. Floors are numbered from 1; array index 0 is floor 1, storey i is below floor
-// i.
+// A building: shear storeys, and parts that couple them. Floors are numbered from 1; array index 0
+// is floor 1, storey i is below floor i.
 struct building {
     const char *name;
     int n_floor;
-    int first;                // index of floor 1 among all degrees of freedom
-    const double *mass;       // [M] (n_floor)
-    const double *stiffness;  // [F/L] (n_floor) initial, of the storey below each floor
-    const double *height;     // [L] (n_floor) storey heights; NULL: not given
-    const double *omega;  // [1/T] (n_floor) circular frequencies of the building alone, ascending
-    const double *shape;  // (n_floor, n_floor) row m: mode m+1, largest entry 1
+    int first;           // index of floor 1 among all degrees of freedom
+    const double *mass;  // [M] (n_floor)
+    const double
+        *stiffness;        // [F/L] (n_floor) initial, of the storey below each floor, all its parts
+                           // together: its shear over its drift where no other storey drifts
+    const double *spring;  // [F/L] (n_floor) the same of the shear storeys alone
+    const double *height;  // [L] (n_floor) storey heights; NULL: not given
+    const double *omega;   // [1/T] (n_floor) circular frequencies of the building alone, ascending
+    const double *shape;   // (n_floor, n_floor) row m: mode m+1, largest entry 1
     const double *damping_diagonal;  // [F T/L] (n_floor) of the damping matrix
     const double *damping_off;       // [F T/L] (n_floor) entry i couples floors i+1 and i+2; last 0
-    const double *damping_full;      // (n_floor, n_floor); NULL: tridiagonal, the two arrays above
-    bool elastic;                    // every storey is
+    const double *damping_full;      // (n_floor, n_floor) symmetric to the bit; NULL: the two above
+    int n_part;                      // beside the shear storeys; with any, damping_full is there
+    const struct part *part;         // (n_part)
+    const double *part_stiffness;    // [F/L] (n_floor, n_floor) initial d shear / d drift of all
+                                     // parts; NULL: there is none
+    const double *part_dashpot;      // [F T/L] (n_floor, n_floor) initial d shear / d drift rate
+    double damping_alpha;            // [1/T] Rayleigh's alpha, of the mass; 0: none
+    double damping_beta;             // [T] and beta, of the initial stiffness; 0: none
+    const struct word *damping;      // the last statement of Rayleigh damping; NULL: none
+    bool elastic;                    // every storey is, and every part is linear
+    bool smooth;                     // the tangent of some storey or part changes all the time
     int ground;                      // index into model.ground
 };
 
@@ -39,29 +52,48 @@ struct building {
 struct chain {
     int n;                    // degrees of freedom, in whole lanes
     const double *mass;       // [M] (n)
-    const double *stiffness;  // [F/L] (n) initial, of the storey below
+    const double *stiffness;  // [F/L] (n) initial, of the shear storey below
     const double *joint;      // (n + 1) 1: floor i stands on floor i - 1; else 0
     const double *damping_below, *damping, *damping_above;  // [F T/L] (n) bands of C; 0 where full
-    bool full_damping;                                      // somewhere
+    bool full_damping;  // some building has a full matrix C, as those with parts
 };
 
 // The restoring law of one storey.
 struct storey {
     const struct storey_law *law;
     const double *constant;  // (law->n_constant)
+    double yield;            // [F] shear at yield; infinite: elastic
     int history;             // offset of its values in the state's storey history
 };
 
-// A unilateral contact or a bilateral connection between two floors. Closing velocity and
-// penetration are delta = x_left - x_right - gap.
+// The end of a link that is not one floor: a sparse row b over the degrees of freedom of one
+// building. The end moves by b u, and a force f on the end acts on the floors by b' f.
+struct link_entry {
+    int dof;
+    double weight;
+};
+struct link_row {
+    int n;                           // 0: the end is the floor link.dof, or a wall
+    const struct link_entry *entry;  // (n)
+};
+
+// A unilateral contact or a bilateral connection between two ends, which are floors, levels between
+// two floors, or a wall. Closing velocity and penetration are delta = x_left - x_right - gap. A
+// link within one building has one row, on the left, for the difference of both ends; its right end
+// counts as a wall.
 struct link {
     const char *name;
-    int building[2];  // left, right; WALL
-    int floor[2];     // from 1; 0: the wall
-    int dof[2];       // left, right; WALL
-    double gap;       // [L]; 0 for bilateral links
-    double mass;      // [M] effective mass m*
-    bool bilateral;   // acts whatever the sign of delta
+    int building[2];         // left, right; WALL
+    int floor[2];            // from 1; 0: the wall, or the ground of a link within a building; of a
+                             // level, the floor above
+    double level[2];         // [L] above the ground, of ends between two floors; NAN: others
+    double weight[2];        // of that floor at such an end; the one below has the rest
+    bool within;             // both ends are in building[0]
+    int dof[2];              // left, right; WALL; of a row, its first entry
+    struct link_row row[2];  // left, right
+    double gap;              // [L]; 0 for bilateral links
+    double mass;             // [M] effective mass m*
+    bool bilateral;          // acts whatever the sign of delta
     const struct contact_law *law;
     const double *value;      // (contact_law_n_value) of the law's rows; NAN: not given
     const double *constant;   // (contact_law_n_constant)
@@ -124,16 +156,17 @@ struct model {
     const double *mass;               // [M] (n_dof)
     struct chain chain;               // the same floors
     const struct storey *storey;      // (n_dof) the storey below each floor
+    bool elastic;                     // every building is
     const struct link *link;          // (n_link) contacts first (n_contact), then bilateral links
     const struct ground *ground;      // (n_ground)
     const struct load *load;          // (n_load)
     const double *displacement;       // [L] (n_dof) initial, relative to the ground
     const double *velocity;           // [L/T] (n_dof)
-    int n_storey_history, n_link_history;
+    int n_storey_history, n_link_history;  // of storeys and parts; of links
 
     double beta, gamma;  // Newmark
     double tolerance;    // of the contact iteration, relative
-    int iterations;      // of the contact iteration, before the step is cut
+    int iterations;      // of the contact iteration, before the step is rejected
     enum integrator integrator;
     bool adaptive;                // steps with error control
     struct step_control control;  // adaptive
@@ -154,12 +187,15 @@ int model_build_shared(struct deck *deck, struct shelf *records, struct model **
                        struct error *e);
 void model_free(struct model *m);  // NULL is allowed
 
+// Rows of the histories: t = 0, every output.every-th step, and the end.
+long model_rows(const struct model *m);
+
 // The damping forces C v of building `g`; v and force are (n_floor) [L/T] [F].
 void building_damping_force(const struct building *g, const double *v, double *force);
 
 // Damping ratio of a mode (from 1) of the building alone, phi^T C phi / (2 omega phi^T M phi); NAN
-// for a rigid-body mode. Errors: STATUS_SYSTEM (no memory).
-int building_damping_ratio(const struct building *g, int mode, double *ratio, struct error *e);
+// for a rigid-body mode.
+double building_damping_ratio(const struct building *g, int mode);
 
 // No circular frequency of the model in which building `i` takes part is above this [1/T]: its own
 // largest one and its bilateral links; contacts are left out.

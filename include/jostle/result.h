@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "jostle/analysis.h"
+#include "jostle/checksum.h"
 #include "jostle/model.h"
 
 enum { RESULT_FORMAT_VERSION = 1 };
@@ -28,11 +29,14 @@ struct report_building {
 struct report_link {
     const char *name, *left, *right;  // building names or "wall"
     const char *law, *constants;      // constants of the law as text, in the order the law has them
-    int left_floor, right_floor;      // from 1; 0: the wall
-    double gap;                       // [L]
-    double mass;                      // [M] effective
-    double restitution;               // coefficient asked for; NAN: none
-    bool calibrated;                  // the damping delivers it exactly
+    int left_floor, right_floor;  // from 1; 0: the wall, or the ground; of a level, the floor above
+    int left_below, right_below;  // the floor below a level, 0: the ground; else as above
+    double left_level, left_weight;  // [L] struct link.level and weight; NAN: at a floor or a wall
+    double right_level, right_weight;
+    double gap;          // [L]
+    double mass;         // [M] effective
+    double restitution;  // coefficient asked for; NAN: none
+    bool calibrated;     // the damping delivers it exactly
     struct link_peak peak;
 };
 
@@ -40,6 +44,7 @@ struct report_link {
 struct report {
     struct arena *arena;  // owns everything below
     const char *file;     // the result file; NULL: none
+    long run;             // number of the run in a study, from 1; 0: the file holds one run
     const char *title, *program, *version, *created;
     const char *deck_file, *deck, *includes, *parameters, *command_line;
     struct unit_system units;
@@ -63,6 +68,15 @@ struct report {
 int report_create(const struct model *m, const struct results *r, const char *file,
                   const char *version, struct report **out, struct error *e);
 void report_free(struct report *r);  // NULL is allowed
+
+// Whether a contact force has acted on the floor (from 1) of the building of this name: the peak
+// acceleration of such a floor grows with the stiffness of the contact. Rigid contacts do not
+// count.
+bool report_floor_was_hit(const struct report *r, const char *building, int floor);
+bool report_link_joins(const struct report_link *c, const char *building, int floor);
+
+// How tables explain the mark of such a floor, and how legends name it.
+extern const char report_hit_note[], report_hit_name[];
 
 // Writes the summary an engineer reads, at most 100 columns wide. Errors of `to` are the caller's.
 void report_print(const struct report *r, FILE *to);
@@ -108,14 +122,27 @@ int result_analyse(struct result_writer *w, const struct observer *watch, struct
                    struct error *e);
 
 // Whether a file may be made at `path`, asked before the work is done. Errors: STATUS_INPUT (exists
-// and is to be kept, or is no regular file: a folder, a device).
+// and is to be kept, or is not a regular file: a folder, a device, a symbolic link).
 int result_check_path(const char *path, enum result_existing existing, struct error *e);
 
-// Gives the complete file `draft` the name `path`, on disk before it appears there; an existing
-// file survives RESULT_KEEP even when it comes into being at the same moment. `draft` is gone
-// afterwards. Errors: STATUS_INPUT (exists), STATUS_SYSTEM.
-int result_publish(const char *draft, const char *path, enum result_existing existing,
+// Gives the complete file `draft` the name `path` in the same folder. `file` is the open draft,
+// which the caller has locked. The content is on disk before the name appears, and the name is on
+// disk when this returns. An existing file survives RESULT_KEEP even when it comes into being at
+// the same moment; with RESULT_REPLACE there is always the old file or the new one. `draft` is gone
+// afterwards. Errors: STATUS_INPUT (exists, is not a regular file), STATUS_SYSTEM.
+int result_publish(int file, const char *draft, const char *path, enum result_existing existing,
                    struct error *e);
+
+// The checksums of a result file, which do not depend on how the file stores its data.
+struct result_sums {
+    struct checksum data;     // of all names, attributes and values: what the file notes
+    struct checksum results;  // of the names and values of datasets: the same for the same model
+};
+
+// Checks that the data of a result file of any kind are as they were written. Errors: STATUS_FAILED
+// (they differ, or cannot be read), STATUS_INPUT (does not exist, is not HDF5, has no checksum),
+// STATUS_SYSTEM; they name the path.
+int result_verify(const char *path, struct result_sums *out, struct error *e);
 
 struct result_file;
 
@@ -128,6 +155,10 @@ void result_close(struct result_file *f);  // NULL is allowed
 
 // Borrowed from the file.
 const struct report *result_report(const struct result_file *f);
+
+// Whether `n_column` histories take no more memory than a file of this size should: compression can
+// hide a thousand times its size. Errors: STATUS_INPUT (they do; names both sizes).
+int result_check_memory(const struct result_file *f, int n_column, struct error *e);
 
 // Histories; `out` has room for n_row values. Indices from 0. Errors: STATUS_INPUT (the file does
 // not hold it), STATUS_SYSTEM.

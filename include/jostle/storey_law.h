@@ -43,14 +43,13 @@ struct storey_law {
     // Values of the rows of one storey (NAN: not given) and its stiffness -> constants.
     int (*prepare)(const double *value, double stiffness, double *constant, struct error *e);
 
-    // Shear and consistent tangent at `drift`, from the committed history. Pure.
-    struct storey_response (*shear)(const double *constant, const double *history, double drift);
+    // Shear and consistent tangent at `drift`, from the committed history. `after`, unless it is
+    // NULL, becomes the history that a step which ends there commits; it may be `history` itself.
+    struct storey_response (*respond)(const double *constant, const double *history, double drift,
+                                      double *after);
 
-    // Brings the history from the last committed step to `drift`. NULL if n_history = 0.
-    void (*commit)(const double *constant, double *history, double drift);
-
-    // The line on which `shear` is, to the last bit, and `commit` changes nothing. NULL: there is
-    // no such line.
+    // The line on which the shear is, to the last bit, while the history stays as it is. NULL:
+    // there is no such line.
     struct storey_branch (*branch)(const double *constant, const double *history);
 
     // Recoverable energy at `drift` with the committed history [F L].

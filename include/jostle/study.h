@@ -5,25 +5,25 @@
 #ifndef JOSTLE_STUDY_H
 #define JOSTLE_STUDY_H
 
-#include <stdint.h>
-
 #include "jostle/model.h"
 #include "jostle/result.h"
 #include "jostle/study_file.h"
 
 struct study_progress {
-    long n_run;      // of the study, or of the part of it
-    long n_kept;     // runs found in the journal of an earlier start
-    long n_done;     // runs done so far, kept and failed ones included
-    long n_failed;   // of them, those that failed
-    long n_left;     // after an error: runs that the same command finds done
-    long n_damaged;  // places of that journal where runs may be lost
+    long n_run;           // of the study, or of the part of it
+    long n_kept;          // runs found in the journal of an earlier start
+    long n_done;          // runs done so far, kept and failed ones included
+    long n_failed;        // of them, those that failed
+    long n_left;          // after an error: runs that the same command finds done
+    long n_damaged;       // places of that journal where runs may be lost
+    double seconds_left;  // estimated by the lengths of the runs; 0: not known
     int n_thread;
     char failure[768];  // of this start, the failed run of the lowest number, and why; "": none
 };
 
-// What to do with the journal of an earlier start.
-enum study_journal { STUDY_RESUME, STUDY_RESTART };
+// What to do with the journal of an earlier start. STUDY_ACCEPT goes on with it even if the deck,
+// the files that runs have read or the version of the numerics have changed; the result file tells.
+enum study_journal { STUDY_RESUME, STUDY_RESTART, STUDY_ACCEPT };
 
 struct study_request {
     const struct model *first;  // the model of the deck, that of its first run
@@ -32,7 +32,8 @@ struct study_request {
     int n_thread;
     struct study_shard shard;  // the part to run; all zero: the whole
     enum study_journal journal;
-    uint64_t program;  // checksum of the program: results of another one are not mixed in
+    int numerics;             // NUMERICS_VERSION: results of another one are not mixed in
+    struct checksum program;  // of the program, for the record in the result file
     struct result_options result;
 
     // Called every 0.1 s by the thread that called study_run. A result other than 0

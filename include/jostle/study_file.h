@@ -18,18 +18,26 @@ struct study_shard {
 
 // A file that runs have read.
 struct study_source {
-    const char *path;  // relative to the folder of the deck where it lies below it
-    uint64_t sum;      // checksum
+    const char *path;     // relative to the folder of the deck where it lies below it
+    struct checksum sum;  // of an included deck: of what it means
+};
+
+// What the runs of a study come from.
+struct study_origin {
+    int numerics;          // the version of the numerics
+    const char *study;     // which study it is: see study/identity.h
+    const char *define;    // its -D NAME=VALUE, a line each
+    const char *programs;  // checksums of the programs that made runs or parts, a line each
+    const char *accepted;  // what had changed when --accept went on, a line each; "": nothing
+    int n_source;          // in the order of their paths
+    const struct study_source *source;  // (n_source)
 };
 
 // What the file of a part says besides the results of its runs.
 struct study_part {
     struct study_shard shard;
     const double *run;  // (n_run of the file) the numbers of its runs in the study, from 1, rising
-    const char *study;  // which study it is: see study/identity.h
     long n_failed;      // runs of the part
-    int n_source;       // in the order of their paths
-    const struct study_source *source;  // (n_source)
 };
 
 // One dataset: some of the values that every run gives.
@@ -56,6 +64,9 @@ struct study_table {
 int study_table_create(const struct report *r, struct study_table **out, struct error *e);
 void study_table_free(struct study_table *t);  // NULL is allowed
 
+// The item of `t` that is `wanted`, as a file lists its items in another order; -1: none.
+int study_table_find(const struct study_table *t, const struct study_item *wanted);
+
 // The values of one run, (n_value).
 void study_table_read(const struct report *r, double *value);
 
@@ -71,6 +82,7 @@ struct study_content {
     const struct report *first;       // of the first run, before or after it
     const struct study_table *table;  // of it
     const struct sweep *sweeps;
+    const struct study_origin *origin;
     const struct study_part *part;  // NULL: the file has all runs
     long n_run;                     // of the file
     int n_part;                     // the parts it is made of; 0: it was run as a whole
@@ -108,19 +120,25 @@ struct study_view {
     struct unit_system units;
     int n_sweep;
     const struct sweep *sweep[STUDY_SWEEPS_MAX];
-    long n_run;              // of the file
-    long n_study;            // of the study
-    struct study_part part;  // shard.n = 0: the file has all runs
-    int n_part;              // the parts that were joined; 0: it was run as a whole
+    long n_run;                  // of the file
+    long n_study;                // of the study
+    struct study_part part;      // shard.n = 0: the file has all runs
+    struct study_origin origin;  // study NULL: an earlier version wrote the file
+    int n_part;                  // the parts that were joined; 0: it was run as a whole
     bool has_histories;
     long n_kept;
     int n_thread;
     double seconds;
     struct study_table table;
     int n_contact, n_link;
-    const char *const *contact;  // (n_contact) names
-    const char *const *link;     // (n_link)
+    const struct report_link *contact;  // (n_contact) names and floors
+    const struct report_link *link;     // (n_link)
 };
+
+// Whether value `i` of `item` is the peak acceleration of a floor that was hit in the run with
+// these values (report_floor_was_hit); -1: the item is not accelerations.
+int study_view_hit(const struct study_view *v, const struct study_item *item, size_t i,
+                   const double *value);
 
 // True if the file at `path` is the complete result of a study.
 bool study_file_is_study(const char *path);
@@ -129,6 +147,10 @@ bool study_file_is_study(const char *path);
 int study_file_open(const char *path, struct study_file **out, struct error *e);
 void study_file_close(struct study_file *f);  // NULL is allowed
 const struct study_view *study_file_view(const struct study_file *f);
+
+// Checks that the data of the file are as they were written and tell what its runs come from.
+// Errors: STATUS_INPUT (they are not, or there is no checksum), STATUS_SYSTEM; they name the path.
+int study_file_verify(struct study_file *f, struct error *e);
 
 // The number in the study, from 0, of run `i` of the file; which value of sweep `i` a run of the
 // study has.

@@ -23,6 +23,10 @@ struct study_merge_request {
     // Called now and then. A result other than 0 ends the merge with that status, and nothing is
     // written.
     int (*poll)(void *context, struct error *e);
+
+    // Called with the part that is read from now on, and with NULL while the result is written. The
+    // last call names the part that is closed last. NULL: nobody is told.
+    void (*reading)(void *context, const char *path);
     void *context;
 };
 

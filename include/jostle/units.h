@@ -58,6 +58,8 @@ struct unit_system {
 // N, m, s and 9.80665 m/s^2.
 void unit_system_init(struct unit_system *s);
 bool unit_system_equal(const struct unit_system *a, const struct unit_system *b);
+// The deck's unit of acceleration in g.
+double unit_in_g(const struct unit_system *u);
 
 // Reads the longest unit at the start of `text`: names joined by * and /, each with an optional
 // power (`m/s2`, `m/s^2`, `N/m^1.5`, `kN*s/m`, `g`, `gal`, `%`). Gives its dimension and the size

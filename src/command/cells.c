@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/safe.h"
 #include "core/text.h"
 
 static void begin(struct cells *c) {
@@ -17,57 +18,11 @@ static void begin(struct cells *c) {
     c->within = true;
 }
 
-static void quote(const char *text, FILE *to) {
-    fputc('"', to);
-    for (; *text; text++) {
-        if (*text == '"') {
-            fputc('"', to);
-        }
-        fputc(*text, to);
-    }
-    fputc('"', to);
-}
-
-void cells_put_json(const char *text, FILE *to) {
-    size_t bad = 0;
-    const bool utf8 = text_is_utf8(text, strlen(text), &bad);
-    fputc('"', to);
-    for (const char *s = text; *s; s++) {
-        const unsigned char c = (unsigned char)*s;
-        if (c == '"' || c == '\\') {
-            fprintf(to, "\\%c", c);
-        } else if (c == '\n') {
-            fputs("\\n", to);
-        } else if (c < ' ' || c == 127) {
-            fprintf(to, "\\u%04x", c);
-        } else if (c > 127 && !utf8) {
-            fputs("\\ufffd", to);
-        } else {
-            fputc(c, to);
-        }
-    }
-    fputc('"', to);
-}
-
-void cells_put_text(const char *text, FILE *to) {
-    for (; *text; text++) {
-        fputc((unsigned char)*text < ' ' ? ' ' : *text, to);
-    }
-}
-
 void cells_text(struct cells *c, const char *text) {
+    static const enum safe form[] = {
+        [CELLS_TSV] = SAFE_TSV, [CELLS_CSV] = SAFE_CSV, [CELLS_JSON] = SAFE_JSON};
     begin(c);
-    if (c->form == CELLS_CSV && strpbrk(text, ",\"\r\n")) {
-        quote(text, c->to);
-        return;
-    }
-    if (c->form == CELLS_TSV) {
-        cells_put_text(text, c->to);
-    } else if (c->form == CELLS_JSON) {
-        cells_put_json(text, c->to);
-    } else {
-        fputs(text, c->to);
-    }
+    safe_put(c->to, form[c->form], text);
 }
 
 void cells_number(struct cells *c, double value) {
@@ -98,6 +53,14 @@ void cells_empty(struct cells *c) {
 void cells_whole(struct cells *c, long value) {
     begin(c);
     fprintf(c->to, "%ld", value);
+}
+
+void cells_sign(struct cells *c, int value) {
+    if (value < 0) {
+        cells_empty(c);
+    } else {
+        cells_whole(c, value);
+    }
 }
 
 void cells_end(struct cells *c) {

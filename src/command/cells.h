@@ -15,22 +15,16 @@ struct cells {
     long n_line;  // before it
 };
 
-// Control characters become blanks in TSV; CSV keeps tabs and line ends within quotes. JSON is
-// {"columns": [names], "data": [[cells], ...]}, where empty cells, NaN and infinities are null; the
-// first line has the names.
+// safe_put writes the texts. JSON is {"columns": [names], "data": [[cells], ...]}, where empty
+// cells, NaN and infinities are null; the first line has the names.
 void cells_text(struct cells *c, const char *text);
 void cells_number(struct cells *c, double value);  // the shortest that is read as it again, or nan
 void cells_numbers(struct cells *c, const double *value, int n);
 void cells_empty(struct cells *c);
 void cells_whole(struct cells *c, long value);
+void cells_sign(struct cells *c, int value);  // an empty cell for values below 0
 void cells_end(struct cells *c);
 void cells_close(struct cells *c);  // after the last line
-
-// A text with blanks in place of control characters, for lines printed without a struct cells.
-void cells_put_text(const char *text, FILE *to);
-
-// A text as JSON has it, within quotes.
-void cells_put_json(const char *text, FILE *to);
 
 // A cell for each of the words, which are separated by blanks: the head of a table.
 void cells_words(struct cells *c, const char *words);

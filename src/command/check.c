@@ -3,6 +3,7 @@
 #include <gsl/gsl_math.h>
 #include <string.h>
 
+#include "command/check_study.h"
 #include "command/deck_command.h"
 #include "command/guidance_print.h"
 #include "command/law_words.h"
@@ -65,14 +66,13 @@ static void print_storeys(const struct model *m, const struct building *g,
 // Periods and damping ratios of the first modes.
 static void print_modes(const struct building *g, const struct unit_texts *t) {
     for (int k = 0; k < g->n_floor && k < MODES_SHOWN; k++) {
-        double ratio;
-        struct error e;
+        double ratio = building_damping_ratio(g, k + 1);
         if (g->omega[k] == 0.0) {
             printf("  mode %d: rigid body\n", k + 1);
             continue;
         }
         printf("  mode %d: period %.4g %s", k + 1, 2.0 * M_PI / g->omega[k], t->time);
-        if (building_damping_ratio(g, k + 1, &ratio, &e) == STATUS_OK && !isnan(ratio)) {
+        if (!isnan(ratio)) {
             printf(", damping %.4g %%", 100.0 * ratio);
         }
         printf("\n");
@@ -88,10 +88,16 @@ static void print_building(const struct model *m, const struct building *g,
     printf("\nbuilding %s: %d floor%s, mass %.6g %s\n", g->name, g->n_floor,
            g->n_floor == 1 ? "" : "s", mass, t->mass);
     print_modes(g, t);
+    for (int i = 0; i < g->n_part; i++) {
+        printf("  %s: %d x %d from %s\n", g->part[i].name, g->n_floor, g->n_floor,
+               g->part[i].source);
+    }
     print_storeys(m, g, t);
 }
 
 static void print_signals(const struct model *m, const struct unit_texts *t) {
+    const struct unit_system *u = &m->deck->units;
+    const double gravity = unit_size(u, dimension_acceleration) / u->gravity;
     for (int k = 0; k < m->n_ground; k++) {
         const struct ground *g = &m->ground[k];
         printf("\nground under");
@@ -103,8 +109,8 @@ static void print_signals(const struct model *m, const struct unit_texts *t) {
         printf(g->n_signal ? ":\n" : ": at rest\n");
         for (int i = 0; i < g->n_signal; i++) {
             const struct signal *s = &g->signal[i];
-            printf("  %s: peak %.4g %s, from %.4g to %.4g %s\n", s->name, signal_peak(s),
-                   t->acceleration, s->start, s->end, t->time);
+            printf("  %s: peak %.4g %s = %.4g g, from %.4g to %.4g %s\n", s->name, signal_peak(s),
+                   t->acceleration, signal_peak(s) * gravity, s->start, s->end, t->time);
             if (s->mean != 0.0) {
                 printf("    a mean of %.4g %s was subtracted\n", s->mean, t->acceleration);
             }
@@ -202,9 +208,8 @@ static void print_time(const struct model *m, const struct unit_texts *t) {
     }
     printf("\nnewmark beta %g gamma %g, %ld steps of %.6g %s, duration %.6g %s\n", m->beta,
            m->gamma, m->n_step, m->dt, t->time, m->duration, t->time);
-    long rows = m->n_step / m->output.every + 1 + (m->n_step % m->output.every != 0);
     printf("a row of output every %d step%s, %ld rows\n", m->output.every,
-           m->output.every == 1 ? "" : "s", rows);
+           m->output.every == 1 ? "" : "s", model_rows(m));
 }
 
 struct check_options {
@@ -226,6 +231,9 @@ static int check(void *options, const struct model *m) {
     print_signals(m, &t);
     print_loads(m, &t);
     print_time(m, &t);
+    if (deck_is_study(m->deck)) {
+        return check_study(&o->load, m);
+    }
     if (!m->adaptive) {
         guidance_print(m, &o->guidance);
     }
@@ -236,6 +244,6 @@ static int check_command(int argc, char **argv) {
     static const struct option option[] = {DECK_COMMAND_OPTIONS};
     static const struct deck_command c = {
         &command_check, deck_command_details, ":D:h", option, NULL, NULL, check};
-    struct check_options o = {.load = {.guidance = &o.guidance}};
+    struct check_options o = {.load = {.guidance = &o.guidance, .checks = true}};
     return deck_command_run(&c, argc, argv, &o.load, &o);
 }

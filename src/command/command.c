@@ -51,21 +51,29 @@ int command_no_memory(void) {
     return command_fail(&e);
 }
 
+enum { MESSAGE_MAX = 1024 };
+
 int command_usage(const struct command *c, const char *format, ...) {
-    fprintf(stderr, "jostle %s: %s ", c->name, error_word());
+    char message[MESSAGE_MAX];
     va_list list;
     va_start(list, format);
-    vfprintf(stderr, format, list);
+    text_compose(message, sizeof message, format, list);
     va_end(list);
-    fprintf(stderr, "\ntry 'jostle %s --help'\n", c->name);
+    fprintf(stderr, "jostle %s: %s %s\ntry 'jostle %s --help'\n", c->name, error_word(), message,
+            c->name);
     return EXIT_INPUT;
 }
 
 int command_unknown(const struct command *c, const char *what, const char *word,
                     const char *const *known, int n) {
+    char list[512];
     const char *near = text_nearest(word, known, n);
-    return near ? command_usage(c, "unknown %s '%s'; did you mean '%s'?", what, word, near)
-                : command_usage(c, "unknown %s '%s'", what, word);
+    if (near) {
+        return command_usage(c, "unknown %s '%s'; did you mean '%s'?", what, word, near);
+    }
+    return n > TEXT_LISTED_MAX ? command_usage(c, "unknown %s '%s'", what, word)
+                               : command_usage(c, "unknown %s '%s'; available: %s", what, word,
+                                               text_list(list, sizeof list, known, n));
 }
 
 int command_help(const struct command *c, const char *details) {

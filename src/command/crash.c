@@ -3,11 +3,15 @@
 #include "command/crash.h"
 
 #include <signal.h>
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "command/command.h"
+#include "core/safe.h"
 
 static const struct harm {
     int signal;
@@ -27,6 +31,28 @@ static void say(const char *text) {
     }
 }
 
+// The file that is read, as it is printed; a longer path is cut.
+static char file_read[1024];
+static volatile sig_atomic_t reads;
+
+void crash_reading(void *context, const char *path) {
+    (void)context;
+    reads = 0;
+    FILE *to = path ? fmemopen(file_read, sizeof file_read, "w") : NULL;
+    if (to) {
+        safe_put(to, SAFE_TERMINAL, path);
+        fclose(to);
+        reads = 1;
+    }
+}
+
+static void say_file(void) {
+    if (reads) {
+        say(" while reading ");
+        say(file_read);
+    }
+}
+
 // Calls nothing but what POSIX allows in a handler.
 static void end(int number) {
     say("jostle: error: ended by a");
@@ -36,11 +62,28 @@ static void end(int number) {
             say(harms[i].name);
         }
     }
+    say_file();
     say("; a damaged HDF5 file or too little memory does that, else it is a mistake of jostle\n");
     _exit(EXIT_SYSTEM);
 }
 
+static bool released;
+
+static void end_early(void) {
+    if (!released) {
+        say("jostle: error: ended by a library");
+        say_file();
+        say("; too little memory does that\n");
+        _exit(EXIT_SYSTEM);
+    }
+}
+
+void crash_release(void) {
+    released = true;
+}
+
 void crash_catch(void) {
+    atexit(end_early);
     const stack_t own = {.ss_sp = stack, .ss_size = sizeof stack};
     struct sigaction old, action = {.sa_handler = end};
     if (sigaltstack(&own, NULL) == 0) {

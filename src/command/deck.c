@@ -3,7 +3,10 @@
 #include <string.h>
 
 #include "command/rows.h"
+#include "core/text.h"
+#include "jostle/contact_law.h"
 #include "jostle/model.h"
+#include "jostle/storey_law.h"
 
 static int deck_command(int argc, char **argv);
 
@@ -68,12 +71,29 @@ static void print_variant(enum page page, const struct statement_kind *kind,
     rows_print(page, v->row, v->n_row);
 }
 
+// The laws that the statement chooses from.
+static void print_laws(enum page page, const struct statement_kind *kind) {
+    const char *name[STATEMENTS_MAX];
+    char list[USAGE_SIZE], text[2 * USAGE_SIZE];
+    const bool contact = strcmp(kind->name, "contact") == 0;
+    const int n = contact ? n_contact_law : strcmp(kind->name, "storey") == 0 ? n_storey_law : 0;
+    for (int i = 0; i < n && i < STATEMENTS_MAX; i++) {
+        name[i] = contact ? contact_laws[i]->name : storey_laws[i]->name;
+    }
+    if (n > 0) {
+        snprintf(text, sizeof text, "%s; %s", text_list(list, sizeof list, name, n),
+                 page == PAGE_TEXT ? "'jostle laws LAW' explains one" : "see [laws.md](laws.md)");
+        rows_entry(page, "laws", text);
+    }
+}
+
 static void print_kind(enum page page, const struct statement_kind *kind) {
     char usage[USAGE_SIZE];
     snprintf(usage, sizeof usage, "%s %s", kind->name, kind->usage);
     rows_heading(page, 2, kind->name);
     rows_entry(page, "what", kind->summary);
     rows_code(page, "usage", usage);
+    print_laws(page, kind);
     rows_example(page, kind->example);
     rows_print(page, kind->row, kind->n_row);
     for (int i = 0; i < kind->n_variant; i++) {

@@ -5,9 +5,10 @@
 #include <string.h>
 
 #include "command/show_study.h"
+#include "command/study_print.h"
 #include "command/suite_options.h"
 #include "core/arena.h"
-#include "jostle/result.h"
+#include "core/safe.h"
 #include "study/fragility.h"
 
 static int fragility_command(int argc, char **argv);
@@ -72,23 +73,23 @@ static void print_distance(const struct result *r) {
     const double demand = none ? gsl_stats_max(of, 1, n) : gsl_stats_min(of, 1, n);
     const char *unit = unit_suffix(r->suite->edp.units);
     if ((none || r->fit.outcome == FRAGILITY_ALL_EXCEED) && isfinite(demand)) {
-        printf("; the %s %s is %.4g%s%s", none ? "largest" : "smallest", r->suite->edp.text, demand,
-               unit[0] ? " " : "", unit);
+        printf("; the %s ", none ? "largest" : "smallest");
+        safe_put(stdout, SAFE_TERMINAL, r->suite->edp.text);
+        printf(" is %.4g%s%s", demand, unit[0] ? " " : "", unit);
     }
 }
 
 static void print_parameters(const struct result *r) {
     const struct fragility *f = &r->fit;
-    const char *unit = r->suite->abscissa_units;
+    const char *unit = r->suite->abscissa_units, *blank = unit[0] ? " " : "";
     if (f->outcome == FRAGILITY_FITTED) {
-        printf("median %.4g%s%s, dispersion %.4g; standard errors: %.2g of ln median, %.2g of the "
-               "dispersion\n",
-               f->median, unit[0] ? " " : "", unit, f->dispersion, f->log_median_error,
-               f->dispersion_error);
+        printf("median %.4g%s%s%s, dispersion %.4g; standard errors: %.2g of ln median, %.2g of "
+               "the dispersion\n",
+               f->median, blank, unit, study_print_g(&r->suite->view->units, unit, f->median).added,
+               f->dispersion, f->log_median_error, f->dispersion_error);
         return;
     }
     printf("no curve: %s", fragility_reason(f));
-    const char *blank = unit[0] ? " " : "";
     if (f->outcome == FRAGILITY_SEPARATED && f->between[0] < f->between[1]) {
         printf("; the median is between %.4g and %.4g%s%s", f->between[0], f->between[1], blank,
                unit);
@@ -128,7 +129,8 @@ static void print_crossings(const struct result *r, enum fragility_crossing cros
     const char *comma = ": ";
     for (int k = 0; k < s->n_sample && crossing != CROSSING_AT; k++) {
         if (r->record[k].crossing == crossing) {
-            printf("%s%s", comma, s->sample[k]);
+            fputs(comma, stdout);
+            safe_put(stdout, SAFE_TERMINAL, s->sample[k]);
             comma = ", ";
         }
     }
@@ -148,11 +150,13 @@ static void print_text(const struct result *r) {
     const struct suite *s = r->suite;
     const char *unit = unit_suffix(s->edp.units);
     char head[64];
-    printf("\n%s > %.6g%s%s%s%s\n", s->edp.text, r->limit, unit[0] ? " " : "", unit,
-           s->group[r->group][0] ? ", " : "", s->group[r->group]);
+    putchar('\n');
+    safe_line(stdout, "%s > %.6g%s%s%s%s%s", s->edp.text, r->limit, unit[0] ? " " : "", unit,
+              study_print_g(&s->view->units, s->edp.units, r->limit).added,
+              s->group[r->group][0] ? ", " : "", s->group[r->group]);
     snprintf(head, sizeof head, "%s%s%s%s", s->abscissa->name, s->abscissa_units[0] ? " [" : "",
              s->abscissa_units, s->abscissa_units[0] ? "]" : "");
-    printf("%16s %7s %9s  %9s %9s\n", head, "n", "exceeded", "fraction", "curve");
+    safe_line(stdout, "%16s %7s %9s  %9s %9s", head, "n", "exceeded", "fraction", "curve");
     for (int j = 0; j < s->n_point; j++) {
         const struct fragility_level *l = &r->level[j];
         printf("%16.6g %7d %9d ", l->intensity, l->n, l->exceeded);
@@ -223,12 +227,15 @@ static void print_head(const struct request *q, const struct suite *s, struct ce
         cells_end(c);
         return;
     }
-    printf("%s%s", s->view->title, s->view->title[0] ? "\n" : "");
-    printf("fragility over %s", s->abscissa->name);
-    if (s->over[0]) {
-        printf(", %d sample%s of %s", s->n_sample, s->n_sample == 1 ? "" : "s", s->over);
+    if (s->view->title[0]) {
+        safe_line(stdout, "%s", s->view->title);
     }
-    printf("%s%s\n", s->fixed[0] ? "; " : "", s->fixed);
+    char over[32] = "";
+    if (s->over[0]) {
+        snprintf(over, sizeof over, ", %d sample%s of ", s->n_sample, s->n_sample == 1 ? "" : "s");
+    }
+    safe_line(stdout, "fragility over %s%s%s%s%s", s->abscissa->name, over, s->over,
+              s->fixed[0] ? "; " : "", s->fixed);
 }
 
 static int fit(struct result *r, struct error *e) {
@@ -275,7 +282,8 @@ static int check_ida(const struct suite *s, const double *limit, int n, struct e
                          s->abscissa->name, s->mixed);
     }
     if (s->n_sample < 2) {
-        return error_set(e, STATUS_INPUT, "--method ida needs samples; name their sweep by --over");
+        return error_set(e, STATUS_INPUT,
+                         "--method ida needs samples; name their sweep with --over");
     }
     for (int i = 0; i < n; i++) {
         if (limit[i] == 0.0 && quantity->reduction != EDP_HIGHEST) {
@@ -295,7 +303,7 @@ static int check_suite(const struct request *q, const struct suite *s, const dou
     if (s->point_name) {
         return error_set(e, STATUS_INPUT, "--im %s: %s", s->abscissa->name,
                          s->mixed ? "it only numbers what goes together"
-                                  : "its values are no numbers");
+                                  : "its values are not numbers");
     }
     return q->method == METHOD_IDA ? check_ida(s, limit, n, e) : STATUS_OK;
 }
@@ -317,14 +325,6 @@ static int open_and_fit(const struct request *q, const char *path) {
     struct study_file *f;
     struct suite *s;
     struct error e;
-    if (!study_file_is_study(path)) {
-        struct result_file *file;
-        if (result_open(path, &file, &e) == STATUS_OK) {
-            result_close(file);
-            error_set(&e, STATUS_INPUT, "%s is one analysis, not a study", path);
-        }
-        return command_fail(&e);
-    }
     if (study_file_open(path, &f, &e) != STATUS_OK) {
         return command_fail(&e);
     }

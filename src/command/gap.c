@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle gap: the gap that buildings need. Without --limit, how near they come when they never
-// touch, next to what rules give; with it, the gap beyond which the limit is kept.
+// touch, next to what rules give; with it, the gap beyond which the limit is met.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +10,7 @@
 #include "command/interrupt.h"
 #include "command/progress.h"
 #include "command/quantity_word.h"
+#include "command/suite_options.h"
 #include "command/threads.h"
 #include "core/arena.h"
 
@@ -22,7 +23,7 @@ const struct command command_gap = {
         "       jostle gap DECK --limit EDP=VALUE [--range FROM:TO:N] [--tolerance LENGTH]\n"
         "                  [--percentile P] [--parameter PARAM] [-D NAME=VALUE]... [-j THREADS]\n"
         "                  [--tsv]",
-    .summary = "prints the gap that would avoid contact, or keep a limit",
+    .summary = "prints the gap that would avoid contact, or meet a limit",
     .run = gap_command,
 };
 
@@ -34,7 +35,7 @@ static const char details[] =
     "                      jostle fragility --help lists the demands\n"
     "  --range FROM:TO:N   gaps to scan; default 0 to the largest closing displacement, 33 gaps\n"
     "  --tolerance LENGTH  of the bisection; default a thousandth of the range\n"
-    "  --percentile P      of the runs that must keep the limit; default 100, all of them\n"
+    "  --percentile P      of the runs that must meet the limit; default 100, all of them\n"
     "  --parameter PARAM   the parameter of the deck that is the gap; default: all contacts get "
     "it\n"
     "  --tsv               a table separated by tabs: every run and contact, or every gap\n"
@@ -44,8 +45,10 @@ static const char details[] =
     "and the largest closing displacement at each contact stands next to what codes combine from "
     "the\n"
     "largest displacements of both sides. With --limit gaps are scanned, and the last change is\n"
-    "bisected; the response is no monotone function of the gap, so the scan bounds what is seen.\n"
-    "Nothing is written. Exit status: 1 if runs failed or no gap keeps the limit.\n";
+    "bisected; the response is not a monotone function of the gap, so the scan bounds what is "
+    "seen.\n"
+    "A demand of the buildings is also computed without any contact. Nothing is written.\n"
+    "Exit status: 1 if runs failed or no gap meets the limit.\n";
 
 enum { POINTS_DEFAULT = 33 };
 
@@ -119,8 +122,8 @@ static int default_range(const struct plan *p, const struct options *o,
     }
     apart_close(&a);
     return status == EXIT_DONE && !(q->to > 0.0)
-               ? command_usage(&command_gap, "the buildings never move towards each other; --range "
-                                             "says which gaps to look at")
+               ? command_usage(&command_gap, "the buildings never move towards each other; set the "
+                                             "gaps to scan with --range")
                : status;
 }
 
@@ -174,6 +177,9 @@ static int parse_limit(const struct plan *p, const char *text, struct gap_search
     if (status == STATUS_OK) {
         status = edp_limit(&q->edp, &view.units, equal + 1, &q->limit, &e);
     }
+    if (status == STATUS_OK) {
+        suite_options_warn_limit(&q->edp, equal + 1, q->limit);
+    }
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
@@ -208,7 +214,7 @@ static int run_search(const struct plan *p, const struct options *o) {
     struct progress progress;
     const struct gap_runs how = {
         .n_thread = o->n_thread, .poll = progress_poll, .context = &progress};
-    progress_start(&progress, (double)q.n * (double)p->n_run, "runs");
+    progress_start(&progress, (q.n + 1.0) * (double)p->n_run, "runs");
     status = gap_search_run(&q, &how, &s, &e);
     progress_end(&progress);
     if (status != STATUS_OK) {
@@ -216,7 +222,7 @@ static int run_search(const struct plan *p, const struct options *o) {
     } else {
         (o->tsv ? gap_print_search_tsv : gap_print_search)(&q, &s);
         if (!s.found) {
-            error_set(&e, STATUS_FAILED, "no gap of the range keeps the limit");
+            error_set(&e, STATUS_FAILED, "no gap of the range meets the limit");
             status = command_fail(&e);
         }
     }

@@ -31,7 +31,7 @@ static void print_ratio(double x) {
 }
 
 static void print_closings(const struct plan *p, const struct apart *a, double *scratch) {
-    printf("%-*s %9s %9s %9s %9s %9s %9s %6s %9s\n", NAME_WIDTH, "closing by", "mean", "16 %",
+    printf("%-*s %9s %9s %9s %9s %9s %6s %9s %9s\n", NAME_WIDTH, "closing by", "mean", "16 %",
            "50 %", "84 %", "largest", "in run", "gap", "runs hit");
     for (int i = 0; i < a->n_contact; i++) {
         struct text_short t;

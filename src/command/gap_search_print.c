@@ -26,29 +26,36 @@ static void print_aim(const struct gap_search_request *q, const struct gap_searc
 }
 
 static void print_point(const struct gap_point *p) {
-    printf("%12.5g ", p->gap);
+    if (p->stage == GAP_OPEN) {
+        printf("%12s ", "no contact");
+    } else {
+        printf("%12.5g ", p->gap);
+    }
     if (p->n_failed > 0) {
-        printf("%14s %8s %8ld  %ld failed: %s\n", "-", "broken", p->run + 1, p->n_failed,
+        printf("%14s %8s %8ld  %ld failed: %s\n", "-", "exceeded", p->run + 1, p->n_failed,
                p->message);
     } else {
-        printf("%14.6g %8s %8ld\n", p->value, p->kept ? "kept" : "broken", p->run + 1);
+        printf("%14.6g %8s %8ld\n", p->value, p->kept ? "met" : "exceeded", p->run + 1);
     }
 }
 
 static void print_answer(const struct gap_search_request *q, const struct gap_search *s) {
     const char *length = q->plan->first->deck->units.length_name;
     if (!s->found) {
-        printf("\nno gap: the limit is broken at the widest one, %.6g %s\n", q->to, length);
+        printf("\nno gap: the limit is exceeded at the widest one, %.6g %s\n", q->to, length);
     } else if (isnan(s->below)) {
-        printf("\ngap %.6g %s: every gap scanned keeps the limit\n", s->gap, length);
+        printf("\ngap %.6g %s: every gap scanned meets the limit\n", s->gap, length);
     } else {
-        printf("\ngap %.6g %s: from here on every gap scanned keeps the limit; %.6g %s does not\n",
+        printf("\ngap %.6g %s: from here on every gap scanned meets the limit; %.6g %s does not\n",
                s->gap, length, s->below, length);
     }
-    printf(
-        "The response is no smooth function of the gap: between gaps that are %.3g %s apart the\n"
-        "limit may be broken unseen.\n",
-        spacing(q), length);
+    if (s->opened && s->open.n_failed == 0) {
+        printf("Without any contact the limit is %s.\n",
+               s->open.kept ? "met" : "exceeded: a gap that avoids contact does not meet it");
+    }
+    printf("The response is not a smooth function of the gap: between gaps that are %.3g %s apart\n"
+           "the limit may be exceeded unseen.\n",
+           spacing(q), length);
 }
 
 void gap_print_search(const struct gap_search_request *q, const struct gap_search *s) {
@@ -67,7 +74,23 @@ void gap_print_search(const struct gap_search_request *q, const struct gap_searc
             print_point(&s->point[i]);
         }
     }
+    if (s->opened) {
+        print_point(&s->open);
+    }
     print_answer(q, s);
+}
+
+static void print_cells(struct cells *c, const struct gap_point *p) {
+    static const char *const stage[] = {
+        [GAP_SCAN] = "scan", [GAP_BISECTION] = "bisection", [GAP_OPEN] = "no contact"};
+    cells_text(c, stage[p->stage]);
+    cells_number(c, p->gap);
+    cells_number(c, p->value);
+    cells_text(c, p->kept ? "kept" : "broken");
+    cells_whole(c, p->n_failed);
+    cells_whole(c, p->run + 1);
+    cells_text(c, p->message);
+    cells_end(c);
 }
 
 void gap_print_search_tsv(const struct gap_search_request *q, const struct gap_search *s) {
@@ -75,15 +98,10 @@ void gap_print_search_tsv(const struct gap_search_request *q, const struct gap_s
     printf("stage\tgap [%s]\t%s [%s]\tlimit\tfailed\trun\tmessage\n",
            q->plan->first->deck->units.length_name, q->edp.text, q->edp.units);
     for (int i = 0; i < s->n_point; i++) {
-        const struct gap_point *p = &s->point[i];
-        cells_text(&c, p->stage == GAP_SCAN ? "scan" : "bisection");
-        cells_number(&c, p->gap);
-        cells_number(&c, p->value);
-        cells_text(&c, p->kept ? "kept" : "broken");
-        cells_whole(&c, p->n_failed);
-        cells_whole(&c, p->run + 1);
-        cells_text(&c, p->message);
-        cells_end(&c);
+        print_cells(&c, &s->point[i]);
+    }
+    if (s->opened) {
+        print_cells(&c, &s->open);
     }
     if (s->found) {
         cells_text(&c, "result");

@@ -3,11 +3,19 @@
 #ifndef JOSTLE_INTERRUPT_H
 #define JOSTLE_INTERRUPT_H
 
+#include <sys/types.h>
+
 #include "jostle/error.h"
 
-// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU (ulimit -St) are noted; one that comes a second
-// or two after the first ends the program at once. A SIGHUP that is ignored stays so.
+// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU (ulimit -St) are noted. A signal that comes a
+// second or two after the first ends the program at once. A signal that is ignored stays ignored,
+// as nohup and the background jobs of a shell want. Calls of the system that such a signal
+// interrupts go on.
 void interrupt_catch(void);
+
+// The process that the next signal also ends, as the program waits for it; 0: none. A signal noted
+// before ends it now.
+void interrupt_also(pid_t process);
 
 // The signal noted; 0: none.
 int interrupt_number(void);

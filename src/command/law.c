@@ -155,12 +155,12 @@ static int check_existing(const struct options *o, struct error *e) {
 
 static int write_history(const struct options *o, const struct law_impact *i, struct error *e) {
     struct draft draft;
-    const int status = draft_open(&draft, o->history, e);
+    const int status = draft_open(&draft, o->history, o->picture.existing, e);
     if (status != STATUS_OK) {
         return status;
     }
     law_print_history(i, draft.to);
-    return draft_publish(&draft, o->picture.existing, e);
+    return draft_publish(&draft, e);
 }
 
 // What is written above the picture and its panels.
@@ -246,6 +246,7 @@ static int report(const struct options *o, struct law_impacts *l) {
     if (status != STATUS_OK) {
         return command_fail(&e);
     }
+    law_print_warnings(l, stderr);
     if (o->tsv) {
         law_print_tsv(l, stdout);
     } else {

@@ -4,13 +4,14 @@
 #include "command/law_impacts.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "model/stiffness_estimate.h"
 
 enum { M1, M2, VELOCITY, N_ROW };
-enum { TEXT_MAX = 1 << 16 };
 
 static const struct row rows[N_ROW] = {
     [M1] = {"m1", ROW_NUMBER, ROW_REQUIRED, {1, -1, 2}, &range_positive, NAN, "mass of one body"},
@@ -19,68 +20,68 @@ static const struct row rows[N_ROW] = {
         {"v", ROW_NUMBER, ROW_REQUIRED, {0, 1, -1}, &range_positive, NAN, "approach velocity"},
 };
 
-// A text that grows within its limit.
-struct text {
-    char at[TEXT_MAX];
-    size_t used;
-    bool full;
-};
-
-static void append(struct text *t, const char *piece, size_t n) {
-    if (n >= sizeof t->at - t->used) {
-        t->full = true;
-        return;
-    }
-    memcpy(t->at + t->used, piece, n);
-    t->used += n;
-    t->at[t->used] = '\0';
-}
-
 // A word as a deck would have it: quoted where it would otherwise be split.
-static void append_word(struct text *t, const char *word) {
+static void append_word(FILE *to, const char *word) {
     const size_t n = strlen(word);
     const bool quoted = n == 0 || strpbrk(word, " \t") || word[0] == '#' || word[n - 1] == '\\';
-    append(t, " \"", quoted ? 2 : 1);
-    append(t, word, n);
-    append(t, "\"", quoted ? 1 : 0);
+    const char *quote = quoted ? "\"" : "";
+    fprintf(to, " %s%s%s", quote, word, quote);
 }
 
 // "LAW,LAW" as one statement each; a text with options unchanged.
-static void append_compared(struct text *t, const char *laws) {
+static void append_compared(FILE *to, const char *laws) {
     if (strpbrk(laws, " \t")) {
-        append(t, "law ", 4);
-        append(t, laws, strlen(laws));
-        append(t, "\n", 1);
+        fprintf(to, "law %s\n", laws);
         return;
     }
     const char *at = laws;
     const char *end;
     do {
         end = at + strcspn(at, ",");
-        append(t, "law ", 4);
-        append(t, at, (size_t)(end - at));
-        append(t, "\n", 1);
+        fprintf(to, "law %.*s\n", (int)(end - at), at);
         at = end + 1;
     } while (*end);
 }
 
-static int make_text(const struct law_words *words, struct text *t, struct error *e) {
-    append(t, "law", 3);
+static int append_all(const struct law_words *words, FILE *to, struct error *e) {
+    fputs("law", to);
     for (int i = 0; i < words->n_word; i++) {
         if (strpbrk(words->word[i], "\r\n")) {
             return error_set(e, STATUS_INPUT, "a word of the command line has a line end");
         }
-        append_word(t, words->word[i]);
+        append_word(to, words->word[i]);
     }
-    append(t, "\n", 1);
+    fputc('\n', to);
     for (int i = 0; i < words->n_compare; i++) {
         if (strpbrk(words->compare[i], "\r\n")) {
             return error_set(e, STATUS_INPUT, "a law to compare with has a line end");
         }
-        append_compared(t, words->compare[i]);
+        append_compared(to, words->compare[i]);
     }
-    return t->full ? error_set(e, STATUS_INPUT, "the command line has more than %d bytes", TEXT_MAX)
-                   : STATUS_OK;
+    return STATUS_OK;
+}
+
+// The deck of the command line; *n_law, which is 0 before, counts its statements.
+static int open_deck(const struct law_words *words, struct deck **deck, size_t *n_law,
+                     struct error *e) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    if (!to) {
+        return error_no_memory(e);
+    }
+    int status = append_all(words, to, e);
+    if (fclose(to) != 0 && status == STATUS_OK) {
+        status = error_no_memory(e);
+    }
+    if (status == STATUS_OK) {
+        status = deck_open_text("command line", text, NULL, 0, deck, e);
+    }
+    for (size_t i = 0; i < size; i++) {
+        *n_law += text[i] == '\n';
+    }
+    free(text);
+    return status;
 }
 
 // A statement `law NAME ...` without its first word, so that messages name the law.
@@ -345,22 +346,14 @@ static int fail(struct law_impacts *l, const struct error *e) {
 }
 
 int law_impacts_run(const struct law_words *words, struct law_impacts *out) {
-    struct text text = {.used = 0};
+    size_t n_law = 0;
     struct error e;
     *out = (struct law_impacts){.deck = NULL};
-    int status = make_text(words, &text, &e);
-    if (status == STATUS_OK) {
-        status = deck_open_text("command line", text.at, NULL, 0, &out->deck, &e);
-    }
-    if (status != STATUS_OK) {
+    if (open_deck(words, &out->deck, &n_law, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    size_t lines = 0;
-    for (const char *at = text.at; *at; at++) {
-        lines += *at == '\n';
-    }
     const struct diagnostics *d = &out->deck->diagnostics;
-    out->impact = deck_array(out->deck, lines, sizeof *out->impact);
+    out->impact = deck_array(out->deck, n_law, sizeof *out->impact);
     if (out->impact) {
         read_laws(out, words);
     }
@@ -370,7 +363,7 @@ int law_impacts_run(const struct law_words *words, struct law_impacts *out) {
                   "the command line has %d error%s", d->n_error, d->n_error == 1 ? "" : "s");
         return fail(out, &e);
     }
-    status = run_all(out, words, &e);
+    const int status = run_all(out, words, &e);
     return status == STATUS_OK ? EXIT_DONE : fail(out, &e);
 }
 

@@ -42,11 +42,16 @@ void law_print_bodies(const struct law_impacts *l, char *text, size_t size) {
     }
 }
 
+static void print_parameter(const char *name, const struct fit_parameter *p, FILE *to) {
+    fprintf(to, "%s %.6g +- %.2g %%%s", name, p->value, 100.0 * p->error / p->value,
+            fit_is_undetermined(p) ? " (undetermined)" : "");
+}
+
 static void print_fit(const struct law_impact *i, FILE *to) {
     const struct fit_result *f = &i->fit;
-    fprintf(to, "  k %.6g +- %.2g %%", f->k.value, 100.0 * f->k.error / f->k.value);
+    print_parameter("  k", &f->k, to);
     if (!isnan(f->zeta.value)) {
-        fprintf(to, ", zeta %.6g +- %.2g %%", f->zeta.value, 100.0 * f->zeta.error / f->zeta.value);
+        print_parameter(", zeta", &f->zeta, to);
     }
     fprintf(to, ", closure at %.6g s +- %.2g s\n", f->start.value, f->start.error);
     fprintf(to, "  normalised error %.4g %%\n", 100.0 * f->normalised_error);
@@ -96,6 +101,28 @@ static void print_columns(const struct law_impacts *l, int first, int last, FILE
             }
         }
         fprintf(to, "\n");
+    }
+}
+
+void law_print_warnings(const struct law_impacts *l, FILE *to) {
+    for (int i = 0; i < l->n && l->measured.n > 0; i++) {
+        const struct fit_result *f = &l->impact[i].fit;
+        const struct fit_parameter *const p[] = {&f->k, &f->zeta};
+        static const char *const name[] = {"k", "zeta"};
+        for (int u = 0; u < 2; u++) {
+            if (fit_is_undetermined(p[u])) {
+                fprintf(to,
+                        "jostle: warning: %s of %s is undetermined: its standard error of %.3g "
+                        "exceeds its value of %.3g\n",
+                        name[u], l->impact[i].choice.law->name, p[u]->error, p[u]->value);
+            }
+        }
+    }
+    if (l->measured.n > 0 && l->impact[0].fit.cut > 0.0) {
+        fprintf(to,
+                "jostle: warning: the record is cut off at %.2g %% of its peak force, so that its "
+                "impulse does not say whether m* and v are right\n",
+                100.0 * l->impact[0].fit.cut);
     }
 }
 

@@ -12,6 +12,9 @@ void law_print_bodies(const struct law_impacts *l, char *text, size_t size);
 // energy.
 double law_print_dissipated(const struct law_impacts *l, const struct law_impact *i);
 
+// Warnings of a fit: parameters that the record does not determine, a record that is cut off.
+void law_print_warnings(const struct law_impacts *l, FILE *to);
+
 // Tables for readers; at most 100 columns wide.
 void law_print_table(const struct law_impacts *l, FILE *to);
 

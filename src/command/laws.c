@@ -109,7 +109,9 @@ static int unknown(const char *name) {
         known[n++] = contact_laws[i]->name;
     }
     for (int i = 0; i < n_storey_law && n < LAWS_MAX; i++) {
-        known[n++] = storey_laws[i]->name;
+        if (!contact_law_find(storey_laws[i]->name)) {
+            known[n++] = storey_laws[i]->name;
+        }
     }
     return command_unknown(&command_laws, "law", name, known, n);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command/load.h"
 
+#include "model/damping_warn.h"
+
 static void print_diagnostics(const struct deck *deck, bool quiet) {
     const struct diagnostics *d = &deck->diagnostics;
     if (d->n_error > 0 || (d->n_warning > 0 && !quiet)) {
@@ -8,12 +10,20 @@ static void print_diagnostics(const struct deck *deck, bool quiet) {
     }
 }
 
-static int guide(const struct model *m, struct guidance *g, struct error *e) {
-    int status = guidance_find(m, g, e);
+// A single run says of its damping what it has computed.
+static int guide(const struct model *m, const struct load_request *request, struct error *e) {
+    int status = guidance_find(m, request->guidance, e);
     if (status == STATUS_OK) {
-        guidance_warn(m, g);
+        guidance_warn(m, request->guidance);
     }
-    return status;
+    // check_study.c looks at the contacts of all runs of a study.
+    const bool study = deck_is_study(m->deck);
+    if (status == STATUS_OK && request->checks && !study) {
+        const struct guidance *g = request->guidance;
+        guidance_warn_storeys(m, g->n_contact, g->contact, NULL, NULL);
+    }
+    const bool estimates = request->checks || study;
+    return status == STATUS_OK && estimates ? damping_warn(m, e) : status;
 }
 
 int load_model(const struct load_request *request, struct model **out) {
@@ -23,7 +33,7 @@ int load_model(const struct load_request *request, struct model **out) {
     if (status == STATUS_OK) {
         status = model_build(deck, out, &e);
         if (status == STATUS_OK && request->guidance) {
-            status = guide(*out, request->guidance, &e);
+            status = guide(*out, request, &e);
         }
         print_diagnostics(deck, request->quiet);
         if (status == STATUS_INPUT && deck->diagnostics.system) {

@@ -13,6 +13,7 @@ struct load_request {
     int n_define;
     bool quiet;                 // no warnings
     struct guidance *guidance;  // filled, and its warnings given, if not NULL
+    bool checks;                // warns of what only `check` does
 };
 
 // Reads the deck and builds its model; prints errors and warnings to stderr. Returns EXIT_DONE with

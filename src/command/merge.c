@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle merge: the parts of a study to its result file.
+#include "command/crash.h"
 #include "command/interrupt.h"
 #include "command/output_name.h"
 #include "command/show_study.h"
@@ -82,7 +83,9 @@ static int merge(const struct merge_options *o) {
     const struct study_merge_request *q = &o->request;
     struct study_merged merged;
     struct error e;
-    if (study_merge(q, &merged, &e) != STATUS_OK) {
+    const int status = study_merge(q, &merged, &e);
+    crash_reading(NULL, NULL);
+    if (status != STATUS_OK) {
         return command_fail(&e);
     }
     if (!o->quiet && show_study_summary(q->result.path, stdout, &e) != STATUS_OK) {
@@ -103,7 +106,8 @@ static int merge_command(int argc, char **argv) {
     struct merge_options o = {
         .request = {.gaps = STUDY_WHOLE,
                     .result = {.existing = RESULT_KEEP, .version = JOSTLE_VERSION},
-                    .poll = poll_signal}};
+                    .poll = poll_signal,
+                    .reading = crash_reading}};
     int status = parse(argc, argv, &o);
     if (status != GO_ON) {
         return status;

@@ -29,12 +29,6 @@ static double mass_share(const struct building *g, const double *phi) {
     return excited * excited / modal / total;
 }
 
-static double damping_ratio(const struct building *g, int mode) {
-    double ratio;
-    struct error e;
-    return building_damping_ratio(g, mode, &ratio, &e) == STATUS_OK ? ratio : NAN;
-}
-
 static void print_table(const struct building *g, const char *time) {
     printf("%4s %12s %12s %12s %12s %14s\n", "mode", "period", "frequency", "omega", "damping",
            "effective mass");
@@ -48,7 +42,7 @@ static void print_table(const struct building *g, const char *time) {
             continue;
         }
         printf("%4d %12.6g %12.6g %12.6g %12.4g %14.4g\n", m + 1, 2.0 * M_PI / omega,
-               omega / (2.0 * M_PI), omega, 100.0 * damping_ratio(g, m + 1),
+               omega / (2.0 * M_PI), omega, 100.0 * building_damping_ratio(g, m + 1),
                100.0 * mass_share(g, phi));
     }
 }

@@ -76,13 +76,12 @@ static int write_pair(const struct picture_request *q, const char *picture, cons
 }
 
 // Both get their names, or neither. If the script cannot have its own, new data does not stay.
-static int publish_pair(struct draft *data, struct draft *script, enum result_existing existing,
-                        struct error *e) {
-    int status = draft_publish(data, existing, e);
+static int publish_pair(struct draft *data, struct draft *script, struct error *e) {
+    int status = draft_publish(data, e);
     if (status != STATUS_OK) {
         return status;
     }
-    status = draft_publish(script, existing, e);
+    status = draft_publish(script, e);
     if (status != STATUS_OK) {
         unlink(data->path);
     }
@@ -94,16 +93,16 @@ static int write_script(const struct picture_request *q, const struct pair *p, s
     char picture[64];
     snprintf(picture, sizeof picture, "%s.%s", q->name,
              q->options.output ? figure_ending(q->options.output) : "png");
-    int status = draft_open(&data, p->data, e);
+    int status = draft_open(&data, p->data, q->options.existing, e);
     if (status == STATUS_OK) {
-        status = draft_open(&script, p->script, e);
+        status = draft_open(&script, p->script, q->options.existing, e);
     }
     if (status == STATUS_OK) {
         const struct figure_files to = {script.to, data.to, picture};
         status = q->write(q->context, &to, e);
     }
     if (status == STATUS_OK) {
-        status = publish_pair(&data, &script, q->options.existing, e);
+        status = publish_pair(&data, &script, e);
     }
     draft_drop(&script);
     draft_drop(&data);
@@ -159,6 +158,18 @@ static void first_message(const char *folder, char *line, int size) {
     }
 }
 
+// Waits for the end of gnuplot. No signal ends it once its number may be that of another process.
+static int wait_for(pid_t child, int *state) {
+    siginfo_t ended;
+    int status;
+    interrupt_also(child);
+    do {
+        status = waitid(P_PID, (id_t)child, &ended, WEXITED | WNOWAIT);
+    } while (status != 0 && errno == EINTR);
+    interrupt_also(0);
+    return status == 0 && waitpid(child, state, 0) == child ? 0 : errno;
+}
+
 // Starts gnuplot and waits; a signal that is caught ends it, so that the folder can be removed.
 static int spawn(const char *folder, int *state, struct error *e) {
     fflush(NULL);
@@ -166,13 +177,7 @@ static int spawn(const char *folder, int *state, struct error *e) {
     if (child == 0) {
         become_gnuplot(folder);
     }
-    int cause = child < 0 ? errno : 0;
-    while (cause == 0 && waitpid(child, state, 0) < 0) {
-        cause = errno == EINTR ? 0 : errno;
-        if (interrupt_number()) {
-            kill(child, SIGTERM);
-        }
-    }
+    const int cause = child < 0 ? errno : wait_for(child, state);
     return cause == 0 ? interrupt_check(e)
                       : error_set(e, STATUS_SYSTEM, "cannot run gnuplot: %s", strerror(cause));
 }
@@ -214,7 +219,7 @@ static bool is_whole(FILE *picture, const char *last_mark) {
 }
 
 static int copy_into(FILE *to, FILE *from, const char *last_mark, struct error *e) {
-    char block[1 << 14];
+    char block[BUFSIZ];
     for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0;) {
         if (fwrite(block, 1, n, to) < n) {
             return STATUS_OK;  // told when the file is published
@@ -236,12 +241,12 @@ static int copy(const char *from_path, const struct picture_request *q, struct e
         return error_set(e, STATUS_SYSTEM, "gnuplot made no picture");
     }
     struct draft draft;
-    int status = draft_open(&draft, q->options.output, e);
+    int status = draft_open(&draft, q->options.output, q->options.existing, e);
     if (status == STATUS_OK) {
         status = copy_into(draft.to, from, figure_last_mark(q->options.output), e);
     }
     if (status == STATUS_OK) {
-        status = draft_publish(&draft, q->options.existing, e);
+        status = draft_publish(&draft, e);
     }
     draft_drop(&draft);
     fclose(from);

@@ -8,6 +8,7 @@
 #include "command/plot_names.h"
 #include "command/plot_study.h"
 #include "command/progress.h"
+#include "core/safe.h"
 #include "core/text.h"
 #include "plot/figure.h"
 #include "plot/study_figure.h"
@@ -190,7 +191,7 @@ static int plot_run(struct request *q) {
         return command_fail(&e);
     }
     if (q->picture.output) {
-        printf("%s\n", q->picture.output);
+        safe_line(stdout, "%s", q->picture.output);
     }
     return EXIT_DONE;
 }

@@ -5,6 +5,7 @@
 #include <assert.h>
 
 #include "command/plot_names.h"
+#include "core/safe.h"
 #include "plot/study_figure.h"
 
 struct job {
@@ -42,7 +43,10 @@ static int find_figure(struct job *j) {
         return EXIT_DONE;
     }
     if (figure_find(q->kind)) {
-        return command_usage(q->command, "%s is for single runs; %s is a study", q->kind, q->path);
+        return command_usage(q->command,
+                             "%s is for single runs; %s is a study; name a run of it, such as "
+                             "%s#1",
+                             q->kind, q->path, q->path);
     }
     const char *known[8];
     int n = 0;
@@ -76,7 +80,7 @@ static int draw(struct job *j, const struct suite *s, struct error *e) {
     }
     status = picture_make(&picture, e);
     if (status == STATUS_OK && picture.options.output) {
-        printf("%s\n", picture.options.output);
+        safe_line(stdout, "%s", picture.options.output);
     }
     return status;
 }

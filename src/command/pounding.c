@@ -10,6 +10,7 @@
 #include "command/load.h"
 #include "command/progress.h"
 #include "core/arena.h"
+#include "core/text.h"
 #include "plot/pounding_map.h"
 #include "study/force_map.h"
 
@@ -110,9 +111,10 @@ static void summarise(const struct pounding *p, char *text, size_t size) {
         at = p->force[pair] > p->force[at] ? pair : at;
         apart += p->force[pair] == 0.0;
     }
-    const int used =
-        snprintf(text, size, "largest %.4g %s at T1 = %.4g s, T2 = %.4g s", p->force[at],
-                 p->units.force_name, q->periods.value[at / n], q->periods.value[at % n]);
+    struct text_exact force;
+    const int used = snprintf(text, size, "largest %s %s at T1 = %.4g s, T2 = %.4g s",
+                              text_rounded(&force, p->force[at], 4), p->units.force_name,
+                              q->periods.value[at / n], q->periods.value[at % n]);
     snprintf(text + used, size - (size_t)used, "; no contact for %d of %d pairs", apart, n * n);
 }
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "command/interrupt.h"
+#include "core/text.h"
 #include "core/wall.h"
 
 static const double FIRST = 1.0, INTERVAL = 0.2;  // [s]
@@ -22,9 +23,11 @@ void progress_show(struct progress *p, double time) {
     if (!p->enabled || wall - p->start < FIRST || wall - p->last < INTERVAL || time <= 0.0) {
         return;
     }
+    struct text_exact done, all;
     double share = time / p->duration;
-    fprintf(stderr, "\r%.4g of %.4g %s, %3.0f %%, %.0f s left \033[K", time, p->duration, p->unit,
-            100.0 * share, (wall - p->start) * (1.0 - share) / share);
+    fprintf(stderr, "\r%s of %s %s, %3.0f %%, %.0f s left \033[K", text_rounded(&done, time, 4),
+            text_rounded(&all, p->duration, 4), p->unit, 100.0 * share,
+            (wall - p->start) * (1.0 - share) / share);
     fflush(stderr);
     p->last = wall;
     p->shown = true;

@@ -11,13 +11,14 @@
 #include "command/threads.h"
 #include "core/heap.h"
 #include "jostle/result.h"
+#include "model/damping_warn.h"
 
 static int run_command(int argc, char **argv);
 
 const struct command command_run = {
     .name = "run",
     .usage = "DECK [-o FILE.h5] [-D NAME=VALUE]... [-j THREADS] [-q] [--shard K/N] [--force]\n"
-             "                  [--restart]",
+             "                  [--restart|--accept]",
     .summary = "runs a deck, writes its result file and prints a summary",
     .run = run_command,
 };
@@ -32,6 +33,9 @@ static const char details[] =
     "  --force            overwrites an existing result file\n"
     "  --restart          forgets the runs of a study that was interrupted; without it the same\n"
     "                     command goes on with them\n"
+    "  --accept           goes on with these runs although the deck, a file that they have read "
+    "or\n"
+    "                     the version of the numerics has changed; the result file tells\n"
     "  --help             this text\n";
 
 // Shows progress, and ends the run on a signal.
@@ -69,7 +73,7 @@ static int take(void *options, int letter) {
             o->existing = RESULT_REPLACE;
             return EXIT_DONE;
         default:
-            o->journal = STUDY_RESTART;
+            o->journal = letter == 'r' ? STUDY_RESTART : STUDY_ACCEPT;
             return EXIT_DONE;
     }
 }
@@ -170,6 +174,16 @@ static void warn_coarse(const struct model *m, const struct results *r) {
         lasted, unit, guidance_round(lasted / IMPACT_STEPS_MIN));
 }
 
+static void warn_damping(const struct model *m, const struct results *r) {
+    for (int k = 0; k < m->n_building; k++) {
+        char text[DAMPING_TEXT_SIZE];
+        const struct building *g = &m->building[k];
+        if (damping_warning(m, g, r->drift_rate + g->first, "", text)) {
+            fprintf(stderr, "jostle: warning: %s\n", text);
+        }
+    }
+}
+
 // One analysis, with its summary.
 static int run_once(const struct model *m, const struct run_options *o,
                     const struct result_options *result) {
@@ -182,6 +196,7 @@ static int run_once(const struct model *m, const struct run_options *o,
     if (!o->load.quiet) {
         warn_residual(m, results);
         warn_coarse(m, results);
+        warn_damping(m, results);
         status = print_summary(m, results, result->path, &e);
     }
     results_free(results);
@@ -211,13 +226,11 @@ static int run_model(void *options, const struct model *m) {
 
 static int run_command(int argc, char **argv) {
     enum { SHORT_RUN = 2 << 20 };  // bytes that the library takes for the smallest of files
-    static const struct option option[] = {{"output", required_argument, NULL, 'o'},
-                                           {"threads", required_argument, NULL, 'j'},
-                                           {"quiet", no_argument, NULL, 'q'},
-                                           {"force", no_argument, NULL, 'f'},
-                                           {"restart", no_argument, NULL, 'r'},
-                                           {"shard", required_argument, NULL, 's'},
-                                           DECK_COMMAND_OPTIONS};
+    static const struct option option[] = {
+        {"output", required_argument, NULL, 'o'}, {"threads", required_argument, NULL, 'j'},
+        {"quiet", no_argument, NULL, 'q'},        {"force", no_argument, NULL, 'f'},
+        {"restart", no_argument, NULL, 'r'},      {"accept", no_argument, NULL, 'a'},
+        {"shard", required_argument, NULL, 's'},  DECK_COMMAND_OPTIONS};
     static const struct deck_command c = {&command_run, details, ":o:D:j:qh", option,
                                           take,         settle,  run_model};
     struct run_options o = {

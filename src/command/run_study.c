@@ -7,6 +7,8 @@
 #include "command/study_progress.h"
 #include "command/threads.h"
 #include "core/checksum.h"
+#include "core/safe.h"
+#include "jostle/numerics.h"
 
 static int watch(void *context, const struct study_progress *p, struct error *e) {
     struct study_display *display = context;
@@ -14,19 +16,20 @@ static int watch(void *context, const struct study_progress *p, struct error *e)
     return interrupt_check(e);
 }
 
-// Tells builds apart that have the same version; 0 where the system does not show the program.
-static uint64_t program_sum(void) {
-    uint64_t sum;
+// Tells builds apart in the result file; "" where the system does not show the program.
+static struct checksum program_sum(void) {
+    struct checksum sum;
     struct error e;
-    return checksum_file("/proc/self/exe", &sum, &e) == STATUS_OK ? sum : 0;
+    return checksum_file("/proc/self/exe", &sum, &e) == STATUS_OK ? sum
+                                                                  : (struct checksum){.digits = ""};
 }
 
 static void report_damage(const struct study_progress *p, const char *path) {
     if (p->n_damaged > 0) {
-        fprintf(stderr,
-                "jostle: warning: %s.runs is damaged in %ld %s; of %ld runs %ld were found in it, "
-                "the others are run again\n",
-                path, p->n_damaged, p->n_damaged == 1 ? "place" : "places", p->n_run, p->n_kept);
+        safe_line(stderr,
+                  "jostle: warning: %s.runs is damaged in %ld %s; of %ld runs %ld were found in "
+                  "it, the others are run again",
+                  path, p->n_damaged, p->n_damaged == 1 ? "place" : "places", p->n_run, p->n_kept);
     }
 }
 
@@ -34,13 +37,12 @@ static void report_damage(const struct study_progress *p, const char *path) {
 static int report_error(const struct study_progress *p, const char *path, struct error *e) {
     int status = command_fail(e);
     if (p->n_left > 0) {
-        fprintf(stderr,
-                "jostle: %ld of %ld runs are kept in %s.runs; the same command goes on with "
-                "them\n",
-                p->n_left, p->n_run, path);
+        const bool goes_on = e->status == STATUS_SYSTEM;  // else something must change first
+        safe_line(stderr, "jostle: %ld of %ld runs are kept in %s.runs%s", p->n_left, p->n_run,
+                  path, goes_on ? "; the same command goes on with them" : "");
     } else if (p->n_done > 0) {
-        fprintf(stderr, "jostle: %s.runs is gone, and with it %ld of %ld runs\n", path, p->n_done,
-                p->n_run);
+        safe_line(stderr, "jostle: %s.runs is gone, and with it %ld of %ld runs", path, p->n_done,
+                  p->n_run);
     }
     return status;
 }
@@ -55,6 +57,7 @@ int run_study(const struct model *first, const struct run_options *o,
         .n_thread = o->n_thread ? o->n_thread : threads_all(),
         .shard = o->shard,
         .journal = o->journal,
+        .numerics = NUMERICS_VERSION,
         .program = program_sum(),
         .result = *result,
         .poll = watch,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The demand parameters of a study in long form: a column for each swept parameter, edp, location,
-// value, unit, status. All that the file has at all their places, or those asked for, a line each.
-// The value of a failed run is empty.
+// value, unit, status, hit. All that the file has at all their places, or those asked for, a line
+// each. The value of a failed run is empty.
 #include "command/show_study.h"
 
 #include "command/study_print.h"
@@ -17,7 +17,7 @@ struct printer {
     int n_edp;
 };
 
-static void print_line(struct printer *p, const struct study_run *r, const struct edp *edp,
+static void print_line(struct printer *p, const struct study_run *r, const struct edp *edp, int at,
                        const char *location, double value) {
     const bool done = r->outcome->status == STUDY_DONE;
     show_sweep_cells(&p->cells, p->view, r->number);
@@ -30,6 +30,7 @@ static void print_line(struct printer *p, const struct study_run *r, const struc
     }
     cells_text(&p->cells, edp->units);
     cells_text(&p->cells, study_print_status(r->outcome));
+    cells_sign(&p->cells, done ? edp_hit(edp, p->view, at, r->value) : -1);
     cells_end(&p->cells);
 }
 
@@ -40,7 +41,7 @@ static int take(void *context, const struct study_run *r, struct error *e) {
         const struct edp *edp = &p->edp[k];
         if (p->form == DEMAND_EVERYWHERE) {
             for (int i = 0; i < edp->n_term; i++) {
-                print_line(p, r, edp, edp->term[i].location, edp_term_value(edp, i, r->value));
+                print_line(p, r, edp, i, edp->term[i].location, edp_term_value(edp, i, r->value));
             }
             continue;
         }
@@ -48,14 +49,14 @@ static int take(void *context, const struct study_run *r, struct error *e) {
         const double value = edp_value(edp, r->value, &at);
         const bool placed = r->outcome->status == STUDY_DONE &&
                             (edp->quantity->reduction != EDP_SUM || edp->n_term == 1);
-        print_line(p, r, edp, placed ? edp->term[at].location : "", value);
+        print_line(p, r, edp, at, placed ? edp->term[at].location : "", value);
     }
     return STATUS_OK;
 }
 
 static int print(struct study_file *f, struct printer *p, struct error *e) {
     show_sweep_names(&p->cells, p->view);
-    cells_words(&p->cells, "edp location value unit status");
+    cells_words(&p->cells, "edp location value unit status hit");
     cells_end(&p->cells);
     const int status = study_file_each(f, take, p, e);
     cells_close(&p->cells);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "command/show.h"
+#include "core/safe.h"
 #include "core/text.h"
 #include "result/layout.h"
 
@@ -16,7 +17,7 @@ struct json {
 static void key(struct json *j, const char *name) {
     fputs(j->follows ? ",\n" : "\n", j->to);
     if (name) {
-        cells_put_json(name, j->to);
+        safe_put(j->to, SAFE_JSON, name);
         fputs(": ", j->to);
     }
     j->follows = true;
@@ -40,7 +41,7 @@ static void value(FILE *to, double number) {
 
 static void put_text(struct json *j, const char *name, const char *text) {
     key(j, name);
-    cells_put_json(text, j->to);
+    safe_put(j->to, SAFE_JSON, text);
 }
 
 static void put_number(struct json *j, const char *name, double number) {
@@ -98,6 +99,9 @@ static void put_link(struct json *j, const struct report_link *l,
                      const struct column_table *peaks) {
     open_list(j, NULL, '{');
     put_members(j, &layout_link, l);
+    if (layout_has_levels(l, 1)) {
+        put_members(j, &layout_level, l);
+    }
     open_list(j, "envelope", '{');
     put_members(j, peaks, l);
     close_list(j, '}');

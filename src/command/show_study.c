@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file of a study as its largest values, or as one long table: run, a column for each swept
-// parameter, status, table, name, quantity, location, value, unit. A failed run has one line there,
-// whose value is its message.
+// parameter, status, table, name, quantity, location, value, unit, hit. A failed run has one line
+// there, whose value is its message.
 #include "command/show_study.h"
 
 #include <stdlib.h>
@@ -62,6 +62,7 @@ static void print_item(struct printer *p, const struct study_run *r,
         }
         cells_number(&p->cells, r->value[item->first + i]);
         cells_text(&p->cells, item->units);
+        cells_sign(&p->cells, study_view_hit(p->view, item, i, r->value));
         cells_end(&p->cells);
     }
 }
@@ -73,6 +74,7 @@ static void print_failure(struct printer *p, const struct study_run *r) {
         cells_empty(&p->cells);
     }
     cells_text(&p->cells, r->outcome->message);
+    cells_empty(&p->cells);
     cells_empty(&p->cells);
     cells_end(&p->cells);
 }
@@ -93,7 +95,7 @@ static int take_lines(void *context, const struct study_run *r, struct error *e)
 static int print_all(struct study_file *f, struct printer *p, struct error *e) {
     cells_words(&p->cells, "run");
     show_sweep_names(&p->cells, p->view);
-    cells_words(&p->cells, "status table name quantity location value unit");
+    cells_words(&p->cells, "status table name quantity location value unit hit");
     cells_end(&p->cells);
     const int status = study_file_each(f, take_lines, p, e);
     cells_close(&p->cells);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A report as one long table: table, name, quantity, location, value, unit, time. The location is a
-// floor, or the number of an impact; the time is that of a peak, or of an impact's start.
+// A report as one long table: table, name, quantity, location, value, unit, time, hit. The location
+// is a floor, or the number of an impact; the time is that of a peak, or of an impact's start; hit
+// is 1 for the acceleration of a floor that was hit, and 0 for that of any other floor.
 #include <math.h>
 
 #include "command/show.h"
@@ -23,7 +24,8 @@ static void open_row(const struct table *t, const char *name, const char *quanti
     }
 }
 
-static void close_row(const struct table *t, const struct dimension *dimension, double time) {
+static void close_row(const struct table *t, const struct dimension *dimension, double time,
+                      int hit) {
     char unit[64] = "1";
     if (dimension) {
         unit_text(&t->r->units, *dimension, unit, sizeof unit);
@@ -34,6 +36,7 @@ static void close_row(const struct table *t, const struct dimension *dimension, 
     } else {
         cells_number(t->cells, time);
     }
+    cells_sign(t->cells, hit);
     cells_end(t->cells);
 }
 
@@ -41,7 +44,14 @@ static void row(const struct table *t, const char *name, const char *quantity, l
                 double value, const struct dimension *dimension, double time) {
     open_row(t, name, quantity, location);
     cells_number(t->cells, value);
-    close_row(t, dimension, time);
+    close_row(t, dimension, time, -1);
+}
+
+static void peak(const struct table *t, const struct report_building *b, int p, int i) {
+    const bool hit = report_floor_was_hit(t->r, b->name, i + 1);
+    open_row(t, b->name, peak_names[p], i + 1);
+    cells_number(t->cells, b->peak[p][i]);
+    close_row(t, layout_peak[p].dimension, b->peak_time[p][i], p == PEAK_ACCELERATION ? hit : -1);
 }
 
 static void building(const struct table *t, const struct report_building *b) {
@@ -54,8 +64,7 @@ static void building(const struct table *t, const struct report_building *b) {
     }
     for (int p = 0; p < PEAK_COUNT; p++) {
         for (int i = 0; i < b->n_floor; i++) {
-            row(t, b->name, peak_names[p], i + 1, b->peak[p][i], layout_peak[p].dimension,
-                b->peak_time[p][i]);
+            peak(t, b, p, i);
         }
     }
     for (int i = 0; b->residual_drift && i < b->n_floor; i++) {
@@ -75,7 +84,7 @@ static void members(const struct table *t, const struct column_table *c, const c
         } else if (column->kind != COLUMN_TEXT) {
             open_row(t, name, column->name, location);
             cells_whole(t->cells, layout_whole(column, at));
-            close_row(t, column->dimension, time);
+            close_row(t, column->dimension, time, -1);
         }
     }
 }
@@ -96,7 +105,7 @@ void show_table(const struct report *r, enum cells_form form, FILE *to) {
     const struct table buildings = {&c, r, "buildings"}, contacts = {&c, r, "contacts"};
     const struct table links = {&c, r, "links"}, impacts = {&c, r, "impacts"};
     const struct table energy = {&c, r, "energy"}, totals = {&c, r, "totals"};
-    cells_words(&c, "table name quantity location value unit time");
+    cells_words(&c, "table name quantity location value unit time hit");
     cells_end(&c);
     for (int i = 0; i < r->n_building; i++) {
         building(&buildings, &r->building[i]);

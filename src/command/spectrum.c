@@ -8,6 +8,7 @@
 #include "command/pounding.h"
 #include "command/progress.h"
 #include "core/arena.h"
+#include "core/safe.h"
 #include "core/text.h"
 #include "plot/response.h"
 
@@ -78,7 +79,7 @@ static int read_ground(const struct spectrum_request *q, int r, struct arena *a,
     request.path = q->path[r];
     int status = record_read(a, &request, &record, e);
     for (int i = 0; status == STATUS_OK && i < record.n_warning; i++) {
-        fprintf(stderr, "jostle: warning: %s\n", record.warning[i]);
+        safe_line(stderr, "jostle: warning: %s", record.warning[i]);
     }
     if (status == STATUS_OK) {
         status = find_scale(q, &record, request.path, &set->scale[r], e);

@@ -6,6 +6,7 @@
 
 #include "command/cells.h"
 #include "command/spectrum.h"
+#include "core/safe.h"
 
 enum unit { UNIT_G, UNIT_SI };
 struct column {
@@ -68,7 +69,7 @@ static void print_intensities(const struct spectrum_request *q, const struct spe
             printf("%9.4g ", intensity_value(q, set, r, &intensities[i]));
         }
         printf("%9.4g  ", set->ground[r].end);
-        cells_put_text(set->name[r], stdout);
+        safe_put(stdout, SAFE_TERMINAL, set->name[r]);
         printf("\n");
     }
 }

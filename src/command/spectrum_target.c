@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "command/cells.h"
 #include "command/spectrum.h"
 #include "core/arena.h"
+#include "core/safe.h"
 #include "core/text.h"
 
 enum { DEFAULT_MATCH = 301 };
@@ -13,26 +13,14 @@ enum { DEFAULT_MATCH = 301 };
 // What building codes ask of the mean of the scaled spectra.
 static const double CODE_SHARE = 0.9;
 
-// May the path stand in a deck, within quotes?
-static bool is_quotable(const char *path) {
-    const size_t n = strlen(path);
-    size_t wrong;
-    bool plain = text_is_utf8(path, n, &wrong) && !strpbrk(path, "\"$");
-    for (size_t at = 0, k = 0; plain && at < n; at += k) {
-        k = text_character(path + at, n - at);
-        plain = !text_is_control(path + at, k);
-    }
-    return plain;
-}
-
 int spectrum_check_deck(const struct spectrum_request *q) {
     for (int r = 0; r < q->n_record; r++) {
-        if (!is_quotable(q->path[r])) {
+        if (text_not_plain(q->path[r]) || strpbrk(q->path[r], "\"$")) {
             struct text_short t;
-            return command_usage(&command_spectrum,
-                                 "'%s' cannot stand in a deck: it has a quote, a $ or what is no "
-                                 "text",
-                                 text_short(&t, q->path[r]));
+            return command_usage(
+                &command_spectrum,
+                "'%s' cannot stand in a deck: it contains a quote, a $ or bytes that are not text",
+                text_short(&t, q->path[r]));
         }
     }
     return EXIT_DONE;
@@ -101,11 +89,11 @@ void spectrum_print_match(const struct spectrum_request *q, const struct spectru
     printf("\n%9s %9s  record\n", "factor", "misfit");
     for (int r = 0; r < q->n_record; r++) {
         printf("%9.4g %9.4g  ", m->factor[r], m->misfit[r]);
-        cells_put_text(set->name[r], stdout);
+        safe_put(stdout, SAFE_TERMINAL, set->name[r]);
         printf("\n");
     }
     printf("\ntarget ");
-    cells_put_text(q->target, stdout);
+    safe_put(stdout, SAFE_TERMINAL, q->target);
     printf(", compared at %d periods from %.4g to %.4g s\n", q->match.n, q->match.value[0],
            q->match.value[q->match.n - 1]);
     printf("%s over the target: from %.4g at %.4g s to %.4g at %.4g s\n",

@@ -5,8 +5,12 @@
 #include <string.h>
 
 #include "command/sweeps.h"
+#include "core/safe.h"
 #include "core/text.h"
 #include "result/layout.h"
+#include "study/edp.h"
+
+enum { BUILDINGS_MAX = 8 };  // shown by the largest values
 
 const char *study_print_status(const struct study_outcome *outcome) {
     switch (outcome->status) {
@@ -28,7 +32,7 @@ const char *study_print_name(const struct study_view *v, const struct study_item
     }
     const bool contact = strcmp(item->parent, "contacts") == 0;
     const size_t n = (size_t)(contact ? v->n_contact : v->n_link);
-    return i < n ? (contact ? v->contact[i] : v->link[i]) : "";
+    return i < n ? (contact ? v->contact : v->link)[i].name : "";
 }
 
 // Times of peaks are no quantities of their own.
@@ -46,6 +50,7 @@ static void add_values(struct study_peaks *p, const struct study_view *v,
             const double x = r->value[item->first + i];
             if (!isnan(x) && (!peak->found || x > peak->value)) {
                 *peak = (struct study_peak){.found = true, .value = x, .run = r->number, .at = i};
+                peak->hit = study_view_hit(v, item, i, r->value) > 0;
             }
         }
     }
@@ -64,7 +69,7 @@ void study_peaks_add(struct study_peaks *p, const struct study_view *v, const st
 
 static void print_value(const char *before, const struct sweep *s, int k, FILE *to) {
     struct text_short t;
-    fprintf(to, "%s%s ", before, s->name);
+    fprintf(to, "%s%s ", before, text_short(&t, s->name));
     if (s->number) {
         fprintf(to, "%.4g", s->number[k]);
     } else {
@@ -88,7 +93,9 @@ static void print_run(const struct study_view *v, long run, FILE *to) {
 
 static void print_head(const struct study_peaks *p, const struct study_view *v, FILE *to) {
     const struct study_shard *part = &v->part.shard;
-    fprintf(to, "%s%s", v->title, v->title[0] ? "\n" : "");
+    if (v->title[0]) {
+        safe_line(to, "%s", v->title);
+    }
     if (part->n > 0) {
         fprintf(to, "part %ld of %ld: %ld of the ", part->number, part->n, v->n_run);
     }
@@ -108,24 +115,87 @@ static bool is_nothing(const struct study_item *item, const struct study_peak *p
     return strcmp(item->name, layout_residual_drift_name) == 0 && peak->value == 0;
 }
 
+// The buildings that are shown: those with the largest drifts.
+struct shown {
+    int n, n_building;
+    const char *owner[BUILDINGS_MAX];
+    double drift[BUILDINGS_MAX];  // (n) descending
+};
+
+static void choose(struct shown *s, const char *owner, double drift) {
+    int i = s->n < BUILDINGS_MAX ? s->n++ : s->n;
+    for (; i > 0 && drift > s->drift[i - 1]; i--) {
+        if (i < s->n) {
+            s->owner[i] = s->owner[i - 1];
+            s->drift[i] = s->drift[i - 1];
+        }
+    }
+    if (i < s->n) {
+        s->owner[i] = owner;
+        s->drift[i] = drift;
+    }
+    s->n_building++;
+}
+
+static struct shown choose_buildings(const struct study_peaks *p, const struct study_view *v) {
+    struct shown s = {.n = 0};
+    for (int k = 0; k < v->table.n_item; k++) {
+        const struct study_item *item = &v->table.item[k];
+        if (item->leaf && item->owner && strcmp(item->name, "drift") == 0) {
+            choose(&s, item->owner, p->peak[k].found ? p->peak[k].value : -HUGE_VAL);
+        }
+    }
+    return s;
+}
+
+static bool is_hidden(const struct shown *s, const struct study_item *item) {
+    bool hidden = item->owner != NULL;
+    for (int i = 0; i < s->n && hidden; i++) {
+        hidden = strcmp(s->owner[i], item->owner) != 0;
+    }
+    return hidden;
+}
+
+struct study_g study_print_g(const struct unit_system *u, const char *units, double value) {
+    struct study_g g = {.text = ""};
+    double size;
+    if (dimension_equal(edp_units(units, u->gravity, &size), dimension_acceleration)) {
+        snprintf(g.text, sizeof g.text, "%.4g", value * size / u->gravity);
+        snprintf(g.added, sizeof g.added, " (%s g)", g.text);
+    }
+    return g;
+}
+
 static void print_peaks(const struct study_peaks *p, const struct study_view *v, FILE *to) {
-    fprintf(to, "\nlargest values\n%-12s %-14s %5s %12s %-8s run\n", "", "quantity", "floor", "",
-            "unit");
+    const struct shown shown = choose_buildings(p, v);
+    bool any_hit = false;
+    fprintf(to, "\nlargest values\n%-12s %-14s %5s %12s %-8s %6s  run\n", "", "quantity", "floor",
+            "", "unit", "[g]");
     for (int k = 0; k < v->table.n_item; k++) {
         const struct study_item *item = &v->table.item[k];
         const struct study_peak *peak = &p->peak[k];
-        struct text_short t;
+        struct text_short owner, quantity, units;
         char floor[24] = "";
-        if (!peak->found || is_nothing(item, peak)) {
+        if (!peak->found || is_nothing(item, peak) || is_hidden(&shown, item)) {
             continue;
         }
         if (item->owner) {
             snprintf(floor, sizeof floor, "%zu", peak->at + 1);
         }
-        fprintf(to, "%-12s %-14s %5s %12.5g %-8s ",
-                text_short(&t, study_print_name(v, item, peak->at)), item->name, floor, peak->value,
-                item->units);
+        any_hit |= peak->hit;
+        fprintf(to, "%-12s %-14s %5s %12.5g %-8s %6s%c ",
+                text_short(&owner, study_print_name(v, item, peak->at)),
+                text_short(&quantity, item->name), floor, peak->value,
+                text_short(&units, item->units),
+                study_print_g(&v->units, item->units, peak->value).text, peak->hit ? '*' : ' ');
         print_run(v, peak->run, to);
+    }
+    if (any_hit) {
+        fprintf(to, "%s\n", report_hit_note);
+    }
+    if (shown.n_building > shown.n) {
+        safe_line(to, "  %d more buildings not shown (by drift); all are in %s (jostle show --tsv)",
+                  shown.n_building - shown.n, v->path);
     }
 }
 
@@ -135,7 +205,7 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
     if (p->n_failed > 0) {
         fprintf(to, "\nthe first failed run: ");
         print_run(v, p->failed, to);
-        fprintf(to, "  %s\n", p->message);
+        safe_line(to, "  %s", p->message);
     }
     fprintf(to, "\nwall time   %.3g s on %d thread%s", v->seconds, v->n_thread,
             v->n_thread == 1 ? "" : "s");
@@ -145,5 +215,6 @@ void study_peaks_print(const struct study_peaks *p, const struct study_view *v, 
     if (v->n_kept > 0) {
         fprintf(to, ", without %ld runs of an earlier start", v->n_kept);
     }
-    fprintf(to, "\nresults     %s\n", v->path);
+    fputc('\n', to);
+    safe_line(to, "results     %s", v->path);
 }

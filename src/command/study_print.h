@@ -10,6 +10,7 @@
 // Where a quantity of the envelopes is largest over all runs.
 struct study_peak {
     bool found;
+    bool hit;  // of a floor that was hit
     double value;
     long run;
     size_t at;  // among its values
@@ -25,6 +26,13 @@ struct study_peaks {
 void study_peaks_add(struct study_peaks *p, const struct study_view *v, const struct study_run *r);
 // Prints the sweeps of a study, its peaks with their runs, and the first failure.
 void study_peaks_print(const struct study_peaks *p, const struct study_view *v, FILE *to);
+
+// An acceleration in g, "2.072", and as an addition to a sentence, " (2.072 g)"; "" for values in
+// other `units`.
+struct study_g {
+    char text[24], added[32];
+};
+struct study_g study_print_g(const struct unit_system *u, const char *units, double value);
 
 // "done", "failed", or "missing": not in the file.
 const char *study_print_status(const struct study_outcome *outcome);

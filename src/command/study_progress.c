@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
+#include "core/text.h"
 #include "core/wall.h"
 
 static const double TERMINAL_INTERVAL = 0.5, INTERVAL = 10.0;  // [s]
@@ -37,8 +38,10 @@ void study_display_show(struct study_display *d, const struct study_progress *p)
     fprintf(stderr, "%s%ld of %ld runs, %ld failed", d->terminal ? "\r" : "", p->n_done, p->n_run,
             p->n_failed);
     if (mine > 0) {
-        fprintf(stderr, ", %.3g runs/s, ", rate);
-        print_time((double)(p->n_run - p->n_done) / rate);
+        struct text_exact t;
+        fprintf(stderr, ", %s runs/s, ", text_rounded(&t, rate, 3));
+        const double left = (double)(p->n_run - p->n_done) / rate;  // for runs of one length
+        print_time(p->seconds_left > 0.0 ? p->seconds_left : left);
         fprintf(stderr, " left");
     }
     fprintf(stderr, d->terminal ? " \033[K" : "\n");

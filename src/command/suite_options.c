@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/safe.h"
 
 const char suite_options_help[] =
     "  --over NAME    sweeps whose values are samples, as NAME or NAME,NAME (default: record, or\n"
@@ -74,6 +75,16 @@ int suite_options_take(const struct command *c, int letter, struct suite_options
     }
 }
 
+// Frames have collapsed at drift ratios of 10 %.
+static const double DRIFT_RATIO_MAX = 0.2;
+
+void suite_options_warn_limit(const struct edp *p, const char *text, double limit) {
+    if (p->quantity->divisor && limit > DRIFT_RATIO_MAX && !strchr(text, '%')) {
+        safe_line(stderr, "jostle: warning: limit %s of %s is %g %%; %s %% is %s%% or %g", text,
+                  p->text, 100.0 * limit, text, text, 0.01 * limit);
+    }
+}
+
 int suite_options_limits(const struct suite_options *o, const struct suite *s, double **limit,
                          int *n, struct error *e) {
     *n = 0;
@@ -89,11 +100,14 @@ int suite_options_limits(const struct suite_options *o, const struct suite *s, d
     for (;;) {
         const size_t part = strcspn(at, ",");
         const char *text = arena_text(s->arena, at, part);
-        int status =
-            text ? edp_limit(&s->edp, &s->view->units, text, &(*limit)[*n], e) : error_no_memory(e);
+        if (!text) {
+            return error_no_memory(e);
+        }
+        int status = edp_limit(&s->edp, &s->view->units, text, &(*limit)[*n], e);
         if (status != STATUS_OK) {
             return status;
         }
+        suite_options_warn_limit(&s->edp, text, (*limit)[*n]);
         ++*n;
         if (at[part] == '\0') {
             return STATUS_OK;
@@ -104,8 +118,8 @@ int suite_options_limits(const struct suite_options *o, const struct suite *s, d
 
 void suite_options_warn(const struct suite *s) {
     if (s->n_missing > 0) {
-        fprintf(stderr, "jostle: warning: %ld of %ld runs are not in %s; they are left out\n",
-                s->n_missing, s->n_run, s->view->path);
+        safe_line(stderr, "jostle: warning: %ld of %ld runs are not in %s; they are left out",
+                  s->n_missing, s->n_run, s->view->path);
     }
     if (s->n_failed == 0) {
         return;
@@ -114,7 +128,7 @@ void suite_options_warn(const struct suite *s) {
             s->rule == SUITE_FAILED_ABOVE ? "count as above every value (--failed)"
                                           : "are left out");
     for (long i = 0; i < s->n_failed && i < SUITE_NAMED_MAX; i++) {
-        fprintf(stderr, "  %s\n", s->failed[i]);
+        safe_line(stderr, "  %s", s->failed[i]);
     }
     if (s->n_failed > SUITE_NAMED_MAX) {
         fprintf(stderr, "  and %ld more\n", s->n_failed - SUITE_NAMED_MAX);

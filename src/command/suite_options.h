@@ -40,6 +40,10 @@ bool suite_options_has(int letter);
 int suite_options_limits(const struct suite_options *o, const struct suite *s, double **limit,
                          int *n, struct error *e);
 
+// Warns on stderr of a limit on a drift ratio, read from `text`, that a percentage without its sign
+// seems to be.
+void suite_options_warn_limit(const struct edp *p, const char *text, double limit);
+
 // Lines of help about these options but --im and --limit.
 extern const char suite_options_help[];
 

@@ -43,9 +43,11 @@ static void print_line(const char *name, const struct sweep *s, const struct uni
     } else if (s->number && s->known) {
         unit_text(u, s->dimension, units, sizeof units);
     }
-    const char *suffix = unit_suffix(units);
+    struct text_short t, unit;
+    const char *suffix = text_short(&unit, unit_suffix(units));
+    name = text_short(&t, name);
     if (s->fixed) {
-        fprintf(to, "  %-16s fixed by -D: ", name);
+        fprintf(to, "  %-16s fixed with -D: ", name);
     } else {
         fprintf(to, "  %-16s %6d value%s  ", name, s->n, s->n == 1 ? ": " : "s:");
     }

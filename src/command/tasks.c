@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // jostle tasks: a study as commands, one a line, for programs that run commands on many machines.
-#include <string.h>
+#include <assert.h>
 
 #include "command/deck_command.h"
 #include "command/output_name.h"
 #include "command/threads.h"
+#include "core/safe.h"
+#include "core/text.h"
 #include "jostle/result.h"
 #include "jostle/study.h"
 
@@ -40,17 +42,8 @@ struct tasks_options {
 
 // A word for sh, with a blank in front.
 static void print_word(const char *text) {
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                "_./:=,+@%^-";
-    if (text[0] && text[strspn(text, plain)] == '\0') {
-        printf(" %s", text);
-        return;
-    }
-    fputs(" '", stdout);
-    for (; *text; text++) {
-        fputs(*text == '\'' ? "'\\''" : (const char[]){*text, '\0'}, stdout);
-    }
-    fputc('\'', stdout);
+    fputc(' ', stdout);
+    safe_put(stdout, SAFE_SHELL, text);
 }
 
 static void print_run(const struct tasks_options *o, const struct study_shard *s,
@@ -89,18 +82,20 @@ static int print_lines(const struct tasks_options *o, struct arena *a, const cha
     return EXIT_DONE;
 }
 
-// A command is one line, and none of its words may break it.
-static bool is_one_line(const struct tasks_options *o, const char *path) {
-    bool good = !strchr(path, '\n') && !strchr(o->load.path, '\n');
+// The first word that a command of one line cannot hold; NULL: there is none.
+static const char *unprintable_word(const struct tasks_options *o, const char *path) {
+    const char *wrong = text_not_plain(path) ? path : NULL;
+    wrong = text_not_plain(o->load.path) ? o->load.path : wrong;
     for (int i = 0; i < o->load.n_define; i++) {
-        good = good && !strchr(o->load.define[i], '\n');
+        wrong = text_not_plain(o->load.define[i]) ? o->load.define[i] : wrong;
     }
-    return good;
+    return wrong;
 }
 
 static int print_tasks(void *options, const struct model *m) {
     const struct tasks_options *o = options;
     struct error e;
+    assert(o->load.path);
     if (load_check_study(m, &e) != STATUS_OK) {
         return command_fail(&e);
     }
@@ -111,9 +106,13 @@ static int print_tasks(void *options, const struct model *m) {
     if (result_check_path(path, RESULT_REPLACE, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    if (!is_one_line(o, path)) {
+    const char *wrong = unprintable_word(o, path);
+    if (wrong) {
+        struct text_short t;
         error_set(&e, STATUS_INPUT,
-                  "a name with a line break cannot stand in a command of one line");
+                  "'%s' has a line break, another control character or is not UTF-8; it cannot "
+                  "stand in a command of one line",
+                  text_short(&t, wrong));
         return command_fail(&e);
     }
     const long n_run = m->deck->n_run;

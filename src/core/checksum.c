@@ -2,60 +2,73 @@
 #include "core/checksum.h"
 
 #include <errno.h>
+#include <nettle/base16.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "core/file.h"
 
-static const uint64_t prime = UINT64_C(1099511628211);
+void checksum_start(struct checksum_sum *s) {
+    sha256_init(&s->sha);
+}
 
-uint64_t checksum_add(uint64_t sum, const void *data, size_t n) {
-    const unsigned char *byte = data;
-    for (size_t i = 0; i < n; i++) {
-        sum = (sum ^ byte[i]) * prime;
+void checksum_add(struct checksum_sum *s, const void *data, size_t n) {
+    sha256_update(&s->sha, n, data);
+}
+
+void checksum_add_text(struct checksum_sum *s, const char *text) {
+    checksum_add(s, text, strlen(text) + 1);
+}
+
+void checksum_add_number(struct checksum_sum *s, uint64_t number) {
+    unsigned char byte[sizeof number];
+    for (size_t i = 0; i < sizeof number; i++) {
+        byte[i] = (unsigned char)(number >> 8 * i);
     }
+    checksum_add(s, byte, sizeof byte);
+}
+
+void checksum_end(struct checksum_sum *s, struct checksum *out) {
+    unsigned char byte[SHA256_DIGEST_SIZE];
+    _Static_assert(BASE16_ENCODE_LENGTH(SHA256_DIGEST_SIZE) == CHECKSUM_DIGITS, "two for a byte");
+    sha256_digest(&s->sha, sizeof byte, byte);
+    base16_encode_update(out->digits, sizeof byte, byte);
+    out->digits[CHECKSUM_DIGITS] = '\0';
+}
+
+uint64_t checksum_short(const void *data, size_t n) {
+    struct checksum_sum s;
+    uint64_t sum;
+    unsigned char byte[sizeof sum];
+    checksum_start(&s);
+    checksum_add(&s, data, n);
+    sha256_digest(&s.sha, sizeof byte, byte);
+    memcpy(&sum, byte, sizeof sum);
     return sum;
 }
 
-// The upper half comes down too: a product takes no bit down, so that the highest of two words
-// would undo each other.
-static uint64_t add_word(uint64_t sum, uint64_t word) {
-    sum = (sum ^ word) * prime;
-    return sum ^ sum >> 32;
-}
-
-uint64_t checksum_many(uint64_t sum, const void *data, size_t n) {
-    enum { SUMS = 4 };
-    const unsigned char *byte = data;
-    uint64_t part[SUMS] = {sum, sum, sum, sum}, word[SUMS];
-    for (; n >= sizeof word; n -= sizeof word, byte += sizeof word) {
-        memcpy(word, byte, sizeof word);
-        for (int k = 0; k < SUMS; k++) {
-            part[k] = add_word(part[k], word[k]);
-        }
-    }
-    for (int k = 0; k < SUMS; k++) {
-        sum = add_word(sum, part[k]);
-    }
-    return checksum_add(sum, byte, n);
-}
-
-int checksum_file(const char *path, uint64_t *sum, struct error *e) {
-    enum { BLOCK = 65536 };
+int checksum_file(const char *path, struct checksum *out, struct error *e) {
+    enum { BLOCK = 16384 };
     char block[BLOCK];
+    struct checksum_sum sum;
     int file;
     int status = file_open(path, &file, e);
     if (status != STATUS_OK) {
         return status;
     }
-    *sum = checksum_start;
+    checksum_start(&sum);
     ssize_t n;
     for (off_t at = 0; (n = file_read(file, block, sizeof block, at)) > 0; at += n) {
-        *sum = checksum_many(*sum, block, (size_t)n);
+        checksum_add(&sum, block, (size_t)n);
     }
+    checksum_end(&sum, out);
     if (n < 0) {
         status = error_set(e, STATUS_SYSTEM, "cannot read %s: %s", path, strerror(errno));
     }
     close(file);
     return status;
+}
+
+bool checksum_equal(const struct checksum *a, const struct checksum *b) {
+    return strcmp(a->digits, b->digits) == 0;
 }

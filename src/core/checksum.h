@@ -1,26 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FNV-1a of 64 bits (Fowler, Noll, Vo): tells texts apart and finds damage. A single changed byte
-// always changes it, as each step is a bijection; other changes slip through once in 2^64.
+// SHA-256 (FIPS 180-4), by Nettle: tells contents apart and finds damage.
 #ifndef JOSTLE_CHECKSUM_H
 #define JOSTLE_CHECKSUM_H
 
+#include <nettle/sha2.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
+#include "jostle/checksum.h"
 #include "jostle/error.h"
 
-static const uint64_t checksum_start = UINT64_C(14695981039346656037);
+// A checksum of bytes that come piece by piece.
+struct checksum_sum {
+    struct sha256_ctx sha;
+};
+void checksum_start(struct checksum_sum *s);
+void checksum_add(struct checksum_sum *s, const void *data, size_t n);
+// Adds a text with the 0 behind it, so that two texts differ from their concatenation.
+void checksum_add_text(struct checksum_sum *s, const char *text);
+// A number as 8 bytes, the lowest first, whatever the machine.
+void checksum_add_number(struct checksum_sum *s, uint64_t number);
+// Ends `s`, which then starts anew.
+void checksum_end(struct checksum_sum *s, struct checksum *out);
 
-// The checksum of what `sum` is of, followed by the `n` bytes at `data`.
-uint64_t checksum_add(uint64_t sum, const void *data, size_t n);
+// The first 8 bytes of the checksum of `n` bytes, for entries that are checked one by one: other
+// bytes have the same once in 2^64.
+uint64_t checksum_short(const void *data, size_t n);
 
-// The same for long data, in less time: words instead of bytes, and four sums side by side, as each
-// product waits for the one before. Another number, which depends on the order of the bytes in a
-// word, and on how the data is cut.
-uint64_t checksum_many(uint64_t sum, const void *data, size_t n);
+// The checksum of a file. Errors: STATUS_INPUT (does not exist), STATUS_SYSTEM; they name the path.
+int checksum_file(const char *path, struct checksum *out, struct error *e);
 
-// checksum_many of a file. Errors: STATUS_INPUT (does not exist), STATUS_SYSTEM; they name the
-// path.
-int checksum_file(const char *path, uint64_t *sum, struct error *e);
+bool checksum_equal(const struct checksum *a, const struct checksum *b);
 
 #endif

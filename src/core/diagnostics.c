@@ -95,13 +95,8 @@ void diagnostics_add(struct diagnostics *d, const struct diagnostic *entry, cons
     char message[MESSAGE_MAX];
     va_list list;
     va_start(list, format);
-    int n = vsnprintf(message, sizeof message, format, list);
+    text_compose(message, sizeof message, format, list);
     va_end(list);
-    if (n < 0) {
-        message[0] = 0;
-    } else if ((size_t)n >= sizeof message) {
-        message[text_cut(message, sizeof message - 1)] = 0;
-    }
     if (keep(d, entry, message) != 0) {
         diagnostics_no_memory(d);
     }

@@ -10,13 +10,8 @@ int error_set(struct error *e, int status, const char *format, ...) {
     e->status = status;
     va_list list;
     va_start(list, format);
-    int n = vsnprintf(e->message, sizeof e->message, format, list);
+    text_compose(e->message, sizeof e->message, format, list);
     va_end(list);
-    if (n < 0) {
-        e->message[0] = 0;
-    } else if ((size_t)n >= sizeof e->message) {
-        e->message[text_cut(e->message, sizeof e->message - 1)] = 0;
-    }
     return status;
 }
 

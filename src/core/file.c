@@ -3,13 +3,22 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+static int open_file(const char *path, int flags) {
+    int file;
+    do {
+        file = open(path, flags | O_NONBLOCK | O_CLOEXEC, 0666);
+    } while (file < 0 && errno == EINTR);
+    return file;
+}
+
 int file_open(const char *path, int *file, struct error *e) {
-    *file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    *file = open_file(path, O_RDONLY);
     if (*file >= 0) {
         return STATUS_OK;
     }
@@ -34,12 +43,121 @@ ssize_t file_read(int file, void *to, size_t n, off_t at) {
     return (ssize_t)got;
 }
 
+int file_write(int file, const void *from, size_t n, off_t at) {
+    size_t put = 0;
+    while (put < n) {
+        const ssize_t more = pwrite(file, (const char *)from + put, n - put, at + (off_t)put);
+        if (more < 0 && errno != EINTR) {
+            return -1;
+        }
+        put += more > 0 ? (size_t)more : 0;
+    }
+    return 0;
+}
+
+int file_cut(int file, off_t size) {
+    int status;
+    do {
+        status = ftruncate(file, size);
+    } while (status != 0 && errno == EINTR);
+    return status;
+}
+
+int file_sync(int file) {
+    int status;
+    do {
+        status = fsync(file);
+    } while (status != 0 && errno == EINTR);
+    return status;
+}
+
+int file_sync_folder(int folder) {
+    return file_sync(folder) == 0 || errno == EINVAL || errno == EBADF ? 0 : -1;
+}
+
+int file_open_folder(const char *path) {
+    const char *slash = strrchr(path, '/');
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : NULL;
+    const int file =
+        slash && !folder ? -1 : open_file(folder ? folder : ".", O_RDONLY | O_DIRECTORY);
+    free(folder);
+    return file;
+}
+
+const char *file_obstacle(int folder, const char *path) {
+    struct stat found;
+    if (fstatat(folder, path, &found, AT_SYMLINK_NOFOLLOW) != 0 || S_ISREG(found.st_mode)) {
+        return NULL;
+    }
+    return S_ISDIR(found.st_mode)   ? "a directory"
+           : S_ISLNK(found.st_mode) ? "a symbolic link"
+                                    : "not a regular file";
+}
+
 bool file_is_named(int file, const char *path) {
     struct stat own, named;
-    return fstat(file, &own) == 0 && stat(path, &named) == 0 && own.st_dev == named.st_dev &&
-           own.st_ino == named.st_ino;
+    return fstat(file, &own) == 0 && S_ISREG(own.st_mode) && lstat(path, &named) == 0 &&
+           own.st_dev == named.st_dev && own.st_ino == named.st_ino;
+}
+
+static bool lock(int file, int kind) {
+    int status;
+    do {
+        status = flock(file, kind | LOCK_NB);
+    } while (status != 0 && errno == EINTR);
+    return status == 0 || errno != EWOULDBLOCK;
 }
 
 bool file_lock(int file) {
-    return flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    return lock(file, LOCK_EX);
+}
+
+bool file_share(int file) {
+    return lock(file, LOCK_SH);
+}
+
+static int taken(const char *wanted, const char *path, struct error *e) {
+    return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing %s", wanted,
+                     strcmp(wanted, path) == 0 ? "it" : path);
+}
+
+// After `path` could not be opened.
+static int cannot_claim(const char *wanted, int flags, struct error *e) {
+    if (errno == ENOENT && !(flags & O_CREAT)) {
+        return STATUS_OK;
+    }
+    return errno == EEXIST || errno == ELOOP
+               ? STATUS_RETRY
+               : error_set(e, STATUS_SYSTEM, "cannot write %s: %s", wanted, strerror(errno));
+}
+
+int file_claim(const char *wanted, const char *path, int flags, int *file, struct error *e) {
+    const char *obstacle = file_obstacle(AT_FDCWD, path);
+    *file = -1;
+    if (obstacle) {
+        return error_set(e, STATUS_SYSTEM, "cannot write %s: %s is %s", wanted, path, obstacle);
+    }
+    const int opened = open_file(path, O_RDWR | O_NOFOLLOW | O_NOCTTY | flags);
+    if (opened < 0) {
+        return cannot_claim(wanted, flags, e);
+    }
+    const bool locked = file_lock(opened);
+    if (locked && file_is_named(opened, path)) {
+        *file = opened;
+        return STATUS_OK;
+    }
+    close(opened);
+    return locked ? STATUS_RETRY : taken(wanted, path, e);
+}
+
+int file_retry(const char *wanted, const char *path, file_attempt *attempt, void *context,
+               struct error *e) {
+    enum { ATTEMPTS = 20 };
+    for (int i = 0; i < ATTEMPTS; i++) {
+        const int status = attempt(context, e);
+        if (status != STATUS_RETRY) {
+            return status;
+        }
+    }
+    return taken(wanted, path, e);
 }

@@ -39,3 +39,12 @@ bool lanes_hold_half(void) {
     return false;
 #endif
 }
+
+LANES void lanes_add_symmetric(int n, const double *restrict matrix, const double *restrict x,
+                               double *restrict y) {
+    for (int j = 0; j < n; j++, matrix += n) {
+        for (int i = 0; i < n; i++) {
+            y[i] += matrix[i] * x[j];
+        }
+    }
+}

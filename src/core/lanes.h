@@ -3,6 +3,7 @@
 #ifndef JOSTLE_LANES_H
 #define JOSTLE_LANES_H
 
+#include <assert.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>  // any header of the library says which library it is
@@ -12,10 +13,11 @@
 // lanes; neither is named where there is nobody to ask for the processor at hand, or no need to, as
 // the compiler was told its name (-march=native): functions for one of fewer traits could not have
 // those in them that are in line. Of x86-64 and its levels gcc says __k8__, and of no newer name.
+// LANES_HALF_AT_MOST makes the program that runs on processors without AVX-512 (make bench-half).
 #if defined(__x86_64__) && defined(__k8__) && defined(__GLIBC__) && defined(__GNUC__) &&           \
     !defined(__clang__)
 #define LANES_HALF "avx2"
-#if __GNUC__ >= 12
+#if __GNUC__ >= 12 && !defined(LANES_HALF_AT_MOST)
 #define LANES_WIDEST "x86-64-v4"
 #endif
 #endif
@@ -152,6 +154,11 @@ void *lanes_wide_array(struct arena *a, int n, size_t size);
 // one lies, so that element i + 1 can be read there too; NULL: no memory.
 double *lanes_array(struct arena *a, int n);
 
+// Asserts what loops over such an array rely on: the zeros in front of it and behind.
+static inline void lanes_assert(const double *x, int n) {
+    assert(x[-1] == 0.0 && x[(n + LANES_WIDTH) & ~(LANES_WIDTH - 1)] == 0.0);
+}
+
 // n zeroed things of `size` bytes, the first at the start of a line of the cache; NULL: no memory.
 void *lanes_lines(struct arena *a, size_t n, size_t size);
 
@@ -159,5 +166,9 @@ void *lanes_lines(struct arena *a, size_t n, size_t size);
 static inline int lanes_whole(int n) {
     return (n + LANES_WIDTH - 1) & ~(LANES_WIDTH - 1);
 }
+
+// y += A x for a matrix A (n, n) that is symmetric to the bit, so that its rows are its columns.
+// The products of each y are added in the order of x.
+void lanes_add_symmetric(int n, const double *matrix, const double *x, double *y);
 
 #endif

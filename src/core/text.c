@@ -48,6 +48,16 @@ bool text_is_control(const char *text, size_t size) {
            (size == 2 && first == 0xC2 && (unsigned char)text[1] < 0xA0);
 }
 
+const char *text_not_plain(const char *text) {
+    for (size_t left = strlen(text), n; left > 0; text += n, left -= n) {
+        n = text_character(text, left);
+        if (n == 0 || text_is_control(text, n)) {
+            return text;
+        }
+    }
+    return NULL;
+}
+
 int text_columns(const char *text, size_t n) {
     int columns = 0;
     for (size_t i = 0; i < n; columns++) {
@@ -91,7 +101,7 @@ void text_clean(char *to, size_t size, const char *text, size_t n) {
             break;
         }
         if (shown) {
-            memcpy(to + used, text + i, bytes);
+            memmove(to + used, text + i, bytes);
         } else {
             to[used] = text[i] == '\t' ? ' ' : '?';
         }
@@ -99,6 +109,18 @@ void text_clean(char *to, size_t size, const char *text, size_t n) {
         i += step;
     }
     to[used] = 0;
+}
+
+bool text_compose(char *to, size_t size, const char *format, va_list list) {
+    const int n = vsnprintf(to, size, format, list);
+    const bool cut = n >= 0 && (size_t)n >= size;
+    if (n < 0) {
+        to[0] = '\0';
+    } else if (cut) {
+        to[text_cut(to, size - 1)] = '\0';
+    }
+    text_clean(to, size, to, strlen(to));
+    return cut;
 }
 
 const char *text_short(struct text_short *s, const char *text) {

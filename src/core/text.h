@@ -4,6 +4,7 @@
 #ifndef JOSTLE_TEXT_H
 #define JOSTLE_TEXT_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -25,6 +26,13 @@ enum text_number text_number(const char *text, const char **end, double *value);
 // case count as equal, but break ties. Where no word is so near, it is the only one that begins
 // with it, or that it begins with and goes on by no letter: `kelvin`, `-mass=300t`.
 const char *text_nearest(const char *word, const char *const *known, int n);
+
+enum { TEXT_LISTED_MAX = 24 };  // texts that a message lists at most
+
+// The `n` texts of `known` as a list, "one, two", in `to` of `size` bytes: each clean and short,
+// and
+// "..." in place of those that do not fit. Returns `to`.
+const char *text_list(char *to, size_t size, const char *const *known, int n);
 
 // The name of a file, without its folder; *n: bytes before its ending, which a dot in front does
 // not begin.
@@ -48,19 +56,31 @@ size_t text_character(const char *text, size_t n);
 // True if the character of `size` bytes at `text` is a control character (a tab is one).
 bool text_is_control(const char *text, size_t size);
 
+// The first control character (a tab is one) or stray byte of a text; NULL: the text can be shown
+// and kept as it is.
+const char *text_not_plain(const char *text);
+
 // The largest length up to `n` at which `text` can be cut without splitting a character.
 size_t text_cut(const char *text, size_t n);
 
 // Copies the first `n` bytes of `text` to `to` (of `size` bytes, cut to fit, with a final 0) so
-// that it can be shown on a terminal: a tab becomes a blank, other control characters and stray
-// bytes `?`.
+// that it can be shown on a terminal, where the texts may be the same: a tab becomes a blank, other
+// control characters and stray bytes `?`.
 void text_clean(char *to, size_t size, const char *text, size_t n);
+
+// Composes a line to be shown, as vsnprintf, cleans it as text_clean does and cuts it to fit
+// without splitting a character. True if it was cut.
+bool text_compose(char *to, size_t size, const char *format, va_list list)
+    __attribute__((format(printf, 3, 0)));
 
 // The shortest of 15 to 17 digits that is read as this number again: 0.1, not 0.10000000000000001.
 struct text_exact {
     char text[32];
 };
 const char *text_exact(struct text_exact *t, double value);
+
+// `value` rounded to so many digits, in figures where it is large: 1030, not 1.03e+03.
+const char *text_rounded(struct text_exact *t, double value, int digits);
 
 // What a message about the first of n things adds to its name: " (and 2 more)", or nothing.
 struct text_more {

@@ -3,6 +3,7 @@
 #include "core/text.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 
 enum {
@@ -94,4 +95,20 @@ const char *text_nearest(const char *word, const char *const *known, int n) {
         }
     }
     return nearest ? nearest : only_relative(word, known, n);
+}
+
+const char *text_list(char *to, size_t size, const char *const *known, int n) {
+    size_t used = 0;
+    to[0] = '\0';
+    for (int i = 0; i < n; i++) {
+        struct text_short name;
+        const size_t left = size - used;
+        const size_t more = strlen(text_short(&name, known[i])) + 2;
+        if (more + sizeof ", ..." > left) {
+            snprintf(to + used, left, ", ...");
+            break;
+        }
+        used += (size_t)snprintf(to + used, left, "%s%s", i ? ", " : "", name.text);
+    }
+    return to;
 }

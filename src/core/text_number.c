@@ -128,3 +128,14 @@ const char *text_exact(struct text_exact *t, double value) {
     }
     return t->text;
 }
+
+const char *text_rounded(struct text_exact *t, double value, int digits) {
+    const double size = fabs(value), largest = 1e15;
+    if (!(size >= pow(10.0, digits) - 0.5 && size < largest)) {
+        snprintf(t->text, sizeof t->text, "%.*g", digits, value);
+        return t->text;
+    }
+    const double unit = pow(10.0, floor(log10(size)) + 1.0 - digits);
+    snprintf(t->text, sizeof t->text, "%.0f", unit * round(value / unit));
+    return t->text;
+}

@@ -44,6 +44,7 @@ static const double standard_gravity = 9.80665;
     UNIT("ft", 0, 1, 0, 0.3048, false)                                                             \
     UNIT("s", 0, 0, 1, 1, false)                                                                   \
     UNIT("ms", 0, 0, 1, 1e-3, false)                                                               \
+    UNIT("us", 0, 0, 1, 1e-6, false)                                                               \
     UNIT("min", 0, 0, 1, 60, false)                                                                \
     UNIT("kg", 1, -1, 2, 1, false)                                                                 \
     UNIT("t", 1, -1, 2, 1e3, false)                                                                \
@@ -113,6 +114,10 @@ const char *dimension_noun(struct dimension dimension) {
 bool unit_system_equal(const struct unit_system *a, const struct unit_system *b) {
     return a->force == b->force && a->length == b->length && a->time == b->time &&
            a->gravity == b->gravity;
+}
+
+double unit_in_g(const struct unit_system *u) {
+    return unit_size(u, dimension_acceleration) / u->gravity;
 }
 
 void unit_system_init(struct unit_system *s) {

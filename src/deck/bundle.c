@@ -21,7 +21,7 @@ bool bundle_name(struct deck *d, const struct argument *as, const struct word *a
     q->name = as->given ? as->word[0] : *at;
     q->name.text = as->given ? as->text[0] : fallback;
     if (q->name.text && strcmp(q->name.text, own->name) == 0) {
-        deck_error(d, &q->name, "what goes together needs another name than its parameters");
+        deck_error(d, &q->name, "the dimension of -as needs another name than its sweeps");
         return false;
     }
     return true;

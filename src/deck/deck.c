@@ -175,6 +175,11 @@ void *deck_array(struct deck *d, size_t n, size_t size) {
 }
 
 const char *deck_file(struct deck *d, const struct word *w, const char *name) {
+    const struct deck_path *file = deck_path_enter(d, w, name);
+    return file ? file->path : NULL;
+}
+
+struct deck_path *deck_path_enter(struct deck *d, const struct word *w, const char *name) {
     const struct source *from = parameter_origin(d, w);
     const struct source top = {.name = d->path};
     const char *path = source_path(d, from && from->text ? from : &top, name);  // a -D has none
@@ -185,5 +190,5 @@ const char *deck_file(struct deck *d, const struct word *w, const char *name) {
     }
     *file = (struct deck_path){.path = path, .next = d->files};
     d->files = file;
-    return path;
+    return file;
 }

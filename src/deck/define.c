@@ -15,24 +15,11 @@ struct define *define_find(const struct deck *d, const char *name) {
     return NULL;
 }
 
-// True if the text can be shown and kept: UTF-8 without control characters.
-static bool is_plain_text(const char *text) {
-    size_t size = strlen(text);
-    for (size_t i = 0; i < size;) {
-        size_t bytes = text_character(text + i, size - i);
-        if (bytes == 0 || text_is_control(text + i, bytes)) {
-            return false;
-        }
-        i += bytes;
-    }
-    return true;
-}
-
 static void check(struct deck *d, struct define *define) {
     struct word name = define->value;
     name.text = define->name;
     define->taken = true;
-    if (!is_plain_text(define->name) || !is_plain_text(define->value.text)) {
+    if (text_not_plain(define->name) || text_not_plain(define->value.text)) {
         deck_error(d, &name, "this is not UTF-8 text without control characters");
     } else if (!define->value.text[0]) {
         deck_error(d, &name, "it must be -D NAME=VALUE");

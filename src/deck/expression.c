@@ -46,9 +46,9 @@ static bool parameter_number(struct deck *d, const struct word *w, const char *f
         return false;
     }
     if (parameter->kind == PARAMETER_TEXT) {
-        struct text_short t;
-        return report_false(d, w, from, to, "parameter '%s' is a text; a number is needed",
-                            text_short(&t, parameter->name));
+        struct text_short name, text;
+        return report_false(d, w, from, to, "parameter '%s' is the text '%s'; a number is needed",
+                            text_short(&name, parameter->name), text_short(&text, parameter->text));
     }
     *out = parameter->number;
     return true;
@@ -104,7 +104,7 @@ static bool unknown_function(struct parser *p, const char *name, const char *end
         known[n++] = quantity_functions[i].name;
     }
     struct word part = report_part(p->deck, p->word, name, end);
-    deck_unknown(p->deck, &part, "function", known, n);
+    deck_unknown(p->deck, &part, part.text, "function", known, n);
     return false;
 }
 
@@ -146,6 +146,12 @@ static bool name_or_call(struct parser *p, struct quantity *out) {
     if (expression_is_reserved(name, (size_t)(end - name))) {
         return report_false(p->deck, p->word, name, end, "a '(' must stand after a function");
     }
+    if (!parameter_find(p->deck, name, (size_t)(end - name)) &&
+        literal_is_unit(p->deck, name, (size_t)(end - name))) {
+        return report_false(p->deck, p->word, name, end,
+                            "unknown parameter '%.*s'; write 1%.*s if the unit is meant",
+                            (int)(end - name), name, (int)(end - name), name);
+    }
     return parameter_number(p->deck, p->word, name, end, out);
 }
 
@@ -159,7 +165,7 @@ static bool unexpected(struct parser *p) {
     const char before = p->at > p->word->text ? p->at[-1] : '\0';
     const char *hint = before == '*' && *p->at == '*' ? "; a power is written ^"
                        : before == ' ' && isalpha((unsigned char)*p->at)
-                           ? "; a unit stands right after its number"
+                           ? "; write a unit directly after its number"
                            : "";
     deck_error(p->deck, &part, "unexpected '%s'%s", text_short(&t, part.text), hint);
     return false;

@@ -29,6 +29,13 @@ static const char *letters_end(const char *at) {
     return at;
 }
 
+bool literal_is_unit(const struct deck *d, const char *text, size_t n) {
+    const char *end;
+    struct dimension dimension;
+    double si;
+    return unit_parse(text, d->units.gravity, &end, &dimension, &si) && end == text + n;
+}
+
 // Reports the unit at `at`; it is a known one only where it follows rad or deg.
 static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
     int n = 0;
@@ -43,7 +50,7 @@ static bool unknown_unit(struct deck *d, const struct word *w, const char *at) {
         n++;
     }
     struct word part = report_part(d, w, at, letters_end(at));
-    deck_unknown(d, &part, "unit", unit_names, n);
+    deck_unknown(d, &part, part.text, "unit", unit_names, n);
     return false;
 }
 
@@ -58,7 +65,7 @@ static bool literal_unit(struct deck *d, const struct word *w, const char **at,
     if (**at == '^') {
         return report_false(
             d, w, *at, *at + 1,
-            "this is no power of a unit, as in m^1.5; put the quantity in brackets to "
+            "this is not a power of a unit, as in m^1.5; put the quantity in brackets to "
             "raise it");
     }
     out->known = true;
@@ -89,10 +96,10 @@ bool literal_read(struct deck *d, const struct word *w, const char **at, struct 
 // What to write instead where the number `q` is followed by `rest`.
 static const char *advice(const struct quantity *q, const char *rest) {
     if (*rest == ',' || *rest == ';') {
-        return "decimals have a point, and values of a list are parted by blanks";
+        return "write decimals with a point, and separate the values of a list by spaces";
     }
     if ((*rest == '*' || *rest == '/') && starts_unit(rest[1])) {
-        return "a unit stands right after its number";
+        return "write a unit directly after its number";
     }
     if ((unsigned char)*rest >= 0x80 || (q->known && !strchr("+-*/", *rest))) {
         return "units are written as in kN*s/m or N/m^1.5";

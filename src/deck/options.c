@@ -59,7 +59,7 @@ static void report_unknown(struct deck *d, const struct statement *s, int at,
         }
     }
     const struct word *key = &s->word[at];
-    const char *near = deck_unknown(d, key, "option", known, n);
+    const char *near = deck_unknown(d, key, key->text, "option", known, n);
     if (near && !deck_option(s, near + 1, &n)) {
         const struct row *row = find_row(set, n_set, near + 1, &at);
         set[at].argument[row - set[at].row] = (struct argument){.given = true, .key = *key};
@@ -168,7 +168,7 @@ static bool check_one_of(struct deck *d, const struct statement *s, const struct
         any = true;
         const struct argument *argument = &set->argument[j];
         if (argument->given && first) {
-            deck_error(d, &argument->key, "%s and %s cannot stand together", argument->key.text,
+            deck_error(d, &argument->key, "%s and %s cannot be combined", argument->key.text,
                        first->text);
             ok = false;
         }

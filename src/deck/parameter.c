@@ -7,7 +7,7 @@
 // text that starts with a digit must be quoted: nothing is guessed.
 #include <string.h>
 
-#include "core/checksum.h"
+#include "core/hash.h"
 #include "core/text.h"
 #include "deck/reader.h"
 
@@ -21,7 +21,7 @@ const char *parameter_name_end(const char *text) {
 }
 
 static struct parameter **bucket_of(const struct reader *r, const char *name, size_t n) {
-    return &r->bucket[checksum_add(checksum_start, name, n) % r->n_bucket];
+    return &r->bucket[hash_add(hash_start, name, n) % r->n_bucket];
 }
 
 struct parameter *parameter_find(const struct deck *d, const char *name, size_t n) {
@@ -47,7 +47,7 @@ static void report_unknown(struct deck *d, const struct word *w) {
     for (const struct parameter *p = r->first; p && known; p = p->next) {
         known[n++] = p->name;
     }
-    deck_unknown(d, w, "parameter", known, n);
+    deck_unknown(d, w, w->text, "parameter", known, n);
 }
 
 struct parameter *parameter_get(struct deck *d, const struct word *w, const char *from,
@@ -114,7 +114,7 @@ const struct source *parameter_origin(const struct deck *d, const struct word *w
 
 static void read_text(struct deck *d, const struct word *w, struct parameter *p) {
     p->origin = parameter_origin(d, w);
-    p->text = deck_text(d, w);
+    p->text = deck_text_of_file(d, w);
     p->kind = p->text ? PARAMETER_TEXT : PARAMETER_WRONG;
 }
 

@@ -25,7 +25,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/checksum.h"
+#include "core/hash.h"
 
 static const char *fault_of_normal(double a, double b, int *at) {
     (void)a;
@@ -116,8 +116,8 @@ static double score_at(const struct part *part, double u) {
 static unsigned long seed_of(const struct random_values *r) {
     char text[16];
     const int length = snprintf(text, sizeof text, "%d ", r->seed);
-    uint64_t sum = checksum_add(checksum_start, text, (size_t)length);
-    sum = checksum_add(sum, r->name, strlen(r->name));
+    uint64_t sum = hash_add(hash_start, text, (size_t)length);
+    sum = hash_add(sum, r->name, strlen(r->name));
     return (unsigned long)((sum >> 32 ^ sum) & 0xffffffffu);
 }
 

@@ -117,6 +117,8 @@ struct place source_end(const struct deck *d);
 const char *source_path(struct deck *d, const struct source *s, const char *name);
 // Starts reading `s`; the caller has checked that a frame is free.
 void source_enter(struct deck *d, struct source *s);
+// The entry of deck_file in the list of the deck's files.
+struct deck_path *deck_path_enter(struct deck *d, const struct word *w, const char *name);
 // "line 3", or "line 3 of other.deck" where `p` is in another file than `from`.
 const char *source_mention(struct deck *d, const struct place *p, const struct place *from);
 
@@ -129,6 +131,19 @@ bool scan_statement(struct deck *d, struct frame *f, struct statement *out);
 
 // Carries out a statement of the language itself; false: `s` is another one.
 bool statement_run(struct deck *d, const struct statement *s);
+
+// Whether what is read between the two depends on a sweep is noted in deck.varies; *before is that
+// of the statement so far.
+static inline bool reader_note_sweeps(struct deck *d) {
+    const bool before = d->reader->swept;
+    d->reader->swept = false;
+    return before;
+}
+
+static inline void reader_noted_sweeps(struct deck *d, bool before) {
+    d->varies = d->varies || d->reader->swept;
+    d->reader->swept = d->reader->swept || before;
+}
 
 // sweep.c
 
@@ -201,6 +216,8 @@ bool expression_is_reserved(const char *name, size_t n);
 
 // literal.c
 
+// Are the n characters of `text` a unit?
+bool literal_is_unit(const struct deck *d, const char *text, size_t n);
 // A literal with its unit at *at, which moves past it.
 bool literal_read(struct deck *d, const struct word *w, const char **at, struct quantity *out);
 // Reports what is at `at`, after the `number`, where the word should end; false.

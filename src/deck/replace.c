@@ -93,7 +93,7 @@ static const char *keep(struct deck *d, const struct word *w, const struct buffe
     return text;
 }
 
-const char *deck_text(struct deck *d, const struct word *w) {
+const char *deck_text_of_file(struct deck *d, const struct word *w) {
     if (!strchr(w->text, '$')) {
         return w->text;
     }
@@ -108,6 +108,13 @@ const char *deck_text(struct deck *d, const struct word *w) {
         at += plain;
     }
     return keep(d, w, &b);
+}
+
+const char *deck_text(struct deck *d, const struct word *w) {
+    const bool before = reader_note_sweeps(d);
+    const char *text = deck_text_of_file(d, w);
+    reader_noted_sweeps(d, before);
+    return text;
 }
 
 static int parameter_line(const struct parameter *p, char *text, size_t size) {

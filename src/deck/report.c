@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "deck/reader.h"
 
-enum { MESSAGE_MAX = 1024, LISTED_MAX = 24 };
+enum { MESSAGE_MAX = 1024 };
 
 static void report(struct deck *d, const struct word *w, enum severity severity, const char *format,
                    va_list list) {
@@ -47,32 +47,31 @@ void deck_warning(struct deck *d, const struct word *w, const char *format, ...)
     va_end(list);
 }
 
-const char *deck_unknown(struct deck *d, const struct word *w, const char *what,
+const char *deck_quote(struct deck_quote *q, const struct word *w, const char *value) {
+    struct text_short shown, from;
+    const bool replaced = strchr(w->text, '$') && strcmp(w->text, value) != 0;
+    snprintf(q->text, sizeof q->text, "'%s'%s%s%s", text_short(&shown, value),
+             replaced ? " (from " : "", replaced ? text_short(&from, w->text) : "",
+             replaced ? ")" : "");
+    return q->text;
+}
+
+const char *deck_unknown(struct deck *d, const struct word *w, const char *value, const char *what,
                          const char *const *known, int n) {
-    struct text_short word;
-    text_short(&word, w->text);
-    const char *nearest = text_nearest(w->text, known, n);
+    struct deck_quote word;
+    deck_quote(&word, w, value);
+    const char *nearest = text_nearest(value, known, n);
     if (nearest) {
-        deck_error(d, w, "unknown %s '%s'; did you mean '%s'?", what, word.text, nearest);
+        deck_error(d, w, "unknown %s %s; did you mean '%s'?", what, word.text, nearest);
         return nearest;
     }
-    if (n == 0 || n > LISTED_MAX) {
-        deck_error(d, w, "unknown %s '%s'", what, word.text);
+    if (n == 0 || n > TEXT_LISTED_MAX) {
+        deck_error(d, w, "unknown %s %s", what, word.text);
         return NULL;
     }
-    char list[MESSAGE_MAX - 2 * sizeof word] = "";
-    size_t used = 0;
-    for (int i = 0; i < n; i++) {
-        struct text_short name;
-        const size_t left = sizeof list - used;
-        const size_t more = strlen(text_short(&name, known[i])) + 2;
-        if (more + sizeof ", ..." > left) {
-            snprintf(list + used, left, ", ...");
-            break;
-        }
-        used += (size_t)snprintf(list + used, left, "%s%s", i ? ", " : "", name.text);
-    }
-    deck_error(d, w, "unknown %s '%s'; known: %s", what, word.text, list);
+    char list[MESSAGE_MAX - 2 * sizeof word];
+    deck_error(d, w, "unknown %s %s; available: %s", what, word.text,
+               text_list(list, sizeof list, known, n));
     return NULL;
 }
 
@@ -83,7 +82,7 @@ int deck_keyword(struct deck *d, const struct word *w, const char *what, const c
             return i;
         }
     }
-    deck_unknown(d, w, what, known, n);
+    deck_unknown(d, w, w->text, what, known, n);
     return -1;
 }
 

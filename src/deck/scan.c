@@ -127,7 +127,7 @@ static const struct look_alike {
     {"\u00A0\u2002\u2003\u2009\u200B\u202F", true,
      "a blank that parts no words, as word processors set it; write a plain one"},
     {"\u2010\u2011\u2013\u2014\u2212", false,
-     "a dash that is no '-'; options and negative numbers begin with a plain '-'"},
+     "this dash is not a '-'; options and negative numbers begin with a plain '-'"},
     {"\u201C\u201D\u201E", true, "a quote that quotes nothing; texts stand in plain ones, \"...\""},
     {"\u2018\u2019'", false, "an apostrophe quotes nothing; texts stand in plain quotes, \"...\""},
 };

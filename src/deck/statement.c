@@ -55,7 +55,7 @@ static bool check_once(struct deck *d, const struct word *w, struct place *place
 
 static void run_title(struct deck *d, const struct statement *s) {
     if (check_words(d, s, 2, "title \"TEXT\"") && check_once(d, s->word, &d->reader->title)) {
-        const char *text = deck_text(d, &s->word[1]);
+        const char *text = deck_text_of_file(d, &s->word[1]);
         d->title = text ? text : "";
     }
 }
@@ -82,7 +82,7 @@ static bool read_unit(struct deck *d, const struct word *w, struct dimension wan
         }
     }
     if (!exists) {
-        deck_unknown(d, w, what, known, n);
+        deck_unknown(d, w, w->text, what, known, n);
         return false;
     }
     unit_parse(w->text, d->units.gravity, &end, &dimension, &si);
@@ -207,8 +207,11 @@ static bool check_include(struct deck *d, const struct word *w, const struct sou
 static void run_include(struct deck *d, const struct statement *s) {
     const struct word *w = &s->word[1];
     const char *name = check_words(d, s, 2, "include FILE") ? deck_text(d, w) : NULL;
-    const char *path = name ? deck_file(d, w, name) : NULL;
-    struct source *source = path ? load(d, w, path) : NULL;
+    struct deck_path *file = name ? deck_path_enter(d, w, name) : NULL;
+    struct source *source = file ? load(d, w, file->path) : NULL;
+    if (file) {
+        file->included = true;
+    }
     if (source && check_include(d, w, source)) {
         source_enter(d, source);
     } else {

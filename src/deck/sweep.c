@@ -36,8 +36,12 @@ static bool read_options(struct deck *d, const struct statement *s, int n_row,
 static bool read_list(struct deck *d, const struct statement *s, struct sweep *own,
                       struct bundle_request *q) {
     struct argument argument[N_ROW];
-    return read_options(d, s, AS + 1, argument, own, q) &&
-           sweep_list(d, s, q->name.text ? VALUES_MAY_REPEAT : VALUES_DIFFER, own);
+    if (!read_options(d, s, AS + 1, argument, own, q) ||
+        !sweep_list(d, s, q->name.text ? VALUES_MAY_REPEAT : VALUES_DIFFER, own)) {
+        return false;
+    }
+    sweep_take_short_name(d, own);
+    return true;
 }
 
 static bool read_range(struct deck *d, const struct statement *s, struct sweep *own,
@@ -58,7 +62,7 @@ static bool read_files(struct deck *d, const struct statement *s, struct sweep *
         deck_error(d, &s->word[2], "one pattern of file names is expected");
         return false;
     }
-    const char *pattern = deck_text(d, &s->word[3]);
+    const char *pattern = deck_text_of_file(d, &s->word[3]);
     return pattern && sweep_files(d, &s->word[3], pattern, own);
 }
 

@@ -69,10 +69,14 @@ static bool take_paths(struct deck *d, const struct word *w, const glob_t *found
     out->n = (int)found->gl_pathc;
     for (int i = 0; path && i < out->n; i++) {
         const char *name = found->gl_pathv[i] + skip;
-        size_t at;
-        if (!text_is_utf8(name, strlen(name), &at)) {
+        const char *wrong = text_not_plain(name);
+        if (wrong) {
             struct text_short t;
-            deck_error(d, w, "the file name '%s' is not UTF-8", text_short(&t, name));
+            deck_error(d, w,
+                       text_character(wrong, strlen(wrong))
+                           ? "the file name '%s' has a control character; rename the file"
+                           : "the file name '%s' is not UTF-8",
+                       text_short(&t, name));
             return false;
         }
         path[i] = arena_text(d->arena, name, strlen(name));
@@ -113,9 +117,9 @@ static bool search(struct deck *d, const struct word *w, const char *pattern, st
     glob_t found;
     int answer = glob(path, GLOB_NOSORT, NULL, &found);
     if (answer != 0) {
-        struct text_short t;
-        deck_error(d, w, answer == GLOB_NOMATCH ? "no file matches '%s'" : "cannot search for '%s'",
-                   text_short(&t, pattern));
+        struct deck_quote quote;
+        deck_error(d, w, answer == GLOB_NOMATCH ? "no file matches %s" : "cannot search for %s",
+                   deck_quote(&quote, w, pattern));
         return false;
     }
     bool good = take_paths(d, w, &found, folder, out);
@@ -145,13 +149,49 @@ static bool take_label(struct deck *d, const struct sweep *s) {
     if (!define || define->beside || may_be_file(d, s, define->value.text)) {
         return true;
     }
-    deck_unknown(d, &define->value, s->name, s->label, s->n);
+    deck_unknown(d, &define->value, define->value.text, s->name, s->label, s->n);
     define->taken = true;
     struct parameter *p = parameter_find(d, s->name, strlen(s->name));
     if (p) {
         p->kind = PARAMETER_WRONG;
     }
     return false;
+}
+
+enum ending { WITHOUT_ENDING, WITH_ENDING };
+
+// The only text of `s` whose name, with or without its ending, is `name`; NULL: none, or several.
+static const char *text_of(const struct sweep *s, const char *name, enum ending ending) {
+    const char *found = NULL;
+    for (int i = 0; i < s->n; i++) {
+        size_t n;
+        const char *stem = text_stem(s->text[i], &n);
+        n = ending == WITHOUT_ENDING ? n : strlen(stem);
+        if (strlen(name) == n && strncmp(stem, name, n) == 0) {
+            if (found && strcmp(found, s->text[i]) != 0) {
+                return NULL;
+            }
+            found = s->text[i];
+        }
+    }
+    return found;
+}
+
+void sweep_take_short_name(struct deck *d, const struct sweep *s) {
+    struct define *define = s->text ? define_find(d, s->name) : NULL;
+    bool listed = false;
+    for (int i = 0; define && i < s->n; i++) {
+        listed = listed || strcmp(define->value.text, s->text[i]) == 0;
+    }
+    if (!define || listed || define->beside || may_be_file(d, s, define->value.text)) {
+        return;
+    }
+    const char *text = text_of(s, define->value.text, WITHOUT_ENDING);
+    text = text ? text : text_of(s, define->value.text, WITH_ENDING);
+    if (text) {
+        define->value.text = text;
+        define->beside = s->origin;
+    }
 }
 
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out) {

@@ -12,4 +12,8 @@
 // after having reported that there is none.
 bool sweep_files(struct deck *d, const struct word *w, const char *pattern, struct sweep *out);
 
+// A -D of the sweep `s` over texts may give a listed file by its short name, without folder or
+// ending; it becomes the text of the list. Other texts stay as they are.
+void sweep_take_short_name(struct deck *d, const struct sweep *s);
+
 #endif

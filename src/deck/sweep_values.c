@@ -35,7 +35,7 @@ bool sweep_value(struct deck *d, const struct word *w, struct parameter *first,
         first->number.dimension = p->number.dimension;
     }
     if (!dimension_equal(p->number.dimension, first->number.dimension)) {
-        deck_error(d, w, "this is %s; before it stands %s",
+        deck_error(d, w, "this is %s; the value before is %s",
                    quantity_describe(&d->units, p->number.dimension, &got),
                    quantity_describe(&d->units, first->number.dimension, &needed));
         return false;
@@ -103,7 +103,7 @@ static bool check_distinct(struct deck *d, const struct sweep *s, const struct w
         before.at = key[i].at;
         if (compare(&before, &key[i]) == 0) {
             struct text_short t;
-            deck_error(d, &word[key[i].at], "value %s stands twice",
+            deck_error(d, &word[key[i].at], "value %s is given twice",
                        text_short(&t, word[key[i].at].text));
             return false;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words -> the values of a row: numbers with repeats, texts.
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/text.h"
@@ -39,7 +40,7 @@ static bool check_repeat(struct deck *d, const struct row *row, const struct wor
     struct word part = report_part(d, w, w->text, mark);
     struct text_short t;
     if (row->kind != ROW_LIST) {
-        deck_error(d, w, "%s takes one value, no repeat; products stand in ${...}", row->key);
+        deck_error(d, w, "%s takes one value, not a repeat; write a product in ${...}", row->key);
     } else {
         deck_error(d, &part, "the count of a repeat is %s; it must be a whole number from 1 to %d",
                    text_short(&t, part.text), LIST_MAX);
@@ -69,6 +70,22 @@ static int count_values(struct deck *d, const struct row *row, const struct word
     return ok ? n : -1;
 }
 
+enum { WEIGHT_SIZE = 64 };
+
+// The mass of the weight that the word gives, as the word to write.
+static const char *mass_of(const struct word *w, char text[WEIGHT_SIZE]) {
+    const char *mark = repeat_mark(w);
+    const char *from = mark ? mark + 1 : w->text;
+    const bool expression = strncmp(from, "${", 2) == 0;
+    from += expression ? 2 : *from == '$';
+    const size_t n = expression ? strcspn(from, "}") : strlen(from);
+    if (n > WEIGHT_SIZE / 2) {
+        return "W ${W/1g}";
+    }
+    snprintf(text, WEIGHT_SIZE, expression ? "${(%.*s)/1g}" : "${%.*s/1g}", (int)n, from);
+    return text;
+}
+
 static bool check_dimension(struct deck *d, const struct row *row, struct dimension wanted,
                             const struct word *w, const struct quantity *q) {
     if (!q->known || dimension_equal(q->dimension, wanted)) {
@@ -77,8 +94,12 @@ static bool check_dimension(struct deck *d, const struct row *row, struct dimens
     struct quantity_text got, need;
     quantity_describe(&d->units, q->dimension, &got);
     const char *noun = dimension_noun(wanted);
-    deck_error(d, w, "%s has the dimension of %s; %s is needed", row->key, got.text,
-               noun ? noun : quantity_describe(&d->units, wanted, &need));
+    char mass[WEIGHT_SIZE];
+    bool weight =
+        dimension_equal(wanted, dimension_mass) && dimension_equal(q->dimension, dimension_force);
+    deck_error(d, w, "%s has the dimension of %s; %s is needed%s%s", row->key, got.text,
+               noun ? noun : quantity_describe(&d->units, wanted, &need),
+               weight ? "; the mass of a weight is " : "", weight ? mass_of(w, mass) : "");
     return false;
 }
 
@@ -102,13 +123,6 @@ static bool check_range(struct deck *d, const struct row *row, struct dimension 
     return false;
 }
 
-static bool is_unit(const struct deck *d, const char *text) {
-    const char *end;
-    struct dimension dimension;
-    double si;
-    return unit_parse(text, d->units.gravity, &end, &dimension, &si) && *end == 0;
-}
-
 // False after having reported a bare word, such as a parameter's name, in place of a number.
 static bool check_number_like(struct deck *d, const struct row *row, const struct word *w,
                               const char *from) {
@@ -120,8 +134,8 @@ static bool check_number_like(struct deck *d, const struct row *row, const struc
     struct text_short t;
     text_short(&t, part.text);
     bool parameter = parameter_find(d, from, strlen(from)) != NULL;
-    if (!parameter && is_unit(d, from)) {
-        deck_error(d, &part, "%s needs a number, not '%s'; a unit stands right after its number",
+    if (!parameter && literal_is_unit(d, from, strlen(from))) {
+        deck_error(d, &part, "%s needs a number, not '%s'; write a unit directly after its number",
                    row->key, t.text);
     } else if (parameter) {
         deck_error(d, &part, "%s needs a number, not '%s'; did you mean '$%s'?", row->key, t.text,
@@ -133,7 +147,7 @@ static bool check_number_like(struct deck *d, const struct row *row, const struc
 }
 
 static bool read_number(struct deck *d, const struct row *row, struct dimension dimension,
-                        const struct word *w, double *value) {
+                        const struct word *w, double *value, bool *bare) {
     const char *mark = repeat_mark(w);
     const char *from = mark ? mark + 1 : w->text;
     struct quantity q;
@@ -141,6 +155,7 @@ static bool read_number(struct deck *d, const struct row *row, struct dimension 
         return false;
     }
     *value = q.value;
+    *bare = !q.known;
     return check_dimension(d, row, dimension, w, &q) && check_range(d, row, dimension, w, q.value);
 }
 
@@ -155,13 +170,19 @@ static bool read_numbers(struct deck *d, const struct row *row, double power,
         return false;
     }
     int used = 0;
+    const bool before = reader_note_sweeps(d);
     for (int i = 0; i < n_word; i++) {  // all words, so that all errors are reported
         double value = NAN;
-        ok = read_number(d, row, row_dimension(row, power), &word[i], &value) && ok;
+        ok = read_number(d, row, row_dimension(row, power), &word[i], &value, &out->bare) && ok;
         for (int count = room > 0 ? repeat_count(&word[i]) : 0; count > 0; count--) {
             number[used] = value;
             from[used++] = word[i];
         }
+    }
+    if (row->kind == ROW_INTEGER) {
+        reader_noted_sweeps(d, before);
+    } else {
+        d->reader->swept = d->reader->swept || before;
     }
     out->n = used;
     out->number = number;
@@ -175,16 +196,16 @@ static bool read_texts(struct deck *d, const struct row *row, const struct word 
     if (!text) {
         return false;
     }
-    struct text_short t;
+    struct deck_quote quote;
     bool ok = true;
     for (int i = 0; i < n_word; i++) {
-        text[i] = deck_text(d, &word[i]);
+        text[i] = row->kind == ROW_FILE ? deck_text_of_file(d, &word[i]) : deck_text(d, &word[i]);
         bool good = text[i] && text[i][0];
         if (text[i] && !good) {
             deck_error(d, &word[i], "%s is an empty text", row->key);
         } else if (good && row->kind == ROW_TEXTS && strchr(text[i], ',')) {
-            deck_error(d, &word[i], "'%s' has a comma; values of a list are parted by blanks",
-                       text_short(&t, text[i]));
+            deck_error(d, &word[i], "%s has a comma; separate the values of a list by spaces",
+                       deck_quote(&quote, &word[i], text[i]));
             good = false;
         }
         ok = ok && good;

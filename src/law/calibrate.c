@@ -3,8 +3,8 @@
 
 #include <math.h>
 
+#include "core/root.h"
 #include "law/isolated.h"
-#include "law/root.h"
 
 // The impacts are integrated to about 1e-12.
 static const double TOLERANCE = 1e-12;

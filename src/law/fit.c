@@ -274,6 +274,10 @@ int fit_run(const struct fit_request *request, struct fit_result *out, struct er
     struct fit f = {.work = NULL};
     int status = fit_model_init(request, &f.model, e);
     f.n_unknown = f.model.damped ? N_UNKNOWN_MAX : ZETA;
+    struct fit_result agreed = {.cut = 0.0};
+    if (status == STATUS_OK) {
+        status = fit_check_impulse(&f.model, &agreed, e);
+    }
     if (status == STATUS_OK) {
         status = allocate(&f, e);
     }
@@ -282,6 +286,8 @@ int fit_run(const struct fit_request *request, struct fit_result *out, struct er
     }
     if (status == STATUS_OK) {
         status = search_all(&f, out, e);
+        out->restitution = agreed.restitution;
+        out->cut = agreed.cut;
     }
     release(&f);
     return status;

@@ -23,10 +23,18 @@ struct fit_result {
     struct fit_parameter zeta;   // NAN: the law has none
     struct fit_parameter start;  // [T] instant of closure on the clock of the record
     double normalised_error;     // ||measured - fitted|| / ||measured|| over the samples
+    double restitution;          // that the impulse of the record and m v imply
+    double cut;  // largest force at an end of the record, over the peak, if the impact is cut off
+                 // there: the restitution is then too small; 0: the impact is whole
 };
 
+// True if the record does not determine a parameter: its standard error exceeds its value. False
+// for a parameter that the law does not have.
+bool fit_is_undetermined(const struct fit_parameter *p);
+
 // Finds k, zeta and the instant of closure by least squares. Errors: STATUS_INPUT (the record does
-// not hold an impact), STATUS_FAILED (no convergence), STATUS_SYSTEM (no memory).
+// not hold an impact, or its impulse contradicts mass and velocity), STATUS_FAILED (no
+// convergence), STATUS_SYSTEM (no memory).
 int fit_run(const struct fit_request *request, struct fit_result *out, struct error *e);
 
 #endif

@@ -50,6 +50,11 @@ double fit_model_squares(struct fit_model *m, const struct fit_point *p);
 // True if the force last predicted jumps at closure or opening.
 bool fit_model_jumps(const struct fit_model *m);
 
+// Sets `restitution` and `cut` of the result. Errors: STATUS_INPUT (the impulse of the record, the
+// effective mass and the approach velocity imply a restitution beyond 0 and 1; the record begins or
+// ends at its peak).
+int fit_check_impulse(const struct fit_model *m, struct fit_result *out, struct error *e);
+
 // A point from which the search can start, and the duration of its impact. Errors: STATUS_FAILED.
 int fit_start(struct fit_model *m, struct fit_point *p, double *duration, struct error *e);
 

@@ -5,8 +5,8 @@
 // passes a sample, and the best instant is found by a scan.
 #include <math.h>
 
+#include "core/root.h"
 #include "law/fit_model.h"
-#include "law/root.h"
 
 static const double PULSE = 0.05;            // of the peak: where the pulse ends
 static const double STIFF = 70.0;            // logarithm of a k beyond any, in SI

@@ -18,7 +18,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "law/root.h"
+#include "core/root.h"
 
 enum { DEPTH, SPEED, N_STATE };  // of the state, in units of L and v0
 

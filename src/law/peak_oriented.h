@@ -23,16 +23,15 @@ enum peak_oriented_constant {
     PEAK_ORIENTED_BETA,
     PEAK_ORIENTED_CONSTANTS
 };
-enum { PEAK_ORIENTED_HISTORY = 6 };
+enum { PEAK_ORIENTED_HISTORY = 8 };
 
 // Errors: STATUS_INPUT, where there is no stiffness.
 int peak_oriented_prepare(const double value[PEAK_ORIENTED_CONSTANTS], double *constant,
                           struct error *e);
 
-// shear, commit and stored of the descriptors.
-struct storey_response peak_oriented_shear(const double *constant, const double *history,
-                                           double drift);
-void peak_oriented_commit(const double *constant, double *history, double drift);
+// respond and stored of the descriptors.
+struct storey_response peak_oriented_respond(const double *constant, const double *history,
+                                             double drift, double *after);
 double peak_oriented_stored(const double *constant, const double *history, double drift);
 
 #endif

@@ -6,7 +6,7 @@
 #include <gsl/gsl_sf_log.h>
 #include <math.h>
 
-#include "law/root.h"
+#include "core/root.h"
 
 const struct range restitution_range = {.min = 1e-6, .max = 1.0, .text = ">= 1e-6 and <= 1"};
 

@@ -13,6 +13,13 @@ extern const struct range restitution_range;
 #define RESTITUTION_ROW                                                                            \
     { "e", ROW_NUMBER, ROW_ONE_OF, OF_NONE, &restitution_range, NAN, "coefficient of restitution" }
 
+// The row of the velocity at closure below which v0 counts as this one.
+#define LEAST_V0_ROW                                                                               \
+    {                                                                                              \
+        "vmin", ROW_NUMBER, 0, OF_VELOCITY, &range_positive, 1e-3,                                 \
+            "velocity at closure below which v0 counts as this"                                    \
+    }
+
 // Damping ratio of a linear dashpot that delivers e when its tension is kept:
 //     zeta = -ln e / sqrt(pi^2 + ln^2 e).
 // Anagnostopoulos (1988), eq. 4; the minus sign is missing in several later papers, where the

@@ -49,7 +49,7 @@ bool builder_plain(struct builder *b, const struct statement *s, int least, int 
         return false;
     }
     if (s->n_plain - 1 > most) {
-        deck_error(b->deck, &s->word[most + 1], "useless word '%s'; usage: %s %s",
+        deck_error(b->deck, &s->word[most + 1], "unexpected word '%s'; usage: %s %s",
                    s->word[most + 1].text, s->word[0].text, usage);
         return false;
     }
@@ -91,6 +91,19 @@ struct building_draft *builder_add_building(struct builder *b, const char *name)
     return added ? d : NULL;
 }
 
+void builder_add_part(struct builder *b, struct building_draft *d, const struct part *part) {
+    int number = 1;
+    for (int i = 0; i < d->parts.n; i++) {
+        number += ((const struct part *)d->parts.item)[i].kind == part->kind;
+    }
+    struct part *p = builder_append(b, &d->parts, sizeof *p);
+    if (p) {
+        *p = *part;
+        p->name = number > 1 ? arena_format(b->arena, "%s-%d", part->kind->name, number)
+                             : part->kind->name;
+    }
+}
+
 // In a torn deck the building may be in what could not be read, so nothing more is reported.
 static int find_or_report(struct builder *b, const struct word *w, const char *name, size_t length,
                           enum wall_use walls) {
@@ -101,14 +114,12 @@ static int find_or_report(struct builder *b, const struct word *w, const char *n
         for (size_t k = 0; known && k < n; k++) {
             known[k] = builder_draft(b, (int)k)->name;
         }
-        if (known && walls == WALL_ALLOWED) {
+        if (known && walls != WALL_REFUSED) {
             known[n++] = wall;
         }
         const char *text = arena_text(b->arena, name, length);
         if (known && text) {
-            struct word part = *w;
-            part.text = text;
-            deck_unknown(b->deck, &part, "building", known, (int)n);
+            deck_unknown(b->deck, w, text, "building", known, (int)n);
         }
     }
     return i;
@@ -119,22 +130,31 @@ int builder_building(struct builder *b, const struct word *w) {
     return name ? find_or_report(b, w, name, strlen(name), WALL_REFUSED) : -1;
 }
 
-// One floor number of a selection; 0 after a report.
-static int parse_floor(struct builder *b, const struct word *w, const char **text, int n_floor) {
+static void report_selection(struct builder *b, const struct word *w) {
+    struct deck_quote quote;
+    const char *value = deck_text(b->deck, w);
+    if (value) {
+        deck_error(b->deck, w, "%s is not a selection of floors; write 3, 1:5, 1,3,5 or all",
+                   deck_quote(&quote, w, value));
+    }
+}
+
+// One floor number of a selection, at least `lowest`; -1 after a report.
+static int parse_floor(struct builder *b, const struct word *w, const char **text,
+                       const struct building_draft *d, int lowest) {
     int floor = 0;
     const char *p = *text;
     while (*p >= '0' && *p <= '9' && floor <= FLOORS_MAX) {
         floor = 10 * floor + (*p++ - '0');
     }
     if (p == *text) {
-        deck_error(b->deck, w, "'%s' is not a selection of floors; write 3, 1:5, 1,3,5 or all",
-                   w->text);
-        return 0;
+        report_selection(b, w);
+        return -1;
     }
-    if (floor < 1 || floor > n_floor) {
-        deck_error(b->deck, w, "floor %.*s is not one of 1 to %d", (int)strspn(*text, "0123456789"),
-                   *text, n_floor);
-        return 0;
+    if (floor < lowest || floor > d->n_floor) {
+        deck_error(b->deck, w, "floor %.*s is not one of 1 to %d of building %s",
+                   (int)strspn(*text, "0123456789"), *text, d->n_floor, d->name);
+        return -1;
     }
     *text = p;
     return floor;
@@ -160,24 +180,24 @@ static bool take_floors(struct builder *b, const struct word *w, int first, int 
 }
 
 // `1:5`, `3` or `1,3,5:7` in the order written; false after a report.
-static bool parse_floors(struct builder *b, const struct word *w, const char *text, int n_floor,
-                         int *floor, struct selection *out) {
+static bool parse_floors(struct builder *b, const struct word *w, const char *text, int *floor,
+                         struct selection *out) {
+    const struct building_draft *d = builder_draft(b, out->building);
     for (;;) {
-        int first = parse_floor(b, w, &text, n_floor);
+        int first = parse_floor(b, w, &text, d, out->lowest);
         int last = first;
-        if (first && *text == ':') {
+        if (first >= 0 && *text == ':') {
             text++;
-            last = parse_floor(b, w, &text, n_floor);
+            last = parse_floor(b, w, &text, d, out->lowest);
         }
-        if (!first || !last || !take_floors(b, w, first, last, floor, out)) {
+        if (first < 0 || last < 0 || !take_floors(b, w, first, last, floor, out)) {
             return false;
         }
         if (*text == 0) {
             return true;
         }
         if (*text++ != ',') {
-            deck_error(b->deck, w, "'%s' is not a selection of floors; write 3, 1:5, 1,3,5 or all",
-                       w->text);
+            report_selection(b, w);
             return false;
         }
     }
@@ -186,21 +206,20 @@ static bool parse_floors(struct builder *b, const struct word *w, const char *te
 static bool select_floors(struct builder *b, const struct word *w, const char *floors,
                           struct selection *out) {
     int n = builder_draft(b, out->building)->n_floor;
-    int *floor = n > 0 ? arena_alloc(b->arena, (size_t)n, sizeof *floor) : NULL;
+    int *floor = n > 0 ? arena_alloc(b->arena, (size_t)n + 1, sizeof *floor) : NULL;
     if (!floor) {
         return false;
     }
     out->all = floors == NULL;
+    out->named = floors && strcmp(floors, "all") != 0;
     out->floor = floor;
-    if (out->all || strcmp(floors, "all") == 0) {
-        return take_floors(b, w, 1, n, floor, out);
-    }
-    return parse_floors(b, w, floors, n, floor, out);
+    return out->named ? parse_floors(b, w, floors, floor, out)
+                      : take_floors(b, w, 1, n, floor, out);
 }
 
 bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
                     struct selection *out) {
-    *out = (struct selection){.building = WALL};
+    *out = (struct selection){.building = WALL, .lowest = walls == GROUND_ALLOWED ? 0 : 1};
     const char *text = deck_text(b->deck, w);
     if (!text) {
         return false;
@@ -209,11 +228,11 @@ bool builder_select(struct builder *b, const struct word *w, enum wall_use walls
         if (walls == WALL_REFUSED) {
             deck_error(b->deck, w, "a building is needed here, not a wall");
         }
-        return walls == WALL_ALLOWED;
+        return walls != WALL_REFUSED;
     }
     const char *colon = strchr(text, ':');
     size_t length = colon ? (size_t)(colon - text) : strlen(text);
-    if (walls == WALL_ALLOWED && length == strlen(wall) && strncmp(text, wall, length) == 0) {
+    if (walls != WALL_REFUSED && length == strlen(wall) && strncmp(text, wall, length) == 0) {
         deck_error(b->deck, w, "a wall has no floors; it faces those of the other side");
         return false;
     }

@@ -17,27 +17,31 @@ struct list {
 };
 
 enum damping_kind {
-    DAMPING_NONE,
     DAMPING_RATIOS,        // Rayleigh: value[0] at mode[0], value[1] at mode[1]
     DAMPING_COEFFICIENTS,  // Rayleigh: alpha, beta
     DAMPING_MODAL,         // value[m] of mode m+1
     DAMPING_DASHPOT,       // value[i] of storey i
 };
 
+// One statement; those of a building add up.
 struct damping_draft {
     enum damping_kind kind;
-    struct word word;     // for messages
-    const double *value;  // see damping_kind
-    int mode[2];
+    struct word word;  // for messages
+    int n;
+    const double *value;  // (n) see damping_kind
+    int mode[2];          // of DAMPING_RATIOS
 };
 
 struct building_draft {
     const char *name;
     struct word word;
     int n_floor;                        // 0: wrong in the deck, which is reported
-    double *mass, *stiffness, *height;  // (n_floor); height NULL: not given
-    struct damping_draft damping;
-    struct storey *storey;     // (n_floor)
+    double *mass, *stiffness, *height;  // (n_floor); stiffness of shear storeys; height NULL: none
+    bool any_stiffness;                 // some shear storey has been given one, right or wrong
+    bool any_part;                      // a statement gives a part, right or wrong
+    struct list parts;                  // of struct part, beside the shear storeys
+    struct list damping;                // of struct damping_draft
+    struct storey *storey;              // (n_floor)
     struct word *storey_word;  // (n_floor) where its law was given; text NULL: elastic by default
     double *displacement, *velocity;  // (n_floor)
     struct word *initial;             // (n_floor) where they were given; text NULL: at rest
@@ -56,6 +60,7 @@ struct spectral_scaling {
 struct ground_draft {
     struct signal signal;
     struct spectral_scaling scaling;
+    bool bare;            // scaled to a -pga or -sa that has no unit
     bool judged;          // the reader has warned of its size, which no -pga or -sa replaces
     int n_building;       // 0: all
     const int *building;  // (n_building)
@@ -72,6 +77,7 @@ struct link_draft {
     struct link link;
     struct word word;
     bool named;    // by the user
+    bool floors;   // named by the user, on both sides
     bool overlap;  // an initial penetration is wanted
 };
 
@@ -125,16 +131,22 @@ struct building_draft *builder_draft(struct builder *b, int i);
 // Room for a building of this new name.
 struct building_draft *builder_add_building(struct builder *b, const char *name);
 
+// Adds a part to the building, and gives it a name: that of its kind, with a number from the second
+// one on.
+void builder_add_part(struct builder *b, struct building_draft *d, const struct part *part);
+
 // A selection of floors, `BUILDING[:FLOORS]` or `wall`.
 struct selection {
     int building;      // WALL, or index
     bool all;          // no floors were given
+    bool named;        // by the numbers of the floors
+    int lowest;        // floor that may be named
     int n_floor;       // selected
     const int *floor;  // (n_floor) from 1, in the order written
 };
 
-// Parses `w`; reports and returns false if it is wrong.
-enum wall_use { WALL_REFUSED, WALL_ALLOWED };
+// Parses `w`; reports and returns false if it is wrong. GROUND_ALLOWED: a wall, or floor 0.
+enum wall_use { WALL_REFUSED, WALL_ALLOWED, GROUND_ALLOWED };
 bool builder_select(struct builder *b, const struct word *w, enum wall_use walls,
                     struct selection *out);
 

@@ -2,12 +2,33 @@
 // Rayleigh: C = a0 M + a1 K, K the initial stiffness, with ratios zeta_i = a0 / (2 w_i) + a1 w_i /
 // 2 at two modes; a building of one storey is stiffness-proportional, a1 = 2 zeta / w. Modal: C = M
 // Phi diag(2 zeta w) Phi^T M, a full matrix (Chopra, Dynamics of Structures, section 11.4).
+// Statements add up: coefficients, dashpots of a storey and ratios of a mode are summed first, in
+// the order of the deck, and C is made once from the sums. So it is that of one statement with
+// them.
 #include "model/damping.h"
 
+#include "model/parts.h"
+
+// The sums of all statements of a building.
+struct sums {
+    double a0, a1;                         // Rayleigh
+    double *dashpot;                       // (n) [F T/L] of each storey
+    double *ratio;                         // (n) of each mode; NULL: no statement gives any
+    const struct damping_draft *rayleigh;  // the last statement of it; NULL: there is none
+};
+
+bool damping_is_modal(const struct building_draft *d) {
+    const struct damping_draft *q = d->damping.item;
+    bool modal = false;
+    for (int i = 0; i < d->damping.n; i++) {
+        modal |= q[i].kind == DAMPING_MODAL;
+    }
+    return modal;
+}
+
 // a0 and a1 from ratios at two modes; false after a report.
-static bool rayleigh(struct builder *b, const struct building_draft *d, const double *omega,
-                     double *a0, double *a1) {
-    const struct damping_draft *q = &d->damping;
+static bool rayleigh(struct builder *b, const struct building_draft *d,
+                     const struct damping_draft *q, const double *omega, double *a0, double *a1) {
     double wi = omega[q->mode[0] - 1];
     double wj = omega[q->mode[1] - 1];
     if (wi == 0.0 && d->n_floor == 1) {
@@ -34,79 +55,166 @@ static bool rayleigh(struct builder *b, const struct building_draft *d, const do
     return true;
 }
 
-// C = a0 M + K(dashpot), where `dashpot` (n) takes the places of the storey stiffnesses.
-static void tridiagonal(const struct building_draft *d, double a0, double a1, const double *dashpot,
-                        double *diagonal, double *off) {
+// Adds a0 M + a1 K(dashpot), where `dashpot` (n) takes the places of the storey stiffnesses.
+static void add_tridiagonal(const struct building_draft *d, double a0, double a1,
+                            const double *dashpot, double *diagonal, double *off) {
     for (int i = 0; i < d->n_floor; i++) {
         double above = i + 1 < d->n_floor ? dashpot[i + 1] : 0.0;
-        diagonal[i] = a0 * d->mass[i] + a1 * (dashpot[i] + above);
-        off[i] = -a1 * above;
+        diagonal[i] += a0 * d->mass[i] + a1 * (dashpot[i] + above);
+        off[i] -= a1 * above;
     }
 }
 
-static void warn_negative(struct builder *b, const struct building_draft *d, double a0, double a1) {
-    if (a0 < 0.0 || a1 < 0.0) {
-        deck_warning(b->deck, &d->damping.word,
+static void warn_negative(struct builder *b, const struct building_draft *d, const struct sums *s) {
+    if (s->a0 < 0.0 || s->a1 < 0.0) {
+        deck_warning(b->deck, &s->rayleigh->word,
                      "Rayleigh coefficient %s is negative: some modes of building %s gain energy",
-                     a0 < 0.0 ? "alpha" : "beta", d->name);
+                     s->a0 < 0.0 ? "alpha" : "beta", d->name);
     }
 }
 
-static double *modal(struct builder *b, const struct building_draft *d, const double *omega,
-                     const double *shape) {
-    size_t n = (size_t)d->n_floor;
-    for (size_t m = 0; m < n; m++) {
-        if (omega[m] == 0.0 && d->damping.value[m] > 0.0) {
-            deck_error(b->deck, &d->damping.word,
-                       "mode %zu of building %s moves it as a rigid body; its ratio can only be 0",
+// False after a report.
+static bool check_rigid_modes(struct builder *b, const struct building_draft *d,
+                              const struct damping_draft *q, const double *omega) {
+    for (int m = 0; m < d->n_floor; m++) {
+        if (omega[m] == 0.0 && q->value[m] > 0.0) {
+            deck_error(b->deck, &q->word,
+                       "mode %d of building %s moves it as a rigid body; its ratio can only be 0",
                        m + 1, d->name);
-            return NULL;
+            return false;
         }
     }
-    double *full = arena_alloc(b->arena, n * n, sizeof *full);
-    for (size_t m = 0; full && m < n; m++) {
+    return true;
+}
+
+static void add_values(const struct damping_draft *q, double *sum) {
+    for (int i = 0; i < q->n; i++) {
+        sum[i] += q->value[i];
+    }
+}
+
+// False after a report.
+static bool add_rayleigh(struct builder *b, const struct building_draft *d,
+                         const struct damping_draft *q, const double *omega, struct sums *s) {
+    double a0 = q->value[0], a1 = q->value[1];
+    if (q->kind == DAMPING_RATIOS && !rayleigh(b, d, q, omega, &a0, &a1)) {
+        return false;
+    }
+    s->a0 += a0;
+    s->a1 += a1;
+    s->rayleigh = q;
+    return true;
+}
+
+// Adds one statement; false after a report.
+static bool add_statement(struct builder *b, const struct building_draft *d,
+                          const struct damping_draft *q, const double *omega, struct sums *s) {
+    switch (q->kind) {
+        case DAMPING_COEFFICIENTS:
+        case DAMPING_RATIOS:
+            return add_rayleigh(b, d, q, omega, s);
+        case DAMPING_DASHPOT:
+            add_values(q, s->dashpot);
+            break;
+        case DAMPING_MODAL:
+            if (!check_rigid_modes(b, d, q, omega)) {
+                return false;
+            }
+            add_values(q, s->ratio);
+            break;
+    }
+    return true;
+}
+
+static bool sum_up(struct builder *b, const struct building_draft *d, const double *omega,
+                   struct sums *s) {
+    const struct damping_draft *q = d->damping.item;
+    for (int i = 0; i < d->damping.n; i++) {
+        if (!add_statement(b, d, &q[i], omega, s)) {
+            return false;
+        }
+    }
+    warn_negative(b, d, s);
+    return true;
+}
+
+static void add_modal(const struct building_draft *d, const double *ratio, const double *omega,
+                      const double *shape, double *full) {
+    size_t n = (size_t)d->n_floor;
+    for (size_t m = 0; m < n; m++) {
         const double *phi = shape + m * n;
-        double factor = 2.0 * d->damping.value[m] * omega[m];
+        double factor = 2.0 * ratio[m] * omega[m];
         for (size_t i = 0; i < n; i++) {
             for (size_t j = 0; j < n; j++) {
                 full[i * n + j] += factor * (d->mass[i] * phi[i]) * (d->mass[j] * phi[j]);
             }
         }
     }
-    return full;
+}
+
+// Adds a1 K of the parts of the building.
+static void add_parts(const struct building *g, double a1, double *full) {
+    const int n = g->n_floor;
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++) {
+            full[i * n + j] += a1 * parts_on_floors(g->part_stiffness, n, i, j);
+        }
+    }
+}
+
+// Moves the bands into the full matrix.
+static void move_bands(int n_floor, double *diagonal, double *off, double *full) {
+    size_t n = (size_t)n_floor;
+    for (size_t i = 0; i < n; i++) {
+        full[i * n + i] += diagonal[i];
+        if (i + 1 < n) {
+            full[i * n + i + 1] += off[i];
+            full[(i + 1) * n + i] += off[i];
+        }
+        diagonal[i] = off[i] = 0.0;
+    }
+}
+
+// Makes the matrix symmetric to the bit.
+static void mirror(int n_floor, double *full) {
+    size_t n = (size_t)n_floor;
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < i; j++) {
+            full[i * n + j] = full[j * n + i];
+        }
+    }
 }
 
 void damping_matrix(struct builder *b, const struct building_draft *d, const double *omega,
                     const double *shape, struct building *building) {
     size_t n = (size_t)d->n_floor;
+    const bool modal = damping_is_modal(d), fills = modal || building->n_part > 0;
     double *diagonal = arena_alloc(b->arena, n, sizeof *diagonal);
     double *off = arena_alloc(b->arena, n, sizeof *off);
-    if (!diagonal || !off) {
+    double *full = fills ? arena_alloc(b->arena, n * n, sizeof *full) : NULL;
+    struct sums s = {
+        .dashpot = arena_alloc(b->arena, n, sizeof *s.dashpot),
+        .ratio = modal ? arena_alloc(b->arena, n, sizeof *s.ratio) : NULL,
+    };
+    if (arena_failed(b->arena) || !sum_up(b, d, omega, &s)) {
         return;
     }
-    double a0 = 0.0;
-    double a1 = 0.0;
-    switch (d->damping.kind) {
-        case DAMPING_NONE:
-            break;
-        case DAMPING_RATIOS:
-        case DAMPING_COEFFICIENTS:
-            if (d->damping.kind == DAMPING_COEFFICIENTS) {
-                a0 = d->damping.value[0];
-                a1 = d->damping.value[1];
-            } else if (!rayleigh(b, d, omega, &a0, &a1)) {
-                return;
-            }
-            warn_negative(b, d, a0, a1);
-            tridiagonal(d, a0, a1, d->stiffness, diagonal, off);
-            break;
-        case DAMPING_DASHPOT:
-            tridiagonal(d, 0.0, 1.0, d->damping.value, diagonal, off);
-            break;
-        case DAMPING_MODAL:
-            building->damping_full = modal(b, d, omega, shape);
-            break;
+    add_tridiagonal(d, s.a0, s.a1, d->stiffness, diagonal, off);
+    add_tridiagonal(d, 0.0, 1.0, s.dashpot, diagonal, off);
+    if (modal) {
+        add_modal(d, s.ratio, omega, shape, full);
+    }
+    if (building->n_part > 0) {
+        add_parts(building, s.a1, full);
+    }
+    if (fills) {
+        move_bands(d->n_floor, diagonal, off, full);
+        mirror(d->n_floor, full);
     }
     building->damping_diagonal = diagonal;
     building->damping_off = off;
+    building->damping_full = full;
+    building->damping_alpha = s.a0;
+    building->damping_beta = s.a1;
+    building->damping = s.rayleigh ? &s.rayleigh->word : NULL;
 }

@@ -5,8 +5,12 @@
 
 #include "model/builder.h"
 
+// Does a statement give ratios of modes?
+bool damping_is_modal(const struct building_draft *d);
+
 // Fills damping_diagonal and damping_off, or damping_full, of `building` from the draft. `shape` is
-// normalised to phi^T M phi = 1. Reports in the deck what cannot be done.
+// normalised to phi^T M phi = 1; it may be NULL unless the damping is modal. Reports in the deck
+// what cannot be done.
 void damping_matrix(struct builder *b, const struct building_draft *d, const double *omega,
                     const double *shape, struct building *building);
 

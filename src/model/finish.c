@@ -18,6 +18,18 @@ static void check_deck(struct builder *b) {
     }
 }
 
+static void check_resistance(struct builder *b) {
+    for (int i = 0; !b->deck->torn && i < b->buildings.n; i++) {
+        const struct building_draft *d = builder_draft(b, i);
+        if (!d->any_stiffness && !d->any_part) {
+            deck_error(b->deck, &d->word,
+                       "building %s has no stiffness; give -stiffness (0: a free body), or a "
+                       "statement matrix",
+                       d->name);
+        }
+    }
+}
+
 static int has_errors(const struct builder *b, struct error *e) {
     const struct diagnostics *found = &b->deck->diagnostics;
     if (arena_failed(b->arena) || found->out_of_memory) {
@@ -29,6 +41,7 @@ static int has_errors(const struct builder *b, struct error *e) {
 }
 
 int builder_finish(struct builder *b, struct model *m, struct error *e) {
+    check_resistance(b);
     check_deck(b);
     int status = has_errors(b, e);
     if (status == STATUS_OK) {

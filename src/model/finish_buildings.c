@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <math.h>
 #include <string.h>
 
 #include "law/storey_list.h"
 #include "model/damping.h"
 #include "model/finish.h"
 #include "model/modes.h"
+#include "model/parts.h"
 
 // A building met before with the same masses and stiffnesses, whose modes can be used again.
 static const struct building *twin(const struct building *first, int n, const struct building *of) {
     size_t bytes = (size_t)of->n_floor * sizeof *of->mass;
     for (int i = 0; i < n; i++) {
-        if (first[i].n_floor == of->n_floor && memcmp(first[i].mass, of->mass, bytes) == 0 &&
-            memcmp(first[i].stiffness, of->stiffness, bytes) == 0) {
+        if (first[i].n_floor == of->n_floor && first[i].n_part == 0 && of->n_part == 0 &&
+            memcmp(first[i].mass, of->mass, bytes) == 0 &&
+            memcmp(first[i].spring, of->spring, bytes) == 0) {
             return &first[i];
         }
     }
@@ -23,7 +26,7 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
     struct building *g = &all[i];
     const struct building *same = twin(all, i, g);
     const struct building_draft *d = builder_draft(b, i);
-    if (same && d->damping.kind != DAMPING_MODAL) {
+    if (same && !damping_is_modal(d)) {
         g->omega = same->omega;
         g->shape = same->shape;
         damping_matrix(b, d, g->omega, NULL, g);
@@ -35,7 +38,7 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
     if (!omega || !shape) {
         return error_no_memory(e);
     }
-    int status = modes_solve(g->n_floor, g->mass, g->stiffness, omega, shape, e);
+    int status = modes_solve(g->n_floor, g->mass, g->spring, g->part_stiffness, omega, shape, e);
     if (status != STATUS_OK) {
         return status;
     }
@@ -44,6 +47,46 @@ static int finish_modes(struct builder *b, struct building *all, int i, struct e
     g->omega = omega;
     g->shape = shape;
     return STATUS_OK;
+}
+
+// The initial tangents of all parts, from which a building has come without turning.
+static void sum_parts(struct builder *b, struct building *g, const struct part *part, int n_part) {
+    const size_t n = (size_t)g->n_floor;
+    size_t n_history = 0;
+    for (int i = 0; i < n_part; i++) {
+        n_history += (size_t)part[i].n_history;
+    }
+    double *at_rest = arena_alloc(b->arena, n, sizeof *at_rest);
+    double *history = arena_alloc(b->arena, n_history, sizeof *history);
+    double *stiffness = arena_alloc(b->arena, n, sizeof *stiffness);
+    const struct part_sums sums = {.by_drift = arena_alloc(b->arena, n * n, sizeof *stiffness),
+                                   .by_rate = arena_alloc(b->arena, n * n, sizeof *stiffness)};
+    if (arena_failed(b->arena)) {
+        return;
+    }
+    for (int i = 0; i < n_part; i++) {
+        part[i].kind->respond(&part[i], history, at_rest, at_rest, &sums, NULL);
+    }
+    for (size_t i = 0; i < n; i++) {
+        stiffness[i] = g->spring[i] + sums.by_drift[i * n + i];
+    }
+    g->stiffness = stiffness;
+    g->part_stiffness = sums.by_drift;
+    g->part_dashpot = sums.by_rate;
+}
+
+static void finish_parts(struct builder *b, struct model *m, struct building *g,
+                         const struct building_draft *d) {
+    struct part *part = d->parts.item;
+    for (int i = 0; i < d->parts.n; i++) {
+        part[i].history = m->n_storey_history;
+        m->n_storey_history += part[i].n_history;
+    }
+    g->part = part;
+    g->n_part = d->parts.n;
+    if (g->n_part > 0) {
+        sum_parts(b, g, part, g->n_part);
+    }
 }
 
 static void finish_storeys(struct builder *b, struct model *m, struct building *g,
@@ -58,13 +101,20 @@ static void finish_storeys(struct builder *b, struct model *m, struct building *
             if (!constant) {
                 return;
             }
-            storey_elastic.prepare(NULL, g->stiffness[i], constant, NULL);
-            *s = (struct storey){.law = &storey_elastic, .constant = constant};
+            storey_elastic.prepare(NULL, g->spring[i], constant, NULL);
+            *s = (struct storey){.law = &storey_elastic, .constant = constant, .yield = INFINITY};
         }
         s->history = m->n_storey_history;
         m->n_storey_history += s->law->n_history;
         g->elastic &= s->law->n_history == 0;
+        g->smooth |= s->law->n_history > 0 && !(s->law->traits & STOREY_STRAIGHT);
     }
+    for (int i = 0; i < g->n_part; i++) {
+        const bool linear = g->part[i].kind->traits & PART_LINEAR;
+        g->elastic &= linear;
+        g->smooth |= !linear;
+    }
+    m->elastic &= g->elastic;
 }
 
 static int count_floors(struct builder *b) {
@@ -86,6 +136,7 @@ static void copy_floors(const struct building *g, const struct building_draft *d
 int finish_buildings(struct builder *b, struct model *m, struct error *e) {
     size_t n = (size_t)(m->n_dof = count_floors(b));
     m->n_building = b->buildings.n;
+    m->elastic = true;
     struct building *building = arena_alloc(b->arena, (size_t)m->n_building, sizeof *building);
     struct storey *storey = arena_alloc(b->arena, n, sizeof *storey);
     double *mass = arena_alloc(b->arena, n, sizeof *mass);
@@ -101,8 +152,10 @@ int finish_buildings(struct builder *b, struct model *m, struct error *e) {
                                         .first = first,
                                         .mass = d->mass,
                                         .stiffness = d->stiffness,
+                                        .spring = d->stiffness,
                                         .height = d->height};
-        int status = finish_modes(b, building, i, e);
+        finish_parts(b, m, &building[i], d);
+        int status = arena_failed(b->arena) ? error_no_memory(e) : finish_modes(b, building, i, e);
         if (status != STATUS_OK) {
             return status;
         }

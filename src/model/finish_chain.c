@@ -8,7 +8,7 @@ static void fill(double *const x[N_ARRAY], struct chain *c, const struct buildin
     for (int i = 0; i < g->n_floor; i++) {
         int j = g->first + i;
         x[MASS][j] = g->mass[i];
-        x[STIFFNESS][j] = g->stiffness[i];
+        x[STIFFNESS][j] = g->spring[i];
         x[JOINT][j] = i > 0 ? 1.0 : 0.0;
         if (!g->damping_full) {
             x[OWN][j] = g->damping_diagonal[i];

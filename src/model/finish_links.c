@@ -5,13 +5,7 @@
 #include "core/arena.h"
 #include "core/text.h"
 #include "model/finish.h"
-
-// Of displacements or velocities, at the left end less at the right one.
-static double difference(const struct link *l, const double *state) {
-    double left = l->dof[0] == WALL ? 0.0 : state[l->dof[0]];
-    double right = l->dof[1] == WALL ? 0.0 : state[l->dof[1]];
-    return left - right;
-}
+#include "model/link_end.h"
 
 // Does -vmin in the place of v0 decide how the law lets go of bodies that part from rest?
 static bool parts_by_vmin(const struct link *l, double delta) {
@@ -29,7 +23,7 @@ static bool parts_by_vmin(const struct link *l, double delta) {
 
 static void check_overlap(struct builder *b, const struct model *m, const struct link_draft *d) {
     const struct link *l = &d->link;
-    double delta = difference(l, m->displacement) - l->gap;
+    double delta = link_across(l, m->displacement) - l->gap;
     if (l->bilateral || delta <= 0.0) {
         return;
     }
@@ -42,7 +36,7 @@ static void check_overlap(struct builder *b, const struct model *m, const struct
         deck_error(b->deck, &d->word,
                    "contact %s is closed by %.6g %s at t = 0; give -allow-overlap if that is meant",
                    l->name, delta, b->deck->units.length_name);
-    } else if (difference(l, m->velocity) <= 0.0 && parts_by_vmin(l, delta)) {
+    } else if (link_across(l, m->velocity) <= 0.0 && parts_by_vmin(l, delta)) {
         deck_warning(b->deck, &d->word,
                      "contact %s is closed at t = 0 and does not approach: %s takes -vmin for v0 "
                      "and %s",
@@ -139,7 +133,7 @@ static void finish_ends(const struct model *m, struct link *l) {
     for (int i = 0; i < 2; i++) {
         if (l->building[i] != WALL) {
             const struct building *g = &m->building[l->building[i]];
-            l->dof[i] = g->first + l->floor[i] - 1;
+            l->dof[i] = l->row[i].n > 0 ? l->dof[i] : g->first + l->floor[i] - 1;
             ground[i] = g->ground;
         }
     }

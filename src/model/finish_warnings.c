@@ -94,6 +94,32 @@ static void check_repeated(struct builder *b, const struct model *m) {
     }
 }
 
+static bool is_shaken(const struct builder *b, int building) {
+    bool found = false;
+    for (int i = 0; i < b->grounds.n; i++) {
+        found |= acts_under((const struct ground_draft *)b->grounds.item + i, building);
+    }
+    return found;
+}
+
+// A building that no ground motion acts under was rather forgotten in -buildings.
+static void check_unshaken(struct builder *b, const struct model *m) {
+    const struct ground_draft *g = b->grounds.item;
+    int first = -1, n = 0;
+    for (int i = m->n_building - 1; i >= 0; i--) {
+        if (finish_stands(&m->building[i]) && !is_shaken(b, i)) {
+            first = i;
+            n++;
+        }
+    }
+    if (n > 0 && b->grounds.n > 0) {
+        struct text_more more;
+        deck_warning(b->deck, &g[b->grounds.n - 1].word,
+                     "no ground motion acts under building %s%s; -buildings does not name it",
+                     m->building[first].name, text_more(&more, n));
+    }
+}
+
 // An analysis that is shorter than a record may leave out what shakes most.
 static void check_duration(struct builder *b, const struct model *m, const struct signal *s) {
     const char *unit = b->deck->units.time_name;
@@ -161,7 +187,7 @@ static void check_dampings(struct builder *b, const struct model *m) {
     int n_damped = 0, n = 0;
     for (int i = m->n_building - 1; i >= 0; i--) {
         const struct building_draft *d = builder_draft(b, i);
-        if (d->damping.kind != DAMPING_NONE) {
+        if (d->damping.n > 0) {
             n_damped++;
         } else if (finish_stands(&m->building[i]) && !is_linked(b, i)) {
             first = d;
@@ -170,10 +196,11 @@ static void check_dampings(struct builder *b, const struct model *m) {
     }
     if (first && n_damped > 0) {
         struct text_more more;
-        deck_warning(b->deck, &first->word,
-                     "building %s%s has no damping, as others have; write damping %s rayleigh 0 if "
-                     "that is meant",
-                     first->name, text_more(&more, n), first->name);
+        deck_warning(
+            b->deck, &first->word,
+            "building %s%s has no damping, although others have; write damping %s rayleigh 0 if "
+            "that is meant",
+            first->name, text_more(&more, n), first->name);
     }
 }
 
@@ -218,10 +245,12 @@ static double level(const struct building *g, int floor) {
     return height;
 }
 
-// Do the heights say that the floors of the contact stand at different levels?
+// Do the heights say that the ends of the contact stand at different levels?
 static bool at_two_levels(const struct model *m, const struct link *l, double at[2]) {
     for (int i = 0; i < 2; i++) {
-        at[i] = l->building[i] == WALL ? 0.0 : level(&m->building[l->building[i]], l->floor[i]);
+        at[i] = l->building[i] == WALL ? 0.0
+                : !isnan(l->level[i])  ? l->level[i]
+                                       : level(&m->building[l->building[i]], l->floor[i]);
     }
     return at[0] > 0.0 && at[1] > 0.0 && fabs(at[0] - at[1]) > SAME_LEVEL * fmax(at[0], at[1]);
 }
@@ -233,17 +262,22 @@ static void check_levels(struct builder *b, const struct model *m, const struct 
     int count = 0;
     double at[2];
     for (int i = n - 1; i >= 0; i--) {
-        if (at_two_levels(m, &d[i].link, at)) {
+        const bool level = !isnan(d[i].link.level[0]) || !isnan(d[i].link.level[1]);
+        if ((!d[i].floors || level) && at_two_levels(m, &d[i].link, at)) {
             first = &d[i];
             count++;
         }
     }
-    if (first) {
+    if (first && !isnan(fmin(first->link.level[0], first->link.level[1]))) {
+        at_two_levels(m, &first->link, at);
+        deck_warning(b->deck, &first->word, "the ends of contact %s are at %.4g and %.4g %s",
+                     first->link.name, at[0], at[1], b->deck->units.length_name);
+    } else if (first) {
         struct text_more more;
         at_two_levels(m, &first->link, at);
         deck_warning(b->deck, &first->word,
                      "the floors of contact %s%s are at %.4g and %.4g %s; name the floors that "
-                     "meet, or give a building whose columns are hit a floor at that level",
+                     "meet, or write BUILDING@LEVEL where a floor hits columns between two floors",
                      first->link.name, text_more(&more, count), at[0], at[1],
                      b->deck->units.length_name);
     }
@@ -287,6 +321,7 @@ void finish_warnings(struct builder *b, const struct model *m) {
     check_periods(b, m);
     check_repeated(b, m);
     check_drift(b, m);
+    check_unshaken(b, m);
     check_dampings(b, m);
     check_contacts(b, m);
 }

@@ -6,8 +6,9 @@
 //                      the analysis, which is exact,
 //     load on floor i  phi_i / M times the velocity spectrum of the load,
 //     initial state    hypot(q', omega q), q = phi^T M u / M, its free vibration undamped,
-// and moves floor i by phi_i times that. A rigid-body mode has the largest integral of the record
-// for its spectrum. Storeys that yield make slower floors.
+// and moves floor i by phi_i times that, and the storey below it by phi_i - phi_(i-1) times that. A
+// rigid-body mode has the largest integral of the record for its spectrum. Storeys that yield make
+// slower floors.
 #include "model/floor_velocity.h"
 
 #include <gsl/gsl_math.h>
@@ -120,7 +121,7 @@ static int respond(struct mode *k, struct error *e) {
 }
 
 static int add_mode(const struct model *m, const struct building *g, int number,
-                    struct arena *scratch, double *square, struct error *e) {
+                    struct arena *scratch, double *velocity, double *drift_rate, struct error *e) {
     struct mode k = {
         .model = m,
         .building = g,
@@ -128,29 +129,31 @@ static int add_mode(const struct model *m, const struct building *g, int number,
         .omega = g->omega[number],
         .scratch = scratch,
     };
-    int status = building_damping_ratio(g, number + 1, &k.ratio, e);
-    k.ratio = isnan(k.ratio) ? 0.0 : fmin(k.ratio, RATIO_MAX);
-    if (status == STATUS_OK) {
-        status = respond(&k, e);
-    }
+    double ratio = building_damping_ratio(g, number + 1);
+    k.ratio = isnan(ratio) ? 0.0 : fmin(ratio, RATIO_MAX);
+    int status = respond(&k, e);
     for (int i = 0; i < g->n_floor && status == STATUS_OK; i++) {
-        square[i] += k.phi[i] * k.phi[i] * k.square;
+        double drift = k.phi[i] - (i > 0 ? k.phi[i - 1] : 0.0);
+        velocity[i] += k.phi[i] * k.phi[i] * k.square;
+        drift_rate[i] += drift * drift * k.square;
     }
     return status;
 }
 
-int floor_velocity(const struct model *m, int i, double *velocity, struct error *e) {
+int floor_velocity(const struct model *m, int i, double *velocity, double *drift_rate,
+                   struct error *e) {
     const struct building *g = &m->building[i];
     struct arena *scratch = arena_create();
     int status = scratch ? STATUS_OK : error_no_memory(e);
     for (int j = 0; j < g->n_floor; j++) {
-        velocity[j] = 0.0;
+        velocity[j] = drift_rate[j] = 0.0;
     }
     for (int k = 0; k < g->n_floor && k < MODES_MAX && status == STATUS_OK; k++) {
-        status = add_mode(m, g, k, scratch, velocity, e);
+        status = add_mode(m, g, k, scratch, velocity, drift_rate, e);
     }
     for (int j = 0; j < g->n_floor; j++) {
         velocity[j] = sqrt(velocity[j]);
+        drift_rate[j] = sqrt(drift_rate[j]);
     }
     arena_free(scratch);
     return status;

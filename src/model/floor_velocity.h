@@ -6,7 +6,9 @@
 #include "jostle/model.h"
 
 // The likely largest velocity of the floors of building `i`, relative to its ground, alone and
-// elastic. `velocity` (n_floor) [L/T]. Errors: STATUS_SYSTEM (no memory).
-int floor_velocity(const struct model *m, int i, double *velocity, struct error *e);
+// elastic, and that of the drifts of its storeys. `velocity` and `drift_rate` are (n_floor) [L/T].
+// Errors: STATUS_SYSTEM (no memory).
+int floor_velocity(const struct model *m, int i, double *velocity, double *drift_rate,
+                   struct error *e);
 
 #endif

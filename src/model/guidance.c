@@ -5,6 +5,9 @@
 // over the sooner the faster it is, so slower impacts last longer. Storeys make little
 // difference as long as contacts are stiffer.
 //
+// The stiffness of a contact is that of the linear one that lasts as long, t = pi sqrt(m*/k): k =
+// m* (pi / t)^2. Of two spheres (Hertz) that is 0.73 times the stiffness of the same peak force.
+//
 // Average acceleration is wrong by (omega h)^2 / 12 in the period of an oscillator, and a contact
 // is about half a period: 50 steps in it are wrong by pi^2 / 12 / 50^2 = 3e-4, and 20 in a period
 // by 0.8 %. Laws of a lower order (docs/accuracy.md) are wrong by more.
@@ -18,9 +21,10 @@
 #include "core/arena.h"
 #include "law/isolated.h"
 #include "model/floor_velocity.h"
+#include "model/link_end.h"
 
-// Velocities of the floors that the contacts join, and of nobody else.
-static int find_velocities(const struct model *m, int n_contact, double *velocity,
+// Velocities of the floors that the contacts join, and of nobody else; `rate` is scratch.
+static int find_velocities(const struct model *m, int n_contact, double *velocity, double *rate,
                            struct error *e) {
     for (int i = 0; i < m->n_building; i++) {
         const struct building *g = &m->building[i];
@@ -28,7 +32,7 @@ static int find_velocities(const struct model *m, int n_contact, double *velocit
         for (int k = 0; k < n_contact; k++) {
             hit |= m->link[k].building[0] == i || m->link[k].building[1] == i;
         }
-        if (hit && floor_velocity(m, i, velocity + g->first, e) != STATUS_OK) {
+        if (hit && floor_velocity(m, i, velocity + g->first, rate, e) != STATUS_OK) {
             return e->status;
         }
     }
@@ -36,17 +40,12 @@ static int find_velocities(const struct model *m, int n_contact, double *velocit
 }
 
 static double closing_velocity(const struct link *l, const double *velocity) {
-    return hypot(l->dof[0] == WALL ? 0.0 : velocity[l->dof[0]],
-                 l->dof[1] == WALL ? 0.0 : velocity[l->dof[1]]);
+    return hypot(link_at(l, 0, velocity), link_at(l, 1, velocity));
 }
 
 // Effective mass of the floors, whatever -meff says of the law.
 static double effective_mass(const struct model *m, const struct link *l) {
-    double inverse = 0.0;
-    for (int i = 0; i < 2; i++) {
-        inverse += l->dof[i] == WALL ? 0.0 : 1.0 / m->mass[l->dof[i]];
-    }
-    return 1.0 / inverse;
+    return 1.0 / link_mobility(l, m->mass);
 }
 
 static bool same_impact(const struct model *m, int a, int b, const struct guidance_contact *c) {
@@ -57,6 +56,28 @@ static bool same_impact(const struct model *m, int a, int b, const struct guidan
            effective_mass(m, x) == effective_mass(m, y) &&
            n == contact_law_n_constant(y->law, y->value) &&
            memcmp(x->constant, y->constant, (size_t)n * sizeof *x->constant) == 0;
+}
+
+// Stiffness of the stiffest storey below or above the floors that the link joins.
+static double stiffest_beside(const struct model *m, const struct link *l) {
+    double stiffest = 0.0;
+    for (int i = 0; i < 2; i++) {
+        const struct building *g = l->building[i] == WALL ? NULL : &m->building[l->building[i]];
+        for (int k = 0; g && k < link_entries(l, i); k++) {
+            const int floor = link_entry(l, i, k).dof - g->first;
+            for (int j = floor; j <= floor + 1 && j < g->n_floor; j++) {
+                stiffest = fmax(stiffest, g->stiffness[j]);
+            }
+        }
+    }
+    return stiffest;
+}
+
+static double count_storeys(const struct model *m, const struct link *l, double duration) {
+    const double storey = stiffest_beside(m, l);
+    return duration > 0.0 && storey > 0.0 && !(l->law->traits & CONTACT_BUMPER)
+               ? effective_mass(m, l) * pow(M_PI / duration, 2.0) / storey
+               : NAN;
 }
 
 static int find_duration(const struct model *m, int k, struct guidance_contact *c,
@@ -80,10 +101,11 @@ static int find_contacts(const struct model *m, struct guidance *g, struct error
     g->n_contact = m->n_contact < GUIDANCE_CONTACTS_MAX ? m->n_contact : GUIDANCE_CONTACTS_MAX;
     struct guidance_contact *c = arena_alloc(a, (size_t)g->n_contact, sizeof *c);
     double *velocity = arena_alloc(a, (size_t)m->n_dof, sizeof *velocity);
-    if (!c || !velocity) {
+    double *rate = arena_alloc(a, (size_t)m->n_dof, sizeof *rate);
+    if (!c || !velocity || !rate) {
         return error_no_memory(e);
     }
-    int status = find_velocities(m, g->n_contact, velocity, e);
+    int status = find_velocities(m, g->n_contact, velocity, rate, e);
     double fastest = 0.0;
     for (int k = 0; k < g->n_contact && status == STATUS_OK; k++) {
         c[k].velocity = closing_velocity(&m->link[k], velocity);
@@ -94,6 +116,7 @@ static int find_contacts(const struct model *m, struct guidance *g, struct error
     for (int k = 0; k < g->n_contact && status == STATUS_OK; k++) {
         c[k].velocity = c[k].velocity > 0.0 ? c[k].velocity : fastest;
         status = find_duration(m, k, c, e);
+        c[k].storeys = count_storeys(m, &m->link[k], c[k].duration);
         bool first = g->shortest < 0 || c[k].duration < c[g->shortest].duration;
         g->shortest = c[k].duration > 0.0 && first ? k : g->shortest;
     }
@@ -140,6 +163,7 @@ int guidance_find(const struct model *m, struct guidance *out, struct error *e) 
     if (out->shortest >= 0) {
         step = fmin(step, out->contact[out->shortest].duration / GUIDANCE_CONTACT_STEPS);
     }
+    out->bound = step;
     out->step = isfinite(step) ? guidance_round(step) : INFINITY;
     return STATUS_OK;
 }

@@ -16,6 +16,8 @@ enum { GUIDANCE_CONTACT_STEPS = 50, GUIDANCE_PERIOD_STEPS = 20 };
 struct guidance_contact {
     double velocity;  // [L/T] likely largest closing velocity; 0: nothing moves the floors
     double duration;  // [T] of an isolated impact with it; 0: rigid; NAN: the bodies do not part
+    double storeys;   // stiffness over that of the stiffest storey beside; NAN: not both known,
+                      // or the contact is a bumper
 };
 
 struct guidance {
@@ -25,7 +27,8 @@ struct guidance {
     double period;    // [T] no longer than any of the model; infinite: none is finite
     double sampling;  // [T] of the samples; infinite: there are none
     double sine;      // [T] period of the fastest sine; infinite: there are none
-    double step;      // [T] fixed step that resolves all of them; infinite: nothing asks for one
+    double bound;     // [T] longest step that resolves all of them; infinite: nothing asks for one
+    double step;      // [T] the round fixed step that is not above it
 };
 
 // Arrays are from the arena of the model's deck. Errors: STATUS_SYSTEM (no memory).
@@ -34,6 +37,14 @@ int guidance_find(const struct model *m, struct guidance *out, struct error *e);
 // Warns in the diagnostics of the model's deck of estimated contacts that its step covers by less
 // than ten steps, that are harder or softer than any, or that never end.
 void guidance_warn(const struct model *m, const struct guidance *g);
+
+// Warns of contacts that are less than ten times as stiff as the stiffest storey beside them, once
+// for each statement. `contact` (n_contact) are the first contacts of the model. `where` returns
+// the place of contact k in a study, such as " in run 7 (gap = 0.02)"; NULL: there is one run.
+typedef const char *guidance_where(void *context, int k);
+void guidance_warn_storeys(const struct model *m, int n_contact,
+                           const struct guidance_contact *contact, guidance_where *where,
+                           void *context);
 
 // The largest of 1, 2 and 5 times a power of ten that is not above `step` > 0.
 double guidance_round(double step);

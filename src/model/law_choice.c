@@ -21,7 +21,7 @@ const struct contact_law *law_choice_find(struct deck *d, const struct word *nam
         known[i] = contact_laws[i]->name;
     }
     if (known) {
-        deck_unknown(d, name, "contact law", known, n_contact_law);
+        deck_unknown(d, name, text, "contact law", known, n_contact_law);
     }
     return law;
 }
@@ -100,7 +100,7 @@ static bool estimate_stiffness(struct deck *d, const struct word *word, struct l
     int row = stiffness_row(c->law);
     struct dimension dimension = row_dimension(&c->law->row[row], law_choice_power(c));
     if (c->given[row].given) {
-        deck_error(d, &c->given[row].key, "-%s and -k-from cannot stand together",
+        deck_error(d, &c->given[row].key, "-%s and -k-from cannot be combined",
                    c->law->row[row].key);
         return false;
     }
@@ -124,12 +124,13 @@ static bool estimate_stiffness(struct deck *d, const struct word *word, struct l
 
 // Units of penetration and force, in either order, that go with the file of a curve.
 static bool read_units(struct deck *d, const struct argument *a, struct curve_request *request) {
+    struct deck_quote quote;
     for (int i = 0; i < a->n; i++) {
         const char *end;
         struct dimension dimension;
         if (strchr(a->text[i], ' ')) {
-            deck_error(d, &a->word[i], "'%.40s' is one word; the units are two: -units mm kN",
-                       a->text[i]);
+            deck_error(d, &a->word[i], "%s is one word; the units are two: -units mm kN",
+                       deck_quote(&quote, &a->word[i], a->text[i]));
             return false;
         }
         double si;
@@ -138,9 +139,9 @@ static bool read_units(struct deck *d, const struct argument *a, struct curve_re
         double *size = force ? &request->force : &request->length;
         if (!whole || (!force && !dimension_equal(dimension, dimension_length)) || *size > 0.0) {
             deck_error(d, &a->word[i],
-                       "'%.40s' is not expected; a unit of penetration and one of force are, "
-                       "such as mm kN",
-                       a->text[i]);
+                       "%s is not expected; a unit of penetration and one of force are, such as "
+                       "mm kN",
+                       deck_quote(&quote, &a->word[i], a->text[i]));
             return false;
         }
         *size = si;

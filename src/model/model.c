@@ -27,7 +27,7 @@ static void report_unknown(struct builder *b, const struct word *w) {
                                         : deck_statements[i - n_statement_kind].name;
     }
     if (known) {
-        deck_unknown(b->deck, w, "statement", known, n);
+        deck_unknown(b->deck, w, w->text, "statement", known, n);
     }
 }
 
@@ -87,6 +87,10 @@ int model_build_shared(struct deck *deck, struct shelf *records, struct model **
     m->deck = deck;
     *out = m;
     return STATUS_OK;
+}
+
+long model_rows(const struct model *m) {
+    return 1 + m->n_step / m->output.every + (m->n_step % m->output.every != 0);
 }
 
 void model_free(struct model *m) {

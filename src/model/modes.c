@@ -7,6 +7,8 @@
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 
+#include "model/parts.h"
+
 static void fill(gsl_matrix *a, int n, const double *mass, const double *stiffness) {
     gsl_matrix_set_zero(a);
     for (int i = 0; i < n; i++) {
@@ -27,6 +29,15 @@ static double frequency(double square, double largest) {
     return square > rounding ? sqrt(square) : 0.0;
 }
 
+static void add_parts(gsl_matrix *a, int n, const double *mass, const double *parts) {
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++) {
+            *gsl_matrix_ptr(a, (size_t)i, (size_t)j) +=
+                parts_on_floors(parts, n, i, j) / sqrt(mass[i] * mass[j]);
+        }
+    }
+}
+
 static void extract(int n, const double *mass, const gsl_vector *value, const gsl_matrix *vector,
                     double *omega, double *shape) {
     size_t last = (size_t)n - 1;
@@ -40,8 +51,8 @@ static void extract(int n, const double *mass, const gsl_vector *value, const gs
     }
 }
 
-int modes_solve(int n, const double *mass, const double *stiffness, double *omega, double *shape,
-                struct error *e) {
+int modes_solve(int n, const double *mass, const double *stiffness, const double *parts,
+                double *omega, double *shape, struct error *e) {
     size_t size = (size_t)n;
     int status = STATUS_OK;
     gsl_matrix *a = gsl_matrix_alloc(size, size);
@@ -53,6 +64,9 @@ int modes_solve(int n, const double *mass, const double *stiffness, double *omeg
         goto end;
     }
     fill(a, n, mass, stiffness);
+    if (parts) {
+        add_parts(a, n, mass, parts);
+    }
     if (gsl_eigen_symmv(a, value, vector, w) != 0 ||
         gsl_eigen_symmv_sort(value, vector, GSL_EIGEN_SORT_VAL_ASC) != 0) {
         status = error_set(e, STATUS_FAILED, "the eigenvalues of the building did not converge");

@@ -4,13 +4,13 @@
 #include <string.h>
 
 #include "core/arena.h"
-#include "core/checksum.h"
+#include "core/hash.h"
 
 enum { SLOTS_FIRST = 16 };
 
 // Where the name is, or would be.
 static size_t slot_of(const struct name_index *x, const char *name, size_t length) {
-    size_t i = (size_t)checksum_add(checksum_start, name, length) & (x->n_slot - 1);
+    size_t i = (size_t)hash_add(hash_start, name, length) & (x->n_slot - 1);
     while (x->name[i] && (strncmp(x->name[i], name, length) != 0 || x->name[i][length] != '\0')) {
         i = (i + 1) & (x->n_slot - 1);
     }

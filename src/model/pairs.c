@@ -4,22 +4,25 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "model/level.h"
 
-static bool check_order(struct builder *b, const struct pairs *p) {
+static bool check_order(struct builder *b, struct pairs *p, enum wall_use walls) {
     int left = p->building[0];
     int right = p->building[1];
+    p->within = left == right && left != WALL && walls == GROUND_ALLOWED;
     if (left == WALL && right == WALL) {
-        deck_error(b->deck, &p->word[1], "one side at most is a wall");
+        deck_error(b->deck, &p->word[1], "only one side can be a wall");
         return false;
     }
-    if (left == WALL || right == WALL || left < right) {
+    if (left == WALL || right == WALL || left < right || p->within) {
         return true;
     }
     if (left == right) {
         deck_error(b->deck, &p->word[1], "a building cannot be connected with itself");
     } else {
         deck_error(b->deck, &p->word[1], "building %s stands to the left of %s; write %s first",
-                   builder_draft(b, right)->name, builder_draft(b, left)->name, p->word[1].text);
+                   builder_draft(b, right)->name, builder_draft(b, left)->name,
+                   builder_draft(b, right)->name);
     }
     return false;
 }
@@ -57,15 +60,60 @@ static bool match_floors(struct builder *b, struct selection side[2], const stru
     return true;
 }
 
-bool pairs_read(struct builder *b, const struct statement *s, struct pairs *out) {
-    struct selection side[2];
-    *out = (struct pairs){.word = &s->word[1]};
-    bool good = builder_select(b, &s->word[1], WALL_ALLOWED, &side[0]);
-    good &= builder_select(b, &s->word[2], WALL_ALLOWED, &side[1]);
+// A side without floors has none that a level of the other side, or the building itself, faces.
+static bool check_named(struct builder *b, const struct pairs *p, const struct selection side[2]) {
+    const bool level = !isnan(p->level[0]) || !isnan(p->level[1]);
     for (int i = 0; i < 2; i++) {
+        if (side[i].all && (level || p->within) && side[1 - i].building != WALL) {
+            deck_error(b->deck, &p->word[i], "name the floor of building %s that %s joins",
+                       builder_draft(b, side[i].building)->name, p->word[1 - i].text);
+            return false;
+        }
+    }
+    return true;
+}
+
+// Floor 0 is the ground of a link within the building; elsewhere there is `wall`.
+static bool check_ground(struct builder *b, const struct pairs *p, const struct selection side[2]) {
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < side[i].n_floor && !p->within; k++) {
+            if (side[i].floor[k] == 0) {
+                deck_error(b->deck, &p->word[i],
+                           "floor 0, the ground, joins floors of the same building only; write "
+                           "wall for a rigid wall");
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool read_side(struct builder *b, struct word *w, enum wall_use walls,
+                      struct selection *side, double *level) {
+    const enum end_kind kind = level_kind(b, w);
+    *level = NAN;
+    *side = (struct selection){.building = WALL};
+    return kind == END_LEVEL ? level_read(b, w, side, level)
+                             : kind == END_FLOORS && builder_select(b, w, walls, side);
+}
+
+static bool read_sides(struct builder *b, const struct statement *s, enum wall_use walls,
+                       struct selection side[2], struct pairs *out) {
+    bool good = true;
+    for (int i = 0; i < 2; i++) {
+        struct word w = s->word[1 + i];
+        good &= read_side(b, &w, walls, &side[i], &out->level[i]);
         out->building[i] = side[i].building;
     }
-    if (!good || !check_order(b, out) || !match_floors(b, side, out->word)) {
+    return good && check_order(b, out, walls) && check_named(b, out, side) &&
+           match_floors(b, side, out->word) && check_ground(b, out, side);
+}
+
+bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,
+                struct pairs *out) {
+    struct selection side[2];
+    *out = (struct pairs){.word = &s->word[1]};
+    if (!read_sides(b, s, walls, side, out)) {
         return false;
     }
     bool walled = side[0].building == WALL || side[1].building == WALL;
@@ -75,6 +123,7 @@ bool pairs_read(struct builder *b, const struct statement *s, struct pairs *out)
                    side[0].n_floor, side[1].n_floor);
         return false;
     }
+    out->named = side[0].named && side[1].named;
     out->n = side[0].building == WALL ? side[1].n_floor : side[0].n_floor;
     for (int i = 0; i < 2; i++) {
         out->floor[i] = side[i].building == WALL
@@ -88,8 +137,10 @@ static const char *end_name(struct builder *b, const struct link *l, int side) {
     if (l->building[side] == WALL) {
         return "wall";
     }
-    return arena_format(b->arena, "%s:%d", builder_draft(b, l->building[side])->name,
-                        l->floor[side]);
+    const char *name = builder_draft(b, l->building[side])->name;
+    return isnan(l->level[side]) ? arena_format(b->arena, "%s:%d", name, l->floor[side])
+                                 : arena_format(b->arena, "%s@%.6g%s", name, l->level[side],
+                                                b->deck->units.length_name);
 }
 
 static const char *link_name(struct builder *b, const struct pairs *p, const struct link *l,
@@ -105,31 +156,24 @@ static const char *link_name(struct builder *b, const struct pairs *p, const str
     return left && right ? arena_format(b->arena, "%s-%s", left, right) : NULL;
 }
 
-static double effective_mass(struct builder *b, const struct link *l) {
-    double inverse = 0.0;
-    for (int i = 0; i < 2; i++) {
-        const struct building_draft *d =
-            l->building[i] == WALL ? NULL : builder_draft(b, l->building[i]);
-        if (d && d->mass) {
-            inverse += 1.0 / d->mass[l->floor[i] - 1];
-        }
-    }
-    return inverse > 0.0 ? 1.0 / inverse : 1.0;
-}
-
 struct link_draft *pairs_append(struct builder *b, const struct pairs *p, int k, const char *name,
                                 const struct word *name_word) {
-    struct link link = {.restitution = NAN};
+    struct link link = {.restitution = NAN, .within = p->within};
     for (int i = 0; i < 2; i++) {
         link.building[i] = p->building[i];
         link.floor[i] = p->floor[i][k];
+        link.level[i] = p->level[i];
         link.dof[i] = WALL;
     }
     link.name = link_name(b, p, &link, name);
-    link.mass = effective_mass(b, &link);
-    struct link_draft *d = link.name ? builder_append(b, &b->links, sizeof *d) : NULL;
+    if (!link.name || !level_rows(b, &link, &p->word[1])) {
+        return NULL;
+    }
+    link.mass = level_effective_mass(b, &link);
+    struct link_draft *d = builder_append(b, &b->links, sizeof *d);
     if (d) {
-        *d = (struct link_draft){.link = link, .word = *name_word, .named = name != NULL};
+        *d = (struct link_draft){
+            .link = link, .word = *name_word, .named = name != NULL, .floors = p->named};
     }
     return d;
 }
@@ -140,8 +184,10 @@ const char *pairs_name(struct builder *b, const struct argument *a, bool *good) 
     }
     const char *name = a->text[0];
     if (!name[0] || strlen(name) > 64 || strpbrk(name, "/#")) {
+        struct deck_quote quote;
         deck_error(b->deck, &a->word[0],
-                   "'%.70s' cannot name a link; use up to 64 characters, no / or #", name);
+                   "%s cannot name a link; use up to 64 characters, no / or #",
+                   deck_quote(&quote, &a->word[0], name));
         *good = false;
     }
     return name;

@@ -8,14 +8,18 @@
 
 struct pairs {
     int building[2];          // left, right; WALL
-    int n;                    // pairs of floors
-    const int *floor[2];      // (n) left, right; 0 on a wall
+    int n;                    // pairs of ends
+    const int *floor[2];      // (n) left, right; 0 on a wall; of a level, the floor above
+    double level[2];          // [L] left, right: between two floors; NAN: at floors or a wall
+    bool within;              // both sides are one building
+    bool named;               // both sides name their floors by numbers
     const struct word *word;  // (2) LEFT and RIGHT
 };
 
 // Reads LEFT and RIGHT, the plain words 1 and 2 of `s`. Reports and returns false where they do not
-// pair up.
-bool pairs_read(struct builder *b, const struct statement *s, struct pairs *out);
+// pair up. A building joins itself where `walls` is GROUND_ALLOWED only.
+bool pairs_read(struct builder *b, const struct statement *s, enum wall_use walls,
+                struct pairs *out);
 
 // Appends link k of the pairs to the builder: ends, masses and name (made from `name`, NULL: from
 // the ends). NULL after a report.

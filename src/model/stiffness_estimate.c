@@ -89,7 +89,7 @@ const struct stiffness_estimate *stiffness_estimate_find(struct deck *d, const s
         }
     }
     if (text) {
-        deck_unknown(d, name, "estimate of stiffness", known, N_ESTIMATE);
+        deck_unknown(d, name, text, "estimate of stiffness", known, N_ESTIMATE);
     }
     return NULL;
 }

@@ -68,7 +68,7 @@ static bool next_row(struct lines *l) {
 static int read_row(const struct record_text *t, const struct channel_rows *rows,
                     const struct lines *l, size_t i, struct record_content *out, struct error *e) {
     struct piece rest = l->line;
-    struct number_field f = {t->path, l->number, "value", i + 1, {0}};
+    struct number_field f = {t, l->number, "value", i + 1, {0}};
     const size_t n = lines_count(l->line, "");
     if (n != (size_t)rows->n_column) {
         return lines_error(e, t->path, l->number, "row of %zu values; the header says %d", n,

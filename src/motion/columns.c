@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One column of values, or times and then one or more columns of values, which are the channels of
-// the file, separated by blanks, tabs, commas or semicolons. Lines that begin with % ! * or // are
-// comments, and so is what follows a #; lines of text may stand above the numbers. The last line
-// above the numbers may give the units in brackets: `time (s),acceleration (g)`.
+// the file, separated by blanks, tabs, commas or semicolons. Lines that begin with # % ! * or //
+// are comments and stand above or below the numbers; a # with a blank behind it opens a comment in
+// a line of numbers. Lines of text may stand above the numbers; the last one may give the units in
+// brackets: `time (s),acceleration (g)`.
 //
 // Times must grow in even steps. The step is the mean one, with the fewest digits that give it to
 // 1e-12, which takes away no more than the noise of the division. A time may lie TIME_ERROR_MAX
@@ -110,7 +111,7 @@ static int check_step(const struct columns *c, size_t i, const struct lines *l, 
 // Reads row `i`, on which `l` stands.
 static int read_row(const struct columns *c, const struct lines *l, size_t i,
                     struct record_content *out, struct error *e) {
-    size_t n = lines_count(l->line, table_separators);
+    size_t n = lines_count(l->line, c->table->separators);
     if (n != c->table->n_column) {
         return lines_error(e, c->text->path, l->number,
                            "row of %zu values; the first (line %d) "
@@ -118,21 +119,21 @@ static int read_row(const struct columns *c, const struct lines *l, size_t i,
                            n, c->table->first_line, c->table->n_column);
     }
     struct piece rest = l->line;
-    struct number_field f = {c->text->path, l->number, "time", i + 1, {0}};
+    struct number_field f = {c->text, l->number, "time", i + 1, {0}};
     int status = STATUS_OK;
-    lines_field(&rest, table_separators, &f.field);
+    lines_field(&rest, c->table->separators, &f.field);
     if (c->has_time) {
-        status = lines_read_number(&f, &c->time[i], e);
+        status = table_number(c->table, &f, &c->time[i], e);
         if (!status && i > 0) {
             status = check_step(c, i, l, e);
         }
     }
     for (size_t k = 0; k < c->column; k++) {
-        lines_field(&rest, table_separators, &f.field);
+        lines_field(&rest, c->table->separators, &f.field);
     }
     if (!status) {
         f.what = "value";
-        status = lines_read_number(&f, &c->value[i], e);
+        status = table_number(c->table, &f, &c->value[i], e);
     }
     if (!status) {
         values_note_peak(out, c->value, i, l->number);
@@ -243,6 +244,8 @@ static int columns_read(struct arena *a, const struct record_request *request,
     if (!status) {
         status = read_caption(request, &c, out, e);
     }
+    out->noted_dt = table_noted_step(t, &table, &out->noted_line);
+    out->noted_line = out->noted_dt > 0 ? out->noted_line : 0;
     return status ? status : read_table(a, &c, out, e);
 }
 

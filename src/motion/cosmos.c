@@ -114,7 +114,7 @@ static int read_step(const struct record_text *t, const struct channel *c, doubl
             return lines_error(e, t->path, l.number, "the file ends within its reals");
         }
     }
-    const struct number_field f = {t->path, l.number, "real", REAL_STEP,
+    const struct number_field f = {t, l.number, "real", REAL_STEP,
                                    fixed_field(l.whole, &format, (REAL_STEP - 1) % format.n)};
     double step;
     const int status = lines_read_number(&f, &step, e);

@@ -166,7 +166,9 @@ static int csmip_read(struct arena *a, const struct record_request *request,
         return status;
     }
     out->dt_line = c.title.number;
-    out->stated_rounding = fmax(out->stated_rounding, pow(10, -(double)format.decimals));
+    if (format.decimals > 0) {
+        out->stated_rounding = fmax(out->stated_rounding, pow(10, -(double)format.decimals));
+    }
     read_unit(request, &c.title, out);
     l = c.title;
     status = fixed_read(a, t, &l, &format, (size_t)npts, out, e);

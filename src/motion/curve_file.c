@@ -101,19 +101,20 @@ static int check_last(const struct curve_row *r, struct error *e) {
 }
 
 // Reads the line; with two columns the branches are the same.
-static int read_row(struct curve_row *r, struct piece line, size_t n_column, size_t index,
+static int read_row(struct curve_row *r, const struct table *table, struct piece line, size_t index,
                     struct error *e) {
-    if (lines_count(line, table_separators) != n_column) {
-        return lines_error(e, r->text->path, r->line, "row of %zu values; the first has %zu",
-                           lines_count(line, table_separators), n_column);
+    const size_t n = lines_count(line, table->separators);
+    if (n != table->n_column) {
+        return lines_error(e, r->text->path, r->line, "row of %zu values; the first has %zu", n,
+                           table->n_column);
     }
     for (size_t c = 0; c < CURVE_COLUMNS; c++) {
-        size_t from = c < n_column ? c : n_column - 1;
-        if (c < n_column) {
-            lines_field(&line, table_separators, &r->field[c]);
+        size_t from = c < table->n_column ? c : table->n_column - 1;
+        if (c < table->n_column) {
+            lines_field(&line, table->separators, &r->field[c]);
         }
-        struct number_field f = {r->text->path, r->line, column_name[c], index, r->field[from]};
-        int status = lines_read_number(&f, &r->value[c], e);
+        struct number_field f = {r->text, r->line, column_name[c], index, r->field[from]};
+        int status = table_number(table, &f, &r->value[c], e);
         if (status) {
             return status;
         }
@@ -130,7 +131,7 @@ static int read_rows(const struct record_text *t, const struct table *table, dou
         r.line = l.number;
         r.value = point + i * CURVE_COLUMNS;
         r.before = i > 0 ? r.value - CURVE_COLUMNS : NULL;
-        int status = read_row(&r, l.line, table->n_column, i + 1, e);
+        int status = read_row(&r, table, l.line, i + 1, e);
         if (status) {
             return status;
         }

@@ -43,7 +43,8 @@ static int check_type(const struct header *h, struct error *e) {
         (lines_word(type.value, "ACCELERATION") && !lines_word(type.value, "SPECTRUM"))) {
         return status;
     }
-    return lines_error(e, h->text->path, type.line, "this is no acceleration: DATA_TYPE is '%s'",
+    return lines_error(e, h->text->path, type.line,
+                       "this is not an acceleration: DATA_TYPE is '%s'",
                        lines_excerpt(type.value).text);
 }
 

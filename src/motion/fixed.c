@@ -18,8 +18,8 @@ static size_t take_count(struct piece *rest) {
     return count;
 }
 
-// Reads `8F9.6`, `5E15.6`, also in small letters and with more behind, `1F15.6E`. False: it is no
-// such format.
+// Reads `8F9.6`, `5E15.6`, `8F9`, also in small letters and with more behind, `1F15.6E`. False: the
+// text is not such a format.
 static bool read_format(struct piece text, struct fixed_format *out) {
     *out = (struct fixed_format){.n = take_count(&text)};
     if (text.n < 2 || !strchr("FfEe", text.text[0])) {
@@ -28,6 +28,9 @@ static bool read_format(struct piece text, struct fixed_format *out) {
     text.text++;
     text.n--;
     out->width = take_count(&text);
+    if (lines_trim(text).n == 0) {
+        return out->n > 0 && out->width > 0;
+    }
     if (text.n < 2 || text.text[0] != '.') {
         return false;
     }
@@ -38,6 +41,7 @@ static bool read_format(struct piece text, struct fixed_format *out) {
 }
 
 bool fixed_format_find(struct piece line, struct fixed_format *out) {
+    const struct piece whole = line;
     bool found = false;
     struct piece inside;
     while (lines_bracket(&line, &inside)) {
@@ -46,6 +50,10 @@ bool fixed_format_find(struct piece line, struct fixed_format *out) {
             *out = f;
             found = true;
         }
+    }
+    struct piece rest = lines_behind(whole, "FORMAT");
+    while (!found && lines_field(&rest, ":=", &inside)) {
+        found = read_format(inside, out);
     }
     return found;
 }
@@ -82,7 +90,7 @@ static size_t fields_each(const struct fixed_format *format) {
 static int read_time(const struct record_text *t, const struct lines *l,
                      const struct fixed_format *format, size_t i, struct record_content *out,
                      struct error *e) {
-    const struct number_field f = {t->path, l->number, "time", i + 1,
+    const struct number_field f = {t, l->number, "time", i + 1,
                                    fixed_field(l->whole, format, 2 * (i % format->n))};
     double time;
     const int status = lines_read_number(&f, &time, e);
@@ -92,7 +100,7 @@ static int read_time(const struct record_text *t, const struct lines *l,
 static int read_value(const struct record_text *t, const struct lines *l,
                       const struct fixed_format *format, size_t i, double *value, struct error *e) {
     const size_t used = (i % format->n + 1) * fields_each(format);
-    const struct number_field f = {t->path, l->number, "value", i + 1,
+    const struct number_field f = {t, l->number, "value", i + 1,
                                    fixed_field(l->whole, format, used - 1)};
     return lines_read_number(&f, value, e);
 }

@@ -10,14 +10,15 @@
 struct arena;
 
 struct fixed_format {
-    size_t n;      // values a line
-    size_t width;  // characters a field
-    size_t decimals;
+    size_t n;         // values a line
+    size_t width;     // characters a field
+    size_t decimals;  // 0: not told
     bool timed;  // each value has a field with its time before it, which must agree with out->dt
     int stated;  // line that states the number of values; 0: the one before them
 };
 
-// The last format in brackets in the line, as (8F9.6) or (5e15.6); false: there is none.
+// The last format in brackets in the line, as (8F9.6), (8F9) or (5e15.6), else the one behind the
+// word `Format`; false: there is none.
 bool fixed_format_find(struct piece line, struct fixed_format *out);
 
 // Field i, from 0, of the line, without the blanks around it; of no characters if the line is

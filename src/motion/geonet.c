@@ -90,7 +90,7 @@ static struct piece word_behind(const struct component *c, int i, const char *wo
 static int read_number(const struct component *c, int line, size_t i, double *value,
                        struct error *e) {
     const struct lines *l = &c->line[line];
-    const struct number_field f = {c->text->path, l->number, "number", i,
+    const struct number_field f = {c->text, l->number, "number", i,
                                    fixed_field(l->whole, &columns, i - 1)};
     return lines_read_number(&f, value, e);
 }

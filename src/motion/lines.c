@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/text.h"
+#include "motion/compound.h"
 #include "motion/record_format.h"
 
 // Tab, line feed, vertical tab, form feed and return are blanks too; most characters are none.
@@ -101,13 +102,48 @@ size_t lines_count(struct piece line, const char *separators) {
     return n;
 }
 
+static bool is_overflow(struct piece field) {
+    bool stars = false;
+    for (size_t i = 0; i < field.n; i++) {
+        if (field.text[i] == '\0' || !strchr("*+-.0123456789EeDd", field.text[i])) {
+            return false;
+        }
+        stars |= i > 0 && field.text[i] == '*' && field.text[i - 1] == '*';
+    }
+    return stars;
+}
+
+bool lines_overflow(struct piece line) {
+    bool found = false;
+    struct piece field;
+    while (lines_field(&line, ",;", &field)) {
+        const bool stars = is_overflow(field);
+        if (!stars && !lines_number_like(field)) {
+            return false;
+        }
+        found |= stars;
+    }
+    return found;
+}
+
+// The end of the line, or the first single # in it that a blank follows: #N/A and #### are values
+// that a spreadsheet could not show.
+static const char *comment_mark(struct piece line) {
+    const char *end = line.text + line.n;
+    const char *mark = memchr(line.text, '#', line.n);
+    while (mark && ((mark + 1 < end && !is_blank(mark[1])) || mark[-1] == '#')) {
+        mark = memchr(mark + 1, '#', (size_t)(end - mark) - 1);
+    }
+    return mark ? mark : end;
+}
+
 struct piece lines_without_comment(struct piece line) {
     bool slashes = line.n > 1 && line.text[0] == '/' && line.text[1] == '/';
-    if (line.n == 0 || slashes || strchr("%!*", line.text[0])) {
+    if (line.n == 0 || slashes || strchr("#%!", line.text[0]) ||
+        (line.text[0] == '*' && !lines_overflow(line))) {
         return (struct piece){line.text, 0};
     }
-    const char *mark = memchr(line.text, '#', line.n);
-    return mark ? lines_trim((struct piece){line.text, (size_t)(mark - line.text)}) : line;
+    return lines_trim((struct piece){line.text, (size_t)(comment_mark(line) - line.text)});
 }
 
 static const char *find(struct piece line, const char *text, size_t from) {
@@ -297,23 +333,44 @@ int lines_error(struct error *e, const char *path, int line, const char *format,
     return error_set(e, STATUS_INPUT, "%s: %s", lines_place(path, line).text, cause);
 }
 
+int lines_overflow_error(struct error *e, const struct record_text *t, int line, const char *what,
+                         struct piece stars, const char *where) {
+    return error_set(
+        e, STATUS_INPUT, "%s: %s'%s'%s is an overflow of Fortran: the value did not fit its field",
+        lines_place_field(t, line, stars).text, what, lines_excerpt(stars).text, where);
+}
+
 int lines_read_number(const struct number_field *f, double *value, struct error *e) {
     enum number how = lines_number(f->field, value);
     if (how == NUMBER_OK) {
         return STATUS_OK;
     }
+    const char *path = f->text->path;
     if (f->field.n == 0) {
-        return lines_error(e, f->path, f->line, "%s %zu is empty", f->what, f->index);
+        return lines_error(e, path, f->line, "%s %zu is empty", f->what, f->index);
+    }
+    if (is_overflow(f->field)) {
+        char what[64];
+        snprintf(what, sizeof what, "%s %zu ", f->what, f->index);
+        return lines_overflow_error(e, f->text, f->line, what, f->field, "");
     }
     struct excerpt shown = lines_excerpt(f->field);
-    const char *reason = "is not a number";
+    static const char *const reasons[] = {
+        [COMPOUND_ONE] = "is not a number",
+        [COMPOUND_REPEATED] =
+            "is a repeat count; only values that run on (-format series) have one",
+        [COMPOUND_TOUCHING] = "are numbers that touch; put blanks between them, or read values "
+                              "that run on with -format series",
+        [COMPOUND_AMBIGUOUS] = "are numbers that touch and can be parted in two ways; put blanks "
+                               "between them",
+    };
+    const char *reason = reasons[compound_of(f->field).kind];
     if (how == NUMBER_RANGE) {
         reason = "is out of range: over 1.8e308";
     } else if (memchr(f->field.text, ',', f->field.n)) {
         reason = "has a comma; numbers need a decimal point";
     }
-    return lines_error(e, f->path, f->line, "%s %zu '%s' %s", f->what, f->index, shown.text,
-                       reason);
+    return lines_error(e, path, f->line, "%s %zu '%s' %s", f->what, f->index, shown.text, reason);
 }
 
 bool lines_bracket(struct piece *rest, struct piece *inside) {

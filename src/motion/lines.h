@@ -44,7 +44,12 @@ size_t lines_count(struct piece line, const char *separators);
 // Takes the text in the next brackets, round or square, off `rest`; false: none is left.
 bool lines_bracket(struct piece *rest, struct piece *inside);
 
-// The line up to a #; nothing of one that begins with % ! * or //.
+// True if a field of the line, and nothing but numbers beside it, is stars: what Fortran writes for
+// a value that does not fit its field. The stars may touch a number.
+bool lines_overflow(struct piece line);
+
+// The line up to a single # that a blank follows; nothing of a line that begins with # % ! * or //.
+// A line of overflow is not a comment.
 struct piece lines_without_comment(struct piece line);
 
 // The character at which `word` (upper case) stands in the line, whatever its case and not as part
@@ -94,12 +99,16 @@ struct line_place lines_place_field(const struct record_text *t, int line, struc
 // A field that should be a number: `what` ("value", "time") and `index`, from 1, name it in
 // messages.
 struct number_field {
-    const char *path;
+    const struct record_text *text;
     int line;
     const char *what;
     size_t index;
     struct piece field;
 };
+
+// Refuses the stars of an overflow; the message has `what` and `where` around them.
+int lines_overflow_error(struct error *e, const struct record_text *t, int line, const char *what,
+                         struct piece stars, const char *where);
 
 // lines_number, with STATUS_INPUT and the reason if it is none.
 int lines_read_number(const struct number_field *f, double *value, struct error *e);

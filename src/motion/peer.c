@@ -58,6 +58,49 @@ static bool find_sizes(struct piece line, struct piece *npts, struct piece *dt) 
            lines_word(rest, "DT");
 }
 
+// Steps to the next line with sizes above the values; false: there is none.
+static bool next_sizes(struct lines *l) {
+    struct piece npts, dt, first;
+    while (l->number < HEADER_LINES_MAX && lines_next(l)) {
+        struct piece rest = l->line;
+        if (find_sizes(l->line, &npts, &dt)) {
+            return true;
+        }
+        if (lines_field(&rest, "", &first) && lines_number_like(first)) {
+            return false;
+        }
+    }
+    return false;
+}
+
+// Steps to the last line with sizes. Where NPTS stands twice above the values or in that line, the
+// other one goes to out->other_npts.
+static void find_last_sizes(struct lines *l, struct record_content *out) {
+    struct piece npts = {0}, dt, second;
+    for (struct lines next = *l; next_sizes(&next); *l = next) {
+        if (find_sizes(l->line, &npts, &dt)) {
+            out->other_line = l->number;
+        }
+    }
+    if (lines_value(lines_behind(l->line, "NPTS"), "NPTS", &second)) {
+        npts = second;
+        out->other_line = l->number;
+    }
+    if (lines_number(npts, &out->other_npts) != NUMBER_OK) {
+        out->other_line = 0;
+    }
+}
+
+// The number of values as the header says; of two, the one that the file holds.
+static double choose_npts(const struct lines *l, double npts, struct record_content *out) {
+    int last_line;
+    out->npts = npts;
+    out->count_line = l->number;
+    const bool is_other =
+        out->other_line > 0 && (double)values_count(*l, "", &last_line) == out->other_npts;
+    return is_other ? out->other_npts : npts;
+}
+
 static int check_npts(const struct record_text *t, int line, struct piece text, double *npts,
                       struct error *e) {
     struct excerpt shown = lines_excerpt(text);
@@ -134,7 +177,7 @@ static int read_unit(const struct record_request *request, const struct record_t
     bool is_title = is_series_title(l->line) || lines_word(l->line, "UNITS");
     if (is_title && other && !lines_word(l->line, "ACCELERATION")) {
         struct excerpt shown = lines_excerpt(l->line);
-        return lines_error(e, t->path, l->number, "this is no acceleration: '%s'", shown.text);
+        return lines_error(e, t->path, l->number, "this is not an acceleration: '%s'", shown.text);
     }
     struct piece unit;
     struct dimension dimension;
@@ -150,11 +193,13 @@ static int read_unit(const struct record_request *request, const struct record_t
     return STATUS_OK;
 }
 
-// Reads the lines before the one with NPTS, where `l` stops.
-static int read_titles(const struct record_request *request, const struct record_text *t,
-                       struct lines *l, struct record_content *out, struct error *e) {
-    while (lines_next(l) && !lines_word(l->line, "NPTS")) {
-        int status = read_unit(request, t, l, out, e);
+// Reads the lines above line `end`.
+static int read_titles(const struct record_request *request, const struct record_text *t, int end,
+                       struct record_content *out, struct error *e) {
+    struct lines l;
+    lines_init(&l, t);
+    while (lines_next(&l) && l.number < end) {
+        int status = read_unit(request, t, &l, out, e);
         if (status) {
             return status;
         }
@@ -166,7 +211,6 @@ static int peer_read(struct arena *a, const struct record_request *request,
                      const struct record_text *t, struct record_content *out, struct error *e) {
     struct lines l;
     lines_init(&l, t);
-    struct lines titles = l;
     struct piece npts_text, dt_text;
     if (!find_npts(&l)) {
         return lines_error(e, t->path, 0,
@@ -174,6 +218,7 @@ static int peer_read(struct arena *a, const struct record_request *request,
                            "'NPTS= n, DT= dt SEC' or 'n dt NPTS, DT'",
                            HEADER_LINES_MAX);
     }
+    find_last_sizes(&l, out);
     if (!find_sizes(l.line, &npts_text, &dt_text)) {
         return lines_error(e, t->path, l.number,
                            "neither 'NPTS= n, DT= dt SEC' nor 'n dt NPTS, DT'");
@@ -185,10 +230,10 @@ static int peer_read(struct arena *a, const struct record_request *request,
     }
     out->dt_line = l.number;
     if (!status) {
-        status = read_titles(request, t, &titles, out, e);
+        status = read_titles(request, t, l.number, out, e);
     }
     if (!status) {
-        status = values_read_stated(a, t, l, npts, l.number, out, e);
+        status = values_read_stated(a, t, l, choose_npts(&l, npts, out), l.number, out, e);
     }
     return status;
 }

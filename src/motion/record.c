@@ -28,21 +28,18 @@ const int n_record_format = N_FORMAT;
 static const struct record_format *find_by_name(const struct record_text *t, const char *name,
                                                 struct error *e) {
     const char *names[N_FORMAT];
-    char list[256] = "";
-    size_t n = 0;
+    char list[256];
     for (int i = 0; i < N_FORMAT; i++) {
         names[i] = record_formats[i]->name;
         if (strcmp(names[i], name) == 0) {
             return record_formats[i];
         }
-        if (n < sizeof list) {
-            n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", i ? ", " : "", names[i]);
-        }
     }
     const char *near = text_nearest(name, names, N_FORMAT);
     struct excerpt shown = lines_excerpt((struct piece){name, strlen(name)});
-    lines_error(e, t->path, 0, "unknown record format '%s'%s%s%s; there are %s", shown.text,
-                near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "", list);
+    lines_error(e, t->path, 0, "unknown record format '%s'%s%s%s; available: %s", shown.text,
+                near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "",
+                text_list(list, sizeof list, names, N_FORMAT));
     return NULL;
 }
 

@@ -30,6 +30,9 @@ struct record_content {
     size_t n_filling;  // so many values at the end repeat the one before, beyond the stated number
     int count_line;    // where that is stated
 
+    double npts, other_npts;  // numbers of values where a header states two
+    int other_line;           // where it states the other one; 0: it states one
+
     double dt;            // [s] > 0; 0: the file does not say it
     int dt_line;          // where it says or should say so
     double dt_tolerance;  // [s] how well the file says it; 0 unless made from rounded times
@@ -42,6 +45,9 @@ struct record_content {
     double stated_rounding;  // its last digit
     bool stated_about_mean;  // it is that of the values less their mean
     int stated_line;         // where; 0: the file states none
+
+    double noted_dt;  // [s] of a comment above the values
+    int noted_line;   // where; 0: there is none
 
     double time_offset;  // [s] time of the first sample
     double time_error;   // largest distance of a time from the even grid, in steps

@@ -24,9 +24,13 @@ static int series_read(struct arena *a, const struct record_request *request,
     if (status) {
         return status;
     }
+    if (table.comma) {
+        return lines_error(e, t->path, table.first_line,
+                           "decimal commas; only -format columns reads them");
+    }
     int last_line;
-    const size_t n = values_count(table.rows, table_separators, &last_line);
-    return values_read(a, t, table.rows, table_separators, n, out, e);
+    const size_t n = values_count(table.rows, table.separators, &last_line);
+    return values_read(a, t, table.rows, table.separators, n, out, e);
 }
 
 const struct record_format record_series = {

@@ -22,6 +22,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "core/root.h"
+
 struct oscillator {
     double omega, omega_d;  // [1/T] undamped and damped
     double decay;           // [1/T] zeta omega
@@ -131,15 +133,15 @@ static struct value turning_point(const struct oscillator *o, const struct step 
                                   const struct value *to) {
     enum { ITERATIONS_MAX = 100 };
     const double tolerance = 1e-9 * (to->tau - from->tau);
-    double low = from->tau, high = to->tau;
+    struct root r = {from->tau, to->tau, from->dy < 0.0 ? 1.0 : -1.0};
     struct value at = *from;
-    double next = low + (high - low) * from->dy / (from->dy - to->dy);
+    double next = r.low + (r.high - r.low) * from->dy / (from->dy - to->dy);
     for (int i = 0; i < ITERATIONS_MAX && fabs(next - at.tau) > tolerance; i++) {
         at = value_at(o, s, q, next);
-        *(at.dy * from->dy > 0.0 ? &low : &high) = next;
+        root_narrow(&r, next, at.dy);
         next -= at.dy / at.ddy;
-        if (!(next >= low && next <= high)) {
-            next = (low + high) / 2.0;
+        if (!(next >= r.low && next <= r.high)) {
+            next = root_middle(&r);
         }
     }
     return at;

@@ -108,12 +108,12 @@ static int check_order(const struct file *f, const struct series_row *r, struct 
 static int read_row(struct file *f, const struct lines *l, size_t index, struct error *e) {
     struct series_row r = {.index = index, .line = l->number};
     struct piece rest = l->line;
-    int status = check_columns(f, r.line, lines_count(l->line, table_separators), e);
+    int status = check_columns(f, r.line, lines_count(l->line, f->table.separators), e);
     for (int c = 0; status == STATUS_OK && c < N_COLUMN; c++) {
-        lines_field(&rest, table_separators, &r.field[c]);
-        const struct number_field field = {f->text.path, r.line, f->column[c].name, index + 1,
+        lines_field(&rest, f->table.separators, &r.field[c]);
+        const struct number_field field = {&f->text, r.line, f->column[c].name, index + 1,
                                            r.field[c]};
-        status = lines_read_number(&field, &r.printed[c], e);
+        status = table_number(&f->table, &field, &r.printed[c], e);
         if (status == STATUS_OK) {
             f->value[c][index] = r.printed[c] * f->unit[c];
             status = check_value(f, &r, c, e);

@@ -6,9 +6,42 @@
 #include <math.h>
 
 #include "core/arena.h"
+#include "motion/compound.h"
 
 // In steps. Times of 256 samples a second, printed with three decimals, are 0.13 steps off.
 static const double TIME_ERROR_MAX = 0.2;
+
+// Of a file that is smaller than that, a day at 200 samples a second.
+enum { VALUES_MAX = 17280000 };
+
+static size_t count_values(struct piece line, const char *separators) {
+    size_t n = 0;
+    struct piece field;
+    while (lines_field(&line, separators, &field)) {
+        n += compound_of(field).n;
+    }
+    return n;
+}
+
+int values_check_comments(const struct record_text *t, struct lines from, struct error *e) {
+    struct lines comment = {.number = 0};
+    bool in_numbers = false;
+    while (lines_next(&from)) {
+        if (lines_without_comment(from.line).n > 0) {
+            if (comment.number > 0) {
+                return error_set(e, STATUS_INPUT,
+                                 "%s: the comment '%s' stands between numbers, where it may hide "
+                                 "one; remove the line",
+                                 lines_place_field(t, comment.number, comment.line).text,
+                                 lines_excerpt(comment.line).text);
+            }
+            in_numbers = true;
+        } else if (in_numbers && from.line.n > 0 && comment.number == 0) {
+            comment = from;
+        }
+    }
+    return STATUS_OK;
+}
 
 size_t values_count(struct lines from, const char *separators, int *last_line) {
     size_t n = 0;
@@ -16,7 +49,7 @@ size_t values_count(struct lines from, const char *separators, int *last_line) {
     while (lines_next(&from)) {
         const struct piece line = lines_without_comment(from.line);
         if (line.n > 0) {
-            n += lines_count(line, separators);
+            n += count_values(line, separators);
             *last_line = from.number;
         }
     }
@@ -54,29 +87,43 @@ double values_mean(const double *value, size_t n) {
     return mean + mean_above(value, n, mean);
 }
 
-int values_read(struct arena *a, const struct record_text *t, struct lines from,
-                const char *separators, size_t n, struct record_content *out, struct error *e) {
-    double *value = arena_alloc(a, n, sizeof *value);
-    if (!value) {
-        return error_no_memory(e);
-    }
-    size_t i = 0;
-    while (i < n && lines_next(&from)) {
-        struct piece rest = lines_without_comment(from.line);
-        struct piece field;
-        while (i < n && lines_field(&rest, separators, &field)) {
-            struct number_field f = {t->path, from.number, "value", i + 1, field};
-            int status = lines_read_number(&f, &value[i], e);
-            if (status) {
-                return status;
-            }
-            values_note_peak(out, value, i, from.number);
-            i++;
+// Reads the values that a field holds, up to the n-th of the record.
+static int read_field(const struct record_text *t, int line, struct piece field, size_t n,
+                      struct record_content *out, struct error *e) {
+    struct compound c = compound_of(field);
+    const size_t end = c.n < n - out->n ? out->n + c.n : n;
+    int status = STATUS_OK;
+    while (status == STATUS_OK && out->n < end) {
+        const struct number_field f = {t, line, "value", out->n + 1, compound_next(&c)};
+        status = lines_read_number(&f, &out->value[out->n], e);
+        if (status == STATUS_OK) {
+            values_note_peak(out, out->value, out->n, line);
+            out->n++;
         }
     }
-    out->value = value;
-    out->n = n;
-    return STATUS_OK;
+    return status;
+}
+
+int values_read(struct arena *a, const struct record_text *t, struct lines from,
+                const char *separators, size_t n, struct record_content *out, struct error *e) {
+    if (n > VALUES_MAX && n > t->size) {
+        return lines_error(e, t->path, 0, "%zu values, most of them repeated; at most %d are read",
+                           n, VALUES_MAX);
+    }
+    out->value = arena_alloc(a, n, sizeof *out->value);
+    if (!out->value) {
+        return error_no_memory(e);
+    }
+    int status = STATUS_OK;
+    out->n = 0;
+    while (status == STATUS_OK && out->n < n && lines_next(&from)) {
+        struct piece rest = lines_without_comment(from.line);
+        struct piece field;
+        while (status == STATUS_OK && out->n < n && lines_field(&rest, separators, &field)) {
+            status = read_field(t, from.number, field, n, out, e);
+        }
+    }
+    return status;
 }
 
 // Where there are fewer than stated, what comes last may be half a number and is not read.
@@ -86,7 +133,10 @@ int values_read_stated(struct arena *a, const struct record_text *t, struct line
     int last_line;
     const size_t n = values_count(from, "", &last_line);
     const bool is_short = (double)n < stated;
-    const int status = values_read(a, t, from, "", is_short && n > 0 ? n - 1 : n, out, e);
+    int status = values_check_comments(t, from, e);
+    if (status == STATUS_OK) {
+        status = values_read(a, t, from, "", is_short && n > 0 ? n - 1 : n, out, e);
+    }
     if (status != STATUS_OK || (double)n == stated) {
         return status;
     }

@@ -8,7 +8,11 @@
 
 struct arena;
 
-// Fields after the line where `from` stands, without blank and comment lines. *last_line: the last
+// Refuses a comment between the first and the last number after the line where `from` stands.
+int values_check_comments(const struct record_text *t, struct lines from, struct error *e);
+
+// Values after the line where `from` stands, with repeated ones and those that touch (compound.h),
+// without blank and comment lines. *last_line: the last
 // line that holds one; 0: none does.
 size_t values_count(struct lines from, const char *separators, int *last_line);
 

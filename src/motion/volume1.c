@@ -86,7 +86,7 @@ static int read_unit(const struct record_request *request, const struct record_t
     lines_field(&rest, ",", &unit);
     header_read_unit(request, &entry, unit, &peak);
     if (peak.unit == 0) {
-        return lines_error(e, t->path, l->number, "unit '%s' of MAX is no unit of acceleration",
+        return lines_error(e, t->path, l->number, "unit '%s' of MAX is not a unit of acceleration",
                            peak.unit_text.text);
     }
     return header_read_peak_of_unit(&h, &entry, value, peak.unit, out, e);

@@ -5,11 +5,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/safe.h"
 #include "plot/script.h"
 
 static const double SMALL = 0.75;  // of small_font
-static const double BOLD = 1.15;   // width of bold text over that of plain text
-static const double TIGHT = 0.9;   // numbers above each other that are nearer [em] touch
+static const char small_font[] = " font small_font";
+static const double BOLD = 1.15;  // width of bold text over that of plain text
+static const double TIGHT = 0.9;  // numbers above each other that are nearer [em] touch
 
 void canvas_place(const struct canvas *c, double x, double y) {
     fprintf(c->to, " at screen %.4f,%.4f", x / c->width, y / c->height);
@@ -19,7 +21,7 @@ static void write_label(const struct canvas *c, const char *text, double width) 
     char cut[512];
     script_cut(text, width, cut, sizeof cut);
     fprintf(c->to, "set label ");
-    script_text(c->to, cut);
+    safe_put(c->to, SAFE_GNUPLOT, cut);
 }
 
 void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
@@ -37,7 +39,7 @@ void canvas_head(struct canvas *c, const char *title, const char *subtitle) {
     const bool fits = script_width(subtitle) <= c->width;
     write_label(c, subtitle, fits ? c->width : c->width / SMALL);
     canvas_place(c, c->width / 2, a->top - 2.5);
-    fprintf(c->to, " center%s\n", fits ? "" : " font small_font");
+    fprintf(c->to, " center%s\n", fits ? "" : small_font);
     a->top -= 3.3;
 }
 
@@ -66,30 +68,45 @@ static int axis_power(const struct axis *axis) {
     return axis->kind == AXIS_FULL ? script_exponent(largest, least, most) : 0;
 }
 
+// One of what the axis counts, in g: " = 0.102 g"; nothing where it shows no acceleration.
+static void axis_in_g(const struct axis *axis, const struct unit_system *units, char *text,
+                      size_t size) {
+    const bool acceleration =
+        !axis->unit && dimension_equal(axis->dimension, dimension_acceleration);
+    text[0] = '\0';
+    if (acceleration) {
+        snprintf(text, size, " = %.3g g", unit_in_g(units) * pow(10, axis_power(axis)));
+    }
+}
+
 static void axis_text(const struct axis *axis, const char *name, const struct unit_system *units,
                       char *text, size_t size) {
-    char unit[64], power[32] = "";
+    char unit[64], power[32] = "", g[32];
     script_unit(units, axis->dimension, unit, sizeof unit);
     if (axis_power(axis) != 0) {
         script_power(axis_power(axis), power, sizeof power);
     }
     const char *shown = axis->unit ? axis->unit : unit;
     const char *between = power[0] && shown[0] ? " " : "";
-    snprintf(text, size, power[0] || shown[0] ? "%s [%s%s%s]" : "%s", name, power, between, shown);
+    axis_in_g(axis, units, g, sizeof g);
+    snprintf(text, size, power[0] || shown[0] ? "%s [%s%s%s%s]" : "%s", name, power, between, shown,
+             g);
 }
 
-// The name of an axis across; the brief one where the other would run into those beside.
+// The name of an axis across; the brief one where the other would run into those beside, and a
+// small one where that would.
 static void write_across(const struct canvas *c, struct area a, const struct unit_system *units,
                          const struct axis *axis) {
     char text[160];
     axis_text(axis, axis->name, units, text, sizeof text);
-    if (axis->brief && script_width(text) > a.right - a.left + 2) {
+    const double room = a.right - a.left + 2;
+    if (axis->brief && script_width(text) > room) {
         axis_text(axis, axis->brief, units, text, sizeof text);
     }
     fprintf(c->to, "set label ");
-    script_text(c->to, text);
+    safe_put(c->to, SAFE_GNUPLOT, text);
     canvas_place(c, (a.left + a.right) / 2, a.bottom - 2.5);
-    fprintf(c->to, " center\n");
+    fprintf(c->to, " center%s\n", axis->brief && script_width(text) > room ? small_font : "");
 }
 
 // How far neighbouring numbers across must be apart [em], with this step.
@@ -166,8 +183,8 @@ static void write_digit(FILE *to, int digit, int exponent) {
 static void write_decades(const struct canvas *c, char letter, const struct axis *axis,
                           double length, double line) {
     const double low = axis->span.low, high = axis->span.high;
-    const double decade = length / log10(high / low);  // [em]
-    const bool every = high < 15 * low;
+    const double decade = length / (log10(high) - log10(low));  // [em]
+    const bool every = high / 15 < low;
     const bool some = decade * log10(2) > line;
     const int step = (int)ceil(line / decade);
     const char *between = "";
@@ -208,27 +225,30 @@ static void write_scale(const struct canvas *c, char letter, const struct axis *
 
 // In the middle of `a`, or downwards from its top where it is longer: below is room, above may
 // stand the name of another axis.
-static void write_upright(const struct canvas *c, const char *text, double x, struct area a) {
+static void write_upright(const struct canvas *c, const char *text, double x, struct area a,
+                          const char *font) {
     fprintf(c->to, "set label ");
-    script_text(c->to, text);
-    const double highest = a.top + 0.5 - script_width(text) / 2;
+    safe_put(c->to, SAFE_GNUPLOT, text);
+    const double width = (font[0] ? SMALL : 1.0) * script_width(text);
+    const double highest = a.top + 0.5 - width / 2;
     canvas_place(c, x, fmin((a.top + a.bottom) / 2, highest));
-    fprintf(c->to, " center rotate by 90\n");
+    fprintf(c->to, " center rotate by 90%s\n", font);
 }
 
 void canvas_upright(const struct canvas *c, struct area a, const struct unit_system *units,
                     const struct axis *axis) {
-    char text[160], name[160];
+    char text[160], name[160], g[32];
     axis_text(axis, axis->name, units, text, sizeof text);
     const char *unit = strstr(text, " [");
     const bool fits = !unit || script_width(text) <= a.top - a.bottom;
     if (fits) {
-        write_upright(c, text, a.left - 4.4, a);
+        write_upright(c, text, a.left - 4.4, a, "");
         return;
     }
     snprintf(name, sizeof name, "%.*s", (int)(unit - text), text);
-    write_upright(c, name, a.left - 5.35, a);
-    write_upright(c, unit + 1, a.left - 4.05, a);
+    axis_in_g(axis, units, g, sizeof g);
+    write_upright(c, name, a.left - 5.35, a, "");
+    write_upright(c, unit + 1, a.left - 4.05, a, g[0] ? small_font : "");
 }
 
 void canvas_panel(const struct canvas *c, struct area a, const struct unit_system *units,
@@ -252,7 +272,7 @@ void canvas_caption(const struct canvas *c, struct area a, const char *name, con
     script_shorten(name, a.right - a.left + 1 - script_width(tail), cut, sizeof cut);
     snprintf(text, sizeof text, "%s%s", cut, tail);
     fprintf(c->to, "set label ");
-    script_text(c->to, text);
+    safe_put(c->to, SAFE_GNUPLOT, text);
     canvas_place(c, a.left, a.top + 0.65);
     fprintf(c->to, " left\n");
 }

@@ -39,7 +39,7 @@ int data_write(const struct data *d, const char *name, const char *heading, size
         return error_no_memory(e);
     }
     const size_t n = script_thin(series, n_series, d->n_row, bins, row);
-    fprintf(to, "$%s << EOD\n# %s\n", name, heading);
+    script_block(to, name, heading);
     for (size_t i = 0; i < n; i++) {
         for (int c = 0; c < d->n_column; c++) {
             fprintf(to, "%s%.7g", c > 0 ? " " : "", d->column[c][row[i]]);

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "core/safe.h"
 #include "plot/script.h"
 
 #define FIGURE(name) extern const struct figure figure_##name;
@@ -111,15 +112,17 @@ static void write_head(const struct figure_head *head, const struct figure_files
                        const struct picture *p) {
     const struct sheet_size *sheet = &sheets[head->sheet];
     const double em = p->em[head->sheet], size = em * p->text;
-    fprintf(to->data, "# Data of %s.gp, written by jostle %s.\n", head->name, head->version);
-    fprintf(to->script,
-            "# %s: %s. Written by jostle %s; run with gnuplot.\n"
-            "load ARG0[1:strlen(ARG0)-3].'.dat'  # stands beside this script\n"
-            "set encoding utf8\nset terminal ",
-            head->name, head->doc, head->version);
+    fprintf(to->data, "# Data of %s.gp, written by jostle ", head->name);
+    safe_put(to->data, SAFE_COMMENT, head->version);
+    fprintf(to->data, ".\n");
+    fprintf(to->script, "# %s: %s. Written by jostle ", head->name, head->doc);
+    safe_put(to->script, SAFE_COMMENT, head->version);
+    fprintf(to->script, "; run with gnuplot.\n"
+                        "load ARG0[1:strlen(ARG0)-3].'.dat'  # stands beside this script\n"
+                        "set encoding utf8\nset terminal ");
     fprintf(to->script, p->format, sheet->width * em, sheet->height * em);
     fprintf(to->script, " font '%s,%g'\nset output ", p->font, size);
-    script_text(to->script, to->picture);
+    safe_put(to->script, SAFE_GNUPLOT, to->picture);
     fprintf(to->script,
             "\nset termoption noenhanced\npoint = %.3g\n"
             "title_font = '%s,%g'\nblock_font = '%s,%g'\nsmall_font = '%s,%g'\n"
@@ -138,7 +141,8 @@ int figure_open(const struct figure_head *head, const struct figure_files *to, s
                 struct error *e) {
     const struct picture *p = picture_of(to->picture);
     if (!p) {
-        return error_set(e, STATUS_INPUT, "%s is no picture: it must end in .png, .svg or .pdf",
+        return error_set(e, STATUS_INPUT,
+                         "%s is not a picture: its name must end in .png, .svg or .pdf",
                          to->picture);
     }
     const struct sheet_size *size = &sheets[head->sheet];

@@ -132,7 +132,8 @@ static int write_peaks(struct view *v, int run, int contact, const struct data *
         return error_no_memory(e);
     }
     runs_hardest_of_parts(r, contact, PEAKS_MAX, hardest);
-    fprintf(to, "$%s << EOD\n# time of an impact, its largest force\nNaN NaN\n", name);
+    script_block(to, name, "time of an impact, its largest force");
+    fputs("NaN NaN\n", to);
     for (int k = 0; k < PEAKS_MAX; k++) {
         const struct impact *p = hardest[k] < 0 ? NULL : &r->impact[hardest[k]];
         double time;
@@ -189,7 +190,7 @@ static int write_strip_data(struct view *v, int run, int strip, FILE *to, struct
     if (i < 0) {
         return STATUS_OK;
     }
-    int status = data_create(&d, r->n_row, 2, e);
+    int status = runs_data(v->s, run, 2, &d, e);
     if (status == STATUS_OK) {
         status = read_force(v->s, run, i, &d, e);
     }

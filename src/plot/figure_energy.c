@@ -10,11 +10,11 @@
 
 enum { BINS = 200, PARTS = 5, TIME = 0, TOTAL = PARTS + 1, RESIDUAL, N_COLUMN };
 
-struct part {
+struct component {
     enum energy energy;
     const char *name, *colour;
 };
-static const struct part parts[PARTS] = {
+static const struct component parts[PARTS] = {
     {ENERGY_DAMPING, "damping", "#0072b2"},  {ENERGY_HYSTERETIC, "yielding", "#009e73"},
     {ENERGY_CONTACT, "contacts", "#d55e00"}, {ENERGY_STRAIN, "strain", "#e69f00"},
     {ENERGY_KINETIC, "kinetic", "#56b4e9"},
@@ -23,7 +23,7 @@ static const struct part parts[PARTS] = {
 // The parts summed up, from the first to this one; the total, initial + input; the residual.
 static int read_run(const struct runs *s, int run, struct data *d, struct error *e) {
     const struct result_file *file = s->file[run];
-    int status = data_create(d, s->r[run]->n_row, N_COLUMN, e);
+    int status = runs_data(s, run, N_COLUMN, d, e);
     if (status == STATUS_OK) {
         status = result_time(file, d->column[TIME], e);
     }
@@ -62,8 +62,8 @@ static void write_stack(const struct runs *s, struct canvas *c, struct area a, i
     }
     fprintf(c->to, "plot");
     for (int p = 0; p < PARTS; p++) {
-        fprintf(c->to, " \\\n  $energy%d using 1:(%s):%d with filledcurves fc rgb '%s',", run,
-                p == 0 ? "0" : (const char[]){'$', (char)('1' + p), '\0'}, p + 2, parts[p].colour);
+        fprintf(c->to, " \\\n  $energy%d using 1:(%s%d):%d with filledcurves fc rgb '%s',", run,
+                p > 0 ? "$" : "", p > 0 ? p + 1 : 0, p + 2, parts[p].colour);
     }
     fprintf(c->to, " \\\n  $energy%d using 1:%d with lines lc rgb '#404040' lw 0.8\n", run,
             TOTAL + 1);

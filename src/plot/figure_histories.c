@@ -25,6 +25,8 @@ struct view {
     int contact[RUNS_MAX];  // -1: no impact, the roofs are shown
     int building[2];        // -1: a wall, or none
     int floor[2];           // from 0
+    double level[2];        // between that floor and the one below; NAN: at the floor
+    double weight[2];       // of the floor there
     struct data data[RUNS_MAX];
 };
 
@@ -38,6 +40,7 @@ static void choose_floors(struct view *v) {
     for (int side = 0; side < 2 && v->contact[0] < 0; side++) {
         v->building[side] = side < r->n_building ? side : -1;
         v->floor[side] = side < r->n_building ? r->building[side].n_floor - 1 : 0;
+        v->level[side] = NAN;
     }
     if (v->contact[0] >= 0) {
         const struct report_link *c = &r->contact[v->contact[0]];
@@ -45,6 +48,10 @@ static void choose_floors(struct view *v) {
         v->building[1] = runs_building(r, c->right);
         v->floor[0] = c->left_floor - 1;
         v->floor[1] = c->right_floor - 1;
+        v->level[0] = c->left_level;
+        v->level[1] = c->right_level;
+        v->weight[0] = c->left_weight;
+        v->weight[1] = c->right_weight;
     }
 }
 
@@ -57,6 +64,10 @@ static int read_side(struct view *v, int run, int side, struct error *e) {
     }
     int status = result_floor_history(v->s->file[run], FIELD_DISPLACEMENT, building, v->floor[side],
                                       column[LEFT + side], e);
+    if (status == STATUS_OK && !isnan(v->level[side])) {
+        status = runs_move_to_level(v->s, run, building, v->floor[side], v->weight[side],
+                                    column[LEFT + side], v->data[run].n_row, e);
+    }
     return status == STATUS_OK
                ? result_ground(v->s->file[run], building, column[GROUND_LEFT + side], e)
                : status;
@@ -80,7 +91,7 @@ static int shift_right(struct view *v, struct error *e) {
 
 static int read_run(struct view *v, int run, struct error *e) {
     struct data *d = &v->data[run];
-    int status = data_create(d, v->s->r[run]->n_row, N_COLUMN, e);
+    int status = runs_data(v->s, run, N_COLUMN, d, e);
     if (status == STATUS_OK) {
         status = result_time(v->s->file[run], d->column[TIME], e);
     }
@@ -102,7 +113,8 @@ static int write_marks(const struct view *v, int run, int column, const char *na
         return error_no_memory(e);
     }
     runs_hardest_of_parts(r, v->contact[run], MARKS_MAX, hardest);
-    fprintf(to, "$%s << EOD\n# time displacement force\nNaN NaN NaN\n", name);
+    script_block(to, name, "time displacement force");
+    fputs("NaN NaN NaN\n", to);
     for (int b = 0; b < MARKS_MAX; b++) {
         if (hardest[b] >= 0) {
             const struct impact *i = &r->impact[hardest[b]];
@@ -123,8 +135,10 @@ static const char *side_name(const struct view *v, int side) {
 // Behind the name.
 static void write_floor_name(const struct view *v, int side, char *text, size_t size) {
     text[0] = '\0';
-    if (v->building[side] >= 0) {
+    if (v->building[side] >= 0 && isnan(v->level[side])) {
         snprintf(text, size, ", floor %d", v->floor[side] + 1);
+    } else if (v->building[side] >= 0) {
+        snprintf(text, size, ", level %.4g %s", v->level[side], v->s->r[0]->units.length_name);
     }
 }
 
@@ -217,7 +231,7 @@ static void write_facing(const struct view *v, struct canvas *c, struct area a,
 // One floor in both runs.
 static void write_floor(const struct view *v, struct canvas *c, struct area a, int side) {
     struct span span = span_none;
-    char floor[32];
+    char floor[48];
     for (int k = 0; k < v->s->n; k++) {
         data_span(&v->data[k], LEFT + side, &span);
     }
@@ -273,7 +287,7 @@ static void write_ground(const struct view *v, struct canvas *c, struct area a) 
 // Both sides, the right one as the left one sees it.
 static void add_sides(const struct view *v, struct legend *l) {
     const bool hit = v->contact[0] >= 0;
-    char floor[32], tail[64];
+    char floor[48], tail[64];
     for (int side = 0; side < 2; side++) {
         write_floor_name(v, side, floor, sizeof floor);
         snprintf(tail, sizeof tail, "%s%s", floor, side == 1 && hit ? " + gap" : "");

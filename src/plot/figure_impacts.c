@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/safe.h"
 #include "plot/figure.h"
 #include "plot/script.h"
 
@@ -191,7 +192,7 @@ static void write_names(const struct view *v, double em, FILE *to) {
         char text[160];
         band_name(band, text, sizeof text);
         fprintf(to, "set label ");
-        script_text(to, text);
+        safe_put(to, SAFE_GNUPLOT, text);
         fprintf(to, " at graph 1, first %.7g left offset 0.8,0 font small_font\n", at[b]);
         if (b > 0) {
             const struct band *below = &v->band[b - 1];

@@ -124,7 +124,7 @@ static int write_contact_data(struct view *v, int run, FILE *to, struct error *e
     const struct result_file *file = v->s->file[run];
     const int contact = v->contact[run];
     struct data d;
-    int status = data_create(&d, r->n_row, 3, e);
+    int status = runs_data(v->s, run, 3, &d, e);
     if (status == STATUS_OK) {
         status = result_time(file, d.column[0], e);
     }
@@ -157,7 +157,7 @@ static int write_storey_data(struct view *v, int run, int k, FILE *to, struct er
     const struct result_file *file = v->s->file[run];
     char name[32];
     struct data d;
-    int status = data_create(&d, v->s->r[run]->n_row, 3, e);
+    int status = runs_data(v->s, run, 3, &d, e);
     if (status == STATUS_OK) {
         status = result_time(file, d.column[0], e);
     }

@@ -51,7 +51,19 @@ static struct view choose(const struct runs *s, const struct canvas *c) {
     return v;
 }
 
-// A row for each floor: its level and the modes; those that a low building does not have are NaN.
+// Are these the periods of the building? Not those of one with parts beside its storeys, whose
+// stiffness is not in the file.
+static bool are_its_periods(const struct report_building *b, const double *omega) {
+    bool same = true;
+    for (int m = 0; m < b->n_floor; m++) {
+        const double cycles = omega[m] * b->period[m] / (2 * acos(-1.0));
+        same = same && (omega[m] == 0 || fabs(cycles - 1) < 1e-6);
+    }
+    return same;
+}
+
+// A row for each floor: its level and the modes; those that a low building does not have, and those
+// that are not known, are NaN.
 static int write_shapes(const struct view *v, int run, int k, FILE *to, struct error *e) {
     const struct report_building *b = shown(v, run, k);
     const int n = b->n_floor;
@@ -60,9 +72,10 @@ static int write_shapes(const struct view *v, int run, int k, FILE *to, struct e
         return error_no_memory(e);
     }
     double *omega = shape + (size_t)n * (size_t)n;
-    int status = modes_solve(n, b->mass, b->stiffness, omega, shape, e);
+    int status = modes_solve(n, b->mass, b->stiffness, NULL, omega, shape, e);
     if (status == STATUS_OK) {
         modes_scale_to_largest(n, shape);
+        const bool known = are_its_periods(b, omega);
         fprintf(to, "$shapes%d%d << EOD\n# level, modes\n", run, k);
         for (int i = -1; i < n; i++) {
             fprintf(to, "%.7g", level(v, b, i + 1));
@@ -70,7 +83,7 @@ static int write_shapes(const struct view *v, int run, int k, FILE *to, struct e
                 const double at_base = omega[m < n ? m : 0] > 0 ? 0 : (double)NAN;
                 const double value =
                     i < 0 ? at_base : shape[(size_t)(m < n ? m : 0) * (size_t)n + (size_t)i];
-                fprintf(to, " %.7g", m < n ? value : (double)NAN);
+                fprintf(to, " %.7g", m < n && known ? value : (double)NAN);
             }
             fprintf(to, "\n");
         }

@@ -2,9 +2,11 @@
 // Peak displacement, drift, acceleration and storey shear over the height. Floors are points,
 // storeys are steps. Free bodies have no storeys; where there is nothing else, only the panels of
 // floors are drawn. Of many buildings, those with the largest drift are shown. A second run is
-// dashed. Buildings of one floor have no profile: each has a row instead.
+// dashed. Buildings of one floor have no profile: each has a row instead. Floors that were hit have
+// a large ring around their acceleration.
 #include <math.h>
 
+#include "core/safe.h"
 #include "plot/figure.h"
 #include "plot/script.h"
 
@@ -33,6 +35,7 @@ struct selection {
     bool rows;     // none has more than one floor
     int floors;    // of the highest
     bool points;   // there is room for those of all floors
+    bool hit;      // a contact force has acted on one of the shown floors
 };
 
 static const double NAME_WIDTH = 9, ROW_HEIGHT = 1.4;  // [em]
@@ -88,6 +91,7 @@ static struct selection choose(const struct runs *runs) {
         for (int i = 0; i < b->n_floor; i++) {
             s.heights = s.heights && b->height[i] > 0;
             s.storeys = s.storeys || b->stiffness[i] > 0;
+            s.hit = s.hit || report_floor_was_hit(runs->r[k / s.n], b->name, i + 1);
         }
     }
     s.rows = s.floors == 1;
@@ -105,6 +109,30 @@ static double drawn_value(const struct selection *s, const struct report_buildin
     return value_of(b, p, i) / (ratio ? b->height[i] / 100 : 1);
 }
 
+// The accelerations of the floors that were hit, with their levels or rows, from `first` on.
+static void write_hit(const struct selection *s, int run, int k, double first, FILE *to) {
+    const struct report_building *b = shown(s, run, k);
+    double level = first;
+    fprintf(to, "$hit%d%d << EOD\n# level acceleration, of floors that were hit\nNaN NaN\n", run,
+            k);
+    for (int i = 0; i < b->n_floor; i++) {
+        level += s->rows ? 0 : s->heights ? b->height[i] : 1;
+        if (report_floor_was_hit(s->s->r[run], b->name, i + 1)) {
+            fprintf(to, "%.9g %.9g\n", level, b->peak[PEAK_ACCELERATION][i]);
+        }
+    }
+    fprintf(to, "EOD\n");
+}
+
+// Large rings around the accelerations of floors that were hit.
+static void plot_hit(const struct selection *s, const struct panel *p, FILE *to) {
+    for (int k = 0; p->peak == PEAK_ACCELERATION && s->hit && k < s->n * s->s->n; k++) {
+        fprintf(to, ", \\\n  $hit%d%d using 2:1 with points pt %d ps 2.8*point lc rgb '%s'",
+                k / s->n, k % s->n, POINT_RING, script_colour[k % s->n]);
+    }
+    fprintf(to, "\n");
+}
+
 // Of a building of one floor. Rows count upwards; a second run stands below the first.
 static void write_row(const struct selection *s, int run, int k, FILE *to) {
     const struct report_building *b = shown(s, run, k);
@@ -117,6 +145,7 @@ static void write_row(const struct selection *s, int run, int k, FILE *to) {
             k, row, value[0], value[2]);
     fprintf(to, "$storeys%d%d << EOD\n# row drift shear\n%.9g %.9g %.9g\nEOD\n", run, k, row,
             value[1], value[3]);
+    write_hit(s, run, k, row, to);
 }
 
 static void write_building(const struct selection *s, int run, int k, FILE *to) {
@@ -141,6 +170,7 @@ static void write_building(const struct selection *s, int run, int k, FILE *to) 
         level += height;
     }
     fprintf(to, "EOD\n");
+    write_hit(s, run, k, 0, to);
 }
 
 static struct span panel_span(const struct selection *s, const struct panel *p) {
@@ -187,7 +217,7 @@ static void plot_profiles(const struct selection *s, const struct panel *p, bool
             fprintf(to, " pt %d ps 1.2*point", run > 0 ? POINT_RING : script_point[building]);
         }
     }
-    fprintf(to, "\n");
+    plot_hit(s, p, to);
 }
 
 // The panel `at` of `n` beside each other.
@@ -217,7 +247,7 @@ static void write_names(const struct selection *s, FILE *to) {
         char name[64];
         script_shorten(shown(s, 0, k)->name, NAME_WIDTH, name, sizeof name);
         fprintf(to, "%s", k > 0 ? ", " : "");
-        script_text(to, name);
+        safe_put(to, SAFE_TIC, name);
         fprintf(to, " %d", s->n - k);
     }
     fprintf(to, ")\n");
@@ -234,7 +264,7 @@ static void plot_rows(const struct selection *s, const struct panel *p, FILE *to
                 run > 0 ? "(10,6)" : "solid", p->data, run, building, p->column,
                 run > 0 ? POINT_RING : script_point[building], script_colour[building]);
     }
-    fprintf(to, "\n");
+    plot_hit(s, p, to);
 }
 
 // Panel `at` of `n`, two above each other where there is room.
@@ -275,6 +305,12 @@ static void write_legend(const struct selection *s, struct canvas *c) {
                                  .size = 1.2,
                                  .point = s->points ? script_point[k] : 0},
                    b->name, "");
+    }
+    if (s->hit) {
+        legend_add(&l,
+                   (struct mark){
+                       .kind = MARK_POINT, .colour = "#808080", .size = 2.8, .point = POINT_RING},
+                   report_hit_name, "");
     }
     runs_legend(s->s, "#808080", &l);
     legend_write(&l, c);

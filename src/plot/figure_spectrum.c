@@ -49,7 +49,7 @@ static int add_grounds(struct view *v, const int *building, struct error *e) {
     int status = STATUS_OK;
     for (int run = 0; run < v->s->n && status == STATUS_OK; run++) {
         struct data d;
-        status = data_create(&d, v->s->r[run]->n_row, 2, e);
+        status = runs_data(v->s, run, 2, &d, e);
         for (int side = 0; side < 2 && status == STATUS_OK; side++) {
             if (building[side] >= 0) {
                 status = result_ground(v->s->file[run], building[side], d.column[side], e);
@@ -90,6 +90,12 @@ static int choose(struct view *v, struct error *e) {
         if (building[side] >= 0) {
             add(v, building[side], r->building[building[side]].n_floor - 1);
         }
+    }
+    if (v->n == 0) {
+        return error_set(e, STATUS_INPUT,
+                         "spectrum cannot be drawn: the hardest contact of %s is at none of its "
+                         "buildings",
+                         r->file);
     }
     return add_grounds(v, building, e);
 }
@@ -146,7 +152,7 @@ static int write_series(struct view *v, int run, int series, FILE *to, struct er
     struct data d;
     struct signal ground;
     size_t n = 0;
-    int status = data_create(&d, v->s->r[run]->n_row, 2, e);
+    int status = runs_data(v->s, run, 2, &d, e);
     if (status == STATUS_OK) {
         status = read_series(v, run, series, &d, e);
     }

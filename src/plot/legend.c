@@ -6,6 +6,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "core/safe.h"
 #include "plot/script.h"
 
 enum { LINES_MAX = 4 };
@@ -112,7 +113,7 @@ static void write_entry(const struct canvas *c, const struct legend_entry *entry
     script_shorten(text, room, shown, sizeof shown);
     write_mark(c, entry->mark, x, y);
     fprintf(c->to, "set label ");
-    script_text(c->to, shown);
+    safe_put(c->to, SAFE_GNUPLOT, shown);
     canvas_place(c, x + MARK, y);
     fprintf(c->to, " left\n");
 }

@@ -3,8 +3,10 @@
 #include "plot/runs.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "core/arena.h"
 #include "core/text.h"
 #include "plot/script.h"
 
@@ -68,14 +70,25 @@ int runs_init(struct runs *s, const struct result_file *first, const struct resu
         s->r[k] = result_report(s->file[k]);
         name_run(s, k, false);
     }
+    const struct report *r = s->r[0];
+    s->title = r->title[0] ? r->title : r->deck_file;
     if (s->n == 1) {
-        return STATUS_OK;
+        if (r->run > 0) {
+            s->title = arena_format(r->arena, "run %ld: %s", r->run, s->title);
+        }
+        return s->title ? STATUS_OK : error_no_memory(e);
     }
     if (strcmp(s->name[0], s->name[1]) == 0) {
         name_run(s, 0, true);
         name_run(s, 1, true);
     }
     return match(s, e);
+}
+
+int runs_data(const struct runs *s, int run, int n_column, struct data *d, struct error *e) {
+    *d = (struct data){.n_row = 0};
+    const int status = result_check_memory(s->file[run], n_column, e);
+    return status == STATUS_OK ? data_create(d, s->r[run]->n_row, n_column, e) : status;
 }
 
 bool runs_have(const struct runs *s, unsigned fields) {
@@ -119,11 +132,17 @@ static int hardest(const struct report *r) {
     return at;
 }
 
+static bool same_level(double a, double b) {
+    return a == b || (isnan(a) && isnan(b));
+}
+
 static int find_contact(const struct report *r, const struct report_link *like) {
     for (int i = 0; i < r->n_contact; i++) {
         const struct report_link *c = &r->contact[i];
         if (strcmp(c->left, like->left) == 0 && strcmp(c->right, like->right) == 0 &&
-            c->left_floor == like->left_floor && c->right_floor == like->right_floor) {
+            c->left_floor == like->left_floor && c->right_floor == like->right_floor &&
+            same_level(c->left_level, like->left_level) &&
+            same_level(c->right_level, like->right_level)) {
             return i;
         }
     }
@@ -180,7 +199,7 @@ int runs_building(const struct report *r, const char *name) {
 }
 
 const char *runs_title(const struct runs *s) {
-    return s->r[0]->title[0] ? s->r[0]->title : s->r[0]->deck_file;
+    return s->title;
 }
 
 double runs_duration(const struct runs *s) {
@@ -193,4 +212,22 @@ void runs_legend(const struct runs *s, const char *colour, struct legend *l) {
                                   .colour = colour ? colour : script_colour[k]};
         legend_add(l, mark, s->name[k], "");
     }
+}
+
+int runs_move_to_level(const struct runs *s, int run, int building, int floor, double weight,
+                       double *u, size_t n, struct error *e) {
+    double *below = calloc(n + 1, sizeof *below);
+    if (!below) {
+        return error_no_memory(e);
+    }
+    int status = STATUS_OK;
+    if (floor > 0) {
+        status =
+            result_floor_history(s->file[run], FIELD_DISPLACEMENT, building, floor - 1, below, e);
+    }
+    for (size_t i = 0; status == STATUS_OK && i < n; i++) {
+        u[i] = weight * u[i] + (1 - weight) * below[i];
+    }
+    free(below);
+    return status;
 }

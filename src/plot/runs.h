@@ -4,6 +4,7 @@
 #define JOSTLE_RUNS_H
 
 #include "jostle/result.h"
+#include "plot/data.h"
 #include "plot/legend.h"
 
 enum { RUNS_MAX = 2 };
@@ -12,6 +13,7 @@ struct runs {
     const struct result_file *file[RUNS_MAX];  // borrowed
     const struct report *r[RUNS_MAX];          // borrowed
     char name[RUNS_MAX][64];                   // the files, as short as tells them apart
+    const char *title;                         // of pictures; in the arena of the first run
     // Called by figures that take their time; NULL: nothing to tell.
     void (*tell)(void *context, long n_done, long n);
     void *context;
@@ -21,6 +23,10 @@ struct runs {
 // buildings or other units; names the first difference).
 int runs_init(struct runs *s, const struct result_file *first, const struct result_file *second,
               struct error *e);
+
+// Columns for histories of a run, by data_create. Errors: STATUS_INPUT (they take too much memory),
+// STATUS_SYSTEM.
+int runs_data(const struct runs *s, int run, int n_column, struct data *d, struct error *e);
 
 // True if all runs hold all these histories, bits of enum field.
 bool runs_have(const struct runs *s, unsigned fields);
@@ -42,7 +48,8 @@ void runs_hardest_of_parts(const struct report *r, int contact, int parts, long 
 // The building called `name`; -1: a wall.
 int runs_building(const struct report *r, const char *name);
 
-// The first run's title, or its deck where it has none.
+// The first run's title, or its deck where it has none. Before the title of one run of a study,
+// its number.
 const char *runs_title(const struct runs *s);
 
 // The longest duration.
@@ -51,5 +58,10 @@ double runs_duration(const struct runs *s);
 // Entries of the legend that tell two runs apart: by their colours, or where all is of one `colour`
 // the second by dashes. None for one run.
 void runs_legend(const struct runs *s, const char *colour, struct legend *l);
+
+// Turns the displacements u (n) of a floor (from 0) into those of a level below it, at which the
+// floor has the weight and the floor below, or the ground, the rest.
+int runs_move_to_level(const struct runs *s, int run, int building, int floor, double weight,
+                       double *u, size_t n, struct error *e);
 
 #endif

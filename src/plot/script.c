@@ -2,25 +2,24 @@
 // Helpers of the figures.
 #include "plot/script.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "core/safe.h"
 
 const char *const script_colour[SCRIPT_COLOURS] = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9",
 };
 const int script_point[SCRIPT_COLOURS] = {7, 5, 9, 13, 11, 6, 4};
 
-void script_text(FILE *to, const char *text) {
-    fputc('\'', to);
-    for (const char *s = text; *s; s++) {
-        if (*s == '\'') {
-            fputs("''", to);
-        } else {
-            fputc((unsigned char)*s < ' ' ? ' ' : *s, to);
-        }
-    }
-    fputc('\'', to);
+void script_block(FILE *to, const char *name, const char *columns) {
+    fputc('$', to);
+    safe_put(to, SAFE_COMMENT, name);
+    fputs(" << EOD\n# ", to);
+    safe_put(to, SAFE_COMMENT, columns);
+    fputc('\n', to);
 }
 
 void script_raise(char *text) {
@@ -53,7 +52,7 @@ void script_unit(const struct unit_system *units, struct dimension dimension, ch
 
 int script_exponent(double largest, double least, double most) {
     const bool fits = largest < most && largest >= least;
-    return fits || largest == 0 ? 0 : 3 * (int)floor(log10(largest) / 3);
+    return fits || !(largest > 0) || isinf(largest) ? 0 : 3 * (int)floor(log10(largest) / 3);
 }
 
 void script_power(int exponent, char *text, size_t size) {
@@ -80,10 +79,10 @@ void script_number(double value, char *text, size_t size) {
 }
 
 double script_step(double largest, int n) {
-    if (!(largest > 0) || !isfinite(largest)) {
+    const double raw = largest / n;
+    if (!(raw >= DBL_MIN) || isinf(raw)) {
         return 1;
     }
-    const double raw = largest / n;
     const double power = pow(10, floor(log10(raw)));
     const double ratio = raw / power;
     return power * (ratio <= 1 ? 1 : ratio <= 2 ? 2 : ratio <= 5 ? 5 : 10);

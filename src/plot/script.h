@@ -16,8 +16,8 @@ extern const char *const script_colour[];
 // A point for each colour, to tell them apart without: gnuplot's numbers.
 extern const int script_point[];
 
-// `text` as a gnuplot string in single quotes. Line ends become blanks.
-void script_text(FILE *to, const char *text);
+// Opens the data block $NAME, which ends with the line EOD; `columns` says what is in it.
+void script_block(FILE *to, const char *name, const char *columns);
 
 // About how wide an UTF-8 text is [em]: usual sans-serif fonts are not wider.
 double script_width(const char *text);
@@ -36,7 +36,7 @@ void script_unit(const struct unit_system *units, struct dimension dimension, ch
 void script_raise(char *text);
 
 // The power of ten in which numbers up to `largest` are short; 0 where that is from `least` to
-// below `most`.
+// below `most`, or no positive number.
 int script_exponent(double largest, double least, double most);
 
 // Ten to the power `exponent`, in raised digits.

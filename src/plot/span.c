@@ -6,8 +6,12 @@
 
 const struct span span_none = {INFINITY, -INFINITY};
 
+// Sums and ratios of such numbers neither overflow nor become 0.
+static const double LARGEST = 1e300, SMALLEST = 1e-300;
+
 void span_add(struct span *r, double value) {
-    if (isfinite(value)) {
+    if (fabs(value) <= LARGEST) {
+        value = fabs(value) < SMALLEST ? 0 : value;
         r->low = fmin(r->low, value);
         r->high = fmax(r->high, value);
     }

@@ -6,8 +6,8 @@
 struct span {
     double low, high;
 };
-// Widens `r` by a value, or by another span; values that are not finite are passed over. Begin with
-// span_none.
+// Widens `r` by a value, or by another span; values that are not finite, or beyond 1e300, are
+// passed over, and those below 1e-300 are 0. Begin with span_none.
 extern const struct span span_none;
 void span_add(struct span *r, double value);
 void span_join(struct span *r, struct span other);

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/safe.h"
 #include "plot/script.h"
 
 #define STUDY_FIGURE(name) extern const struct study_figure study_figure_##name;
@@ -90,8 +91,8 @@ struct axis study_abscissa_axis(const struct suite *s) {
     for (int i = 0; i < s->n_point; i++) {
         span_add(&axis.span, s->point[i]);
     }
-    if (s->abscissa->number && is_geometric(s)) {
-        const double room = pow(axis.span.high / axis.span.low, 0.03);
+    if (s->abscissa->number && is_geometric(s) && axis.span.low > 0) {
+        const double room = pow(axis.span.high, 0.03) / pow(axis.span.low, 0.03);
         axis.kind = AXIS_LOGARITHMIC;
         axis.span = (struct span){axis.span.low / room, axis.span.high * room};
         return axis;
@@ -101,15 +102,35 @@ struct axis study_abscissa_axis(const struct suite *s) {
 }
 
 void study_head(struct canvas *c, const struct suite *s, const char *what) {
-    char text[512], failed[128] = "";
+    char text[512], failed[128] = "", hit[96] = "";
     if (s->n_failed > 0) {
         snprintf(failed, sizeof failed, "%ld of %ld runs failed, %s; ", s->n_failed, s->n_run,
                  s->rule == SUITE_FAILED_ABOVE ? "counted above" : "left out");
     }
-    snprintf(text, sizeof text, "%s%s%s%s", failed, what, s->fixed[0] ? "; " : "", s->fixed);
+    if (s->n_hit > 0) {
+        snprintf(hit, sizeof hit, "; in %ld of %ld runs of a %s", s->n_hit, s->n_run,
+                 report_hit_name);
+    }
+    snprintf(text, sizeof text, "%s%s%s%s%s", failed, what, hit, s->fixed[0] ? "; " : "", s->fixed);
     script_raise(text);
     const char *title = s->view->title[0] ? s->view->title : s->view->path;
     canvas_head(c, title, text);
+}
+
+void study_hit_legend(const struct suite *s, struct legend *l) {
+    if (s->n_hit > 0) {
+        legend_add(l,
+                   (struct mark){
+                       .kind = MARK_POINT, .colour = "#808080", .size = 2.8, .point = POINT_RING},
+                   report_hit_name, "");
+    }
+}
+
+void study_hit_plot(const struct suite *s, FILE *to) {
+    if (s->n_hit > 0) {
+        fprintf(to, ", \\\n  $hit using 1:2 with points pt %d ps 2.8*point lc rgb '#808080'",
+                POINT_RING);
+    }
 }
 
 void study_group_text(const struct suite *s, int group, char *text, size_t size) {
@@ -148,7 +169,7 @@ void study_foot(const struct canvas *c, const char *text) {
     script_shorten(text, a.right - a.left, shown, sizeof shown);
     script_raise(shown);
     fprintf(c->to, "set label ");
-    script_text(c->to, shown);
+    safe_put(c->to, SAFE_GNUPLOT, shown);
     canvas_place(c, (a.left + a.right) / 2, a.bottom + 0.7);
     fprintf(c->to, " center\n");
 }

@@ -55,6 +55,11 @@ struct axis study_abscissa_axis(const struct suite *s);
 // Title, and a subtitle: the runs that failed, `what` is shown, and at which values of --at.
 void study_head(struct canvas *c, const struct suite *s, const char *what);
 
+// Rings around accelerations of floors that were hit, $hit of the data: in the legend, and behind a
+// plot command.
+void study_hit_legend(const struct suite *s, struct legend *l);
+void study_hit_plot(const struct suite *s, FILE *to);
+
 // The name of a group as it is shown, into `text`.
 void study_group_text(const struct suite *s, int group, char *text, size_t size);
 

@@ -21,7 +21,8 @@ struct view {
 static int check(const struct study_picture *p, struct error *e) {
     const struct suite *s = p->suite;
     if (s->point_name) {
-        return error_set(e, STATUS_INPUT, "fragility cannot be drawn: '%s' is no sweep of numbers",
+        return error_set(e, STATUS_INPUT,
+                         "fragility cannot be drawn: '%s' is not a sweep of numbers",
                          s->abscissa->name);
     }
     if (p->n_limit == 0) {
@@ -30,7 +31,7 @@ static int check(const struct study_picture *p, struct error *e) {
     if (p->n_limit * s->n_group > SCRIPT_COLOURS) {
         return error_set(e, STATUS_INPUT,
                          "fragility cannot be drawn: %d limits and %d groups (%s ...) make more "
-                         "than %d curves; choose by --at, or make samples by --over",
+                         "than %d curves; choose with --at, or make samples with --over",
                          p->n_limit, s->n_group, s->group[0], SCRIPT_COLOURS);
     }
     return STATUS_OK;

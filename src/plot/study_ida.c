@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "core/safe.h"
 #include "plot/study_figure.h"
 
 enum { CURVES = 3 };
@@ -26,7 +27,7 @@ static int check(const struct study_picture *p, struct error *e) {
     const struct suite *s = p->suite;
     if (!s->abscissa->number || s->n_point < 2) {
         return error_set(e, STATUS_INPUT, "ida cannot be drawn: '%s' %s", s->abscissa->name,
-                         s->abscissa->number ? "has one value only" : "is no sweep of numbers");
+                         s->abscissa->number ? "has one value only" : "is not a sweep of numbers");
     }
     if (s->mixed) {
         return error_set(e, STATUS_INPUT,
@@ -37,7 +38,7 @@ static int check(const struct study_picture *p, struct error *e) {
     if (s->n_group > 1) {
         return error_set(e, STATUS_INPUT,
                          "ida cannot be drawn: the study has other sweeps (%s ...); choose one "
-                         "value by --at, or make them samples by --over",
+                         "value with --at, or make them samples with --over",
                          s->group[0]);
     }
     return STATUS_OK;
@@ -47,7 +48,9 @@ static void write_samples(struct view *v, FILE *to) {
     const struct suite *s = v->s;
     fprintf(to, "$samples << EOD\n# demand, intensity; a sample behind the other\n");
     for (int k = 0; k < s->n_sample; k++) {
-        fprintf(to, "# %s\n", s->sample[k]);
+        fputs("# ", to);
+        safe_put(to, SAFE_COMMENT, s->sample[k]);
+        fputc('\n', to);
         for (int j = 0; j < s->n_point; j++) {
             const double x = v->demand.factor * suite_value(s, 0, k, j);
             study_number(to, x);
@@ -67,6 +70,20 @@ static void write_samples(struct view *v, FILE *to) {
                 fputc('\n', to);
                 v->crosses = true;
             }
+        }
+    }
+    fprintf(to, "EOD\n");
+}
+
+static void write_hit(const struct view *v, FILE *to) {
+    const struct suite *s = v->s;
+    fprintf(to, "$hit << EOD\n# demand, intensity, of floors that were hit\n");
+    for (int i = 0; i < s->n_sample * s->n_point; i++) {
+        const int k = i / s->n_point, j = i % s->n_point;
+        if (suite_hit(s, 0, k, j)) {
+            study_number(to, v->demand.factor * suite_value(s, 0, k, j));
+            study_number(to, s->point[j]);
+            fputc('\n', to);
         }
     }
     fprintf(to, "EOD\n");
@@ -101,13 +118,14 @@ static void write_legend(const struct view *v, const struct study_picture *p, st
     snprintf(text, sizeof text, "each %s", v->s->over[0] ? v->s->over : "run");
     legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = record_colour}, text, "");
     if (p->n_limit > 0) {
-        legend_add(&l, (struct mark){.kind = MARK_DASHED, .colour = "#000000"},
+        legend_add(&l, (struct mark){.kind = MARK_LINE, .colour = "#000000"},
                    p->n_limit > 1 ? "limits" : "limit", "");
     }
     if (v->crosses) {
         legend_add(&l, (struct mark){.kind = MARK_POINT, .colour = "#000000", .point = POINT_CROSS},
                    "the next run failed", "");
     }
+    study_hit_legend(v->s, &l);
     legend_write(&l, c);
 }
 
@@ -115,7 +133,7 @@ static void write_limits(const struct view *v, const struct study_picture *p, st
     for (int i = 0; i < p->n_limit; i++) {
         fprintf(c->to,
                 "set arrow from first %.9g, graph 0 to first %.9g, graph 1 nohead lc rgb '#000000' "
-                "lw 1 dt (2,4)\n",
+                "lw 1.5\n",
                 v->demand.factor * p->limit[i], v->demand.factor * p->limit[i]);
     }
 }
@@ -134,6 +152,7 @@ static void write_panel(const struct view *v, const struct study_picture *p, str
         fprintf(c->to, ", \\\n  $failures using 1:2 with points pt %d ps point lc rgb '#000000'",
                 POINT_CROSS);
     }
+    study_hit_plot(v->s, c->to);
     fprintf(c->to, "\n");
     canvas_panel_end(c);
 }
@@ -143,6 +162,9 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     struct view v = {.s = s, .span = span_none};
     study_demand_init(&v.demand, s);
     write_samples(&v, c->data);
+    if (s->n_hit > 0) {
+        write_hit(&v, c->data);
+    }
     int status = write_percentiles(&v, c->data, e);
     if (status != STATUS_OK) {
         return status;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/safe.h"
 #include "plot/script.h"
 #include "plot/study_figure.h"
 
@@ -33,7 +34,7 @@ static int check(const struct study_picture *p, struct error *e) {
     }
     return error_set(e, STATUS_INPUT,
                      "response cannot be drawn: the values of the other sweeps (%s ...) make %d "
-                     "curves, more than %d; choose by --at, or make samples by --over",
+                     "curves, more than %d; choose with --at, or make samples with --over",
                      s->group[0], s->n_group, SCRIPT_COLOURS);
 }
 
@@ -45,8 +46,11 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
         return error_no_memory(e);
     }
     for (int g = 0; g < s->n_group; g++) {
-        fprintf(to, "$group%d << EOD\n# %s, demand at 50, 16 and 84 %%; %s\n", g, s->abscissa->name,
-                s->group[g]);
+        fprintf(to, "$group%d << EOD\n# ", g);
+        safe_put(to, SAFE_COMMENT, s->abscissa->name);
+        fprintf(to, ", demand at 50, 16 and 84 %%; ");
+        safe_put(to, SAFE_COMMENT, s->group[g]);
+        fputc('\n', to);
         for (int j = 0; j < s->n_point; j++) {
             study_number(to, s->point[j]);
             for (int i = 0; i < 3; i++) {
@@ -60,6 +64,31 @@ static int write_data(struct view *v, FILE *to, struct error *e) {
         }
         fprintf(to, "EOD\n");
     }
+    free(work);
+    return STATUS_OK;
+}
+
+// The medians at which a sample is the acceleration of a floor that was hit.
+static int write_hit(const struct view *v, FILE *to, struct error *e) {
+    const struct suite *s = v->s;
+    double *work = malloc((size_t)s->n_sample * sizeof *work);
+    if (!work) {
+        return error_no_memory(e);
+    }
+    fprintf(to, "$hit << EOD\n# parameter, median, where floors were hit\n");
+    for (int i = 0; i < s->n_group * s->n_point; i++) {
+        const int g = i / s->n_point, j = i % s->n_point;
+        bool hit = false;
+        for (int k = 0; k < s->n_sample; k++) {
+            hit |= suite_hit(s, g, k, j);
+        }
+        if (hit) {
+            study_number(to, s->point[j]);
+            study_number(to, v->demand.factor * suite_percentile(s, g, j, 0.5, work));
+            fputc('\n', to);
+        }
+    }
+    fprintf(to, "EOD\n");
     free(work);
     return STATUS_OK;
 }
@@ -84,6 +113,7 @@ static void write_legend(const struct view *v, struct canvas *c) {
                                  .colour = points ? script_colour[0] : band_colour},
                    "16 to 84 %", "");
     }
+    study_hit_legend(s, &l);
     legend_write(&l, c);
 }
 
@@ -114,7 +144,7 @@ static void write_texts(const struct suite *s, double width, struct canvas *c) {
     for (int i = 0; i < s->n_point; i += every) {
         script_shorten(s->point_name[s->order[i]], fit ? width : name_width, cut, sizeof cut);
         fprintf(c->to, "%s", i > 0 ? ", " : "");
-        script_text(c->to, cut);
+        safe_put(c->to, SAFE_TIC, cut);
         fprintf(c->to, " %d", i + 1);
     }
     fprintf(c->to, ")\n");
@@ -148,6 +178,7 @@ static void write_panel(const struct view *v, struct canvas *c) {
                 g > 0 ? ", \\\n " : "", g, points ? "points" : "linespoints", script_point[g],
                 script_colour[g], points ? "" : " lw 1.3");
     }
+    study_hit_plot(s, c->to);
     fprintf(c->to, "\n");
     canvas_panel_end(c);
 }
@@ -157,6 +188,7 @@ static int draw(const struct study_picture *p, struct canvas *c, struct error *e
     struct view v = {.s = s, .span = span_none, .band = s->n_group == 1 && s->n_sample > 1};
     study_demand_init(&v.demand, s);
     int status = write_data(&v, c->data, e);
+    status = status == STATUS_OK && s->n_hit > 0 ? write_hit(&v, c->data, e) : status;
     if (status != STATUS_OK) {
         return status;
     }

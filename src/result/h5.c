@@ -19,6 +19,12 @@
 // the C library maps it by itself, away from the pages that core/heap.c has got ready.
 enum { CONVERSION_BUFFER = 16384, ROOM = 2 << 20, RESERVE = 4 << 20, ASK_EVERY = 16 };
 
+// Half as many entries as a node of the file's trees has: of those of groups, which have some ten
+// links, in their leaves, and of those of chunks, of which most datasets have one. The library's
+// own numbers, 16, 4 and 32, make a run of a study larger by a fifth, and each compressed history
+// by 2 KiB.
+enum { GROUP_NODE = 4, GROUP_LEAF = 5, CHUNK_NODE = 2 };
+
 // `volatile`: the compiler must not see that the block is not used.
 static bool is_there(size_t bytes) {
     void *volatile block = malloc(bytes);
@@ -50,6 +56,35 @@ static void unwrap(char *cause) {
     cause[n] = '\0';
 }
 
+static const char no_memory[] = "out of memory";
+
+bool h5_lacks_memory(const struct h5 *h) {
+    return strcmp(h->cause, no_memory) == 0;
+}
+
+#ifndef H5E_ID
+#define H5E_ID H5E_ATOM  // before HDF5 1.14
+#endif
+
+// The library's lists of properties and of objects are in memory only. Where they lack an entry, an
+// allocation failed at a place that did not report it.
+static herr_t find_memory(unsigned n, const H5E_error2_t *entry, void *lacks) {
+    *(bool *)lacks |= n == 0 && (entry->min_num == H5E_NOSPACE || entry->min_num == H5E_CANTALLOC ||
+                                 entry->maj_num == H5E_PLIST || entry->maj_num == H5E_ID);
+    return 0;
+}
+
+// Where there is no memory for the library, a group is not missing and a file is not damaged.
+static void take_memory(struct h5 *h) {
+    bool lacks = !is_there(ROOM);
+    if (!lacks && !h5_lacks_memory(h)) {
+        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, find_memory, &lacks);
+    }
+    if (lacks) {
+        snprintf(h->cause, sizeof h->cause, "%s", no_memory);
+    }
+}
+
 bool h5_failed(struct h5 *h, long long result) {
     if (result < 0 && !h->failed) {
         h->failed = true;
@@ -57,6 +92,7 @@ bool h5_failed(struct h5 *h, long long result) {
         snprintf(h->cause, sizeof h->cause, "unknown error of the HDF5 library");
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, h);
         unwrap(h->cause);
+        take_memory(h);
     }
     return h->failed;
 }
@@ -71,6 +107,7 @@ void h5_fail(struct h5 *h, const char *format, ...) {
     va_start(list, format);
     vsnprintf(h->cause, sizeof h->cause, format, list);
     va_end(list);
+    take_memory(h);
 }
 
 bool h5_has_room(struct h5 *h) {
@@ -79,8 +116,6 @@ bool h5_has_room(struct h5 *h) {
     }
     return !h->failed;
 }
-
-static const char no_memory[] = "out of memory";
 
 void h5_no_memory(struct h5 *h) {
     h5_fail(h, "%s", no_memory);
@@ -93,16 +128,30 @@ static void *of_arena(struct h5 *h, void *p) {
     return p;
 }
 
+// Histories of 64 bits that deflate packs well, with times of their own, take 8 times their size;
+// small files may be packed better.
+uint64_t h5_memory_limit(const struct h5 *h) {
+    enum { TIMES = 16, LEAST = 256 << 20 };
+    const uint64_t size = h->heap.end;
+    return size > LEAST / TIMES ? TIMES * size : LEAST;
+}
+
+bool h5_take(struct h5 *h, size_t n, size_t size) {
+    if (n > (h5_memory_limit(h) - h->taken) / size) {
+        h5_fail(h, "%.3g MB of memory are not enough for what a file of %.3g MB says to have",
+                (double)h5_memory_limit(h) / 1e6, (double)h->heap.end / 1e6);
+        return false;
+    }
+    h->taken += n * size;
+    return true;
+}
+
 void *h5_alloc(struct h5 *h, struct arena *a, size_t n, size_t size) {
-    return of_arena(h, arena_alloc(a, n, size));
+    return h5_take(h, n, size) ? of_arena(h, arena_alloc(a, n, size)) : NULL;
 }
 
 char *h5_copy(struct h5 *h, struct arena *a, const char *text) {
     return of_arena(h, arena_text(a, text, strlen(text)));
-}
-
-bool h5_lacks_memory(const struct h5 *h) {
-    return strcmp(h->cause, no_memory) == 0;
 }
 
 // The library's work at exit would touch what is left of a file that could not be closed, because
@@ -110,7 +159,9 @@ bool h5_lacks_memory(const struct h5 *h) {
 bool h5_start(struct h5 *h) {
     if (h5_has_room(h)) {
         H5dont_atexit();
-        H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+        if (H5Eset_auto2(H5E_DEFAULT, NULL, NULL) < 0) {
+            h5_no_memory(h);  // for the library's own tables
+        }
     }
     return !h->failed;
 }
@@ -134,10 +185,18 @@ void h5_spend_reserve(struct h5 *h) {
     h->reserve = NULL;
 }
 
-// What writing needs. Chunks are written whole and never kept in memory by the library. It converts
-// in a buffer that is 1 MiB, cleared for each call, unless it is told otherwise: a fifth of the
-// time of a short run.
+// The library converts in a buffer that is 1 MiB, cleared for each call, unless it is told
+// otherwise: a fifth of the time of a short run.
+static void open_transfer(struct h5 *h) {
+    h->transfer = h->failed ? -1 : H5Pcreate(H5P_DATASET_XFER);
+    if (!h5_failed(h, h->transfer)) {
+        h5_failed(h, H5Pset_buffer(h->transfer, CONVERSION_BUFFER, NULL, NULL));
+    }
+}
+
+// What writing needs. Chunks are written whole and never kept in memory by the library.
 static void open_lists(struct h5 *h) {
+    open_transfer(h);
     if (h->failed) {
         return;
     }
@@ -146,9 +205,8 @@ static void open_lists(struct h5 *h) {
     h->plain = H5Pcreate(H5P_DATASET_CREATE);
     h->group = H5Pcreate(H5P_GROUP_CREATE);
     h->access = H5Pcreate(H5P_DATASET_ACCESS);
-    h->transfer = H5Pcreate(H5P_DATASET_XFER);
     if (h5_failed(h, h->references) || h5_failed(h, h->scalar) || h5_failed(h, h->plain) ||
-        h5_failed(h, h->group) || h5_failed(h, h->access) || h5_failed(h, h->transfer)) {
+        h5_failed(h, h->group) || h5_failed(h, h->access)) {
         return;
     }
     h5_failed(h, H5Pset_obj_track_times(h->plain, false));
@@ -156,7 +214,6 @@ static void open_lists(struct h5 *h) {
     h->compact = H5Pcopy(h->plain);
     h5_failed(h, H5Pset_layout(h->compact, H5D_COMPACT));
     h5_failed(h, H5Pset_chunk_cache(h->access, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT));
-    h5_failed(h, H5Pset_buffer(h->transfer, CONVERSION_BUFFER, NULL, NULL));
 }
 
 static void open_types(struct h5 *h) {
@@ -183,6 +240,8 @@ void h5_create(struct h5 *h, const char *path) {
     hid_t list = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
     if (!h5_failed(h, list) && !h5_failed(h, access) &&
         !h5_failed(h, H5Pset_obj_track_times(list, false)) &&
+        !h5_failed(h, H5Pset_sym_k(list, GROUP_NODE, GROUP_LEAF)) &&
+        !h5_failed(h, H5Pset_istore_k(list, CHUNK_NODE)) &&
         !h5_failed(h, H5Pset_fapl_sec2(access)) &&
         !h5_failed(h, H5Pset_sieve_buf_size(access, 0))) {
         h->file = H5Fcreate(path, H5F_ACC_EXCL, list, access);
@@ -228,6 +287,7 @@ void h5_open(struct h5 *h, const char *path, size_t sieve) {
     }
     if (!h->failed) {
         open_types(h);
+        open_transfer(h);
         h5_heap_open(h);
     }
 }

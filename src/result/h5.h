@@ -49,10 +49,14 @@ struct h5 {
     hid_t chunked;                // of the last dataset in chunks, which was like `chunk`
     struct h5_chunk chunk;
     hid_t access;                     // of datasets in chunks
-    hid_t transfer;                   // for writing
+    hid_t transfer;                   // for writing, and for reading whole datasets
     const struct unit_system *units;  // borrowed
     struct h5_heap heap;              // for reading
-    struct h5_use *use;               // (n_use) of scales; heap
+    // For reading: dimensions in front of lists of values, in each of which these are read.
+    int n_front;
+    hsize_t front[H5_DIMENSIONS_MAX];
+    uint64_t taken;      // by h5_take [bytes]
+    struct h5_use *use;  // (n_use) of scales; heap
     size_t n_use, use_capacity;
     unsigned n_ask;  // calls of h5_has_room
     void *reserve;   // heap; NULL: it is spent
@@ -81,7 +85,14 @@ bool h5_has_room(struct h5 *h);
 // Records that memory has run out; tells whether that is the failure recorded.
 void h5_no_memory(struct h5 *h);
 
-// Zeroed objects and a copy of a text in an arena; NULL: no memory, which is a failure.
+// The memory [bytes] that all that is read from the open file may take: compression can hide a
+// thousand times the size of the file. Takes `n` objects of `size` bytes from what is left; false:
+// that is too little, which is a failure.
+uint64_t h5_memory_limit(const struct h5 *h);
+bool h5_take(struct h5 *h, size_t n, size_t size);
+
+// Zeroed objects, by h5_take, and a copy of a text in an arena; NULL: no memory, which is a
+// failure.
 void *h5_alloc(struct h5 *h, struct arena *a, size_t n, size_t size);
 char *h5_copy(struct h5 *h, struct arena *a, const char *text);
 bool h5_lacks_memory(const struct h5 *h);
@@ -162,6 +173,13 @@ void h5_get_integers(struct h5 *h, hid_t dataset, const struct h5_block *part, i
 void h5_get_references(struct h5 *h, hid_t dataset, const struct h5_block *part,
                        struct h5_reference *reference);
 
+// The box of a dataset with dimensions `dim` (n_dim) that starts at value `first`, in the order of
+// rows, and holds at most `most` >= 1 values that follow one another: start, count and n are set.
+struct h5_block h5_box(const hsize_t *dim, int n_dim, hsize_t first, hsize_t most);
+// Reads a box as it is, (n) values of `type`; NULL: the whole dataset.
+void h5_get_box(struct h5 *h, hid_t dataset, const struct h5_block *box, int n_dim, hid_t type,
+                void *value);
+
 // What a reference refers to: *n items of `item` bytes, valid until the next call; none after a
 // failure.
 const void *h5_heap_get(struct h5 *h, const struct h5_reference *r, size_t item, size_t *n);
@@ -186,16 +204,21 @@ bool h5_has(struct h5 *h, hid_t parent, const char *name);
 // and the library would read beyond them.
 bool h5_is_stored(hid_t dataset);
 hid_t h5_get_group(struct h5 *h, hid_t parent, const char *name);
+// The text of an attribute, and the reference to it.
 char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name);
+void h5_get_reference(struct h5 *h, hid_t object, const char *name, struct h5_reference *out);
+// A text without control characters or stray bytes, such as a unit.
+char *h5_get_line(struct h5 *h, struct arena *a, hid_t object, const char *name);
 long h5_get_long(struct h5 *h, hid_t object, const char *name);
 double h5_get_double(struct h5 *h, hid_t object, const char *name);
 // The units of a file, from its attributes.
 void h5_get_units(struct h5 *h, struct arena *a, struct unit_system *units);
-// Length of the one-dimensional dataset; checked to be at most `limit`.
+// Lists of values are datasets of one dimension, or of n_front dimensions in front of that one.
+// Length of a list; checked to be at most `limit`.
 size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit);
-// The `n` texts of a one-dimensional dataset.
+// The `n` texts of a list.
 char **h5_get_texts(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n);
-// The `n` values of a one-dimensional dataset as doubles.
+// The `n` values of a list as doubles.
 double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n);
 void h5_get_column(struct h5 *h, struct arena *a, hid_t parent, const struct column_table *t, int c,
                    void *base, size_t n);

@@ -83,3 +83,40 @@ void h5_get_references(struct h5 *h, hid_t dataset, const struct h5_block *part,
                        struct h5_reference *reference) {
     get(h, dataset, part, h->heap.reference, reference);
 }
+
+struct h5_block h5_box(const hsize_t *dim, int n_dim, hsize_t first, hsize_t most) {
+    struct h5_block box = {.n = 1};
+    hsize_t inner = 1, rest = first;  // values for each step in dimension i
+    for (int i = n_dim - 1; i >= 0; i--) {
+        const hsize_t at = rest % dim[i];
+        hsize_t count = box.n == inner ? most / inner : 1;
+        count = count < 1 ? 1 : count > dim[i] - at ? dim[i] - at : count;
+        box.start[i] = at;
+        box.count[i] = count;
+        box.n *= count;
+        inner *= dim[i];
+        rest /= dim[i];
+    }
+    return box;
+}
+
+// In a space of the dataset's own rank: between two ranks the library goes value by value.
+void h5_get_box(struct h5 *h, hid_t dataset, const struct h5_block *box, int n_dim, hid_t type,
+                void *value) {
+    hid_t file = H5S_ALL, memory = H5S_ALL;
+    if (!h5_has_room(h)) {
+        return;
+    }
+    if (box) {
+        file = H5Dget_space(dataset);
+        memory = H5Screate_simple(n_dim, box->count, NULL);
+    }
+    if (!box || (!h5_failed(h, file) && !h5_failed(h, memory) &&
+                 !h5_failed(h, H5Sselect_hyperslab(file, H5S_SELECT_SET, box->start, NULL,
+                                                   box->count, NULL)))) {
+        h5_failed(h, H5Dread(dataset, type, memory, file, h->transfer, value));
+    }
+    if (box) {
+        close_spaces(file, memory);
+    }
+}

@@ -7,39 +7,49 @@
 #include <strings.h>
 #include <unistd.h>
 
+#include "core/file.h"
 #include "result/draft.h"
 
 static int cannot_write(const char *path, const struct h5 *h, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot write %s: %s", path, h->cause);
 }
 
+struct making {
+    struct h5 *h;
+    const char *path, *draft;
+};
+
 // Did another run come in between, as it made the file, locked it to see whether it is an old one,
 // or removed it for one, which the library tells in its own words?
 static bool was_raced(const struct h5 *h, const char *draft) {
     static const char removed[] = "can't retrieve stat info for file";
     if (h->file >= 0) {
-        return h->lock >= 0 && !draft_is_ours(h->lock, draft);
+        return h->lock >= 0 && !(file_lock(h->lock) && file_is_named(h->lock, draft));
     }
     return strcmp(h->cause, strerror(EEXIST)) == 0 || strcmp(h->cause, strerror(EAGAIN)) == 0 ||
-           strcmp(h->cause, removed) == 0;
+           strcmp(h->cause, strerror(EINTR)) == 0 || strcmp(h->cause, removed) == 0;
 }
 
-static int make_file(void *context, const char *draft, struct error *e) {
-    struct h5 *h = context;
-    (void)e;
-    h5_create(h, draft);
-    if (!was_raced(h, draft)) {
+static int make_file(void *context, struct error *e) {
+    const struct making *m = context;
+    const int status = draft_clear(m->path, m->draft, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    h5_create(m->h, m->draft);
+    if (!was_raced(m->h, m->draft)) {
         return STATUS_OK;  // or it failed: h->failed
     }
-    h5_close_types(h);
-    h5_close_file(h);
-    h5_unlock(h);
-    h->failed = false;
+    h5_close_types(m->h);
+    h5_close_file(m->h);
+    h5_unlock(m->h);
+    m->h->failed = false;
     return STATUS_RETRY;
 }
 
 int h5_draft_create(struct h5 *h, const char *path, const char *draft, struct error *e) {
-    int status = draft_make(path, draft, make_file, h, e);
+    struct making making = {h, path, draft};
+    int status = file_retry(path, draft, make_file, &making, e);
     if (status != STATUS_OK || !h->failed) {
         return status;
     }
@@ -116,9 +126,10 @@ int h5_draft_check(const struct report *r, const struct result_options *o, struc
     return status == STATUS_OK ? check_names(r, e) : status;
 }
 
-void h5_draft_attributes(struct h5 *h, hid_t root, const struct report *r) {
+void h5_draft_attributes(struct h5 *h, hid_t root, const struct report *r, int numerics) {
     h5_put_text(h, root, "format", "jostle");
     h5_put_long(h, root, "format_version", RESULT_FORMAT_VERSION);
+    h5_put_long(h, root, "numerics_version", numerics);
     h5_put_text(h, root, "status", "running");
     h5_put_text(h, root, "unit_force", r->units.force_name);
     h5_put_text(h, root, "unit_length", r->units.length_name);

@@ -16,6 +16,6 @@ int h5_draft_check(const struct report *r, const struct result_options *o, struc
 int h5_draft_create(struct h5 *h, const char *path, const char *draft, struct error *e);
 
 // What every result says of itself at its root; its status is "running".
-void h5_draft_attributes(struct h5 *h, hid_t root, const struct report *r);
+void h5_draft_attributes(struct h5 *h, hid_t root, const struct report *r, int numerics);
 
 #endif

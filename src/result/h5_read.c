@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/text.h"
 #include "result/h5.h"
 
 // How many bytes one stored byte can stand for. Deflate makes 1032 of one at most (zlib's technical
@@ -29,6 +30,19 @@ static hsize_t packing(hid_t dataset) {
     return most;
 }
 
+// The library reads chunks whole.
+static bool chunks_fit(hid_t dataset, size_t size) {
+    enum { CHUNK_MAX = 64 << 20 };  // [bytes]
+    hid_t list = H5Dget_create_plist(dataset);
+    hsize_t dim[H5S_MAX_RANK], values = CHUNK_MAX / size;
+    const int n = H5Pget_layout(list) == H5D_CHUNKED ? H5Pget_chunk(list, H5S_MAX_RANK, dim) : 0;
+    for (int i = 0; i < n; i++) {
+        values /= dim[i];
+    }
+    H5Pclose(list);
+    return n == 0 || values > 0;
+}
+
 bool h5_is_stored(hid_t dataset) {
     hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     const hssize_t n = H5Sget_simple_extent_npoints(space);
@@ -36,7 +50,7 @@ bool h5_is_stored(hid_t dataset) {
     const hsize_t stored = H5Dget_storage_size(dataset);
     H5Tclose(type);
     H5Sclose(space);
-    return n >= 0 && size > 0 &&
+    return n >= 0 && size > 0 && chunks_fit(dataset, size) &&
            ((hsize_t)n <= stored / size || (hsize_t)n / packing(dataset) <= stored / size);
 }
 
@@ -96,10 +110,23 @@ static void get_attribute(struct h5 *h, hid_t object, const char *name, H5T_clas
     }
 }
 
+void h5_get_reference(struct h5 *h, hid_t object, const char *name, struct h5_reference *out) {
+    *out = (struct h5_reference){.byte = {0}};
+    get_attribute(h, object, name, H5T_STRING, h->heap.reference, out);
+}
+
 char *h5_get_text(struct h5 *h, struct arena *a, hid_t object, const char *name) {
-    struct h5_reference reference = {.byte = {0}};
-    get_attribute(h, object, name, H5T_STRING, h->heap.reference, &reference);
+    struct h5_reference reference;
+    h5_get_reference(h, object, name, &reference);
     return h->failed ? NULL : h5_heap_text(h, a, &reference);
+}
+
+char *h5_get_line(struct h5 *h, struct arena *a, hid_t object, const char *name) {
+    char *text = h5_get_text(h, a, object, name);
+    if (text && text_not_plain(text)) {
+        h5_fail(h, "attribute '%s' has a control character or is not UTF-8", name);
+    }
+    return h->failed ? NULL : text;
 }
 
 long h5_get_long(struct h5 *h, hid_t object, const char *name) {
@@ -115,7 +142,7 @@ double h5_get_double(struct h5 *h, hid_t object, const char *name) {
 }
 
 static void get_unit_name(struct h5 *h, struct arena *a, const char *name, char *to) {
-    const char *text = h5_get_text(h, a, h->file, name);
+    const char *text = h5_get_line(h, a, h->file, name);
     if (text && strlen(text) >= UNIT_NAME_MAX) {
         h5_fail(h, "attribute '%s' is longer than %d characters", name, UNIT_NAME_MAX - 1);
     } else if (text) {
@@ -133,7 +160,7 @@ void h5_get_units(struct h5 *h, struct arena *a, struct unit_system *u) {
     u->gravity = h5_get_double(h, h->file, "gravity_in_m_per_s2");
 }
 
-// Opens a one-dimensional dataset and gives its length.
+// Opens a list and gives its length.
 static hid_t open_list(struct h5 *h, hid_t parent, const char *name, hsize_t *n) {
     if (h->failed) {
         return -1;
@@ -143,12 +170,16 @@ static hid_t open_list(struct h5 *h, hid_t parent, const char *name, hsize_t *n)
         h5_fail(h, "dataset '%s' is missing", name);
         return -1;
     }
+    hsize_t dim[H5S_MAX_RANK];
     hid_t space = H5Dget_space(dataset);
-    const bool good = space >= 0 && H5Sget_simple_extent_ndims(space) == 1 &&
-                      H5Sget_simple_extent_dims(space, n, NULL) == 1;
+    const int n_dim = H5Sget_simple_extent_dims(space, dim, NULL);
+    const bool good = n_dim == 1 || (h->n_front > 0 && n_dim == h->n_front + 1);
+    *n = good ? dim[n_dim - 1] : 0;
     H5Sclose(space);
     if (!good || !h5_is_stored(dataset)) {
-        h5_fail(h, "dataset '%s' %s", name, good ? "is not all there" : "has not one dimension");
+        h5_fail(h, "dataset '%s' %s", name,
+                good ? "is not all there, or has chunks of more than 64 MiB"
+                     : "has not one dimension");
         H5Dclose(dataset);
         return -1;
     }
@@ -168,8 +199,34 @@ size_t h5_get_length(struct h5 *h, hid_t parent, const char *name, size_t limit)
     return h->failed ? 0 : (size_t)n;
 }
 
-// Reads `n` values as `memory_type`; the dataset must have just as many, of that class, or texts
-// for references.
+// Reads the `n` values of an open list into memory.
+static void read_values(struct h5 *h, hid_t dataset, hid_t memory_type, hsize_t n, void *to) {
+    hsize_t start[H5_DIMENSIONS_MAX + 1] = {0}, count[H5_DIMENSIONS_MAX + 1];
+    hid_t file = H5Dget_space(dataset), memory = H5Screate_simple(1, &n, NULL);
+    const int n_front = H5Sget_simple_extent_ndims(file) - 1;
+    for (int i = 0; i < n_front; i++) {
+        start[i] = h->front[i];
+        count[i] = 1;
+    }
+    count[n_front < 0 ? 0 : n_front] = n;
+    if (!h5_failed(h, file) && !h5_failed(h, memory) &&
+        !h5_failed(h, H5Sselect_hyperslab(file, H5S_SELECT_SET, start, NULL, count, NULL))) {
+        h5_failed(h, H5Dread(dataset, memory_type, memory, file, H5P_DEFAULT, to));
+    }
+    if (memory >= 0) {
+        H5Sclose(memory);
+    }
+    if (file >= 0) {
+        H5Sclose(file);
+    }
+}
+
+static bool is_number(H5T_class_t class) {
+    return class == H5T_FLOAT || class == H5T_INTEGER;
+}
+
+// Reads `n` values as `memory_type`; the list must have just as many, of that class, or texts for
+// references. With dimensions in front, all numbers are stored as floating-point ones.
 static void read_list(struct h5 *h, hid_t parent, const char *name, hid_t memory_type, size_t n,
                       void *to) {
     hsize_t length = 0;
@@ -182,11 +239,13 @@ static void read_list(struct h5 *h, hid_t parent, const char *name, hid_t memory
     hid_t type = H5Dget_type(dataset);
     if (length != n) {
         h5_fail(h, "dataset '%s' has %llu values, not %zu", name, (unsigned long long)length, n);
-    } else if (type < 0 || H5Tget_class(type) != class ||
+    } else if (type < 0 ||
+               (H5Tget_class(type) != class &&
+                !(h->n_front > 0 && is_number(class) && is_number(H5Tget_class(type)))) ||
                (class == H5T_STRING && H5Tis_variable_str(type) <= 0)) {
         h5_fail(h, "dataset '%s' is not of the kind expected", name);
     } else if (n > 0) {
-        h5_failed(h, H5Dread(dataset, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to));
+        read_values(h, dataset, memory_type, n, to);
     }
     if (type >= 0) {
         H5Tclose(type);
@@ -203,8 +262,8 @@ double *h5_get_doubles(struct h5 *h, struct arena *a, hid_t parent, const char *
 }
 
 char **h5_get_texts(struct h5 *h, struct arena *a, hid_t parent, const char *name, size_t n) {
-    struct h5_reference *reference = calloc(n + 1, sizeof *reference);
-    char **text = arena_alloc(a, n, sizeof *text);
+    char **text = h5_alloc(h, a, n, sizeof *text);
+    struct h5_reference *reference = text ? calloc(n + 1, sizeof *reference) : NULL;
     if (reference && text) {
         read_list(h, parent, name, h->heap.reference, n, reference);
     } else {

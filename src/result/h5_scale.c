@@ -122,7 +122,7 @@ hid_t h5_get_scale(struct h5 *h, hid_t dataset, int n_dim, int dimension) {
     memcpy(&scale, found, sizeof scale);
     hid_t object = H5Rdereference2(h->file, H5P_DEFAULT, H5R_OBJECT, &scale);
     if (!h5_failed(h, object) && H5Iget_type(object) != H5I_DATASET) {
-        h5_fail(h, "the scale of dimension %d is no dataset", dimension + 1);
+        h5_fail(h, "the scale of dimension %d is not a dataset", dimension + 1);
     }
     return object;
 }

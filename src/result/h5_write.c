@@ -96,14 +96,25 @@ static hid_t create_with(struct h5 *h, hid_t parent, const struct h5_dataset *d,
     return dataset;
 }
 
-// Few values go into the header of their dataset, which takes less time than room of their own.
+// The creation list of a dataset, by the number of its bytes (of a text: of the pointer to it). Few
+// bytes go into the object header of the dataset, which is faster than a place of their own; the
+// header takes 64 KiB at most.
+static hid_t storage_list(struct h5 *h, const struct h5_dataset *d) {
+    enum { FEW_BYTES = 512 };
+    hsize_t bytes = H5Tget_size(d->file_type);
+    for (int i = 0; i < d->n_dim; i++) {
+        bytes *= d->dim[i];
+    }
+    if (d->chunk_rows > 0 && bytes > 0) {
+        assert(d->n_dim <= 2);
+        return chunked_list(h, &(struct h5_chunk){d->n_dim, d->chunk_rows, d->dim[1], d->compress});
+    }
+    return bytes <= FEW_BYTES ? h->compact : h->plain;
+}
+
 static hid_t create(struct h5 *h, hid_t parent, const struct h5_dataset *d) {
-    enum { FEW = 64 };
-    const hsize_t values = d->n_dim == 2 ? d->dim[0] * d->dim[1] : d->dim[0];
-    const struct h5_chunk chunk = {d->n_dim, d->chunk_rows, d->dim[1], d->compress};
-    const bool in_chunks = d->chunk_rows > 0 && values > 0;
-    hid_t list = in_chunks ? chunked_list(h, &chunk) : values <= FEW ? h->compact : h->plain;
-    hid_t access = in_chunks ? h->access : H5P_DEFAULT;
+    hid_t list = storage_list(h, d);
+    hid_t access = list == h->chunked ? h->access : H5P_DEFAULT;
     if (h->failed || !d->many_users) {
         return h->failed ? -1 : create_with(h, parent, d, list, access);
     }

@@ -52,6 +52,19 @@ static int read_column(const struct result_file *f, const char *path, int column
     return status;
 }
 
+int result_check_memory(const struct result_file *f, int n_column, struct error *e) {
+    const double bytes = (double)f->report->n_row * n_column * (double)sizeof(double);
+    const double limit = (double)h5_memory_limit(&f->h);
+    return bytes <= limit
+               ? STATUS_OK
+               : error_set(e, STATUS_INPUT,
+                           "%d histories of %s take %.3g MB of memory; at most %.3g MB are "
+                           "allowed for a file of %.3g MB; write fewer rows (output -interval) or "
+                           "take its compression away (h5repack -f NONE)",
+                           n_column, f->path, bytes / 1e6, limit / 1e6,
+                           (double)f->h.heap.end / 1e6);
+}
+
 int result_time(const struct result_file *f, double *out, struct error *e) {
     return read_column(f, "time", -1, out, e);
 }

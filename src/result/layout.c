@@ -47,7 +47,7 @@ static const struct column totals_column[] = {
     {.name = "steps_cut",
      .long_name = "steps halved, or rejected where they adapt",
      .kind = COLUMN_LONG,
-     .offset = offsetof(struct totals, cuts)},
+     .offset = offsetof(struct totals, rejected)},
     {.name = "steps_unsolved",
      .long_name = "steps taken without meeting the tolerance",
      .kind = COLUMN_LONG,
@@ -95,6 +95,32 @@ static const struct column link_column[] = {
 };
 const struct column_table layout_link = {link_column, sizeof link_column / sizeof link_column[0],
                                          sizeof(struct report_link)};
+
+static const struct column level_column[] = {
+    {"left_below", "floor below a level, 0 is the ground, else left_floor", NULL, COLUMN_INT,
+     offsetof(struct report_link, left_below), 0},
+    {"right_below", "floor below a level, 0 is the ground, else right_floor", NULL, COLUMN_INT,
+     offsetof(struct report_link, right_below), 0},
+    {"left_level", "level of the left end between two floors, NaN at a floor", &dimension_length,
+     COLUMN_DOUBLE, offsetof(struct report_link, left_level), 0},
+    {"left_weight", "weight of the left floor there, the floor below has the rest", NULL,
+     COLUMN_DOUBLE, offsetof(struct report_link, left_weight), 0},
+    {"right_level", "level of the right end between two floors, NaN at a floor", &dimension_length,
+     COLUMN_DOUBLE, offsetof(struct report_link, right_level), 0},
+    {"right_weight", "weight of the right floor there, the floor below has the rest", NULL,
+     COLUMN_DOUBLE, offsetof(struct report_link, right_weight), 0},
+};
+const struct column_table layout_level = {
+    level_column, sizeof level_column / sizeof level_column[0], sizeof(struct report_link)};
+
+bool layout_has_levels(const struct report_link *link, int n) {
+    bool any = false;
+    for (int i = 0; i < n; i++) {
+        any = any || link[i].left_below != link[i].left_floor ||
+              link[i].right_below != link[i].right_floor;
+    }
+    return any;
+}
 
 static const struct column contact_column[] = {
     {"force", "largest contact force", &dimension_force, COLUMN_DOUBLE,

@@ -33,6 +33,7 @@ struct column_table {
 extern const struct column_table layout_root;       // of struct report: attributes of /
 extern const struct column_table layout_totals;     // of struct totals: attributes of /
 extern const struct column_table layout_link;       // of struct report_link: /contacts and /links
+extern const struct column_table layout_level;      // the same, where layout_has_levels
 extern const struct column_table layout_contact;    // of struct report_link: /contacts/envelope
 extern const struct column_table layout_link_peak;  // of struct report_link: /links/envelope
 extern const struct column_table layout_impact;     // of struct impact: /impacts
@@ -60,6 +61,9 @@ struct link_group {
     const struct quantity *quantity;   // (2) of them
 };
 extern const struct link_group layout_contacts, layout_links;
+
+// Is an end of a link at a level between two floors?
+bool layout_has_levels(const struct report_link *link, int n);
 
 // Address of column `c` in struct number `i` of the array at `base`.
 const void *layout_at(const struct column_table *t, int c, const void *base, size_t i);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gives a finished file its name: on disk first, then in one step, and never over a file that must
 // survive. link() fails if the name is taken; where the file system has no hard links, a
-// placeholder opened with O_EXCL takes the name before the file is renamed over it.
+// placeholder opened with O_EXCL takes the name before the file is renamed over it. The folder is
+// opened once, so that all steps are in the same folder, even if it is moved meanwhile.
+//
+// POSIX has no call that replaces only regular files: a link that takes the name between the check
+// and the rename is replaced. The file behind such a link is not touched.
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -9,6 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/file.h"
 #include "jostle/result.h"
 
 static int cannot_write(struct error *e, const char *path, int cause) {
@@ -17,6 +22,13 @@ static int cannot_write(struct error *e, const char *path, int cause) {
 
 static int exists(struct error *e, const char *path) {
     return error_set(e, STATUS_INPUT, "%s exists; --force overwrites it", path);
+}
+
+static int check_obstacle(int folder, const char *name, const char *path, struct error *e) {
+    const char *obstacle = file_obstacle(folder, name);
+    return obstacle ? error_set(e, STATUS_INPUT, "%s is %s; only a regular file is replaced", path,
+                                obstacle)
+                    : STATUS_OK;
 }
 
 int result_check_path(const char *path, enum result_existing existing, struct error *e) {
@@ -28,64 +40,80 @@ int result_check_path(const char *path, enum result_existing existing, struct er
         return error_set(e, STATUS_INPUT,
                          "no file is written to the standard output; ./- is a file called -");
     }
-    if (stat(path, &found) != 0) {
-        return STATUS_OK;
-    }
-    if (S_ISDIR(found.st_mode)) {
-        return error_set(e, STATUS_INPUT, "%s is a directory; a file is to be written", path);
-    }
-    if (!S_ISREG(found.st_mode)) {
-        return error_set(e, STATUS_INPUT,
-                         "%s is no regular file; the file that is written would take its place",
-                         path);
-    }
-    return existing == RESULT_KEEP ? exists(e, path) : STATUS_OK;
+    const int status = check_obstacle(AT_FDCWD, path, path, e);
+    return status == STATUS_OK && existing == RESULT_KEEP && lstat(path, &found) == 0
+               ? exists(e, path)
+               : status;
 }
 
-static int synchronise(const char *draft, const char *path, struct error *e) {
-    int file = open(draft, O_RDWR);
-    if (file < 0 || fsync(file) != 0) {
-        int cause = errno;
-        if (file >= 0) {
-            close(file);
-        }
-        return cannot_write(e, path, cause);
-    }
-    return close(file) == 0 ? STATUS_OK : cannot_write(e, path, errno);
+// A file about to get its name.
+struct publication {
+    const char *path, *draft_path;
+    int folder;                // AT_FDCWD: the folder cannot be read
+    const char *name, *draft;  // relative to the folder
+};
+
+static int replace(const struct publication *p, struct error *e) {
+    return renameat(p->folder, p->draft, p->folder, p->name) == 0 ? STATUS_OK
+                                                                  : cannot_write(e, p->path, errno);
 }
 
-static int replace(const char *draft, const char *path, struct error *e) {
-    return rename(draft, path) == 0 ? STATUS_OK : cannot_write(e, path, errno);
-}
-
-static int keep(const char *draft, const char *path, struct error *e) {
-    if (link(draft, path) == 0) {
-        unlink(draft);
+static int keep(const struct publication *p, struct error *e) {
+    if (linkat(p->folder, p->draft, p->folder, p->name, 0) == 0) {
+        unlinkat(p->folder, p->draft, 0);
         return STATUS_OK;
     }
     if (errno == EEXIST) {
-        return exists(e, path);
+        return exists(e, p->path);
     }
-    int placeholder = open(path, O_WRONLY | O_CREAT | O_EXCL, 0666);
-    if (placeholder < 0) {
-        return errno == EEXIST ? exists(e, path) : cannot_write(e, path, errno);
+    int placeholder;
+    int status = file_claim(p->path, p->path, O_CREAT | O_EXCL, &placeholder, e);
+    if (status != STATUS_OK) {
+        return status == STATUS_RETRY ? exists(e, p->path) : status;
+    }
+    status = replace(p, e);
+    if (status != STATUS_OK) {
+        unlinkat(p->folder, p->name, 0);
     }
     close(placeholder);
-    int status = replace(draft, path, e);
-    if (status != STATUS_OK) {
-        unlink(path);
-    }
     return status;
 }
 
-int result_publish(const char *draft, const char *path, enum result_existing existing,
-                   struct error *e) {
-    int status = synchronise(draft, path, e);
-    if (status == STATUS_OK) {
-        status = existing == RESULT_REPLACE ? replace(draft, path, e) : keep(draft, path, e);
+// Others may read the file from here on, as it is complete. Nobody may remove it before it has its
+// name.
+static int name_file(int file, const struct publication *p, enum result_existing existing,
+                     struct error *e) {
+    if (file_sync(file) != 0) {
+        return cannot_write(e, p->path, errno);
     }
+    if (!file_share(file) || !file_is_named(file, p->draft_path)) {
+        return error_set(e, STATUS_SYSTEM, "cannot write %s: another program has taken %s", p->path,
+                         p->draft_path);
+    }
+    int status = check_obstacle(p->folder, p->name, p->path, e);
+    if (status == STATUS_OK) {
+        status = existing == RESULT_REPLACE ? replace(p, e) : keep(p, e);
+    }
+    return status == STATUS_OK && file_sync_folder(p->folder) != 0 ? cannot_write(e, p->path, errno)
+                                                                   : status;
+}
+
+int result_publish(int file, const char *draft, const char *path, enum result_existing existing,
+                   struct error *e) {
+    const int folder = file_open_folder(path);
+    const char *slash = strrchr(path, '/');
+    const size_t start = folder >= 0 && slash ? (size_t)(slash - path) + 1 : 0;
+    const struct publication p = {.path = path,
+                                  .draft_path = draft,
+                                  .folder = folder >= 0 ? folder : AT_FDCWD,
+                                  .name = path + start,
+                                  .draft = draft + start};
+    const int status = name_file(file, &p, existing, e);
     if (status != STATUS_OK) {
         unlink(draft);
+    }
+    if (folder >= 0) {
+        close(folder);
     }
     return status;
 }

@@ -2,6 +2,7 @@
 // Opens a result file and reads everything but its histories into a report.
 #include "result/reader.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,53 +14,59 @@
 enum { BUILDINGS_LIMIT = 1 << 20, LIST_LIMIT = 1 << 26 };
 enum { SIEVE_BYTES = 1 << 16 };
 
-static int damaged(const struct result_file *f, struct error *e) {
-    if (h5_lacks_memory(&f->h)) {
-        return error_no_memory(e);
-    }
-    return error_set(e, STATUS_INPUT, "%s is damaged: %s", f->path, f->h.cause);
+static int damaged(const struct h5 *h, const char *path, struct error *e) {
+    return h5_lacks_memory(h) ? error_no_memory(e)
+                              : error_set(e, STATUS_INPUT, "%s is damaged: %s", path, h->cause);
 }
 
-static int check_format(struct result_file *f, struct error *e) {
-    struct arena *a = f->report->arena;
-    const char *format = h5_get_text(&f->h, a, f->root, "format");
-    if (f->h.failed && h5_lacks_memory(&f->h)) {
+int reader_check_format(struct h5 *h, hid_t root, struct arena *a, const char *path,
+                        struct error *e) {
+    const char *format = h5_get_text(h, a, root, "format");
+    if (h->failed && h5_lacks_memory(h)) {
         return error_no_memory(e);
     }
     if (!format || strcmp(format, "jostle") != 0) {
-        return error_set(e, STATUS_INPUT, "%s is not a result file of jostle", f->path);
+        return error_set(e, STATUS_INPUT, "%s is not a result file of jostle", path);
     }
-    const long version = h5_get_long(&f->h, f->root, "format_version");
-    if (f->h.failed) {
-        return damaged(f, e);
+    const long version = h5_get_long(h, root, "format_version");
+    const char *status = h5_get_text(h, a, root, "status");
+    if (h->failed) {
+        return damaged(h, path, e);
     }
     if (version < 1 || version > RESULT_FORMAT_VERSION) {
         return error_set(e, STATUS_INPUT,
-                         "%s has format version %ld; this program reads versions up to %d", f->path,
+                         "%s has format version %ld; this program reads versions up to %d", path,
                          version, RESULT_FORMAT_VERSION);
     }
-    if (h5_has(&f->h, f->root, "sweep")) {
+    if (strcmp(status, "complete") != 0) {
+        return error_set(e, STATUS_INPUT, "%s is not complete: its status is '%s'", path, status);
+    }
+    return STATUS_OK;
+}
+
+static const double *get_doubles(struct result_file *f, const struct reader_place *p,
+                                 const char *name, size_t n) {
+    return h5_get_doubles(&f->h, f->report->arena, reader_place_holder(f, p, name), name, n);
+}
+
+// The same of a file of one run, or of that of the study which the run is of.
+static int check_format(struct result_file *f, struct error *e) {
+    const int status = reader_check_format(&f->h, f->h.file, f->report->arena, f->path, e);
+    if (status == STATUS_OK && !reader_is_run(f) && h5_has(&f->h, f->root, "sweep")) {
         return error_set(e, STATUS_INPUT,
                          "%s is the result of a study, not of one analysis; "
                          "jostle show prints it",
                          f->path);
     }
-    const char *status = h5_get_text(&f->h, a, f->root, "status");
-    if (f->h.failed) {
-        return damaged(f, e);
-    }
-    if (strcmp(status, "complete") != 0) {
-        return error_set(e, STATUS_INPUT, "%s is not complete: its status is '%s'", f->path,
-                         status);
-    }
-    return STATUS_OK;
+    return status;
 }
 
 static void get_attributes(struct result_file *f) {
     struct report *r = f->report;
     h5_get_units(&f->h, r->arena, &r->units);
     for (int c = 0; c < layout_root.n_column; c++) {
-        h5_get_member(&f->h, r->arena, f->root, &layout_root, c, r);
+        const bool is_own = !reader_is_run(f) || H5Aexists(f->root, layout_root.column[c].name) > 0;
+        h5_get_member(&f->h, r->arena, is_own ? f->root : f->h.file, &layout_root, c, r);
     }
     for (int c = 0; c < layout_totals.n_column; c++) {
         h5_get_member(&f->h, r->arena, f->root, &layout_totals, c, &r->totals);
@@ -70,8 +77,16 @@ static void get_attributes(struct result_file *f) {
     }
 }
 
-static void get_envelope(struct result_file *f, hid_t building, struct report_building *b) {
-    hid_t envelope = h5_get_group(&f->h, building, "envelope");
+// Of a run of a study, an attribute says whether it has residual drifts.
+static bool has_residual_drift(struct result_file *f, const struct reader_place *building,
+                               const struct reader_place *envelope) {
+    return envelope->own >= 0 ? h5_has(&f->h, envelope->own, layout_residual_drift_name)
+                              : h5_get_long(&f->h, building->own, "yields") != 0;
+}
+
+static void get_envelope(struct result_file *f, const struct reader_place *building,
+                         struct report_building *b) {
+    const struct reader_place envelope = reader_place_open(f, building, "envelope");
     const size_t n = (size_t)b->n_floor;
     for (int p = 0; p < PEAK_COUNT && !f->h.failed; p++) {
         const char *time = arena_format(f->report->arena, "%s_time", peak_names[p]);
@@ -79,27 +94,26 @@ static void get_envelope(struct result_file *f, hid_t building, struct report_bu
             h5_no_memory(&f->h);
             break;
         }
-        b->peak[p] = h5_get_doubles(&f->h, f->report->arena, envelope, peak_names[p], n);
-        b->peak_time[p] = h5_get_doubles(&f->h, f->report->arena, envelope, time, n);
+        b->peak[p] = get_doubles(f, &envelope, peak_names[p], n);
+        b->peak_time[p] = get_doubles(f, &envelope, time, n);
     }
-    if (!f->h.failed && h5_has(&f->h, envelope, layout_residual_drift_name)) {
-        b->residual_drift =
-            h5_get_doubles(&f->h, f->report->arena, envelope, layout_residual_drift_name, n);
+    if (!f->h.failed && has_residual_drift(f, building, &envelope)) {
+        b->residual_drift = get_doubles(f, &envelope, layout_residual_drift_name, n);
     }
-    h5_close(&f->h, envelope);
+    reader_place_close(f, &envelope);
 }
 
-static void get_building(struct result_file *f, hid_t group, struct report_building *b) {
-    b->n_floor = (int)h5_get_length(&f->h, group, "floor", FLOORS_MAX);
+static void get_building(struct result_file *f, const struct reader_place *building,
+                         struct report_building *b) {
+    b->n_floor = (int)h5_get_length(&f->h, building->own, "floor", FLOORS_MAX);
     if (b->n_floor < 1) {
         h5_fail(&f->h, "building '%s' has no floors", b->name);
     }
     for (int c = 0; c < layout_building.n_column && !f->h.failed; c++) {
         const double **to = layout_to(&layout_building, c, b, 0);
-        *to = h5_get_doubles(&f->h, f->report->arena, group, layout_building.column[c].name,
-                             (size_t)b->n_floor);
+        *to = get_doubles(f, building, layout_building.column[c].name, (size_t)b->n_floor);
     }
-    get_envelope(f, group, b);
+    get_envelope(f, building, b);
 }
 
 struct report_building *reader_building(struct h5 *h, hid_t group, const char *name,
@@ -135,40 +149,65 @@ void reader_buildings(struct h5 *h, hid_t root, struct report *r, H5L_iterate_t 
 
 static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *info,
                              void *context) {
-    (void)info;
+    (void)info, (void)parent;
     struct result_file *f = context;
     struct report *r = f->report;
-    hid_t group = h5_get_group(&f->h, parent, name);
+    const struct reader_place root = reader_place_root(f),
+                              all = reader_place_open(f, &root, "buildings");
+    const struct reader_place building = reader_place_open(f, &all, name);
+    const hid_t group = building.own;
     struct report_building *b = reader_building(&f->h, group, name, r);
     for (int i = 0; i < FLOOR_FIELD_COUNT && b == r->building; i++) {
         r->fields |= h5_has(&f->h, group, field_names[i]) ? 1U << i : 0;
     }
     if (b) {
-        get_building(f, group, b);
+        get_building(f, &building, b);
     }
-    h5_close(&f->h, group);
+    reader_place_close(f, &building);
+    reader_place_close(f, &all);
     return f->h.failed ? -1 : 0;
+}
+
+static void get_columns(struct result_file *f, const struct reader_place *p,
+                        const struct column_table *t, void *base, size_t n) {
+    for (int c = 0; c < t->n_column && !f->h.failed; c++) {
+        const hid_t group = reader_place_holder(f, p, t->column[c].name);
+        h5_get_column(&f->h, f->report->arena, group, t, c, base, n);
+    }
 }
 
 static struct report_link *get_links(struct result_file *f, const struct link_group *g,
                                      int *n_link) {
     struct arena *a = f->report->arena;
-    hid_t group = h5_get_group(&f->h, f->root, g->name);
-    const size_t n = h5_get_length(&f->h, group, g->scale, LIST_LIMIT);
+    const struct reader_place root = reader_place_root(f),
+                              links = reader_place_open(f, &root, g->name);
+    const size_t n = h5_get_length(&f->h, links.own, g->scale, LIST_LIMIT);
     struct report_link *link = h5_alloc(&f->h, a, n, sizeof *link);
-    for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
-        h5_get_column(&f->h, a, group, &layout_link, c, link, n);
+    get_columns(f, &links, &layout_link, link, n);
+    for (size_t i = 0; i < n; i++) {
+        link[i].left_below = link[i].left_floor;
+        link[i].right_below = link[i].right_floor;
+        link[i].left_level = link[i].right_level = NAN;
+    }
+    const char *level = layout_level.column[0].name;
+    if (n > 0 && h5_has(&f->h, reader_place_holder(f, &links, level), level)) {
+        get_columns(f, &links, &layout_level, link, n);
+    }
+    for (size_t i = 0; i < n && !f->h.failed; i++) {
+        if (link[i].left_floor > FLOORS_MAX || link[i].right_floor > FLOORS_MAX) {
+            h5_fail(&f->h, "a link of /%s is at floor %d; there are at most %d", g->name,
+                    link[i].left_floor > FLOORS_MAX ? link[i].left_floor : link[i].right_floor,
+                    FLOORS_MAX);
+        }
     }
     for (int i = 0; i < 2; i++) {
         const unsigned bit = 1U << (FLOOR_FIELD_COUNT + i);
-        f->report->fields |= h5_has(&f->h, group, g->field[i]) ? bit : 0;
+        f->report->fields |= h5_has(&f->h, links.own, g->field[i]) ? bit : 0;
     }
-    hid_t envelope = h5_get_group(&f->h, group, "envelope");
-    for (int c = 0; c < g->peaks->n_column && !f->h.failed; c++) {
-        h5_get_column(&f->h, a, envelope, g->peaks, c, link, n);
-    }
-    h5_close(&f->h, envelope);
-    h5_close(&f->h, group);
+    const struct reader_place envelope = reader_place_open(f, &links, "envelope");
+    get_columns(f, &envelope, g->peaks, link, n);
+    reader_place_close(f, &envelope);
+    reader_place_close(f, &links);
     *n_link = (int)n;
     return link;
 }
@@ -239,7 +278,9 @@ static int open_run(struct result_file *f, const char *file, long run, struct er
         return error_set(e, STATUS_INPUT, "%s has no histories of run %ld", file, run);
     }
     f->root = h5_get_group(&f->h, f->h.file, name);
-    return f->h.failed ? damaged(f, e) : STATUS_OK;
+    f->report->run = run;
+    reader_place_find(f, run);
+    return f->h.failed ? damaged(&f->h, f->path, e) : STATUS_OK;
 }
 
 static int open_file(struct result_file *f, struct error *e) {
@@ -253,10 +294,12 @@ static int open_file(struct result_file *f, struct error *e) {
         return status;
     }
     if (!h5_start(&f->h)) {
-        return damaged(f, e);
+        return damaged(&f->h, f->path, e);
     }
     if (H5Fis_hdf5(file) <= 0) {
-        return error_set(e, STATUS_INPUT, "%s is not an HDF5 file", file);
+        h5_fail(&f->h, "not an HDF5 file");
+        return h5_lacks_memory(&f->h) ? error_no_memory(e)
+                                      : error_set(e, STATUS_INPUT, "%s is %s", file, f->h.cause);
     }
     h5_open(&f->h, file, SIEVE_BYTES);
     if (f->h.failed) {
@@ -284,7 +327,7 @@ static int read_file(struct result_file *f, struct error *e) {
     }
     get_impacts(f);
     get_energy(f);
-    return f->h.failed ? damaged(f, e) : STATUS_OK;
+    return f->h.failed ? damaged(&f->h, f->path, e) : STATUS_OK;
 }
 
 int result_open(const char *path, struct result_file **out, struct error *e) {

@@ -52,14 +52,21 @@ static const char *constants_text(struct arena *a, const struct link *l) {
 }
 
 static void link_fill(struct report_link *to, const struct report *r, const struct link *l) {
+    const int right = l->building[l->within ? 0 : 1];
     *to = (struct report_link){
         .name = arena_text(r->arena, l->name, strlen(l->name)),
         .left = l->building[0] == WALL ? wall : r->building[l->building[0]].name,
-        .right = l->building[1] == WALL ? wall : r->building[l->building[1]].name,
+        .right = right == WALL ? wall : r->building[right].name,
         .law = l->law->name,
         .constants = constants_text(r->arena, l),
         .left_floor = l->floor[0],
         .right_floor = l->floor[1],
+        .left_below = l->floor[0] - !isnan(l->level[0]),
+        .right_below = l->floor[1] - !isnan(l->level[1]),
+        .left_level = l->level[0],
+        .left_weight = l->weight[0],
+        .right_level = l->level[1],
+        .right_weight = l->weight[1],
         .gap = l->gap,
         .mass = l->mass,
         .restitution = l->restitution,
@@ -119,7 +126,7 @@ static void model_fill(struct report *to, const struct model *m, const struct re
     to->duration = m->duration;
     to->dt = m->adaptive ? 0.0 : m->dt;
     to->fields = m->output.fields;
-    to->n_row = 1 + m->n_step / m->output.every + (m->n_step % m->output.every != 0);
+    to->n_row = model_rows(m);
     to->n_building = m->n_building;
     to->n_contact = m->n_contact;
     to->n_link = m->n_link - m->n_contact;
@@ -164,4 +171,26 @@ void report_free(struct report *r) {
     if (r) {
         arena_free(r->arena);
     }
+}
+
+// Does a force on an end act on the floor?
+static bool acts_on(int floor, int end_floor, int below) {
+    return floor == end_floor || floor == below;
+}
+
+const char report_hit_note[] = "* this floor was hit: its peak depends on the contact stiffness";
+const char report_hit_name[] = "floor that was hit";
+
+bool report_link_joins(const struct report_link *c, const char *building, int floor) {
+    return (acts_on(floor, c->left_floor, c->left_below) && strcmp(c->left, building) == 0) ||
+           (acts_on(floor, c->right_floor, c->right_below) && strcmp(c->right, building) == 0);
+}
+
+bool report_floor_was_hit(const struct report *r, const char *building, int floor) {
+    bool hit = false;
+    for (int i = 0; i < r->n_contact && !hit; i++) {
+        const struct report_link *c = &r->contact[i];
+        hit = c->peak.force > 0.0 && report_link_joins(c, building, floor);
+    }
+    return hit;
 }

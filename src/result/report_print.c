@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The summary as text. Long lists are cut to the most severe entries, and a line says so.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "core/safe.h"
 #include "core/text.h"
 #include "jostle/result.h"
+#include "result/choice.h"
 
-enum { SHOWN_MAX = 20, NAME_WIDTH_MAX = 16, LINK_WIDTH_MAX = 33, LAW_WIDTH_MAX = 17 };
+enum { NAME_WIDTH_MAX = 16, LINK_WIDTH_MAX = 33, LAW_WIDTH_MAX = 17 };
 
 // Unit texts of the headings, in brackets.
 enum unit {
@@ -47,18 +48,16 @@ static void units_init(struct printer *p) {
 // Left-aligned text; where it is too long, its end is kept, which names the floors.
 static void cell(FILE *to, const char *text, int width) {
     const int n = text_columns(text, strlen(text));
-    if (n <= width) {
-        fprintf(to, "%s%*s", text, width - n, "");
-        return;
-    }
     const char *tail = text;
-    for (int skip = n - width + 2; skip > 0; skip--) {
+    for (int skip = n > width ? n - width + 2 : 0; skip > 0; skip--) {
         tail++;
         while (((unsigned char)*tail & 0xC0) == 0x80) {
             tail++;
         }
     }
-    fprintf(to, "..%s", tail);
+    fputs(n > width ? ".." : "", to);
+    safe_put(to, SAFE_TERMINAL, tail);
+    fprintf(to, "%*s", n < width ? width - n : 0, "");
 }
 
 // A blank and four digits; numbers of five or six before the point are whole, with no power of ten
@@ -77,43 +76,11 @@ static int widest(int width, const char *text, int limit) {
     return n <= width ? width : n < limit ? n : limit;
 }
 
-// Which of n entries are shown and in what order.
-struct choice {
-    double rank;
-    int index;
-};
-
-static int by_rank(const void *left, const void *right) {
-    const struct choice *a = left, *b = right;
-    if (a->rank != b->rank) {
-        return a->rank < b->rank ? 1 : -1;
-    }
-    return (a->index > b->index) - (a->index < b->index);
-}
-
-// Puts `c` among the best SHOWN_MAX of `shown`, kept sorted. Returns how many there are.
-static int choose(struct choice *shown, int n, struct choice c) {
-    if (n == SHOWN_MAX && by_rank(&c, &shown[n - 1]) > 0) {
-        return n;
-    }
-    int i = n == SHOWN_MAX ? n - 1 : n;
-    for (; i > 0 && by_rank(&c, &shown[i - 1]) < 0; i--) {
-        shown[i] = shown[i - 1];
-    }
-    shown[i] = c;
-    return n == SHOWN_MAX ? n : n + 1;
-}
-
-static int by_index(const void *left, const void *right) {
-    const struct choice *a = left, *b = right;
-    return (a->index > b->index) - (a->index < b->index);
-}
-
 static void not_shown(const struct printer *p, int n, const char *what, const char *order) {
     if (n > 0) {
-        fprintf(p->to, "  %d more %s not shown (by %s); all are in %s%s%s\n", n, what, order,
-                p->r->file ? "" : "the result file", p->r->file ? p->r->file : "",
-                p->r->file ? " (jostle show --tsv)" : "");
+        safe_line(p->to, "  %d more %s not shown (by %s); all are in %s%s", n, what, order,
+                  p->r->file ? p->r->file : "the result file",
+                  p->r->file ? " (jostle show --tsv)" : "");
     }
 }
 
@@ -139,10 +106,10 @@ struct shown_buildings {
 static struct shown_buildings choose_buildings(const struct report *r) {
     struct shown_buildings s = {.n = 0, .width = 8};
     for (int i = 0; i < r->n_building; i++) {
-        s.n = choose(s.choice, s.n,
-                     (struct choice){.rank = peak_of(&r->building[i], PEAK_DRIFT), .index = i});
+        s.n = choice_add(s.choice, s.n,
+                         (struct choice){.rank = peak_of(&r->building[i], PEAK_DRIFT), .index = i});
     }
-    qsort(s.choice, (size_t)s.n, sizeof *s.choice, by_index);
+    choice_sort(s.choice, s.n);
     for (int i = 0; i < s.n; i++) {
         s.width = widest(s.width, r->building[s.choice[i].index].name, NAME_WIDTH_MAX);
     }
@@ -219,22 +186,28 @@ static void print_residuals(const struct printer *p, const struct shown_building
 
 static void print_forces(const struct printer *p, const struct shown_buildings *s) {
     FILE *to = p->to;
-    const double g = p->r->units.gravity / unit_size(&p->r->units, dimension_acceleration);
+    const double in_g = unit_in_g(&p->r->units);
     fprintf(to, "\n%-*s %13s %9s %7s %8s %12s %8s\n", s->width, "peak of", "total accel.", "",
             "floor", "time", "base shear", "time");
     fprintf(to, "%-*s %13s %9s %7s %8s %12s %8s\n", s->width, "", p->unit[UNIT_ACCELERATION], "[g]",
             "", p->unit[UNIT_TIME], p->unit[UNIT_FORCE], p->unit[UNIT_TIME]);
+    bool any_hit = false;
     for (int i = 0; i < s->n; i++) {
         const struct report_building *b = &p->r->building[s->choice[i].index];
         const int floor = largest(b->peak[PEAK_ACCELERATION], b->n_floor);
+        const bool hit = report_floor_was_hit(p->r, b->name, floor + 1);
         cell(to, b->name, s->width);
         number(to, b->peak[PEAK_ACCELERATION][floor], 13);
-        number(to, b->peak[PEAK_ACCELERATION][floor] / g, 9);
-        fprintf(to, " %7d", floor + 1);
+        number(to, b->peak[PEAK_ACCELERATION][floor] * in_g, 9);
+        fprintf(to, "%c%7d", hit ? '*' : ' ', floor + 1);
+        any_hit |= hit;
         number(to, b->peak_time[PEAK_ACCELERATION][floor], 8);
         number(to, b->peak[PEAK_SHEAR][0], 12);
         number(to, b->peak_time[PEAK_SHEAR][0], 8);
         fprintf(to, "\n");
+    }
+    if (any_hit) {
+        fprintf(to, "%s\n", report_hit_note);
     }
 }
 
@@ -266,7 +239,7 @@ static struct shown_contacts choose_contacts(const struct report *r) {
     for (int i = 0; i < r->n_contact; i++) {
         const struct link_peak *peak = &r->contact[i].peak;
         s.n_hit += peak->impacts > 0;
-        s.n = choose(
+        s.n = choice_add(
             s.choice, s.n,
             (struct choice){.rank = peak->impacts > 0 ? peak->force : -HUGE_VAL, .index = i});
         if (strcmp(r->contact[i].law, r->contact[0].law) != 0) {
@@ -293,7 +266,8 @@ static void print_contacts(const struct printer *p) {
         fprintf(p->to, " (%ld of fewer than %d steps)", r->totals.coarse, IMPACT_STEPS_MIN);
     }
     if (s.n > 0 && s.law_width == 0) {
-        fprintf(p->to, ", law %s", r->contact[0].law);
+        fputs(", law ", p->to);
+        safe_put(p->to, SAFE_TERMINAL, r->contact[0].law);
     }
     fprintf(p->to, "\n");
     if (s.n == 0) {
@@ -356,11 +330,11 @@ static void print_totals(const struct printer *p) {
     const double input = r->energy[ENERGY_INPUT];
     if (r->dt > 0.0) {
         fprintf(p->to, "\nsteps       %ld (%ld cut, %ld split at impacts, %ld not to tolerance)\n",
-                t->steps, t->cuts, t->events, t->unsolved);
+                t->steps, t->rejected, t->events, t->unsolved);
         fprintf(p->to, "iterations  %ld\n", t->iterations);
     } else {
-        fprintf(p->to, "\nsteps       %ld (%ld rejected, %ld events located)\n", t->steps, t->cuts,
-                t->events);
+        fprintf(p->to, "\nsteps       %ld (%ld rejected, %ld events located)\n", t->steps,
+                t->rejected, t->events);
     }
     print_energies(p);
     fprintf(p->to, "residual    %s %.4g at the rows written", p->unit[UNIT_ENERGY],
@@ -370,7 +344,17 @@ static void print_totals(const struct printer *p) {
     }
     fprintf(p->to, "\nwall time   %.3g s\n", t->seconds);
     if (r->file) {
-        fprintf(p->to, "results     %s\n", r->file);
+        safe_line(p->to, "results     %s", r->file);
+    }
+}
+
+// The number of a run in a study, and the values of its parameters, a line each.
+static void print_run(const struct report *r, FILE *to) {
+    fprintf(to, "run %ld of a study\n", r->run);
+    for (const char *line = r->parameters; *line;) {
+        const size_t n = strcspn(line, "\n");
+        safe_line(to, "  %.*s", (int)n, line);
+        line += n + (line[n] == '\n');
     }
 }
 
@@ -378,7 +362,10 @@ void report_print(const struct report *r, FILE *to) {
     struct printer p = {.to = to, .r = r};
     units_init(&p);
     if (r->title[0]) {
-        fprintf(to, "%s\n", r->title);
+        safe_line(to, "%s", r->title);
+    }
+    if (r->run > 0) {
+        print_run(r, to);
     }
     fprintf(to, "units %s %s %s, duration %.6g %s, ", r->units.force_name, r->units.length_name,
             r->units.time_name, r->duration, r->units.time_name);

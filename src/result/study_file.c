@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "result/h5_draft.h"
+#include "result/seal.h"
 #include "result/study_box.h"
 #include "result/study_writer.h"
 #include "result/writer.h"
@@ -92,7 +93,8 @@ static int put_history(struct study_writer *w, hid_t runs, long run, const char 
     const struct study_content *c = w->content;
     char name[24];
     snprintf(name, sizeof name, "%06.0f", c->part ? c->part->run[run] : (double)run + 1.0);
-    const struct result_place place = {&w->h, h5_group(&w->h, runs, name), path};
+    const struct result_place place = {&w->h, h5_group(&w->h, runs, name), path, w->sweep,
+                                       w->n_sweep};
     int status = w->h.failed ? STATUS_OK : c->write_run(c->context, run, &place, e);
     h5_close(&w->h, place.group);
     return status;
@@ -143,6 +145,7 @@ static int write_draft(struct study_writer *w, const char *path, const char *dra
         }
         if (status == STATUS_OK) {
             h5_put_text(&w->h, w->h.file, "status", "complete");
+            seal_put(&w->h);
         }
     }
     h5_spend_reserve(&w->h);
@@ -158,7 +161,7 @@ static int write_all(struct study_writer *w, const struct result_options *o, con
                      struct error *e) {
     int status = write_draft(w, o->path, draft, e);
     if (status == STATUS_OK) {
-        status = result_publish(draft, o->path, o->existing, e);
+        status = result_publish(w->h.lock, draft, o->path, o->existing, e);
     } else if (w->h.lock >= 0) {
         unlink(draft);
     }

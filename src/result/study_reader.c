@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "result/reader.h"
+#include "result/seal.h"
 #include "result/study_along.h"
 #include "result/study_reader.h"
 
@@ -44,7 +46,7 @@ static bool is_result(hid_t dataset) {
 
 static void check_stored(struct study_file *f, hid_t dataset, const char *name) {
     if (dataset >= 0 && !h5_is_stored(dataset)) {
-        h5_fail(&f->h, "dataset '%s' is not all there", name);
+        h5_fail(&f->h, "dataset '%s' is not all there, or has chunks of more than 64 MiB", name);
     }
 }
 
@@ -93,15 +95,13 @@ static herr_t visit(hid_t group, const char *name, const H5L_info_t *info, void 
         .leaf = p->leaf,
         .name = h5_copy(&f->h, f->view.arena, name),
         .long_name = h5_get_text(&f->h, f->view.arena, dataset, "long_name"),
-        .units = h5_get_text(&f->h, f->view.arena, dataset, "units"),
+        .units = h5_get_line(&f->h, f->view.arena, dataset, "units"),
         .scale = p->scale,
         .first = t->n_value,
         .n = n,
     };
     t->n_value += n;
-    if (t->n_value > VALUES_LIMIT) {
-        h5_fail(&f->h, "a run has more than %d values", VALUES_LIMIT);
-    }
+    h5_take(&f->h, n, sizeof(double));
     return f->h.failed ? -1 : 0;
 }
 
@@ -136,14 +136,36 @@ static herr_t visit_building(hid_t group, const char *name, const H5L_info_t *in
     return f->h.failed ? -1 : 0;
 }
 
-static const char *const *get_links(struct study_file *f, const struct link_group *g, int *n) {
+struct report_link *study_reader_links(struct study_file *f, struct arena *a,
+                                       const struct link_group *g, int *n_link) {
     hid_t group = h5_get_group(&f->h, f->h.file, g->name);
-    const size_t length = h5_get_length(&f->h, group, g->scale, ITEMS_LIMIT);
-    char **text = f->h.failed ? NULL : h5_get_texts(&f->h, f->view.arena, group, "name", length);
+    const size_t n = h5_get_length(&f->h, group, g->scale, ITEMS_LIMIT);
+    struct report_link *link = h5_alloc(&f->h, a, n, sizeof *link);
+    for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
+        if (study_tree_is_fixed(&layout_link.column[c])) {
+            h5_get_column(&f->h, a, group, &layout_link, c, link, n);
+        }
+    }
+    for (size_t i = 0; link && i < n; i++) {
+        link[i].left_below = link[i].left_floor;
+        link[i].right_below = link[i].right_floor;
+    }
+    const bool levels = h5_has(&f->h, group, layout_level.column[0].name);
+    for (int c = 0; c < layout_level.n_column && levels && !f->h.failed; c++) {
+        if (study_tree_is_fixed(&layout_level.column[c])) {
+            h5_get_column(&f->h, a, group, &layout_level, c, link, n);
+        }
+    }
     h5_close(&f->h, group);
-    *n = (int)length;
+    *n_link = (int)n;
+    return link;
+}
+
+static const struct report_link *get_links(struct study_file *f, const struct link_group *g,
+                                           int *n) {
+    const struct report_link *link = study_reader_links(f, f->view.arena, g, n);
     get_both((struct spot){.file = f, .parent = g->name, .scale = g->scale});
-    return (const char *const *)text;
+    return link;
 }
 
 struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name) {
@@ -158,7 +180,7 @@ struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale,
     if (h5_is_number(scale)) {
         s->number = h5_get_doubles(&f->h, v->arena, group, s->name, (size_t)s->n);
         study_along_get(&f->h, v->arena, group, scale, s);
-        s->units = h5_get_text(&f->h, v->arena, scale, "units");
+        s->units = h5_get_line(&f->h, v->arena, scale, "units");
     } else {
         s->label = (const char *const *)h5_get_texts(&f->h, v->arena, group, s->name, (size_t)s->n);
         s->text = s->label;
@@ -179,6 +201,9 @@ static void get_dimension(struct study_file *f, hid_t scale, int i) {
     if (f->dim[i]) {
         f->n_dim++;
         f->view.n_run *= f->dim[i]->n;
+        if (f->view.n_run > STUDY_RUNS_MAX) {
+            h5_fail(&f->h, "it has more than %d runs", STUDY_RUNS_MAX);
+        }
     }
 }
 
@@ -211,6 +236,25 @@ static void get_sweeps(struct study_file *f) {
     v->n_study = v->n_run;
 }
 
+int study_view_hit(const struct study_view *v, const struct study_item *item, size_t i,
+                   const double *value) {
+    const struct study_table *t = &v->table;
+    if (!item->owner || !item->leaf || strcmp(item->name, peak_names[PEAK_ACCELERATION]) != 0) {
+        return -1;
+    }
+    int hit = 0;
+    for (int k = 0; k < t->n_item && hit == 0; k++) {
+        const struct study_item *force = &t->item[k];
+        const bool of_contacts = strcmp(force->parent, layout_contacts.name) == 0 && force->leaf &&
+                                 strcmp(force->name, "force") == 0;
+        for (size_t c = 0; of_contacts && c < force->n && c < (size_t)v->n_contact; c++) {
+            hit |= value[force->first + c] > 0.0 &&
+                   report_link_joins(&v->contact[c], item->owner, (int)i + 1);
+        }
+    }
+    return hit;
+}
+
 long study_view_run(const struct study_view *v, long i) {
     return v->part.run ? (long)v->part.run[i] - 1 : i;
 }
@@ -234,6 +278,7 @@ static void get_all(struct study_file *f) {
         v->n_part = (int)h5_get_long(&f->h, f->h.file, "parts");
     }
     v->has_histories = h5_has(&f->h, f->h.file, "runs");
+    study_origin_get(f);
     get_sweeps(f);
     hid_t buildings = h5_get_group(&f->h, f->h.file, "buildings");
     if (!f->h.failed) {
@@ -255,6 +300,34 @@ int study_reader_fail(const struct study_file *f, struct error *e) {
     return error_set(e, status, "cannot read %s: %s", f->view.path, f->h.cause);
 }
 
+// Reads all of an open file.
+static int read_file(struct study_file *f, struct error *e) {
+    struct study_view *v = &f->view;
+    if (f->h.failed) {
+        return study_reader_fail(f, e);
+    }
+    const int status = reader_check_format(&f->h, f->h.file, v->arena, v->path, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    if (!h5_has(&f->h, f->h.file, "sweep")) {
+        return error_set(e, STATUS_INPUT, "%s is one analysis, not a study", v->path);
+    }
+    get_all(f);
+    return f->h.failed ? study_reader_fail(f, e) : STATUS_OK;
+}
+
+int study_file_verify(struct study_file *f, struct error *e) {
+    struct result_sums sums;
+    const int status = seal_check(&f->h, &sums);
+    if (status == STATUS_OK && !f->view.origin.study) {
+        h5_fail(&f->h, "it does not tell what its runs come from");
+    }
+    return !f->h.failed ? STATUS_OK
+                        : error_set(e, status == STATUS_SYSTEM ? status : STATUS_INPUT, "%s: %s",
+                                    f->view.path, f->h.cause);
+}
+
 int study_file_open(const char *path, struct study_file **out, struct error *e) {
     int status = h5_check_file(path, e);
     if (status != STATUS_OK) {
@@ -271,12 +344,9 @@ int study_file_open(const char *path, struct study_file **out, struct error *e) 
     h5_open(&f->h, path, SIEVE_BYTES);
     f->view.path = path;
     const char *copy = f->h.failed ? NULL : h5_copy(&f->h, a, path);
-    if (copy) {
-        f->view.path = copy;
-        get_all(f);
-    }
-    if (f->h.failed) {
-        status = study_reader_fail(f, e);
+    f->view.path = copy ? copy : path;
+    status = read_file(f, e);
+    if (status != STATUS_OK) {
         study_file_close(f);
         return status;
     }

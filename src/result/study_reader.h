@@ -5,6 +5,7 @@
 
 #include "jostle/study_file.h"
 #include "result/h5.h"
+#include "result/layout.h"
 
 struct study_file {
     struct h5 h;
@@ -20,10 +21,16 @@ struct study_file {
 // The sweep in the dataset `name`, open as `scale`, of a group.
 struct sweep *study_reader_sweep(struct study_file *f, hid_t group, hid_t scale, const char *name);
 
+// The names and floors of contacts or links, which are the same for all runs.
+struct report_link *study_reader_links(struct study_file *f, struct arena *a,
+                                       const struct link_group *g, int *n_link);
+
 // The error for what the file's h5 has noted.
 int study_reader_fail(const struct study_file *f, struct error *e);
 
 // Reads /part into the view.
 void study_part_get(struct study_file *f);
+// Reads /origin into the view, if it is there.
+void study_origin_get(struct study_file *f);
 
 #endif

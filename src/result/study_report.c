@@ -5,8 +5,6 @@
 #include "result/study_reader.h"
 #include "result/study_writer.h"
 
-enum { LINKS_LIMIT = 1 << 20 };
-
 static void get_attributes(struct study_file *f, struct report *r) {
     h5_get_units(&f->h, r->arena, &r->units);
     for (int c = 0; c < layout_root.n_column; c++) {
@@ -36,21 +34,6 @@ static herr_t visit_building(hid_t parent, const char *name, const H5L_info_t *i
     return h->failed ? -1 : 0;
 }
 
-static struct report_link *get_links(struct study_file *f, struct report *r,
-                                     const struct link_group *g, int *n_link) {
-    hid_t group = h5_get_group(&f->h, f->h.file, g->name);
-    const size_t n = h5_get_length(&f->h, group, g->scale, LINKS_LIMIT);
-    struct report_link *link = h5_alloc(&f->h, r->arena, n, sizeof *link);
-    for (int c = 0; c < layout_link.n_column && !f->h.failed; c++) {
-        if (study_tree_is_fixed(&layout_link.column[c])) {
-            h5_get_column(&f->h, r->arena, group, &layout_link, c, link, n);
-        }
-    }
-    h5_close(&f->h, group);
-    *n_link = (int)n;
-    return link;
-}
-
 int study_file_report(struct study_file *f, struct report **out, struct error *e) {
     struct arena *a = arena_create();
     struct report *r = a ? arena_alloc(a, 1, sizeof *r) : NULL;
@@ -61,9 +44,9 @@ int study_file_report(struct study_file *f, struct report **out, struct error *e
     r->arena = a;
     get_attributes(f, r);
     reader_buildings(&f->h, f->h.file, r, visit_building, &(struct visitor){f, r});
-    r->contact = get_links(f, r, &layout_contacts, &r->n_contact);
+    r->contact = study_reader_links(f, a, &layout_contacts, &r->n_contact);
     if (h5_has(&f->h, f->h.file, layout_links.name)) {
-        r->link = get_links(f, r, &layout_links, &r->n_link);
+        r->link = study_reader_links(f, a, &layout_links, &r->n_link);
     }
     if (f->h.failed) {
         report_free(r);

@@ -103,6 +103,11 @@ static void add_links(struct walk *w, const struct link_group *g, const struct r
             add_column(w, item, &layout_link, c, link);
         }
     }
+    for (int c = 0; c < layout_level.n_column && layout_has_levels(link, n); c++) {
+        if (is_link_value(&layout_level.column[c])) {
+            add_column(w, item, &layout_level, c, link);
+        }
+    }
     item.leaf = "envelope";
     item.property = false;
     for (int c = 0; c < g->peaks->n_column; c++) {
@@ -182,4 +187,20 @@ void study_table_free(struct study_table *t) {
 
 void study_table_read(const struct report *r, double *value) {
     walk(&(struct walk){.value = value}, r);
+}
+
+static bool same_text(const char *a, const char *b) {
+    return a && b ? strcmp(a, b) == 0 : a == b;
+}
+
+int study_table_find(const struct study_table *t, const struct study_item *wanted) {
+    for (int i = 0; i < t->n_item; i++) {
+        const struct study_item *item = &t->item[i];
+        if (item->n == wanted->n && strcmp(item->name, wanted->name) == 0 &&
+            strcmp(item->parent, wanted->parent) == 0 && same_text(item->owner, wanted->owner) &&
+            same_text(item->leaf, wanted->leaf)) {
+            return i;
+        }
+    }
+    return -1;
 }

@@ -12,9 +12,10 @@ enum { GROUP_MAX = 4096 };
 
 static int check_name(const struct study_content *c, const struct sweep *s, struct error *e) {
     static const char *const taken[] = {
-        "status", "message", "sweep",      "buildings", "contacts",    "links",
-        "energy", "totals",  "floor",      "contact",   "envelope",    "link",
-        "name",   "left",    "left_floor", "right",     "right_floor", "runs"};
+        "status", "message",    "sweep",      "buildings", "contacts",    "links",
+        "energy", "totals",     "floor",      "contact",   "envelope",    "link",
+        "name",   "left",       "left_floor", "right",     "right_floor", "runs",
+        "origin", "left_below", "right_below"};
     bool bad = false;
     for (size_t i = 0; i < sizeof taken / sizeof taken[0]; i++) {
         bad = bad || strcmp(taken[i], s->name) == 0;
@@ -51,7 +52,7 @@ bool study_tree_is_shared(const struct column *c) {
 
 static void put_attributes(struct study_writer *w) {
     const struct report *r = w->content->first;
-    h5_draft_attributes(&w->h, w->h.file, r);
+    h5_draft_attributes(&w->h, w->h.file, r, w->content->origin->numerics);
     for (int c = 0; c < layout_root.n_column; c++) {
         if (study_tree_is_shared(&layout_root.column[c])) {
             h5_put_member(&w->h, w->h.file, &layout_root, c, r);
@@ -143,6 +144,11 @@ static void put_links(struct study_writer *w, const struct link_group *g,
             h5_put_column(&w->h, group, &layout_link, c, link, (size_t)n, scale);
         }
     }
+    for (int c = 0; c < layout_level.n_column && layout_has_levels(link, n); c++) {
+        if (study_tree_is_fixed(&layout_level.column[c])) {
+            h5_put_column(&w->h, group, &layout_level, c, link, (size_t)n, scale);
+        }
+    }
     link_scales(w, group);
     put_envelope(w, group, g->scale, scale);
     h5_close(&w->h, scale);
@@ -210,6 +216,7 @@ void study_tree(struct study_writer *w) {
     }
     h5_close(&w->h, sweep);
     link_scales(w, w->h.file);
+    study_origin_put(w);
     if (w->content->part) {
         study_part_put(w);
     }

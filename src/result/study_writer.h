@@ -32,6 +32,9 @@ bool study_tree_is_fixed(const struct column *c);
 void study_part_dimension(struct study_writer *w);
 void study_part_put(struct study_writer *w);
 
+// The group /origin.
+void study_origin_put(struct study_writer *w);
+
 // STATUS_INPUT if a sweep has a name that something else has in the file.
 int study_tree_check(const struct study_content *c, struct error *e);
 

@@ -141,7 +141,9 @@ int writer_end(struct result_writer *w, const struct results *r, struct error *e
     report_free(report);
     h5_list_uses(w->h);
     synchronise(w);
-    h5_put_text(w->h, w->root, "status", "complete");
+    if (!w->place) {
+        h5_put_text(w->h, w->root, "status", "complete");
+    }
     synchronise(w);
     return w->h->failed ? writer_failed(w, e) : STATUS_OK;
 }

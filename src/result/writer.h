@@ -42,16 +42,19 @@ struct result_writer {
     long n_written;         // rows in the file
 
     // Of a file of its own.
+    const struct result_place *place;  // borrowed; NULL: in a file of its own
     struct h5 own;
     char *path, *draft;  // owned
     enum result_existing existing;
 };
 
-// A group of a file that is being written.
+// A group of the file of a study that is being written, for one of its runs.
 struct result_place {
     struct h5 *h;
     hid_t group;
-    const char *path;  // of the file, for messages
+    const char *path;                  // of the file, for messages
+    const struct sweep *const *sweep;  // (n_sweep) dimensions of the file
+    int n_sweep;
 };
 
 // Report and room for the rows of the model of `w`. Errors: STATUS_SYSTEM (no memory).

@@ -6,10 +6,11 @@
 #include <unistd.h>
 
 #include "result/h5_draft.h"
+#include "result/seal.h"
 #include "result/writer.h"
 
 static bool has_file(const struct result_writer *w) {
-    return w->h == &w->own;
+    return !w->place;
 }
 
 static void writer_free(struct result_writer *w) {
@@ -110,6 +111,7 @@ int result_create_in(const struct result_place *place, const struct model *m, co
     const struct result_options options = {.path = place->path, .version = version};
     struct result_writer *w = new_writer(m);
     if (w) {
+        w->place = place;
         w->h = place->h;
         w->root = place->group;
     }
@@ -119,6 +121,7 @@ int result_create_in(const struct result_place *place, const struct model *m, co
 // The library reports a full disk as late as here.
 static int close_file(struct result_writer *w, struct error *e) {
     writer_close_streams(w);
+    seal_put(w->h);
     h5_close_types(w->h);
     h5_close_file(w->h);
     return w->h->failed ? writer_failed(w, e) : STATUS_OK;
@@ -129,7 +132,7 @@ static int finish_file(struct result_writer *w, int status, struct error *e) {
         status = close_file(w, e);
     }
     if (status == STATUS_OK) {
-        return result_publish(w->draft, w->path, w->existing, e);
+        return result_publish(w->h->lock, w->draft, w->path, w->existing, e);
     }
     unlink(w->draft);
     return status;

@@ -90,16 +90,23 @@ static void put_energy_end(struct result_writer *w, const struct report *r) {
     h5_close(h, group);
 }
 
-void writer_results(struct result_writer *w, const struct report *r) {
-    struct h5 *h = w->h;
-    hid_t buildings = h5_open_object(h, w->root, "buildings");
+// Those of a run of a study are in the tree of the study.
+static void put_envelopes(struct h5 *h, hid_t root, const struct report *r) {
+    hid_t buildings = h5_open_object(h, root, "buildings");
     for (int i = 0; i < r->n_building && !h->failed; i++) {
         put_envelope(h, buildings, &r->building[i]);
     }
     h5_close(h, buildings);
-    put_link_envelope(h, w->root, &layout_contacts, r->contact, (size_t)r->n_contact);
+    put_link_envelope(h, root, &layout_contacts, r->contact, (size_t)r->n_contact);
     if (r->n_link > 0) {
-        put_link_envelope(h, w->root, &layout_links, r->link, (size_t)r->n_link);
+        put_link_envelope(h, root, &layout_links, r->link, (size_t)r->n_link);
+    }
+}
+
+void writer_results(struct result_writer *w, const struct report *r) {
+    struct h5 *h = w->h;
+    if (!w->place) {
+        put_envelopes(h, w->root, r);
     }
     put_impacts(h, w->root, r);
     put_energy_end(w, r);

@@ -4,12 +4,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "jostle/numerics.h"
 #include "result/h5_draft.h"
+#include "result/study_along.h"
+#include "result/study_writer.h"
 #include "result/writer.h"
 
-// Rows of a chunk of the histories; 0: contiguous, as all rows are written at once.
-static hsize_t chunk_rows(const struct result_writer *w) {
-    return writer_in_blocks(w) || w->model->output.compress > 0 ? w->capacity : 0;
+// Rows of a chunk of a history of `width` values a row; 0: contiguous, as all rows are written at
+// once. A chunk and its index take some 300 bytes more, which compression saves in COMPRESSED_MIN
+// bytes and more: it leaves out a tenth at least of the histories of buildings.
+static hsize_t chunk_rows(const struct result_writer *w, size_t width) {
+    enum { COMPRESSED_MIN = 3072 };
+    const size_t number = w->model->output.single ? sizeof(float) : sizeof(double);
+    const bool compressed = w->model->output.compress > 0 &&
+                            (size_t)w->report->n_row * width * number >= COMPRESSED_MIN;
+    return writer_in_blocks(w) || compressed ? w->capacity : 0;
 }
 
 // A history of `width` values a row; width_scale 0: one value, one dimension.
@@ -22,7 +31,7 @@ static void put_history(struct result_writer *w, hid_t parent, const char *name,
         .n_dim = width_scale > 0 ? 2 : 1,
         .dim = {(hsize_t)w->report->n_row, s.width},
         .scale = {w->time, width_scale},
-        .chunk_rows = chunk_rows(w),
+        .chunk_rows = chunk_rows(w, s.width),
         .compress = w->model->output.compress,
     };
     writer_stream(w, parent, &d, s);
@@ -36,11 +45,16 @@ static void put_time(struct result_writer *w) {
         .file_type = H5T_IEEE_F64LE,
         .n_dim = 1,
         .dim = {(hsize_t)w->report->n_row},
-        .chunk_rows = chunk_rows(w),
+        .chunk_rows = chunk_rows(w, 1),
         .many_users = w->stream_capacity > USERS_FEW,
     };
     writer_stream(w, w->root, &d, (struct stream){.source = SOURCE_TIME, .width = 1});
     w->time = w->n_stream > 0 ? w->stream[0].dataset : -1;
+}
+
+// Properties of a run of a study are in the tree of the study, unless a sweep has their name.
+static bool is_elsewhere(const struct result_writer *w, const char *property) {
+    return w->place && !study_along_has(w->place->sweep, w->place->n_sweep, property);
 }
 
 static void put_building(struct result_writer *w, hid_t parent, int position) {
@@ -50,7 +64,13 @@ static void put_building(struct result_writer *w, hid_t parent, int position) {
     h5_put_long(w->h, group, "position", position);
     hid_t floor = h5_put_scale(w->h, group, "floor", "floor", n);
     h5_hard_link(w->h, w->time, group, "time");
+    if (w->place) {
+        h5_put_long(w->h, group, "yields", !w->model->building[position].elastic);
+    }
     for (int c = 0; c < layout_building.n_column && !w->h->failed; c++) {
+        if (is_elsewhere(w, layout_building.column[c].name)) {
+            continue;
+        }
         const double *const *value = layout_at(&layout_building, c, b, 0);
         const struct h5_dataset d = {
             .name = layout_building.column[c].name,
@@ -82,7 +102,15 @@ static void put_links(struct result_writer *w, const struct link_group *g,
     hid_t scale = h5_put_scale(w->h, group, g->scale, g->scale, n);
     h5_hard_link(w->h, w->time, group, "time");
     for (int c = 0; c < layout_link.n_column; c++) {
-        h5_put_column(w->h, group, &layout_link, c, link, n, scale);
+        const struct column *column = &layout_link.column[c];
+        if (strncmp(column->name, "law", 3) == 0 || !is_elsewhere(w, column->name)) {
+            h5_put_column(w->h, group, &layout_link, c, link, n, scale);
+        }
+    }
+    for (int c = 0; c < layout_level.n_column && layout_has_levels(link, (int)n); c++) {
+        if (!is_elsewhere(w, layout_level.column[c].name)) {
+            h5_put_column(w->h, group, &layout_level, c, link, n, scale);
+        }
     }
     for (int f = 0; f < 2; f++) {
         if (w->report->fields >> (FLOOR_FIELD_COUNT + f) & 1) {
@@ -137,9 +165,13 @@ static void put_ground(struct result_writer *w) {
 }
 
 static void put_attributes(struct result_writer *w) {
-    h5_draft_attributes(w->h, w->root, w->report);
+    if (!w->place) {
+        h5_draft_attributes(w->h, w->root, w->report, NUMERICS_VERSION);
+    }
     for (int c = 0; c < layout_root.n_column; c++) {
-        h5_put_member(w->h, w->root, &layout_root, c, w->report);
+        if (!w->place || !study_tree_is_shared(&layout_root.column[c])) {
+            h5_put_member(w->h, w->root, &layout_root, c, w->report);
+        }
     }
 }
 

@@ -3,13 +3,16 @@
 // observer.
 #include "jostle/analysis.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "core/arena.h"
+#include "core/lanes.h"
 #include "core/wall.h"
 #include "solve/account/peaks.h"
 #include "solve/account/residual_drift.h"
+#include "solve/event/equilibrium.h"
 #include "solve/method.h"
 
 int run_poll_now(struct run *r, double time) {
@@ -33,11 +36,22 @@ int analysis_note_energies(struct run *r) {
     return STATUS_OK;
 }
 
+// The zeros around the arrays of floors, of which one is a wall, are as loops rely on them.
+static void assert_zeros(const struct state *s, const struct model *m) {
+    const double *const array[] = {s->u, s->v, s->a, s->base, s->drift, s->shear};
+    for (size_t i = 0; i < sizeof array / sizeof array[0]; i++) {
+        lanes_assert(array[i], m->n_dof);
+    }
+    assert(s->u[m->n_dof] == 0.0 && s->v[m->n_dof] == 0.0);
+}
+
 static int observe(struct run *r) {
     if (r->method->complete) {
         r->method->complete(r);
     }
     const struct state *s = r->now;
+    assert_zeros(s, r->model);
+    peaks_drift_rates(r->results, r->model, s);
     energy_balance(&r->energy, r->model, s, r->results->energy);
     int status = analysis_note_energies(r);
     const struct observer *o = r->observer;
@@ -79,11 +93,12 @@ static bool is_shown(const struct run *r, long n) {
     return (r->observer && n % m->output.every == 0) || n == m->n_step;
 }
 
-static int loop(struct run *r) {
+int analysis_go(struct run *r, long end) {
     int status = STATUS_OK;
-    for (long n = 0; status == STATUS_OK && n < r->model->n_step;) {
-        status = r->method->advance(r, &n, stretch_end(r, n));
-        if (status == STATUS_OK && is_shown(r, n)) {
+    while (status == STATUS_OK && r->step < end) {
+        long stretch = stretch_end(r, r->step);
+        status = r->method->advance(r, &r->step, stretch < end ? stretch : end);
+        if (status == STATUS_OK && is_shown(r, r->step)) {
             status = observe(r);
         }
     }
@@ -92,10 +107,31 @@ static int loop(struct run *r) {
 
 int analysis_step(struct run *r, long n) {
     int status = fixed_newmark_step(r, n);
+    r->step = n;
     if (status == STATUS_OK) {
         floors_catch_up(&r->work, r->next, r->now);
     }
     return status == STATUS_OK && is_shown(r, n) ? observe(r) : status;
+}
+
+static const struct fields_row list[] = {
+    FIELD_VALUE(struct run, step),
+    FIELD_PARTS(struct run, now, FIELD_AT, state_fields),
+    FIELD_PART(struct run, energy, energy_fields),
+    FIELD_PARTS(struct run, results, FIELD_AT, results_fields),
+};
+static const struct fields run_fields = FIELDS(list);
+
+int analysis_copy(struct run *to, const struct run *from) {
+    fields_copy(&run_fields, from->model, to, from);
+    fields_copy(from->method->fields, from->model, to, from);
+    if (!impacts_copy(&to->impacts, &from->impacts)) {
+        return error_no_memory(to->error);
+    }
+    if (to->method->resume) {
+        to->method->resume(to);
+    }
+    return STATUS_OK;
 }
 
 static bool run_alloc(struct run *r, struct arena *a) {
@@ -109,7 +145,7 @@ static bool run_alloc(struct run *r, struct arena *a) {
 }
 
 static int run_start(struct run *r) {
-    state_start(r->now, r->model);
+    equilibrium_start(r->now, r->model);
     energy_start(&r->energy, r->model, r->now);
     peaks_update(r->results, r->model, r->now);
     struct link_peak *link = r->results->link;
@@ -155,9 +191,7 @@ int analysis_end(struct run *r, int status, struct results **out) {
         results_free(results);
         return status;
     }
-    if (r->method->finish) {
-        r->method->finish(r);
-    }
+    peaks_finish(results, r->model);
     impacts_finish(&r->impacts, r->now);
     residual_drifts(r->model, r->now, results->residual_drift);
     results->initial_energy = r->energy.initial;
@@ -170,7 +204,7 @@ int analysis_run(const struct model *m, const struct observer *observer, struct 
                  struct error *e) {
     struct run r;
     int status = analysis_begin(&r, m, observer, e);
-    return analysis_end(&r, status == STATUS_OK ? loop(&r) : status, out);
+    return analysis_end(&r, status == STATUS_OK ? analysis_go(&r, m->n_step) : status, out);
 }
 
 void results_free(struct results *r) {

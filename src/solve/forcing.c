@@ -7,25 +7,29 @@
 #include <float.h>
 #include <math.h>
 
-#include "core/arena.h"
-
 // A corner this close, relative to a sample or to the size of the time, is reached.
 static const double AT_SAMPLE = 1e-6, AT_TIME = 1e-12;
 
 // A smaller change of the value, relative to what it is made of, is rounding.
 static const double JUMP = 1e-12;
 
-bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a) {
-    size_t n = 0;
-    for (int k = 0; k < m->n_ground; k++) {
-        n += (size_t)m->ground[k].n_signal;
-    }
+static const struct fields_row list[] = {
+    FIELD_ARRAY(struct forcing, ground, FIELD_SIGNALS),
+    FIELD_ARRAY(struct forcing, load, FIELD_LOADS),
+    FIELD_ARRAY(struct forcing, lines, FIELD_GROUNDS),
+    FIELD_VALUE(struct forcing, sines),
+    FIELD_VALUE(struct forcing, corner),
+};
+const struct fields forcing_fields = FIELDS(list);
+
+void forcing_init(struct forcing *f, const struct model *m) {
     f->model = m;
-    f->ground = arena_alloc(a, n, sizeof *f->ground);
-    f->load = arena_alloc(a, (size_t)m->n_load, sizeof *f->load);
-    f->lines = arena_alloc(a, (size_t)m->n_ground, sizeof *f->lines);
     f->corner = -INFINITY;
-    return !arena_failed(a);
+}
+
+bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a) {
+    forcing_init(f, m);
+    return fields_alloc(&forcing_fields, m, f, a);
 }
 
 static double slack(const struct signal *s, double t) {

@@ -8,6 +8,7 @@
 #include <stdbool.h>
 
 #include "jostle/model.h"
+#include "solve/fields.h"
 
 enum piece_shape { PIECE_LINE, PIECE_SINE };
 
@@ -33,12 +34,16 @@ struct forcing {
     bool sines;                 // does any ground move in one?
     double corner;              // [T] the next corner of all; may be infinite
 };
+extern const struct fields forcing_fields;
 
 // What the forcing is at an instant. Arrays (n_ground).
 struct forcing_values {
     double *a;      // [L/T^2]
     double *v, *u;  // [L/T] [L] only where there is more than one ground
 };
+
+// Before all pieces, in storage that fields_alloc makes.
+void forcing_init(struct forcing *f, const struct model *m);
 
 // Room for the pieces of a model; false: no memory.
 bool forcing_alloc(struct forcing *f, const struct model *m, struct arena *a);

@@ -10,6 +10,9 @@ struct method {
     enum integrator integrator;
     bool adaptive;
 
+    // What it carries from step to step, of struct run.
+    const struct fields *fields;
+
     // Room for what it needs of the run; false: no memory.
     bool (*alloc)(struct run *r, struct arena *a);
 
@@ -23,8 +26,8 @@ struct method {
     // Computes what rows show of r->now and brings r->energy up to it; NULL: advance has done so.
     void (*complete)(struct run *r);
 
-    // Adds to the results what is known only at the end of a run; NULL: nothing.
-    void (*finish)(struct run *r);
+    // Makes its scratch that of the fields, which have been replaced; NULL: nothing to do.
+    void (*resume)(struct run *r);
 };
 
 // The method for a model.

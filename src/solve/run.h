@@ -6,6 +6,7 @@
 
 #include "solve/account/energy.h"
 #include "solve/account/impacts.h"
+#include "solve/memory.h"
 #include "solve/newmark/flight.h"
 #include "solve/newmark/step_length.h"
 #include "solve/work.h"
@@ -17,25 +18,33 @@ struct run {
     const struct model *model;
     const struct method *method;
     const struct observer *observer;
+    struct error *error;
+    double start;  // [s] of the wall clock
+
+    // What must be copied to go on from here with the same bits is in the lists of analysis.c and
+    // of the method, and in the impacts. All else is scratch.
+    long step;  // of the deck, that has been reached
     struct state *now, *next;
-    struct state store[2];  // which they point to
     struct energy_account energy;
     struct impact_log impacts;
     struct results *results;
-    struct error *error;
-    double *row_force;  // [F] (n_link) scratch of a row
-    double start;       // [s] of the wall clock
 
-    // Newmark's method.
-    struct work work;
-    struct flight flight;       // fixed steps
-    struct step_length length;  // adaptive steps
+    // Newmark's method, in run_step_fields.
+    struct memory memory;
     int *events;                // (n_contact) at which the current step of the deck was split
     long events_before;         // totals.events at the start of it
-    struct meeting *meeting;    // (n_contact) scratch of rigid impacts
     bool has_met;               // bodies have met at `now`, of which no peaks have been taken since
+    struct work work;           // scratch, but for the factors
+    struct step_length length;  // adaptive steps, in step_length_fields
 
-    struct dp *dp;  // Dormand & Prince's method
+    // Dormand & Prince's method, in dp_fields.
+    struct dp *dp;
+
+    // Scratch.
+    struct state store[2];  // which `now` and `next` point to
+    struct flight flight;
+    double *row_force;        // [F] (n_link) of a row
+    struct meeting *meeting;  // (n_contact) of rigid impacts
 };
 
 // In analysis.c.
@@ -45,8 +54,15 @@ struct run {
 int analysis_begin(struct run *r, const struct model *m, const struct observer *observer,
                    struct error *e);
 
+// Goes on to step `end` of the deck, with the rows on the way. Not 0: the same.
+int analysis_go(struct run *r, long end);
+
 // Step n of the deck (from 1), with its row, of a run with fixed steps. Not 0: the same.
 int analysis_step(struct run *r, long n);
+
+// Makes `to`, a run of the same model at any instant, go on as `from` will, to the last bit. Not 0:
+// STATUS_SYSTEM (no memory).
+int analysis_copy(struct run *to, const struct run *from);
 
 // Raises the largest residual to that of the energies now in `results`. STATUS_FAILED: not finite.
 int analysis_note_energies(struct run *r);
@@ -61,25 +77,27 @@ int run_poll_now(struct run *r, double time);
 
 // In run_step.c: steps of Newmark's method, fixed or adaptive.
 
+extern const struct fields run_step_fields;
+
 // Room for them; false: no memory.
 bool run_step_alloc(struct run *r, struct arena *a);
 
-// A step that is not solved is halved at most this often; 2^-30 of it is then taken as it is.
-enum { RUN_CUTS_MAX = 30 };
+// A step that is rejected is halved at most this often; 2^-30 of it is then taken as it is.
+enum { RUN_HALVINGS_MAX = 30 };
 
-// Steps to `end`, h later, or to the first event on the way; *rest is what is left of h. `cuts`:
-// how often the step has been halved; at RUN_CUTS_MAX it is taken as it is. STATUS_RETRY: a shorter
-// step is needed.
-int run_step(struct run *r, double end, double h, int cuts, double *rest);
+// Steps to `end`, h later, or to the first event on the way; *rest is what is left of h.
+// `halvings`: how often the step has been halved; at RUN_HALVINGS_MAX it is taken as it is.
+// STATUS_RETRY: a shorter step is needed.
+int run_step(struct run *r, double end, double h, int halvings, double *rest);
 
-// `complete` and `finish` of struct method.
+// `complete` and `resume` of struct method.
 void run_step_complete(struct run *r);
-void run_step_finish(struct run *r);
+void run_step_resume(struct run *r);
 
 // Counts the events of each contact from 0 again.
 void run_forget_events(struct run *r);
 
-// In fixed_newmark.c: step n of the deck (from 1), cut into as many steps as it takes.
+// In fixed_newmark.c: step n of the deck (from 1), in as many steps as it takes.
 int fixed_newmark_step(struct run *r, long n);
 
 #endif

@@ -3,9 +3,6 @@
 
 #include <math.h>
 
-#include "core/arena.h"
-#include "core/lanes.h"
-
 // Share of the expected motion that counts as its size from the start.
 static const double EXPECTED = 1e-2;
 
@@ -13,10 +10,25 @@ static const double EXPECTED = 1e-2;
 // otherwise the first touch of a building at rest would take steps without end.
 static const double SHARE = 1e-2;
 
+// An error of the velocity in the fastest motion, of circular frequency omega, is one of the
+// acceleration omega times as large. It lasts for N = omega * memory radians, and those of all
+// steps in that time add up: it counts N^2 / (N + MANY) WEIGHT times. With this weight the errors
+// of accelerations and forces are below ten times the tolerance where something is stiff, which
+// `make verification` shows (stiff.md); with MANY radians motions that decay at once cost no steps.
+static const double WEIGHT = 0.03, MANY = 100.0;
+
+static const struct fields_row list[] = {
+    FIELD_ARRAY(struct scales, over_u, FIELD_FLOORS),
+    FIELD_ARRAY(struct scales, over_v, FIELD_FLOORS),
+    FIELD_VALUE(struct scales, most_u),
+    FIELD_VALUE(struct scales, most_v),
+    FIELD_VALUE(struct scales, most_a),
+    FIELD_VALUE(struct scales, noisy),
+};
+const struct fields scale_fields = FIELDS(list);
+
 bool scale_alloc(struct scales *s, const struct model *m, struct arena *a) {
-    s->over_u = lanes_array(a, m->n_dof);
-    s->over_v = lanes_array(a, m->n_dof);
-    return !arena_failed(a);
+    return fields_alloc(&scale_fields, m, s, a);
 }
 
 void scale_expect(struct scales *s, const struct model *m) {
@@ -34,6 +46,7 @@ void scale_expect(struct scales *s, const struct model *m) {
     for (int k = 0; k < m->n_building; k++) {
         time = fmin(time, 1.0 / m->building[k].omega[0]);
     }
+    s->most_a = acceleration;
     s->most_v = EXPECTED * acceleration * time;
     s->most_u = s->most_v * time;
 }
@@ -51,6 +64,22 @@ static double over(double size) {
     return size > 0.0 ? 1.0 / size : 0.0;
 }
 
+// One over the size of velocities of building k by which their errors are as bad as those of its
+// accelerations.
+static double over_accelerations(struct scales *s, const struct model *m, const struct results *r,
+                                 int k) {
+    const struct building *g = &m->building[k];
+    double a = fmax(largest_of(r->peak[PEAK_ACCELERATION], g), SHARE * s->most_a);
+    double u = fmax(largest_of(r->peak[PEAK_DISPLACEMENT], g), SHARE * s->most_u);
+    double omega = sqrt(s->square[k]);
+    double radians = omega * s->memory[k];
+    double weight = WEIGHT * radians * radians / (radians + MANY);
+    double wanted = weight * omega * over(a);
+    double possible = m->control.tolerance * over(DBL_EPSILON * omega * u);
+    s->noisy = u > 0.0 && wanted > possible ? k : s->noisy;
+    return u > 0.0 ? fmin(wanted, possible) : wanted;
+}
+
 void scale_update(struct scales *s, const struct model *m, const struct results *r) {
     const double *u = r->peak[PEAK_DISPLACEMENT];
     const double *v = r->peak[PEAK_VELOCITY];
@@ -58,10 +87,12 @@ void scale_update(struct scales *s, const struct model *m, const struct results 
         s->most_u = u[i] > s->most_u ? u[i] : s->most_u;
         s->most_v = v[i] > s->most_v ? v[i] : s->most_v;
     }
+    s->noisy = -1;
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         double of_u = over(fmax(largest_of(u, g), SHARE * s->most_u));
         double of_v = over(fmax(largest_of(v, g), SHARE * s->most_v));
+        of_v = s->square ? fmax(of_v, over_accelerations(s, m, r, k)) : of_v;
         for (int i = g->first; i < g->first + g->n_floor; i++) {
             s->over_u[i] = of_u;
             s->over_v[i] = of_v;

@@ -7,6 +7,7 @@
 #include <float.h>
 
 #include "jostle/analysis.h"
+#include "solve/fields.h"
 
 // Of a length: what means nothing.
 static const double SCALE_ROUNDING = 64.0 * DBL_EPSILON;
@@ -14,7 +15,12 @@ static const double SCALE_ROUNDING = 64.0 * DBL_EPSILON;
 struct scales {
     double *over_u, *over_v;  // [1/L] [T/L] (n_dof) 1 over the sizes; 0: nothing moves
     double most_u, most_v;    // [L] [L/T] of any building so far
+    double most_a;            // [L/T^2] of accelerations
+    double *square, *memory;  // [1/T^2] [T] (n_building) NULL: accelerations do not matter
+    int noisy;  // a building whose displacements are rounded by more than its accelerations allow;
+                // -1
 };
+extern const struct fields scale_fields;  // but for `square` and `memory`, which stay
 
 // Room for the scales of a model; false: no memory.
 bool scale_alloc(struct scales *s, const struct model *m, struct arena *a);

@@ -5,33 +5,37 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/arena.h"
-#include "core/lanes.h"
-#include "solve/event/rest.h"
+#include "model/parts.h"
 #include "solve/excitation.h"
 #include "solve/floors/chain.h"
 
+static const struct fields_row list[] = {
+    FIELD_VALUE(struct state, time),
+    FIELD_ARRAY(struct state, u, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, v, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, a, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, base, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, total, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, drift, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, shear, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, tangent, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, rate, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, damping_force, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, external, FIELD_FLOORS),
+    FIELD_ARRAY(struct state, storey_history, FIELD_STOREY_HISTORIES),
+    FIELD_VALUE(struct state, n_live),
+    FIELD_ARRAY(struct state, live, FIELD_LINKS),
+    FIELD_ARRAY(struct state, link, FIELD_LINKS),
+    FIELD_ARRAY(struct state, delta, FIELD_LINKS),
+    FIELD_ARRAY(struct state, link_history, FIELD_LINK_HISTORIES),
+    FIELD_ARRAY(struct state, ground_a, FIELD_GROUNDS),
+    FIELD_ARRAY(struct state, ground_v, FIELD_GROUNDS),
+    FIELD_ARRAY(struct state, ground_u, FIELD_GROUNDS),
+};
+const struct fields state_fields = FIELDS(list);
+
 bool state_alloc(struct state *s, const struct model *m, struct arena *a) {
-    size_t n_link = (size_t)m->n_link;
-    size_t n_ground = (size_t)m->n_ground;
-    s->u = lanes_array(a, m->n_dof);
-    s->v = lanes_array(a, m->n_dof);
-    s->a = lanes_array(a, m->n_dof);
-    s->base = lanes_array(a, m->n_dof);
-    s->total = lanes_array(a, m->n_dof);
-    s->drift = lanes_array(a, m->n_dof);
-    s->shear = lanes_array(a, m->n_dof);
-    s->damping_force = lanes_array(a, m->n_dof);
-    s->external = lanes_array(a, m->n_dof);
-    s->storey_history = arena_alloc(a, (size_t)m->n_storey_history, sizeof(double));
-    s->live = arena_alloc(a, n_link, sizeof *s->live);
-    s->link = lanes_lines(a, n_link, sizeof *s->link);
-    s->delta = arena_alloc(a, n_link + LANES_WIDTH, sizeof(double));
-    s->link_history = arena_alloc(a, (size_t)m->n_link_history, sizeof(double));
-    s->ground_a = arena_alloc(a, n_ground, sizeof(double));
-    s->ground_v = arena_alloc(a, n_ground, sizeof(double));
-    s->ground_u = arena_alloc(a, n_ground, sizeof(double));
-    return !arena_failed(a);
+    return fields_alloc(&state_fields, m, s, a);
 }
 
 void state_open_links(struct state *s) {
@@ -60,14 +64,41 @@ void state_open_where(struct state *s, const struct model *m, state_question *op
     }
 }
 
-static void inelastic_shears(struct state *s, const struct model *m) {
+// Shears and tangents from the histories `from`; `after` as in struct storey_law.
+static void inelastic_shears(struct state *s, const struct model *m, const double *from,
+                             double *after) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *g = &m->building[k];
         for (int i = g->first; !g->elastic && i < g->first + g->n_floor; i++) {
             const struct storey *law = &m->storey[i];
-            s->shear[i] =
-                law->law->shear(law->constant, s->storey_history + law->history, s->drift[i]).shear;
+            const struct storey_response r =
+                law->law->respond(law->constant, from + law->history, s->drift[i],
+                                  after ? after + law->history : NULL);
+            s->shear[i] = r.shear;
+            s->tangent[i] = r.tangent;
         }
+    }
+}
+
+// Drift rates of building g at the velocities v (n_dof).
+static void find_rates(struct state *s, const struct building *g, const double *v) {
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        s->rate[i] = v[i] - (i > g->first ? v[i - 1] : 0.0);
+    }
+}
+
+static void part_shears(struct state *s, const struct model *m, const double *v, const double *from,
+                        double *after) {
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        if (g->n_part == 0) {
+            continue;
+        }
+        if (!g->elastic) {
+            find_rates(s, g, v);
+        }
+        parts_respond(g, from, s->drift + g->first, s->rate + g->first,
+                      &(struct part_sums){.shear = s->shear + g->first}, after);
     }
 }
 
@@ -80,15 +111,26 @@ static void full_damping(struct state *s, const struct model *m, const double *v
     }
 }
 
-void state_internal_forces(struct state *s, const struct model *m, const double *u,
-                           const double *v) {
+static void internal_forces(struct state *s, const struct model *m, const double *u,
+                            const double *v, const double *from, double *after) {
     chain_forces(&m->chain, u, v, s->drift, s->shear, s->damping_force);
-    if (m->n_storey_history > 0) {
-        inelastic_shears(s, m);
+    if (!m->elastic) {
+        inelastic_shears(s, m, from, after);
     }
     if (m->chain.full_damping) {
         full_damping(s, m, v);
+        part_shears(s, m, v, from, after);
     }
+}
+
+void state_internal_forces(struct state *s, const struct model *m, const double *u,
+                           const double *v) {
+    internal_forces(s, m, u, v, s->storey_history, NULL);
+}
+
+void state_reach(struct state *s, const struct model *m, const double *u, const double *v,
+                 const double *from) {
+    internal_forces(s, m, u, v, from, s->storey_history);
 }
 
 void state_totals(struct state *s, const struct model *m) {
@@ -110,28 +152,25 @@ void state_complete(struct state *s, const struct model *m) {
 
 double state_gap(const struct link *l, const struct model *m, const double *u,
                  const double *ground) {
-    double delta = 0.0;
-    if (l->dof[0] != WALL) {
-        delta += u[l->dof[0]];
-    }
-    if (l->dof[1] != WALL) {
-        delta -= u[l->dof[1]];
-    }
-    return delta + state_ground_gap(l, m, ground);
+    return link_across(l, u) + state_ground_gap(l, m, ground);
 }
 
 double state_rounding(const struct link *l, const double *x) {
-    double sum = 0.0;
-    for (int i = 0; i < 2; i++) {
-        sum += l->dof[i] == WALL ? 0.0 : fabs(x[l->dof[i]]);
-    }
-    return 4.0 * DBL_EPSILON * sum;
+    return 4.0 * DBL_EPSILON * link_size(l, x);
 }
 
 double state_link_force(const struct state *s, const struct model *m, int k) {
     const struct link *l = &m->link[k];
     double d = l->bilateral ? s->delta[k] : fmax(s->delta[k], 0.0);
     return l->law->force(l->constant, s->link_history + l->history, d, state_rate(s, m, k)).force;
+}
+
+double state_penetration(const struct state *s, const struct model *m, int k) {
+    return state_gap(&m->link[k], m, s->u, s->ground_u) - m->link[k].gap;
+}
+
+double state_pressing(const struct state *s, const struct model *m, int k) {
+    return state_gap(&m->link[k], m, s->a, s->ground_a);
 }
 
 double state_rate(const struct state *s, const struct model *m, int k) {
@@ -151,77 +190,24 @@ void state_close_link(struct state *s, const struct model *m, int k) {
     s->link[k].force = l->law->rebound ? 0.0 : state_link_force(s, m, k);
 }
 
-static bool starts_closed(const struct link *l, double delta, double rate) {
-    bool rests = delta >= 0.0 && rate == 0.0;
-    bool meets = delta > 0.0 || (delta == 0.0 && rate > 0.0);
-    return l->bilateral || (l->law->rebound ? rests : meets);
-}
-
-static void start_links(struct state *s, const struct model *m) {
-    for (int k = 0; k < m->n_link; k++) {
-        const struct link *l = &m->link[k];
-        s->delta[k] = state_gap(l, m, s->u, s->ground_u) - l->gap;
-        if (starts_closed(l, s->delta[k], state_rate(s, m, k))) {
-            state_close_link(s, m, k);
-        }
-    }
-}
-
-// Is link k a rigid contact that nothing presses together?
-static bool is_idle(const struct state *s, const struct model *m, int k) {
-    double least = m->link[k].mass * rest_rounding(&m->link[k], s->a);
-    return m->link[k].law->rebound && s->link[k].force <= least;
-}
-
 bool state_rests(const struct state *s, const struct model *m, int k) {
     return s->link[k].closed && m->link[k].law->rebound;
 }
 
 void state_push(const struct link *l, const struct model *m, double f, double *x) {
-    if (l->dof[0] != WALL) {
-        x[l->dof[0]] -= f / m->mass[l->dof[0]];
-    }
-    if (l->dof[1] != WALL) {
-        x[l->dof[1]] += f / m->mass[l->dof[1]];
+    for (int side = 0; side < 2; side++) {
+        const double push = side == 0 ? -f : f;
+        for (int i = 0, n = link_entries(l, side); i < n; i++) {
+            const struct link_entry e = link_entry(l, side, i);
+            x[e.dof] += e.weight * push / m->mass[e.dof];
+        }
     }
 }
 
 void state_add_link_forces(const struct state *s, const struct model *m, double *floor) {
     for (int i = 0; i < s->n_live; i++) {
         int k = s->live[i];
-        const int *dof = m->link[k].dof;
-        if (dof[0] != WALL) {
-            floor[dof[0]] -= s->link[k].force;
-        }
-        if (dof[1] != WALL) {
-            floor[dof[1]] += s->link[k].force;
-        }
-    }
-}
-
-// M a = external - C v - storey shears - link forces; the forces stand in `total` meanwhile.
-static void accelerations(struct state *s, const struct model *m) {
-    double *force = s->total;
-    memset(s->a, 0, (size_t)m->n_dof * sizeof *s->a);
-    chain_residual(&m->chain, s->external, s->a, s->damping_force, s->shear, force);
-    state_add_link_forces(s, m, force);
-    for (int i = 0; i < m->n_dof; i++) {
-        s->a[i] = force[i] / m->mass[i];
-    }
-}
-
-void state_equilibrium(struct state *s, const struct model *m) {
-    accelerations(s, m);
-    rest_forces(s, m);
-    state_totals(s, m);
-}
-
-void state_commit_storeys(struct state *s, const struct model *m) {
-    for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
-        const struct storey *law = &m->storey[i];
-        if (law->law->commit) {
-            law->law->commit(law->constant, s->storey_history + law->history, s->drift[i]);
-        }
+        link_push(&m->link[k], s->link[k].force, floor);
     }
 }
 
@@ -234,16 +220,4 @@ void state_commit_links(struct state *s, const struct model *m) {
                            state_rate(s, m, k));
         }
     }
-}
-
-void state_start(struct state *s, const struct model *m) {
-    memcpy(s->u, m->displacement, (size_t)m->n_dof * sizeof *s->u);
-    memcpy(s->v, m->velocity, (size_t)m->n_dof * sizeof *s->v);
-    s->time = 0.0;
-    excitation_at(s, m, 0.0);
-    state_internal_forces(s, m, s->u, s->v);
-    state_commit_storeys(s, m);
-    start_links(s, m);
-    state_equilibrium(s, m);
-    state_open_where(s, m, is_idle);
 }

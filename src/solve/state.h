@@ -8,6 +8,8 @@
 
 #include "core/lanes.h"
 #include "jostle/analysis.h"
+#include "model/link_end.h"
+#include "solve/fields.h"
 
 // Steps before the last one whose forces a guess is drawn from.
 enum { PAST_STEPS = 3 };
@@ -30,6 +32,8 @@ struct state {
     double *u, *v, *a;       // [L] [L/T] [L/T^2] relative to the ground
     double *base, *total;    // [L/T^2] acceleration of the ground, and a + base
     double *drift, *shear;   // [L] [F] of the storey below
+    double *tangent;         // [F/L] of the storey below, at the drift; of elastic buildings unset
+    double *rate;            // [L/T] of the drifts of buildings with parts
     double *damping_force;   // [F] C v
     double *external;        // [F] loads and -m a_ground
     double *storey_history;  // (model.n_storey_history)
@@ -43,6 +47,7 @@ struct state {
     // Ground motions, all (n_ground)
     double *ground_a, *ground_v, *ground_u;  // [L/T^2] [L/T] [L]
 };
+extern const struct fields state_fields;
 
 // Room for a state of the model in `a`; false: no memory.
 bool state_alloc(struct state *s, const struct model *m, struct arena *a);
@@ -70,23 +75,14 @@ void state_open_link(struct state *s, int k);
 typedef bool state_question(const struct state *s, const struct model *m, int k);
 void state_open_where(struct state *s, const struct model *m, state_question *opens);
 
-// Bring the histories of the storeys to the drifts of a solved state, and those of closed links to
-// its penetrations.
-void state_commit_storeys(struct state *s, const struct model *m);
+// Brings the histories of closed links to the penetrations of a solved state.
 void state_commit_links(struct state *s, const struct model *m);
 
-// The state at t = 0: initial displacements and velocities, links closed where delta > 0 or about
-// to close (delta = 0, rate > 0), rigid contacts where forces press them together (delta >= 0, rate
-// = 0), accelerations from equilibrium. Storeys have come there from zero drift without turning;
-// the histories of links are left to state_commit_links.
-void state_start(struct state *s, const struct model *m);
-
-// Accelerations that bring the forces of `s` into equilibrium, with the forces of rigid contacts at
-// rest that keep them so; one that would have to pull opens.
-void state_equilibrium(struct state *s, const struct model *m);
-
-// Velocity at which the penetration of link k grows [L/T].
+// The penetration of link k at the displacements of `s` [L], the velocity at which it grows [L/T]
+// and the rate of that at the accelerations of `s` [L/T^2].
+double state_penetration(const struct state *s, const struct model *m, int k);
 double state_rate(const struct state *s, const struct model *m, int k);
+double state_pressing(const struct state *s, const struct model *m, int k);
 
 // Closes link k at this instant: history and force from the velocity it closes with.
 void state_close_link(struct state *s, const struct model *m, int k);
@@ -108,9 +104,14 @@ static inline bool state_is_uniform(const struct model *m) {
 }
 
 // Sets drifts, storey shears and C v to the displacements u and velocities v (n_dof), with the
-// storey history of `s`.
+// storey history of `s`, which stays as it is.
 void state_internal_forces(struct state *s, const struct model *m, const double *u,
                            const double *v);
+
+// The same from the storey history `from` of the committed state; that of `s` becomes what a step
+// which ends at these drifts commits. It may be that of `s` itself.
+void state_reach(struct state *s, const struct model *m, const double *u, const double *v,
+                 const double *from);
 
 // Computes what the steps of linear models leave out: accelerations of the ground, external and
 // internal forces, drifts and total accelerations. Adaptive steps have the external forces already.
@@ -119,7 +120,8 @@ void state_complete(struct state *s, const struct model *m);
 // total = a + base.
 void state_totals(struct state *s, const struct model *m);
 
-// Where an end of link l stands in the arrays (n_dof); a wall is the zero behind them.
+// Where an end of link l that is no row stands in the arrays (n_dof); a wall is the zero behind
+// them.
 static inline int state_end(const struct link *l, const struct model *m, int side) {
     return l->dof[side] == WALL ? m->n_dof : l->dof[side];
 }

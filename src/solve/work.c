@@ -15,41 +15,43 @@ static bool alloc_floors(struct work *w, const struct model *m, struct arena *a)
     w->correction = lanes_array(a, m->n_dof);
     s->drift = lanes_array(a, m->n_dof);
     s->shear = lanes_array(a, m->n_dof);
+    s->rate = lanes_array(a, m->n_dof);
     s->residual = lanes_array(a, m->n_dof);
     s->change = lanes_array(a, m->n_dof);
     s->agree = arena_alloc(a, (size_t)m->n_building, sizeof *s->agree);
-    return floors_alloc(&w->floors, m, a) && small_alloc(&w->small, m, a);
+    return floors_alloc(w, a);
 }
 
-static bool alloc_links(struct work *w, const struct model *m, struct arena *a) {
+static bool alloc_links(struct work *w, const struct model *m, const struct results *r,
+                        struct arena *a) {
     size_t n_link = (size_t)m->n_link;
     w->link = lanes_lines(a, n_link, sizeof *w->link);
     w->acting = arena_alloc(a, n_link, sizeof(void *));
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->toggled = arena_alloc(a, n_link, sizeof *w->toggled);
-    return gaps_alloc(&w->gaps, m, a) && cluster_alloc(&w->clusters, m, a) &&
+    return gaps_alloc(&w->gaps, m, r, a) && cluster_alloc(&w->clusters, m, a) &&
            block_alloc(&w->block, m, a);
 }
 
-// The most links with a force law at any floor, counted in `count` (n_dof), which is 0 before and
-// after.
+// The most links with a force law at any floor, by their weights, counted in `count` (n_dof), which
+// is 0 before and after.
 static double most_links(const struct model *m, double *count) {
     double most = 1.0;
     for (int i = 0; i < 2 * m->n_link; i++) {
         const struct link *l = &m->link[i / 2];
-        int dof = l->dof[i % 2];
-        if (dof != WALL && l->law->force) {
-            count[dof] += 1.0;
-            most = fmax(most, count[dof]);
+        for (int j = 0, n = l->law->force ? link_entries(l, i % 2) : 0; j < n; j++) {
+            const struct link_entry e = link_entry(l, i % 2, j);
+            count[e.dof] += fabs(e.weight);
+            most = fmax(most, count[e.dof]);
         }
     }
     memset(count, 0, (size_t)m->n_dof * sizeof *count);
     return most;
 }
 
-static void fill_links(struct work *w, const struct model *m) {
-    for (int k = 0; k < m->n_link; k++) {
-        sweep_init(&w->link[k], m, k);
+static void fill_links(struct work *w, const struct model *m, struct arena *a) {
+    for (int k = 0; k < m->n_link && sweep_init(&w->link[k], m, k, a); k++) {
+        w->link[k].resolved = &w->memory->resolved[k];
         w->commits |= m->link[k].law->commit != NULL;
         if (m->link[k].law->rebound) {
             w->rigid[w->n_rigid++] = k;
@@ -57,33 +59,38 @@ static void fill_links(struct work *w, const struct model *m) {
     }
 }
 
-bool work_alloc(struct work *w, const struct model *m, struct totals *totals, struct arena *a) {
+bool work_alloc(struct work *w, const struct model *m, struct results *r, struct memory *memory,
+                struct arena *a) {
     *w = (struct work){
         .model = m,
-        .totals = totals,
+        .totals = &r->totals,
+        .memory = memory,
         .splitting = m->adaptive ? SPLIT_ALWAYS : SPLIT_JUMPS,
         .ahead.from = -EXCITATION_AHEAD,
-        .unresolved = -1,
         .held = -1,
     };
     size_t n = (size_t)m->n_building;
     w->home = arena_alloc(a, n, sizeof *w->home);
     w->other = arena_alloc(a, n, sizeof *w->other);
     w->effective = w->home;
-    if (!alloc_floors(w, m, a) || !alloc_links(w, m, a)) {
+    if (!alloc_floors(w, m, a) || !alloc_links(w, m, r, a)) {
         return false;
     }
-    fill_links(w, m);
+    fill_links(w, m, a);
     w->crowd = most_links(m, w->storeys.residual);
     return effective_alloc(w->home, m->building, m->n_building, EFFECTIVE_LONG, a) &&
            effective_alloc(w->other, m->building, m->n_building, EFFECTIVE_BRIEFLY, a);
 }
 
-// Factorises building k of `e` unless it is there for b, g and the tangents last used.
+// Factorises building k of `e` unless it is there for b, g and the tangents last used. Parts that
+// are not linear have others in every step, which factorises by itself.
 static int refactor(struct work *w, struct effective *e, int k) {
     const struct building *g = e[k].building;
-    const double *tangent = w->effective[k].tangent;
+    const double *tangent = w->memory->tangent + g->first;
     size_t size = (size_t)g->n_floor * sizeof *tangent;
+    if (g->n_part > 0 && g->smooth) {
+        return STATUS_OK;
+    }
     bool same = g->elastic || memcmp(e[k].tangent, tangent, size) == 0;
     if (same && e[k].b == w->b && e[k].g == w->g) {
         return STATUS_OK;
@@ -92,13 +99,29 @@ static int refactor(struct work *w, struct effective *e, int k) {
     return effective_factor(&e[k], w->b, w->g);
 }
 
+void work_resume(struct work *w) {
+    const double h = w->h;
+    const long factors = w->factors;
+    for (int k = 0; k < w->model->n_building; k++) {
+        effective_resume(&w->home[k]);
+    }
+    for (int k = 0; k < w->model->n_link; k++) {
+        w->link[k].factors = 0;
+    }
+    w->h = 0.0;
+    if (h > 0.0) {
+        (void)work_factor(w, h);  // it has been possible before
+    }
+    w->factors = factors;
+    gaps_resume(&w->gaps);
+}
+
 int work_factor(struct work *w, double h) {
     if (w->h == h) {
         return STATUS_OK;
     }
     struct effective *e = h == w->model->dt ? w->home : w->other;
     w->h = 0.0;
-    w->small.serves = false;
     w->factors++;
     w->b = w->model->beta * h * h;
     w->g = w->model->gamma * h;
@@ -112,9 +135,5 @@ int work_factor(struct work *w, double h) {
     }
     w->effective = e;
     w->h = h;
-    w->small.serves = w->small.possible && e == w->home && w->model->n_storey_history == 0;
-    if (w->small.serves) {
-        small_factor(w);
-    }
     return STATUS_OK;
 }

@@ -11,13 +11,13 @@
 #include "solve/floors/chain.h"
 #include "solve/floors/effective.h"
 #include "solve/floors/floors.h"
-#include "solve/floors/small_model.h"
+#include "solve/memory.h"
 #include "solve/scale.h"
 #include "solve/state.h"
 
 // What to do when the iteration of contacts or storeys does not converge.
 enum strictness {
-    STEP_STRICT,  // give STATUS_RETRY, so that the step is cut
+    STEP_STRICT,  // give STATUS_RETRY: the step is rejected
     STEP_ACCEPT,  // take the last iterate and count it: the step is as short as it gets
 };
 
@@ -30,6 +30,7 @@ enum splitting {
 // Newton's iteration on the storeys, in newmark.c.
 struct storeys {
     double *drift, *shear;  // (n_dof) [L] [F] where they were linearised
+    double *rate;           // (n_dof) [L/T] the same of drift rates, of buildings with parts
     double *residual;       // (n_dof) [F]
     double *change;         // (n_dof) [L/T^2] of the correction
     bool *agree;            // (n_building) a building's shears are as their tangents predicted
@@ -38,8 +39,9 @@ struct storeys {
 struct link_scratch;
 
 struct work {
-    const struct model *model;  // borrowed
-    struct totals *totals;      // borrowed: counters
+    const struct model *model;  // borrowed, as are the next two
+    struct totals *totals;      // counters
+    struct memory *memory;
 
     // The step in hand.
     double h;                     // [T] step of the factors; 0: none yet
@@ -47,12 +49,11 @@ struct work {
     double g, per_g;              // gamma h and 1 / g
     struct effective *effective;  // (n_building) `home` or `other`
     struct effective *home;       // (n_building) for steps of the model's size
-    struct effective *other;      // (n_building) for those that were cut
+    struct effective *other;      // (n_building) for shorter ones
     long factors;                 // counts its factorisations
     enum strictness strictness;
     enum splitting splitting;
-    int unresolved;  // link that last needed a shorter step; -1: none did
-    int held;        // link that stays open or closed in this step; -1: none
+    int held;  // link that stays open or closed in this step; -1: none
 
     // Borrowed; NULL: steps are fixed, and do not end at corners.
     const struct forcing *forcing;
@@ -61,7 +62,6 @@ struct work {
     // Its floors.
     struct excitation_ahead ahead;  // of steps of the model's size
     struct floors floors;
-    struct small_model small;   // steps of models with few floors
     double *u_trial, *v_trial;  // (n_dof) at the end of the step if the accelerations stay; of
                                 // linear models, for buildings that gaps.touched lists
     double *correction;         // (n_dof) [L/T^2] of the accelerations
@@ -81,8 +81,14 @@ struct work {
     struct block block;
 };
 
-// Room for the scratch of a model, whose factors are still to be found; false: no memory.
-bool work_alloc(struct work *w, const struct model *m, struct totals *totals, struct arena *a);
+// Room for the scratch of a model, whose factors are still to be found, for a run with these
+// results and memory; false: no memory.
+bool work_alloc(struct work *w, const struct model *m, struct results *r, struct memory *memory,
+                struct arena *a);
+
+// Prepares the scratch for another state, after its memory and home factors' tangents have been
+// replaced.
+void work_resume(struct work *w);
 
 // Factorises for steps of size h. The factors for the model's own step size are kept meanwhile.
 // STATUS_RETRY: a matrix is not positive definite.

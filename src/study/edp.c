@@ -117,6 +117,7 @@ static int add_floors(struct reading *r, const struct study_item *item, long flo
             continue;
         }
         const struct edp_term t = {.value = item->first + i,
+                                   .item = item,
                                    .divisor =
                                        divisor < 0 ? SIZE_MAX : v->table.item[divisor].first + i};
         if (add_term(r, &t, arena_format(r->arena, "%s:%zu", item->owner, i + 1)) != STATUS_OK) {
@@ -169,25 +170,27 @@ static int add_buildings(struct reading *r, struct error *e) {
     }
     return r->out->n_term > 0
                ? STATUS_OK
-               : error_set(e, STATUS_INPUT, "%s: unknown building; known: %s", r->text, known);
+               : error_set(e, STATUS_INPUT, "%s: unknown building; available: %s", r->text, known);
 }
 
 static int add_links(struct reading *r, const struct study_item *item, struct error *e) {
     const bool contact = r->quantity->owner == EDP_OF_CONTACT;
     const int n = contact ? r->view->n_contact : r->view->n_link;
-    const char *const *name = contact ? r->view->contact : r->view->link;
+    const struct report_link *link = contact ? r->view->contact : r->view->link;
     for (int i = 0; i < n && (size_t)i < item->n; i++) {
-        if (!r->place || strcmp(r->place, name[i]) == 0) {
-            add_term(r, &(struct edp_term){item->first + (size_t)i, SIZE_MAX, NULL}, name[i]);
+        if (!r->place || strcmp(r->place, link[i].name) == 0) {
+            add_term(r, &(struct edp_term){item->first + (size_t)i, SIZE_MAX, NULL, NULL},
+                     link[i].name);
         }
     }
     if (r->out->n_term > 0) {
         return STATUS_OK;
     }
     const char *what = contact ? "contact" : "link";
-    return n == 0 ? error_set(e, STATUS_INPUT, "%s: there is no %s", r->text, what)
-                  : error_set(e, STATUS_INPUT, "%s: unknown %s; %d known: %s%s%s", r->text, what, n,
-                              name[0], n > 1 ? " ... " : "", n > 1 ? name[n - 1] : "");
+    return n == 0
+               ? error_set(e, STATUS_INPUT, "%s: there is no %s", r->text, what)
+               : error_set(e, STATUS_INPUT, "%s: unknown %s; %d available: %s%s%s", r->text, what,
+                           n, link[0].name, n > 1 ? " ... " : "", n > 1 ? link[n - 1].name : "");
 }
 
 static int add_terms(struct reading *r, struct error *e) {
@@ -212,7 +215,7 @@ static int add_terms(struct reading *r, struct error *e) {
                                  "is named",
                                  r->text, q->name);
             }
-            return add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL}, "");
+            return add_term(r, &(struct edp_term){item->first, SIZE_MAX, NULL, NULL}, "");
     }
 }
 
@@ -278,6 +281,11 @@ double edp_value(const struct edp *p, const double *value, int *at) {
     return p->quantity->reduction == EDP_SUM ? sum : largest;
 }
 
+int edp_hit(const struct edp *p, const struct study_view *v, int at, const double *value) {
+    const struct edp_term *t = &p->term[at];
+    return t->item ? study_view_hit(v, t->item, t->value - t->item->first, value) : -1;
+}
+
 int edp_absent(const struct edp *p, int at, struct error *e) {
     const char *place = p->term[at].location;
     return p->quantity->divisor
@@ -295,7 +303,7 @@ static int read_limit(const struct edp *p, const struct unit_system *units, cons
     struct text_short t;
     double size, own;
     if (text_number(text, &end, limit) != TEXT_NUMBER_OK) {
-        return error_set(e, STATUS_INPUT, "limit '%s' is no number", text_short(&t, text));
+        return error_set(e, STATUS_INPUT, "limit '%s' is not a number", text_short(&t, text));
     }
     if (*end == '\0') {
         return STATUS_OK;

@@ -28,8 +28,9 @@ extern const int n_edp_quantity;
 
 // A value of a run that counts.
 struct edp_term {
-    size_t value, divisor;  // indices among a run's values; divisor SIZE_MAX: none
-    const char *location;   // "A:3", "A:5-B:5"; "" for the whole
+    size_t value, divisor;          // indices among a run's values; divisor SIZE_MAX: none
+    const char *location;           // "A:3", "A:5-B:5"; "" for the whole
+    const struct study_item *item;  // of a building; NULL: others
 };
 
 struct edp {
@@ -50,6 +51,9 @@ int edp_parse(const struct study_view *v, const char *text, struct arena *a, str
 // The number of a run from its values (n_value); *at is the term that is largest, for a sum too.
 // NAN where a term has no value, as it may be the largest: *at is the first such.
 double edp_value(const struct edp *p, const double *value, int *at);
+
+// What study_view_hit says of term `at`; -1 for terms that are not of a building.
+int edp_hit(const struct edp *p, const struct study_view *v, int at, const double *value);
 
 // Sets the error of a run that is done, but has no value at term `at`: STATUS_INPUT.
 int edp_absent(const struct edp *p, int at, struct error *e);

@@ -11,6 +11,8 @@ enum { CONTENT_MAX = 1 << 30 };
 // How the content of a run starts; the message and, if it is done, the values follow.
 struct run_head {
     int64_t run, n_file;
+    uint64_t shape;
+    int64_t n_block, last;
     int32_t status;
     int32_t n_message;
 };
@@ -23,7 +25,7 @@ size_t entry_seal(unsigned char *entry, enum entry_kind kind, size_t n) {
     const uint32_t head[2] = {(uint32_t)kind, (uint32_t)n};
     _Static_assert(sizeof head == ENTRY_HEAD, "as written");
     memcpy(entry, head, sizeof head);
-    const uint64_t sum = checksum_many(checksum_start, entry, ENTRY_HEAD + n);
+    const uint64_t sum = checksum_short(entry, ENTRY_HEAD + n);
     memcpy(entry + ENTRY_HEAD + n, &sum, sizeof sum);
     return ENTRY_HEAD + n + ENTRY_TAIL;
 }
@@ -33,7 +35,8 @@ bool entry_size(const unsigned char *entry, enum entry_kind *kind, size_t *n) {
     memcpy(head, entry, sizeof head);
     *kind = (enum entry_kind)head[0];
     *n = head[1];
-    return (*kind == ENTRY_HEAD_TEXT || *kind == ENTRY_FILE || *kind == ENTRY_RUN) &&
+    return (*kind == ENTRY_HEAD_TEXT || *kind == ENTRY_FILE || *kind == ENTRY_BLOCK ||
+            *kind == ENTRY_RUN) &&
            *n <= CONTENT_MAX;
 }
 
@@ -52,7 +55,7 @@ bool entry_is_foreign(const unsigned char *entry) {
 bool entry_is_sound(const unsigned char *entry, size_t n) {
     uint64_t sum;
     memcpy(&sum, entry + ENTRY_HEAD + n, sizeof sum);
-    return sum == checksum_many(checksum_start, entry, ENTRY_HEAD + n);
+    return sum == checksum_short(entry, ENTRY_HEAD + n);
 }
 
 size_t entry_run_size(size_t n_value) {
@@ -64,6 +67,9 @@ size_t entry_put_run(unsigned char *entry, struct entry_run run,
     const size_t n_message = strlen(outcome->message);
     const struct run_head head = {.run = run.number,
                                   .n_file = run.n_file,
+                                  .shape = run.shape,
+                                  .n_block = run.n_block,
+                                  .last = run.last,
                                   .status = outcome->status,
                                   .n_message = (int32_t)n_message};
     unsigned char *to = entry_content(entry);
@@ -92,7 +98,11 @@ bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, struct 
         n != sizeof head + (size_t)head.n_message + n_bytes) {
         return false;
     }
-    *run = (struct entry_run){.number = (long)head.run, .n_file = (long)head.n_file};
+    *run = (struct entry_run){.number = (long)head.run,
+                              .n_file = (long)head.n_file,
+                              .shape = head.shape,
+                              .n_block = (long)head.n_block,
+                              .last = head.last};
     *outcome = (struct study_outcome){.status = head.status};
     memcpy(outcome->message, from + sizeof head, (size_t)head.n_message);
     if (value && done) {
@@ -104,23 +114,42 @@ bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, struct 
     return true;
 }
 
-size_t entry_file_size(const char *path) {
-    return sizeof(uint64_t) + strlen(path) + 1;
+size_t entry_put_block(unsigned char *entry, struct entry_block block, const void *bytes,
+                       size_t n) {
+    unsigned char *to = entry_content(entry);
+    memcpy(to, &block, sizeof block);
+    memcpy(to + sizeof block, bytes, n);
+    return sizeof block + n;
 }
 
-size_t entry_put_file(unsigned char *entry, const char *path, uint64_t sum) {
+const unsigned char *entry_get_block(const unsigned char *entry, size_t n,
+                                     struct entry_block *block) {
+    if (n < sizeof *block) {
+        return NULL;
+    }
+    memcpy(block, entry + ENTRY_HEAD, sizeof *block);
+    return entry + ENTRY_HEAD + sizeof *block;
+}
+
+size_t entry_file_size(const char *path) {
+    return CHECKSUM_DIGITS + strlen(path) + 1;
+}
+
+// A file that cannot be read has zeros.
+size_t entry_put_file(unsigned char *entry, const char *path, const struct checksum *sum) {
     unsigned char *to = entry_content(entry);
-    memcpy(to, &sum, sizeof sum);
-    memcpy(to + sizeof sum, path, strlen(path) + 1);
+    memcpy(to, sum->digits, CHECKSUM_DIGITS);
+    memcpy(to + CHECKSUM_DIGITS, path, strlen(path) + 1);
     return entry_file_size(path);
 }
 
-bool entry_get_file(const unsigned char *entry, size_t n, const char **path, uint64_t *sum) {
+bool entry_get_file(const unsigned char *entry, size_t n, const char **path, struct checksum *sum) {
     const unsigned char *from = entry + ENTRY_HEAD;
-    if (n <= sizeof *sum || from[n - 1] != 0) {
+    if (n <= CHECKSUM_DIGITS || from[n - 1] != 0) {
         return false;
     }
-    memcpy(sum, from, sizeof *sum);
-    *path = (const char *)from + sizeof *sum;
+    *sum = (struct checksum){.digits = ""};
+    memcpy(sum->digits, from, CHECKSUM_DIGITS);
+    *path = (const char *)from + CHECKSUM_DIGITS;
     return true;
 }

@@ -7,13 +7,29 @@
 
 #include "jostle/study_file.h"
 
-enum entry_kind { ENTRY_HEAD_TEXT = 0x64616568, ENTRY_FILE = 0x656c6966, ENTRY_RUN = 0x206e7572 };
+enum entry_kind {
+    ENTRY_HEAD_TEXT = 0x64616568,
+    ENTRY_FILE = 0x656c6966,
+    ENTRY_BLOCK = 0x636f6c62,
+    ENTRY_RUN = 0x206e7572
+};
 enum { ENTRY_HEAD = 8, ENTRY_TAIL = 8 };  // bytes before and after the content
 
-// Which run it is, and how many entries of files precede it: it may have read those files.
+// Which run it is, and how many entries of files precede it: it may have read those files. Of a run
+// with histories also which rows they have (0: there are none), how many blocks they take, and
+// where the last one is.
 struct entry_run {
     long number, n_file;
+    uint64_t shape;
+    long n_block;
+    int64_t last;
 };
+
+// A block of the histories of a run: block `index` of it, behind the one at `previous`.
+struct entry_block {
+    int64_t run, index, previous;
+};
+enum { ENTRY_BLOCK_BYTES = 1 << 18 };  // most bytes of histories in a block
 
 // The content of the entry at `entry`.
 unsigned char *entry_content(unsigned char *entry);
@@ -33,12 +49,17 @@ size_t entry_run_size(size_t n_value);
 // Fill the content and return its size; values of a failed run are not written.
 size_t entry_put_run(unsigned char *entry, struct entry_run run,
                      const struct study_outcome *outcome, const double *value, size_t n_value);
+// Fills the content of a block with `n` <= ENTRY_BLOCK_BYTES bytes of histories; its size.
+size_t entry_put_block(unsigned char *entry, struct entry_block block, const void *bytes, size_t n);
 size_t entry_file_size(const char *path);
-size_t entry_put_file(unsigned char *entry, const char *path, uint64_t sum);
+size_t entry_put_file(unsigned char *entry, const char *path, const struct checksum *sum);
 
 // Read the content, `n` bytes; false if it cannot be one. `value` NULL: the values are not wanted.
 bool entry_get_run(const unsigned char *entry, size_t n, size_t n_value, struct entry_run *run,
                    struct study_outcome *outcome, double *value);
-bool entry_get_file(const unsigned char *entry, size_t n, const char **path, uint64_t *sum);
+// Its bytes of histories, of which there are n - sizeof *block; NULL if it cannot be one.
+const unsigned char *entry_get_block(const unsigned char *entry, size_t n,
+                                     struct entry_block *block);
+bool entry_get_file(const unsigned char *entry, size_t n, const char **path, struct checksum *sum);
 
 #endif

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/link_end.h"
 #include "motion/shelf.h"
 #include "study/trial.h"
 #include "study/workers.h"
@@ -46,8 +47,7 @@ static struct link *links_at(const struct model *m, double gap) {
 static const struct link *closed_at_start(const struct model *m, const struct link *link) {
     for (int i = 0; i < m->n_contact; i++) {
         const struct link *l = &link[i];
-        double x = l->dof[0] == WALL ? 0.0 : m->displacement[l->dof[0]];
-        x -= l->dof[1] == WALL ? 0.0 : m->displacement[l->dof[1]];
+        const double x = link_across(l, m->displacement);
         if (x > l->gap && x <= m->link[i].gap) {
             return l;
         }

@@ -84,8 +84,9 @@ static int open_case(struct search *s, int i, double gap, struct error *e) {
     if (!s->request->parameter) {
         return STATUS_OK;
     }
-    int status = open_plan(s, gap, &s->plan[i], e);
-    s->which[i] = (struct gap_runs_case){.plan = &s->plan[i], .gap = NAN};
+    const bool open = isinf(gap);
+    int status = open_plan(s, open ? s->request->to : gap, &s->plan[i], e);
+    s->which[i] = (struct gap_runs_case){.plan = &s->plan[i], .gap = open ? gap : NAN};
     if (status == STATUS_OK) {
         status = plan_check_shape(s->request->plan, 0, s->plan[i].first, e);
     }
@@ -172,6 +173,21 @@ static int scan(struct search *s, struct error *e) {
     return status;
 }
 
+// Without any contact. Demands of the contacts have no value there.
+static int open_all(struct search *s, struct error *e) {
+    const double never = INFINITY;
+    struct gap_search *out = s->out;
+    if (s->request->edp.quantity->owner == EDP_OF_CONTACT) {
+        return STATUS_OK;
+    }
+    int status = look(s, GAP_OPEN, &never, 1, e);
+    if (status == STATUS_OK) {
+        out->open = out->point[--out->n_point];
+        out->opened = true;
+    }
+    return status;
+}
+
 static int bisect(struct search *s, struct error *e) {
     struct gap_search *out = s->out;
     int status = STATUS_OK;
@@ -193,6 +209,7 @@ static int search(struct search *s, struct error *e) {
     struct gap_search *out = s->out;
     const int n = s->request->n;
     int status = scan(s, e);
+    status = status == STATUS_OK ? open_all(s, e) : status;
     if (status != STATUS_OK) {
         return status;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The gap beyond which a limit is kept: a scan over gaps, then bisection at its last change.
+// The gap beyond which a limit is met: a scan over gaps, then bisection at its last change.
 #ifndef JOSTLE_GAP_SEARCH_H
 #define JOSTLE_GAP_SEARCH_H
 
@@ -19,11 +19,11 @@ struct gap_search_request {
     double tolerance;         // [L] of the gap found
 };
 
-enum gap_stage { GAP_SCAN, GAP_BISECTION };
+enum gap_stage { GAP_SCAN, GAP_BISECTION, GAP_OPEN };
 
 struct gap_point {
     enum gap_stage stage;
-    double gap;    // [L]
+    double gap;    // [L]; infinite: the contacts never close
     double value;  // the percentile of the runs; NAN if one of them failed
     bool kept;     // value <= limit; a run that fails keeps nothing
     long n_failed;
@@ -35,6 +35,8 @@ struct gap_search {
     long n_run;  // of each gap; a sweep of the parameter makes fewer than the deck has
     int n_point;
     struct gap_point *point;  // (n_point) the scan first, by gap
+    bool opened;              // the demand is not one of the contacts: `open` has a value
+    struct gap_point open;    // runs without any contact, to which no gap makes a difference
     bool found;
     double gap;    // [L] kept from here on as far as was scanned
     double below;  // [L] not kept here; NAN: kept from request.from on

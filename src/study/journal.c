@@ -10,9 +10,10 @@
 
 #include "core/file.h"
 #include "study/entry.h"
+#include "study/journal_parts.h"
 
-static const char magic[8] = "jostle3\n";
-enum { MAGIC_VERSION = 6 };  // the place of its digit
+static const char magic[8] = "jostle5\n";
+enum { MAGIC_VERSION = 6, HEAD_MAX = 1 << 16 };  // the place of its digit; bytes of a later head
 
 static int cannot(const struct journal *j, const char *what, struct error *e) {
     return error_set(e, STATUS_SYSTEM, "cannot %s %s: %s", what, j->path, strerror(errno));
@@ -24,6 +25,7 @@ void journal_close(struct journal *j) {
     }
     free(j->path);
     free(j->offset);
+    free(j->chain);
     free(j->buffer);
     free(j->head);
     *j = (struct journal){.file = -1};
@@ -40,19 +42,7 @@ void journal_remove(struct journal *j) {
     journal_close(j);
 }
 
-static int write_at(const struct journal *j, const void *from, size_t n, off_t at) {
-    size_t put = 0;
-    while (put < n) {
-        ssize_t more = pwrite(j->file, (const char *)from + put, n - put, at + (off_t)put);
-        if (more < 0 && errno != EINTR) {
-            return -1;
-        }
-        put += more > 0 ? (size_t)more : 0;
-    }
-    return 0;
-}
-
-static bool reserve(struct journal *j, size_t n) {
+bool journal_reserve(struct journal *j, size_t n) {
     if (n > j->capacity) {
         unsigned char *more = realloc(j->buffer, n);
         if (!more) {
@@ -64,12 +54,11 @@ static bool reserve(struct journal *j, size_t n) {
     return true;
 }
 
-// Appends the entry that the buffer holds from entry_content on.
-static int append(struct journal *j, enum entry_kind kind, size_t n, struct error *e) {
+int journal_append(struct journal *j, enum entry_kind kind, size_t n, struct error *e) {
     const size_t size = entry_seal(j->buffer, kind, n);
-    if (write_at(j, j->buffer, size, j->end) != 0) {
+    if (file_write(j->file, j->buffer, size, j->end) != 0) {
         const int cause = errno;
-        if (ftruncate(j->file, j->end) != 0) {
+        if (file_cut(j->file, j->end) != 0) {
             errno = cause;  // the torn entry is dropped by whoever reads it
         }
         errno = cause;
@@ -79,10 +68,8 @@ static int append(struct journal *j, enum entry_kind kind, size_t n, struct erro
     return STATUS_OK;
 }
 
-// The entry at `at` into the buffer: 1 with *n, the bytes of its content; 0 if there is no sound
-// one; else an error.
-static int load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t *n,
-                      struct error *e) {
+int journal_load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t *n,
+                       struct error *e) {
     ssize_t got = file_read(j->file, j->buffer, ENTRY_HEAD, at);
     if (got < 0) {
         return cannot(j, "read", e);
@@ -94,7 +81,7 @@ static int load_entry(struct journal *j, off_t at, enum entry_kind *kind, size_t
     if (lseek(j->file, 0, SEEK_END) - at < (off_t)size) {
         return 0;
     }
-    if (!reserve(j, size)) {
+    if (!journal_reserve(j, size)) {
         return error_no_memory(e);
     }
     got = file_read(j->file, j->buffer, size, at);
@@ -113,7 +100,21 @@ static bool is_of_another(const char *found) {
 
 static int take_foreign(struct journal *j, struct error *e) {
     j->head = calloc(1, 1);
+    j->accepted = j->head;
     return j->head ? STATUS_OK : error_no_memory(e);
+}
+
+// The head in the buffer, and after a 0 what was accepted with it.
+static int take_head(struct journal *j, size_t n, struct error *e) {
+    char *head = calloc(n + 2, 1);
+    if (!head) {
+        return error_no_memory(e);
+    }
+    memcpy(head, entry_content(j->buffer), n);
+    free(j->head);
+    j->head = head;
+    j->accepted = head + strlen(head) + (strlen(head) < n);
+    return STATUS_OK;
 }
 
 // Reads the magic word and the head. A file that is neither is not ours, unless it was torn there.
@@ -138,38 +139,32 @@ static int load_head(struct journal *j, struct error *e) {
         entry_is_foreign(j->buffer)) {
         return take_foreign(j, e);
     }
-    int status = load_entry(j, sizeof magic, &kind, &n, e);
+    int status = journal_load_entry(j, sizeof magic, &kind, &n, e);
     if (status != 1 || kind != ENTRY_HEAD_TEXT) {
         return status < 0 ? status : STATUS_OK;
     }
-    j->head = malloc(n + 1);
-    if (!j->head) {
-        return error_no_memory(e);
-    }
-    memcpy(j->head, entry_content(j->buffer), n);
-    j->head[n] = '\0';
     j->end = (off_t)(sizeof magic + ENTRY_HEAD + n + ENTRY_TAIL);
-    return STATUS_OK;
+    return take_head(j, n, e);
 }
 
 // Between its opening and its lock the study that had it may end and remove it.
+static int attempt(void *context, struct error *e) {
+    struct journal *j = context;
+    return file_claim(j->path, j->path, O_CREAT, &j->file, e);
+}
+
+// The name of the journal is on disk before anything is in it.
 static int open_file(struct journal *j, struct error *e) {
-    enum { ATTEMPTS = 20 };
-    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
-        j->file = open(j->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-        if (j->file < 0) {
-            return cannot(j, "write", e);
-        }
-        if (!file_lock(j->file)) {
-            break;
-        }
-        if (journal_is_there(j)) {
-            return load_head(j, e);
-        }
-        close(j->file);
-        j->file = -1;
+    const int status = file_retry(j->path, j->path, attempt, j, e);
+    if (status != STATUS_OK) {
+        return status;
     }
-    return error_set(e, STATUS_SYSTEM, "cannot write %s: another run is writing it", j->path);
+    const int folder = file_open_folder(j->path);
+    const int synced = file_sync_folder(folder);
+    if (folder >= 0) {
+        close(folder);
+    }
+    return synced == 0 ? load_head(j, e) : cannot(j, "write", e);
 }
 
 int journal_open(struct journal *j, const char *path, long n_run, size_t n_value, struct error *e) {
@@ -177,7 +172,7 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
     const size_t n = strlen(path) + 1;
     j->path = malloc(n);
     j->offset = calloc((size_t)n_run, sizeof *j->offset);
-    const bool room = reserve(j, ENTRY_HEAD + entry_run_size(n_value) + ENTRY_TAIL);
+    const bool room = journal_reserve(j, ENTRY_HEAD + entry_run_size(n_value) + ENTRY_TAIL);
     if (!j->path || !j->offset || !room) {
         journal_close(j);
         return error_no_memory(e);
@@ -190,24 +185,37 @@ int journal_open(struct journal *j, const char *path, long n_run, size_t n_value
     return status;
 }
 
-// Takes the entry in the buffer; 0 if it is not one of this study, or lacks a file.
+// Takes the entry in the buffer; 0 if it is not one of this study, or lacks a file or histories.
 static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_function *file,
                 void *context, struct error *e) {
     struct entry_run run;
+    struct entry_block block;
     struct study_outcome outcome;
     const char *path = NULL;
-    uint64_t sum = 0;
+    struct checksum sum;
     if (kind == ENTRY_RUN && entry_get_run(j->buffer, n, j->n_value, &run, &outcome, NULL) &&
-        run.number >= 0 && run.number < j->n_run && run.n_file <= j->n_file) {
+        run.number >= 0 && run.number < j->n_run && run.n_file <= j->n_file &&
+        journal_has_blocks(j, &run, outcome.status)) {
         int64_t *offset = &j->offset[run.number];
         j->n_done += *offset == 0;
         j->n_failed += *offset == 0 && outcome.status == STUDY_FAILED;
         *offset = j->end;
+        if (outcome.status == STUDY_FAILED) {
+            journal_begin_run(j, run.number);  // rows before the failure are not kept
+        }
+        return 1;
+    }
+    if (kind == ENTRY_BLOCK && entry_get_block(j->buffer, n, &block)) {
+        journal_link_block(j, &block);
         return 1;
     }
     if (kind == ENTRY_FILE && entry_get_file(j->buffer, n, &path, &sum)) {
-        int status = file(context, path, sum, e);
+        int status = file(context, path, &sum, e);
         j->n_file++;
+        return status == STATUS_OK ? 1 : status;
+    }
+    if (kind == ENTRY_HEAD_TEXT) {
+        int status = take_head(j, n, e);
         return status == STATUS_OK ? 1 : status;
     }
     return 0;
@@ -218,10 +226,14 @@ static int take(struct journal *j, enum entry_kind kind, size_t n, journal_file_
 static bool is_head(const struct journal *j, const unsigned char *entry, enum entry_kind *kind,
                     size_t *n) {
     const size_t run = entry_run_size(j->n_value), file = entry_file_size("") + PATH_MAX;
-    return entry_size(entry, kind, n) && *n <= (run > file ? run : file);
+    const size_t block = sizeof(struct entry_block) + ENTRY_BLOCK_BYTES;
+    return entry_size(entry, kind, n) && *n <= (*kind == ENTRY_BLOCK       ? block
+                                                : *kind == ENTRY_HEAD_TEXT ? HEAD_MAX
+                                                : run > file               ? run
+                                                                           : file);
 }
 
-// Loads the next sound entry from *at on as load_entry does; *at is where it starts.
+// Loads the next sound entry from *at on as journal_load_entry does; *at is where it starts.
 static int find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_t *n,
                       struct error *e) {
     enum { BLOCK = 1 << 14 };
@@ -229,7 +241,8 @@ static int find_entry(struct journal *j, off_t *at, enum entry_kind *kind, size_
     ssize_t got;
     while ((got = file_read(j->file, block, BLOCK, *at)) >= ENTRY_HEAD) {
         for (ssize_t i = 0; i + ENTRY_HEAD <= got; i++, ++*at) {
-            const int sound = is_head(j, block + i, kind, n) ? load_entry(j, *at, kind, n, e) : 0;
+            const int sound =
+                is_head(j, block + i, kind, n) ? journal_load_entry(j, *at, kind, n, e) : 0;
             if (sound != 0) {
                 return sound;
             }
@@ -267,7 +280,21 @@ int journal_load(struct journal *j, journal_file_function *file, void *context, 
         return sound;
     }
     j->n_damaged += !is_torn(j, j->end);
-    return ftruncate(j->file, j->end) == 0 ? STATUS_OK : cannot(j, "write", e);
+    return STATUS_OK;
+}
+
+int journal_go_on(struct journal *j, struct error *e) {
+    return file_cut(j->file, j->end) == 0 ? STATUS_OK : cannot(j, "write", e);
+}
+
+int journal_accept(struct journal *j, const char *head, const char *accepted, struct error *e) {
+    const size_t n_head = strlen(head) + 1, n = n_head + strlen(accepted);
+    if (!journal_reserve(j, ENTRY_HEAD + n + ENTRY_TAIL)) {
+        return error_no_memory(e);
+    }
+    memcpy(entry_content(j->buffer), head, n_head);
+    memcpy(entry_content(j->buffer) + n_head, accepted, n - n_head);
+    return journal_append(j, ENTRY_HEAD_TEXT, n, e);
 }
 
 bool journal_is_new(const struct journal *j, const char *head) {
@@ -278,25 +305,29 @@ bool journal_is_new(const struct journal *j, const char *head) {
 int journal_reset(struct journal *j, const char *head, struct error *e) {
     const size_t n = strlen(head);
     memset(j->offset, 0, (size_t)j->n_run * sizeof *j->offset);
+    for (long run = 0; run < j->n_run; run++) {
+        journal_begin_run(j, run);
+    }
     j->n_done = 0;
     j->n_failed = 0;
     j->n_file = 0;
     j->end = sizeof magic;
-    if (!reserve(j, ENTRY_HEAD + n + ENTRY_TAIL)) {
+    if (!journal_reserve(j, ENTRY_HEAD + n + ENTRY_TAIL)) {
         return error_no_memory(e);
     }
-    if (ftruncate(j->file, 0) != 0 || write_at(j, magic, sizeof magic, 0) != 0) {
+    if (file_cut(j->file, 0) != 0 || file_write(j->file, magic, sizeof magic, 0) != 0) {
         return cannot(j, "write", e);
     }
     memcpy(entry_content(j->buffer), head, n);
-    return append(j, ENTRY_HEAD_TEXT, n, e);
+    return journal_append(j, ENTRY_HEAD_TEXT, n, e);
 }
 
-int journal_add_file(struct journal *j, const char *path, uint64_t sum, struct error *e) {
-    if (!reserve(j, ENTRY_HEAD + entry_file_size(path) + ENTRY_TAIL)) {
+int journal_add_file(struct journal *j, const char *path, const struct checksum *sum,
+                     struct error *e) {
+    if (!journal_reserve(j, ENTRY_HEAD + entry_file_size(path) + ENTRY_TAIL)) {
         return error_no_memory(e);
     }
-    const int status = append(j, ENTRY_FILE, entry_put_file(j->buffer, path, sum), e);
+    const int status = journal_append(j, ENTRY_FILE, entry_put_file(j->buffer, path, sum), e);
     j->n_file += status == STATUS_OK;
     return status;
 }
@@ -304,9 +335,14 @@ int journal_add_file(struct journal *j, const char *path, uint64_t sum, struct e
 int journal_add_run(struct journal *j, long run, const struct study_outcome *outcome,
                     const double *value, struct error *e) {
     const off_t at = j->end;
-    const struct entry_run entry = {.number = run, .n_file = j->n_file};
+    struct entry_run entry = {.number = run, .n_file = j->n_file};
+    if (j->chain && outcome->status == STUDY_DONE) {
+        entry.shape = j->shape;
+        entry.n_block = j->chain[run].n;
+        entry.last = j->chain[run].last;
+    }
     const size_t n = entry_put_run(j->buffer, entry, outcome, value, j->n_value);
-    int status = append(j, ENTRY_RUN, n, e);
+    int status = journal_append(j, ENTRY_RUN, n, e);
     if (status == STATUS_OK) {
         j->offset[run] = at;
         j->n_done++;
@@ -315,23 +351,33 @@ int journal_add_run(struct journal *j, long run, const struct study_outcome *out
     return status;
 }
 
+// Failed ones have no histories, and are not forgotten for them.
+void journal_forget(struct journal *j, long run) {
+    j->offset[run] = 0;
+    j->n_done--;
+}
+
+int journal_lost(const struct journal *j, long run, struct error *e) {
+    return error_set(e, STATUS_SYSTEM, "%s was damaged while the study ran: run %ld is lost",
+                     j->path, run + 1);
+}
+
 int journal_read(struct journal *j, long run, struct study_outcome *outcome, double *value,
                  struct error *e) {
     enum entry_kind kind = ENTRY_FILE;
     size_t n = 0;
     struct entry_run found = {.number = -1};
-    int sound = load_entry(j, (off_t)j->offset[run], &kind, &n, e);
+    int sound = journal_load_entry(j, (off_t)j->offset[run], &kind, &n, e);
     if (sound < 0) {
         return sound;
     }
     if (sound == 0 || kind != ENTRY_RUN ||
         !entry_get_run(j->buffer, n, j->n_value, &found, outcome, value) || found.number != run) {
-        return error_set(e, STATUS_SYSTEM, "%s was damaged while the study ran: run %ld is lost",
-                         j->path, run + 1);
+        return journal_lost(j, run, e);
     }
     return STATUS_OK;
 }
 
 int journal_sync(const struct journal *j, struct error *e) {
-    return fsync(j->file) == 0 ? STATUS_OK : cannot(j, "write", e);
+    return file_sync(j->file) == 0 ? STATUS_OK : cannot(j, "write", e);
 }

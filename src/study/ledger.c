@@ -15,10 +15,13 @@ void ledger_close(struct ledger *l) {
     *l = (struct ledger){.arena = NULL};
 }
 
-static uint64_t sum_of(const char *path) {
-    uint64_t sum;
+// Of an included deck what it means counts, so that its comments may change.
+static struct checksum sum_of(const char *path, bool included) {
+    struct checksum sum;
     struct error e;
-    return checksum_file(path, &sum, &e) == STATUS_OK ? sum : 0;
+    const int status =
+        included ? deck_meaning_of_file(path, &sum, &e) : checksum_file(path, &sum, &e);
+    return status == STATUS_OK ? sum : (struct checksum){.digits = ""};
 }
 
 static struct stat look(const char *path) {
@@ -45,7 +48,7 @@ static struct ledger_file *find(const struct ledger *l, const char *path) {
     return f;
 }
 
-static struct ledger_file *enter(struct ledger *l, const char *path) {
+static struct ledger_file *enter(struct ledger *l, const char *path, bool included) {
     struct ledger_file *f = arena_alloc(l->arena, 1, sizeof *f);
     char *copy = arena_text(l->arena, path, strlen(path));
     if (!f || !copy) {
@@ -53,7 +56,8 @@ static struct ledger_file *enter(struct ledger *l, const char *path) {
     }
     f->path = copy;
     f->seen = look(path);
-    f->sum = sum_of(path);
+    f->included = included;
+    f->sum = sum_of(path, included);
     f->next = l->file;
     l->file = f;
     return f;
@@ -63,29 +67,47 @@ static int changed(const char *path, struct error *e) {
     return error_set(e, STATUS_INPUT, "%s has changed since the study was started", path);
 }
 
-int ledger_check(struct ledger *l, const char *path, const struct ledger_file **added,
+int ledger_check(struct ledger *l, const struct deck_path *file, const struct ledger_file **added,
                  struct error *e) {
+    const char *path = file->path;
     struct ledger_file *f = find(l, path);
     *added = NULL;
     if (!f) {
-        *added = enter(l, path);
+        *added = enter(l, path, file->included);
         return *added ? STATUS_OK : error_no_memory(e);
     }
     const struct stat now = look(path);
     if (looks_the_same(&f->seen, &now)) {
         return STATUS_OK;
     }
-    if (sum_of(path) != f->sum) {
+    const struct checksum sum = sum_of(path, f->included);
+    if (!checksum_equal(&sum, &f->sum)) {
         return changed(path, e);
     }
     f->seen = now;
     return STATUS_OK;
 }
 
-int ledger_expect(struct ledger *l, const char *path, uint64_t sum, struct error *e) {
-    struct ledger_file *f = enter(l, path);
+int ledger_expect(struct ledger *l, const char *path, const struct checksum *sum, struct error *e) {
+    struct ledger_file *f = find(l, path);
+    f = f ? f : enter(l, path, false);
     if (!f) {
         return error_no_memory(e);
     }
-    return f->sum == sum ? STATUS_OK : changed(path, e);
+    f->changed = !checksum_equal(sum, &f->sum);
+    if (f->changed && !f->included) {  // it may be a deck
+        const struct checksum meaning = sum_of(path, true);
+        f->included = checksum_equal(sum, &meaning);
+        f->changed = !f->included;
+        f->sum = f->included ? meaning : f->sum;
+    }
+    return STATUS_OK;
+}
+
+int ledger_unchanged(const struct ledger *l, struct error *e) {
+    const struct ledger_file *first = NULL;  // the list begins with the last one
+    for (const struct ledger_file *f = l->file; f; f = f->next) {
+        first = f->changed ? f : first;
+    }
+    return first ? changed(first->path, e) : STATUS_OK;
 }

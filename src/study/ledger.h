@@ -4,16 +4,17 @@
 #ifndef JOSTLE_LEDGER_H
 #define JOSTLE_LEDGER_H
 
-#include <stdint.h>
 #include <sys/stat.h>
 
 #include "core/arena.h"
-#include "jostle/error.h"
+#include "jostle/deck.h"
 
 struct ledger_file {
     const char *path;
-    uint64_t sum;      // 0: it cannot be read
-    struct stat seen;  // when the sum was made
+    bool included;        // it is a deck
+    struct checksum sum;  // "": it cannot be read
+    struct stat seen;     // when the sum was made
+    bool changed;         // since its last ledger_expect
     struct ledger_file *next;
 };
 
@@ -29,10 +30,14 @@ void ledger_close(struct ledger *l);
 // Enters a file that is new as it is now; *added is its entry. One that has been entered is
 // compared with its entry; *added is NULL. Errors: STATUS_INPUT (it has changed), STATUS_SYSTEM (no
 // memory).
-int ledger_check(struct ledger *l, const char *path, const struct ledger_file **added,
+int ledger_check(struct ledger *l, const struct deck_path *file, const struct ledger_file **added,
                  struct error *e);
 
-// Enters a file and compares it with the checksum it had; the same errors.
-int ledger_expect(struct ledger *l, const char *path, uint64_t sum, struct error *e);
+// Enters a file and notes whether it has another checksum than `sum`. Of a file that is expected
+// twice the last one counts. Errors: STATUS_SYSTEM (no memory).
+int ledger_expect(struct ledger *l, const char *path, const struct checksum *sum, struct error *e);
+
+// STATUS_INPUT if a file has changed: the first one that was expected.
+int ledger_unchanged(const struct ledger *l, struct error *e);
 
 #endif

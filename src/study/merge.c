@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts to the file of a study. All parts stay open; the runs of a block of the new file are read
-// from those that have them. What parts have in common is compared first, so that nothing is
-// written where something does not fit.
+// Parts to the file of a study. All parts stay open; each block of the new file is read from those
+// that have its runs. What parts have in common is compared before anything is written.
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "core/arena.h"
+#include "core/checksum.h"
 #include "jostle/study_merge.h"
 #include "study/identity.h"
 #include "study/number_list.h"
 
-static const size_t bytes_max = (size_t)1 << 20;
-enum { ROWS_MAX = 256 };
+enum { BYTES_MAX = 1 << 20, ROWS_MAX = 256 };
 
 struct input {
     struct study_file *file;
@@ -27,9 +27,9 @@ struct merge {
     struct report *report;
     struct study_table *table;
     struct study_merged *out;
-
-    // Rows of a part on their way.
-    long capacity;
+    struct arena *arena;            // owned
+    struct study_origin origin;     // of the file; its arrays are from the arena or the inputs
+    long capacity;                  // rows of a part on their way
     struct study_outcome *outcome;  // (capacity)
     double *value;                  // (capacity, n_value)
 };
@@ -38,9 +38,17 @@ static const char *path_of(const struct merge *m, int k) {
     return m->request->path[k];
 }
 
+// Part `k` is read from now on; -1: none.
+static void tell(const struct merge *m, int k) {
+    if (m->request->reading) {
+        m->request->reading(m->request->context, k < 0 ? NULL : path_of(m, k));
+    }
+}
+
 static int open_part(struct merge *m, int k, struct error *e) {
     struct input *in = &m->input[k];
     const char *path = path_of(m, k);
+    tell(m, k);
     int status = study_file_open(path, &in->file, e);
     if (status == STATUS_INPUT && access(path, F_OK) == 0 && !study_file_is_study(path)) {
         return error_set(e, STATUS_INPUT, "%s is not the file of a part of a study", path);
@@ -52,10 +60,14 @@ static int open_part(struct merge *m, int k, struct error *e) {
     if (in->view->part.shard.n == 0) {
         return error_set(e, STATUS_INPUT, "%s is a whole study, not a part of one", path);
     }
-    const struct study_part *first = &m->input[0].view->part, *part = &in->view->part;
-    if (strcmp(first->study, part->study) != 0) {
+    status = study_file_verify(in->file, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    const char *first = m->input[0].view->origin.study, *study = in->view->origin.study;
+    if (strcmp(first, study) != 0) {
         int length;
-        const char *cause = identity_difference(first->study, part->study, &length);
+        const char *cause = identity_difference(first, study, &length);
         return error_set(e, STATUS_INPUT, "%s and %s are parts of different studies: %.*s differs",
                          path_of(m, 0), path, length, cause);
     }
@@ -78,52 +90,73 @@ static int compare(const void *a, const void *b) {
     return order ? order : one->input - other->input;
 }
 
-// All parts have read the same files.
-static int check_sources(const struct merge *m, struct error *e) {
+// All parts have read the same files; the file of the study lists each once.
+static int join_sources(struct merge *m, struct error *e) {
     size_t n = 0;
     for (int k = 0; k < m->request->n_path; k++) {
-        n += (size_t)m->input[k].view->part.n_source;
+        n += (size_t)m->input[k].view->origin.n_source;
     }
     struct reading *all = calloc(n + 1, sizeof *all);
-    if (!all) {
+    struct study_source *source = arena_alloc(m->arena, n, sizeof *source);
+    if (!all || !source) {
+        free(all);
         return error_no_memory(e);
     }
     n = 0;
     for (int k = 0; k < m->request->n_path; k++) {
-        const struct study_part *part = &m->input[k].view->part;
-        for (int i = 0; i < part->n_source; i++) {
-            all[n++] = (struct reading){&part->source[i], k};
+        const struct study_origin *o = &m->input[k].view->origin;
+        for (int i = 0; i < o->n_source; i++) {
+            all[n++] = (struct reading){&o->source[i], k};
         }
     }
     qsort(all, n, sizeof *all, compare);
     int status = STATUS_OK;
-    for (size_t i = 1; i < n && status == STATUS_OK; i++) {
-        const struct reading *a = &all[i - 1], *b = &all[i];
-        if (strcmp(a->source->path, b->source->path) == 0 && a->source->sum != b->source->sum) {
+    for (size_t i = 0; i < n && status == STATUS_OK; i++) {
+        const struct reading *a = &all[i > 0 ? i - 1 : 0], *b = &all[i];
+        const bool again = i > 0 && strcmp(a->source->path, b->source->path) == 0;
+        if (!again) {
+            source[m->origin.n_source++] = *b->source;
+        } else if (!checksum_equal(&a->source->sum, &b->source->sum)) {
             status = error_set(e, STATUS_INPUT,
                                "%s and %s are parts of different studies: the file %s differs",
                                path_of(m, a->input), path_of(m, b->input), a->source->path);
         }
     }
+    m->origin.source = source;
     free(all);
     return status;
 }
 
-static bool same_text(const char *a, const char *b) {
-    return a && b ? strcmp(a, b) == 0 : a == b;
+// Appends to the text *to the lines of another that it does not have; NULL: no memory.
+static const char *join_lines(struct arena *a, const char *to, const char *lines) {
+    while (*lines && to) {
+        const size_t n = strcspn(lines, "\n");
+        const char *at = to;
+        while (*at && !(strncmp(at, lines, n) == 0 && at[n] == '\n')) {
+            at += strcspn(at, "\n") + 1;
+        }
+        to = *at ? to : arena_format(a, "%s%.*s\n", to, (int)n, lines);
+        lines += n + (lines[n] == '\n');
+    }
+    return to;
 }
 
-// A file lists its items in another order than the table.
-static int find_item(const struct study_table *t, const struct study_item *wanted) {
-    for (int i = 0; i < t->n_item; i++) {
-        const struct study_item *item = &t->item[i];
-        if (item->n == wanted->n && strcmp(item->name, wanted->name) == 0 &&
-            strcmp(item->parent, wanted->parent) == 0 && same_text(item->owner, wanted->owner) &&
-            same_text(item->leaf, wanted->leaf)) {
-            return i;
+static int join_origins(struct merge *m, struct error *e) {
+    const struct study_origin *first = &m->input[0].view->origin;
+    m->origin = (struct study_origin){.numerics = first->numerics,
+                                      .study = first->study,
+                                      .define = first->define,
+                                      .programs = "",
+                                      .accepted = ""};
+    for (int k = 0; k < m->request->n_path; k++) {
+        const struct study_origin *o = &m->input[k].view->origin;
+        m->origin.programs = join_lines(m->arena, m->origin.programs, o->programs);
+        m->origin.accepted = join_lines(m->arena, m->origin.accepted, o->accepted);
+        if (!m->origin.programs || !m->origin.accepted) {
+            return error_no_memory(e);
         }
     }
-    return -1;
+    return join_sources(m, e);
 }
 
 static int map_items(struct merge *m, struct error *e) {
@@ -136,7 +169,7 @@ static int map_items(struct merge *m, struct error *e) {
         }
         for (size_t i = 0; i < n; i++) {
             const struct study_item *item = &m->table->item[i];
-            in->item[i] = item->n > 0 ? find_item(&in->view->table, item) : 0;
+            in->item[i] = item->n > 0 ? study_table_find(&in->view->table, item) : 0;
             if (in->item[i] < 0) {
                 return error_set(e, STATUS_INPUT, "%s is damaged: it has no %s/%s", path_of(m, k),
                                  item->parent, item->name);
@@ -224,20 +257,17 @@ struct target {
     double *value;                  // (n, n_value)
 };
 
-static bool same_outcome(const struct study_outcome *a, const struct study_outcome *b) {
-    return a->status == b->status && strcmp(a->message, b->message) == 0;
-}
-
 // Brings row `row` of the buffer, from part `k`, to its place; a run that is there already must be
 // the same.
 static int place(const struct merge *m, int k, long row, long run, const struct target *to,
                  struct error *e) {
     const struct study_table *t = m->table, *from = &m->input[k].view->table;
-    struct study_outcome *outcome = &to->outcome[run - to->first];
+    struct study_outcome *outcome = &to->outcome[run - to->first], *new = &m->outcome[row];
     double *value = to->value + (size_t)(run - to->first) * t->n_value;
     const double *buffer = m->value + (size_t)row * from->n_value;
     const bool known = outcome->status != STUDY_MISSING;
-    bool same = !known || same_outcome(outcome, &m->outcome[row]);
+    bool same =
+        !known || (outcome->status == new->status && !strcmp(outcome->message, new->message));
     for (int i = 0; i < t->n_item; i++) {
         const struct study_item *item = &t->item[i];
         const double *source = buffer + from->item[m->input[k].item[i]].first;
@@ -245,7 +275,7 @@ static int place(const struct merge *m, int k, long row, long run, const struct 
         same = same && (!known || memcmp(value + item->first, source, size) == 0);
         memcpy(value + item->first, source, size);
     }
-    *outcome = m->outcome[row];
+    *outcome = *new;
     return same ? STATUS_OK
                 : error_set(e, STATUS_INPUT,
                             "run %ld has other results in %s than in a part before it", run + 1,
@@ -256,6 +286,7 @@ static int read_part(const struct merge *m, int k, const struct target *to, stru
     const struct study_view *v = m->input[k].view;
     const long end = find_row(v, to->first + to->n);
     int status = STATUS_OK;
+    tell(m, k);
     for (long row = find_row(v, to->first); row < end && status == STATUS_OK;) {
         const long n = end - row < m->capacity ? end - row : m->capacity;
         status = study_file_read(m->input[k].file, row, n, m->outcome, m->value, e);
@@ -264,6 +295,7 @@ static int read_part(const struct merge *m, int k, const struct target *to, stru
         }
         row += n;
     }
+    tell(m, -1);
     return status;
 }
 
@@ -289,7 +321,7 @@ static int read_runs(void *context, long first, long n, struct study_outcome *ou
 }
 
 static int reserve_rows(struct merge *m, struct error *e) {
-    const size_t n_value = m->table->n_value + 1, rows = bytes_max / (n_value * sizeof(double));
+    const size_t n_value = m->table->n_value + 1, rows = BYTES_MAX / (n_value * sizeof(double));
     m->capacity = rows < 1 ? 1 : rows > ROWS_MAX ? ROWS_MAX : (long)rows;
     m->outcome = malloc((size_t)m->capacity * sizeof *m->outcome);
     m->value = malloc((size_t)m->capacity * n_value * sizeof *m->value);
@@ -317,6 +349,7 @@ static int join(struct merge *m, struct error *e) {
     struct sweep list[STUDY_SWEEPS_MAX];
     struct study_content content = {.first = m->report,
                                     .table = m->table,
+                                    .origin = &m->origin,
                                     .n_run = m->out->n_run,
                                     .n_part = m->request->n_path,
                                     .read = read_runs,
@@ -329,10 +362,8 @@ static int join(struct merge *m, struct error *e) {
 }
 
 static int open_and_join(struct merge *m, struct error *e) {
-    int status = STATUS_OK;
-    if (m->request->n_path < 1) {
-        return error_set(e, STATUS_INPUT, "there are no parts to be joined");
-    }
+    int status = m->request->n_path > 0 ? STATUS_OK
+                                        : error_set(e, STATUS_INPUT, "there are no parts to join");
     for (int k = 0; k < m->request->n_path && status == STATUS_OK; k++) {
         status = open_part(m, k, e);
     }
@@ -341,7 +372,7 @@ static int open_and_join(struct merge *m, struct error *e) {
     }
     assert(m->input[0].view);
     m->out->n_run = m->input[0].view->n_study;
-    status = check_sources(m, e);
+    status = join_origins(m, e);
     status = status == STATUS_OK ? check_missing(m, e) : status;
     status = status == STATUS_OK ? study_file_report(m->input[0].file, &m->report, e) : status;
     status = status == STATUS_OK ? study_table_create(m->report, &m->table, e) : status;
@@ -349,11 +380,12 @@ static int open_and_join(struct merge *m, struct error *e) {
 }
 
 int study_merge(const struct study_merge_request *q, struct study_merged *out, struct error *e) {
-    struct merge m = {.request = q, .out = out};
+    struct merge m = {.request = q, .out = out, .arena = arena_create()};
     *out = (struct study_merged){.n_run = 0};
     m.input = calloc((size_t)q->n_path + 1, sizeof *m.input);
-    int status = m.input ? open_and_join(&m, e) : error_no_memory(e);
+    int status = m.input && m.arena ? open_and_join(&m, e) : error_no_memory(e);
     for (int k = 0; m.input && k < q->n_path; k++) {
+        tell(&m, k);
         study_file_close(m.input[k].file);
         free(m.input[k].item);
     }
@@ -362,5 +394,6 @@ int study_merge(const struct study_merge_request *q, struct study_merged *out, s
     free(m.value);
     study_table_free(m.table);
     report_free(m.report);
+    arena_free(m.arena);
     return status;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/plan.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "jostle/study_merge.h"
@@ -138,13 +139,23 @@ static int check_buildings(const struct plan *p, long run, const struct model *m
     return STATUS_OK;
 }
 
+// Are the ends at the same floors, or at levels in the same storeys?
+static bool same_ends(const struct link *a, const struct link *b) {
+    bool same = true;
+    for (int i = 0; i < 2; i++) {
+        same = same && a->building[i] == b->building[i] && a->floor[i] == b->floor[i] &&
+               isnan(a->level[i]) == isnan(b->level[i]);
+    }
+    return same && a->within == b->within;
+}
+
 static int check_links(const struct plan *p, long run, const struct model *m, struct error *e) {
     if (m->n_contact != p->first->n_contact || m->n_link != p->first->n_link) {
         return differs(p, run, e, "number of contacts and links");
     }
     for (int i = 0; i < m->n_link; i++) {
         const struct link *a = &p->first->link[i], *b = &m->link[i];
-        if (strcmp(a->name, b->name) != 0 || a->dof[0] != b->dof[0] || a->dof[1] != b->dof[1]) {
+        if (strcmp(a->name, b->name) != 0 || !same_ends(a, b)) {
             return differs(p, run, e, "contacts and links");
         }
     }
@@ -165,14 +176,6 @@ int plan_check_shape(const struct plan *p, long run, const struct model *m, stru
     return status == STATUS_OK ? check_links(p, run, m, e) : status;
 }
 
-static const char **link_names(struct arena *a, const struct report_link *link, int n) {
-    const char **name = arena_alloc(a, (size_t)n + 1, sizeof *name);
-    for (int i = 0; name && i < n; i++) {
-        name[i] = link[i].name;
-    }
-    return name;
-}
-
 int plan_view(const struct plan *p, struct study_view *out, struct error *e) {
     const struct report *r = p->report;
     struct arena *a = p->table->arena;
@@ -181,9 +184,9 @@ int plan_view(const struct plan *p, struct study_view *out, struct error *e) {
                                .table = *p->table,
                                .n_contact = r->n_contact,
                                .n_link = r->n_link,
-                               .contact = link_names(a, r->contact, r->n_contact),
-                               .link = link_names(a, r->link, r->n_link)};
-    if (!item || !out->contact || !out->link) {
+                               .contact = r->contact,
+                               .link = r->link};
+    if (!item) {
         return error_no_memory(e);
     }
     for (int i = 0; i < p->table->n_item; i++) {

@@ -2,14 +2,22 @@
 #include "study/pool.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
+#include "core/wall.h"
 #include "jostle/ensemble.h"
 #include "jostle/study_merge.h"
 #include "motion/shelf.h"
+#include "study/history.h"
+#include "study/lengths.h"
 #include "study/trial.h"
 #include "study/workers.h"
 
-enum { SYNC_TICKS = 10 };  // polls between synchronisations of the journal
+enum {
+    SYNC_TICKS = 10,    // polls between synchronisations of the journal
+    LENGTHS_TICKS = 5,  // polls before lengths are measured: short studies do without
+};
+static const double LENGTHS_SECONDS = 0.05;  // of each poll
 
 // Guarded by the lock of the workers.
 struct pool {
@@ -24,6 +32,12 @@ struct pool {
     long left;    // runs that no thread has taken yet
     int most;     // that one takes at once
     int tick;
+
+    struct lengths lengths;           // the calling thread measures them
+    bool weighed;                     // they are summed:
+    double length_done, length_left;  // of the runs of this start, of those still to be done
+    off_t kept;                       // end of the runs that the journal had before
+    double start;                     // wall time [s]
 };
 
 // The runs that a thread works on.
@@ -37,6 +51,8 @@ struct batch {
 struct view {
     struct pool *pool;
     struct workers *workers;
+    long entry;                      // the run whose histories are written
+    struct history_writer *history;  // NULL: there are none
 };
 
 static int poll_trial(void *context, double time, struct error *e) {
@@ -53,13 +69,41 @@ static int enter_files(void *context, const struct deck_path *files, struct erro
     workers_lock(v->workers);
     for (; files && status == STATUS_OK; files = files->next) {
         const struct ledger_file *added;
-        status = ledger_check(p->ledger, files->path, &added, e);
+        status = ledger_check(p->ledger, files, &added, e);
         if (status == STATUS_OK && added) {
-            status = journal_add_file(p->journal, added->path, added->sum, e);
+            status = journal_add_file(p->journal, added->path, &added->sum, e);
         }
     }
     workers_unlock(v->workers);
     return status;
+}
+
+static int put_block(void *context, const void *bytes, size_t n, struct error *e) {
+    const struct view *v = context;
+    workers_lock(v->workers);
+    const int status = journal_add_block(v->pool->journal, v->entry, bytes, n, e);
+    workers_unlock(v->workers);
+    return status;
+}
+
+static void begin_histories(void *context, const struct model *m) {
+    struct view *v = context;
+    v->history->put = put_block;
+    v->history->context = v;
+    history_start(v->history, m);
+    workers_lock(v->workers);
+    journal_begin_run(v->pool->journal, v->entry);
+    workers_unlock(v->workers);
+}
+
+static int put_row(void *context, const struct row_view *row, struct error *e) {
+    const struct view *v = context;
+    return history_put_row(v->history, row, e);
+}
+
+static int put_results(void *context, const struct results *r, struct error *e) {
+    const struct view *v = context;
+    return history_put_results(v->history, r, e);
 }
 
 // How many runs a thread takes at once: those that can go in lockstep, but so that all threads get
@@ -88,13 +132,22 @@ static long take(void *context, void *scratch) {
 }
 
 static int work(void *context, struct workers *w, long first, void *scratch, struct error *e) {
-    (void)first, (void)e;
     struct pool *p = context;
-    struct view view = {.pool = p, .workers = w};
+    struct view view = {.pool = p, .workers = w, .entry = first};
     struct batch *b = scratch;
-    const struct trial_watch watch = {
+    struct trial_watch watch = {
         .files = enter_files, .poll = poll_trial, .context = &view, .records = p->records};
+    if (p->journal->chain) {
+        view.history = malloc(sizeof *view.history);
+        if (!view.history) {
+            return error_no_memory(e);
+        }
+        watch.begin = begin_histories;
+        watch.row = put_row;
+        watch.end = put_results;
+    }
     trial_run(p->plan, b->trial, b->n, &watch);
+    free(view.history);
     return STATUS_OK;
 }
 
@@ -113,6 +166,29 @@ static void count(struct pool *p, long run, const struct study_outcome *outcome)
     }
 }
 
+static double length_of(const struct pool *p, long entry) {
+    return lengths_of(&p->lengths, study_shard_run(&p->plan->shard, entry));
+}
+
+// Sums the lengths of runs, once they are measured.
+static void weigh(struct pool *p) {
+    for (long i = 0; i < p->plan->n_mine; i++) {
+        const int64_t at = p->journal->offset[i];
+        if (at == 0) {
+            p->length_left += length_of(p, i);
+        } else if (at >= p->kept) {
+            p->length_done += length_of(p, i);
+        }
+    }
+    p->weighed = true;
+}
+
+static double seconds_left(const struct pool *p) {
+    return p->weighed && p->length_done > 0.0
+               ? (wall_seconds() - p->start) * p->length_left / p->length_done
+               : 0.0;
+}
+
 static int enter_run(struct pool *p, const struct trial *t, struct error *e) {
     if (t->status != STATUS_OK) {
         *e = t->error;
@@ -121,6 +197,9 @@ static int enter_run(struct pool *p, const struct trial *t, struct error *e) {
     const int status = journal_add_run(p->journal, t->entry, &t->outcome, t->value, e);
     if (status == STATUS_OK) {
         count(p, t->run, &t->outcome);
+        const double length = p->weighed ? length_of(p, t->entry) : 0.0;
+        p->length_done += length;
+        p->length_left -= length;
     }
     return status;
 }
@@ -145,8 +224,15 @@ static int enter(void *context, long first, const void *scratch, struct error *e
 static int watch(void *context, struct workers *w, struct error *e) {
     struct pool *p = context;
     const struct study_request *q = p->request;
+    if (q->poll && p->tick >= LENGTHS_TICKS) {
+        lengths_measure(&p->lengths, LENGTHS_SECONDS);
+    }
     workers_lock(w);
-    const struct study_progress now = p->progress;
+    if (p->lengths.measured && !p->weighed) {
+        weigh(p);
+    }
+    struct study_progress now = p->progress;
+    now.seconds_left = seconds_left(p);
     workers_unlock(w);
     const int status = q->poll ? q->poll(q->context, &now, e) : STATUS_OK;
     return status == STATUS_OK && ++p->tick % SYNC_TICKS == 0 ? journal_sync(p->journal, e)
@@ -160,10 +246,10 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
                      .journal = journal,
                      .ledger = ledger,
                      .records = shelf_create(SHELF_BYTES),
-                     .progress = *progress};
-    if (!p.records) {
-        return error_no_memory(e);
-    }
+                     .progress = *progress,
+                     .kept = journal->end,
+                     .start = wall_seconds()};
+    int status = p.records ? lengths_init(&p.lengths, plan, e) : error_no_memory(e);
     const long missing = plan->n_mine - journal->n_done;
     const int n_thread = missing < q->n_thread ? (int)missing : q->n_thread;
     p.progress.n_thread = n_thread;
@@ -178,7 +264,8 @@ int pool_run(const struct study_request *q, const struct plan *plan, struct jour
                                             .enter = enter,
                                             .poll = watch,
                                             .context = &p};
-    const int status = n_thread > 0 ? workers_run(&request, e) : STATUS_OK;
+    status = status == STATUS_OK && n_thread > 0 ? workers_run(&request, e) : status;
+    lengths_close(&p.lengths);
     shelf_free(p.records);
     *progress = p.progress;
     return status;

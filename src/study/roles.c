@@ -275,7 +275,7 @@ static int guess_abscissa(const struct study_view *v, const struct suite_request
     }
     if (i < 0) {
         error_set(e, STATUS_INPUT,
-                  "%s has no sweep 'im', 'sa' or 'pga'; name the one to go along by --im NAME",
+                  "%s has no sweep 'im', 'sa' or 'pga'; name the intensity with --im NAME",
                   v->path);
     }
     return i;

@@ -7,12 +7,14 @@
 #include "core/wall.h"
 #include "jostle/study_merge.h"
 #include "motion/shelf.h"
+#include "study/history.h"
 #include "study/identity.h"
 #include "study/journal.h"
 #include "study/ledger.h"
 #include "study/plan.h"
 #include "study/pool.h"
 #include "study/portion.h"
+#include "study/survey.h"
 #include "study/trial.h"
 
 struct study {
@@ -20,33 +22,52 @@ struct study {
     struct plan plan;
     struct ledger ledger;
     struct journal journal;
-    const char *identity;            // of the study
+    struct study_origin origin;      // of the runs
     struct study_part part;          // if that is what is run
     struct study_progress progress;  // when all runs are done
-    struct shelf *records;           // for those that are run again
+    struct shelf *records;           // for the models of runs with histories
     double start;                    // wall time [s]
 };
 
-static int expect_file(void *context, const char *path, uint64_t sum, struct error *e) {
+static int expect_file(void *context, const char *path, const struct checksum *sum,
+                       struct error *e) {
     struct study *s = context;
     return ledger_expect(&s->ledger, path, sum, e);
 }
 
-// Goes on with the runs of the open journal, or begins it anew.
-static int resume(struct study *s, struct error *e) {
-    const char *head = identity_journal(s->ledger.arena, s->request, s->identity);
-    if (!head) {
-        return error_no_memory(e);
-    }
-    if (s->request->journal == STUDY_RESTART || journal_is_new(&s->journal, head)) {
-        return journal_reset(&s->journal, head, e);
-    }
-    if (!s->journal.head) {
+// Goes on as the user wants it although something has changed, and notes what.
+static int accept_changes(struct study *s, const char *head, struct error *e) {
+    struct arena *a = s->ledger.arena;
+    const char *accepted = s->origin.accepted;
+    int status = identity_accept(a, s->journal.head, head, &accepted, e);
+    if (status == STATUS_INPUT) {
+        const struct error cause = *e;
         return error_set(e, STATUS_INPUT,
-                         "%s may hold runs of this study, but its head is damaged; --restart "
+                         "%s holds runs of a study of another shape: %s has changed; --restart "
                          "begins anew",
-                         s->journal.path);
+                         s->journal.path, cause.message);
     }
+    for (const struct ledger_file *f = s->ledger.file; f && accepted; f = f->next) {
+        accepted = f->changed ? arena_format(a, "%s%s\n", accepted, f->path) : accepted;
+    }
+    if (status != STATUS_OK || !accepted) {
+        return status != STATUS_OK ? status : error_no_memory(e);
+    }
+    if (strcmp(accepted, s->origin.accepted) != 0) {
+        s->origin.accepted = accepted;
+        status = journal_accept(&s->journal, head, accepted, e);
+    }
+    // After the note, so that no kill between leaves the changed files without it.
+    for (struct ledger_file *f = s->ledger.file; f && status == STATUS_OK; f = f->next) {
+        if (f->changed) {
+            f->changed = false;
+            status = journal_add_file(&s->journal, f->path, &f->sum, e);
+        }
+    }
+    return status;
+}
+
+static int check_changes(struct study *s, const char *head, struct error *e) {
     if (strcmp(s->journal.head, head) != 0) {
         int length;
         const char *cause = identity_difference(s->journal.head, head, &length);
@@ -55,12 +76,88 @@ static int resume(struct study *s, struct error *e) {
                          "begins anew",
                          s->journal.path, length, cause);
     }
-    int status = journal_load(&s->journal, expect_file, s, e);
+    int status = ledger_unchanged(&s->ledger, e);
     if (status == STATUS_INPUT) {
         const struct error cause = *e;
         return error_set(e, STATUS_INPUT, "%s; --restart begins the study anew", cause.message);
     }
     return status;
+}
+
+// A run whose histories are read.
+struct recording {
+    struct study *study;
+    long run;                          // of the journal
+    const struct result_place *place;  // in the result file; NULL: it is not written
+};
+
+static int fits(void *context, const struct model *m, struct study_outcome *outcome,
+                struct error *e) {
+    const struct recording *r = context;
+    bool same = true;
+    (void)outcome;
+    const int status = history_fits(&r->study->journal, r->run, m, &same, e);
+    if (status == STATUS_OK && !same) {
+        journal_forget(&r->study->journal, r->run);
+    }
+    return status;
+}
+
+// Changes that were accepted may give other rows, as a longer record does: such a run is run again,
+// as its histories would not fit the file. So is one whose deck is wrong now.
+static int forget_misfits(struct study *s, struct error *e) {
+    const struct trial_watch watch = {.records = s->records};
+    int status = STATUS_OK;
+    for (long i = 0; i < s->plan.n_mine && status == STATUS_OK; i++) {
+        struct recording recording = {s, i, NULL};
+        struct study_outcome outcome = {.status = STUDY_DONE};
+        if (s->journal.offset[i] != 0 && s->journal.chain[i].n > 0) {
+            status = trial_build(&s->plan, study_shard_run(&s->plan.shard, i), &watch, fits,
+                                 &recording, &outcome, e);
+        }
+        if (status == STATUS_OK && outcome.status == STUDY_FAILED) {
+            journal_forget(&s->journal, i);
+        }
+    }
+    return status;
+}
+
+// Goes on with the runs of the open journal, or begins it anew.
+static int resume(struct study *s, struct error *e) {
+    const enum study_journal wanted = s->request->journal;
+    const char *head = identity_journal(s->ledger.arena, s->request, s->origin.study);
+    if (!head) {
+        return error_no_memory(e);
+    }
+    if (wanted == STUDY_RESTART || journal_is_new(&s->journal, head)) {
+        return journal_reset(&s->journal, head, e);
+    }
+    if (!s->journal.head) {
+        return error_set(e, STATUS_INPUT,
+                         "%s may hold runs of this study, but its head is damaged; --restart "
+                         "begins anew",
+                         s->journal.path);
+    }
+    if (!s->journal.head[0]) {
+        return error_set(e, STATUS_INPUT,
+                         "%s was written by another version of jostle, or on another kind of "
+                         "machine; --restart begins anew",
+                         s->journal.path);
+    }
+    int status = journal_load(&s->journal, expect_file, s, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    s->origin.accepted = s->journal.accepted;
+    if (wanted != STUDY_ACCEPT) {
+        status = check_changes(s, head, e);
+        status = status == STATUS_OK ? journal_go_on(&s->journal, e) : status;
+    } else {
+        status = journal_go_on(&s->journal, e);
+        status = status == STATUS_OK ? accept_changes(s, head, e) : status;
+    }
+    const bool may_misfit = s->journal.chain && s->origin.accepted[0];
+    return status == STATUS_OK && may_misfit ? forget_misfits(s, e) : status;
 }
 
 static int open_journal(struct study *s, struct error *e) {
@@ -72,7 +169,10 @@ static int open_journal(struct study *s, struct error *e) {
     if (status != STATUS_OK) {
         return status;
     }
-    status = resume(s, e);
+    if (s->plan.first->output.of_runs) {
+        status = journal_want_histories(&s->journal, history_shape(s->plan.first), e);
+    }
+    status = status == STATUS_OK ? resume(s, e) : status;
     if (status != STATUS_OK) {
         journal_close(&s->journal);
     }
@@ -90,35 +190,33 @@ static int read_runs(void *context, long first, long n, struct study_outcome *ou
     return status;
 }
 
-// A run on its way into the result file.
-struct recording {
-    const struct study *study;
-    const struct result_place *place;
-};
-
-// The analysis was done before without an error, and gives the same again.
+// From the journal into the file.
 static int record(void *context, const struct model *m, struct study_outcome *outcome,
                   struct error *e) {
     const struct recording *r = context;
     struct result_writer *writer;
-    struct results *results;
+    struct results *results = NULL;
     int status = result_create_in(r->place, m, r->study->request->result.version, &writer, e);
     if (status != STATUS_OK) {
         return status;
     }
     (void)outcome;
-    status = result_analyse(writer, NULL, &results, e);
-    if (status == STATUS_OK) {
-        results_free(results);
+    const struct observer observer = result_observer(writer);
+    status = history_replay(&r->study->journal, r->run, m, &observer, &results, e);
+    if (status != STATUS_OK) {
+        result_abort(writer);
+        return status;
     }
+    status = result_finish(writer, results, e);
+    results_free(results);
     return status;
 }
 
-// The histories of a run are not kept in the journal: it is run again.
+// The model says what the rows in the journal are of.
 static int write_run(void *context, long run, const struct result_place *place, struct error *e) {
     struct study *s = context;
     const struct trial_watch watch = {.records = s->records};
-    struct recording recording = {s, place};
+    struct recording recording = {s, run, place};
     struct study_outcome outcome;
     const struct study_request *q = s->request;
     int status = q->poll ? q->poll(q->context, &s->progress, e) : STATUS_OK;
@@ -157,8 +255,9 @@ static int run_and_write(struct study *s, struct study_content *content, struct 
     content->n_kept = p->n_kept;
     content->n_thread = p->n_thread;
     content->seconds = wall_seconds() - s->start;
-    if (s->request->shard.n > 0) {
-        status = portion_describe(&s->plan, &s->ledger, s->identity, &s->part, e);
+    status = portion_origin(s->request, &s->plan, &s->ledger, &s->origin, e);
+    if (status == STATUS_OK && s->request->shard.n > 0) {
+        status = portion_describe(&s->plan, &s->ledger, &s->part, e);
         s->part.n_failed = p->n_failed;
         content->part = &s->part;
     }
@@ -170,6 +269,7 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
     struct study_content content = {.first = s->plan.report,
                                     .table = s->plan.table,
                                     .sweeps = s->plan.first->deck->sweeps,
+                                    .origin = &s->origin,
                                     .n_run = s->plan.n_mine,
                                     .read = read_runs,
                                     .context = s};
@@ -181,6 +281,9 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
         }
     }
     int status = study_file_check(&content, &s->request->result, e);
+    if (status == STATUS_OK) {
+        status = survey_shapes(&s->plan, e);
+    }
     if (status == STATUS_OK) {
         status = open_journal(s, e);
     }
@@ -200,10 +303,11 @@ static int run_study(struct study *s, struct study_progress *p, struct error *e)
 // Runs it, unless it is a part that is done.
 static int find_or_run(struct study *s, struct study_progress *p, struct error *e) {
     bool found = false;
-    s->identity = identity_study(s->ledger.arena, s->request, s->plan.table->n_value);
-    int status = s->identity
-                     ? portion_find(s->request, &s->ledger, s->identity, &found, &p->n_failed, e)
-                     : error_no_memory(e);
+    int status =
+        identity_study(s->ledger.arena, s->request, s->plan.table->n_value, &s->origin.study, e);
+    if (status == STATUS_OK) {
+        status = portion_find(s->request, &s->ledger, s->origin.study, &found, &p->n_failed, e);
+    }
     if (status == STATUS_OK && found) {
         p->n_kept = p->n_done = p->n_run;
         return STATUS_OK;
@@ -212,7 +316,7 @@ static int find_or_run(struct study *s, struct study_progress *p, struct error *
 }
 
 int study_run(const struct study_request *q, struct study_progress *p, struct error *e) {
-    struct study s = {.request = q, .start = wall_seconds()};
+    struct study s = {.request = q, .origin = {.accepted = ""}, .start = wall_seconds()};
     *p = (struct study_progress){.n_run = study_shard_size(&q->shard, q->first->deck->n_run)};
     int status = plan_init(&s.plan, q, e);
     if (status != STATUS_OK) {

@@ -15,6 +15,7 @@ struct maker {
     struct suite *s;
     struct roles roles;
     double *value;
+    bool *hit;
     int *place;  // (values of the abscissa) the place of each among the points
     bool no_memory;
 };
@@ -228,6 +229,8 @@ static int take_run(void *context, const struct study_run *r, struct error *e) {
     int place;
     m->value[at] = edp_value(&s->edp, r->value, &place);
     if (outcome->status == STUDY_DONE && isfinite(m->value[at])) {
+        m->hit[at] = edp_hit(&s->edp, s->view, place, r->value) > 0;
+        s->n_hit += m->hit[at];
         return STATUS_OK;
     }
     if (outcome->status == STUDY_DONE && isnan(m->value[at])) {
@@ -291,7 +294,9 @@ static int make(struct maker *m, struct study_file *f, const struct suite_reques
     s->n_group = roles_count(v, &m->roles, ROLE_GROUP);
     s->n_run = (long)s->n_point * s->n_sample * s->n_group;
     m->value = take(m, (size_t)s->n_run, sizeof *m->value);
+    m->hit = take(m, (size_t)s->n_run, sizeof *m->hit);
     s->value = m->value;
+    s->hit = m->hit;
     order_points(m);
     s->n_missing = s->n_run;
     for (long i = 0; m->value && i < s->n_run; i++) {
@@ -342,6 +347,11 @@ int suite_group_choice(const struct suite *s, int group, int i) {
 double suite_value(const struct suite *s, int group, int sample, int point) {
     const size_t row = (size_t)group * (size_t)s->n_sample + (size_t)sample;
     return s->value[row * (size_t)s->n_point + (size_t)point];
+}
+
+bool suite_hit(const struct suite *s, int group, int sample, int point) {
+    const size_t row = (size_t)group * (size_t)s->n_sample + (size_t)sample;
+    return s->hit[row * (size_t)s->n_point + (size_t)point];
 }
 
 int suite_samples(const struct suite *s, int group, int point, double *value) {

@@ -45,6 +45,8 @@ struct suite {
     const char *over;     // names of the sampled sweeps, "record"; "" if none
     const char *fixed;    // "gap = 0.02 m" of --at; ""
     const double *value;  // (n_group, n_sample, n_point); INFINITY: above all; NAN: left out
+    const bool *hit;      // (n_group, n_sample, n_point) of edp_hit: the value is of a hit floor
+    long n_hit;           // of them
     long n_run;           // n_group n_sample n_point
     long n_missing;       // of them, runs that the file does not have; they are left out
     long n_failed;        // of them; the first ones are named
@@ -63,6 +65,9 @@ int suite_group_choice(const struct suite *s, int group, int i);
 
 // The demand of a run; NAN where it is left out, infinite where it counts as above every value.
 double suite_value(const struct suite *s, int group, int sample, int point);
+
+// Whether the demand of a run is the peak acceleration of a floor that was hit.
+bool suite_hit(const struct suite *s, int group, int sample, int point);
 
 // The finite and infinite values of all samples at a point, ascending, into `value` (n_sample);
 // returns how many: those that were not left out.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/trial.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -100,7 +101,8 @@ int trial_values(const struct model *m, const struct results *r, double *value, 
 }
 
 // What the run of a model came to.
-static int conclude(struct trial *t, struct ensemble_member *member) {
+static int conclude(struct trial *t, struct ensemble_member *member,
+                    const struct trial_watch *watch) {
     if (member->status == STATUS_FAILED) {
         trial_fail(&t->outcome, member->error.message);
         return STATUS_OK;
@@ -110,16 +112,21 @@ static int conclude(struct trial *t, struct ensemble_member *member) {
         return member->status;
     }
     int status = trial_values(member->model, member->results, t->value, &t->error);
+    if (status == STATUS_OK && watch->end) {
+        status = watch->end(watch->context, member->results, &t->error);
+    }
     results_free(member->results);
     return status;
 }
 
 int trial_most(const struct plan *p) {
-    return ensemble_pays() && ensemble_suits(p->first) ? ENSEMBLE_MAX : 1;
+    const bool together = ensemble_pays(p->first) && ensemble_suits(p->first);
+    return together && !p->first->output.of_runs ? ENSEMBLE_MAX : 1;
 }
 
 void trial_run(const struct plan *p, struct trial *trial, int n, const struct trial_watch *watch) {
-    const struct observer observer = {.poll = watch->poll, .context = watch->context};
+    const struct observer observer = {
+        .row = watch->row, .poll = watch->poll, .context = watch->context};
     struct deck *deck[ENSEMBLE_MAX] = {NULL};
     struct ensemble_member member[ENSEMBLE_MAX];
     struct trial *built[ENSEMBLE_MAX];
@@ -138,9 +145,13 @@ void trial_run(const struct plan *p, struct trial *trial, int n, const struct tr
             built[n_built++] = t;
         }
     }
+    if (watch->begin && n_built > 0) {
+        assert(n == 1);
+        watch->begin(watch->context, member[0].model);
+    }
     ensemble_run(member, n_built, &observer);
     for (int i = 0; i < n_built; i++) {
-        built[i]->status = conclude(built[i], &member[i]);
+        built[i]->status = conclude(built[i], &member[i], watch);
     }
     for (int i = 0; i < n; i++) {
         deck_free(deck[i]);  // and its model

@@ -13,6 +13,11 @@ struct trial_watch {
     int (*files)(void *context, const struct deck_path *files, struct error *e);
     // Called now and then. NULL: never.
     int (*poll)(void *context, double time, struct error *e);
+    // The run of `m` starts, shows a row of its histories, has ended without an error. All three
+    // are NULL or none; then runs are taken one at a time.
+    void (*begin)(void *context, const struct model *m);
+    int (*row)(void *context, const struct row_view *row, struct error *e);
+    int (*end)(void *context, const struct results *r, struct error *e);
     void *context;
     struct shelf *records;  // that all trials share
 };
@@ -46,8 +51,8 @@ struct trial {
     struct error error;
 };
 
-// How many runs of a plan are worth running at once: 1 where they cannot go in lockstep, and never
-// more than ENSEMBLE_MAX.
+// How many runs of a plan are worth running at once: 1 where they cannot go in lockstep, or have
+// histories, and never more than ENSEMBLE_MAX.
 int trial_most(const struct plan *p);
 
 // Builds the models of `n` <= ENSEMBLE_MAX runs and runs them: the outcome and the values of each,

@@ -7,7 +7,8 @@
 #include <string.h>
 #include <time.h>
 
-enum { TICK = 100000000 };  // [ns] between polls
+enum { TICK = 100000000 };         // [ns] between polls
+enum { STACK_BYTES = 512 << 10 };  // of a thread, whatever `ulimit -s` says
 
 // Everything below the lock is guarded by it.
 struct workers {
@@ -104,12 +105,23 @@ static void watch(struct workers *w) {
     workers_unlock(w);
 }
 
+static int start_thread(struct workers *w, pthread_t *thread) {
+    pthread_attr_t attributes;
+    int cause = pthread_attr_init(&attributes);
+    if (cause == 0) {
+        cause = pthread_attr_setstacksize(&attributes, STACK_BYTES);
+        cause = cause == 0 ? pthread_create(thread, &attributes, worker, w) : cause;
+        pthread_attr_destroy(&attributes);
+    }
+    return cause;
+}
+
 static int start(struct workers *w, pthread_t *thread) {
     const int wanted = w->request->n_thread;
     int n = 0;
     workers_lock(w);
     for (; n < wanted; n++) {
-        const int cause = pthread_create(&thread[n], NULL, worker, w);
+        const int cause = start_thread(w, &thread[n]);
         if (cause != 0) {
             struct error e;
             give_up(w,

@@ -11,6 +11,11 @@
 static const char bilinear[] = "storey B1:all bilinear -yield 4MN -hardening 0.05\n"
                                "storey B2:all bilinear -yield 2.5MN -hardening 0.05\n";
 
+// Storeys of other laws with the same yield shear.
+#define STOREYS(law, options)                                                                      \
+    "storey B1:all " law " -yield 4MN -hardening 0.05" options "\nstorey B2:all " law              \
+    " -yield 2.5MN -hardening 0.05" options "\n"
+
 const struct bench_case bench_cases[] = {
     {"pair", 0, 0, NEAR JANKOWSKI, NULL, 1e-3, 40.0, bench_analysis, 15.0, 60.0},
     {"pair", 0, 0, NEAR JANKOWSKI, NULL, 1e-4, 40.0, bench_analysis, 12.7, 60.0},
@@ -20,6 +25,18 @@ const struct bench_case bench_cases[] = {
     {"row 1000x50", 1000, 50, NEAR JANKOWSKI, NULL, 1e-3, 3.0, bench_analysis, 179e3, 300e3},
     {"pair, bilinear storeys", 0, 0, NEAR JANKOWSKI, bilinear, 1e-3, 40.0, bench_analysis, 84.0,
      120.0},
+    {"pair, clough storeys", 0, 0, NEAR JANKOWSKI, STOREYS("clough", ""), 1e-3, 40.0,
+     bench_analysis, 0.0, 250.0},
+    {"pair, takeda storeys", 0, 0, NEAR JANKOWSKI, STOREYS("takeda", " -alpha 0.4"), 1e-3, 40.0,
+     bench_analysis, 0.0, 300.0},
+    {"pair, bouc-wen storeys", 0, 0, NEAR JANKOWSKI, STOREYS("bouc-wen", " -n 2"), 1e-3, 40.0,
+     bench_analysis, 0.0, 400.0},
+    {"pair, modal damping", 0, 0, NEAR JANKOWSKI, "damping B1 modal 1%\ndamping B2 modal 1%\n",
+     1e-3, 40.0, bench_analysis, 0.0, 90.0},
+    {"pair, damper link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -dashpot 2MN*s/m\n", 1e-3, 40.0,
+     bench_analysis, 0.0, 100.0},
+    {"pair, spring link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -stiffness 50MN/m\n", 1e-3, 40.0,
+     bench_analysis, 0.0, 80.0},
     {"pair, linear", 0, 0, NEAR "-law linear -k 100MN/m", NULL, 1e-3, 40.0, bench_analysis, 0.0,
      60.0},
     {"pair, kelvin-voigt", 0, 0, NEAR "-law kelvin-voigt -k 100MN/m -e 0.65", NULL, 1e-3, 40.0,
@@ -29,6 +46,7 @@ const struct bench_case bench_cases[] = {
     {"pair, hertz-damp", 0, 0, NEAR "-law hertz-damp -k 2.75e9N/m^1.5 -e 0.65", NULL, 1e-3, 40.0,
      bench_analysis, 0.0, 60.0},
     {"pair, no contact", 0, 0, APART JANKOWSKI, NULL, 1e-3, 40.0, bench_analysis, 10.0, 0.0},
+    {"row 2x10, no contact", 2, 10, APART JANKOWSKI, NULL, 1e-3, 40.0, bench_analysis, 0.0, 0.0},
     {"row 10x10, no contact", 10, 10, APART JANKOWSKI, NULL, 1e-3, 40.0, bench_analysis, 62.0, 0.0},
     {"row 100x20, no contact", 100, 20, APART JANKOWSKI, NULL, 1e-3, 10.0, bench_analysis, 952.0,
      0.0},
@@ -36,10 +54,16 @@ const struct bench_case bench_cases[] = {
      0.0},
     {"ensemble of 8 pairs", 0, 0, NEAR JANKOWSKI, NULL, 1e-3, 40.0, bench_ensemble, 6.2, 10.0},
     {"ensemble of 8 pairs", 0, 0, NEAR JANKOWSKI, NULL, 1e-4, 40.0, bench_ensemble, 5.4, 10.0},
+    {"ensemble of 8, bilinear", 0, 0, NEAR JANKOWSKI, bilinear, 1e-3, 40.0, bench_ensemble, 0.0,
+     60.0},
     {"ensemble of 8, no contact", 0, 0, APART JANKOWSKI, NULL, 1e-3, 40.0, bench_ensemble, 2.15,
      0.0},
     {"ensemble of 8 rows 2x10", 2, 10, NEAR JANKOWSKI, NULL, 1e-3, 40.0, bench_ensemble, 9.0, 0.0},
     {"ensemble of 8 rows 10x10", 10, 10, NEAR JANKOWSKI, NULL, 1e-3, 40.0, bench_ensemble, 93.0,
+     0.0},
+    {"ensemble of 8 2x10, apart", 2, 10, APART JANKOWSKI, NULL, 1e-3, 40.0, bench_ensemble, 0.0,
+     0.0},
+    {"ensemble of 8 10x10, apart", 10, 10, APART JANKOWSKI, NULL, 1e-3, 40.0, bench_ensemble, 0.0,
      0.0},
     {"pair, dormand-prince", 0, 0, NEAR JANKOWSKI, NULL, 0.0, 40.0, bench_analysis, 127.0, 500.0},
     {"row 10x10, dormand-prince", 10, 10, NEAR JANKOWSKI, NULL, 0.0, 40.0, bench_analysis, 0.0,
@@ -69,6 +93,14 @@ const struct bench_case bench_counted[] = {
     {"pair, kelvin-voigt", 0, 0, NEAR "-law kelvin-voigt -k 100MN/m -e 0.65", NULL, 1e-3, 5.0,
      bench_analysis, 0.0, 0.0},
     {"pair, bilinear storeys", 0, 0, NEAR JANKOWSKI, bilinear, 1e-3, 5.0, bench_analysis, 0.0, 0.0},
+    {"pair, clough storeys", 0, 0, NEAR JANKOWSKI, STOREYS("clough", ""), 1e-3, 5.0, bench_analysis,
+     0.0, 0.0},
+    {"pair, bouc-wen storeys", 0, 0, NEAR JANKOWSKI, STOREYS("bouc-wen", " -n 2"), 1e-3, 5.0,
+     bench_analysis, 0.0, 0.0},
+    {"pair, modal damping", 0, 0, NEAR JANKOWSKI, "damping B1 modal 1%\ndamping B2 modal 1%\n",
+     1e-3, 5.0, bench_analysis, 0.0, 0.0},
+    {"pair, spring link", 0, 0, NEAR JANKOWSKI, "link B1:5 B2:5 -stiffness 50MN/m\n", 1e-3, 5.0,
+     bench_analysis, 0.0, 0.0},
     {"row 10x10", 10, 10, NEAR JANKOWSKI, NULL, 1e-3, 4.0, bench_analysis, 0.0, 0.0},
     {"row 100x20", 100, 20, NEAR JANKOWSKI, NULL, 1e-3, 5.0, bench_analysis, 0.0, 0.0},
     {"pair, dormand-prince", 0, 0, NEAR JANKOWSKI, NULL, 0.0, 40.0, bench_analysis, 0.0, 0.0},

@@ -20,7 +20,7 @@ load Annex:2 constant -7
 step fixed 0.5ms
 END
 run "$jostle" check model.deck
-expect "check ends with 0 and writes nothing" '[ $status -eq 0 ] && [ ! -s "$err" ] && only model.deck'
+expect "check ends with 0, writes nothing and warns about two soft contacts" '[ $status -eq 0 ] && [ "$(grep -c warning: "$err")" -eq 2 ] && [ "$(grep -c "times as stiff as the stiffest storey" "$err")" -eq 2 ] && only model.deck'
 has() {
     expect "check prints $1" 'grep -qE "$pattern" "$out"'
 }
@@ -37,7 +37,7 @@ pattern='^fender +1 +90\.9091  linear$' has "a contact by its name"
 pattern='^Tower:1-Annex:1 to Tower:2-Annex:2: hertz -k 2e\+06 -n 1\.5$' has "the law's parameters"
 pattern='^Tower:1-Annex:1 +- +100  bilateral$' has "a link, which has no gap"
 pattern='^ground under Tower Annex:$' has "the buildings on one ground"
-pattern='sine: peak 1\.961 m/s\^2, from 1 to 3 s$' has "a ground motion"
+pattern='sine: peak 1\.961 m/s\^2 = 0\.2 g, from 1 to 3 s$' has "a ground motion"
 pattern='^ground under Ship: at rest$' has "a ground at rest"
 pattern='^load on Annex:2: constant, peak 7 kN$' has "a load on its floor"
 pattern='6000 steps of 0\.0005 s, duration 3 s$' has "the steps"
@@ -73,6 +73,29 @@ run "$jostle" run coarse.deck
 expect "so does run" '[ $status -eq 0 ] && said "coarse.deck:6:1: warning: step 0.00448 s covers contact"'
 run "$jostle" run -q --force coarse.deck
 expect "but not with -q" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+# The stiffest storey beside the contacts has 300 MN/m.
+soft() {
+    cat >soft.deck <<END
+units kN m s
+building A -floors 3 -mass 300t -stiffness 300MN/m 2*200MN/m
+building B -floors 3 -mass 300t -stiffness 100MN/m
+contact A B -gap 20mm -law $1
+contact A:3 wall -gap 20mm -law stereomechanical -e 0.5
+initial A -velocity 1
+duration 0.1
+step fixed 0.1ms
+END
+}
+soft "linear -k 1500MN/m"
+run "$jostle" check soft.deck
+expect "check warns about a soft contact, once for its worst level" '[ $status -eq 0 ] && [ "$(grep -c warning: "$err")" -eq 1 ] && said "soft.deck:4:9: warning: contact A:1-B:1 is only 5 times as stiff as the stiffest storey beside it; below 10 drifts depend on the stiffness of the contact: compare with stiffer ones; a bumper has law rubber or table"'
+run "$jostle" run soft.deck
+expect "run does not" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+for law in "linear -k 3001MN/m" "rubber -k 100MN/m^2.5 -n 2.5 -e 0.5"; do
+    soft "$law"
+    run "$jostle" check soft.deck
+    expect "contact $law is stiff enough, or a bumper" '[ $status -eq 0 ] && [ ! -s "$err" ]'
+done
 bodies fine.deck "linear -k 93.5MN/m" 4.02ms
 run "$jostle" check fine.deck
 expect "ten steps are not warned of" '[ $status -eq 0 ] && [ ! -s "$err" ]'

@@ -19,6 +19,7 @@ run "$jostle" gap swing.deck
 expect "closing displacements of all runs are printed" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^3 runs without contact, 0 failed; lengths in m" "$out"'
 # mean 0.7/3, 16 % 0.132, 50 % 0.2, 84 % 0.336, largest 0.4 in run 3, two runs beyond the gap
 expect "with mean, percentiles and the runs that would hit" 'grep -qE "^A:1-wall +0\.2333 +0\.132 +0\.2 +0\.336 +0\.4 +3 +0\.1 +2$" "$out"'
+expect "each column ends below its head" 'awk "function ends(line, at,  i, n) { n = 0; for (i = 1; i <= length(line); i++) if (substr(line, i, 1) != \" \" && substr(line, i + 1, 1) ~ /^ ?\$/ && i > 14) at[++n] = i; return n } /^closing by / { head = \$0; sub(/16 %/, \"16_%\", head); sub(/50 %/, \"50_%\", head); sub(/84 %/, \"84_%\", head); sub(/in run/, \"in_run\", head); sub(/runs hit/, \"runs_hit\", head); n = ends(head, h) } /^A:1-wall +0.2333 +0.132 / { m = ends(\$0, v); bad = m != n || n != 8; for (i = 1; i <= n; i++) bad = bad || h[i] != v[i]; found = 1 } END { exit !found || bad }" "$out"'
 expect "each rule has its formula and its source" '[ "$(grep -cE "^(abs. sum|SRSS|0.7 SRSS|double diff.) += " "$out")" -eq 4 ] && grep -q "Der Kiureghian (1980)" "$out" && grep -q "EN 1998-1" "$out"'
 expect "no line is wider than 100 characters" '! grep -qE "^.{101,}" "$out"'
 expect "nothing is written" 'only swing.deck'
@@ -49,10 +50,18 @@ run "$jostle" gap stiff.deck --limit impacts=0 --parameter k --range 50mm:500mm:
 expect "a parameter that is no length is refused" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "this is a length (m)"'
 rm swept.deck stiff.deck
 run "$jostle" gap swing.deck --limit displacement:A=0.3
-expect "a limit that no gap keeps ends with 1" '[ $status -eq 1 ] && grep -q "^no gap: the limit is broken at the widest one" "$out" && said "no gap of the range keeps the limit"'
+expect "a limit that no gap keeps ends with 1" '[ $status -eq 1 ] && grep -q "^no gap: the limit is exceeded at the widest one" "$out" && said "no gap of the range meets the limit"'
+expect "nor any without contact, which is said" 'grep -qE "^ +no contact +0.4 exceeded +3$" "$out" && grep -q "^Without any contact the limit is exceeded: a gap that avoids contact does not meet it" "$out"'
+run "$jostle" gap swing.deck --limit displacement:A=0.3 --tsv
+expect "nor in the table for programs" 'awk -F "\t" "\$1 == \"no contact\" { n++; good = \$2 == \"inf\" && \$3 > 0.39999 && \$3 < 0.40001 && \$4 == \"broken\" && \$6 == 3 } END { exit !(n == 1 && good) }" "$out"'
+for parameter in "" "--parameter gap"; do
+    run "$jostle" gap swing.deck --limit displacement:A=0.45 --range 50mm:500mm:4 $parameter
+    expect "a limit that is met without contact is said to be${parameter:+, for a parameter too}" '[ $status -eq 0 ] && grep -qE "^ +no contact +0.4 +met +3$" "$out" && grep -q "^Without any contact the limit is met.$" "$out"'
+done
 run "$jostle" gap swing.deck --limit force=1000kN
-expect "a limit is searched by default over all gaps that matter" '[ $status -eq 0 ] && grep -q "^gap 0\.[0-9]* m: from here on every gap scanned keeps the limit" "$out" && grep -q "may be broken unseen" "$out"'
-expect "the scan is shown" '[ "$(grep -cE "^ .* (kept|broken) " "$out")" -eq 33 ]'
+expect "a limit is searched by default over all gaps that matter" '[ $status -eq 0 ] && grep -q "^gap 0\.[0-9]* m: from here on every gap scanned meets the limit" "$out" && grep -q "may be exceeded unseen" "$out"'
+expect "a limit on a contact has no value without contact" '! grep -qi "without any contact\|no contact" "$out"'
+expect "the scan is shown" '[ "$(grep -cE "^ .* (met|exceeded) " "$out")" -eq 33 ]'
 
 cat >away.deck <<'END'
 building A -floors 1 -mass 1 -stiffness 40
@@ -87,8 +96,8 @@ refuses "unknown EDP 'forc'; did you mean 'force'?" swing.deck --limit forc=1
 refuses "--limit takes EDP=VALUE" swing.deck --limit force
 refuses "limit -1 is below 0, where impacts never is" swing.deck --limit impacts=-1
 refuses "limit 1mm is a length; force needs a force (kN)" swing.deck --limit force=1mm
-refuses "force:X: unknown contact; 1 known: A:1-wall" swing.deck --limit force:X=1
-refuses "drift:X: unknown building; known: A" swing.deck --limit drift:X=1
+refuses "force:X: unknown contact; 1 available: A:1-wall" swing.deck --limit force:X=1
+refuses "drift:X: unknown building; available: A" swing.deck --limit drift:X=1
 refuses "drift:A:2: building A has 1 floor" swing.deck --limit drift:A:2=1
 refuses "drift-ratio: the deck gives no height of storey A:1" swing.deck --limit drift-ratio=1%
 sed 's/-law linear -k 1e5/-law stereomechanical -e 0.6/; /^integrator/d; s/^step .*/step fixed 1ms/' swing.deck >rigid.deck

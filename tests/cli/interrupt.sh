@@ -13,8 +13,8 @@ appears() {
 
 two_buildings long.deck 'duration 1000000s'
 for signal in INT TERM HUP; do
-    # A shell's background jobs ignore SIGINT; the program takes it back.
-    "$jostle" run long.deck >"$out" 2>"$err" </dev/null &
+    # A shell makes its background jobs ignore SIGINT.
+    env --default-signal=INT "$jostle" run long.deck >"$out" 2>"$err" </dev/null &
     child=$!
     appears long.h5.part
     expect "a run keeps its rows in a .part file ($signal)" '[ -e long.h5.part ] && [ ! -e long.h5 ]'
@@ -29,6 +29,19 @@ for signal in INT TERM HUP; do
     expect "SIG$signal leaves no file" 'only long.deck'
 done
 
+# Signals that were ignored before the program stay ignored, so as not to end background jobs.
+for signal in INT TERM HUP XCPU; do
+    (trap '' $signal; exec "$jostle" run long.deck) >"$out" 2>"$err" </dev/null &
+    child=$!
+    appears long.h5.part
+    kill -s $signal $child
+    sleep 0.3
+    expect "SIG$signal that is ignored stays ignored" 'kill -0 $child && [ -e long.h5.part ] && ! said interrupted'
+    kill -s KILL $child
+    wait $child 2>/dev/null
+    rm -f long.h5.part
+done
+
 # What is opened where a standard stream is closed would get what is printed there.
 sed 's/^param gap.*/sweep gap values 4mm 5mm/' long.deck >study.deck
 "$jostle" run study.deck >&- 2>&- <&- &
@@ -37,7 +50,7 @@ appears study.h5.runs
 sleep 0.2
 kill -s ABRT $child
 wait $child
-expect "closed streams do not turn messages into the journal" '[ "$(head -c 8 study.h5.runs | tr "\n" .)" = jostle3. ]'
+expect "closed streams do not turn messages into the journal" '[ "$(head -c 8 study.h5.runs | tr "\n" .)" = jostle5. ]'
 rm -f study.h5.runs
 
 # As a damaged HDF5 file may end it; under the sanitizers the signal is theirs.

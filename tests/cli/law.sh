@@ -136,6 +136,10 @@ law jankowski -k 1e9 -e 0.5 $bodies --fit force.txt
 expect "what is found is not given" '[ $status -eq 2 ] && said "command line:1:15: error: -k cannot be given: --fit finds it" && said "error: -e cannot be given"'
 law jankowski -k-from hertz -radius1 1 -modulus1 30e9 -poisson1 0.2 $bodies --fit force.txt
 expect "nor estimated" '[ $status -eq 2 ] && said "command line:1:15: error: -k-from cannot be given: --fit finds it"'
+law hertz -k 2.75e9 $bodies --history elastic.tsv
+awk 'BEGIN { print "time [ms];force [kN]"; for (i = 0; i < 20; i++) print i / 10 ";0" }
+    NR > 2 && int($1 * 1e4) != last { last = int($1 * 1e4); printf "%.12g;%.12g\n", 1e3 * $1 + 2, $4 / 1e3 }' \
+    elastic.tsv >elastic.txt
 law rubber -n 2 -k 3e9 -zeta 0.8 $bodies --history rubber.tsv
 awk 'NR > 1 && $1 != last { print last = $1, $4 }' rubber.tsv >rubber.txt
 law rubber -n 2 $bodies --fit rubber.txt --tsv
@@ -144,6 +148,14 @@ law rubber -n 2 -c 1 $bodies --fit force.txt
 expect "nor taken" '[ $status -eq 2 ] && said "error: -c cannot be given: --fit finds it"'
 law stereomechanical -e 0.5 $bodies --fit force.txt
 expect "a law without stiffness is not fitted" '[ $status -eq 2 ] && said "stereomechanical has no k that could be fitted"'
+law jankowski -m1 2500 -m2 4000 -v 0.5 --fit force.txt
+expect "masses that contradict the impulse are refused with e" '[ $status -eq 2 ] && said "e = J/(m* v) - 1 is 15.47 with m* = 1538.46 kg and v = 0.5 m/s"  && [ ! -s "$out" ]'
+awk -F ';' 'NR > 1 && $2 > most { most = $2; row = NR } END { print row + 40 }' force.txt | xargs -I N head -n N force.txt >cut.txt
+law jankowski $bodies --fit cut.txt --tsv
+expect "a record that is cut off is said to be" '[ $status -eq 0 ] && said "jostle: warning: the record is cut off at " && near $(value k) 2.75e9 1e-4'
+awk -F ';' 'BEGIN { OFS = ";" } NR > 1 { $2 += 30 * sin(NR * NR) } { print }' elastic.txt >noisy.txt
+law jankowski $bodies --fit noisy.txt
+expect "what a record does not determine is said" '[ $status -eq 0 ] && said "jostle: warning: zeta of jankowski is undetermined: its standard error of " && grep -q "(undetermined)" "$out"'
 law jankowski $bodies --fit no_such_file
 expect "the record must exist" '[ $status -eq 2 ] && said "no_such_file: No such file or directory"'
 law jankowski $bodies --fit kept.tsv

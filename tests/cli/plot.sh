@@ -65,16 +65,17 @@ mkdir slow slow/tmp
 printf '#!/bin/sh\necho started\nexec sleep 60\n' >slow/gnuplot
 chmod +x slow/gnuplot
 for signal in INT TERM HUP; do
-    TMPDIR=$here/slow/tmp PATH=$here/slow:$PATH "$jostle" plot pair.h5 energy -o energy.png >"$out" 2>"$err" &
+    TMPDIR=$here/slow/tmp PATH=$here/slow:$PATH env --default-signal=INT "$jostle" plot pair.h5 energy -o energy.png >"$out" 2>"$err" &
     child=$!
     for _ in $(seq 100); do
         grep -qs started slow/tmp/*/messages && break
         sleep 0.05
     done
+    began=$SECONDS
     kill -s "$signal" $child
     wait $child
     status=$?
-    expect "SIG$signal ends gnuplot and leaves no folder behind" '[ $status -eq 3 ] && said "interrupted by signal" && [ -z "$(ls slow/tmp)" ] && [ ! -e energy.png ]'
+    expect "SIG$signal ends gnuplot and leaves no folder behind" '[ $status -eq 3 ] && [ $((SECONDS - began)) -lt 40 ] && said "interrupted by signal" && [ -z "$(ls slow/tmp)" ] && [ ! -e energy.png ]'
 done
 rm -r none slow
 
@@ -149,6 +150,12 @@ run "$jostle" run -q bodies.deck
 run "$jostle" plot bodies.h5 loops --script bodies
 sed -n "/^.hardest0/,/^EOD/p" bodies/loops.dat >hardest
 expect "an impact of two rows is no loop: they are not joined" '[ $status -eq 0 ] && [ "$(grep -c "^[0-9]" hardest)" -eq 2 ] && awk "/^[0-9]/ && joined { exit 1 } { joined = /^[0-9]/ }" hardest'
+for file in pair apart; do
+    run "$jostle" plot $file.h5 profiles --script $file.hit
+done
+expect "profiles mark the accelerations of floors that were hit" '[ "$(grep -c "hit00 using 2:1 with points" pair.hit/profiles.gp)" -eq 1 ] && grep -q "floor that was hit" pair.hit/profiles.gp'
+expect "and none where nothing was" '! grep -q "hit00 using\|floor that was hit" apart.hit/profiles.gp'
+rm -r pair.hit apart.hit
 run "$jostle" plot bodies.h5 profiles --script bodies
 expect "free bodies have no storeys to show" '[ $status -eq 0 ] && [ "$(grep -c "^plot" bodies/profiles.gp)" -eq 2 ] && ! grep -q "drift\|shear" <(grep "^set label" bodies/profiles.gp)'
 sed -i 's/-velocity 1/-velocity -1/' bodies.deck
@@ -172,9 +179,11 @@ step fixed 1ms
 duration 0.5
 END
 run "$jostle" run -q cart.deck
+points=3  # those of the two buildings, and the ring of floors that were hit
 for kind in profiles modes; do
     run "$jostle" plot cart.h5 $kind --script cart
-    expect "the legend of $kind has no line for a free body" '[ $status -eq 0 ] && [ "$(grep -c "^set arrow from screen" cart/$kind.gp)" -eq 1 ] && [ "$(grep -c "^set label .. at screen.* point pt" cart/$kind.gp)" -eq 2 ]'
+    expect "the legend of $kind has no line for a free body" '[ $status -eq 0 ] && [ "$(grep -c "^set arrow from screen" cart/$kind.gp)" -eq 1 ] && [ "$(grep -c "^set label .. at screen.* point pt" cart/$kind.gp)" -eq $points ]'
+    points=2
 done
 rm -rf cart cart.*
 
@@ -236,6 +245,12 @@ run "$jostle" plot row.h5 impacts --script scripts
 expect "pairs that are not shown are told of" '[ $status -eq 0 ] && grep -q "impacts, those of the first 24 pairs are shown" scripts/impacts.gp && [ "$(grep -c "^set label .B.* | B" scripts/impacts.gp)" -eq 24 ]'
 expect "names and numbers of pairs do not touch" 'grep "^set label .B" scripts/impacts.gp | sed "s/.* first \([0-9.]*\) .*/\1/" | awk "NR > 1 && \$1 - last < 1.5 { exit 1 } { last = \$1 }" && [ "$(grep -o ", .1. [0-9.]*" scripts/impacts.gp | wc -l)" -lt 24 ]'
 rm -rf scripts row.*
+
+for kind in profiles spectrum histories; do
+    "$jostle" plot pair.h5 $kind --script g >"$out" 2>"$err"
+    expect "$kind shows the unit of accelerations in g" 'grep -q "^set label .*m/s² = 0.102 g\]" g/$kind.gp'
+done
+rm -r g
 
 run "$jostle" plot pair.h5
 expect "without a kind histories are drawn" '[ $status -eq 0 ] && [ -s pair-histories.png ]'

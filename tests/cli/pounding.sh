@@ -68,7 +68,7 @@ for threads in 1 4; do
     expect "the first pair that fails is named, $threads threads" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "at T1 = 0.7 s, T2 = 0.3 s: fails.deck:4:"'
 done
 grep -v duration pair.deck | sed 's/^step.*/step fixed 1e-3ms\nduration 10000s/' >long.deck
-"$jostle" spectrum --pounding long.deck --periods 0.25,0.5,1 -o long.png -j 2 >"$out" 2>"$err" &
+env --default-signal=INT "$jostle" spectrum --pounding long.deck --periods 0.25,0.5,1 -o long.png -j 2 >"$out" 2>"$err" &
 sleep 1
 kill -INT $!
 wait $!

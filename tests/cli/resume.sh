@@ -77,7 +77,7 @@ cp part.h5.runs kept.runs
 run "$jostle" run study.deck -q -o part.h5 -D gap=5mm
 expect "another -D is refused" '[ $status -eq 2 ] && said "part.h5.runs holds runs of this study, but -D has changed since; --restart"'
 cp study.deck kept.deck
-echo '# a comment' >>study.deck
+sed -i 's/^step .*/step fixed 0.5ms/' study.deck
 run "$jostle" run study.deck -q -o part.h5
 expect "a changed deck is refused" '[ $status -eq 2 ] && said "but the deck has changed since"'
 mv kept.deck study.deck
@@ -90,14 +90,34 @@ cp records/1.txt records/4.txt
 run "$jostle" run study.deck -q -o part.h5
 expect "a record more is refused" '[ $status -eq 2 ] && said "but the list of values of '"'record'"' has changed"'
 rm records/4.txt
-cp "$jostle" other
-printf x >>other
-run ./other run study.deck -q -o part.h5
-expect "another program is refused" '[ $status -eq 2 ] && said "but the program has changed since"'
 expect "none of which harms the journal" 'cmp part.h5.runs kept.runs'
 touch records/1.txt
-run "$jostle" run study.deck -o part.h5
-expect "the unchanged study goes on" '[ $status -eq 0 ] && grep -q "of an earlier start" "$out" && same whole.h5 part.h5'
+cp study.deck kept.deck
+cp study.deck kept2.deck
+{
+    printf '# a comment\n\n'
+    sed '/^title/d; s/^param/   param   /; s/^step fixed /step \\\n  fixed  /; s/$/  # and more/; s/\\  # and more$/\\/' kept.deck
+    echo 'title "another one"'
+} >study.deck
+cp "$jostle" other
+printf x >>other
+run ./other run study.deck -o part.h5
+mv kept.deck study.deck
+expect "another build and another layout of the deck go on" '[ $status -eq 0 ] && grep -q "of an earlier start" "$out" && same whole.h5 part.h5'
+
+rm part.h5
+cp kept.runs part.h5.runs
+sed -i 's/^step .*/step fixed 0.5ms/' study.deck
+echo 0.1 >>records/1.txt
+run "$jostle" run study.deck -q -o part.h5 --accept -D gap=5mm
+expect "runs of another shape are not accepted" '[ $status -eq 2 ] && said "part.h5.runs holds runs of a study of another shape: -D has changed; --restart begins anew" && cmp part.h5.runs kept.runs'
+run "$jostle" run study.deck -q -o part.h5 --accept
+accepted=$(h5dump -a /origin/accepted part.h5 | tr -d '\n')
+expect "--accept goes on with a changed deck and record, which the result tells" \
+    '[ $status -eq 0 ] && [ ! -s "$err" ] && ! same whole.h5 part.h5 && [[ $accepted == *"the deck: "*"records/1.txt"* ]]'
+rm part.h5
+sed -i '$d' records/1.txt
+cp kept2.deck study.deck
 
 cp kept.runs part.h5.runs
 run "$jostle" run study.deck --force -q -o part.h5 -D gap=5mm --restart
@@ -142,7 +162,7 @@ rm part.h5.runs
 cp kept.runs part.h5.runs
 printf 1 | dd of=part.h5.runs bs=1 seek=6 conv=notrunc 2>/dev/null
 run "$jostle" run study.deck -q -o part.h5
-expect "what an earlier program has left is not gone on with" '[ $status -eq 2 ] && said "part.h5.runs holds runs of this study, but the program has changed since; --restart begins anew" && [ ! -e part.h5 ]'
+expect "what an earlier program has left is not gone on with" '[ $status -eq 2 ] && said "part.h5.runs was written by another version of jostle, or on another kind of machine; --restart begins anew" && [ ! -e part.h5 ]'
 run "$jostle" run study.deck -q -o part.h5 --restart
 expect "but begun anew" '[ $status -eq 0 ] && same whole.h5 part.h5 && [ ! -e part.h5.runs ]'
 rm part.h5

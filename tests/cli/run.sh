@@ -10,6 +10,16 @@ expect "the summary goes to stdout" 'grep -q "two buildings" "$out"'
 expect "the warning goes to stderr, with its place" 'said "pair.deck:7:11: warning: Rayleigh coefficient"'
 expect "neither is coloured" '! grep -q $'"'\033'"' "$out" "$err"'
 
+mark='* this floor was hit: its peak depends on the contact stiffness'
+hit='^[AB] +[0-9.e+-]+ +[0-9.e+-]+\* +[0-9]+ '
+expect "accelerations of floors that were hit are marked" 'grep -qE "$hit" "$out" && grep -qxF "$mark" "$out"'
+run "$jostle" run pair.deck -D gap=1m -o apart.h5
+expect "those of other floors are not" '[ $status -eq 0 ] && ! grep -qE "$hit" "$out" && ! grep -qF "$mark" "$out"'
+sed 's/-law jankowski -k 1e6 -e 0.65/-law stereomechanical -e 0.65/' pair.deck >rigid.deck
+run "$jostle" run rigid.deck
+expect "nor are those at rigid contacts, which leave the impact out" '[ $status -eq 0 ] && ! grep -q " 0 impacts" "$out" && ! grep -qF "$mark" "$out"'
+rm apart.h5 rigid.*
+
 sum=$(cksum <pair.h5)
 run "$jostle" run pair.deck
 expect "an existing file is refused" '[ $status -eq 2 ] && said "pair.h5 exists; --force overwrites it" && [ ! -s "$out" ]'
@@ -53,7 +63,7 @@ rm -r results
 
 mkfifo pipe
 run "$jostle" run pair.deck -q -o pipe --force
-expect "nor does a file take the place of a pipe or a device" '[ $status -eq 2 ] && said "pipe is no regular file" && [ -p pipe ]'
+expect "nor does a file take the place of a pipe or a device" '[ $status -eq 2 ] && said "pipe is not a regular file" && [ -p pipe ]'
 rm pipe
 
 mkdir decks
@@ -124,7 +134,7 @@ run "$jostle" run -q outer.deck -o includes.h5
 expect "the texts of included files are kept in the order read" 'grep -qF "\"includes\": \"# include includes/inner.inc\\ntitle \\\"inner\\\"\\n# include includes/more.inc\\nunits kN m s\\n" "$out"'
 
 ln -s "$root/input/records" records
-sed "s/step fixed 1ms/step fixed 5ms/" "$root/input/multistorey.deck" >few.deck
+sed "s/step fixed 0.2ms/step fixed 5ms/" "$root/input/multistorey.deck" >few.deck
 run "$jostle" run few.deck
 expect "run tells of impacts that few steps cover" '[ $status -eq 0 ] && grep -qE "^jostle: warning: fewer than 10 steps cover [0-9]+ of [0-9]+ impacts; the hardest, of contact A:[1-5]-B:[1-5] at t = [0-9.]+ s, lasted [0-9.]+ s; step fixed [0-9.]+ resolves it$" "$err"'
 expect "and so does the summary" 'grep -qE "^5 contacts, [0-9] hit, [0-9]+ impacts \([0-9]+ of fewer than 10 steps\)" "$out"'

@@ -48,7 +48,7 @@ expect "--pga scales what --demean leaves" '[ $status -eq 0 ] && grep -q "^ *0.5
 run "$jostle" spectrum values.txt --dt 0.01
 expect "without a unit the record is refused" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "values.txt: the file gives no unit"'
 run "$jostle" spectrum values.txt --dt 0.01 --unit mg --format columns
-expect "a unit must be one of acceleration" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "is no unit of acceleration"'
+expect "a unit must be one of acceleration" '[ $status -eq 2 ] && [ ! -s "$out" ] && said "is not a unit of acceleration"'
 run "$jostle" spectrum values.txt --dt 0.01 --unit g
 expect "warnings about a record go to stderr" '[ $status -eq 0 ] && said "jostle: warning: values.txt:4: the largest acceleration is 30 g"'
 

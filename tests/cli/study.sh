@@ -64,7 +64,7 @@ run "$jostle" run beside.deck -q -o beside.h5 -D gap=8mm -D k=1e6 -D record=one
 expect "which is looked for beside the deck with the sweep" '[ $status -eq 0 ] && [ ! -s "$err" ]'
 mv suite/records records; rm -r suite beside.*
 run "$jostle" run whole.deck -q -o none.h5 -D gap=8mm -D k=1e6 -D record=three
-expect "what is neither is refused" '[ $status -eq 2 ] && grep -q "error: unknown record .three.; known: one, two" "$err" && said "1 error in"'
+expect "what is neither is refused" '[ $status -eq 2 ] && grep -q "error: unknown record .three.; available: one, two" "$err" && said "1 error in"'
 if command -v h5diff >/dev/null; then
     for path in buildings/A/displacement buildings/B/storey_shear contacts/force impacts/t_start energy/input time; do
         run h5diff whole.h5 single.h5 /runs/000009/$path /$path
@@ -75,7 +75,11 @@ if command -v h5diff >/dev/null; then
     run "$jostle" show --tsv 'whole.h5#9'
     expect "a run is shown like a file" '[ $status -eq 0 ] && grep -v "wall_seconds\|newton\|command_line" "$out" | cmp - table'
     run "$jostle" plot 'whole.h5#9' histories --script figure
-    expect "and drawn" '[ $status -eq 0 ] && [ -s figure/histories.gp ]'
+    expect "and drawn, with its number" '[ $status -eq 0 ] && grep -q "run 9: " figure/histories.gp'
+    run "$jostle" show 'whole.h5#9'
+    expect "the summary of a run has its number and its parameters" '[ $status -eq 0 ] && grep -qx "run 9 of a study" "$out" && grep -q "^  gap = 0.008$" "$out" && grep -q "^  record = records/" "$out"'
+    run "$jostle" plot whole.h5 histories
+    expect "a picture of histories needs a run" '[ $status -eq 2 ] && said "histories is for single runs; whole.h5 is a study; name a run of it, such as whole.h5#1"'
     run "$jostle" show 'whole.h5#13'
     expect "a run that is not there is named" '[ $status -eq 2 ] && said "whole.h5 has no histories of run 13"'
     run "$jostle" show 'two.h5#1'
@@ -104,7 +108,7 @@ fi
 
 run "$jostle" show --tsv one.h5
 table=$(cat "$out")
-expect "show --tsv prints lines of one length, a column for each sweep" '[ $status -eq 0 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 11 ] && head -n 1 "$out" | grep -q "^run	gap	k	record	status"'
+expect "show --tsv prints lines of one length, a column for each sweep" '[ $status -eq 0 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 12 ] && head -n 1 "$out" | grep -q "^run	gap	k	record	status"'
 expect "labels of files are their names" 'grep -q "	one	done	" "$out" && ! grep -q "records/" "$out"'
 expect "a logarithmic range has equal ratios" '[ "$(cut -f 3 "$out" | sort -u | grep -c .)" = 4 ] && cut -f 3 "$out" | grep -q "^1000000$"'
 "$jostle" run grid.deck -q -o single.h5 -D gap=8mm -D k=1e7 -D record=records/two.txt
@@ -144,7 +148,7 @@ for long in '' --long; do
 done
 rm one.csv
 run "$jostle" check grid.deck -D k=2e6
-expect "check prints the sweeps and the first model" '[ $status -eq 0 ] && grep -q "^study of 4 runs" "$out" && grep -q "k  *fixed by -D: 2e+06" "$out" && grep -q "building A: 2 floors" "$out"'
+expect "check prints the sweeps and the first model" '[ $status -eq 0 ] && grep -q "^study of 4 runs" "$out" && grep -q "k  *fixed with -D: 2e+06" "$out" && grep -q "building A: 2 floors" "$out"'
 run "$jostle" run grid.deck -o one.h5
 expect "an existing file is refused" '[ $status -eq 2 ] && said "one.h5 exists; --force overwrites it"'
 mkdir folder.h5
@@ -217,6 +221,38 @@ duration 1
 END
 run "$jostle" run shapes.deck -j 1
 expect "models of different sizes are refused" '[ $status -eq 2 ] && said "run 2 (n = 3) has 3 floors in building A, the first run has 2" && [ ! -e shapes.h5 ]'
+sed '1a sweep a range 1 8 8' shapes.deck | sed 's/-amplitude 1/-amplitude $a/' >later.deck
+run "$jostle" run later.deck -j 1
+expect "before the first run" '[ $status -eq 2 ] && said "run 9 (n = 3, a = 1) has 3 floors" && ! said kept && [ ! -e later.h5.runs ] && [ ! -e later.h5 ]'
+# One of 100 numbers, and one of 70 texts, that the survey of check would not pick.
+sed 's/^sweep n.*/sweep k range 1 100 100/; s/-floors $n/-floors ${2 + max(0, 1 - (k - 52)^2)}/' shapes.deck >later.deck
+run "$jostle" run later.deck -j 1
+expect "whatever the place of the value among many" '[ $status -eq 2 ] && said "run 52 (k = 52) has 3 floors" && [ ! -e later.h5.runs ]'
+run "$jostle" check later.deck
+expect "check finds it too" '[ $status -eq 2 ] && said "run 52 (k = 52) has 3 floors"'
+for i in $(seq 70); do
+    [ "$i" -eq 33 ] && echo 'param n 3' >part$i.deck || echo 'param n 2' >part$i.deck
+done
+sed 's/^sweep n.*/sweep part files part*.deck\ninclude $part/' shapes.deck >later.deck
+run "$jostle" run later.deck -j 1
+expect "or of a file among many" '[ $status -eq 2 ] && said "has 3 floors in building A" && said "part33" && [ ! -e later.h5.runs ]'
+rm -f shapes.* later.* part*.deck
+# late DERIVED: six runs of one shape, then six of another.
+late() {
+    printf '%s\n' 'units N m s' 'sweep n values 2 3' 'sweep gap range 2mm 7mm 6' "param more $1" \
+        'building A -floors ${more} -mass 1e5 -stiffness 5e7' \
+        'building B -floors 2 -mass 8e4 -stiffness 2e7' \
+        'contact A:1 B:1 -gap $gap -law linear -k 1e8' \
+        'ground sine -amplitude 0.3g -frequency 1.5 -cycles 1' 'step fixed 1ms' 'duration 0.5' \
+        >shapes.deck
+}
+for derived in '$n' '${1 + n - 1}'; do
+    late "$derived"
+    run "$jostle" run shapes.deck -j 1
+    expect "before the first run, where the number of floors is $derived" '[ $status -eq 2 ] && said "run 7 (n = 3, gap = 0.002) has 3 floors in building A, the first run has 2" && ! said "kept" && only grid.deck shapes.deck records/one.txt records/two.txt'
+    run "$jostle" check shapes.deck
+    expect "by check too" '[ $status -eq 2 ] && said "has 3 floors in building A, the first run has 2"'
+done
 rm -f shapes.*
 
 cat >names.deck <<'END'
@@ -231,3 +267,19 @@ expect "a sweep cannot have the name of a result" '[ $status -eq 2 ] && said "sw
 sed -i 's/sweep force/sweep mass/; s/\$force/$mass/' names.deck
 run "$jostle" run names.deck
 expect "but that of a property, which it replaces" '[ $status -eq 0 ] && "$jostle" show --tsv names.h5 | grep -q "	period	"'
+rm names.*
+
+# 300 buildings, of which number 7 is the softest by far.
+{
+    printf 'sweep gap values 1mm 5mm\n'
+    for i in $(seq 300); do
+        echo "building B$i -floors 1 -mass 100t -stiffness $((i == 7 ? 5 : 20 + i % 97))MN/m"
+        [ "$i" -eq 1 ] || echo "contact B$((i - 1)) B$i -gap \$gap -law linear -k 1e8"
+    done
+    printf 'ground sine -amplitude 0.3g -frequency 1.5 -cycles 1\nstep fixed 2ms\nduration 0.5\n'
+} >many.deck
+run "$jostle" run many.deck
+expect "of many buildings those that drift most are shown, on a page" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -le 60 ] && grep -qE "^B7 +drift " "$out" && [ "$(grep -cE "^B[0-9]+ +drift " "$out")" -eq 8 ] && grep -q "^  292 more buildings not shown (by drift); all are in many.h5" "$out"'
+expect "accelerations stand in g beside the units of the deck" 'awk "/^B7 +acceleration/ { n++; good = \$5 == \"m/s^2\" && (\$4 / 9.80665 - \$6)^2 < 1e-7 } END { exit !(n == 1 && good) }" "$out" && grep -qE "^ +quantity +floor +unit +.g.  run$" "$out"'
+expect "the table for programs has them all" '[ "$("$jostle" show --tsv many.h5 | awk -F "\t" "NR > 1 && \$0 ~ /\tdrift\t/ && \$0 !~ /_time/" | wc -l)" -ge 600 ]'
+rm many.*

@@ -38,14 +38,14 @@ run "$jostle" run suite.deck -o failed.h5 -q -D late=1
 expect "the one with failures, too" '[ $status -eq 1 ]'
 
 run "$jostle" show whole.h5 --csv
-expect "--csv has lines of one length" '[ $status -eq 0 ] && head -n 1 "$out" | grep -qx "run,record,im,wide,status,table,name,quantity,location,value,unit" && [ "$(awk -F , "{ print NF }" "$out" | sort -u)" = 11 ]'
+expect "--csv has lines of one length" '[ $status -eq 0 ] && head -n 1 "$out" | grep -qx "run,record,im,wide,status,table,name,quantity,location,value,unit,hit" && [ "$(awk -F , "{ print NF }" "$out" | sort -u)" = 12 ]'
 run "$jostle" show whole.h5 --long
-expect "--long has the columns of engineers" '[ $status -eq 0 ] && head -n 1 "$out" | grep -qxP "record\tim\twide\tedp\tlocation\tvalue\tunit\tstatus" && grep -qP "^ELCENTRO_1940_NS\t4\t0\tdrift-ratio\tB:3\t[0-9.e-]+\t1\tdone$" "$out"'
-expect "all its lines are as long" '[ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 8 ]'
+expect "--long has the columns of engineers" '[ $status -eq 0 ] && head -n 1 "$out" | grep -qxP "record\tim\twide\tedp\tlocation\tvalue\tunit\tstatus\thit" && grep -qP "^ELCENTRO_1940_NS\t4\t0\tdrift-ratio\tB:3\t[0-9.e-]+\t1\tdone\t$" "$out"'
+expect "all its lines are as long" '[ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 9 ]'
 expect "what no run has is left out" '! grep -q link- "$out" && grep -q "	force	A:2-B:2	" "$out"'
 largest=$(awk -F '\t' '$1 ~ /^EL/ && $2 == 2 && $3 == 0 && $4 == "drift" && $6 > m { m = $6; at = $5 } END { print at, m }' "$out")
 run "$jostle" show whole.h5 --long --edp drift --edp impacts:A:1-B:1 --csv
-expect "--edp gives one line a run, and where it is largest" '[ "$(wc -l <"$out")" -eq 25 ] && grep -q "^ELCENTRO_1940_NS,2,0,drift,${largest/ /,},m,done$" "$out"'
+expect "--edp gives one line a run, and where it is largest" '[ "$(wc -l <"$out")" -eq 25 ] && grep -q "^ELCENTRO_1940_NS,2,0,drift,${largest/ /,},m,done,$" "$out"'
 run "$jostle" show failed.h5 --long
 lines=$(awk -F '\t' '$8 == "failed" && $6 == ""' "$out" | wc -l)
 expect "failed runs have their lines, without values" '[ $status -eq 0 ] && [ "$lines" -gt 20 ] && ! grep -q "	failed$" <(grep -P "\t[0-9.]+\t[^\t]+\tfailed$" "$out")'
@@ -87,8 +87,17 @@ expect "cells with commas are quoted" 'grep -q "^1,\"a,b\",done,buildings,A,drif
 run "$jostle" show quotes.h5 --tsv
 expect "but not in TSV" 'grep -q "^1	a,b	done" "$out"'
 
-run "$jostle" fragility whole.h5 --edp drift-ratio --limit 0.2%,99 --at wide=1
+run "$jostle" fragility whole.h5 --edp drift-ratio --limit 0.2%,9900% --at wide=1
 expect "fragility prints counts, and says where there is no curve" '[ $status -eq 0 ] && [ ! -s "$err" ] && grep -q "^drift-ratio > 0.002" "$out" && grep -qE "^ +4 +2 +[0-2] +[01]\.[0-9]+ " "$out" && grep -q "^no curve: no run exceeds the limit" "$out"'
+run "$jostle" fragility whole.h5 --edp acceleration --limit 0.1g,9.80665 --at wide=1
+expect "a limit on accelerations stands in g, too" '[ $status -eq 0 ] && grep -q "^acceleration > 0.980665 m/s^2 (0.1 g)" "$out" && grep -q "^acceleration > 9.80665 m/s^2 (1 g)" "$out"'
+"$jostle" plot whole.h5 ida --edp acceleration --at wide=0 --script g >"$out" 2>"$err"
+expect "ida shows the unit of accelerations in g" '[ "$(grep -c "^set label .*m/s² = 0.102 g\]" g/ida.gp)" -eq 2 ]'
+rm -r g
+run "$jostle" fragility whole.h5 --edp drift-ratio --limit 2 --at wide=1
+expect "a percentage without its sign is warned about" '[ $status -eq 0 ] && said "jostle: warning: limit 2 of drift-ratio is 200 %; 2 % is 2% or 0.02"'
+run "$jostle" fragility whole.h5 --edp drift-ratio --limit 0.2 --at wide=1
+expect "a drift ratio of 20 % is not" '[ $status -eq 0 ] && [ ! -s "$err" ]'
 run "$jostle" fragility whole.h5 --edp drift --limit 1mm --tsv
 expect "--tsv has a line for each group, limit and intensity" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -eq 7 ] && [ "$(awk -F "\t" "{ print NF }" "$out" | sort -u)" = 17 ] && head -n 1 "$out" | grep -qP "^edp\tlimit\tlimit_unit\twide\tim\t" && [ "$(cut -f 4 "$out" | sort -u | tr "\n" " ")" = "0 1 wide " ]'
 run "$jostle" fragility failed.h5 --edp drift --limit 9m --at wide=0
@@ -186,6 +195,9 @@ if command -v gnuplot >/dev/null; then
 else
     skip "pictures of studies" "no gnuplot"
 fi
+run "$jostle" plot whole.h5 ida --at wide=1 --limit 1% --script limits
+expect "a limit is drawn as its line in the legend: solid, as wide" '[ $status -eq 0 ] && grep -q "graph 1 nohead lc rgb .#000000. lw 1.5$" limits/ida.gp && grep -q "rto screen .* nohead lc rgb .#000000. lw 1.5$" limits/ida.gp'
+rm -rf limits
 run "$jostle" plot whole.h5 ida -o groups.png
 expect "ida of several groups is refused" '[ $status -eq 2 ] && said "wide = 1 ...)" && [ ! -e groups.png ]'
 run "$jostle" plot whole.h5 fragility
@@ -217,7 +229,7 @@ run "$jostle" merge part1.h5 part2.h5 -o parts.h5 --partial -q
 run "$jostle" show parts.h5 --long --edp drift
 cp "$out" parts.tsv
 run "$jostle" show whole.h5 --long --edp drift
-expect "those that are there are the runs of the whole" '[ "$(grep -c "	missing$" parts.tsv)" -eq 4 ] && [ "$(grep -Fxc -f parts.tsv "$out")" -eq 9 ]'
+expect "those that are there are the runs of the whole" '[ "$(grep -c "	missing	$" parts.tsv)" -eq 4 ] && [ "$(grep -Fxc -f parts.tsv "$out")" -eq 9 ]'
 run "$jostle" show part2.h5 --long --edp drift
 expect "in a part, too" '[ "$(wc -l <"$out")" -eq 5 ] && [ "$(grep -Fxc -f parts.tsv "$out")" -eq 5 ]'
 run "$jostle" fragility parts.h5 --edp drift --limit 1mm --at wide=1

@@ -81,6 +81,23 @@ step fixed 1ms
 END
 run "$jostle" check study.deck
 expect "which a deck reads" '[ $status -eq 0 ] && grep -q "2 runs" "$out"'
+mkdir -p elsewhere/records
+cp centro.AT2 napa.AT2 elsewhere/records
+sed '1i param record none
+s/"centro.AT2"/"records\/centro.AT2"/; s/".\/napa.AT2"/"records\/napa.AT2"/' study.deck >elsewhere/study.deck
+"$jostle" run elsewhere/study.deck -q -D motion=2 -o second.h5
+for name in napa napa.AT2 records/napa.AT2; do
+    run "$jostle" run elsewhere/study.deck -q -D record=$name -o short.h5 --force
+    expect "-D record=$name chooses the record and its factor" '[ $status -eq 0 ] && same second.h5 short.h5'
+done
+sed '/^sweep factor/d; s/ -as motion//; s/ -scale $factor//' elsewhere/study.deck >elsewhere/alone.deck
+run "$jostle" run elsewhere/alone.deck -q -D record=napa -o alone.h5
+expect "a sweep of its own takes the short name too" '[ $status -eq 0 ]'
+run "$jostle" check elsewhere/study.deck -D record=nappa
+expect "another name is a file that is not there" '[ $status -eq 2 ] && said "nappa: No such file"'
+sed 's/records\/napa.AT2/.\/centro.AT2/' elsewhere/study.deck >elsewhere/twins.deck
+run "$jostle" check elsewhere/twins.deck -D record=centro
+expect "a name of two files chooses none" '[ $status -eq 2 ] && said "centro: No such file"'
 
 wrong() {
     local sentence=$1 words=$2

@@ -56,7 +56,7 @@ expect "each run is that of its -D, to the last digit" '[ $wrong -eq 0 ] && [ $c
 "$jostle" run study.deck -q -o other.h5 --force -D record=NAPA_2014_68150_HNE -D measure=3 -D im=0.5
 expect "-D record=NAME is the motion of that record" 'cmp <(values one.h5) <(values other.h5)'
 run "$jostle" check study.deck -D factor=1
-expect "-D factor=1 leaves the records" 'grep -qx "study of 45 runs" "$out" && grep -qx "  factor           fixed by -D: 1" "$out" && grep -q "^    record  *5 values" "$out"'
+expect "-D factor=1 leaves the records" 'grep -qx "study of 45 runs" "$out" && grep -qx "  factor           fixed with -D: 1" "$out" && grep -q "^    record  *5 values" "$out"'
 run "$jostle" run study.deck -q -D record=NAPA_2014_68150_HNE -D measure=1 -o one_motion.h5
 expect "-D goes with a study" '[ $status -eq 0 ] && "$jostle" show one_motion.h5 | grep -q "^study of 3 runs"'
 run "$jostle" tasks study.deck -n 3

@@ -7,7 +7,7 @@ set -u
 folder=${TMPDIR:-/tmp}/verification
 status=0
 
-quick='chopra vibration impacts rigid energy'
+quick='chopra oscillators vibration impacts rigid energy fragility bar'
 if [ "${JOSTLE_LONG-}" = 1 ]; then
     names=$(cat tests/verification/cases)
 elif [ "${JOSTLE_SANITIZED-}" = 1 ]; then

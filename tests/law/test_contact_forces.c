@@ -110,7 +110,7 @@ static void parameters_that_no_law_can_meet_are_refused(void **state) {
                    "bilinear needs -k1, -k2 and -dy, or -kh, -e and -v0, and no mixture");
     assert_refused("bilinear", "kh 1e8 e 0.2 v0 1 a 0.62",
                    "a is 0.62; with e = 0.2 it must be < (3 + 2 e^2) / 5, which is 0.616");
-    assert_refused("rubber", "k 1e8 e 0.5 n 2 ky 1e6", "-ky is of no use without -du");
+    assert_refused("rubber", "k 1e8 e 0.5 n 2 ky 1e6", "-ky needs -du");
     (void)bind("bilinear", "kh 1e8 e 0.2 v0 1 a 0.61");
     double value[CONTACT_ROWS_MAX];
     struct error e;

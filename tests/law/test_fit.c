@@ -4,6 +4,7 @@
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "law/fit.h"
@@ -243,17 +244,89 @@ static void what_cannot_be_fitted_is_refused(void **state) {
     refused("hertz", &m, SAMPLES, STATUS_INPUT, "compression must be positive");
 }
 
-// There is a best fit to anything; its error tells what it is worth.
-static void a_record_that_holds_no_impact_leaves_all_of_its_norm(void **state) {
-    (void)state;
+// A force that is too large or too small for masses and velocity, by this factor.
+static void refused_times(double factor) {
+    static const char before[] = "e = J/(m* v) - 1 is ";
     double value[CONTACT_ROWS_MAX];
     struct made m;
+    struct fit_result r;
+    struct error e = {0};
     const struct contact_law *law = impact_law("jankowski", "k 2.75e9 zeta 0.35", value);
     make(law, value, 0.4, &m);
     for (int i = 0; i < SAMPLES; i++) {
-        m.force[i] = i % 2 ? 1.0 : -1.0;
+        m.force[i] *= factor;
     }
-    assert_true(refit(law, value, &m).normalised_error > 0.9);
+    assert_int_equal(fit(law, value, &m, &r, &e), STATUS_INPUT);
+    const char *at = strstr(e.message, before);
+    assert_non_null(at);
+    // Trapezia over 200 samples.
+    const double want = factor * (1.0 + impact_of(law, value, MASS, V0).restitution) - 1.0;
+    assert_near(strtod(at + sizeof before - 1, NULL), want, 2e-3);
+    assert_non_null(
+        strstr(e.message, "it must be >= 0 and <= 1: check masses, velocity and units"));
+}
+
+static void a_record_that_contradicts_mass_and_velocity_is_refused(void **state) {
+    (void)state;
+    refused_times(1.3);
+    refused_times(0.5);
+    refused_times(1e-3);
+    double value[CONTACT_ROWS_MAX];
+    struct made m;
+    make(impact_law("hertz", "k 2.75e9", value), value, 0.4, &m);
+    for (int i = 0; i < SAMPLES; i++) {
+        m.force[i] = i % 2 ? -1.0 : 0.5 + (i == 100);
+    }
+    refused("hertz", &m, SAMPLES, STATUS_INPUT, "e = J/(m* v) - 1 is -1 with");
+}
+
+static void the_impulse_of_a_whole_record_implies_the_restitution(void **state) {
+    (void)state;
+    for (size_t c = 0; c < sizeof smooth / sizeof smooth[0]; c++) {
+        double value[CONTACT_ROWS_MAX];
+        struct made m;
+        const struct contact_law *law = impact_law(smooth[c].law, smooth[c].parameters, value);
+        make(law, value, 0.4, &m);
+        const struct fit_result r = refit(law, value, &m);
+        // Trapezia over 200 samples.
+        assert_near(r.restitution, impact_of(law, value, MASS, V0).restitution, 2e-3);
+        assert_true(r.cut == 0.0 && !fit_is_undetermined(&r.k) && !fit_is_undetermined(&r.zeta));
+    }
+}
+
+static void a_record_that_is_cut_off_is_fitted_and_says_so(void **state) {
+    (void)state;
+    double value[CONTACT_ROWS_MAX];
+    struct made m;
+    struct fit_result r;
+    struct error e = {0};
+    const struct contact_law *law = impact_law("jankowski", "k 2.75e9 zeta 0.35", value);
+    make(law, value, 0.4, &m);
+    size_t n = SAMPLES, top = 0;
+    for (size_t i = 0; i < SAMPLES; i++) {
+        top = m.force[i] > m.force[top] ? i : top;
+    }
+    while (m.force[n - 1] < 0.4 * m.force[top]) {
+        n--;
+    }
+    const struct fit_request q = {law, value, MASS, V0, n, m.time, m.force};
+    assert_int_equal(fit_run(&q, &r, &e), STATUS_OK);
+    assert_close(r.cut, m.force[n - 1] / m.force[top], 1e-12);
+    assert_true(r.restitution < impact_of(law, value, MASS, V0).restitution);
+    assert_close(r.k.value, 2.75e9, 1e-6);
+    refused("jankowski", &m, top + 1, STATUS_INPUT, "the force is largest at an end of the record");
+}
+
+// The logarithm of a damping that is not there has a standard error above any value.
+static void a_parameter_whose_error_exceeds_it_is_undetermined(void **state) {
+    (void)state;
+    double value[CONTACT_ROWS_MAX];
+    struct made m;
+    make(impact_law("hertz", "k 2.75e9", value), value, 0.4, &m);
+    add_noise(&m, 0.02 * m.force[AHEAD + 80], 11);
+    const struct contact_law *law = impact_law("jankowski", "", value);
+    const struct fit_result r = refit(law, value, &m);
+    assert_true(!fit_is_undetermined(&r.k) && fit_is_undetermined(&r.zeta));
 }
 
 int main(void) {
@@ -265,7 +338,10 @@ int main(void) {
         cmocka_unit_test(a_record_without_damping_has_next_to_none),
         cmocka_unit_test(the_law_that_made_the_record_fits_best),
         cmocka_unit_test(what_cannot_be_fitted_is_refused),
-        cmocka_unit_test(a_record_that_holds_no_impact_leaves_all_of_its_norm),
+        cmocka_unit_test(a_record_that_contradicts_mass_and_velocity_is_refused),
+        cmocka_unit_test(the_impulse_of_a_whole_record_implies_the_restitution),
+        cmocka_unit_test(a_record_that_is_cut_off_is_fitted_and_says_so),
+        cmocka_unit_test(a_parameter_whose_error_exceeds_it_is_undetermined),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

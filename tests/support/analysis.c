@@ -176,3 +176,38 @@ double analysis_deepest(const struct analysis *a) {
     }
     return depth;
 }
+
+// The bits of two arrays.
+static void assert_same(const void *got, const void *want, size_t n, const char *what) {
+    if (memcmp(got, want, n) != 0) {
+        fail_msg("%s differ", what);
+    }
+}
+
+void analysis_assert_same(const struct model *m, const struct results *got,
+                          const struct results *want) {
+    size_t floors = (size_t)m->n_dof * sizeof(double);
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        assert_same(got->peak[q], want->peak[q], floors, peak_names[q]);
+        assert_same(got->peak_time[q], want->peak_time[q], floors, "times of peaks");
+    }
+    for (int k = 0; k < m->n_link; k++) {
+        const struct link_peak *a = &got->link[k], *b = &want->link[k];
+        assert_same(a, b, offsetof(struct link_peak, impacts), "totals of a link");
+        assert_int_equal(a->impacts, b->impacts);
+    }
+    assert_same(got->deepest, want->deepest, (size_t)m->n_contact * sizeof(double), "penetrations");
+    assert_int_equal(got->n_impact, want->n_impact);
+    for (long i = 0; i < want->n_impact; i++) {
+        const struct impact *a = &got->impact[i], *b = &want->impact[i];
+        assert_int_equal(a->contact, b->contact);
+        assert_int_equal(a->complete, b->complete);
+        assert_int_equal(a->steps, b->steps);
+        assert_same(&a->t_start, &b->t_start, 4 * sizeof(double), "times of an impact");
+        assert_same(&a->peak_force, &b->peak_force, 4 * sizeof(double), "forces of an impact");
+    }
+    assert_same(got->energy, want->energy, sizeof want->energy, "energies");
+    assert_same(&got->initial_energy, &want->initial_energy, sizeof(double), "initial energies");
+    assert_same(&got->residual_peak, &want->residual_peak, sizeof(double), "residuals");
+    assert_same(&got->totals, &want->totals, offsetof(struct totals, seconds), "totals");
+}

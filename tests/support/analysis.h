@@ -45,6 +45,10 @@ double analysis_displacement(const struct analysis *a, int dof, double t);
 // The largest of the energies of all rows but the residual, which scales with it; all are finite.
 double analysis_flow(const struct analysis *a);
 
+// Fails unless all results of two runs have the same bits.
+void analysis_assert_same(const struct model *m, const struct results *got,
+                          const struct results *want);
+
 // The largest penetration of any contact [L].
 double analysis_deepest(const struct analysis *a);
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Holds the layers of docs/house-style.md: a file includes nothing from a higher layer, nor from
-# another folder of its own layer; HDF5 belongs to src/result; below src/command nothing prints,
-# exits or reads the environment.
+# another folder of its own layer; within src/solve the same of its groups; HDF5 belongs to
+# src/result; below src/command nothing prints, exits or reads the environment.
 set -euo pipefail
 status=0
 
@@ -29,12 +29,13 @@ level() {
 # The folder a public header speaks for.
 home() {
     case $1 in
-    error | units | row | curve) echo core ;;
+    error | units | row | curve | checksum | numerics) echo core ;;
     contact_law | storey_law) echo law ;;
+    part) echo model ;;
     record | signal | spectrum | intensity) echo motion ;;
     analysis | ensemble) echo solve ;;
     study_file) echo result ;;
-    study_merge) echo study ;;
+    study_merge | study_rerun) echo study ;;
     *) echo "$1" ;;
     esac
 }
@@ -58,11 +59,48 @@ path_of() {
     esac
 }
 
+# The groups of src/solve, the lowest first; a file belongs to the first pattern that it matches.
+# Headers of scratch hold what struct work is made of, and nothing of how it is computed.
+solve_group() {
+    case ${1#src/solve/} in
+    fields.* | pace.* | forcing.* | scale.* | memory.*) echo "0 base" ;;
+    floors/chain.* | floors/effective* | floors/floor_terms.h | floors/floor_vectors.h) echo "1 matrix" ;;
+    state.* | excitation.*) echo "2 state" ;;
+    event/*) echo "3 event" ;;
+    account/*) echo "4 account" ;;
+    contact/gaps.* | contact/cluster.* | contact/line.* | contact/block.h) echo "5 scratch" ;;
+    floors/floors.h | floors/small_model.h | newmark/flight.h | work.h) echo "5 scratch" ;;
+    floors/*) echo "6 floors" ;;
+    contact/*) echo "7 contact" ;;
+    newmark/run_step.c | newmark/*_newmark.c) echo "10 method" ;;
+    dormand_prince/dormand_prince.c) echo "10 method" ;;
+    newmark/* | work.c) echo "8 newmark" ;;
+    dormand_prince/*) echo "8 dormand_prince" ;;
+    run.h | method.h | method_list.inc) echo "9 run" ;;
+    ensemble/*) echo "11 ensemble" ;;
+    analysis.c | method.c) echo "12 analysis" ;;
+    *) echo "check_layers: no group is known for '$1'" >&2 && exit 1 ;;
+    esac
+}
+
+# Within src/solve: file $1, line $2, includes $3.
+check_groups() {
+    local from to
+    from=$(solve_group "$1")
+    to=$(solve_group "$3")
+    if [ "$from" != "$to" ] && [ "${to%% *}" -ge "${from%% *}" ]; then
+        bad "$1:$2: group '${from#* }' includes \"${3#src/}\" of '${to#* }', which is not below it"
+    fi
+}
+
 while IFS=: read -r file line include; do
     name=${include#*\"}
     name=${name%%\"*}
     from=$(folder_of "$file")
     to=$(folder_of "$(path_of "$name" "$file")")
+    case $file:$name in
+    src/solve/*:solve/*) check_groups "$file" "$line" "src/$name" ;;
+    esac
     [ "$from" = "$to" ] && continue
     if [ "$(level "$to")" -ge "$(level "$from")" ]; then
         # A public header may speak of its neighbours of the same layer.

@@ -36,6 +36,16 @@ class Run:
         return [tuple(v.decode() if isinstance(v, bytes) else int(v) for v in row)
                 for row in zip(*columns)]
 
+    def struck(self, building, n_floor):
+        """Which floors a contact force has acted on."""
+        struck = np.zeros(n_floor, bool)
+        force = self.f["contacts/envelope/force"][:]
+        for (left, at_left, right, at_right), peak in zip(self.links("contacts"), force):
+            for name, floor in ((left, at_left), (right, at_right)):
+                if name == building and peak > 0:
+                    struck[floor - 1] = True
+        return struck
+
     def unit(self, dataset, factor=""):
         text = self.f[dataset].attrs["units"].replace("*", "·")
         return (factor + text).replace("^2", "²").replace("^3", "³")
@@ -214,7 +224,7 @@ def profiles(runs):
              ("acceleration", "acceleration"), ("storey_shear", "storey shear")]
     panels = []
     for name, text in kinds:
-        curves = []
+        curves, rings = [], []
         for run in runs:
             for building, b in run.buildings.items():
                 storeys = b["height"][:] if heights else np.ones(b["floor"].size)
@@ -223,14 +233,19 @@ def profiles(runs):
                 value = b["envelope"][name][:] / (storeys / 100 if ratio else 1)
                 free = b["stiffness"][:] == 0
                 value = np.where(free & (name in ("drift", "storey_shear")), np.nan, value)
+                struck = run.struck(building, value.size)
                 if rows:
                     curves += profile_row(run, b, value)
+                    rings.append(Curve(value[struck], curves[-1].rows[:, 1][struck]))
                     continue
+                rings.append(Curve(value[struck], level[1:][struck]))
                 line = (np.repeat(value, 2), np.repeat(level, 2)[1:-1])
                 base = np.nan if name == "acceleration" or free[0] else 0
                 points = (np.concatenate([[base], value]), level)
                 curves.append(Curve(*(line if name in ("drift", "storey_shear") else points),
                                     legend=building))
+        if name == "acceleration" and any(ring.rows.size for ring in rings):
+            curves += rings
         x = (text, r.unit(f"buildings/{building}/envelope/{name}"))
         x = ("drift / height", "%") if heights and name == "drift" else x
         if any(curve.rows.size for curve in curves):

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Prints the compiler and linker flags of GSL and HDF5 (with its high-level library), or what is
-# missing on stderr and status 1. pkg-config is asked first; HDF5 often comes without a .pc file for
-# the high-level library or without any, then the .pc of the main one, h5cc and Debian's folders
-# tell where it is.
+# Prints the compiler and linker flags of GSL, HDF5 (with its high-level library) and Nettle, or
+# what is missing on stderr and status 1. pkg-config is asked first; HDF5 often comes without a .pc
+# file for the high-level library or without any, then the .pc of the main one, h5cc and Debian's
+# folders tell where it is.
 set -u
 
 hdf5_by_pkg_config() {
@@ -50,11 +50,16 @@ gsl() {
     command -v gsl-config >/dev/null 2>&1 && gsl-config --cflags --libs
 }
 
+nettle() {
+    pkg-config --cflags --libs nettle 2>/dev/null
+}
+
 status=0
 gsl_flags=$(gsl) || { echo gsl >&2; status=1; }
 hdf5_flags=$(hdf5_by_pkg_config || hdf5_by_compiler_wrapper || hdf5_by_folder) || {
     echo hdf5 >&2
     status=1
 }
-[ $status -eq 0 ] && printf '%s %s\n' "$hdf5_flags" "$gsl_flags" | tr '\n' ' '
+nettle_flags=$(nettle) || { echo nettle >&2; status=1; }
+[ $status -eq 0 ] && printf '%s %s %s\n' "$hdf5_flags" "$gsl_flags" "$nettle_flags" | tr '\n' ' '
 exit $status

@@ -39,6 +39,7 @@ static const struct link contacts[3] = {
     {.name = "roof",
      .building = {0, 1},
      .floor = {3, 3},
+     .level = {NAN, NAN},
      .gap = 0.02,
      .mass = 2,
      .law = &law,
@@ -46,6 +47,7 @@ static const struct link contacts[3] = {
     {.name = "side",
      .building = {1, WALL},
      .floor = {2, 0},
+     .level = {NAN, NAN},
      .gap = 0.5,
      .mass = 5,
      .law = &law,
@@ -53,6 +55,7 @@ static const struct link contacts[3] = {
     {.name = "bridge",
      .building = {0, 1},
      .floor = {1, 1},
+     .level = {NAN, NAN},
      .mass = 1,
      .law = &law,
      .constant = constant,
@@ -100,7 +103,7 @@ static void put_results(struct results *r, struct arena *a, int n_contact) {
         r->energy[i] = 1000.5 + i;
     }
     r->residual_peak = 1e-7;
-    r->totals = (struct totals){.steps = 100, .cuts = 1, .iterations = 250, .seconds = 0.5};
+    r->totals = (struct totals){.steps = 100, .rejected = 1, .iterations = 250, .seconds = 0.5};
 }
 
 int made_up_setup(void **state) {

@@ -24,16 +24,27 @@ def number_of(text):
     return float(value) * (power_of(power) if power else 1)
 
 
+def size_in_g(unit):
+    """Of a unit of acceleration, such as mm/s²."""
+    length, time = unit.removesuffix("²").split("/")
+    metres = {"m": 1, "mm": 1e-3, "cm": 1e-2, "in": 0.0254, "ft": 0.3048}[length]
+    return metres / {"s": 1, "ms": 1e-3}[time] ** 2 / 9.80665
+
+
 class Axis:
-    """`name [10³ unit]`, and the tics ('text', place) where they are listed."""
+    """`name [10³ unit]` or `name [unit = 0.102 g]`, and the tics ('text', place) where they are
+    listed."""
 
     def __init__(self):
         self.label, self.tics, self.span, self.logarithmic = None, None, None, False
 
     def read_label(self):
-        part = re.fullmatch(r"(.*?)(?: \[(10[⁻⁰¹²³⁴-⁹]+)? ?(.*)\])?", self.label or "")
-        self.name, power, self.unit = part.groups()
-        self.power = power_of(power) if power else 1
+        part = re.fullmatch(r"(.*?)(?: \[(10[⁻⁰¹²³⁴-⁹]+)? ?(.*?)(?: = (\S+) g)?\])?",
+                            self.label or "")
+        self.name, power, self.unit, in_g = part.groups()
+        scale = power_of(power) if power else 1
+        assert not in_g or abs(float(in_g) / (scale * size_in_g(self.unit)) - 1) < 5e-3, self.label
+        self.power = scale
         # Listed tics stand at the places of the values; otherwise the values themselves are drawn
         # in the power of ten.
         self.factor = self.power if self.tics is None else 1
@@ -101,15 +112,16 @@ class Picture:
 
     def read_text(self, line):
         text = re.match("set label " + TEXT, line).group(1).replace("''", "'")
+        upright = re.search(" rotate by 90( font small_font)?$", line)
         if not text:
             mark = re.search(r"ps ([\d.]+)\*point lc rgb '(#\w+)'", line)
             self.mark = (mark.group(2), float(mark.group(1))) if mark else None
-        elif line.endswith("rotate by 90") and self.panel:
+        elif upright and self.panel:
             label = self.panel.y.label
             self.panel.y.label = f"{label} {text}" if label else text
-        elif line.endswith("rotate by 90"):
+        elif upright:
             self.upright = f"{self.upright} {text}" if self.upright else text
-        elif self.panel and line.endswith(" center"):
+        elif self.panel and re.search(" center( font small_font)?$", line):
             self.panel.x.label = text
         elif self.panel:
             self.panel.texts.append(text)

@@ -65,6 +65,7 @@ compiler    gcc,libc6-dev      gcc                 gcc         gcc
 pkg-config  pkg-config         pkgconf-pkg-config  pkgconf     pkgconf
 gsl         libgsl-dev         gsl-devel           gsl         gsl
 hdf5        libhdf5-dev        hdf5-devel          hdf5        hdf5
+nettle      nettle-dev         nettle-devel        nettle      nettle
 cmocka      libcmocka-dev      libcmocka-devel     cmocka      cmocka
 bash        bash               bash                bash        bash
 gnuplot     gnuplot-nox        gnuplot             gnuplot     gnuplot
@@ -138,5 +139,5 @@ elif have pacman; then
 elif have brew; then
     stop_with "brew install $(packages brew)"
 else
-    stop_with "your package manager: a C17 compiler, pkg-config, GSL, HDF5 with its high-level library, cmocka, gnuplot"
+    stop_with "your package manager: a C17 compiler, pkg-config, GSL, HDF5 with its high-level library, Nettle, cmocka, gnuplot"
 fi

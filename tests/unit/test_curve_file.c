@@ -58,7 +58,7 @@ static void columns_may_be_separated_and_headed_as_in_records(void **state) {
     assert_point("0 0\n1 5\n", 0.0, 0.0, elastic, 2);
     assert_point("\xef\xbb\xbf# pad\r\nd;f\r\n0;0\r\n\r\n1;5\r\n2;9\r\n", 0.0, 0.0, elastic, 3);
     const double branches[] = {0.5, 5.0, 2.0};
-    assert_point("! pad\n0, 0, 0\n.5, 5, 2\n% end\n1.5\t9\t9", 0.0, 0.0, branches, 3);
+    assert_point("! pad\n0, 0, 0\n.5, 5, 2\n1.5\t9\t9\n% end", 0.0, 0.0, branches, 3);
 }
 
 static void units_come_from_the_request_the_caption_or_the_deck(void **state) {

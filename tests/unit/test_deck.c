@@ -48,7 +48,7 @@ static void wrong_statements_are_reported(void **state) {
         {"param a 3 -log", "1:11: '-log' is not expected here; the statement is param NAME VALUE"},
         {"units kg m s", "1:7: kg is a unit of a mass; a force unit is needed"},
         {"units kn m sec", "1:7: unknown force unit 'kn'; did you mean 'kN'? | "
-                           "1:12: unknown time unit 'sec'; known: s, ms, min"},
+                           "1:12: unknown time unit 'sec'; available: s, ms, us, min"},
         {"param a 3\nunits N m s", "2:1: units must stand above all other statements but title and "
                                    "include; the first is in line 1"},
         {"gravity 1s", "1:9: gravity has the dimension of a time (s); an acceleration is needed"},
@@ -74,7 +74,7 @@ static void wrong_options_are_reported(void **state) {
         {"x -k 3 4", "1:8: '4' is not expected: k takes one value"},
         {"x -log 4", "1:8: '4' is not expected: log takes no value"},
         {"x -floors 2.5", "1:11: floors is 2.5; it must be a whole number up to 2147483647"},
-        {"x -k 2*3", "1:6: k takes one value, no repeat; products stand in ${...}"},
+        {"x -k 2*3", "1:6: k takes one value, not a repeat; write a product in ${...}"},
         {"x -gap 2.5*3 0*1 2*",
          "1:8: the count of a repeat is 2.5; it must be a whole number from 1 to 1000000 | "
          "1:14: the count of a repeat is 0; it must be a whole number from 1 to 1000000 | "

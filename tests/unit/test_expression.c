@@ -76,27 +76,27 @@ static void wrong_expressions_are_reported_where_they_are_wrong(void **state) {
         CASE("${sin}", "10: a '(' must stand after a function"),
         CASE("${sin(1,2)}", "15: this function takes one value"),
         CASE("${min(1)}", "10: at least two values are needed here"),
-        CASE("${2mm^x}", "13: this is no power of a unit, as in m^1.5; put the quantity in "
+        CASE("${2mm^x}", "13: this is not a power of a unit, as in m^1.5; put the quantity in "
                          "brackets to raise it"),
-        CASE("$f", "9: parameter 'f' is a text; a number is needed"),
+        CASE("$f", "9: parameter 'f' is the text 'x.txt'; a number is needed"),
         CASE("$m", "8: gap has the dimension of a mass (t); a length is needed"),
         CASE("5mn", "9: unknown unit 'mn'; did you mean 'MN'?"),
         CASE("5m/x", "11: unknown unit 'x'"),
         CASE("1e999", "8: the number is too large; at most 1.8e308 is possible"),
         CASE("1e308km", "13: the value is too large in this unit"),
-        CASE("2,5", "9: unexpected ',5' after the number; decimals have a point, and values of a "
-                    "list are parted by blanks"),
+        CASE("2,5", "9: unexpected ',5' after the number; write decimals with a point, and "
+                    "separate the values of a list by spaces"),
         CASE("2m.s", "10: unexpected '.s' after the number; units are written as in kN*s/m or "
                      "N/m^1.5"),
         CASE("${2**3}", "12: unexpected '*'; a power is written ^"),
         CASE("2+3",
              "9: unexpected '+3' after the number; expressions stand in ${...}, texts in quotes"),
         CASE("2*N/m",
-             "9: unexpected '*N/m' after the number; a unit stands right after its number"),
+             "9: unexpected '*N/m' after the number; write a unit directly after its number"),
         CASE("2\u00b5m",
              "9: unexpected '\u00b5m' after the number; units are written as in kN*s/m or "
              "N/m^1.5"),
-        CASE("${2 mm}", "12: unexpected 'm'; a unit stands right after its number"),
+        CASE("${2 mm}", "12: unexpected 'm'; write a unit directly after its number"),
         CASE("two", "8: gap needs a number, not 'two'; did you mean '$two'?"),
         CASE("nan", "8: gap needs a number, not 'nan'"),
         CASE("$", "8: a name or '{' must stand after '$'"),

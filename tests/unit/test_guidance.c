@@ -88,9 +88,9 @@ static void a_storey_moves_as_the_spectrum_says(void **state) {
         analysis_model("building A -floors 1 -mass 100t -stiffness 20MN/m\ndamping A rayleigh 5%%\n"
                        "ground record %s -unit g -dt 0.02\nstep fixed 0.001\n",
                        support_write("record.txt", "0\n0.1\n-0.3\n0.2\n0.25\n-0.1\n0.05\n0\n"));
-    double velocity;
+    double velocity, rate;
     struct error e;
-    assert_int_equal(floor_velocity(m, 0, &velocity, &e), STATUS_OK);
+    assert_int_equal(floor_velocity(m, 0, &velocity, &rate, &e), STATUS_OK);
     double period = 2.0 * PI / m->building[0].omega[0];
     struct spectrum_point p = spectrum_at(&m->ground[0].signal[0], period, 0.05);
     assert_true(velocity > 0.0);
@@ -106,14 +106,14 @@ static void what_comes_after_the_end_moves_nothing(void **state) {
                         "0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n"
                         "0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0\n0.5\n0\n";
     const char *record = support_write("late.txt", text);
-    double velocity[2];
+    double velocity[2], rate[2];
     for (int i = 0; i < 2; i++) {
         struct model *m =
             analysis_model("building A -floors 1 -mass 100t -stiffness 20MN/m\n"
                            "ground record %s -unit g -dt 0.02\nstep fixed 0.001\nduration %g\n",
                            record, i == 0 ? 0.5 : 1.1);
         struct error e;
-        assert_int_equal(floor_velocity(m, 0, &velocity[i], &e), STATUS_OK);
+        assert_int_equal(floor_velocity(m, 0, &velocity[i], rate, &e), STATUS_OK);
         model_free(m);
     }
     assert_near(velocity[0], 0.0, 0.0);
@@ -127,9 +127,9 @@ static void a_sine_in_resonance_is_amplified(void **state) {
         analysis_model("building A -floors 1 -mass 1 -stiffness ${(2 * pi)^2}\n"
                        "damping A rayleigh 5%%\nload A:1 sine -amplitude 1 -frequency 1\n"
                        "duration 40\nstep fixed 0.01\n");
-    double velocity;
+    double velocity, rate;
     struct error e;
-    assert_int_equal(floor_velocity(m, 0, &velocity, &e), STATUS_OK);
+    assert_int_equal(floor_velocity(m, 0, &velocity, &rate, &e), STATUS_OK);
     assert_close(velocity, 1.0 / (2.0 * 0.05 * 2.0 * PI), 0.01);  // samples are joined by lines
     assert_close(guidance_of(m).sine, 1.0, 1e-12);
     model_free(m);
@@ -140,11 +140,13 @@ static void an_initial_velocity_of_a_mode_stays(void **state) {
     (void)state;
     struct model *m = analysis_model("building A -floors 2 -mass 1 -stiffness 0 1\n"
                                      "initial A -velocity 0.3\nduration 1\nstep fixed 0.01\n");
-    double velocity[2];
+    double velocity[2], rate[2];
     struct error e;
-    assert_int_equal(floor_velocity(m, 0, velocity, &e), STATUS_OK);
+    assert_int_equal(floor_velocity(m, 0, velocity, rate, &e), STATUS_OK);
     assert_close(velocity[0], 0.3, 1e-9);
     assert_close(velocity[1], 0.3, 1e-9);
+    assert_close(rate[0], 0.3, 1e-9);
+    assert_near(rate[1], 0.0, 1e-9);
     model_free(m);
 }
 

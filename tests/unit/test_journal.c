@@ -17,15 +17,17 @@
 enum { RUNS = 5, VALUES = 3 };
 static const char head[] = "the deck\t1\n";
 static const char file_path[] = "records/a.AT2";
+static const struct checksum file_sum = {
+    "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"};
 
 static double value_of(long run, int i) {
     return 100.0 * (double)run + i + 0.1;
 }
 
-static int note_file(void *context, const char *path, uint64_t sum, struct error *e) {
+static int note_file(void *context, const char *path, const struct checksum *sum, struct error *e) {
     (void)e;
     assert_string_equal(path, file_path);
-    assert_int_equal(sum, 42);
+    assert_string_equal(sum->digits, file_sum.digits);
     ++*(int *)context;
     return STATUS_OK;
 }
@@ -40,7 +42,7 @@ static const char *write_journal(const char *name) {
     assert_int_equal(journal_open(&j, path, RUNS, VALUES, &e), STATUS_OK);
     assert_null(j.head);
     assert_int_equal(journal_reset(&j, head, &e), STATUS_OK);
-    assert_int_equal(journal_add_file(&j, file_path, 42, &e), STATUS_OK);
+    assert_int_equal(journal_add_file(&j, file_path, &file_sum, &e), STATUS_OK);
     for (int k = 0; k < 4; k++) {
         double value[VALUES];
         struct study_outcome outcome = {.status = order[k] == 1 ? STUDY_FAILED : STUDY_DONE};
@@ -278,7 +280,7 @@ static void runs_behind_a_lost_file_are_lost_and_stay_so(void **state) {
     assert_int_equal(journal_load(&j, note_file, &n_file, &e), STATUS_OK);
     assert_int_equal(n_file, 0);
     assert_int_equal(j.n_done, 0);
-    assert_int_equal(journal_add_file(&j, file_path, 42, &e), STATUS_OK);
+    assert_int_equal(journal_add_file(&j, file_path, &file_sum, &e), STATUS_OK);
     assert_int_equal(
         journal_add_run(&j, 2, &(struct study_outcome){.status = STUDY_DONE}, value, &e),
         STATUS_OK);

@@ -43,31 +43,42 @@ static void wrong_units_are_warned_of_at_the_first_statement(void **state) {
     } of[] = {
         {{.building = "-mass 300000 -stiffness 345MN/m"},
          2,
-         "the first period of building A is 16.87 s; are its mass and stiffness in the "
+         "the first period of building A is 16.87 s, outside 0.04 to 15 s; are its "
+         "mass and stiffness in the "
          "units of the deck?"},
         {{.building = "-mass 1kg -stiffness 345MN/m"},
          2,
-         "the first period of building A (and 1 more) is 0.000974 s; are its mass and stiffness "
-         "in "
-         "the units of the deck?"},
+         "the first period of building A (and 1 more) is 0.000974 s, outside 0.04 to 15 s; are its "
+         "mass "
+         "and stiffness in the units of the deck?"},
         {{.height = "3000"},
          2,
-         "the mean storey height of building A (and 1 more) is 3000 m; are its heights in the "
+         "the mean storey height of building A (and 1 more) is 3000 m, outside 0.01 to 200 m; are "
+         "its heights in the "
          "units "
          "of the deck?"},
         {{.units = "kN mm s", .height = "3"},
          2,
-         "the mean storey height of building A (and 1 more) is 0.003 m; are its heights in the "
+         "the mean storey height of building A (and 1 more) is 0.003 m, outside 0.01 to 200 m; are "
+         "its heights in the "
          "units of the deck?"},
+        // 345e6 N/m in a deck of kN: 2 pi / (2 sqrt(345e6 / 300) sin(pi / 18)) and 4 storeys
+        {{.building = "-mass 300 -stiffness 345e6"},
+         2,
+         "the first period of building A (and 1 more) is 0.01687 s, outside 0.04 to 15 s; are its "
+         "mass and stiffness in the units of the deck?"},
         {{.gap = "20"},
          4,
-         "the gap of contact A:1-B:1 (and 2 more) is 20 m; is it in the units of the deck?"},
+         "the gap of contact A:1-B:1 (and 2 more) is 20 m, outside 0 to 5 m; is it in the units of "
+         "the deck?"},
         {{.ground = "sine -amplitude 35 -frequency 1"},
          5,
-         "the peak of the ground motion sine is 3.569 g; are its unit and its scale right?"},
+         "the peak of the ground motion sine is 3.569 g, outside 0.0005 to 3 g; are its unit and "
+         "its scale right?"},
         {{.units = "kN mm s", .ground = "sine -amplitude 3.5 -frequency 1"},
          5,
-         "the peak of the ground motion sine is 0.0003569 g; are its unit and its scale right?"},
+         "the peak of the ground motion sine is 0.0003569 g, outside 0.0005 to 3 g; are its unit "
+         "and its scale right?"},
     };
     for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
         const struct deck_words words = filled(&of[i].words);
@@ -136,11 +147,13 @@ static void a_start_or_a_gravity_in_other_units_is_warned_of(void **state) {
         {"kN m s", "9.81", "-displacement 5 -velocity 20", NULL, 0},
         {"kN mm s", "9810", "-displacement -5000 -velocity 20000", NULL, 0},
         {"kN m s", "9.81", "-displacement -20",
-         "the initial displacement of building A (and 3 more) is 20 m; is it in the units of the "
+         "the initial displacement of building A (and 3 more) is 20 m, outside 0 to 5 m; is it in "
+         "the units of the "
          "deck?",
          4},
         {"kN m s", "9.81", "-velocity 500",
-         "the initial velocity of building A (and 3 more) is 500 m/s; is it in the units of the "
+         "the initial velocity of building A (and 3 more) is 500 m/s, outside 0 to 20 m/s; is it "
+         "in the units of the "
          "deck?",
          4},
         {"kN mm s", "9.81", "-velocity 500",
@@ -159,6 +172,27 @@ static void a_start_or_a_gravity_in_other_units_is_warned_of(void **state) {
             assert_string_equal(d->item[0].message, of[i].message);
             assert_int_equal(d->item[0].line, of[i].line);
         }
+        model_free(m);
+    }
+}
+
+// 0.35 in kN m s is 0.036 g, as no record is scaled; a unit says that it is meant.
+static void a_record_scaled_to_a_bare_number_is_warned_of_below_0_05_g(void **state) {
+    (void)state;
+    static const struct {
+        const char *scaling;
+        bool warned;
+    } of[] = {{"-pga 0.35", true}, {"-pga 0.35m/s^2", false},    {"-pga 0.35g", false},
+              {"-pga 0.5", false}, {"-pga ${0.3 + 0.05}", true}, {"-pga 0.01g", false},
+              {"-sa 0.3", true},   {"-sa 0.3g", false},          {"-scale 0.05", false}};
+    for (size_t i = 0; i < sizeof of / sizeof of[0]; i++) {
+        char ground[256];
+        snprintf(ground, sizeof ground, "record input/records/ELCENTRO_1940_NS.AT2 %s",
+                 of[i].scaling);
+        const struct deck_words words = filled(&(struct deck_words){.ground = ground});
+        struct model *m = model_of(&words);
+        const struct diagnostics *d = &m->deck->diagnostics;
+        assert_int_equal(d->n_warning, of[i].warned);
         model_free(m);
     }
 }
@@ -189,6 +223,7 @@ int main(void) {
         cmocka_unit_test(values_at_the_edge_of_what_there_is_are_not_warned_of),
         cmocka_unit_test(a_start_or_a_gravity_in_other_units_is_warned_of),
         cmocka_unit_test(a_yield_in_other_units_than_the_stiffness_is_warned_of),
+        cmocka_unit_test(a_record_scaled_to_a_bare_number_is_warned_of_below_0_05_g),
         cmocka_unit_test(a_record_that_is_too_large_is_warned_of_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -207,8 +207,10 @@ static void floors_are_taken_in_the_order_written(void **state) {
     assert_true(m->link[1].gap == 3.0);
     const struct storey *first = &m->storey[0];
     const struct storey *third = &m->storey[2];
-    assert_close(first->law->shear(first->constant, (double[]){0.0}, 100.0).shear, 9.0, 1e-14);
-    assert_close(third->law->shear(third->constant, (double[]){0.0}, 100.0).shear, 7.0, 1e-14);
+    assert_close(first->law->respond(first->constant, (double[]){0.0}, 100.0, NULL).shear, 9.0,
+                 1e-14);
+    assert_close(third->law->respond(third->constant, (double[]){0.0}, 100.0, NULL).shear, 7.0,
+                 1e-14);
     model_free(m);
 }
 
@@ -224,11 +226,29 @@ static void floors_that_do_not_face_each_other_are_warned_about(void **state) {
     assert_int_equal(d->n_warning, 2);
     assert_string_equal(
         d->item[0].message,
-        "the floors of contact A:1-B:1 (and 1 more) are at 3 and 4.5 m; name the floors that "
-        "meet, or give a building whose columns are hit a floor at that level");
+        "the floors of contact A:1-B:1 (and 1 more) are at 3 and 4.5 m; name the floors that meet, "
+        "or write BUILDING@LEVEL where a floor hits columns between two floors");
     assert_string_equal(d->item[1].message,
                         "building B stands between the floors of contact A:1-C:1");
     model_free(m);
+}
+
+static void floors_that_both_sides_name_are_meant_to_face_each_other(void **state) {
+    (void)state;
+    static const struct {
+        const char *sides;
+        int n_warning;
+    } known[] = {
+        {"A:1 B:1", 0}, {"A:1:2 B:1,2", 0}, {"A:1 B", 1}, {"A B:1", 1}, {"A:all B:all", 1}};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        struct model *m = analysis_model("building A -floors 2 -mass 1 -stiffness 1 -height 3\n"
+                                         "building B -floors 2 -mass 1 -stiffness 1 -height 4.5\n"
+                                         "contact %s -gap 1 -law linear -k 1\n"
+                                         "initial A:1 -velocity 1\nstep fixed 0.1\nduration 1\n",
+                                         known[i].sides);
+        assert_int_equal(m->deck->diagnostics.n_warning, known[i].n_warning);
+        model_free(m);
+    }
 }
 
 static void a_contact_that_begins_closed_has_no_velocity_of_closure(void **state) {
@@ -265,6 +285,7 @@ int main(void) {
         cmocka_unit_test(a_curve_is_read_from_a_file_of_its_own_units),
         cmocka_unit_test(floors_are_taken_in_the_order_written),
         cmocka_unit_test(floors_that_do_not_face_each_other_are_warned_about),
+        cmocka_unit_test(floors_that_both_sides_name_are_meant_to_face_each_other),
         cmocka_unit_test(a_contact_that_begins_closed_has_no_velocity_of_closure),
         cmocka_unit_test(contacts_join_all_levels_that_both_buildings_have),
         cmocka_unit_test(floors_of_different_levels_can_face_each_other),

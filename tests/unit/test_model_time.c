@@ -330,9 +330,10 @@ static void grounds_that_part_by_more_than_the_gap_are_warned_about(void **state
     struct model *m = analysis_model(
         TWO "contact A B -gap 10mm -law linear -k 1e6\nground sine -amplitude 1 -frequency 1 "
             "-buildings A\n" STEP "duration 2\n");
-    assert_int_equal(m->deck->diagnostics.n_warning, 1);
+    assert_int_equal(m->deck->diagnostics.n_warning, 2);
     // The sine drifts by amplitude / omega each second: 2 / (2 pi) = 0.3183 m.
     assert_non_null(strstr(m->deck->diagnostics.item[0].message, "end -0.3183 m apart"));
+    assert_non_null(strstr(m->deck->diagnostics.item[1].message, "acts under building B"));
     model_free(m);
 }
 

@@ -117,6 +117,10 @@ static void numbers_that_belong_together_share_a_power_of_ten(void **state) {
     assert_int_equal(script_exponent(0.05, 0.05, 1e4), 0);
     assert_int_equal(script_exponent(0.02, 0.05, 1e4), -3);
     assert_int_equal(script_exponent(0, 0.05, 1e4), 0);
+    // Powers of what a foreign file may have are integers, too.
+    assert_int_equal(script_exponent((double)NAN, 0.05, 1e4), 0);
+    assert_int_equal(script_exponent(INFINITY, 0.05, 1e4), 0);
+    assert_int_equal(script_exponent(1e300, 0.05, 1e4), 300);
 }
 
 static void a_step_is_1_2_or_5_times_a_power_of_ten(void **state) {

@@ -81,7 +81,7 @@ static void an_unknown_format_gets_the_nearest_name(void **state) {
     r->request.format = "colums";
     reading_of_text(r, "1\n2\n");
     assert_refused(
-        r, "a.txt: unknown record format 'colums'; did you mean 'columns'?; there are "
+        r, "a.txt: unknown record format 'colums'; did you mean 'columns'?; available: "
            "knet, esm, afad, cwa, unam, csmip, cosmos, smc, geonet, renadic, bhrc, peer, series, "
            "columns");
 }
@@ -114,6 +114,9 @@ static void files_with_oddities_are_read(void **state) {
         {"semicolon_rows.csv", "columns", "g", 0, 200, 100, 9.80665, .510799, -.030157, .031147, 0},
         {"negative_zero_and_denormal.AT2", "peer", NULL, 0, 205, 105, 9.80665, .510799, 0, .031147,
          0},
+        {"touching.AT2", "peer", NULL, 0, 18, 12, 9.80665, -.05678, 0, 0, 0},
+        {"semicolon_decimal_comma.csv", "columns", NULL, 0, 40, 3, 9.80665, .29925, 0, .18166, 0},
+        {"csmip_8f9.V1", "csmip", NULL, 0, 20, 9, 9.80665, -2.5, 0, .012532, 0},
         {"all_zero.AT2", "peer", NULL, 0, 200, 0, 9.80665, 0, 0, 0, 0},
         {"big_offset.AT2", "peer", NULL, 0, 200, 100, 9.80665, .610799, .069843, .131147, 1},
         {"says_g_holds_cms2.AT2", "peer", NULL, 0, 200, 100, 9.80665, 500.9227, -29.57391, 30.54477,
@@ -154,12 +157,14 @@ static void broken_files_are_refused_with_file_and_line(void **state) {
          ":15: value 51 is 1e+30, that is 1e+30 g; no ground acceleration is so large"},
         {"value_overflow.AT2", ":15: value 51 '.1000000E+999' is out of range: over 1.8e308"},
         {"velocity_file.VT2",
-         ":3: this is no acceleration: 'VELOCITY TIME HISTORY IN UNITS OF CM/S'"},
+         ":3: this is not an acceleration: 'VELOCITY TIME HISTORY IN UNITS OF CM/S'"},
         {"time_goes_back.txt", ":101: time 0.5 after 0.99; times must grow"},
         {"time_gap.txt", ":91: step of 0.21 s to time 1.1; the first step is 0.01 s and steps must "
                          "be even"},
         {"three_columns.txt", ":1: 3 columns; -channel chooses one of those behind the times; "
                               "-format series reads values that run on from line to line"},
+        {"overflow_stars.txt", ":9:6: value 6 '********' is an overflow of Fortran: the value did "
+                               "not fit its field"},
         {"decimal_comma.txt", ":1: '0,000 -0,030157' has commas beside other separators; numbers "
                               "need a decimal point"},
     };

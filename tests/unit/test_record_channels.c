@@ -127,7 +127,7 @@ static void wrong_cwa_files_are_refused(void **state) {
         {CWA LENGTH RATE UNIT "#DataSequence: U(+); N(+)\n" DATA "0 1 2\n",
          "a.txt:5: #DataSequence 'U(+); N(+)' is not of the form Time U(+); N(+); E(+)"},
         {CWA LENGTH RATE "#AmplitudeUnit:  count.\n" SEQUENCE DATA "0 1 2\n.02 3 4\n",
-         "a.txt:4: 'count' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
+         "a.txt:4: 'count' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {CWA LENGTH RATE UNIT SEQUENCE DATA "0 1 2\n.03 3 4\n",
          "a.txt:8: time 0.03; the header's step of 0.02 s makes it 0.02"},
         {CWA LENGTH RATE UNIT SEQUENCE DATA "0 1 2\n.02 3 4 5\n",
@@ -169,7 +169,7 @@ static void wrong_unam_files_are_refused(void **state) {
          "a.txt:20: NUM. TOTAL DE MUESTRAS, C1-C6 is 1; it must be a "
          "whole number from 2 to 1e9"},
         {": Gal (", ": m/s (",
-         "a.txt:24: 'm/s' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
+         "a.txt:24: 'm/s' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {"N00E\r\n---", "N00E\r\n1 2",
          "a.txt: no 'DATOS DE ACELERACION:' with four lines, the last a rule, in the first 200 "
          "lines; it ends the header of a UNAM file"},

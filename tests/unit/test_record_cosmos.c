@@ -75,7 +75,8 @@ static void wrong_cosmos_files_are_refused(void **state) {
          "a.txt:45: the values are counts of a recorder (volume 0), which are not converted; "
          "volumes 1 and 2 hold accelerations"},
         {"units=cm/sec2(04)", "units=deg/s/s(23)",
-         "a.txt:45: 'deg/s/s' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
+         "a.txt:45: 'deg/s/s' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, "
+         "...)"},
         {"     50  acc", "    5.5  acc",
          "a.txt:45: number of values is 5.5; it must be a whole number from 2 to 1e9"},
         {"     50  acc", "     49  acc",

@@ -43,6 +43,23 @@ static void fields_touch_where_none_has_a_sign(void **state) {
     assert_close(r->record.value[2], 3.5, 1e-15);
 }
 
+static void a_format_may_lack_its_decimals_and_its_brackets(void **state) {
+    static const char *const format[] = {"(3F9)", "3F9.6", "(3f9.6)", "[3E9.2]"};
+    struct reading *r = *state;
+    for (size_t i = 0; i < sizeof format / sizeof format[0]; i++) {
+        char text[512];
+        snprintf(text, sizeof text,
+                 VOLUME_1("Chan 1: Up", "3.500",
+                          " 3 Accelerogram points at 100 pts/sec in units of g. Format: %s",
+                          "1.12500002.25000003.5000000\r\n"),
+                 format[i]);
+        reading_of_text(r, text);
+        assert_read(r, "csmip", 3, 0.01);
+        assert_silent(r);
+        assert_close(r->record.value[1], 2.25, 1e-15);
+    }
+}
+
 static void volume_2_is_read_without_its_velocities(void **state) {
     struct reading *r = *state;
     reading_of_text(r, VOLUME_2);
@@ -156,6 +173,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         TEST_READING(volume_1_is_read_by_the_width_of_its_fields),
         TEST_READING(fields_touch_where_none_has_a_sign),
+        TEST_READING(a_format_may_lack_its_decimals_and_its_brackets),
         TEST_READING(volume_2_is_read_without_its_velocities),
         TEST_READING(volume_2_of_usc_is_read),
         TEST_READING(later_volume_2_parts_the_unit_by_a_comma),

@@ -39,7 +39,7 @@ static void what_is_no_acceleration_is_refused_by_its_name(void **state) {
         char text[256];
         char message[128];
         snprintf(text, sizeof text, TOP COUNT UNIT "DATA_TYPE: %s\n1\n2\n3\n", types[i]);
-        snprintf(message, sizeof message, "a.txt:6: this is no acceleration: DATA_TYPE is '%s'",
+        snprintf(message, sizeof message, "a.txt:6: this is not an acceleration: DATA_TYPE is '%s'",
                  types[i]);
         reading_of_text(r, text);
         assert_refused(r, message);
@@ -83,7 +83,7 @@ static void headers_that_do_not_say_enough_are_refused(void **state) {
          "a.txt:4: NDATA is 2.5; it must be a whole number from 2 to 1e9"},
         {TOP COUNT TYPE "1\n2\n3\n", "a.txt: there is no 'UNITS' in the header"},
         {TOP COUNT "UNITS: cm\n" TYPE "1\n2\n3\n",
-         "a.txt:5: 'cm' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
+         "a.txt:5: 'cm' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {"EVENT_NAME:\nSAMPLING_INTERVAL_S: -1\n" COUNT UNIT TYPE "1\n2\n3\n",
          "a.txt:2: SAMPLING_INTERVAL_S is -1; it must be > 0"},
         {TOP COUNT UNIT TYPE "1\n2\n",

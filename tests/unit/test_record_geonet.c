@@ -72,7 +72,7 @@ static void what_a_header_says_wrongly_is_refused(void **state) {
          "a.txt:21: a factor of 2 makes mm/s/s of the values; only files in mm/s/s are read"},
         {"Acceleration:", "Velocity:", "a.txt:14: no 'Acceleration:  Peak' with its unit"},
         {"peak     85.9 mm/s/s", "peak     85.9 mm/s",
-         "a.txt:14: 'mm/s' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
+         "a.txt:14: 'mm/s' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {"      50      50      50", "     5.5      50      50",
          "a.txt:20: number 4 is 5.5; it must be a number of values, whole and at least 2"},
         {"      50      50      50", "      50      -1      50",

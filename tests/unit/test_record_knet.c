@@ -75,7 +75,7 @@ static void headers_that_do_not_say_enough_are_refused(void **state) {
         {RATE DURATION "Scale Factor      1e300(gal)/1e-300\nMemo.\n1 2\n",
          "a.txt:3: Scale Factor '1e300(gal)/1e-300' is out of range"},
         {RATE DURATION "Scale Factor      2000(kine)/1000\nMemo.\n1 2 3 4\n",
-         "a.txt:3: 'kine' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
+         "a.txt:3: 'kine' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {RATE DURATION SCALE "Max. Acc. (gal)   ---\nMemo.\n1 2 3 4\n",
          "a.txt:4: Max. Acc. (gal) '---' is not a number"},
     };

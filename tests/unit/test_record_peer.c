@@ -65,11 +65,11 @@ static void a_peer_file_without_a_unit_asks_for_one(void **state) {
 static void a_unit_that_is_no_acceleration_is_refused(void **state) {
     struct reading *r = *state;
     reading_of_text(r, "UNITS OF CM\nNPTS= 2, DT= .01 SEC\n.1 -.1\n");
-    assert_refused(r, "a.txt:1: 'CM' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, "
+    assert_refused(r, "a.txt:1: 'CM' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, "
                       "gal, ...)");
     r->request.unit = "kN";
     reading_of_text(r, PEER_TITLE "NPTS= 2, DT= .01 SEC\n.1 -.1\n");
-    assert_refused(r, "a.txt: -unit 'kN' is no unit of acceleration (g, m/s2, cm/s2, gal, ...)");
+    assert_refused(r, "a.txt: -unit 'kN' is not a unit of acceleration (g, m/s2, cm/s2, gal, ...)");
 }
 
 static void gravity_of_the_request_is_the_unit_g(void **state) {
@@ -191,7 +191,7 @@ static void what_is_not_a_number_is_named_with_line_and_index(void **state) {
         {"1e999", "'1e999' is out of range: over 1.8e308"},
         {"1.0D+400", "'1.0D+400' is out of range: over 1.8e308"},
         {"0,5", "'0,5' has a comma; numbers need a decimal point"},
-        {"2.3489E-2-1.6646E-2", "'2.3489E-2-1.6646E-2' is not a number"},
+        {"2.3489E-2-16", "'2.3489E-2-16' is not a number"},
     };
     struct reading *r = *state;
     for (size_t i = 0; i < sizeof c / sizeof c[0]; i++) {

@@ -56,7 +56,7 @@ static void the_peak_has_a_unit_of_its_own(void **state) {
     reading_of_changed(r, RENADIC, "MAX  =  0.086 G", "MAX  = 0.842 M/S2");
     assert_silent(r);
     reading_of_changed(r, RENADIC, "MAX  =  0.086 G", "MAX  =  0.086 X");
-    assert_refused(r, "a.txt:12: unit 'X' of MAX is no unit of acceleration");
+    assert_refused(r, "a.txt:12: unit 'X' of MAX is not a unit of acceleration");
 }
 
 static void what_a_file_says_wrongly_is_refused(void **state) {
@@ -80,7 +80,7 @@ static void what_a_file_says_wrongly_is_refused(void **state) {
          "a.txt:11: DURATION is 0.000; it must be > 0"},
         {BHRC, "DURATION =   0.250", "", "a.txt:11: no 'NO. OF POINTS =' and 'DURATION ='"},
         {BHRC, "G/10", "G/20",
-         "a.txt:12: 'G/20' is no unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
+         "a.txt:12: 'G/20' is not a unit of acceleration; give -unit U (g, m/s2, cm/s2, gal, ...)"},
         {RENADIC, "  0.005", "  0.007",
          "a.txt:28: time 0.007; the header's step of 0.005 s makes it 0.005"},
         {RENADIC, "  0.005", "  x.005", "a.txt:28: time 2 'x.005' is not a number"},

@@ -34,7 +34,7 @@ static void a_report_comes_back_as_it_was_written(void **state) {
     assert_close(r->energy[ENERGY_CONTACT], 1000.5 + ENERGY_CONTACT, 0);
     assert_close(r->residual_peak, 1e-7, 0);
     assert_int_equal(r->totals.iterations, 250);
-    assert_int_equal(r->totals.cuts, 1);
+    assert_int_equal(r->totals.rejected, 1);
     result_close(file);
 }
 

@@ -50,7 +50,7 @@ static void wrong_characters_and_quotes_are_reported_where_they_stand(void **sta
         {"a 'b'", "1:3: an apostrophe quotes nothing; texts stand in plain quotes, \"...\""},
         {"a \u201Cb\u201D", "1:3: a quote that quotes nothing; texts stand in plain ones, \"...\""},
         {"a \u22125",
-         "1:3: a dash that is no '-'; options and negative numbers begin with a plain '-'"},
+         "1:3: this dash is not a '-'; options and negative numbers begin with a plain '-'"},
         {"a 5\u00A0t",
          "1:4: a blank that parts no words, as word processors set it; write a plain one"},
         {"-gap 3", "1:1: a statement must start with its name"},

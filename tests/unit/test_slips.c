@@ -55,6 +55,21 @@ static void a_record_that_acts_twice_under_a_building_is_warned_of(void **state)
     one_warning(BUILDINGS DAMPING RECORD " -buildings A\n" RECORD " -buildings B\n" STEP, NULL, 0);
 }
 
+static void a_building_that_no_ground_motion_acts_under_is_warned_of(void **state) {
+    (void)state;
+    one_warning(BUILDINGS DAMPING RECORD " -buildings A\n" STEP,
+                "no ground motion acts under building B; -buildings does not name it", 5);
+    one_warning(BUILDINGS DAMPING "building C -floors 1 -mass 200t -stiffness 345MN/m\n"
+                                  "damping C rayleigh 5%\n" RECORD " -buildings B\n" STEP,
+                "no ground motion acts under building A (and 1 more); -buildings does not name it",
+                7);
+    one_warning(BUILDINGS DAMPING "building free -floors 1 -mass 200t -stiffness 0\n" RECORD
+                                  " -buildings A B\n" STEP,
+                NULL, 0);
+    one_warning(BUILDINGS DAMPING "load A:1 sine -amplitude 1MN -frequency 1\nduration 1\n" STEP,
+                NULL, 0);
+}
+
 static void an_analysis_that_ends_before_the_peak_is_warned_of(void **state) {
     (void)state;
     one_warning(BUILDINGS DAMPING RECORD "\n" STEP "duration 2\n",
@@ -66,10 +81,11 @@ static void an_analysis_that_ends_before_the_peak_is_warned_of(void **state) {
 
 static void a_building_without_damping_beside_others_is_warned_of(void **state) {
     (void)state;
-    one_warning(BUILDINGS "damping A rayleigh 5%\n" RECORD "\n" STEP,
-                "building B has no damping, as others have; write damping B rayleigh 0 if that is "
-                "meant",
-                2);
+    one_warning(
+        BUILDINGS "damping A rayleigh 5%\n" RECORD "\n" STEP,
+        "building B has no damping, although others have; write damping B rayleigh 0 if that is "
+        "meant",
+        2);
     one_warning(BUILDINGS RECORD "\n" STEP, NULL, 0);
     one_warning(BUILDINGS "damping A rayleigh 5%\ndamping B rayleigh 0\n" RECORD "\n" STEP, NULL,
                 0);
@@ -90,11 +106,24 @@ static void a_phase_in_degrees_is_warned_of(void **state) {
     one_warning(BUILDINGS DAMPING SINE "${10 * pi}" END, NULL, 0);
 }
 
+static void damping_given_twice_alike_is_warned_of(void **state) {
+    (void)state;
+    static const char message[] = "the same damping of building A is in line 3 already, and both "
+                                  "add up; give the sum in one statement if that is meant";
+    one_warning(BUILDINGS DAMPING RECORD "\n" STEP "damping A rayleigh 0.05 -modes 1 2\n", message,
+                7);
+    one_warning(BUILDINGS DAMPING RECORD "\n" STEP "damping A rayleigh 5% -modes 1 3\n", NULL, 0);
+    one_warning(BUILDINGS DAMPING RECORD "\n" STEP "damping A modal 5%\ndamping A dashpot 5\n",
+                NULL, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_contact_pasted_twice_is_warned_of),
         cmocka_unit_test(a_record_that_acts_twice_under_a_building_is_warned_of),
+        cmocka_unit_test(a_building_that_no_ground_motion_acts_under_is_warned_of),
         cmocka_unit_test(an_analysis_that_ends_before_the_peak_is_warned_of),
+        cmocka_unit_test(damping_given_twice_alike_is_warned_of),
         cmocka_unit_test(a_building_without_damping_beside_others_is_warned_of),
         cmocka_unit_test(a_phase_in_degrees_is_warned_of),
     };

@@ -160,6 +160,21 @@ static void a_number_is_shown_by_no_more_digits_than_tell_it_from_others(void **
     }
 }
 
+static void large_numbers_are_rounded_without_a_power_of_ten(void **state) {
+    (void)state;
+    static const struct {
+        double value;
+        int digits;
+        const char *text;
+    } row[] = {{1030.4, 3, "1030"},   {999.6, 3, "1000"},       {999.4, 3, "999"},
+               {123456, 3, "123000"}, {1e6, 4, "1000000"},      {-1234.5, 2, "-1200"},
+               {12.345, 3, "12.3"},   {0.0123456, 3, "0.0123"}, {0.0, 3, "0"}};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct text_exact t;
+        assert_string_equal(text_rounded(&t, row[i].value, row[i].digits), row[i].text);
+    }
+}
+
 static void a_file_has_a_name_without_folder_and_ending(void **state) {
     (void)state;
     static const struct {
@@ -279,6 +294,7 @@ int main(void) {
         cmocka_unit_test(a_cut_never_splits_a_character),
         cmocka_unit_test(shown_texts_are_clean_and_short),
         cmocka_unit_test(a_number_is_shown_by_no_more_digits_than_tell_it_from_others),
+        cmocka_unit_test(large_numbers_are_rounded_without_a_power_of_ten),
         cmocka_unit_test(a_file_has_a_name_without_folder_and_ending),
         cmocka_unit_test(files_that_cannot_be_read_are_named),
         cmocka_unit_test(messages_show_the_line_with_a_caret),

@@ -34,8 +34,9 @@ done
 pick oscillator 1 3 | sed -n 's/^E.*t = \(.*\) s\t/\1\t/p' >"$work/book"
 draw 360
 
+record=$(el_centro)
 for dt in 0.02 0.01 0.001; do
-    simulate five_$dt $here/five_storeys.deck -D dt=${dt}s
+    simulate five_$dt $here/five_storeys.deck -D record="$record" -D dt=${dt}s
 done
 {
     for mode in 1 2 3 4 5; do

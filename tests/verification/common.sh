@@ -7,8 +7,8 @@ simulate() {
     run=$work/$1
     deck=$2
     shift 2
-    "$jostle" run "$deck" -o "$run.h5" -q --force "$@"
-    "$jostle" show "$run.h5" --tsv >"$run.tsv"
+    "$jostle" run "$deck" -o "$run.h5" -q --force "$@" &&
+        "$jostle" show "$run.h5" --tsv >"$run.tsv"
 }
 
 # reference_deck CASE STEP: a deck of the reference solutions with another step [ms], to be run
@@ -16,6 +16,14 @@ simulate() {
 reference_deck() {
     sed -e "s|\.\./\.\./\.\./input|$root/input|" -e "s/^step fixed .*/step fixed ${2}ms/" \
         "tests/verify/reference/$1.deck"
+}
+
+# el_centro: writes El Centro with a first sample of 0 in front, as columns, and prints its path. The
+# record of the project begins with the sample at 0.02 s.
+el_centro() {
+    awk 'BEGIN { print 0 } FNR > 4 { for (i = 1; i <= NF; i++) print $i }' \
+        "$root/input/records/ELCENTRO_1940_NS.AT2" >"$work/el_centro.txt"
+    echo "$(cd "$work" && pwd)/el_centro.txt"
 }
 
 # value RUN TABLE QUANTITY [NAME [LOCATION]]: one value of a run, all digits; of the first name and
@@ -34,7 +42,6 @@ largest() {
         $1 == table && $3 == quantity && (!n++ || $5 > most) { most = $5 }
         END { print most }' OFMT=%.17g CONVFMT=%.17g "$work/$1.tsv"
 }
-
 
 # table WORD...: awk with the functions of format.awk, columns separated by tabs. Programs that
 # stand in a script put "$format" in front instead.
@@ -55,6 +62,12 @@ history() {
     awk '/^EOD/ { inside = 0 }
          inside && !/^#/ { print $1, $2 }
          /^\$rows0/ { inside = 1 }' "$work/$1.script/histories.dat"
+}
+
+# dataset RUN PATH: the values of a dataset of the result file, one a line, all digits.
+dataset() {
+    h5dump -d "$2" -y -w 1 -m %.17g "$work/$1.h5" |
+        awk '/}/ && inside { exit } inside { sub(",", ""); print $1 } /DATA {/ { inside = 1 }'
 }
 
 # draw HEIGHT: draws verification_CASE.svg by CASE.gp, which finds its data in the work folder;

@@ -10,7 +10,9 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "solve/account/peaks.h"
 #include "solve/contact/sweep.h"
+#include "solve/event/equilibrium.h"
 #include "solve/event/rest.h"
 #include "solve/newmark/newmark.h"
 #include "support/analysis.h"
@@ -40,7 +42,8 @@ struct bench {
     struct arena *arena;
     struct state now, next;
     struct work work;
-    struct totals totals;
+    struct results results;
+    struct memory memory;
     struct random random;
 };
 
@@ -106,10 +109,10 @@ static void begin(struct bench *b) {
     struct state *s = &b->now;
     state_open_links(s);
     memset(s->link, 0, (size_t)m->n_link * sizeof *s->link);
-    state_start(s, m);
+    equilibrium_start(s, m);
     displace(b);
     state_internal_forces(s, m, s->u, s->v);
-    state_equilibrium(s, m);
+    equilibrium_find(s, m);
     close_pressed(b);
     b->next.time = 0.0;
     state_open_links(&b->next);
@@ -234,13 +237,13 @@ static void take(struct bench *b, struct tally *t, uint64_t seed, int step) {
     struct error e = {0};
     begin(b);
     double h = random_logarithmic(&b->random, 1e-6, 0.05);
-    b->totals = (struct totals){0};
+    b->results.totals = (struct totals){0};
     assert_int_equal(newmark_step(&b->work, &b->now, &b->next, h, h, &e), STATUS_OK);
     t->n++;
     t->links += b->next.n_live;
-    t->iterations += b->totals.iterations;
-    t->worst = b->totals.iterations > t->worst ? b->totals.iterations : t->worst;
-    if (b->totals.unsolved > 0) {
+    t->iterations += b->results.totals.iterations;
+    t->worst = b->results.totals.iterations > t->worst ? b->results.totals.iterations : t->worst;
+    if (b->results.totals.unsolved > 0) {
         t->unsolved++;
         report(b, seed, step, "unsolved");
     } else if (!all_obey(b)) {
@@ -257,7 +260,9 @@ static void take_cluster(uint64_t seed, struct tally *tally) {
     b.arena = arena_create();
     assert_non_null(b.arena);
     assert_true(state_alloc(&b.now, b.model, b.arena) && state_alloc(&b.next, b.model, b.arena) &&
-                work_alloc(&b.work, b.model, &b.totals, b.arena));
+                peaks_alloc(&b.results, b.model, b.arena) &&
+                memory_alloc(&b.memory, b.model, b.arena) &&
+                work_alloc(&b.work, b.model, &b.results, &b.memory, b.arena));
     b.work.strictness = STEP_ACCEPT;
     for (int i = 0; i < STEPS_EACH; i++) {
         take(&b, &tally[kind_of(b.model)], seed, i);

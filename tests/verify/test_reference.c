@@ -239,6 +239,8 @@ int main(void) {
         CASE("F_towers_linear_approach"),
         CASE("F_towers_stereo"),
         CASE("F_towers_wang"),
+        CASE("H_frame7"),
+        CASE("H_frames"),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

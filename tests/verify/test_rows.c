@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "solve/account/peaks.h"
 #include "solve/contact/gaps.h"
 #include "solve/floors/effective.h"
 #include "support/analysis.h"
@@ -172,7 +173,8 @@ static void penetrations_of_runs_of_links_are_those_of_each(void **state) {
     struct arena *a = arena_create();
     struct state s = {0};
     struct gaps gaps;
-    assert_true(state_alloc(&s, m, a) && gaps_alloc(&gaps, m, a));
+    struct results r = {0};
+    assert_true(state_alloc(&s, m, a) && peaks_alloc(&r, m, a) && gaps_alloc(&gaps, m, &r, a));
     for (int i = 0; i < 20; i++) {
         fill(&random, s.u, m->n_dof);
         gaps_update(&gaps, &s);
@@ -201,7 +203,8 @@ static void contacts_inside_are_in_a_pressed_run(void **state) {
     struct arena *a = arena_create();
     struct state s = {0};
     struct gaps gaps;
-    assert_true(state_alloc(&s, m, a) && gaps_alloc(&gaps, m, a));
+    struct results r = {0};
+    assert_true(state_alloc(&s, m, a) && peaks_alloc(&r, m, a) && gaps_alloc(&gaps, m, &r, a));
     gaps_update(&gaps, &s);
     assert_int_equal(gaps.n_pressed, 0);
     s.u[2] = 0.021;
@@ -234,7 +237,8 @@ static void links_that_act_are_in_the_share_of_their_run(void **state) {
     const int n = sizeof acting / sizeof *acting;
     struct arena *a = arena_create();
     struct gaps gaps;
-    assert_true(gaps_alloc(&gaps, m, a));
+    struct results r = {0};
+    assert_true(peaks_alloc(&r, m, a) && gaps_alloc(&gaps, m, &r, a));
     for (int round = 0; round < 2; round++) {
         for (int i = 0; i < n; i++) {
             gaps_touch(&gaps, acting[i]);

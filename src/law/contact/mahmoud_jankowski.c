@@ -41,7 +41,7 @@ static int mahmoud_jankowski_prepare(const double *value, double m_eff, double *
     }
     if (isnan(value[E]) && !isnan(value[RELATION])) {
         return error_set(e, STATUS_INPUT,
-                         "-relation is of no use where -zeta or -calibrate sets the damping");
+                         "-relation has no effect where -zeta or -calibrate sets the damping");
     }
     dashpot_prepare(value, m_eff, year == 2008.0 ? relation_2008 : relation_2011, constant);
     return STATUS_OK;

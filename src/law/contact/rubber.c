@@ -22,7 +22,6 @@
 #include <math.h>
 
 #include "law/contact_list.h"
-#include "law/hysteresis.h"
 #include "law/power.h"
 #include "law/restitution.h"
 
@@ -41,14 +40,14 @@ static const struct row rows[N_ROW] = {
             "ultimate compression, beyond which the force is linear; without limit if not given"},
     [KY] = {"ky", ROW_NUMBER, 0, OF_STIFFNESS, &range_positive, NAN,
             "stiffness beyond du; the slope at du if not given"},
-    [VMIN] = HYSTERESIS_VMIN_ROW,
+    [VMIN] = LEAST_V0_ROW,
     [N] = {"n", ROW_NUMBER, ROW_REQUIRED | ROW_POWER, OF_NONE, &power_range, NAN, "exponent"},
 };
 
 static int rubber_prepare(const double *value, double m_eff, double *constant, struct error *e) {
     (void)m_eff;
     if (isnan(value[DU]) && !isnan(value[KY])) {
-        return error_set(e, STATUS_INPUT, "-ky is of no use without -du");
+        return error_set(e, STATUS_INPUT, "-ky needs -du");
     }
     double q = restitution_ratio(value[E], value[ZETA], restitution_release_q);
     bool fixed = !isnan(value[C]);
@@ -126,7 +125,7 @@ const struct contact_law contact_rubber = {
     .n_row = N_ROW,
     .n_constant = N_CONSTANT,
     .n_history = N_HISTORY,
-    .traits = CONTACT_NEEDS_V0,
+    .traits = CONTACT_NEEDS_V0 | CONTACT_BUMPER,
     .prepare = rubber_prepare,
     .close = rubber_close,
     .force = rubber_force,

@@ -131,6 +131,7 @@ static void table_commit(const double *c, double *history, double d, double v) {
 
 const struct contact_law contact_table = {
     .name = "table",
+    .traits = CONTACT_BUMPER,
     .summary = "measured force against penetration, with unloading branch",
     .formula = "F = L(d) for d >= D, L(d) s(d d_n / D) below, D the largest penetration so far, "
                "s = U / L of the file, d_n its last penetration",

@@ -15,7 +15,6 @@
 #include <math.h>
 
 #include "law/contact_list.h"
-#include "law/hysteresis.h"
 #include "law/power.h"
 #include "law/restitution.h"
 
@@ -34,7 +33,7 @@ static const struct row rows[N_ROW] = {
               &range_non_negative, NAN, "damping during approach"},
     [RESIDUAL] = {"residual", ROW_NUMBER, ROW_REQUIRED, OF_NONE, &residual_range, NAN,
                   "residual over largest penetration"},
-    [VMIN] = HYSTERESIS_VMIN_ROW,
+    [VMIN] = LEAST_V0_ROW,
     [N] = {"n", ROW_NUMBER, ROW_POWER, OF_NONE, &power_range, 1.5, "exponent"},
 };
 

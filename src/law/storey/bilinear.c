@@ -31,21 +31,19 @@ static int bilinear_prepare(const double *value, double stiffness, double *const
     return STATUS_OK;
 }
 
-static struct storey_response bilinear_shear(const double *c, const double *h, double drift) {
-    double back = c[BACK] * drift;
-    double trial = c[SPRING] * (drift - h[PLASTIC]);
-    if (fabs(trial) <= c[STRENGTH]) {
-        return (struct storey_response){.shear = back + trial, .tangent = c[BACK] + c[SPRING]};
+static struct storey_response bilinear_respond(const double *c, const double *h, double drift,
+                                               double *after) {
+    const double back = c[BACK] * drift;
+    const double trial = c[SPRING] * (drift - h[PLASTIC]);
+    const bool yields = fabs(trial) > c[STRENGTH];
+    if (after) {
+        after[PLASTIC] = yields ? drift - copysign(c[STRENGTH] / c[SPRING], trial) : h[PLASTIC];
     }
-    return (struct storey_response){.shear = back + copysign(c[STRENGTH], trial),
-                                    .tangent = c[BACK]};
-}
-
-static void bilinear_commit(const double *c, double *h, double drift) {
-    double trial = c[SPRING] * (drift - h[PLASTIC]);
-    if (fabs(trial) > c[STRENGTH]) {
-        h[PLASTIC] = drift - copysign(c[STRENGTH] / c[SPRING], trial);
+    if (yields) {
+        return (struct storey_response){.shear = back + copysign(c[STRENGTH], trial),
+                                        .tangent = c[BACK]};
     }
+    return (struct storey_response){.shear = back + trial, .tangent = c[BACK] + c[SPRING]};
 }
 
 static struct storey_branch bilinear_branch(const double *c, const double *h) {
@@ -68,8 +66,7 @@ const struct storey_law storey_bilinear = {
     .n_history = N_HISTORY,
     .traits = STOREY_STRAIGHT,
     .prepare = bilinear_prepare,
-    .shear = bilinear_shear,
-    .commit = bilinear_commit,
+    .respond = bilinear_respond,
     .branch = bilinear_branch,
     .stored = bilinear_stored,
 };

@@ -3,19 +3,36 @@
 //
 //     V = R k drift + (1 - R) V_y z,   d_y dz/d drift = 1 - |z|^n (gamma + beta sgn(z d drift)),
 //
-// with d_y = V_y / k. Independent of the rate: the increment of z follows from that of the drift.
-// It is found by the classical Runge-Kutta method in steps of 0.02 d_y from the committed point
-// that end at z = 0, where the slope has a kink (error about 1e-9), until z has reached its end
-// value; the tangent is dz/d drift there. beta >= |gamma| keeps the loops from creating energy
-// (Erlicher & Point 2004). With the sum of beta and gamma 1, V_y is the strength of the yielding
-// part.
+// with d_y = V_y / k. The law does not depend on the rate: the increment of z follows from that of
+// the drift. With z counted positive in the direction of the drift and s the drift over d_y,
+//
+//     dz/ds = 1 + m |z|^n for z < 0, m = beta - gamma;
+//     dz/ds = 1 - P z^n   for z > 0, P = beta + gamma.
+//
+// For n = 1 and n = 2 both have a closed form. For other n the classical Runge-Kutta method takes
+// steps of 0.02 d_y from the committed point, which end at z = 0, where the slope has a kink. Its
+// error is below 1e-8 V_y for n = 3 and below 2e-6 V_y for all n up to 20.
+// The tangent is dz/d drift at the end. beta >= |gamma| keeps the loops from creating energy
+// (Erlicher & Point 2004), so neither m nor P is negative. With the sum of beta and gamma 1, V_y is
+// the strength of the yielding part.
 #include <math.h>
+#include <stdbool.h>
 
 #include "law/storey_list.h"
 #include "law/yield.h"
 
 enum { YIELD, HARDENING, N, BETA, GAMMA, N_ROW };
-enum { BACK, STRENGTH, DRIFT_OF_YIELD, EXPONENT, PLUS, MINUS, N_CONSTANT };  // gamma +- beta
+enum {
+    BACK,
+    STRENGTH,
+    DRIFT_OF_YIELD,
+    EXPONENT,
+    PLUS,   // gamma + beta
+    MINUS,  // gamma - beta
+    ROOT_OF_PLUS,
+    ROOT_OF_MINUS,  // of -MINUS
+    N_CONSTANT
+};
 enum { DRIFT, Z, N_HISTORY };
 
 static const double STEP = 0.02;    // of the drift, in units of d_y
@@ -49,14 +66,58 @@ static int bouc_wen_prepare(const double *value, double stiffness, double *const
     constant[EXPONENT] = value[N];
     constant[PLUS] = value[GAMMA] + value[BETA];
     constant[MINUS] = value[GAMMA] - value[BETA];
+    constant[ROOT_OF_PLUS] = sqrt(constant[PLUS]);
+    constant[ROOT_OF_MINUS] = sqrt(-constant[MINUS]);
     return STATUS_OK;
 }
 
 // dz/ds along the drift s in units of d_y; z counts positive in the direction of the drift.
 static double slope(const double *c, double z) {
-    return 1.0 - pow(fabs(z), c[EXPONENT]) * (z > 0.0 ? c[PLUS] : c[MINUS]);
+    const double n = c[EXPONENT];
+    const double power = n == 2.0 ? z * z : n == 1.0 ? fabs(z) : pow(fabs(z), n);
+    return 1.0 - power * (z > 0.0 ? c[PLUS] : c[MINUS]);
 }
 
+// n = 1, on one side of z = 0: dz/ds = 1 - p z, where p is P or m.
+static double relax(double p, double z, double s) {
+    return p != 0.0 ? z - (1.0 - p * z) * expm1(-p * s) / p : z + s;
+}
+
+// n = 2, z >= 0; `root` is that of p.
+static double saturate(double p, double root, double z, double s) {
+    double t = p > 0.0 ? tanh(root * s) / root : s;
+    return (z + t) / (1.0 + p * z * t);
+}
+
+// n = 2, z < 0, up to z = 0.
+static double return_to_zero(double m, double root, double z, double s) {
+    double t = m > 0.0 ? tan(root * s) / root : s;
+    return (z + t) / (1.0 - m * z * t);
+}
+
+// The drift from z < 0 to 0.
+static double way_of_relaxing(double m, double z) {
+    return m > 0.0 ? log1p(-m * z) / m : -z;
+}
+
+static double way_of_returning(double m, double root, double z) {
+    return m > 0.0 ? atan(-z * root) / root : -z;
+}
+
+// z after the drift s >= 0 from z, in closed form.
+static double advance_exactly(const double *c, double z, double s) {
+    const bool linear = c[EXPONENT] == 1.0;
+    const double m = -c[MINUS];
+    if (z < 0.0) {
+        double way = linear ? way_of_relaxing(m, z) : way_of_returning(m, c[ROOT_OF_MINUS], z);
+        if (s < way) {
+            return linear ? relax(m, z, s) : return_to_zero(m, c[ROOT_OF_MINUS], z, s);
+        }
+        s -= way;
+        z = 0.0;
+    }
+    return linear ? relax(c[PLUS], z, s) : saturate(c[PLUS], c[ROOT_OF_PLUS], z, s);
+}
 static double runge_kutta(const double *c, double z, double h) {
     double k1 = slope(c, z);
     double k2 = slope(c, z + h / 2.0 * k1);
@@ -78,6 +139,9 @@ static double through_zero(const double *c, double z, double h) {
 
 // z after the drift s >= 0 from z.
 static double advance(const double *c, double z, double s) {
+    if (c[EXPONENT] == 1.0 || c[EXPONENT] == 2.0) {
+        return advance_exactly(c, z, s);
+    }
     double left = fmin(s, ENOUGH);
     for (; left > STEP; left -= STEP) {
         z = through_zero(c, z, STEP);
@@ -91,19 +155,18 @@ static double z_at(const double *c, const double *h, double drift, double *sign)
     return *sign * advance(c, *sign * h[Z], fabs(s));
 }
 
-static struct storey_response bouc_wen_shear(const double *c, const double *h, double drift) {
+static struct storey_response bouc_wen_respond(const double *c, const double *h, double drift,
+                                               double *after) {
     double sign;
-    double z = z_at(c, h, drift, &sign);
+    const double z = z_at(c, h, drift, &sign);
+    if (after) {
+        after[Z] = z;
+        after[DRIFT] = drift;
+    }
     return (struct storey_response){
         .shear = c[BACK] * drift + c[STRENGTH] * z,
         .tangent = c[BACK] + c[STRENGTH] / c[DRIFT_OF_YIELD] * slope(c, sign * z),
     };
-}
-
-static void bouc_wen_commit(const double *c, double *h, double drift) {
-    double sign;
-    h[Z] = z_at(c, h, drift, &sign);
-    h[DRIFT] = drift;
 }
 
 // What the elastic spring holds, and the other one would give back at its initial stiffness.
@@ -126,7 +189,6 @@ const struct storey_law storey_bouc_wen = {
     .n_constant = N_CONSTANT,
     .n_history = N_HISTORY,
     .prepare = bouc_wen_prepare,
-    .shear = bouc_wen_shear,
-    .commit = bouc_wen_commit,
+    .respond = bouc_wen_respond,
     .stored = bouc_wen_stored,
 };

@@ -33,7 +33,6 @@ const struct storey_law storey_clough = {
     .n_history = PEAK_ORIENTED_HISTORY,
     .traits = STOREY_STRAIGHT,
     .prepare = clough_prepare,
-    .shear = peak_oriented_shear,
-    .commit = peak_oriented_commit,
+    .respond = peak_oriented_respond,
     .stored = peak_oriented_stored,
 };

@@ -13,8 +13,9 @@ static int elastic_prepare(const double *value, double stiffness, double *consta
     return STATUS_OK;
 }
 
-static struct storey_response elastic_shear(const double *c, const double *h, double drift) {
-    (void)h;
+static struct storey_response elastic_respond(const double *c, const double *h, double drift,
+                                              double *after) {
+    (void)h, (void)after;
     return (struct storey_response){.shear = c[STIFFNESS] * drift, .tangent = c[STIFFNESS]};
 }
 
@@ -35,7 +36,7 @@ const struct storey_law storey_elastic = {
     .source = "Chopra, Dynamics of Structures, section 1.3",
     .n_constant = N_CONSTANT,
     .prepare = elastic_prepare,
-    .shear = elastic_shear,
+    .respond = elastic_respond,
     .branch = elastic_branch,
     .stored = elastic_stored,
 };

@@ -15,8 +15,8 @@ static const struct row rows[N_ROW] = {
     [FLOORS] = {"floors", ROW_INTEGER, ROW_REQUIRED, OF_NONE, &floors_range, NAN,
                 "number of floors"},
     [MASS] = {"mass", ROW_LIST, ROW_REQUIRED, OF_MASS, &range_positive, NAN, "floor masses"},
-    [STIFFNESS] = {"stiffness", ROW_LIST, ROW_REQUIRED, OF_STIFFNESS, &range_non_negative, NAN,
-                   "storey stiffnesses; 0: a free body"},
+    [STIFFNESS] = {"stiffness", ROW_LIST, 0, OF_STIFFNESS, &range_non_negative, NAN,
+                   "storey stiffnesses; 0: a free body; needed unless a matrix gives stiffness"},
     [HEIGHT] = {"height", ROW_LIST, 0, OF_LENGTH, &range_positive, NAN,
                 "storey heights, for drift ratios"},
 };
@@ -33,18 +33,20 @@ static bool good_name(const char *name) {
 }
 
 static bool check_name(struct builder *b, const struct word *w, const char *name) {
+    struct deck_quote quote;
     if (strcmp(name, "wall") == 0) {
         deck_error(b->deck, w, "'wall' is the rigid wall of contacts and cannot name a building");
         return false;
     }
     if (!good_name(name)) {
-        deck_error(b->deck, w,
-                   "'%.70s' cannot name a building; use up to 64 letters, digits, _ and -", name);
+        deck_error(b->deck, w, "%s cannot name a building; use up to 64 letters, digits, _ and -",
+                   deck_quote(&quote, w, name));
         return false;
     }
     const int i = builder_find_building(b, name, strlen(name));
     if (i >= 0) {
-        deck_error(b->deck, w, "a second building '%s'; the first is in %s", name,
+        deck_error(b->deck, w, "a second building %s; the first is in %s",
+                   deck_quote(&quote, w, name),
                    source_mention(b->deck, &builder_draft(b, i)->word.place, &w->place));
         return false;
     }
@@ -58,7 +60,8 @@ static void fill(struct builder *b, struct building_draft *d, const struct argum
         return;
     }
     d->mass = builder_spread(b, &a[MASS], d->n_floor, owner);
-    d->stiffness = builder_spread(b, &a[STIFFNESS], d->n_floor, owner);
+    d->stiffness = a[STIFFNESS].given ? builder_spread(b, &a[STIFFNESS], d->n_floor, owner)
+                                      : arena_alloc(b->arena, n, sizeof *d->stiffness);
     if (a[HEIGHT].given) {
         d->height = builder_spread(b, &a[HEIGHT], d->n_floor, owner);
     }
@@ -96,7 +99,11 @@ static void build(struct builder *b, const struct statement *s) {
         return;
     }
     *d = (struct building_draft){
-        .name = name, .word = s->word[1], .n_floor = count_floors(&a[FLOORS])};
+        .name = name,
+        .word = s->word[1],
+        .n_floor = count_floors(&a[FLOORS]),
+        .any_stiffness = a[STIFFNESS].given,
+    };
     if (good) {
         fill(b, d, a);
     }
@@ -104,8 +111,8 @@ static void build(struct builder *b, const struct statement *s) {
 
 const struct statement_kind statement_building = {
     .name = "building",
-    .usage = "NAME -floors N -mass LIST -stiffness LIST [-height LIST]",
-    .summary = "a shear building; buildings stand from left to right in the order given",
+    .usage = "NAME -floors N -mass LIST [-stiffness LIST] [-height LIST]",
+    .summary = "a building of shear storeys; buildings stand from left to right in the order given",
     .example = "building A -floors 8 -mass 300t -stiffness 7*345MN/m 250MN/m -height 3.2m",
     .row = rows,
     .n_row = N_ROW,

@@ -65,7 +65,7 @@ static void build(struct builder *b, const struct statement *s) {
         return;
     }
     struct pairs p;
-    bool paired = pairs_read(b, s, &p);
+    bool paired = pairs_read(b, s, WALL_ALLOWED, &p);
     const struct word *name;
     const struct contact_law *law = find_law(b, s, &name);
     if (!law) {
@@ -77,7 +77,7 @@ static void build(struct builder *b, const struct statement *s) {
     bool read = law_choice_read(b->deck, s, law, name, &set, &choice);
     if (own[MEFF].given && !(law->traits & CONTACT_NEEDS_MASS)) {
         deck_error(b->deck, &own[MEFF].key,
-                   "-meff is of no use: %s does not depend on the effective mass", law->name);
+                   "-meff has no effect: %s does not depend on the effective mass", law->name);
     } else if (read && paired) {
         append(b, &p, own, &choice);
     }
@@ -104,7 +104,7 @@ const struct statement_kind statement_contact = {
     .name = "contact",
     .usage = "LEFT RIGHT -gap LIST -law LAW ... [-name NAME] [-meff M] [-allow-overlap] "
              "[-calibrate] [-k-from hertz|slab ...]",
-    .summary = "unilateral contact links between facing floors, or floors and a wall",
+    .summary = "unilateral contact links between facing floors or levels (B@6.8m), or with a wall",
     .example = "contact A B -gap 20mm -law jankowski -k 2.75e9N/m^1.5 -e 0.65",
     .row = rows,
     .n_row = N_ROW,

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <string.h>
+
+#include "deck/reader.h"
 #include "model/statement.h"
 
 enum { MODES, ALPHA, BETA, N_ROW };
@@ -21,7 +24,7 @@ static const struct row dashpot_row = {"dashpot",           ROW_LIST, ROW_REQUIR
 static bool refuse_options(struct builder *b, const struct argument *a, const char *kind) {
     for (int i = 0; i < N_ROW; i++) {
         if (a[i].given) {
-            deck_error(b->deck, &a[i].key, "option -%s is useless with %s", rows[i].key, kind);
+            deck_error(b->deck, &a[i].key, "option -%s has no effect with %s", rows[i].key, kind);
             return false;
         }
     }
@@ -42,8 +45,8 @@ static bool read_modes(struct builder *b, const struct building_draft *d, const 
     for (int i = 0; i < 2; i++) {
         mode[i] = (int)a->number[i];
         if (mode[i] != a->number[i] || mode[i] > d->n_floor) {
-            deck_error(b->deck, &a->word[i], "'%s' is not a mode of building %s, which has %d",
-                       a->word[i].text, d->name, d->n_floor);
+            deck_error(b->deck, &a->word[i], "mode %.10g is not one of 1 to %d of building %s",
+                       a->number[i], d->n_floor, d->name);
             return false;
         }
     }
@@ -54,19 +57,19 @@ static bool read_modes(struct builder *b, const struct building_draft *d, const 
     return true;
 }
 
-static void coefficients(struct builder *b, struct building_draft *d, const struct argument *a,
-                         const struct statement *s) {
+static bool coefficients(struct builder *b, const struct argument *a, const struct statement *s,
+                         struct damping_draft *out) {
     if (a[MODES].given || s->n_plain > 3) {
         deck_error(b->deck, &s->word[0], "give rayleigh either ratios, or -alpha and -beta");
-        return;
+        return false;
     }
     double *value = arena_alloc(b->arena, 2, sizeof *value);
     if (value) {
         value[0] = a[ALPHA].given ? a[ALPHA].number[0] : 0.0;
         value[1] = a[BETA].given ? a[BETA].number[0] : 0.0;
-        d->damping.kind = DAMPING_COEFFICIENTS;
-        d->damping.value = value;
+        *out = (struct damping_draft){.kind = DAMPING_COEFFICIENTS, .n = 2, .value = value};
     }
+    return value != NULL;
 }
 
 // A ratio of 2 is more often 2 % than twice the critical damping.
@@ -81,54 +84,89 @@ static void warn_overdamped(struct builder *b, const struct argument *ratio) {
     }
 }
 
-static void rayleigh(struct builder *b, struct building_draft *d, const struct argument *a,
-                     const struct statement *s) {
+// Reports n ratios from `word` on, of which those behind the second may be meant as modes; false.
+static bool refuse_ratios(struct builder *b, const struct building_draft *d,
+                          const struct word *word, int n) {
+    if (d->n_floor == 1) {
+        deck_error(b->deck, word, "rayleigh takes one ratio for a building of one storey, not %d",
+                   n);
+    } else {
+        deck_error(b->deck, word,
+                   "rayleigh takes one or two ratios, not %d; -modes I J names their modes", n);
+    }
+    return false;
+}
+
+static bool rayleigh(struct builder *b, const struct building_draft *d, const struct argument *a,
+                     const struct statement *s, struct damping_draft *out) {
     if (a[ALPHA].given || a[BETA].given) {
-        coefficients(b, d, a, s);
-        return;
+        return coefficients(b, a, s, out);
     }
     if (s->n_plain < 4) {
         deck_error(b->deck, &s->word[2], "rayleigh needs a ratio, or -alpha and -beta");
-        return;
+        return false;
     }
+    const int most = d->n_floor == 1 ? 1 : 2;
     struct argument ratio = {0};
-    if (!deck_values(b->deck, &ratio_row, 0.0, &s->word[3], s->n_plain - 3, &ratio) ||
-        !read_modes(b, d, &a[MODES], d->damping.mode)) {
-        return;
+    if (s->n_plain - 3 > most) {
+        return refuse_ratios(b, d, &s->word[3], s->n_plain - 3);
     }
-    if (ratio.n > 2 || (ratio.n == 2 && d->n_floor == 1)) {
-        deck_error(b->deck, &s->word[3], "rayleigh takes %s",
-                   d->n_floor == 1 ? "one ratio for a building of one storey"
-                                   : "one or two ratios");
-        return;
+    if (!deck_values(b->deck, &ratio_row, 0.0, &s->word[3], s->n_plain - 3, &ratio) ||
+        !read_modes(b, d, &a[MODES], out->mode)) {
+        return false;
+    }
+    if (ratio.n > most) {
+        return refuse_ratios(b, d, &s->word[3], ratio.n);
     }
     warn_overdamped(b, &ratio);
-    double *value = builder_spread(b, &ratio, 2, "modes");
-    if (value) {
-        d->damping.kind = DAMPING_RATIOS;
-        d->damping.value = value;
-    }
+    out->kind = DAMPING_RATIOS;
+    out->n = 2;
+    out->value = builder_spread(b, &ratio, 2, "modes");
+    return out->value != NULL;
 }
 
-static void list(struct builder *b, struct building_draft *d, const struct argument *a,
-                 const struct statement *s, enum damping_kind kind) {
+static bool list(struct builder *b, const struct building_draft *d, const struct argument *a,
+                 const struct statement *s, struct damping_draft *out) {
     if (s->n_plain < 4) {
         deck_error(b->deck, &s->word[2], "%s needs a list of values", s->word[2].text);
-        return;
+        return false;
     }
     struct argument value = {0};
-    const struct row *row = kind == DAMPING_MODAL ? &ratio_row : &dashpot_row;
+    const bool modal = out->kind == DAMPING_MODAL;
+    const struct row *row = modal ? &ratio_row : &dashpot_row;
     if (!refuse_options(b, a, s->word[2].text) ||
         !deck_values(b->deck, row, 0.0, &s->word[3], s->n_plain - 3, &value)) {
-        return;
+        return false;
     }
     value.key = s->word[3];
-    if (kind == DAMPING_MODAL) {
+    if (modal) {
         warn_overdamped(b, &value);
     }
-    d->damping.value =
-        builder_spread(b, &value, d->n_floor, kind == DAMPING_MODAL ? "modes" : "storeys");
-    d->damping.kind = d->damping.value ? kind : DAMPING_NONE;
+    out->n = d->n_floor;
+    out->value = builder_spread(b, &value, d->n_floor, modal ? "modes" : "storeys");
+    return out->value != NULL;
+}
+
+static bool is_the_same(const struct damping_draft *a, const struct damping_draft *b) {
+    return a->kind == b->kind && a->mode[0] == b->mode[0] && a->mode[1] == b->mode[1] &&
+           memcmp(a->value, b->value, (size_t)a->n * sizeof *a->value) == 0;
+}
+
+static void add(struct builder *b, struct building_draft *d, const struct damping_draft *new) {
+    const struct damping_draft *old = d->damping.item;
+    for (int i = 0; i < d->damping.n; i++) {
+        if (is_the_same(&old[i], new)) {
+            deck_warning(b->deck, &new->word,
+                         "the same damping of building %s is in %s already, and both add up; give "
+                         "the sum in one statement if that is meant",
+                         d->name, source_mention(b->deck, &old[i].word.place, &new->word.place));
+            break;
+        }
+    }
+    struct damping_draft *room = builder_append(b, &d->damping, sizeof *room);
+    if (room) {
+        *room = *new;
+    }
 }
 
 static void build(struct builder *b, const struct statement *s) {
@@ -144,15 +182,14 @@ static void build(struct builder *b, const struct statement *s) {
         return;
     }
     struct building_draft *d = builder_draft(b, i);
-    if (!builder_once(b, &d->damping.word, s) || d->n_floor == 0) {
+    if (d->n_floor == 0) {
         return;
     }
-    d->damping.word = s->word[2];
+    struct damping_draft new = {.word = s->word[2]};
     const int kind = deck_keyword(b->deck, &s->word[2], "damping", kinds, N_KIND);
-    if (kind == RAYLEIGH) {
-        rayleigh(b, d, a, s);
-    } else if (kind >= 0) {
-        list(b, d, a, s, kind == MODAL ? DAMPING_MODAL : DAMPING_DASHPOT);
+    new.kind = kind == MODAL ? DAMPING_MODAL : DAMPING_DASHPOT;
+    if (kind == RAYLEIGH ? rayleigh(b, d, a, s, &new) : kind >= 0 && list(b, d, a, s, &new)) {
+        add(b, d, &new);
     }
 }
 
@@ -161,7 +198,8 @@ const struct statement_kind statement_damping = {
     .usage =
         "NAME rayleigh RATIO [RATIO2] [-modes I J] | rayleigh -alpha A0 -beta A1 | modal LIST | "
         "dashpot LIST",
-    .summary = "damping of a building alone, on its initial stiffness; without it there is none",
+    .summary = "damping of a building alone, on its initial stiffness; statements add "
+               "up, without any there is none",
     .example = "damping A rayleigh 5% -modes 1 3",
     .row = rows,
     .n_row = N_ROW,

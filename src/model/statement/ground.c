@@ -196,7 +196,7 @@ static void build_record(struct builder *b, const struct statement *s) {
     struct argument a[N_RECORD_ROW] = {0};
     bool good = builder_plain(b, s, 2, 2, statement_ground.usage);
     good &= deck_options(b->deck, s, &(struct row_set){record_rows, N_RECORD_ROW, a}, 1);
-    const char *name = good ? deck_text(b->deck, &s->word[2]) : NULL;
+    const char *name = good ? deck_text_of_file(b->deck, &s->word[2]) : NULL;
     const char *path = name ? deck_file(b->deck, &s->word[2], name) : NULL;
     if (!path) {
         return;
@@ -210,6 +210,7 @@ static void build_record(struct builder *b, const struct statement *s) {
                             a[R_DELAY].number[0], &e) == STATUS_OK) {
         g.signal.name = name;
         g.signal.mean = scale * r.mean;
+        g.bare = a[R_PGA].bare || a[R_SA].bare;
         g.judged = r.large && !a[R_PGA].given && !a[R_SA].given;
         append(b, s, g, &a[R_BUILDINGS], a);
     }

@@ -42,7 +42,8 @@ const struct statement_kind statement_integrator = {
     .name = "integrator",
     .usage = "newmark [-beta B] [-gamma G] | dormand-prince",
     .summary = "how the equations of motion are integrated; default: average acceleration with "
-               "step fixed, dormand-prince with step adaptive",
+               "step fixed; with step adaptive dormand-prince, but newmark where a damper has an "
+               "exponent below 0.5",
     .example = "integrator newmark -beta 0.25 -gamma 0.5",
     .variant = variants,
     .n_variant = N_VARIANT,

@@ -46,7 +46,7 @@ static void build(struct builder *b, const struct statement *s) {
         return;
     }
     struct pairs p;
-    bool paired = pairs_read(b, s, &p);
+    bool paired = pairs_read(b, s, GROUND_ALLOWED, &p);
     struct argument own[N_ROW] = {0};
     struct law_choice choice = {.law = &bilateral_law, .word = &s->word[1], .restitution = NAN};
     const struct argument *given = choice.given;
@@ -58,7 +58,7 @@ static void build(struct builder *b, const struct statement *s) {
     if (!given[BILATERAL_STIFFNESS].given && !given[BILATERAL_DASHPOT].given) {
         deck_error(b->deck, &s->word[0], "a link needs -stiffness or -dashpot");
     } else if (exponent->given && !given[BILATERAL_DASHPOT].given) {
-        deck_error(b->deck, &exponent->key, "-exponent is useless without -dashpot");
+        deck_error(b->deck, &exponent->key, "-exponent needs -dashpot");
     } else if (paired) {
         warn_if_idle(b, s, given);
         append(b, &p, own, &choice);
@@ -68,7 +68,7 @@ static void build(struct builder *b, const struct statement *s) {
 const struct statement_kind statement_link = {
     .name = "link",
     .usage = "LEFT RIGHT [-stiffness K] [-dashpot C [-exponent A]] [-name NAME]",
-    .summary = "bilateral connection of two floors: spring and viscous damper",
+    .summary = "bilateral connection of two floors or levels (B@6.8m): spring and viscous damper",
     .example = "link A:5 B:5 -dashpot 2MN*s/m",
     .row = rows,
     .n_row = N_ROW,

@@ -56,7 +56,7 @@ static bool read_history(struct builder *b, const struct statement *s, struct si
     struct argument a[N_HISTORY_ROW] = {0};
     bool good = builder_plain(b, s, 3, 3, "BUILDING:FLOORS history FILE [-dt DT] [-scale S]");
     good &= deck_options(b->deck, s, &(struct row_set){history_rows, N_HISTORY_ROW, a}, 1);
-    const char *name = good ? deck_text(b->deck, &s->word[3]) : NULL;
+    const char *name = good ? deck_text_of_file(b->deck, &s->word[3]) : NULL;
     const char *path = name ? deck_file(b->deck, &s->word[3], name) : NULL;
     if (!path) {
         return false;

@@ -29,6 +29,7 @@ const char *const field_names[] = {"displacement", "velocity", "acceleration", "
 enum { N_FIELD = sizeof field_names / sizeof field_names[0] - 1 };
 
 static void read_fields(struct builder *b, const struct argument *a) {
+    struct deck_quote quote;
     b->out.fields = 0;
     for (int i = 0; i < a->n; i++) {
         unsigned bit = 0;
@@ -36,9 +37,10 @@ static void read_fields(struct builder *b, const struct argument *a) {
             bit |= strcmp(field_names[k], a->text[i]) == 0 ? 1U << k : 0U;
         }
         if (!bit) {
-            deck_unknown(b->deck, &a->word[i], "field", field_names, N_FIELD);
+            deck_unknown(b->deck, &a->word[i], a->text[i], "field", field_names, N_FIELD);
         } else if (b->out.fields & bit) {
-            deck_error(b->deck, &a->word[i], "field '%s' is named twice", a->text[i]);
+            deck_error(b->deck, &a->word[i], "field %s is named twice",
+                       deck_quote(&quote, &a->word[i], a->text[i]));
         }
         b->out.fields |= bit;
     }
@@ -48,7 +50,7 @@ static void read_precision(struct builder *b, const struct argument *a) {
     static const char *const known[] = {"single", "double"};
     b->out.single = strcmp(a->text[0], known[0]) == 0;
     if (!b->out.single && strcmp(a->text[0], known[1]) != 0) {
-        deck_unknown(b->deck, &a->word[0], "precision", known, 2);
+        deck_unknown(b->deck, &a->word[0], a->text[0], "precision", known, 2);
     }
 }
 

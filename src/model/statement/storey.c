@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <math.h>
 #include <string.h>
 
 #include "deck/reader.h"
@@ -20,7 +21,7 @@ static const struct storey_law *find_law(struct builder *b, const struct word *w
             known[i] = storey_laws[i]->name;
         }
         if (known) {
-            deck_unknown(b->deck, w, "storey law", known, n_storey_law);
+            deck_unknown(b->deck, w, name, "storey law", known, n_storey_law);
         }
     }
     return law;
@@ -76,17 +77,22 @@ static bool warn_yield(struct builder *b, const struct word *w, const char *buil
     return metres < YIELD_MIN;
 }
 
-// One warning at most for a statement; laws that yield have a row for it.
-static void check_yields(struct builder *b, const struct storey_law *law,
-                         const struct building_draft *d, const struct selection *floors,
-                         const struct argument *given, double *const *value) {
-    for (int r = 0; r < law->n_row; r++) {
-        bool warned = !value[r] || strcmp(law->row[r].key, "yield") != 0;
-        for (int k = 0; !warned && k < floors->n_floor; k++) {
-            const int i = floors->floor[k] - 1;
-            warned =
-                warn_yield(b, &given[r].word[0], d->name, i + 1, value[r][k] / d->stiffness[i]);
-        }
+// Takes the yields of the storeys. One warning at most for a statement; laws that yield have a row
+// for it.
+static void take_yields(struct builder *b, const struct storey_law *law, struct building_draft *d,
+                        const struct selection *floors, const struct argument *given,
+                        double *const *value) {
+    int row = 0;
+    while (row < law->n_row && !(value[row] && strcmp(law->row[row].key, "yield") == 0)) {
+        row++;
+    }
+    bool warned = false;
+    for (int k = 0; k < floors->n_floor; k++) {
+        const int i = floors->floor[k] - 1;
+        const double yield = row < law->n_row ? value[row][k] : INFINITY;
+        d->storey[i].yield = yield;
+        warned = warned || (isfinite(yield) && warn_yield(b, &given[row].word[0], d->name, i + 1,
+                                                          yield / d->stiffness[i]));
     }
 }
 
@@ -107,6 +113,13 @@ static void assign(struct builder *b, const struct statement *s, const struct st
         stiffness = builder_spread(b, &own[STIFFNESS], floors->n_floor, "storeys");
         good &= stiffness != NULL;
     }
+    if (good && !stiffness && !d->any_stiffness) {
+        deck_error(
+            b->deck, &s->word[1],
+            "the storeys of building %s have no stiffness beside its matrix; give -stiffness",
+            d->name);
+        good = false;
+    }
     for (int k = 0; good && k < floors->n_floor; k++) {
         int i = floors->floor[k] - 1;
         good = take(b, d, i, s);
@@ -116,7 +129,7 @@ static void assign(struct builder *b, const struct statement *s, const struct st
         good = good && prepare(b, s, law, value, k, d->stiffness[i], &d->storey[i]);
     }
     if (good) {
-        check_yields(b, law, d, floors, given, value);
+        take_yields(b, law, d, floors, given, value);
     }
 }
 

@@ -15,8 +15,8 @@
 
 #include <gsl/gsl_integration.h>
 
-#include "core/arena.h"
 #include "core/lanes.h"
+#include "model/parts.h"
 #include "solve/floors/chain.h"
 
 enum { CQUAD_INTERVALS = 100 };
@@ -30,24 +30,48 @@ static double kinetic(const struct model *m, const struct state *s) {
     return sum / 2.0;
 }
 
-// Recoverable energy of the storeys: elastic ones, or the others.
+// Recoverable energy of the storeys: elastic ones, or the others. Storeys with parts share shears,
+// so that one that is not elastic makes others of all.
 enum storey_kind { STOREYS_ELASTIC, STOREYS_OTHER };
+
+static enum storey_kind kind_of(const struct model *m, const struct building *g, int i) {
+    const bool shares = g->n_part > 0 && !g->elastic;
+    return m->storey[i].law->n_history == 0 && !shares ? STOREYS_ELASTIC : STOREYS_OTHER;
+}
 
 static double stored(const struct model *m, const struct state *s, enum storey_kind kind) {
     double sum = 0.0;
-    for (int i = 0; i < m->n_dof; i++) {
-        const struct storey *law = &m->storey[i];
-        enum storey_kind own = law->law->n_history == 0 ? STOREYS_ELASTIC : STOREYS_OTHER;
-        if (own == kind) {
-            sum += law->law->stored(law->constant, s->storey_history + law->history, s->drift[i]);
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            const struct storey *law = &m->storey[i];
+            if (kind_of(m, g, i) == kind) {
+                sum +=
+                    law->law->stored(law->constant, s->storey_history + law->history, s->drift[i]);
+            }
+        }
+        if (g->n_part > 0 && g->elastic == (kind == STOREYS_ELASTIC)) {
+            sum += parts_stored(g, s->storey_history, s->drift + g->first);
         }
     }
     return sum;
 }
 
+static const struct fields_row list[] = {
+    FIELD_VALUE(struct energy_account, initial),
+    FIELD_VALUE(struct energy_account, input_2x),
+    FIELD_VALUE(struct energy_account, damping_2x),
+    FIELD_VALUE(struct energy_account, input),
+    FIELD_VALUE(struct energy_account, damping),
+    FIELD_VALUE(struct energy_account, contact),
+    FIELD_ARRAY(struct energy_account, storey_2x, FIELD_FLOORS),
+    FIELD_VALUE(struct energy_account, storey),
+    FIELD_VALUE(struct energy_account, stored_start),
+};
+const struct fields energy_fields = FIELDS(list);
+
 bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena) {
-    a->storey_2x = lanes_array(arena, m->n_dof);
-    return !arena_failed(arena);
+    return fields_alloc(&energy_fields, m, a, arena);
 }
 
 void energy_start(struct energy_account *a, const struct model *m, const struct state *s) {
@@ -118,7 +142,7 @@ void energy_step(struct energy_account *a, const struct model *m, const struct s
     } else {
         chain_work_of_damping(&m->chain, now->u, next->u, now->v, next->v, a->damping_2x);
     }
-    if (m->n_storey_history > 0) {
+    if (!m->elastic) {
         chain_storey_works(&m->chain, now->shear, next->shear, now->drift, next->drift,
                            a->storey_2x);
     }
@@ -135,8 +159,11 @@ static double sum_of(const double x[LANES_WIDTH]) {
 // On storeys that are not elastic.
 static double storey_work(const struct energy_account *a, const struct model *m) {
     double sum = 0.0;
-    for (int i = 0; m->n_storey_history > 0 && i < m->n_dof; i++) {
-        sum += m->storey[i].law->n_history > 0 ? a->storey_2x[i] : 0.0;
+    for (int k = 0; !m->elastic && k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        for (int i = g->first; i < g->first + g->n_floor; i++) {
+            sum += kind_of(m, g, i) == STOREYS_OTHER ? a->storey_2x[i] : 0.0;
+        }
     }
     return a->storey + sum / 2.0;
 }
@@ -172,7 +199,7 @@ void energy_balance(const struct energy_account *a, const struct model *m, const
     const struct energy_sums sums = {
         .kinetic = kinetic(m, s),
         .elastic = stored(m, s, STOREYS_ELASTIC),
-        .other = m->n_storey_history > 0 ? stored(m, s, STOREYS_OTHER) : 0.0,
+        .other = !m->elastic ? stored(m, s, STOREYS_OTHER) : 0.0,
         .storey = storey_work(a, m),
         .input_2x = sum_of(a->input_2x),
         .damping_2x = sum_of(a->damping_2x),

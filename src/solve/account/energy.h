@@ -17,6 +17,7 @@ struct energy_account {
     double storey;        // work on storeys that are not elastic, beyond that
     double stored_start;  // their recoverable energy at t = 0
 };
+extern const struct fields energy_fields;
 
 // Room for the account of a model; false: no memory.
 bool energy_alloc(struct energy_account *a, const struct model *m, struct arena *arena);

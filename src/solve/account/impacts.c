@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/arena.h"
 #include "solve/account/energy.h"
@@ -22,16 +23,40 @@ bool impacts_alloc(struct impact_log *log, const struct model *m, struct results
     return log->open != NULL;
 }
 
-static int open_impact(struct impact_log *log, const struct state *s, int k, struct error *e) {
-    struct results *r = log->results;
-    if (r->n_impact == r->impact_capacity) {
-        long capacity = r->impact_capacity ? 2 * r->impact_capacity : 256;
+// Makes room for n impacts; false: no memory.
+static bool reserve(struct results *r, long n) {
+    long capacity = r->impact_capacity ? r->impact_capacity : 256;
+    while (capacity < n) {
+        capacity *= 2;
+    }
+    if (capacity > r->impact_capacity) {
         struct impact *larger = realloc(r->impact, (size_t)capacity * sizeof *larger);
         if (!larger) {
-            return error_no_memory(e);
+            return false;
         }
         r->impact = larger;
         r->impact_capacity = capacity;
+    }
+    return true;
+}
+
+bool impacts_copy(struct impact_log *to, const struct impact_log *from) {
+    const struct results *r = from->results;
+    if (!reserve(to->results, r->n_impact)) {
+        return false;
+    }
+    if (r->n_impact > 0) {
+        memcpy(to->results->impact, r->impact, (size_t)r->n_impact * sizeof *r->impact);
+    }
+    to->results->n_impact = r->n_impact;
+    memcpy(to->open, from->open, (size_t)from->model->n_contact * sizeof *to->open);
+    return true;
+}
+
+static int open_impact(struct impact_log *log, const struct state *s, int k, struct error *e) {
+    struct results *r = log->results;
+    if (!reserve(r, r->n_impact + 1)) {
+        return error_no_memory(e);
     }
     log->open[k] = r->n_impact;
     r->impact[r->n_impact++] = (struct impact){
@@ -78,7 +103,7 @@ static double ground_work(const struct link *l, const struct model *m, double me
                           const struct state *now, const struct state *next) {
     double relative =
         state_gap(l, m, next->u, next->ground_u) - state_gap(l, m, now->u, now->ground_u);
-    double own = next->u[l->dof[0]] - next->u[l->dof[1]] - (now->u[l->dof[0]] - now->u[l->dof[1]]);
+    double own = link_across(l, next->u) - link_across(l, now->u);
     return mean * (relative - own);
 }
 

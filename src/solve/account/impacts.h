@@ -24,6 +24,9 @@ struct impact_share {
 bool impacts_alloc(struct impact_log *log, const struct model *m, struct results *r,
                    struct energy_account *energy, struct arena *a);
 
+// Makes the impacts of `to`, a run of the same model, those of `from`; false: no memory.
+bool impacts_copy(struct impact_log *to, const struct impact_log *from);
+
 // The following give STATUS_SYSTEM (no memory) where they return a status.
 
 // Opens an impact for each contact that is closed at the start.

@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-#include "core/arena.h"
 #include "core/lanes.h"
 #include "core/number.h"
 #include "solve/floors/chain.h"
@@ -17,24 +16,47 @@ enum { CONTACTS_TOGETHER = 4 * LANES_WIDTH };
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
                                   "storey_shear"};
 
+static const struct fields_row list[] = {
+    FIELD_ARRAY(struct results, peak[PEAK_DISPLACEMENT], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, peak[PEAK_VELOCITY], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, peak[PEAK_ACCELERATION], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, peak[PEAK_DRIFT], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, peak[PEAK_SHEAR], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, peak_time[PEAK_DISPLACEMENT], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, peak_time[PEAK_VELOCITY], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, peak_time[PEAK_ACCELERATION], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, peak_time[PEAK_DRIFT], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, peak_time[PEAK_SHEAR], FIELD_FLOORS),
+    FIELD_ARRAY(struct results, drift_rate, FIELD_FLOORS),
+    FIELD_ARRAY(struct results, residual_drift, FIELD_FLOORS),
+    FIELD_ARRAY(struct results, deepest, FIELD_LINKS),
+    FIELD_ARRAY(struct results, deepest_time, FIELD_LINKS),
+    FIELD_ARRAY(struct results, link, FIELD_LINKS),
+    FIELD_VALUE(struct results, energy),
+    FIELD_VALUE(struct results, initial_energy),
+    FIELD_VALUE(struct results, residual_peak),
+    FIELD_VALUE(struct results, totals),
+};
+const struct fields results_fields = FIELDS(list);
+
 bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
-    for (int q = 0; q < PEAK_COUNT; q++) {
-        r->peak[q] = lanes_array(a, m->n_dof);
-        r->peak_time[q] = lanes_array(a, m->n_dof);
-    }
-    r->residual_drift = arena_alloc(a, (size_t)m->n_dof, sizeof *r->residual_drift);
-    r->link = arena_alloc(a, (size_t)m->n_link, sizeof *r->link);
-    r->deepest = arena_alloc(a, (size_t)m->n_link + LANES_WIDTH, sizeof *r->deepest);
-    if (arena_failed(a)) {
+    if (!fields_alloc(&results_fields, m, r, a)) {
         return false;
     }
     for (int i = m->n_dof; i < m->chain.n; i++) {
         r->peak[PEAK_ACCELERATION][i] = INFINITY;  // the ground shakes there too
     }
     for (int k = 0; k < m->n_contact; k++) {
-        r->deepest[k] = r->link[k].penetration = -INFINITY;
+        r->deepest[k] = -INFINITY;
     }
     return true;
+}
+
+void peaks_finish(struct results *r, const struct model *m) {
+    for (int k = 0; k < m->n_link; k++) {
+        r->link[k].penetration = r->deepest[k];
+        r->link[k].penetration_time = r->deepest_time[k];
+    }
 }
 
 LANES static void raise(int first, int n, const double *restrict x, double time,
@@ -112,6 +134,13 @@ void peaks_floors(struct results *r, const struct model *m, const struct state *
         if (chain_exceeds(first, lanes_whole(n), value.of, r->peak)) {
             raise_floors(r, first, n, s);
         }
+    }
+}
+
+void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s) {
+    for (int i = 0; i < m->n_dof; i++) {
+        double below = m->chain.joint[i] != 0.0 ? s->v[i - 1] : 0.0;
+        r->drift_rate[i] = number_max(r->drift_rate[i], fabs(s->v[i] - below));
     }
 }
 

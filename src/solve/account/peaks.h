@@ -7,8 +7,14 @@
 
 #include "solve/state.h"
 
+// What results hold while they grow, but for the list of impacts.
+extern const struct fields results_fields;
+
 // Room for the results of a model; false: no memory.
 bool peaks_alloc(struct results *r, const struct model *m, struct arena *a);
+
+// Gives links their largest penetrations, at the end of a run.
+void peaks_finish(struct results *r, const struct model *m);
 
 // Takes state `s` into the envelopes of floors and contacts.
 void peaks_update(struct results *r, const struct model *m, const struct state *s);
@@ -16,11 +22,17 @@ void peaks_update(struct results *r, const struct model *m, const struct state *
 // The same of floors only.
 void peaks_floors(struct results *r, const struct model *m, const struct state *s);
 
-// Raises a peak, and its time, to |x| where that is greater.
+// Takes the drift rates of state `s`.
+void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s);
+
+// Raises a peak, and its time, to x or to |x| where that is greater.
+static inline void peak_larger(double x, double time, double *peak, double *peak_time) {
+    *peak_time = x > *peak ? time : *peak_time;
+    *peak = x > *peak ? x : *peak;
+}
+
 static inline void peak_raise(double x, double time, double *peak, double *peak_time) {
-    double size = fabs(x);
-    *peak_time = size > *peak ? time : *peak_time;
-    *peak = size > *peak ? size : *peak;
+    peak_larger(fabs(x), time, peak, peak_time);
 }
 
 // Raises the largest velocity of any floor so far to the peaks of n floors from `first` on.
@@ -33,17 +45,11 @@ static inline double peaks_size(const struct model *m, int k, double x) {
 
 // Raise the largest penetration and the largest force of link k.
 static inline void peaks_penetration(struct results *r, int k, double delta, double time) {
-    if (delta > r->deepest[k]) {
-        r->deepest[k] = r->link[k].penetration = delta;
-        r->link[k].penetration_time = time;
-    }
+    peak_larger(delta, time, &r->deepest[k], &r->deepest_time[k]);
 }
 
 static inline void peaks_force(struct results *r, int k, double force, double time) {
-    if (force > r->link[k].force) {
-        r->link[k].force = force;
-        r->link[k].force_time = time;
-    }
+    peak_larger(force, time, &r->link[k].force, &r->link[k].force_time);
 }
 
 // The same from state `s`, of a live link.

@@ -7,7 +7,8 @@
 #include <float.h>
 #include <math.h>
 
-#include "law/root.h"
+#include "core/root.h"
+#include "solve/account/settle.h"
 
 enum { DOUBLINGS = 60 };
 
@@ -18,7 +19,7 @@ struct unloading {
 
 static double shear_at(double drift, void *context) {
     const struct unloading *u = context;
-    return u->storey->law->shear(u->storey->constant, u->history, drift).shear;
+    return u->storey->law->respond(u->storey->constant, u->history, drift, NULL).shear;
 }
 
 // The way back is that at the initial stiffness, or longer where the law softens or yields back.
@@ -35,6 +36,10 @@ static double unload(struct unloading u, double stiffness, double drift) {
 void residual_drifts(const struct model *m, const struct state *s, double *out) {
     for (int k = 0; k < m->n_building; k++) {
         const struct building *b = &m->building[k];
+        if (b->n_part > 0 && !b->elastic) {
+            settle_drifts(m, s, b, out + b->first);
+            continue;
+        }
         for (int i = b->first; i < b->first + b->n_floor; i++) {
             const struct storey *storey = &m->storey[i];
             const struct unloading u = {storey, s->storey_history + storey->history};

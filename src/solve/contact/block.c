@@ -23,6 +23,7 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "core/root.h"
 #include "solve/contact/answer.h"
 #include "solve/contact/band.h"
 
@@ -41,13 +42,23 @@ bool block_alloc(struct block *b, const struct model *m, struct arena *a) {
     return !arena_failed(a);
 }
 
-// Entry of A^-1 between end `i` of link l and end `j` of link k; 0 if they are on different
-// buildings.
+// b A^-1 b' of end `i` of link l and end `j` of link k; 0 if they are on different buildings.
 static double between(struct work *w, const struct link *l, int i, const struct link *k, int j) {
     if (l->building[i] == WALL || l->building[i] != k->building[j]) {
         return 0.0;
     }
-    return effective_column(&w->effective[l->building[i]], l->floor[i] - 1)[k->floor[j] - 1];
+    struct effective *a = &w->effective[l->building[i]];
+    const int first = a->building->first;
+    double sum = 0.0;
+    for (int x = 0, n = link_entries(l, i); x < n; x++) {
+        const struct link_entry own = link_entry(l, i, x);
+        const double *column = effective_column(a, own.dof - first);
+        for (int y = 0, other = link_entries(k, j); y < other; y++) {
+            const struct link_entry e = link_entry(k, j, y);
+            sum += own.weight * e.weight * column[e.dof - first];
+        }
+    }
+    return sum;
 }
 
 static double flexibility(struct work *w, const struct link *l, const struct link *k) {
@@ -216,19 +227,14 @@ static bool part_step(struct work *w, const struct state *now, struct state *nex
         return false;
     }
     limit(w, c, df);
-    double low = 0.0;
-    double high = 2.0;
-    for (int i = 0; i < PARTS; i++) {
-        double part = 0.5 * (low + high);
-        apply(w, c, part, df);
-        *(descent(w, now, next, c, df) <= 0.0 ? &low : &high) = part;
+    struct root part = {.high = 2.0};
+    for (int i = 0; i < PARTS && part.low != 1.0; i++) {
+        apply(w, c, root_middle(&part), df);
+        root_halve(&part, descent(w, now, next, c, df) <= 0.0);
         restore(w, c);
-        if (low == 1.0) {
-            break;
-        }
     }
-    apply(w, c, low, df);
-    return low > 0.0;
+    apply(w, c, part.low, df);
+    return part.low > 0.0;
 }
 
 bool block_step(struct work *w, const struct state *now, struct state *next,

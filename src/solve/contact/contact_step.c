@@ -57,7 +57,7 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
     p->branch = BRANCH_CLOSED;
     p->clamped = false;
     if (!(from->t_close < now->time)) {
-        p->checked = 0.0;
+        p->resolved->step = 0.0;
     }
 }
 
@@ -103,7 +103,8 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
     gaps_touch(&w->gaps, k);
     p->branch = BRANCH_OPEN;
     p->clamped = false;
-    p->checked = p->fits_to = p->force = 0.0;
+    *p->resolved = (struct resolved){.factors = w->factors};
+    p->force = 0.0;
     p->history = next->link_history + l->history;
     struct line line = answer_line(w, now, next, k);
     struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,

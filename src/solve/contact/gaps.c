@@ -13,8 +13,9 @@
 // Does link k carry on the run?
 static bool continues(const struct model *m, const struct gap_run *r, int k) {
     const struct link *l = &m->link[k];
-    return l->dof[0] == r->left + r->n && l->dof[1] == r->right + r->n &&
-           l->building[0] == r->building[0] && l->building[1] == r->building[1];
+    return !r->row && link_is_plain(l) && l->dof[0] == r->left + r->n &&
+           l->dof[1] == r->right + r->n && l->building[0] == r->building[0] &&
+           l->building[1] == r->building[1];
 }
 
 static void find_runs(struct gaps *g) {
@@ -22,15 +23,19 @@ static void find_runs(struct gaps *g) {
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         g->gap[k] = l->gap;
-        g->limit[k] = g->nearest[k] = -INFINITY;
+        g->limit[k] = -INFINITY;
         if (g->n_run > 0 && continues(m, &g->run[g->n_run - 1], k)) {
             g->run[g->n_run - 1].n++;
             g->run_of[k] = g->n_run - 1;
             continue;
         }
         g->all[g->n_run] = g->run_of[k] = g->n_run;
-        g->run[g->n_run++] = (struct gap_run){
-            k, 1, state_end(l, m, 0), state_end(l, m, 1), {l->building[0], l->building[1]}};
+        g->run[g->n_run++] = (struct gap_run){.first = k,
+                                              .n = 1,
+                                              .left = state_end(l, m, 0),
+                                              .right = state_end(l, m, 1),
+                                              .building = {l->building[0], l->building[1]},
+                                              .row = link_is_plain(l) ? NULL : l};
     }
 }
 
@@ -53,15 +58,15 @@ static void sort_runs(struct gaps *g) {
     }
 }
 
-bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a) {
+bool gaps_alloc(struct gaps *g, const struct model *m, const struct results *r, struct arena *a) {
     size_t n_link = (size_t)m->n_link;
     size_t n_building = (size_t)m->n_building;
     *g = (struct gaps){
         .model = m,
         .gap = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->gap),
         .limit = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->limit),
-        .nearest = arena_alloc(a, n_link + LANES_WIDTH, sizeof *g->nearest),
-        .time = arena_alloc(a, n_link, sizeof *g->time),
+        .nearest = r->deepest,
+        .time = r->deepest_time,
         .run_of = arena_alloc(a, n_link, sizeof *g->run_of),
         .beyond = arena_alloc(a, n_link, sizeof *g->beyond),
         .all = arena_alloc(a, n_link, sizeof *g->all),
@@ -101,6 +106,14 @@ static inline bool update_run(const struct gaps *g, const struct gap_run *r,
     return sign < 0;
 }
 
+// The same of a run that is one link with a row.
+static bool update_row(const struct gaps *g, const struct gap_run *r, const double *u,
+                       double *delta) {
+    double d = link_across(r->row, u) - g->gap[r->first];
+    delta[r->first] = d;
+    return g->limit[r->first] < d;
+}
+
 // Does a link of the run that does not act stand inside?
 static inline bool is_pressed(const struct gaps *g, const struct gap_run *r, const double *delta) {
     const double *restrict d = delta + r->first;
@@ -119,7 +132,7 @@ LANES static int update(const struct gaps *g, const double *u, double *delta, in
     for (int i = 0; i < n; i++) {
         int k = visited[i];
         const struct gap_run *r = &g->run[k];
-        g->beyond[k] = update_run(g, r, u, delta);
+        g->beyond[k] = r->row ? update_row(g, r, u, delta) : update_run(g, r, u, delta);
         if (g->beyond[k] && is_pressed(g, r, delta)) {
             pressed[n_pressed++] = k;
         }
@@ -182,9 +195,7 @@ LANES static void look(const struct gaps *g, const struct gap_run *r, const doub
     double *restrict time = g->time + r->first;
     double *restrict limit = g->limit + r->first;
     for (int j = 0, n = r->n; j < n; j++) {
-        bool nearer = d[j] > nearest[j];
-        time[j] = nearer ? now : time[j];
-        nearest[j] = nearer ? d[j] : nearest[j];
+        peak_larger(d[j], now, &nearest[j], &time[j]);
         limit[j] = limit[j] > 0.0 ? limit[j] : number_min(nearest[j], 0.0);
     }
 }
@@ -194,13 +205,6 @@ void gaps_peaks(struct gaps *g, const struct state *s) {
         if (g->beyond[i]) {
             look(g, &g->run[i], s->delta, s->time);
         }
-    }
-}
-
-void gaps_finish(const struct gaps *g, struct results *r) {
-    int n = g->n_run > 0 ? g->model->n_contact : 0;
-    for (int k = 0; k < n; k++) {
-        peaks_penetration(r, k, g->nearest[k], g->time[k]);
     }
 }
 
@@ -214,4 +218,12 @@ void gaps_forget(struct gaps *g) {
         g->is_touched[g->touched[i]] = false;
     }
     g->n_acting = g->n_touched = 0;
+}
+
+void gaps_resume(struct gaps *g) {
+    gaps_forget(g);
+    g->n_pressed = 0;
+    for (int k = 0; k < g->model->n_link; k++) {
+        g->limit[k] = number_min(g->nearest[k], 0.0);
+    }
 }

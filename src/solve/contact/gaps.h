@@ -8,22 +8,21 @@
 #include "core/number.h"
 #include "solve/state.h"
 
-struct results;
-
-// Links first to first + n - 1 whose ends are floors one above the other on the same two sides.
+// Links first to first + n - 1 whose ends are floors one above the other on the same two sides, or
+// one link with an end that is a row.
 struct gap_run {
     int first, n;
-    int left, right;  // ends of link `first` among the arrays of struct chain
-    int building[2];  // WALL
+    int left, right;         // ends of link `first` among the arrays of struct chain
+    int building[2];         // WALL
+    const struct link *row;  // borrowed: the link with a row; NULL: all ends are floors
 };
 
 struct gaps {
     const struct model *model;  // borrowed
     double *gap;                // [L] (n_link)
-    double *limit;    // [L] (n_link) a link beyond this may close or is nearer than ever: infinite
-                      // for links that act, else 0 or its largest penetration, the lesser
-    double *nearest;  // [L] (n_link) largest penetration that gaps_peaks has seen,
-    double *time;     // [T] (n_link) and when
+    double *limit;  // [L] (n_link) a link beyond this may close or is nearer than ever: infinite
+                    // for links that act, else 0 or its largest penetration, the lesser
+    double *nearest, *time;  // borrowed: results.deepest, results.deepest_time
     int n_run;
     struct gap_run *run;
     int *run_of;               // (n_link)
@@ -41,8 +40,12 @@ struct gaps {
     bool *is_touched;         // (n_building)
 };
 
-// Room for the links of a model, and their runs; false: no memory.
-bool gaps_alloc(struct gaps *g, const struct model *m, struct arena *a);
+// Room for the links of a model, and their runs; their largest penetrations are in `r`. False: no
+// memory.
+bool gaps_alloc(struct gaps *g, const struct model *m, const struct results *r, struct arena *a);
+
+// Starts with what is in the results: no link acts.
+void gaps_resume(struct gaps *g);
 
 // Brings s->delta to the displacements of `s`.
 void gaps_update(struct gaps *g, struct state *s);
@@ -67,10 +70,6 @@ static inline void gaps_note(struct gaps *g, int k, double d, double time) {
         g->limit[k] = g->limit[k] > 0.0 ? g->limit[k] : number_min(d, 0.0);
     }
 }
-
-// Puts those of contacts into the peaks; does nothing where `g` was never allocated and is all
-// zero.
-void gaps_finish(const struct gaps *g, struct results *r);
 
 // No link acts, and no building is touched any more.
 void gaps_forget(struct gaps *g);

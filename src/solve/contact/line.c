@@ -12,6 +12,7 @@
 #include <math.h>
 
 #include "core/number.h"
+#include "core/root.h"
 
 // A Newton step as small as this, relative to the force, leaves an error of the order of its
 // square.
@@ -20,15 +21,7 @@ static const double SQUARED = 1e-9;
 // A velocity too small to change a force, but with a sign for the law.
 static const double SMALLEST = DBL_MIN;
 
-enum {
-    NEWTON_MAX = 25,
-    ITERATIONS_MAX = 200,
-    EXPANSIONS_MAX = 200,
-    HALVINGS = 60,
-    GOLDEN_MAX = 40
-};
-
-static const double GOLDEN = 0.6180339887498949;  // (sqrt(5) - 1) / 2
+enum { NEWTON_MAX = 25, ITERATIONS_MAX = 200, EXPANSIONS_MAX = 200, HALVINGS = 60 };
 
 struct contact_response line_law(const struct line *l, double force) {
     double d = l->d_free - l->d_force * force;
@@ -64,29 +57,30 @@ static double residual_at_rest(const struct line *l, double f, double v) {
 
 // Moves one end of the bracket to the force that makes v = 0, where the law may jump or have a
 // kink. True if the root is there: both ends are.
-static bool split_at_rest(const struct line *l, double *low, double *high) {
+static bool split_at_rest(const struct line *l, struct root *r) {
     double f = l->v_free / l->v_force;
-    if (!(f > *low && f < *high)) {
+    if (!(f > r->low && f < r->high)) {
         return false;
     }
     if (residual_at_rest(l, f, -SMALLEST) < 0.0) {
-        *low = f;
+        r->low = f;
         return false;
     }
-    *high = f;
+    r->high = f;
     if (residual_at_rest(l, f, SMALLEST) <= 0.0) {
-        *low = f;
+        r->low = f;
     }
-    return *low == f;
+    return r->low == f;
 }
 
 // The root of g in [low, high], g(low) <= 0 <= g(high).
-static double root(const struct line *l, double low, double high, double f) {
-    if (split_at_rest(l, &low, &high)) {
-        return low;
+static double solve(const struct line *l, double low, double high, double f) {
+    struct root within = {low, high, 1.0};
+    if (split_at_rest(l, &within)) {
+        return within.low;
     }
-    if (!(f > low && f < high)) {
-        f = 0.5 * (low + high);
+    if (!(f > within.low && f < within.high)) {
+        f = root_middle(&within);
     }
     for (int i = 0; i < ITERATIONS_MAX; i++) {
         struct contact_response r = line_law(l, f);
@@ -94,12 +88,10 @@ static double root(const struct line *l, double low, double high, double f) {
         if (g == 0.0) {
             return f;
         }
-        *(g > 0.0 ? &high : &low) = f;
+        root_narrow(&within, f, g);
         double next = f - g / (1.0 + l->d_force * r.dfdd + l->v_force * r.dfdv);
-        bool newton = i < NEWTON_MAX && next >= low && next <= high;
-        if (!newton) {
-            next = low + 0.5 * (high - low);
-        }
+        bool newton = i < NEWTON_MAX && next >= within.low && next <= within.high;
+        next = newton ? next : within.low + 0.5 * (within.high - within.low);
         if (fabs(next - f) <= (newton ? SQUARED : DBL_EPSILON) * fabs(f) || next == f) {
             return next;
         }
@@ -124,10 +116,10 @@ static bool bracket_below(const struct line *l, double *low) {
 static double unbounded(const struct line *l, double guess) {
     double f = line_law(l, 0.0).force;
     if (f >= 0.0) {
-        return root(l, 0.0, f, guess);
+        return solve(l, 0.0, f, guess);
     }
     double low = f;
-    return bracket_below(l, &low) ? root(l, low, 0.0, guess) : f;
+    return bracket_below(l, &low) ? solve(l, low, 0.0, guess) : f;
 }
 
 // d_free > 0: there is no open solution.
@@ -139,50 +131,24 @@ static enum branch pressed(const struct line *l, double guess, double *force) {
     }
     double f = line_law(l, 0.0).force;
     if (f >= 0.0) {
-        *force = root(l, 0.0, fmin(top, f), guess);
+        *force = solve(l, 0.0, fmin(top, f), guess);
     } else {
         double low = f;
-        *force = bracket_below(l, &low) ? root(l, low, 0.0, guess) : f;
+        *force = bracket_below(l, &low) ? solve(l, low, 0.0, guess) : f;
     }
     return BRANCH_CLOSED;
 }
 
-// A force between low and *high with g > 0, into *high; false: none. g has one maximum there: the
-// tension is zero at d = 0 and again where the bodies do not part fast enough. Golden section.
-static bool find_tension(const struct line *l, double low, double *high) {
-    double end = *high;
-    double x = end - GOLDEN * (end - low);
-    double y = low + GOLDEN * (end - low);
-    double at_x = residual(l, x);
-    double at_y = residual(l, y);
-    for (int i = 0; i < GOLDEN_MAX && at_x <= 0.0 && at_y <= 0.0; i++) {
-        if (at_x > at_y) {
-            end = y;
-            y = x;
-            at_y = at_x;
-            x = end - GOLDEN * (end - low);
-            at_x = residual(l, x);
-        } else {
-            low = x;
-            x = y;
-            at_x = at_y;
-            y = low + GOLDEN * (end - low);
-            at_y = residual(l, y);
-        }
-    }
-    *high = at_x > 0.0 ? x : y;
-    return at_x > 0.0 || at_y > 0.0;
-}
-
-// d_free <= 0 for a closed link of a law that pulls: is there a tension that keeps d > 0?
+// d_free <= 0 for a closed link of a law that pulls: does it pull hard enough at d = 0 to keep d >
+// 0? A tension that grows with d does not, as it is 0 there: such a link opens.
 static enum branch held(const struct line *l, double guess, double *force) {
     double high = l->d_free / l->d_force;
-    double low = fmin(high, line_law(l, high).force);
+    double low = line_law(l, high).force;
     *force = 0.0;
-    if (!bracket_below(l, &low) || (residual(l, high) <= 0.0 && !find_tension(l, low, &high))) {
+    if (low >= high || !bracket_below(l, &low)) {
         return BRANCH_OPEN;
     }
-    *force = root(l, low, high, guess);
+    *force = solve(l, low, high, guess);
     return BRANCH_CLOSED;
 }
 
@@ -191,20 +157,18 @@ double line_excess(const struct line *l, double force) {
         return force - (l->v_free - l->v_rest) / l->v_force;
     }
     double at = residual_of(l, force, force);
-    double low = force;
-    double high = force;
-    double *end = at < 0.0 ? &high : &low;
+    struct root r = {force, force, 1.0};
+    double *end = at < 0.0 ? &r.high : &r.low;
     double way = at < 0.0 ? 1.0 : -1.0;
     double width = 1e-6 * (fabs(force) + fabs(l->v_free / l->v_force)) + DBL_MIN;
     for (int i = 0; i < EXPANSIONS_MAX && residual_of(l, force, *end) * at > 0.0; i++) {
         *end = force + way * width;
         width *= 4.0;
     }
-    for (int i = 0; i < HALVINGS && low < high; i++) {
-        double middle = 0.5 * (low + high);
-        *(residual_of(l, force, middle) < 0.0 ? &low : &high) = middle;
+    for (int i = 0; i < HALVINGS && r.low < r.high; i++) {
+        root_halve(&r, residual_of(l, force, root_middle(&r)) < 0.0);
     }
-    return force - 0.5 * (low + high);
+    return force - root_middle(&r);
 }
 
 // A rigid contact at rest: the force that keeps the bodies together, unless it would have to pull.

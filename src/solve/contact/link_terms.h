@@ -25,10 +25,8 @@
 #include "core/number.h"
 #include "solve/floors/floor_terms.h"
 
-// LINKS_IN_LANES is defined for runs in lanes.
+// LINKS_IN_LANES is defined for runs in lanes, after ensemble_contacts.h has been included.
 #ifdef LINKS_IN_LANES
-#include "solve/ensemble/ensemble_contacts.h"
-
 typedef wide link_number;
 #define LINK_INLINE LANES_WHOLE_INLINE
 #define LINK_SCHEME struct ensemble_factors

@@ -24,7 +24,7 @@ bool resolve_negligible(const struct work *w, const struct state *now, double ve
 // Is a step short enough for the spring of a law that has the tangents `r` at (d, v)?
 static bool fits_spring(const struct work *w, struct link_scratch *p, struct contact_response r,
                         double d) {
-    if (d <= p->fits_to) {
+    if (d <= p->resolved->depth) {
         return true;
     }
     double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
@@ -32,7 +32,7 @@ static bool fits_spring(const struct work *w, struct link_scratch *p, struct con
                            : p->kind->force(p->constant, p->history, d, 0.0).dfdd;
     double coarse = SPRING_COARSENESS(stiffness, p->flexibility, w->h);
     bool smooth = p->kind->traits & CONTACT_SMOOTH;
-    p->fits_to =
+    p->resolved->depth =
         smooth && RESOLVE_STIFFER * coarse <= RESOLVE_COARSEST_SPRING ? RESOLVE_DEEPER * d : 0.0;
     return coarse <= RESOLVE_COARSEST_SPRING;
 }
@@ -58,7 +58,7 @@ static bool at_rest(const struct work *w, const struct path *p) {
 // resolved with a step as long.
 static bool starts_resolved(const struct work *w, const struct state *now, struct link_scratch *p) {
     int k = p->index;
-    return !now->link[k].closed || p->checked >= w->h ||
+    return !now->link[k].closed || p->resolved->step >= w->h ||
            resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
 }
 
@@ -75,10 +75,10 @@ static bool resolved(struct work *w, const struct state *now, const struct state
     int k = p->index;
     struct path path = {.d0 = now->delta[k], .d1 = d, .v1 = p->v_trial + w->g * x, .h = w->h};
     if (starts_resolved(w, now, p) && ends_resolved(w, p, &path)) {
-        p->checked = w->h;
+        p->resolved->step = w->h;
         return true;
     }
-    p->checked = 0.0;
+    p->resolved->step = 0.0;
     path.v0 = state_rate(now, w->model, k);
     if (now->link[k].closed && p->branch == BRANCH_CLOSED) {
         return at_rest(w, &path);
@@ -93,6 +93,6 @@ bool resolve_judge(struct work *w, const struct state *now, const struct state *
     if (p->bilateral || p->kind->rebound || resolved(w, now, next, p, x, p->d_trial + w->b * x)) {
         return true;
     }
-    w->unresolved = p->index;
+    w->memory->unresolved = p->index;
     return false;
 }

@@ -27,14 +27,15 @@ bool resolve_judge(struct work *w, const struct state *now, const struct state *
 // gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
 // impacts make nonsense of a run. True if the trial step from `now` to `next` resolves the contact,
 // or if there is nothing to resolve because it is pressed together and hardly moves; else
-// w->unresolved says that it needs a shorter step. In line for the usual case: the start has been
-// checked, the end has its tangents, and the spring is no stiffer than one that has been checked.
+// memory.unresolved says that it needs a shorter step. In line for the usual case: the start has
+// been checked, the end has its tangents, and the spring is no stiffer than one that has been
+// checked.
 static inline bool resolve_suffices(struct work *w, const struct state *now,
                                     const struct state *next, struct link_scratch *p) {
     double x = sweep_across(p, w->correction);
-    if (p->checked >= w->h && !p->ask && p->d_trial + w->b * x <= p->fits_to &&
+    if (p->resolved->step >= w->h && !p->ask && p->d_trial + w->b * x <= p->resolved->depth &&
         DASHPOT_COARSENESS(p->dfdv, p->flexibility, w->g) <= RESOLVE_COARSEST_DASHPOT) {
-        p->checked = w->h;
+        p->resolved->step = w->h;
         return true;
     }
     return resolve_judge(w, now, next, p);

@@ -16,15 +16,23 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/lanes.h"
 #include "core/number.h"
 #include "solve/contact/link_terms.h"
 
-void sweep_init(struct link_scratch *p, const struct model *m, int k) {
+// Floors of the building at an end, in whole lanes.
+static int lanes_at(const struct model *m, const struct link *l, int side) {
+    return l->row[side].n > 0 ? lanes_whole(m->building[l->building[side]].n_floor) : 0;
+}
+
+bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct arena *a) {
     const struct link *l = &m->link[k];
+    const bool plain = link_is_plain(l);
     *p = (struct link_scratch){
-        .end = {state_end(l, m, 0), state_end(l, m, 1)},
+        .end = {plain ? state_end(l, m, 0) : -1, plain ? state_end(l, m, 1) : -1},
+        .combined = plain ? NULL : lanes_array(a, lanes_at(m, l, 0) + lanes_at(m, l, 1)),
         .link = l,
         .index = k,
         .kind = l->law,
@@ -33,6 +41,11 @@ void sweep_init(struct link_scratch *p, const struct model *m, int k) {
         .bilateral = l->bilateral,
         .moving_ground = l->moving_ground,
     };
+    return plain || p->combined;
+}
+
+double sweep_across_rows(const struct link_scratch *p, const double *x) {
+    return link_across(p->link, x);
 }
 
 static double sum_of_sizes(const double *x, int n) {
@@ -43,24 +56,60 @@ static double sum_of_sizes(const double *x, int n) {
     return sum;
 }
 
+// A^-1 b' of an end that is a row, into `column` (n_floor in whole lanes); returns b A^-1 b'.
+static double combine_columns(struct effective *a, const struct link *l, int side, double *column,
+                              struct reach *reach) {
+    const int n = lanes_whole(a->building->n_floor);
+    const struct link_row *row = &l->row[side];
+    double flexibility = 0.0;
+    memset(column, 0, (size_t)n * sizeof *column);
+    *reach = (struct reach){n, 0};
+    for (int i = 0; i < row->n; i++) {
+        const int floor = row->entry[i].dof - a->building->first;
+        const double *one = effective_column(a, floor);
+        for (int j = 0; j < n; j++) {
+            column[j] += row->entry[i].weight * one[j];
+        }
+        const struct reach own = a->reach[floor];
+        *reach = (struct reach){own.from < reach->from ? own.from : reach->from,
+                                own.to > reach->to ? own.to : reach->to};
+    }
+    for (int i = 0; i < row->n; i++) {
+        flexibility += row->entry[i].weight * column[row->entry[i].dof - a->building->first];
+    }
+    return flexibility;
+}
+
 // How the floors of its buildings respond to its force.
 static void find_columns(const struct work *w, struct link_scratch *p) {
     const struct link *l = p->link;
+    double *combined = p->combined;
     p->factors = w->factors;
     p->flexibility = 0.0;
-    p->fits_to = 0.0;
+    if (p->resolved->factors != w->factors) {
+        p->resolved->factors = w->factors;
+        p->resolved->depth = 0.0;
+    }
     double sum = 0.0;
     for (int i = 0; i < 2; i++) {
         if (l->dof[i] != WALL) {
             struct effective *a = &w->effective[l->building[i]];
             int floor = l->floor[i] - 1;
-            const double *column = effective_column(a, floor);
-            const struct reach *reach = &a->reach[floor];
-            p->flexibility += column[floor];
+            const double *column;
+            struct reach reach;
+            if (l->row[i].n > 0) {
+                p->flexibility += combine_columns(a, l, i, combined, &reach);
+                column = combined;
+                combined += lanes_whole(a->building->n_floor);
+            } else {
+                column = effective_column(a, floor);
+                reach = a->reach[floor];
+                p->flexibility += column[floor];
+            }
             sum += sum_of_sizes(column, a->building->n_floor);
-            p->column[i] = column + reach->from;
-            p->first[i] = l->dof[i] - floor + reach->from;
-            p->lanes[i] = reach->to - reach->from;
+            p->column[i] = column + reach.from;
+            p->first[i] = a->building->first + reach.from;
+            p->lanes[i] = reach.to - reach.from;
         }
     }
     p->others = number_max(w->crowd * sum / p->flexibility - 1.0, 0.0);
@@ -162,12 +211,20 @@ void sweep_push(const struct work *w, const struct link_scratch *p, double df) {
     push_ends(w, p, df);
 }
 
+// The sizes of x at both ends, one of which is a row; and of any link.
+static __attribute__((noinline)) double size_rows(const struct link_scratch *p, const double *x) {
+    return link_size(p->link, x);
+}
+
+static inline double size(const struct link_scratch *p, const double *x) {
+    return p->end[0] >= 0 ? fabs(x[p->end[0]]) + fabs(x[p->end[1]]) : size_rows(p, x);
+}
+
 // Is a change of the force no more than the rounding of d and v makes of it?
 static inline bool negligible(const struct work *w, const struct link_scratch *p, double df) {
-    const int left = p->end[0], right = p->end[1];
-    double q = fabs(w->correction[left]) + fabs(w->correction[right]);
-    double d = fabs(w->u_trial[left]) + fabs(w->u_trial[right]) + p->gap + w->b * q;
-    double v = fabs(w->v_trial[left]) + fabs(w->v_trial[right]) + w->g * q;
+    double q = size(p, w->correction);
+    double d = size(p, w->u_trial) + p->gap + w->b * q;
+    double v = size(p, w->v_trial) + w->g * q;
     return fabs(df) <= ROUNDING(p->tangent.damped, p->dfdd, d, p->dfdv, v);
 }
 

@@ -25,7 +25,7 @@ struct tangent {
 // One link, in four lines of the cache: what every visit of a sweep looks at, what a step needs
 // too, which is from tangent.near on, what asking the law needs, and the rest.
 struct link_scratch {
-    alignas(LANES_LINE) int end[2];  // among the arrays of struct chain
+    alignas(LANES_LINE) int end[2];  // among the arrays of struct chain; -1: an end is a row
     enum branch branch;              // that its force is on
     bool ask;                        // the law must be asked again, if it is trusted
     bool trusted;                    // on the closed branch, where a Newton step may start
@@ -49,13 +49,13 @@ struct link_scratch {
     double dfdv;                     // [F T/L] as dfdd
     double gap;                      // [L]
 
-    long factors;    // work.factors that flexibility and columns are of
-    double fits_to;  // [L] penetration up to which steps are short enough for its spring
-    double checked;  // [T] step with which its start or end was last resolved; 0: none
-    double kept;     // [F] to step back to
-    double v_rest;   // [L/T] at the end of the step, of a rigid contact at rest
+    long factors;               // work.factors that flexibility and columns are of
+    double kept;                // [F] to step back to
+    double v_rest;              // [L/T] at the end of the step, of a rigid contact at rest
+    struct resolved *resolved;  // borrowed, as is the next
     const struct link *link;
-    int index;  // of the link
+    double *combined;  // (2, lanes) columns of ends that are rows; NULL: all are floors
+    int index;         // of the link
     bool bilateral;
     bool moving_ground;
 };
@@ -77,13 +77,17 @@ struct progress {
     bool answered;  // some link got its exact answer: echo knows nothing of it
 };
 
-// The difference of x, an array (n_dof), between both ends of a link.
+// The difference of x, an array (n_dof), between both ends of a link, one of which is a row. Not in
+// line: the loops over links of floors stay small.
+double sweep_across_rows(const struct link_scratch *p, const double *x);
+
+// The same of any link.
 static inline double sweep_across(const struct link_scratch *p, const double *x) {
-    return x[p->end[0]] - x[p->end[1]];
+    return p->end[0] >= 0 ? x[p->end[0]] - x[p->end[1]] : sweep_across_rows(p, x);
 }
 
-// What does not change of link k.
-void sweep_init(struct link_scratch *p, const struct model *m, int k);
+// What does not change of link k; false: no memory.
+bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct arena *a);
 
 // Makes the live links of `next` the acting ones; *progress is that of the guess.
 void sweep_begin(struct work *w, const struct state *next, struct progress *progress);

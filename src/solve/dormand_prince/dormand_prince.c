@@ -1,27 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dormand & Prince's method with error control, for adaptive analyses. The time loop within the
-// time loop: a step is made as long as the tolerance allows (dp_control.c), taken (dp_stages.c),
-// ended at its first event (dp_event.c, dp_locate.c), and accounted for (dp_account.c, dp_peaks.c);
-// what happens at the event (dp_happen.c) belongs to the next.
+// time loop: a step is made as long as the tolerance allows and taken (dp_step.c), ended at its
+// first event (dp_events.c), and accounted for (dp_account.c, dp_peaks.c); what happens at the
+// event (dp_happen.c) belongs to the next.
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
 #include "core/arena.h"
 #include "core/lanes.h"
-#include "solve/dormand_prince/dp_account.h"
-#include "solve/dormand_prince/dp_control.h"
-#include "solve/dormand_prince/dp_event.h"
-#include "solve/dormand_prince/dp_happen.h"
-#include "solve/dormand_prince/dp_locate.h"
-#include "solve/dormand_prince/dp_peaks.h"
-#include "solve/dormand_prince/dp_stages.h"
+#include "solve/dormand_prince/dp.h"
 #include "solve/method.h"
 
 // Times that differ by less than this share of them are the same: of steps, corners and rows.
 static const double SAME_TIME = 8.0 * DBL_EPSILON;
 
-static bool alloc(struct run *r, struct arena *a) {
+static const struct fields_row list[] = {
+    FIELD_PART(struct dp, system, dp_system_fields),
+    FIELD_PART(struct dp, before, energy_fields),
+    FIELD_PART(struct dp, energy, energy_fields),
+    FIELD_VALUE(struct dp, h),
+    FIELD_PART(struct dp, now, state_fields),
+    FIELD_PART(struct dp, next, state_fields),
+    FIELD_PARTS(struct dp, stage[0], FIELD_AT, dp_rates_fields),
+    FIELD_PARTS(struct dp, stage[1], FIELD_AT, dp_rates_fields),
+    FIELD_PARTS(struct dp, stage[2], FIELD_AT, dp_rates_fields),
+    FIELD_PARTS(struct dp, stage[3], FIELD_AT, dp_rates_fields),
+    FIELD_PARTS(struct dp, stage[4], FIELD_AT, dp_rates_fields),
+    FIELD_PARTS(struct dp, stage[5], FIELD_AT, dp_rates_fields),
+    FIELD_PARTS(struct dp, stage[6], FIELD_AT, dp_rates_fields),
+    FIELD_ARRAY(struct dp, rate[0], FIELD_LINKS),
+    FIELD_ARRAY(struct dp, rate[1], FIELD_LINKS),
+    FIELD_VALUE(struct dp, fastest.longest),
+    FIELD_VALUE(struct dp, fastest.linked),
+    FIELD_VALUE(struct dp, trial),
+    FIELD_PART(struct dp, scales, scale_fields),
+    FIELD_ARRAY(struct dp, scales.square, FIELD_BUILDINGS),
+    FIELD_VALUE(struct dp, noisy),
+    FIELD_VALUE(struct dp, grown),
+    FIELD_VALUE(struct dp, jumped),
+    FIELD_VALUE(struct dp, is_steep),
+    FIELD_VALUE(struct dp, pace),
+    FIELD_VALUE(struct dp, event),
+    FIELD_VALUE(struct dp, last_link),
+    FIELD_VALUE(struct dp, events_before),
+    FIELD_VALUE(struct dp, time_before),
+};
+static const struct fields fields = FIELDS(list);
+static const struct fields_row of_run[] = {FIELD_PARTS(struct run, dp, FIELD_AT, fields)};
+static const struct fields run_fields = FIELDS(of_run);
+
+static bool dp_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     size_t n_rate = (size_t)m->n_link + LANES_WIDTH;
     struct dp *p = arena_alloc(a, 1, sizeof *p);
@@ -30,7 +59,6 @@ static bool alloc(struct run *r, struct arena *a) {
     }
     r->dp = p;
     *p = (struct dp){.model = m, .results = r->results, .impacts = &r->impacts, .last_link = -1};
-    p->floors = LANES_WIDEST_OF(&dp_wide, &dp_narrow);
     p->rate[0] = arena_alloc(a, n_rate, sizeof(double));
     p->rate[1] = arena_alloc(a, n_rate, sizeof(double));
     p->reach = arena_alloc(a, n_rate, sizeof(double));
@@ -38,13 +66,13 @@ static bool alloc(struct run *r, struct arena *a) {
     for (int s = 0; s < DP_STAGES; s++) {
         dp_rates_alloc(&p->rates[s], m, a);
     }
-    return gaps_alloc(&p->gaps, m, a) && scale_alloc(&p->scales, m, a) &&
-           dp_system_alloc(&p->system, m, a) && state_alloc(&p->now, m, a) &&
+    return gaps_alloc(&p->gaps, m, r->results, a) && scale_alloc(&p->scales, m, a) &&
+           dp_step_alloc(p, a) && dp_system_alloc(&p->system, m, a) && state_alloc(&p->now, m, a) &&
            state_alloc(&p->next, m, a);
 }
 
 // The first and the last stage stand at the ends of the step.
-static void bind(struct dp *p) {
+static void dp_bind(struct dp *p) {
     const struct state *end[2] = {&p->now, &p->next};
     for (int s = 0; s < DP_STAGES; s++) {
         p->stage[s] = &p->rates[s];
@@ -60,49 +88,34 @@ static void bind(struct dp *p) {
 
 // Makes the state of the run that of the integrator. Rigid contacts that are pressed together at
 // the start meet there at once, which is an error.
-static void adopt(struct dp *p, const struct state *start) {
-    const struct model *m = p->model;
-    struct state *now = &p->now;
-    size_t n_dof = (size_t)m->n_dof * sizeof(double);
-    now->time = start->time;
-    memcpy(now->u, start->u, n_dof);
-    memcpy(now->v, start->v, n_dof);
-    memcpy(now->drift, start->drift, n_dof);
-    memcpy(now->delta, start->delta, (size_t)m->n_link * sizeof *now->delta);
-    for (int i = 0; i < start->n_live; i++) {
-        state_enliven(now, start->live[i]);
-    }
-    memcpy(now->link, start->link, (size_t)m->n_link * sizeof *now->link);
-    state_open_where(now, m, state_rests);
-    memcpy(now->ground_v, start->ground_v, (size_t)m->n_ground * sizeof *now->ground_v);
-    memcpy(now->storey_history, start->storey_history,
-           (size_t)m->n_storey_history * sizeof(double));
-    memcpy(now->link_history, start->link_history, (size_t)m->n_link_history * sizeof(double));
+static void dp_adopt(struct dp *p, const struct state *start) {
+    fields_copy(&state_fields, p->model, &p->now, start);
+    state_open_where(&p->now, p->model, state_rests);
 }
 
-static void start(struct run *r) {
+static void dp_start(struct run *r) {
     struct dp *p = r->dp;
     struct state *now = &p->now;
-    adopt(p, r->now);
-    bind(p);
+    dp_adopt(p, r->now);
+    dp_bind(p);
     dp_system_start(&p->system, now);
-    dp_stages_first(p);
-    dp_stages_gaps(p, now, p->rate[0]);
+    dp_step_first(p);
+    dp_step_gaps(p, now, p->rate[0]);
+    dp_step_start(p);
     scale_expect(&p->scales, p->model);
     p->grown = p->jumped = true;
     dp_peaks_jump(p);
-    p->energy = r->energy;
-    dp_control_start(p);
+    p->before = p->energy = r->energy;
 }
 
-static void swap(double **x, double **y) {
+static void dp_swap(double **x, double **y) {
     double *z = *x;
     *x = *y;
     *y = z;
 }
 
 // Makes the end of the step the start of the next.
-static void swap_ends(struct dp *p) {
+static void dp_swap_ends(struct dp *p) {
     struct state *now = &p->now;
     struct state *next = &p->next;
     double **of_now[] = {&now->u,     &now->v,        &now->a,        &now->drift,
@@ -110,9 +123,9 @@ static void swap_ends(struct dp *p) {
     double **of_next[] = {&next->u,     &next->v,        &next->a,        &next->drift,
                           &next->delta, &next->ground_a, &next->ground_v, &next->ground_u};
     for (size_t i = 0; i < sizeof of_now / sizeof of_now[0]; i++) {
-        swap(of_now[i], of_next[i]);
+        dp_swap(of_now[i], of_next[i]);
     }
-    swap(&p->rate[0], &p->rate[1]);
+    dp_swap(&p->rate[0], &p->rate[1]);
     struct dp_rates *first = p->stage[0];
     p->stage[0] = p->stage[DP_STAGES - 1];
     p->stage[DP_STAGES - 1] = first;
@@ -120,24 +133,24 @@ static void swap_ends(struct dp *p) {
 }
 
 // Does the last step end at a corner of the forcing?
-static bool is_at_corner(const struct dp *p) {
-    double corner = dp_control_limit(p);
+static bool dp_is_at_corner(const struct dp *p) {
+    double corner = dp_step_limit(p);
     return p->h > 0.0 && corner - p->next.time <= SAME_TIME * corner;
 }
 
 // Arrives at the end of the last step, and lets happen there what has to happen.
-static int arrive(struct dp *p, struct error *e) {
+static int dp_arrive(struct dp *p, struct error *e) {
     if (p->h == 0.0) {
         return STATUS_OK;
     }
-    bool turns = is_at_corner(p);
-    swap_ends(p);
+    bool turns = dp_is_at_corner(p);
+    dp_swap_ends(p);
     p->h = 0.0;
     dp_system_commit(&p->system, &p->now);
     if (turns) {
-        p->now.time = dp_control_limit(p);
+        p->now.time = dp_step_limit(p);
         if (forcing_turn(&p->system.forcing, p->now.time)) {
-            dp_stages_first(p);
+            dp_step_first(p);
             p->jumped = true;
         }
     }
@@ -145,12 +158,12 @@ static int arrive(struct dp *p, struct error *e) {
 }
 
 // Does the event come before any time has passed?
-static bool at_once(const struct dp *p) {
+static bool dp_at_once(const struct dp *p) {
     return p->event.kind != DP_NONE && p->now.time + p->event.place * p->h == p->now.time;
 }
 
 // Takes the step back, and lets its event happen where it would have begun.
-static int happen_at_once(struct dp *p, struct error *e) {
+static int dp_happen_at_once(struct dp *p, struct error *e) {
     p->trial = fmin(p->trial, p->h / 2.0);  // in a long one events may undo each other for ever
     p->h = 0.0;
     return dp_happen(p, e);
@@ -159,34 +172,34 @@ static int happen_at_once(struct dp *p, struct error *e) {
 // Makes the step end at its event. It is part of one that met the tolerance, but beyond the event
 // the laws are not what they were, and may have made up for an error before it: then the step is
 // rejected. *taken: it is not.
-static int stop_at_event(struct dp *p, bool *taken, struct error *e) {
-    dp_locate(p);
-    double error = dp_control_error(p);
+static int dp_stop_at_event(struct dp *p, bool *taken, struct error *e) {
+    dp_events_locate(p);
+    double error = dp_step_error(p);
     *taken = error <= 1.0;
-    return *taken ? STATUS_OK : dp_control_reject(p, error, e);
+    return *taken ? STATUS_OK : dp_step_reject(p, error, e);
 }
 
 // Tries a step up to its first event, if there is any. *taken: that is the step.
-static int try(struct dp *p, bool *taken, struct error *e) {
-    if (dp_control_attempt(p, e) != STATUS_OK) {
+static int dp_try(struct dp *p, bool *taken, struct error *e) {
+    if (dp_step_attempt(p, e) != STATUS_OK) {
         return e->status;
     }
-    dp_stages_gaps(p, &p->next, p->rate[1]);
-    dp_event_first(p);
-    if (at_once(p)) {
-        return happen_at_once(p, e);
+    dp_step_gaps(p, &p->next, p->rate[1]);
+    dp_events_first(p);
+    if (dp_at_once(p)) {
+        return dp_happen_at_once(p, e);
     }
     if (p->event.kind != DP_NONE) {
-        return stop_at_event(p, taken, e);
+        return dp_stop_at_event(p, taken, e);
     }
     *taken = true;
     return STATUS_OK;
 }
 
-static int step(struct dp *p, struct error *e) {
-    int status = arrive(p, e);
+static int dp_step(struct dp *p, struct error *e) {
+    int status = dp_arrive(p, e);
     for (bool taken = false; status == STATUS_OK && !taken;) {
-        status = try(p, &taken, e);
+        status = dp_try(p, &taken, e);
     }
     if (status != STATUS_OK) {
         return status;
@@ -200,24 +213,24 @@ static int step(struct dp *p, struct error *e) {
 }
 
 // The time that has been reached.
-static double reached(const struct dp *p) {
+static double dp_reached(const struct dp *p) {
     return p->h > 0.0 ? p->next.time : p->now.time;
 }
 
 // Steps go on beyond the row, whose state is interpolated; one at a jump of the forcing shows what
 // is after it.
-static int advance(struct run *r, long *n, long end) {
+static int dp_advance(struct run *r, long *n, long end) {
     double time = model_time(r->model, end);
-    while (reached(r->dp) < time) {
-        int status = step(r->dp, r->error);
-        status = status == STATUS_OK ? run_poll(r, reached(r->dp)) : status;
+    while (dp_reached(r->dp) < time) {
+        int status = dp_step(r->dp, r->error);
+        status = status == STATUS_OK ? run_poll(r, dp_reached(r->dp)) : status;
         if (status != STATUS_OK) {
             return status;
         }
     }
     *n = end;
-    if (is_at_corner(r->dp) && r->dp->next.time - time <= SAME_TIME * time &&
-        arrive(r->dp, r->error) != STATUS_OK) {
+    if (dp_is_at_corner(r->dp) && r->dp->next.time - time <= SAME_TIME * time &&
+        dp_arrive(r->dp, r->error) != STATUS_OK) {
         return r->error->status;
     }
     if (r->dp->h == 0.0) {
@@ -228,9 +241,10 @@ static int advance(struct run *r, long *n, long end) {
 }
 
 const struct method dormand_prince = {
+    .fields = &run_fields,
     .integrator = INTEGRATOR_DORMAND_PRINCE,
     .adaptive = true,
-    .alloc = alloc,
-    .start = start,
-    .advance = advance,
+    .alloc = dp_alloc,
+    .start = dp_start,
+    .advance = dp_advance,
 };

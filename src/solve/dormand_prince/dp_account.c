@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Works and impulses of a step, and the state within it.
+//
 // Works and impulses are integrals of powers and forces over time. The stages of the method are the
 // nodes of a quadrature whose weights are those of the solution, so that they have its order 5; up
 // to a place within the step, its continuous extension has order 4. Positions and velocities there
 // are those of the Hermite polynomial of degree 5, and everything else follows from them.
-#include "solve/dormand_prince/dp_account.h"
-
 #include <math.h>
 #include <string.h>
 
+#include "solve/dormand_prince/dp.h"
 #include "solve/dormand_prince/dp_motion.h"
-#include "solve/dormand_prince/dp_peaks.h"
-#include "solve/dormand_prince/dp_stages.h"
-
-// Adds the works of the step to the account, but those on links. The weight of the second stage is
-// always 0.
-static void integrate(const struct dp *p, const double *weight, struct energy_account *energy) {
-    dp_stages_work(p, weight, energy);
-    for (int s = 0; p->system.special && s < DP_STAGES; s += s == 0 ? 2 : 1) {
-        const struct dp_rates *r = p->stage[s];
-        double time = p->h * weight[s];
-        energy->input += time * r->input;
-        energy->damping += time * r->damping;
-        energy->storey += time * r->storey;
-    }
-}
 
 // Gauss's rule with five points (Abramowitz & Stegun 1964, table 25.4), on 0 to 1.
 enum { POINTS = 5 };
@@ -32,10 +18,46 @@ static const double point[POINTS] = {0.046910077030668, 0.230765344947158, 0.5, 
 static const double point_weight[POINTS] = {0.118463442528095, 0.239314335249683, 0.284444444444444,
                                             0.239314335249683, 0.118463442528095};
 
+// Times by which what the stages have is multiplied in its integral up to place x of the step. The
+// continuous extension of order 4: Shampine (1986), Math. Comp. 46, 135-150; here as in Hairer,
+// Norsett & Wanner, eq. II.6.12. The second stage has none.
+static void dp_times(const struct dp *p, double x, double *time) {
+    static const double whole[DP_STAGES] = {
+        35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0, 0.0};
+    double rise = x * x * (3.0 - 2.0 * x);
+    for (int s = 0; s < DP_STAGES; s++) {
+        time[s] = rise * whole[s];
+    }
+    if (x < 1.0) {
+        double bump = x * x * (x - 1.0) * (x - 1.0);
+        time[0] += x * (x - 1.0) * (x - 1.0) -
+                   bump * 5.0 * (2558722523.0 - 31403016.0 * x) / 11282082432.0;
+        time[2] += bump * 100.0 * (882725551.0 - 15701508.0 * x) / 32700410799.0;
+        time[3] -= bump * 25.0 * (443332067.0 - 31403016.0 * x) / 1880347072.0;
+        time[4] += bump * 32805.0 * (23143187.0 - 3489224.0 * x) / 199316789632.0;
+        time[5] -= bump * 55.0 * (29972135.0 - 7076736.0 * x) / 822651844.0;
+        time[6] = x * x * (x - 1.0) + bump * 10.0 * (7414447.0 - 829305.0 * x) / 29380423.0;
+    }
+    for (int s = 0; s < DP_STAGES; s++) {
+        time[s] *= p->h;
+    }
+}
+
+// Adds the works of these times to the account, but those on links.
+static void dp_integrate(const struct dp *p, const double *time, struct energy_account *energy) {
+    p->system.floors->work(p, time, energy);
+    for (int s = 0; p->system.special && s < DP_STAGES; s += s == 0 ? 2 : 1) {
+        const struct dp_rates *r = p->stage[s];
+        energy->input += time[s] * r->input;
+        energy->damping += time[s] * r->damping;
+        energy->storey += time[s] * r->storey;
+    }
+}
+
 // The work done on link number n of the active ones up to the penetration d, where its force does
 // not depend on its velocity: so much the better than the integral of the power, as a closed cycle
 // of such a law gives 0 but for the rule. NAN: it does depend.
-static double elastic_work(const struct dp *p, int n, double d) {
+static double dp_elastic_work(const struct dp *p, int n, double d) {
     int k = p->now.live[n];
     if (p->stage[DP_STAGES - 1]->dfdv[n] != 0.0) {
         return NAN;
@@ -54,43 +76,36 @@ static double elastic_work(const struct dp *p, int n, double d) {
     return work;
 }
 
-// Work done on link number i of the active ones up to place x, where its penetration is d, and its
-// impulse.
-static double link_work(const struct dp *p, const double *weight, int i, double d,
-                        double *impulse) {
-    double elastic = elastic_work(p, i, d);
+// Work done on link number i of the active ones in these times, at the end of which its penetration
+// is d, and its impulse.
+static double dp_link_work(const struct dp *p, const double *time, int i, double d,
+                           double *impulse) {
+    double elastic = dp_elastic_work(p, i, d);
     double work = 0.0;
     *impulse = 0.0;
     for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
-        work += p->h * weight[s] * p->stage[s]->power[i];
-        *impulse += p->h * weight[s] * p->stage[s]->force[i];
+        work += time[s] * p->stage[s]->power[i];
+        *impulse += time[s] * p->stage[s]->force[i];
     }
     return isnan(elastic) ? work : elastic;
 }
 
-void dp_account_step(struct dp *p) {
-    p->before = p->energy;
+// The account of energy up to place x of the step.
+static void dp_account_up_to(const struct dp *p, double x, struct energy_account *energy) {
+    double time[DP_STAGES];
+    dp_times(p, x, time);
+    *energy = p->before;
+    dp_integrate(p, time, energy);
     for (int i = 0; i < p->now.n_live; i++) {
-        int k = p->now.live[i];
-        struct impact_share share = {.steps = 1};
-        share.work = link_work(p, dp_stages_whole, i, p->next.delta[k], &share.impulse);
-        dp_peaks_link(p, i, &share);
-        impacts_add(p->impacts, k, &share);
-        p->energy.contact += share.work;
+        struct motion motion = dp_motion_link(p, p->now.live[i]);
+        struct polynomial path = dp_motion_path(&motion);
+        double impulse;
+        energy->contact += dp_link_work(p, time, i, dp_motion_value(&path, x), &impulse);
     }
-    integrate(p, dp_stages_whole, &p->energy);
-}
-
-// The state at place x of the step, and the rates there.
-static const struct dp_rates *rates_at(struct dp *p, double x) {
-    struct dp_rates *r = p->stage[1];
-    dp_motion_between(p, x, r->u, r->v);
-    dp_rates_at(&p->system, &p->now, p->now.time + x * p->h, r);
-    return r;
 }
 
 // Links of a row: open ones as their floors stand, the others with the forces of `rates`.
-static void row_links(const struct dp *p, const struct dp_rates *rates, struct state *row) {
+static void dp_row_links(const struct dp *p, const struct dp_rates *rates, struct state *row) {
     const struct model *m = p->model;
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
@@ -103,33 +118,7 @@ static void row_links(const struct dp *p, const struct dp_rates *rates, struct s
     }
 }
 
-static void row_storeys(const struct dp *p, struct state *row) {
-    const struct model *m = p->model;
-    memcpy(row->storey_history, p->now.storey_history,
-           (size_t)m->n_storey_history * sizeof *row->storey_history);
-    state_internal_forces(row, m, row->u, row->v);
-    for (int n = 0; n < p->system.n_inelastic; n++) {
-        int i = p->system.inelastic[n];
-        const struct storey *law = &m->storey[i];
-        law->law->commit(law->constant, row->storey_history + law->history, row->drift[i]);
-    }
-}
-
-// The account of energy up to place x of the step.
-static void account_up_to(const struct dp *p, double x, struct energy_account *energy) {
-    double weight[DP_STAGES];
-    dp_stages_weights(x, weight);
-    *energy = p->before;
-    integrate(p, weight, energy);
-    for (int i = 0; i < p->now.n_live; i++) {
-        struct motion motion = dp_motion_link(p, p->now.live[i]);
-        struct polynomial path = hermite_position(&motion);
-        double impulse;
-        energy->contact += link_work(p, weight, i, hermite_value(&path, x), &impulse);
-    }
-}
-
-static void row_floors(const struct dp *p, const struct dp_rates *rates, struct state *row) {
+static void dp_row_floors(const struct dp *p, const struct dp_rates *rates, struct state *row) {
     const struct model *m = p->model;
     size_t size = (size_t)m->n_dof * sizeof(double);
     memcpy(row->u, rates->u, size);
@@ -141,6 +130,7 @@ static void row_floors(const struct dp *p, const struct dp_rates *rates, struct 
         int ground = m->building[p->system.building[i]].ground;
         row->total[i] = row->a[i] + row->ground_a[ground];
     }
+    state_reach(row, m, row->u, row->v, p->now.storey_history);
 }
 
 void dp_account_row(struct dp *p, double t, struct state *row, struct energy_account *energy) {
@@ -148,11 +138,29 @@ void dp_account_row(struct dp *p, double t, struct state *row, struct energy_acc
     *energy = p->energy;
     if (p->h > 0.0) {
         double x = t < p->next.time ? (t - p->now.time) / p->h : 1.0;
-        account_up_to(p, x, energy);
-        rates = x < 1.0 ? rates_at(p, x) : p->stage[DP_STAGES - 1];
+        dp_account_up_to(p, x, energy);
+        rates = p->stage[DP_STAGES - 1];
+        if (x < 1.0) {
+            dp_motion_rates(p, x, DP_ALL);
+            rates = p->stage[1];
+        }
     }
     row->time = t;
-    row_floors(p, rates, row);
-    row_storeys(p, row);
-    row_links(p, rates, row);
+    dp_row_floors(p, rates, row);
+    dp_row_links(p, rates, row);
+}
+
+void dp_account_step(struct dp *p) {
+    double time[DP_STAGES];
+    dp_times(p, 1.0, time);
+    p->before = p->energy;
+    for (int i = 0; i < p->now.n_live; i++) {
+        int k = p->now.live[i];
+        struct impact_share share = {.steps = 1};
+        share.work = dp_link_work(p, time, i, p->next.delta[k], &share.impulse);
+        dp_peaks_link(p, i, &share);
+        impacts_add(p->impacts, k, &share);
+        p->energy.contact += share.work;
+    }
+    dp_integrate(p, time, &p->energy);
 }

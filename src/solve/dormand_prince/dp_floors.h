@@ -16,7 +16,7 @@
 
 #include <string.h>
 
-#include "solve/dormand_prince/dp_stages.h"
+#include "solve/dormand_prince/dp.h"
 #include "solve/floors/floor_vectors.h"
 
 // The stages that sums go over: the first ones, or those that the solution is made of.
@@ -63,7 +63,7 @@ static const struct sums error_sums = {
 };
 
 // The accelerations that sums go over.
-LANES_INLINE void gather(const struct dp *p, const struct sums *s, const double **a) {
+LANES_INLINE void dp_gather(const struct dp *p, const struct sums *s, const double **a) {
     for (int j = 0; j < s->n; j++) {
         a[j] = p->stage[s->terms == BUT_SECOND && j > 0 ? j + 1 : j]->a;
     }
@@ -75,8 +75,8 @@ struct motion_part {
 
 // The sums of the floors from i on. Where this is expanded n is a constant. The last
 // acceleration, for which all else waits, comes last.
-LANES_INLINE struct motion_part sum_part(int n, const struct sums *s, const double *const *a,
-                                         ptrdiff_t i) {
+LANES_INLINE struct motion_part dp_sum_part(int n, const struct sums *s, const double *const *a,
+                                            ptrdiff_t i) {
     struct motion_part sum = {s->u[0] * FLOORS_AT(a[0], i), s->v[0] * FLOORS_AT(a[0], i)};
     for (int j = 1; j < n; j++) {
         if (j + 1 < n) {
@@ -95,9 +95,13 @@ struct stage {
     double to, h;
 };
 
-LANES_INLINE struct motion_part move_part(int n, const struct stage *s, ptrdiff_t i) {
+// The motion at the stage; with n = 0 that at the start.
+LANES_INLINE struct motion_part dp_move_part(int n, const struct stage *s, ptrdiff_t i) {
+    if (n == 0) {
+        return (struct motion_part){FLOORS_AT(s->u0, i), FLOORS_AT(s->v0, i)};
+    }
     const double h = s->h, h2 = h * h;
-    struct motion_part sum = sum_part(n, s->sums, s->a, i);
+    struct motion_part sum = dp_sum_part(n, s->sums, s->a, i);
     struct motion_part end = {FLOORS_AT(s->u0, i) + s->to * FLOORS_AT(s->v0, i),
                               FLOORS_AT(s->v0, i) + h * sum.v};
     if (n > 1) {
@@ -106,20 +110,20 @@ LANES_INLINE struct motion_part move_part(int n, const struct stage *s, ptrdiff_
     return end;
 }
 
-// Motion and accelerations of `count` floors, whole lanes, without links, loads and what is
-// special, under the ground acceleration `ground`.
-LANES_INLINE void take_floors(int n, const struct stage *s, double *const *row, double ground,
-                              ptrdiff_t count, const struct dp_rates *r) {
+// Motion and accelerations of the floors from `first` up to `end`, whole lanes, without links,
+// loads and what is special, under the ground acceleration `ground`.
+LANES_INLINE void dp_take_floors(int n, const struct stage *s, double *const *row, double ground,
+                                 ptrdiff_t first, ptrdiff_t end, const struct dp_rates *r) {
     const double *k_below = row[DP_K_BELOW], *c_below = row[DP_C_BELOW];
     const double *k_own = row[DP_K_OWN], *c_own = row[DP_C_OWN];
     const double *k_above = row[DP_K_ABOVE], *c_above = row[DP_C_ABOVE];
     const double *constant = row[DP_CONSTANT], *share = row[DP_GROUND];
     double *u = r->u, *v = r->v, *a = r->a;
-    struct motion_part under = {{0.0}, {0.0}}, own = move_part(n, s, 0);
-    _Pragma("GCC unroll 4") for (ptrdiff_t i = 0; i < count; i += FLOORS_VECTOR) {
+    struct motion_part under = {{0.0}, {0.0}}, own = dp_move_part(n, s, first);
+    _Pragma("GCC unroll 4") for (ptrdiff_t i = first; i < end; i += FLOORS_VECTOR) {
         struct motion_part over = {{0.0}, {0.0}};
-        if (i + FLOORS_VECTOR < count) {
-            over = move_part(n, s, i + FLOORS_VECTOR);
+        if (i + FLOORS_VECTOR < end) {
+            over = dp_move_part(n, s, i + FLOORS_VECTOR);
         }
         floor_lanes spring = FLOORS_AT(k_below, i) * BELOW(under.u, own.u) +
                              FLOORS_AT(k_own, i) * own.u +
@@ -135,40 +139,47 @@ LANES_INLINE void take_floors(int n, const struct stage *s, double *const *row, 
     }
 }
 
+// The same where the motion is known.
+FLOORS_CLONES static void dp_rates(const struct dp_system *s, double ground, ptrdiff_t first,
+                                   ptrdiff_t end, struct dp_rates *r) {
+    const struct stage known = {.u0 = r->u, .v0 = r->v};
+    dp_take_floors(0, &known, s->row, ground, first, end, r);
+}
+
 // Stage number s of the step, at time t.
-LANES_INLINE void take_stage(struct dp *p, int s, double t, ptrdiff_t count) {
+LANES_INLINE void dp_take_stage(struct dp *p, int s, double t, ptrdiff_t count) {
     const struct sums *sums = &stage_sums[s];
     struct dp_rates *r = p->stage[s];
     const double *a[TERMS_MAX];
-    gather(p, sums, a);
+    dp_gather(p, sums, a);
     const struct stage stage = {
         .sums = sums, .a = a, .u0 = p->now.u, .v0 = p->now.v, .to = node[s] * p->h, .h = p->h};
     double ground = dp_rates_ground(&p->system, t, r);
-    take_floors(sums->n, &stage, p->system.row, ground, count, r);
+    dp_take_floors(sums->n, &stage, p->system.row, ground, 0, count, r);
     if (p->system.special || p->now.n_live > 0) {
-        dp_rates_add(&p->system, &p->now, t, r);
+        dp_rates_add(&p->system, &p->now, t, DP_ALL, r);
     }
 }
 
-LANES_INLINE void take_stages(struct dp *p, ptrdiff_t count) {
+LANES_INLINE void dp_take_stages(struct dp *p, ptrdiff_t count) {
     double start = p->now.time;
-    take_stage(p, 1, start + node[1] * p->h, count);
-    take_stage(p, 2, start + node[2] * p->h, count);
-    take_stage(p, 3, start + node[3] * p->h, count);
-    take_stage(p, 4, start + node[4] * p->h, count);
-    take_stage(p, 5, p->next.time, count);
-    take_stage(p, 6, p->next.time, count);
+    dp_take_stage(p, 1, start + node[1] * p->h, count);
+    dp_take_stage(p, 2, start + node[2] * p->h, count);
+    dp_take_stage(p, 3, start + node[3] * p->h, count);
+    dp_take_stage(p, 4, start + node[4] * p->h, count);
+    dp_take_stage(p, 5, p->next.time, count);
+    dp_take_stage(p, 6, p->next.time, count);
 }
 
 // Most small models have so many floors in whole lanes, of which vectors are then in registers.
 enum { USUAL = 2 * LANES_WIDTH };
 
-FLOORS_CLONES static void take(struct dp *p) {
+FLOORS_CLONES static void dp_take(struct dp *p) {
     ptrdiff_t count = lanes_whole(p->model->n_dof);
     if (count == USUAL) {
-        take_stages(p, USUAL);
+        dp_take_stages(p, USUAL);
     } else {
-        take_stages(p, count);
+        dp_take_stages(p, count);
     }
 }
 
@@ -176,14 +187,14 @@ FLOORS_CLONES static void take(struct dp *p) {
 
 // The larger one of the errors of a floor in u and v over their sizes, of all floors. Numbers that
 // are not negative stand in the order of their bits, and what is not a number stands above all.
-FLOORS_CLONES static double largest_error(const struct dp *p) {
+FLOORS_CLONES static double dp_largest_error(const struct dp *p) {
     const double *a[TERMS_MAX];
-    gather(p, &error_sums, a);
+    dp_gather(p, &error_sums, a);
     const double *scale_u = p->scales.over_u, *scale_v = p->scales.over_v;
     const double h = p->h, h2 = h * h;
     floor_bits largest = {0};
     for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += FLOORS_VECTOR) {
-        struct motion_part error = sum_part(TERMS_MAX, &error_sums, a, i);
+        struct motion_part error = dp_sum_part(TERMS_MAX, &error_sums, a, i);
         floor_bits of_u = (floor_bits)(h2 * error.u * FLOORS_AT(scale_u, i)) & INT64_MAX;
         floor_bits of_v = (floor_bits)(h * error.v * FLOORS_AT(scale_v, i)) & INT64_MAX;
         of_u = LARGER(of_u, of_v);
@@ -211,7 +222,7 @@ FLOORS_CLONES static double largest_error(const struct dp *p) {
 // start, at the stages at 0.3 and 0.8 and at the end, and what a parabola through three of them
 // rises above those that are farthest apart, by Newton's divided differences, and half as much
 // again.
-LANES_INLINE void bend_part(const struct dp *p, ptrdiff_t i, floor_bits *bends) {
+LANES_INLINE void dp_bend_part(const struct dp *p, ptrdiff_t i, floor_bits *bends) {
     static const int stages[] = {0, 2, 3, DP_STAGES - 1};
     floor_lanes x[4];
     for (int j = 0; j < 4; j++) {
@@ -227,7 +238,7 @@ LANES_INLINE void bend_part(const struct dp *p, ptrdiff_t i, floor_bits *bends) 
 }
 
 // Drifts at the end of the step, and which floors could have a new peak in it.
-FLOORS_CLONES static bool look(struct dp *p, struct dp_look *l) {
+FLOORS_CLONES static bool dp_look(struct dp *p, struct dp_look *l) {
     const double *v0 = p->now.v, *a0 = p->now.a, *joint = p->model->chain.joint;
     const double *u1 = p->next.u, *v1 = p->next.v, *a1 = p->next.a;
     const double *peak_u = p->results->peak[PEAK_DISPLACEMENT];
@@ -254,7 +265,7 @@ FLOORS_CLONES static bool look(struct dp *p, struct dp_look *l) {
                            BEYOND(FLOORS_AT(v1, i), FLOORS_AT(peak_v, i)) |
                            BEYOND(drift, FLOORS_AT(peak_d, i));
         floor_bits bends;
-        bend_part(p, i, &bends);
+        dp_bend_part(p, i, &bends);
         floor_bits hit = turn | grown | bends;
         *(floor_lanes *)(p->next.drift + i) = drift;
         memcpy(l->bends + (i - l->first), &bends, sizeof bends);
@@ -268,8 +279,8 @@ FLOORS_CLONES static bool look(struct dp *p, struct dp_look *l) {
 static const int working[] = {0, 2, 3, 4, 5, 6};
 enum { WORKING = sizeof working / sizeof working[0] };
 
-LANES_INLINE void add_works_of(int n, const struct dp *p, const double *time,
-                               struct energy_account *energy) {
+LANES_INLINE void dp_add_works_of(int n, const struct dp *p, const double *time,
+                                  struct energy_account *energy) {
     double *const *row = p->system.row;
     const double *carried = row[DP_CARRIED], *own = row[DP_DAMPER], *above = row[DP_DAMPER_ABOVE];
     for (ptrdiff_t i = 0, end = lanes_whole(p->model->n_dof); i < end; i += FLOORS_VECTOR) {
@@ -288,15 +299,15 @@ LANES_INLINE void add_works_of(int n, const struct dp *p, const double *time,
 }
 
 // Twice the works of ground and dampers on all floors, in the times given to the stages.
-FLOORS_CLONES static void add_works(const struct dp *p, const double *time,
-                                    struct energy_account *energy) {
+FLOORS_CLONES static void dp_add_works(const struct dp *p, const double *time,
+                                       struct energy_account *energy) {
     if (time[working[WORKING - 1]] == 0.0) {
-        add_works_of(WORKING - 1, p, time, energy);
+        dp_add_works_of(WORKING - 1, p, time, energy);
     } else {
-        add_works_of(WORKING, p, time, energy);
+        dp_add_works_of(WORKING, p, time, energy);
     }
 }
 
-const struct dp_floors DP_FLOORS = {take, largest_error, look, add_works};
+const struct dp_floors DP_FLOORS = {dp_take, dp_rates, dp_largest_error, dp_look, dp_add_works};
 
 #endif

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/dormand_prince/dp_happen.h"
-
+// What happens at the event that ended a step.
 #include <math.h>
 
-#include "solve/dormand_prince/dp_event.h"
-#include "solve/dormand_prince/dp_kink.h"
-#include "solve/dormand_prince/dp_peaks.h"
-#include "solve/dormand_prince/dp_stages.h"
+#include "solve/dormand_prince/dp.h"
 #include "solve/excitation.h"
 
 // Step over the one before it where a force begins with an infinite slope.
@@ -16,7 +12,7 @@ static const double WHERE_STEEP = 1e-3;
 enum { CROWD = 4000, CROWD_PER_LINK = 4 };
 static const double CROWD_TIME = 1e-7;
 
-static int toggle(struct dp *p, int k, struct error *e) {
+static int dp_toggle(struct dp *p, int k, struct error *e) {
     struct state *now = &p->now;
     if (now->link[k].closed) {
         state_open_link(now, k);
@@ -30,7 +26,7 @@ static int toggle(struct dp *p, int k, struct error *e) {
 
 // After rigid contacts have met: one that rests is an error, one that has rested and parted at this
 // instant is no longer live.
-static int part(struct dp *p, struct error *e) {
+static int dp_part(struct dp *p, struct error *e) {
     const struct model *m = p->model;
     struct state *now = &p->now;
     for (int i = now->n_live - 1; i >= 0; i--) {
@@ -49,29 +45,29 @@ static int part(struct dp *p, struct error *e) {
 }
 
 // Lets the bodies of rigid contact k meet.
-static int meet(struct dp *p, int k, struct error *e) {
+static int dp_meet(struct dp *p, int k, struct error *e) {
     const struct model *m = p->model;
     struct state *now = &p->now;
     const struct least_bounce least = {.velocity = m->control.tolerance * p->scales.most_v};
     excitation_at(now, m, now->time);
     impulse_meet(now, m, k, REBOUND_BY_LAW, &least, p->meeting);
     energy_meet(&p->energy, m, now, p->meeting);
-    if (part(p, e) != STATUS_OK) {
+    if (dp_part(p, e) != STATUS_OK) {
         return e->status;
     }
     return impacts_meet(p->impacts, now, p->meeting, e);
 }
 
 // Changes the branch or the contact of the event.
-static int change(struct dp *p, const struct dp_event *event, struct error *e) {
+static int dp_change(struct dp *p, const struct dp_event *event, struct error *e) {
     int k = event->index;
-    p->last_link = dp_event_is_of_storey(event) ? p->last_link : k;
+    p->last_link = dp_events_is_of_storey(event) ? p->last_link : k;
     switch (event->kind) {
         case DP_MEET:
-            return meet(p, k, e);
+            return dp_meet(p, k, e);
         case DP_CLOSE:
         case DP_OPEN:
-            return toggle(p, k, e);
+            return dp_toggle(p, k, e);
         case DP_TURN:
             p->system.phase[k] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;
             return STATUS_OK;
@@ -86,7 +82,7 @@ static int change(struct dp *p, const struct dp_event *event, struct error *e) {
     }
 }
 
-static int too_crowded(struct dp *p, struct error *e) {
+static int dp_too_crowded(struct dp *p, struct error *e) {
     const struct model *m = p->model;
     const struct totals *t = &p->results->totals;
     if (p->now.time - p->time_before > CROWD_TIME * m->duration) {
@@ -97,7 +93,7 @@ static int too_crowded(struct dp *p, struct error *e) {
         return STATUS_OK;
     }
     return error_set(e, STATUS_FAILED,
-                     "at t = %.9g %s %s rattles: %ld events within %.2g %s; it wants a softer or a "
+                     "at t = %.9g %s %s rattles: %ld events within %.2g %s; use a softer or a "
                      "damped contact, integrator newmark or step fixed DT",
                      p->now.time, m->deck->units.time_name,
                      p->last_link < 0 ? "a storey" : m->link[p->last_link].name,
@@ -105,7 +101,7 @@ static int too_crowded(struct dp *p, struct error *e) {
                      m->deck->units.time_name);
 }
 
-static int stuck(const struct dp *p, int k, struct error *e) {
+static int dp_stuck(const struct dp *p, int k, struct error *e) {
     const struct model *m = p->model;
     return error_set(e, STATUS_FAILED,
                      "at t = %.9g %s the bodies of contact %s stick together, where %s jumps at "
@@ -116,27 +112,27 @@ static int stuck(const struct dp *p, int k, struct error *e) {
 
 // Does a force begin with an infinite slope there? That of a contact may (d^(1/4)), and that of a
 // damper with an event at v = 0 does.
-static bool is_steep(const struct dp *p, const struct dp_event *event) {
+static bool dp_is_steep(const struct dp *p, const struct dp_event *event) {
     bool turns = event->kind == DP_TURN && p->model->link[event->index].bilateral;
     return event->kind == DP_CLOSE || turns;
 }
 
 int dp_happen(struct dp *p, struct error *e) {
     const struct dp_event *event = &p->event;
-    if (change(p, event, e) != STATUS_OK) {
+    if (dp_change(p, event, e) != STATUS_OK) {
         return e->status;
     }
     p->results->totals.events++;
-    if (is_steep(p, event)) {
+    if (dp_is_steep(p, event)) {
         p->is_steep = true;
         p->trial *= WHERE_STEEP;
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
-    dp_stages_first(p);
-    if (event->kind == DP_TURN && dp_kink_sticks(p, event->index)) {
-        return stuck(p, event->index, e);
+    dp_step_first(p);
+    if (event->kind == DP_TURN && dp_events_sticks(p, event->index)) {
+        return dp_stuck(p, event->index, e);
     }
-    dp_stages_gaps(p, &p->now, p->rate[0]);
+    dp_step_gaps(p, &p->now, p->rate[0]);
     p->jumped = true;
-    return too_crowded(p, e);
+    return dp_too_crowded(p, e);
 }

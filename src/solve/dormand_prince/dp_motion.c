@@ -2,44 +2,127 @@
 #include "solve/dormand_prince/dp_motion.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "core/lanes.h"
+#include "core/root.h"
+#include "solve/dormand_prince/dp.h"
 
-static void motion_accelerations(const struct dp *p, const struct link *l, struct motion *m) {
-    m->a[0] = dp_system_across(l, p->model, p->now.a, p->now.ground_a);
-    m->a[1] = dp_system_across(l, p->model, p->next.a, p->next.ground_a);
+static const double PRECISION = 1e-9;  // of x; the next correction would be about its square
+
+double dp_motion_value(const struct polynomial *p, double x) {
+    const double *c = p->c;
+    return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
+}
+
+double dp_motion_slope(const struct polynomial *p, double x) {
+    const double *c = p->c;
+    return c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
+}
+
+static double dp_motion_look(double x, void *context, double *slope) {
+    *slope = dp_motion_slope(context, x);
+    return dp_motion_value(context, x);
+}
+
+double dp_motion_root(struct polynomial p, double low, double high) {
+    double start = dp_motion_value(&p, low);
+    double end = dp_motion_value(&p, high);
+    if (start == 0.0 || start == end) {
+        return low;
+    }
+    const struct root r = {low, high, end > start ? 1.0 : -1.0};
+    return root_newton(dp_motion_look, &p, r, root_between(&r, start, end), PRECISION);
+}
+
+struct polynomial dp_motion_path(const struct motion *m) {
+    double c1 = m->h * m->v[0];
+    double c2 = m->h * m->h * m->a[0] / 2.0;
+    double rise = m->d[1] - m->d[0] - c1 - c2;
+    double slope = m->h * m->v[1] - c1 - 2.0 * c2;
+    double bend = m->h * m->h * m->a[1] - 2.0 * c2;
+    return (struct polynomial){{m->d[0], c1, c2, 10.0 * rise - 4.0 * slope + bend / 2.0,
+                                -15.0 * rise + 7.0 * slope - bend,
+                                6.0 * rise - 3.0 * slope + bend / 2.0}};
+}
+
+struct polynomial dp_motion_velocity(const struct motion *m) {
+    double c1 = m->h * m->a[0];
+    double end = m->h * m->a[1];
+    double rise = m->v[1] - m->v[0];
+    return (struct polynomial){
+        {m->v[0], c1, 3.0 * rise - 2.0 * c1 - end, c1 + end - 2.0 * rise, 0.0, 0.0}};
+}
+
+int dp_motion_extrema(const struct polynomial *p, double *at) {
+    double a = 3.0 * p->c[3];
+    double b = p->c[2];  // a x^2 + 2 b x + c
+    double c = p->c[1];
+    bool same_sign = c * (a + 2.0 * b + c) > 0.0;
+    if (same_sign && b * (a + b) >= 0.0) {
+        return 0;  // it is monotone between ends of one sign
+    }
+    double square = b * b - a * c;
+    if (!(square > 0.0)) {
+        return 0;
+    }
+    double q = -(b + copysign(sqrt(square), b));
+    double root[2] = {q / a, c / q};
+    if (!(root[0] <= root[1])) {
+        double first = root[1];
+        root[1] = root[0];
+        root[0] = first;
+    }
+    int n = 0;
+    for (int i = 0; i < 2; i++) {
+        if (root[i] > 0.0 && root[i] < 1.0) {
+            at[n++] = root[i];
+        }
+    }
+    return n;
+}
+
+int dp_motion_turns(const struct motion *m, double *at) {
+    bool same_sign = m->v[0] * m->v[1] > 0.0;
+    if (same_sign && m->v[0] * m->a[0] >= 0.0 && m->v[1] * m->a[1] <= 0.0) {
+        return 0;  // no cubic with these ends comes back to zero
+    }
+    struct polynomial v = dp_motion_velocity(m);
+    double end[TURNS_MAX + 1];
+    int n_end = dp_motion_extrema(&v, end);
+    end[n_end++] = 1.0;
+    int n = 0;
+    double low = 0.0;
+    for (int i = 0; i < n_end; i++) {
+        if (dp_motion_value(&v, low) * dp_motion_value(&v, end[i]) < 0.0) {
+            double x = dp_motion_root(v, low, end[i]);
+            if (x > 0.0 && x < 1.0) {
+                at[n++] = x;
+            }
+        }
+        low = end[i];
+    }
+    return n;
 }
 
 struct motion dp_motion_link(const struct dp *p, int k) {
-    struct motion m = {
+    const struct link *l = &p->model->link[k];
+    return (struct motion){
         .d = {p->now.delta[k], p->next.delta[k]},
         .v = {p->rate[0][k], p->rate[1][k]},
-        .h = p->h,
-    };
-    motion_accelerations(p, &p->model->link[k], &m);
-    return m;
-}
-
-struct motion dp_motion_floor(const struct dp *p, int i) {
-    return (struct motion){
-        .d = {p->now.u[i], p->next.u[i]},
-        .v = {p->now.v[i], p->next.v[i]},
-        .a = {p->now.a[i], p->next.a[i]},
+        .a = {dp_system_across(l, p->model, p->now.a, p->now.ground_a),
+              dp_system_across(l, p->model, p->next.a, p->next.ground_a)},
         .h = p->h,
     };
 }
 
-// The difference of x at floor i and at the one below.
-static double across(const struct dp *p, const double *x, int i) {
-    int below = p->system.below[i];
-    return below < 0 ? x[i] : x[i] - x[below];
-}
-
-struct motion dp_motion_storey(const struct dp *p, int i) {
+// The ground is the zero in front of the arrays.
+struct motion dp_motion_floor(const struct dp *p, int i, int below) {
+    const struct state *now = &p->now, *next = &p->next;
     return (struct motion){
-        .d = {across(p, p->now.u, i), across(p, p->next.u, i)},
-        .v = {across(p, p->now.v, i), across(p, p->next.v, i)},
-        .a = {across(p, p->now.a, i), across(p, p->next.a, i)},
+        .d = {now->u[i] - now->u[below], next->u[i] - next->u[below]},
+        .v = {now->v[i] - now->v[below], next->v[i] - next->v[below]},
+        .a = {now->a[i] - now->a[below], next->a[i] - next->a[below]},
         .h = p->h,
     };
 }
@@ -48,8 +131,7 @@ double dp_motion_noise(const struct dp *p, int k) {
     const struct link *l = &p->model->link[k];
     double size = fabs(l->gap) + p->scales.most_u;  // bodies at rest move by rounding
     for (int i = 0; i < 2; i++) {
-        size +=
-            l->dof[i] == WALL ? 0.0 : fmax(fabs(p->now.u[l->dof[i]]), fabs(p->next.u[l->dof[i]]));
+        size += fmax(link_size_at(l, i, p->now.u), link_size_at(l, i, p->next.u));
         if (l->moving_ground) {
             size += fabs(p->now.ground_u[p->model->building[l->building[i]].ground]);
         }
@@ -78,65 +160,55 @@ LANES void dp_motion_reach(struct dp *p) {
     p->deepens = deepens != 0;
 }
 
-enum { ENDS = 6 };
+// What the motion at a place within the step is made of: the change of u, and v and a at both ends.
+enum { PARTS = 5 };
+struct between {
+    double u[PARTS], v[PARTS];
+};
 
-// u and v as sums over what is known at both ends.
-LANES static void sum_ends(int n, const double *const *of, const double *to_u, const double *to_v,
-                           double *restrict u, double *restrict v) {
-    for (int i = 0, end = lanes_whole(n); i < end; i++) {
-        u[i] = v[i] = 0.0;
-        for (int q = 0; q < ENDS; q++) {
-            u[i] += to_u[q] * of[q][i];
-            v[i] += to_v[q] * of[q][i];
+// The Hermite polynomial of degree 5 at place x of a step h, and its slope.
+static struct between dp_between(double x, double h) {
+    double y = 1.0 - x, x2 = x * x, y2 = y * y;
+    return (struct between){
+        .u = {x2 * x * (10.0 + x * (6.0 * x - 15.0)), h * x * y2 * y * (1.0 + 3.0 * x),
+              h * h * x2 * y2 * y / 2.0, -h * x2 * x * y * (1.0 + 3.0 * y),
+              h * h * x2 * x * y2 / 2.0},
+        .v = {30.0 * x2 * y2 / h, y2 * (1.0 + x * (2.0 - 15.0 * x)),
+              h * x * y2 * (2.0 - 5.0 * x) / 2.0, x2 * (1.0 + y * (2.0 - 15.0 * y)),
+              -h * x2 * y * (2.0 - 5.0 * y) / 2.0},
+    };
+}
+
+LANES static void dp_interpolate(const struct between *b, const struct state *now,
+                                 const struct state *next, struct dp_range range,
+                                 double *restrict u, double *restrict v) {
+    for (int i = range.first; i < range.end; i++) {
+        const double of[PARTS] = {next->u[i] - now->u[i], now->v[i], now->a[i], next->v[i],
+                                  next->a[i]};
+        double way = b->u[0] * of[0], rate = b->v[0] * of[0];
+        for (int q = 1; q < PARTS; q++) {
+            way += b->u[q] * of[q];
+            rate += b->v[q] * of[q];
+        }
+        u[i] = now->u[i] + way;
+        v[i] = rate;
+    }
+}
+
+void dp_motion_between(const struct dp *p, double x, int building) {
+    const struct between b = dp_between(x, p->h);
+    const struct dp_range range = dp_rates_range(p->model, building);
+    dp_interpolate(&b, &p->now, &p->next, range, p->stage[1]->u, p->stage[1]->v);
+}
+
+void dp_motion_rates(struct dp *p, double x, int building) {
+    dp_motion_between(p, x, building);
+    for (int n = 0; n < p->now.n_live && building != DP_ALL; n++) {
+        const int *of = p->model->link[p->now.live[n]].building;
+        int other = of[0] == building ? of[1] : of[0];
+        if ((of[0] == building || of[1] == building) && other != WALL) {
+            dp_motion_between(p, x, other);
         }
     }
-}
-
-// By the Hermite polynomial of degree 5 and its slope.
-void dp_motion_between(const struct dp *p, double x, double *u, double *v) {
-    const struct state *now = &p->now;
-    const struct state *next = &p->next;
-    double h = p->h;
-    double y = 1.0 - x;
-    double x2 = x * x;
-    double y2 = y * y;
-    double rise = x2 * x * (10.0 + x * (6.0 * x - 15.0));
-    double slope = 30.0 * x2 * y2 / h;
-    const double *const of[ENDS] = {now->u, now->v, now->a, next->u, next->v, next->a};
-    const double to_u[ENDS] = {
-        1.0 - rise, h * x * y2 * y * (1.0 + 3.0 * x),  h * h * x2 * y2 * y / 2.0,
-        rise,       -h * x2 * x * y * (1.0 + 3.0 * y), h * h * x2 * x * y2 / 2.0};
-    const double to_v[ENDS] = {
-        -slope, y2 * (1.0 + x * (2.0 - 15.0 * x)), h * x * y2 * (2.0 - 5.0 * x) / 2.0,
-        slope,  x2 * (1.0 + y * (2.0 - 15.0 * y)), -h * x2 * y * (2.0 - 5.0 * y) / 2.0};
-    sum_ends(p->model->n_dof, of, to_u, to_v, u, v);
-}
-
-// The motion of n floors from `first` on at place x, into the second stage: its weight in the works
-// is 0, so it is free between steps.
-static void interpolate(struct dp *p, double x, int first, int n) {
-    for (int i = first; i < first + n; i++) {
-        struct motion m = dp_motion_floor(p, i);
-        struct polynomial u = hermite_position(&m);
-        p->stage[1]->u[i] = hermite_value(&u, x);
-        p->stage[1]->v[i] = hermite_slope(&u, x) / p->h;
-    }
-}
-
-double dp_motion_acceleration(struct dp *p, double x, int i) {
-    const struct model *m = p->model;
-    const struct building *g = &m->building[p->system.building[i]];
-    bool roof = i + 1 == g->first + g->n_floor;
-    if (g->damping_full) {
-        interpolate(p, x, g->first, g->n_floor);
-    } else {
-        interpolate(p, x, i > g->first ? i - 1 : i, 1 + (i > g->first) + !roof);
-    }
-    for (int n = 0; n < p->now.n_live; n++) {
-        const int *dof = m->link[p->now.live[n]].dof;
-        if ((dof[0] == i || dof[1] == i) && dof[0] != WALL && dof[1] != WALL) {
-            interpolate(p, x, dof[0] == i ? dof[1] : dof[0], 1);
-        }
-    }
-    return dp_rates_acceleration(&p->system, &p->now, p->now.time + x * p->h, p->stage[1], i);
+    dp_rates_at(&p->system, &p->now, p->now.time + x * p->h, building, p->stage[1]);
 }

@@ -18,13 +18,34 @@ struct dp_rates {
     double input, damping, storey;
 };
 
+extern const struct fields dp_rates_fields;
+
 // Room for rates; false: no memory.
 bool dp_rates_alloc(struct dp_rates *r, const struct model *m, struct arena *a);
 
+// Whose rates are asked for: those of one building, by its index, or of all.
+enum { DP_ALL = -1 };
+
 // Accelerations, forces and powers at time t from r->u and r->v, with the histories of `now`: those
-// of linear floors, and what dp_rates_add adds to them.
-void dp_rates_add(const struct dp_system *s, const struct state *now, double t, struct dp_rates *r);
-void dp_rates_at(const struct dp_system *s, const struct state *now, double t, struct dp_rates *r);
+// of linear floors (dp_floors.h), and what dp_rates_add adds to them. Of one building the motions
+// are needed of all that its links join it to.
+void dp_rates_add(const struct dp_system *s, const struct state *now, double t, int building,
+                  struct dp_rates *r);
+void dp_rates_at(const struct dp_system *s, const struct state *now, double t, int building,
+                 struct dp_rates *r);
+
+// The floors of those in whole lanes, from the first up to the second.
+struct dp_range {
+    int first, end;
+};
+static inline struct dp_range dp_rates_range(const struct model *m, int building) {
+    if (building == DP_ALL) {
+        return (struct dp_range){0, lanes_whole(m->n_dof)};
+    }
+    const struct building *g = &m->building[building];
+    return (struct dp_range){lanes_whole(g->first + 1) - LANES_WIDTH,
+                             lanes_whole(g->first + g->n_floor)};
+}
 
 // The ground's motion at time t into r->ground. Returns its acceleration where there is one ground
 // only, else 0.
@@ -35,10 +56,5 @@ static inline double dp_rates_ground(const struct dp_system *s, double t, struct
     forcing_ground(&s->forcing, t, &r->ground);
     return s->model->n_ground == 1 ? r->ground.a[0] : 0.0;
 }
-
-// The total acceleration of floor i alone, from the motion of its building and of the floors that
-// its links join it to.
-double dp_rates_acceleration(const struct dp_system *s, const struct state *now, double t,
-                             struct dp_rates *r, int i);
 
 #endif

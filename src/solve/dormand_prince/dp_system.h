@@ -37,8 +37,11 @@ enum dp_row {
     DP_ROWS
 };
 
+struct dp_floors;
+
 struct dp_system {
-    const struct model *model;  // borrowed
+    const struct model *model;       // borrowed
+    const struct dp_floors *floors;  // what is done with all of them, in vectors
     struct forcing forcing;
     bool special;            // is there more than linear floors on one ground, and links?
     double *row[DP_ROWS];    // (n_dof) coefficients of the accelerations on this branch
@@ -46,13 +49,18 @@ struct dp_system {
     double *base, *tangent;  // [F] [F/L] (n_dof) shear = base + tangent drift on this branch
     double *most_drift;      // [L] (n_dof) largest committed drift of the inelastic storeys
     double *damping;         // [F] (n_dof) scratch
-    enum phase *phase;       // (n_link)
-    int n_inelastic;         // storeys with a history
-    int *inelastic;          // (n_dof) their indices
-    int *below;              // (n_dof) index of the floor below; -1: the ground
-    int *building;           // (n_dof) index of the floor's building
-    bool *calls;             // (n_dof) the storey's law is called, as it is not made of lines
+    double *part_drift, *part_rate, *part_shear;  // (n_dof) scratch of dp_parts.c
+    double *part_history;                         // (model.n_storey_history) its scratch, too
+    enum phase *phase;                            // (n_link)
+    int n_inelastic;                              // storeys with a history
+    int *inelastic;                               // (n_dof) their indices
+    int *below;     // (n_dof) index of the floor below; -1: the ground
+    int *building;  // (n_dof) index of the floor's building
+    bool *calls;    // (n_dof) the storey's law is called, as it is not made of lines
 };
+
+// What changes in it.
+extern const struct fields dp_system_fields;
 
 // Room for a system; false: no memory.
 bool dp_system_alloc(struct dp_system *s, const struct model *m, struct arena *a);
@@ -78,7 +86,8 @@ double dp_system_shear(const struct dp_system *s, const struct state *now, int i
 static inline double dp_system_across(const struct link *l, const struct model *m, const double *x,
                                       const double *ground) {
     static_assert(WALL == -1, "a wall is the zero in front of an array");
-    return x[l->dof[0]] - x[l->dof[1]] + state_ground_gap(l, m, ground);
+    const double own = link_is_plain(l) ? x[l->dof[0]] - x[l->dof[1]] : link_across(l, x);
+    return own + state_ground_gap(l, m, ground);
 }
 
 // The response of link k at (d, v) on its branch; d and v may lie beyond it.

@@ -20,6 +20,10 @@ enum { FLOORS_MOST = 256 };
 // Fewer runs than this are faster alone: a step of the lanes takes as long as some single steps.
 enum { RUNS_LEAST = 4 };
 
+// Where a register holds half of the lanes, single runs of up to 16 floors are as fast, and so are
+// those of 30 floors (make bench-half).
+enum { HALF_FLOORS_ABOVE = 16, HALF_FLOORS_MOST = 26 };
+
 enum { POLL_STEPS = 64 * ENSEMBLE_STRETCH };
 
 bool ensemble_suits(const struct model *m) {
@@ -27,13 +31,19 @@ bool ensemble_suits(const struct model *m) {
                  m->n_ground == 1 && m->n_load == 0 && m->n_link == m->n_contact &&
                  m->n_dof <= FLOORS_MOST;
     for (int k = 0; suits && k < m->n_link; k++) {
-        suits = !m->link[k].law->rebound;
+        suits = !m->link[k].law->rebound && link_is_plain(&m->link[k]);
     }
     return suits;
 }
 
-bool ensemble_pays(void) {
-    return lanes_hold_wide() || lanes_hold_half();
+bool ensemble_pays_with(int in_register, int n_dof) {
+    return in_register >= WIDE_RUNS ||
+           (in_register >= WIDE_RUNS / 2 && n_dof > HALF_FLOORS_ABOVE && n_dof <= HALF_FLOORS_MOST);
+}
+
+bool ensemble_pays(const struct model *m) {
+    int in_register = lanes_hold_wide() ? WIDE_RUNS : lanes_hold_half() ? WIDE_RUNS / 2 : 1;
+    return ensemble_pays_with(in_register, m->n_dof);
 }
 
 bool ensemble_alike(const struct model *a, const struct model *b) {

@@ -53,7 +53,7 @@ static bool yields(struct ensemble_lanes *e, int k, int lane, const struct work 
 static bool suits(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct link_state *l = &r->now->link[k];
     return l->t_close < r->now->time && l->n_past > 0 && !e->grip[k].apart &&
-           r->work.link[k].checked == r->work.h && yields(e, k, lane, &r->work);
+           r->memory.resolved[k].step == r->work.h && yields(e, k, lane, &r->work);
 }
 
 static void put_in(struct closed_contact *j, int lane, const struct run *r, int k) {
@@ -75,8 +75,8 @@ static void put_in(struct closed_contact *j, int lane, const struct run *r, int 
     j->peak_force[lane] = p->force;
     j->peak_force_time[lane] = p->force_time;
     j->deepest[lane] = r->results->deepest[k];
-    j->deepest_time[lane] = p->penetration_time;
-    j->fits_to[lane] = r->work.link[k].fits_to;
+    j->deepest_time[lane] = r->results->deepest_time[k];
+    j->fits_to[lane] = r->memory.resolved[k].depth;
 }
 
 static void take_out(struct closed_contact *j, int lane, struct run *r, int k, long n_step) {
@@ -98,7 +98,7 @@ static void take_out(struct closed_contact *j, int lane, struct run *r, int k, l
     i->steps += n_step;
     p->force = j->peak_force[lane];
     p->force_time = j->peak_force_time[lane];
-    r->work.link[k].fits_to = j->fits_to[lane];
+    r->memory.resolved[k].depth = j->fits_to[lane];
     peaks_penetration(r->results, k, j->deepest[lane], j->deepest_time[lane]);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Forces that contacts in lanes begin a step with, and what they have done in it: contact_step.c
 // and impacts.c for contacts that stay closed.
+#include "solve/ensemble/ensemble_contacts.h"
+
 #define LINKS_IN_LANES
 #include "solve/contact/link_terms.h"
-#include "solve/ensemble/ensemble_contacts.h"
 
 // The polynomial through the forces of the last steps: `guess` of contact_step.c.
 LANES_WHOLE void ensemble_contacts_begin(struct ensemble_lanes *e) {

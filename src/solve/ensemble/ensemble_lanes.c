@@ -296,9 +296,7 @@ void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct resul
         }
     }
     for (int k = 0; k < e->n_contact; k++) {
-        struct link_peak *p = &r->link[k];
         const struct ensemble_nearest *n = &e->nearest[k];
-        merge(&p->penetration, &p->penetration_time, n->depth[lane], n->time[lane]);
-        r->deepest[k] = p->penetration;
+        merge(&r->deepest[k], &r->deepest_time[k], n->depth[lane], n->time[lane]);
     }
 }

@@ -5,7 +5,7 @@
 
 #include "solve/account/peaks.h"
 #include "solve/contact/contact.h"
-#include "solve/event/event.h"
+#include "solve/newmark/event.h"
 
 // Copies the floors of building k from the lanes to the runs, if that has not been done.
 static void show_building(struct ensemble_lanes *e, int k) {

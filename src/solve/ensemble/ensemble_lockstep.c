@@ -3,7 +3,7 @@
 // lanes first take the floors of all runs under the forces that are known at its start, and solve
 // for the contacts that are in lanes too (ensemble_contacts.h). Then the links of each other run
 // are solved for and change its lane, with contacts that close on the way. For anything beyond
-// that, such as a force that jumps or a step that has to be cut, the run leaves its lane for the
+// that, such as a force that jumps or a step that is rejected, the run leaves its lane for the
 // step.
 #include "solve/ensemble/ensemble_lockstep.h"
 

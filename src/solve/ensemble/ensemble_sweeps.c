@@ -6,12 +6,13 @@
 // Only the usual case is here: contacts that were closed, whose forces Newton steps find within a
 // few sweeps, and for which steps are short enough (resolve.c). A lane in which anything else
 // happens gives up, and its run is solved alone from the start of the step.
-#define LINKS_IN_LANES
 #include <math.h>
 
-#include "solve/contact/link_terms.h"
 #include "solve/contact/resolve.h"
 #include "solve/ensemble/ensemble_contacts.h"
+
+#define LINKS_IN_LANES
+#include "solve/contact/link_terms.h"
 
 // As struct progress, and what runs have in common.
 struct sweeps {

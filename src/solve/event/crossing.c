@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The path within a step is the cubic Hermite polynomial in x = t / h,
 //     d(x) = d0 + x (m0 + x (3 D - 2 m0 - m1 + x (m0 + m1 - 2 D))),  D = d1 - d0, m = h v,
-// whose velocity is right to third order. The zero is bracketed by the ends, so Newton steps that
-// leave the bracket are replaced by bisection and the search cannot fail.
+// whose velocity is right to third order. The zero is bracketed by the ends.
 #include "solve/event/crossing.h"
 
 #include <math.h>
+
+#include "core/root.h"
+
+// Of x: a few units of the last place.
+static const double PRECISION = 1e-15;
+enum { ITERATIONS_MAX = 60 };
 
 struct cubic {
     double c0, c1, c2, c3;
@@ -19,24 +24,20 @@ static double slope(const struct cubic *c, double x) {
     return c->c1 + x * (2.0 * c->c2 + x * 3.0 * c->c3);
 }
 
-static double root(const struct cubic *c, double sign) {
-    double low = 0.0;
-    double high = 1.0;
+static double crossing_root(const struct cubic *c, double rise) {
+    struct root r = {0.0, 1.0, rise};
     double x = c->c0 / (c->c0 - value(c, 1.0));
     if (!(x > 0.0 && x < 1.0)) {
-        x = 0.5;
+        x = root_middle(&r);
     }
-    for (int i = 0; i < 60 && high - low > 1e-15; i++) {
-        double y = sign * value(c, x);
+    for (int i = 0; i < ITERATIONS_MAX && r.high - r.low > PRECISION; i++) {
+        double y = value(c, x);
         if (y == 0.0) {
             break;
         }
-        *(y > 0.0 ? &high : &low) = x;
-        double next = x - y / (sign * slope(c, x));
-        if (!(next > low && next < high)) {
-            next = 0.5 * (low + high);
-        }
-        if (fabs(next - x) < 1e-15) {
+        root_narrow(&r, x, y);
+        double next = root_step(&r, x, y, slope(c, x));
+        if (fabs(next - x) < PRECISION) {
             return next;
         }
         x = next;
@@ -56,11 +57,11 @@ double crossing_find(const struct path *p, double *velocity) {
     double x = 1.0;
     if (p->d0 == 0.0 && p->d1 * c.c1 < 0.0) {
         struct cubic other = {c.c1, c.c2, c.c3, 0.0};  // the cubic without its root at x = 0
-        x = root(&other, p->d1 > 0.0 ? 1.0 : -1.0);
+        x = crossing_root(&other, p->d1 > 0.0 ? 1.0 : -1.0);
     } else if (p->d0 == 0.0) {
         x = 0.0;
     } else if (p->d1 != 0.0) {
-        x = root(&c, p->d0 < 0.0 ? 1.0 : -1.0);
+        x = crossing_root(&c, p->d0 < 0.0 ? 1.0 : -1.0);
     }
     *velocity = slope(&c, x) / p->h;
     return x * p->h;

@@ -17,6 +17,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "solve/event/equilibrium.h"
 #include "solve/event/rest.h"
 #include "solve/event/together.h"
 
@@ -34,7 +35,7 @@ static double rounding(const struct state *s, const struct model *m, int k) {
 static double slowest_rebound(const struct state *s, const struct model *m, int k,
                               const struct least_bounce *least) {
     const struct link *l = &m->link[k];
-    double pressing = state_gap(l, m, s->a, s->ground_a) + s->link[k].force / l->mass;
+    double pressing = state_pressing(s, m, k) + s->link[k].force / l->mass;
     return fmax(fmax(least->time * pressing / 2.0, least->velocity), rounding(s, m, k));
 }
 
@@ -118,7 +119,7 @@ static void follow(struct state *s, const struct model *m) {
             s->link[k].force = state_link_force(s, m, k);
         }
     }
-    state_equilibrium(s, m);
+    equilibrium_find(s, m);
 }
 
 static void come_to_rest(struct state *s, int k, double approached) {

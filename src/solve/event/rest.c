@@ -3,9 +3,10 @@
 // of each contact, towards each other, f >= 0, w <= 0, f w = 0. Its matrix B M^-1 B' is symmetric
 // and positive definite unless contacts are redundant, which facing floors cannot be, so the
 // projected Gauss-Seidel iteration converges (Cottle, Pang & Stone (2009), The Linear
-// Complementarity Problem, section 5.2). Buildings touch at floors, whose masses are lumped: rows
-// are short chains. Where masses differ much that takes long, and rows are solved at once
-// (together.c).
+// Complementarity Problem, section 5.2). Two floors and a level between them that face the same
+// floor are redundant: the accelerations are unique then, the forces are not. Floors have lumped
+// masses, so rows of buildings are short chains. Where masses differ much that takes long, and rows
+// are solved at once (together.c).
 //
 // In a step, a contact gives back what rounding and the motion of the ground let it stray from d =
 // 0, and it takes its time: its velocity v tends to V = -d / (4 dt), dt the step of the deck, and
@@ -38,17 +39,13 @@ static void push(struct state *s, const struct model *m, int k, double df) {
     state_push(&m->link[k], m, df, s->a);
 }
 
-static double approach(const struct state *s, const struct model *m, int k) {
-    return state_gap(&m->link[k], m, s->a, s->ground_a);
-}
-
 // One sweep; true if it changed nothing that matters.
 static bool sweep(struct state *s, const struct model *m) {
     double largest = 0.0;
     double change = 0.0;
     for (int k = 0; k < m->n_contact; k++) {
         if (state_rests(s, m, k)) {
-            double wanted = fmax(s->link[k].force + approach(s, m, k) * m->link[k].mass, 0.0);
+            double wanted = fmax(s->link[k].force + state_pressing(s, m, k) * m->link[k].mass, 0.0);
             change = fmax(change, fabs(wanted - s->link[k].force));
             largest = fmax(largest, wanted);
             push(s, m, k, wanted - s->link[k].force);
@@ -101,7 +98,7 @@ static double free_velocity(const struct state *now, const struct model *m, doub
 double rest_velocity(const struct state *now, const struct model *m, double h, int k) {
     const double d = now->delta[k];
     const double v = state_rate(now, m, k);
-    const double a = state_gap(&m->link[k], m, now->a, now->ground_a);
+    const double a = state_pressing(now, m, k);
     const double ratio = m->beta / m->gamma;  // the step leads to d + drift + ratio h velocity
     const double drift = h * ((1.0 - ratio) * v - (ratio - 0.5) * h * a);
     const double gentle = -(d + drift) / (SLOW * m->dt + ratio * h);
@@ -118,7 +115,7 @@ void rest_forces(struct state *s, const struct model *m) {
     find_forces(s, m);
     for (int k = 0; k < m->n_contact; k++) {
         if (state_rests(s, m, k) && s->link[k].force == 0.0 &&
-            approach(s, m, k) < -state_rounding(&m->link[k], s->a)) {
+            state_pressing(s, m, k) < -state_rounding(&m->link[k], s->a)) {
             s->link[k].closed = false;
         }
     }

@@ -57,7 +57,7 @@ bool together_find(const struct state *s, const struct model *m, struct together
         int left, right;
         find(t, m, 0, dof[0], &left);
         find(t, m, 1, dof[1], &right);
-        if (left > 1 || right > 1) {
+        if (left > 1 || right > 1 || !link_is_plain(&m->link[t->contact[i]])) {
             return false;
         }
     }

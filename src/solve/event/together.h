@@ -22,8 +22,8 @@ struct passage {
 
 typedef void together_note(void *context, int k, const struct passage *p);
 
-// Finds the contacts at rest. False if there are too many of them, or if a floor has two on one
-// side, so that they are no rows.
+// Finds the contacts at rest. False if there are too many of them, or if they are not rows of
+// bodies: a floor has two on one side, or an end is not one floor.
 bool together_find(const struct state *s, const struct model *m, struct together *t);
 
 // Changes `x` (n_dof), velocities or accelerations, by pushes of these contacts, so that none of

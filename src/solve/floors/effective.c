@@ -14,7 +14,16 @@
 
 #include "core/arena.h"
 #include "core/lanes.h"
+#include "model/parts.h"
 #include "solve/floors/effective_low.h"
+
+static const struct fields_row list[] = {
+    FIELD_VALUE(struct effective, b),
+    FIELD_VALUE(struct effective, g),
+    FIELD_ARRAY(struct effective, tangent, FIELD_BUILDING_FLOORS),
+    FIELD_ARRAY(struct effective, ready, FIELD_BUILDING_FLOORS),
+};
+const struct fields effective_fields = FIELDS(list);
 
 static void alloc_one(struct effective *e, const struct building *building, enum effective_use use,
                       struct arena *a) {
@@ -22,13 +31,17 @@ static void alloc_one(struct effective *e, const struct building *building, enum
     e->building = building;
     e->use = building->damping_full ? EFFECTIVE_LONG : use;
     e->b = e->g = NAN;
-    e->tangent = arena_alloc(a, n, sizeof *e->tangent);
+    e->tangent = arena_alloc(a, n + (building->n_part > 0 ? 2 * n * n : 0), sizeof *e->tangent);
     e->stride = lanes_whole(building->n_floor);
     e->inverse = lanes_array(a, e->stride * e->stride);
     e->ready = arena_alloc(a, n, sizeof *e->ready);
     e->reach = arena_alloc(a, n, sizeof *e->reach);
     if (e->tangent) {
-        memcpy(e->tangent, building->stiffness, n * sizeof *e->tangent);
+        memcpy(e->tangent, building->spring, n * sizeof *e->tangent);
+    }
+    if (e->tangent && building->n_part > 0) {
+        memcpy(e->tangent + n, building->part_stiffness, n * n * sizeof *e->tangent);
+        memcpy(e->tangent + n + n * n, building->part_dashpot, n * n * sizeof *e->tangent);
     }
 }
 
@@ -36,7 +49,7 @@ static void alloc_one(struct effective *e, const struct building *building, enum
 enum { ABREAST_LEAST = 3, ABREAST_LEAST_LOW = 6 };
 
 // Are n buildings of one height solved together? Never those of models of few floors, which
-// small_steps.h solves by their inverses.
+// floor_steps.h solves by their inverses.
 static bool are_together(const struct effective *e, int n) {
     const int floors = e->building->n_floor;
     const bool inverts = e->use == EFFECTIVE_LONG && floors <= INVERSE_FLOORS_MAX;
@@ -63,6 +76,7 @@ static void alloc_factors(struct effective *e, int n, struct arena *a) {
             shares ? e->factor + k : lanes_lines(a, floors, (size_t)pitch * sizeof(double));
     }
     e->abreast = together ? n : 0;
+    e->between = together ? lanes_lines(a, floors, EFFECTIVE_ABREAST * sizeof(double)) : NULL;
 }
 
 int effective_alike(const struct building *building, int n) {
@@ -115,6 +129,14 @@ static int factor_tridiagonal(struct effective *e, double b, double g) {
     return STATUS_OK;
 }
 
+// b times the tangents of the parts by drifts and g times those by rates, on floors i and j.
+static double of_parts(const struct effective *e, double b, double g, size_t i, size_t j) {
+    const size_t n = (size_t)e->building->n_floor;
+    const double *by_drift = e->tangent + n, *by_rate = by_drift + n * n;
+    return b * parts_on_floors(by_drift, (int)n, (int)i, (int)j) +
+           g * parts_on_floors(by_rate, (int)n, (int)i, (int)j);
+}
+
 static int factor_full(struct effective *e, double b, double g) {
     const struct building *building = e->building;
     size_t n = (size_t)building->n_floor;
@@ -122,7 +144,8 @@ static int factor_full(struct effective *e, double b, double g) {
     for (size_t i = 0; i < n; i++) {
         double *row = e->inverse + i * stride;
         for (size_t j = 0; j < n; j++) {
-            row[j] = g * building->damping_full[i * n + j];
+            row[j] = g * building->damping_full[i * n + j] +
+                     (building->n_part > 0 ? of_parts(e, b, g, i, j) : 0.0);
         }
         row[i] += diagonal(e, b, (int)i);
         if (i > 0) {
@@ -239,6 +262,20 @@ static struct reach reach_of(const struct effective *e, int i) {
         to++;
     }
     return (struct reach){from / LANES_WIDTH * LANES_WIDTH, lanes_whole(to)};
+}
+
+void effective_resume(struct effective *e) {
+    const int n = e->building->n_floor;
+    for (int i = 0; i < n; i++) {
+        e->reach[i].from = e->ready[i];  // which effective_factor forgets
+    }
+    if (!isnan(e->b) && effective_factor(e, e->b, e->g) == STATUS_OK) {
+        for (int i = 0; i < n; i++) {
+            if (!e->ready[i] && e->reach[i].from) {
+                effective_column(e, i);
+            }
+        }
+    }
 }
 
 const double *effective_column(struct effective *e, int i) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The effective mass matrix of one building under Newmark, factorised:
 //     A = M + gamma h C + beta h^2 K,   A a = r.
-// It is tridiagonal for a shear building, and full with modal damping. Buildings never share a
-// matrix: contact forces couple them through columns of A^-1.
+// It is tridiagonal for a shear building, and full with modal damping or with parts. Buildings
+// never share a matrix: contact forces couple them through columns of A^-1.
 #ifndef JOSTLE_EFFECTIVE_H
 #define JOSTLE_EFFECTIVE_H
 
 #include "core/lanes.h"
 #include "jostle/model.h"
+#include "solve/fields.h"
 
 // How long a factorisation will serve.
 enum effective_use {
@@ -21,10 +22,12 @@ struct effective {
     const struct building *building;  // borrowed
     enum effective_use use;
     double b, g;             // beta h^2 and gamma h of the factors; NAN: none
-    double *tangent;         // [F/L] (n_floor) storey tangents it was factorised with
+    double *tangent;         // [F/L] tangents it was factorised with: of the storeys (n_floor), and
+                             // with parts theirs by drifts and by rates, each (n_floor, n_floor)
     double *pivot, *factor;  // (n_floor) 1/d_i and l_i of A = L D L^T, `pitch` apart; tridiagonal
     int pitch;               // those of neighbours of one height lie side by side
     int abreast;             // how many from this one on are solved together; 0: none
+    double *between;         // (n_floor, EFFECTIVE_ABREAST) scratch of such a solution; else NULL
     int stride;              // of the rows of `inverse`: n_floor in whole lanes
     double *inverse;         // (stride, stride) A^-1, rows ready where marked, and zeros
     bool *ready;             // (n_floor) row of `inverse` is valid
@@ -33,6 +36,7 @@ struct effective {
         int from, to;  // in whole lanes
     } * reach;         // (n_floor) of ready rows: entries outside are below rounding
 };
+extern const struct fields effective_fields;  // from which factors and rows can be made again
 
 // Room for the factors of n buildings of a row, with the initial tangents; false: no memory.
 bool effective_alloc(struct effective *e, const struct building *building, int n,
@@ -44,6 +48,9 @@ int effective_alike(const struct building *building, int n);
 // Factorises A for beta h^2 = `b`, gamma h = `g` and the tangents of `e`. STATUS_RETRY: A is not
 // positive definite to working accuracy.
 int effective_factor(struct effective *e, double b, double g);
+
+// Makes factors and rows again, after the fields have been replaced.
+void effective_resume(struct effective *e);
 
 // Whether solves multiply by the inverse, once it is there.
 static inline bool effective_prefers_inverse(const struct effective *e) {

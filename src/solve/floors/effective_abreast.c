@@ -104,7 +104,7 @@ LANES_INLINE void downwards(const struct abreast *b, int n, lanes (*restrict x)[
 LANES void effective_solve_abreast(const struct effective *e, const double *r, double *q) {
     const struct abreast b = gather(e, r, q);
     const int n = e->building->n_floor;
-    lanes x[FLOORS_MAX][FOURS];
+    lanes(*x)[FOURS] = (lanes(*)[FOURS])e->between;
     upwards(&b, n, x);
     downwards(&b, n, x);
 }

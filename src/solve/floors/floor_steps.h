@@ -1,149 +1,129 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of floors.h, on vectors of one width (floor_vectors.h), as a struct floors_steps called
-// FLOORS_STEPS.
-//     u_t = u + h v + h^2 a / 2,   v_t = v + h a,
-//     A q = -M a_ground + p - M a - C v_t - K u_t - B' f,
-//     u = u_t + beta h^2 q,   v = v_t + gamma h q,   a = a + q,
-// with the works of the step before and the tests for peaks. Each block of buildings goes through
-// all of this before the next one. Lanes do not begin where buildings do: what a block computes of
-// its neighbour's floors, the neighbour computes again.
+// FLOORS_STEPS. Each block of buildings goes through the whole step, and through the account of the
+// step before, ahead of the next block. Lanes do not begin where buildings do: what a block
+// computes of its neighbour's floors, the neighbour computes again.
 #ifndef JOSTLE_FLOOR_STEPS_H
 #define JOSTLE_FLOOR_STEPS_H
 
-#include "solve/contact/contact.h"
 #include "solve/floors/effective_low.h"
-#include "solve/floors/floor_account.h"
+#include "solve/floors/floor_step.h"
+#include "solve/work.h"
 
-// effective_solve_row, in line as long as buildings are low.
-LANES_INLINE void solve_row(struct effective *e, int n, double *r, double *q) {
-    int k = 0;
-    for (; k < n && effective_is_low(&e[k]); k++) {
-        effective_multiply(&e[k], r, q);
-        r += e[k].building->n_floor;
-        q += e[k].building->n_floor;
-    }
-    if (k < n) {
-        effective_solve_row(&e[k], n - k, r, q);
-    }
-}
-
-// A step under way.
-struct move {
-    struct work *work;
-    const struct state *now;
-    const struct state *next;
-    struct chain chain;
-    struct floors_motion from, to;
-    struct floors_scratch scratch;
+// The floors of a block. Where they are few, `few` of them in all, these are constants.
+struct span {
+    ptrdiff_t first, n, end;
 };
 
-LANES_INLINE struct move move_of(struct work *w, const struct state *now,
-                                 const struct state *next) {
-    return (struct move){.work = w,
-                         .now = now,
-                         .next = next,
-                         .chain = w->model->chain,
-                         .from = floors_motion(now),
-                         .to = floors_motion(next),
-                         .scratch = {w->floors.residual, w->floors.u_trial, w->floors.v_trial}};
+LANES_INLINE struct span span_of(const struct floor_block *b, ptrdiff_t few) {
+    return few > 0 ? (struct span){0, few, few} : (struct span){b->first, b->n, b->end};
 }
 
-// The next state of a block, and its corrections q from its first floor on. `lines` NULL: all
-// storeys are elastic. True if a storey is beyond its line, or what is found is not finite.
-LANES_INLINE bool move_block(const struct move *s, const struct floors_lines *lines,
-                             const struct floor_block *b, double *q) {
-    struct work *w = s->work;
-    const struct floors_correction correction = {q, w->b, w->g};
-    const double *external = state_is_uniform(w->model) ? NULL : s->next->external;
-    int bottom = w->model->building[b->building].first - b->first;
-    bool beyond = floors_unbalance(&s->chain, lines, w->h, b->first, b->n, &s->from,
-                                   s->next->ground_a[0], external, &s->scratch);
-    if (s->next->n_live > 0) {
-        floors_push(w, s->now, s->next, b);
+// The corrections q of a block, from its first floor on, by the inverses of buildings as long as
+// they are low: all of few floors in flight are.
+LANES_INLINE void solve_block(const struct floors_pass *p, const struct work *w,
+                              const struct floor_block *b, const struct span *s, bool are_low,
+                              double *q) {
+    struct effective *e = &w->effective[b->building], *end = e + b->n_building;
+    const ptrdiff_t bottom = e->building->first - s->first;
+    double *r = p->residual + bottom;
+    q += bottom;
+    for (; e < end && (are_low || effective_is_low(e)); e++) {
+        const int n = e->building->n_floor;
+        effective_multiply(e, r, q);
+        r += n;
+        q += n;
     }
-    solve_row(&w->effective[b->building], b->n_building, s->scratch.residual + bottom, q + bottom);
-    beyond |= floors_reach(&correction, b->first, b->end, &s->scratch, s->from.a, &s->to);
-    return beyond;
+    if (e < end) {
+        effective_solve_row(e, (int)(end - e), r, q);
+    }
 }
 
-// The account of a step from s0 to s1 under one ground, taken from floor `done` on.
-struct account {
-    const struct chain *chain;
-    struct energy_account *energy;
-    const struct results *results;
-    struct floors_moment s0, s1;
-    int done;
-};
-
-// Takes it as far as floor `end`.
-LANES_INLINE void account_to(struct account *a, int end) {
-    const int first = a->done;
-    if (first >= end) {
-        return;
-    }
-    const struct chain c = *a->chain;
-    const struct floors_moment s0 = a->s0, s1 = a->s1;
-    const struct floors_peaks p = {a->results->peak, a->results->peak_time};
-    floors_add(&c, first, end, &s0, &s1, &p, a->energy);
-    if (s0.shear) {
-        floors_add_shears(first, end, &s0, &s1, &p);
-    }
-    a->done = end;
+// The bands of C. Of many floors, that of the floor above is read where that one has it, as C is
+// symmetric: an array less.
+LANES_INLINE struct chain chain_of(const struct work *w, ptrdiff_t few) {
+    struct chain c = w->model->chain;
+    c.damping_above = few > 0 ? c.damping_above : c.damping_below + 1;
+    return c;
 }
 
-// What is due of the step from `old` to `now`.
-LANES_INLINE struct account account_due(const struct work *w, const struct state *old,
-                                        const struct state *now) {
+// The step from s0 to s1, which began with ground acceleration ground_a0.
+LANES_INLINE struct floors_taken taken(const struct work *w, const struct state *s0,
+                                       const struct state *s1, double ground_a0, bool yields,
+                                       ptrdiff_t few) {
     const struct floors_account *to = &w->floors.account;
-    const struct model *m = w->model;
-    struct account a = {&m->chain,
-                        to->energy,
-                        to->results,
-                        floors_moment_of(m, old),
-                        floors_moment_of(m, now),
-                        to->due ? 0 : m->chain.n};
-    a.s0.time = to->time;
-    a.s0.ground = to->ground_a;
-    return a;
+    return (struct floors_taken){
+        .chain = chain_of(w, few),
+        .s0 = floors_motion(s0),
+        .s1 = floors_motion(s1),
+        .ground = s1->ground_a[0],
+        .ground_2x = ground_a0 + s1->ground_a[0],
+        .time = s1->time,
+        .input_2x = to->energy->input_2x,
+        .damping_2x = to->energy->damping_2x,
+        .storey_2x = to->energy->storey_2x,
+        .peak = to->results->peak,
+        .peak_time = to->results->peak_time,
+        .yields = yields,
+    };
 }
 
-// Takes what is due as far as the floors that see what the next block overwrites.
-LANES_INLINE void account_ahead(struct account *a, const struct floor_block *next) {
-    account_to(a, next->end + LANES_WIDTH < a->chain->n ? next->end + LANES_WIDTH : a->chain->n);
+// The account that is due, which is taken from floor `done` on.
+struct due {
+    struct floors_taken step;
+    ptrdiff_t done, n;
+};
+
+LANES_INLINE struct due due(const struct work *w, const struct state *old, const struct state *now,
+                            ptrdiff_t few, bool yields) {
+    const struct floors_account *a = &w->floors.account;
+    const ptrdiff_t n = few > 0 ? few : w->model->chain.n;
+    return (struct due){taken(w, old, now, a->ground_a, yields, few), a->due ? 0 : n, n};
 }
 
-// Takes a state into the peaks.
-FLOORS_CLONES static void raise(struct results *r, const struct model *m, const struct state *now) {
-    const struct chain c = m->chain;
-    const struct floors_moment s = floors_moment_of(m, now);
-    const struct floors_peaks p = {r->peak, r->peak_time};
-    const lanes_wide_bits each = ~(lanes_wide_bits){0};
-    const struct floors_asked all = {each, each, each, each};
-    for (int i = 0; i < c.n; i += LANES_WIDTH) {
-        floors_raise_motion(&p, &s, i, &all);
-        floors_raise_drifts(&p, &c, &s, i, &all);
+// Takes it as far as floor `end`, if there are so many.
+LANES_INLINE void account_to(struct due *d, ptrdiff_t end) {
+    end = end < d->n ? end : d->n;
+    if (d->done < end) {
+        floors_account_part(&d->step, d->done, end);
+        d->done = end;
     }
 }
 
-FLOORS_CLONES static void catch_up(struct work *w, const struct state *old,
-                                   const struct state *now) {
-    struct account due = account_due(w, old, now);
-    account_to(&due, w->model->chain.n);
-    w->floors.account.due = false;
-    raise(w->floors.account.results, w->model, now);
+// Floors that there are not, in the last lanes, stay 0: corrections there are those of other
+// blocks.
+LANES_INLINE void clear_beyond(const struct model *m, const struct state *next) {
+    for (ptrdiff_t i = m->n_dof; i < m->chain.n; i++) {
+        next->u[i] = next->v[i] = next->a[i] = 0.0;
+    }
 }
 
-FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct state *next) {
-    const struct move move = move_of(w, now, next);
-    struct account due = account_due(w, next, now);
-    bool beyond = false;
-    for (int i = 0; i < w->floors.n_block; i++) {
+// Takes a step from `now` to `next` in one block after the other, each with the account that is due
+// of the floors that see what it overwrites.
+LANES_INLINE bool move_by(struct work *w, const struct state *now, struct state *next,
+                          ptrdiff_t few) {
+    const struct floors_pass pass = floors_pass_of(w, now, next, chain_of(w, few));
+    const bool is_uniform = few > 0 || state_is_uniform(w->model);
+    struct due account = due(w, next, now, few, false);
+    floor_bits beyond = {0};
+    for (int i = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
         const struct floor_block *b = &w->floors.block[i];
-        account_ahead(&due, b);
-        beyond |= move_block(&move, NULL, b, w->correction + b->first);
+        const struct span s = span_of(b, few);
+        floors_begin(&pass, s.first, s.n, next->ground_a[0], is_uniform ? NULL : next->external,
+                     &beyond);
+        if (next->n_live > 0) {
+            floors_push(w, now, next, b);
+        }
+        double *q = w->correction + s.first;
+        solve_block(&pass, w, b, &s, false, q);
+        account_to(&account, s.end + LANES_WIDTH);
+        floors_finish(&pass, s.first, s.end, q, &beyond);
     }
     w->floors.account.due = false;
-    return !beyond;
+    if (few == 0) {
+        clear_beyond(w->model, next);
+    }
+    return !floors_any(&beyond);
 }
 
 // The next block finishes the floors that this one leaves over.
@@ -151,48 +131,135 @@ LANES_INLINE void hand_over(const struct floor_block *b, double *q) {
     *(lanes_wide *)q = LANES_AT(q, b->end - b->first);
 }
 
-// A step as far as it is known to be one in free flight. `lines` NULL: all storeys are elastic.
-LANES_INLINE bool fly(const struct flight *f, const struct floors_lines *lines,
-                      const struct state *now, struct state *next) {
+// The same as far as the step is known to be one in free flight. False: it is not.
+LANES_INLINE bool fly_by(const struct flight *f, const struct floors_lines *lines,
+                         const struct state *now, struct state *next, ptrdiff_t few) {
     struct work *w = f->work;
-    const struct move move = move_of(w, now, next);
-    struct account due = account_due(w, next, now);
-    bool free = true;
+    struct floors_pass pass = floors_pass_of(w, now, next, chain_of(w, few));
+    pass.lines = *lines;
+    const bool is_uniform = few > 0 || f->uniform;
+    struct due account = due(w, next, now, few, lines->back != NULL);
+    struct floors_approach near = {{0}, {0}};
     floor_bits beyond = {0};
-    for (int i = 0, group = 0; i < w->floors.n_block && free; i++) {
+    bool free = true;
+    for (int i = 0, group = 0; i < (few > 0 ? 1 : w->floors.n_block) && free; i++) {
         const struct floor_block *b = &w->floors.block[i];
-        account_ahead(&due, b);
-        bool ends = move_block(&move, lines, b, w->floors.correction);
-        hand_over(b, w->floors.correction);
-        if (lines) {
-            floors_follow(&move.chain, lines, b->first, b->end, next->u, &beyond);
+        const struct span s = span_of(b, few);
+        floors_begin(&pass, s.first, s.n, next->ground_a[0], is_uniform ? NULL : next->external,
+                     &beyond);
+        double *q = w->floors.correction;
+        solve_block(&pass, w, b, &s, few > 0, q);
+        account_to(&account, s.end + LANES_WIDTH);
+        floors_finish(&pass, s.first, s.end, q, &beyond);
+        if (few == 0) {
+            hand_over(b, q);
         }
-        ends |= floors_any(&beyond);
-        ends |= floors_approach(f, group, f->group_end[i], now, next);
+        floors_approach(f, group, f->group_end[i], pass.next.u, next->ground_u, &near);
+        const floor_bits ends = beyond | near.closed;
+        free = !floors_any(&ends);
         group = f->group_end[i];
-        free = !ends;
     }
-    account_to(&due, move.chain.n);
+    account_to(&account, account.n);
     w->floors.account.due = false;
+    if (few == 0) {
+        clear_beyond(w->model, next);
+    }
+    if (free && floors_any(&near.nearer)) {
+        floors_note(f, next);
+    }
     return free;
 }
 
-FLOORS_CLONES static bool fly_elastic(const struct flight *f, const struct state *now,
-                                      struct state *next) {
-    return fly(f, NULL, now, next);
+// Sets the time of `s`, the end of step n, and what acts on the floors then.
+LANES_INLINE void set_excitation(const struct flight *f, struct state *s, long n, bool is_uniform) {
+    struct excitation_ahead *x = &f->work->ahead;
+    if (n < x->from || n >= x->from + EXCITATION_AHEAD) {
+        excitation_foresee(x, f->model, n);
+    }
+    s->time = x->time[n - x->from];
+    if (is_uniform) {
+        s->ground_a[0] = x->ground[n - x->from];
+    } else {
+        excitation_at(s, f->model, s->time);
+    }
 }
 
-FLOORS_CLONES static bool fly_on_lines(const struct flight *f, const struct state *now,
-                                       struct state *next) {
-    const struct floors_lines lines = floors_lines_of(f, next);
-    return fly(f, &lines, now, next);
+LANES_INLINE long fly_from(const struct flight *f, const struct floors_lines *lines,
+                           struct state **now, struct state **next, long n, long end,
+                           ptrdiff_t few) {
+    for (; n < end; n++) {
+        struct state *from = *now, *to = *next;
+        set_excitation(f, to, n + 1, few > 0 || f->uniform);
+        if (!fly_by(f, lines, from, to, few)) {
+            break;
+        }
+        if (few > 0) {
+            floors_defer(&f->work->floors.account, from);
+        } else {
+            floors_account_elastic(f->work, from, to);
+        }
+        *now = to;
+        *next = from;
+    }
+    return n;
+}
+
+// The number of floors in whole lanes, where they are few and one ground moves them all; else 0.
+LANES_INLINE ptrdiff_t few_floors(const struct model *m) {
+    return state_is_uniform(m) && m->chain.n <= 2 * LANES_WIDTH ? m->chain.n : 0;
+}
+
+LANES_INLINE long fly(const struct flight *f, const struct floors_lines *lines, struct state **now,
+                      struct state **next, long n, long end) {
+    switch (few_floors(f->model)) {
+        case LANES_WIDTH:
+            return fly_from(f, lines, now, next, n, end, LANES_WIDTH);
+        case 2 * LANES_WIDTH:
+            return fly_from(f, lines, now, next, n, end, 2 * LANES_WIDTH);
+        default:
+            return fly_from(f, lines, now, next, n, end, 0);
+    }
+}
+
+FLOORS_CLONES static long fly_elastic(const struct flight *f, struct state **now,
+                                      struct state **next, long n, long end) {
+    const struct floors_lines elastic = {NULL, NULL, NULL, NULL};
+    return fly(f, &elastic, now, next, n, end);
+}
+
+FLOORS_CLONES static long fly_on_lines(const struct flight *f, struct state **now,
+                                       struct state **next, long n, long end) {
+    const struct floors_lines lines = {f->back, f->spring, f->rest, f->limit};
+    return fly(f, &lines, now, next, n, end);
+}
+
+FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct state *next) {
+    switch (few_floors(w->model)) {
+        case LANES_WIDTH:
+            return move_by(w, now, next, LANES_WIDTH);
+        case 2 * LANES_WIDTH:
+            return move_by(w, now, next, 2 * LANES_WIDTH);
+        default:
+            return move_by(w, now, next, 0);
+    }
+}
+
+FLOORS_CLONES static void account(const struct work *w, const struct state *s0,
+                                  const struct state *s1, double ground_a0) {
+    const struct floors_taken step = taken(w, s0, s1, ground_a0, w->model->n_storey_history > 0, 0);
+    floors_account_part(&step, 0, step.chain.n);
+}
+
+FLOORS_CLONES static void raise(const struct work *w, const struct state *s) {
+    const struct floors_taken step = taken(w, s, s, 0.0, w->model->n_storey_history > 0, 0);
+    floors_raise_all(&step, s->base, 0, step.chain.n);
 }
 
 const struct floors_steps FLOORS_STEPS = {
     .move = move,
     .fly = fly_elastic,
     .fly_on_lines = fly_on_lines,
-    .catch_up = catch_up,
+    .account = account,
     .raise = raise,
 };
 

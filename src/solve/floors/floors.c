@@ -10,7 +10,6 @@
 #include "core/arena.h"
 #include "core/number.h"
 #include "solve/account/peaks.h"
-#include "solve/contact/contact.h"
 #include "solve/floors/chain.h"
 #include "solve/newmark/flight.h"
 
@@ -39,7 +38,9 @@ static struct floor_block block_from(const struct model *m, int k, int first) {
     return b;
 }
 
-bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
+bool floors_alloc(struct work *w, struct arena *a) {
+    const struct model *m = w->model;
+    struct floors *f = &w->floors;
     int most = 0;
     *f = (struct floors){
         .block = arena_alloc(a, (size_t)m->n_building, sizeof *f->block),
@@ -56,8 +57,8 @@ bool floors_alloc(struct floors *f, const struct model *m, struct arena *a) {
     }
     f->residual = lanes_array(a, most + 2 * LANES_WIDTH);
     f->correction = lanes_array(a, most + 2 * LANES_WIDTH);
-    f->u_trial = lanes_array(a, most);
-    f->v_trial = lanes_array(a, most);
+    f->u_trial = f->n_block == 1 ? w->u_trial : lanes_array(a, most);
+    f->v_trial = f->n_block == 1 ? w->v_trial : lanes_array(a, most);
     return !arena_failed(a);
 }
 
@@ -67,6 +68,11 @@ static void push_run(const struct gaps *g, int run, int k, const struct link_sta
     const struct gap_run *r = &g->run[run];
     const struct gap_share *share = &g->share[run];
     const bool left = r->building[0] == k;
+    if (r->row) {
+        const double force = share->n > 0 ? link[r->first].force : 0.0;
+        link_push_at(r->row, left ? 0 : 1, left ? -force : force, residual - b->first);
+        return;
+    }
     double *end = residual + ((left ? r->left : r->right) - b->first);
     for (int i = share->first; i < share->first + share->n; i++) {
         double force = link[g->acting[i]].force;
@@ -77,6 +83,10 @@ static void push_run(const struct gaps *g, int run, int k, const struct link_sta
 void floors_push(struct work *w, const struct state *now, const struct state *next,
                  const struct floor_block *b) {
     const struct gaps *g = &w->gaps;
+    if (w->floors.n_block == 1) {
+        state_add_link_forces(next, w->model, w->floors.residual);
+        return;
+    }
     for (int k = b->building; k < b->building + b->n_building; k++) {
         if (g->is_touched[k]) {
             floors_trial(w, now, k);
@@ -98,14 +108,8 @@ void floors_account_to(struct work *w, struct energy_account *energy, struct res
     w->floors.account = (struct floors_account){
         .energy = energy,
         .results = results,
-        .defers = state_is_uniform(w->model) && !w->model->adaptive && !w->small.possible,
+        .defers = state_is_uniform(w->model) && !w->model->adaptive,
     };
-}
-
-void floors_defer(struct floors_account *account, const struct state *now) {
-    account->due = true;
-    account->time = now->time;
-    account->ground_a = now->ground_a[0];
 }
 
 // The steps with the widest vectors for which the processor has registers.
@@ -114,9 +118,11 @@ static const struct floors_steps *steps(void) {
 }
 
 void floors_catch_up(struct work *w, const struct state *old, const struct state *now) {
-    if (w->floors.account.defers) {
-        steps()->catch_up(w, old, now);
-        peaks_speed(w->floors.account.results, 0, w->model->n_dof);
+    struct floors_account *account = &w->floors.account;
+    if (account->due) {
+        steps()->account(w, old, now, account->ground_a);
+        peaks_speed(account->results, 0, w->model->n_dof);
+        account->due = false;
     }
 }
 
@@ -130,44 +136,32 @@ double floors_speed(const struct work *w, const struct state *now) {
     return speed;
 }
 
-void floors_account_now(struct work *w, const struct state *now, const struct state *next) {
-    const struct floors_account *to = &w->floors.account;
-    if (w->small.serves) {
-        w->small.steps->account(w, now, next);
+void floors_account_elastic(struct work *w, const struct state *now, const struct state *next) {
+    struct floors_account *to = &w->floors.account;
+    if (to->defers) {
+        floors_defer(to, now);
         return;
     }
-    energy_step(to->energy, w->model, now, next);
-    steps()->raise(to->results, w->model, next);
+    if (state_is_uniform(w->model)) {
+        steps()->account(w, now, next, now->ground_a[0]);
+    } else {
+        energy_step(to->energy, w->model, now, next);
+        steps()->raise(w, next);
+    }
     peaks_speed(to->results, 0, w->model->n_dof);
 }
 
 void floors_account(struct work *w, const struct state *now, const struct state *next) {
-    struct floors_account *to = &w->floors.account;
-    if (!state_is_linear(w->model)) {
-        energy_step(to->energy, w->model, now, next);
-        peaks_floors(to->results, w->model, next);
-    } else if (to->defers) {
-        floors_defer(to, now);
+    if (state_is_linear(w->model)) {
+        floors_account_elastic(w, now, next);
     } else {
-        floors_account_now(w, now, next);
+        energy_step(w->floors.account.energy, w->model, now, next);
+        peaks_floors(w->floors.account.results, w->model, next);
     }
-}
-
-// Penetrations after a step of few floors; false: it is not finite.
-static bool update_gaps(struct work *w, struct state *next, enum small_news news) {
-    if (news == SMALL_NEAR) {
-        gaps_update(&w->gaps, next);
-    } else {
-        gaps_keep(&w->gaps);
-    }
-    return news != SMALL_INFINITE;
 }
 
 bool floors_move(struct work *w, const struct state *now, struct state *next) {
-    if (w->small.serves) {
-        return update_gaps(w, next, w->small.steps->move(w, now, next));
-    }
-    bool finite = steps()->move(w, now, next);
+    const bool finite = steps()->move(w, now, next);
     gaps_update(&w->gaps, next);
     return finite;
 }
@@ -180,8 +174,9 @@ bool floors_correct(const struct work *w, const struct state *now, struct state 
 }
 
 void floors_correct_touched(struct work *w, const struct state *now, struct state *next) {
-    if (w->small.serves) {
-        update_gaps(w, next, w->small.steps->correct(w, now, next));
+    if (w->floors.n_block == 1) {
+        floors_correct(w, now, next, 0, w->model->chain.n);
+        gaps_update(&w->gaps, next);
         return;
     }
     for (int i = 0; i < w->gaps.n_touched; i++) {
@@ -191,10 +186,6 @@ void floors_correct_touched(struct work *w, const struct state *now, struct stat
     gaps_update_touched(&w->gaps, next);
 }
 
-bool floors_fly(const struct flight *f, const struct state *now, struct state *next) {
-    return steps()->fly(f, now, next);
-}
-
-bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next) {
-    return steps()->fly_on_lines(f, now, next);
+long floors_fly(const struct flight *f, struct state **now, struct state **next, long n, long end) {
+    return (f->yields ? steps()->fly_on_lines : steps()->fly)(f, now, next, n, end);
 }

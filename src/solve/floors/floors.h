@@ -23,8 +23,7 @@ struct floors_account {
     struct results *results;        // borrowed
     bool defers;                    // accounts are put off with this model
     bool due;         // the step to the committed state is in no works, and that state in no peaks
-    double time;      // [T] of the state that the step began with,
-    double ground_a;  // [L/T^2] and the acceleration of the ground then
+    double ground_a;  // [L/T^2] acceleration of the ground when that step began
 };
 
 struct work;
@@ -34,13 +33,14 @@ struct floors {
     int n_block;
     struct floor_block *block;  // (n_block)
     double *residual;           // [F] of a block
-    double *u_trial, *v_trial;  // of a block: its end of the step if the accelerations stay
+    double *u_trial, *v_trial;  // of a block: its end of the step if the accelerations stay; of the
+                                // only one: those of struct work
     double *correction;         // [L/T^2] of a block in free flight, where nothing else needs it
     struct floors_account account;
 };
 
-// Room for the floors of a model, and its blocks; false: no memory.
-bool floors_alloc(struct floors *f, const struct model *m, struct arena *a);
+// Room for the floors of a model, and its blocks, when there is room for trials; false: no memory.
+bool floors_alloc(struct work *w, struct arena *a);
 
 // Sets where works and peaks of the floors go.
 void floors_account_to(struct work *w, struct energy_account *energy, struct results *results);
@@ -60,40 +60,40 @@ bool floors_correct(const struct work *w, const struct state *now, struct state 
 // The same for the buildings with live links, and penetrations.
 void floors_correct_touched(struct work *w, const struct state *now, struct state *next);
 
-// Takes the step from `now` to `next` into works and peaks, or puts that off.
+// Takes the step from `now` to `next` into works and peaks, or puts that off until the next step or
+// floors_catch_up. The caller commits `next`; `now` is where the next step will be written.
 void floors_account(struct work *w, const struct state *now, const struct state *next);
 
-// The same at once, of a linear model or one in flight.
-void floors_account_now(struct work *w, const struct state *now, const struct state *next);
+// Puts that off, for a model whose accounts are.
+static inline void floors_defer(struct floors_account *a, const struct state *now) {
+    a->due = true;
+    a->ground_a = now->ground_a[0];
+}
 
-// Puts that off until the next step or floors_catch_up. The caller commits `next`; `now` is where
-// the next step will be written.
-void floors_defer(struct floors_account *account, const struct state *now);
+// floors_account of a linear model, or of one in flight.
+void floors_account_elastic(struct work *w, const struct state *now, const struct state *next);
 
-// Takes the account that is due, of the step from the state in `old` to the committed `now`, and
-// `now` itself into the peaks, which otherwise happens when the next step leaves it. Does nothing
-// where accounts are not put off.
+// Takes the account that is due, of the step from the state in `old` to the committed `now`.
 void floors_catch_up(struct work *w, const struct state *old, const struct state *now);
 
 // [L/T] Largest velocity of any floor so far, the committed `now` and what is put off included.
 double floors_speed(const struct work *w, const struct state *now);
 
-// A step in free flight to the time of `next`, under its ground acceleration (or where that is not
-// uniform its external forces), with what account is due. Contacts that were nearest in `now` are
-// recorded. False: not in free flight, as a contact would close, or not finite.
-bool floors_fly(const struct flight *f, const struct state *now, struct state *next);
+// Takes steps in free flight from number n, whose state is *now, as far as `end`, but stops before
+// one in which a contact would close, a storey leave its line or a number not be finite. Returns
+// the step reached; contacts that were nearest on the way are recorded.
+long floors_fly(const struct flight *f, struct state **now, struct state **next, long n, long end);
 
-// The same where storeys follow straight lines. False also if one would leave its line.
-bool floors_fly_on_lines(const struct flight *f, const struct state *now, struct state *next);
-
-// The loops over floors of these functions, on vectors of one width; `raise` takes a state into the
-// peaks.
+// The loops over floors of these functions, on vectors of one width. `account` takes a step under
+// one ground, which began with acceleration ground_a0; `raise` takes a state into the peaks.
 struct floors_steps {
     bool (*move)(struct work *w, const struct state *now, struct state *next);
-    bool (*fly)(const struct flight *f, const struct state *now, struct state *next);
-    bool (*fly_on_lines)(const struct flight *f, const struct state *now, struct state *next);
-    void (*catch_up)(struct work *w, const struct state *old, const struct state *now);
-    void (*raise)(struct results *r, const struct model *m, const struct state *s);
+    long (*fly)(const struct flight *f, struct state **now, struct state **next, long n, long end);
+    long (*fly_on_lines)(const struct flight *f, struct state **now, struct state **next, long n,
+                         long end);
+    void (*account)(const struct work *w, const struct state *now, const struct state *next,
+                    double ground_a0);
+    void (*raise)(const struct work *w, const struct state *s);
 };
 extern const struct floors_steps floors_narrow, floors_wide;
 

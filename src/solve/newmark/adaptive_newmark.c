@@ -3,6 +3,7 @@
 #include "solve/method.h"
 
 #include "solve/account/peaks.h"
+#include "solve/event/equilibrium.h"
 #include "solve/excitation.h"
 
 // The forcing jumps at the present state, and the accelerations with it: a step from the old ones
@@ -10,7 +11,7 @@
 static void pass_jump(struct run *r) {
     excitation_of_pieces(r->now, &r->length.forcing, r->now->time);
     state_complete(r->now, r->model);
-    state_equilibrium(r->now, r->model);
+    equilibrium_find(r->now, r->model);
     impacts_part(&r->impacts, r->now);
     peaks_update(r->results, r->model, r->now);
 }
@@ -27,11 +28,11 @@ static int attempt(struct run *r, double limit) {
         status = run_step(r, end, h, 0, &rest);
     }
     if (status == STATUS_RETRY) {
-        totals->cuts++;
-        return step_length_reject(&r->length, r->now, h, r->work.unresolved, r->error);
+        totals->rejected++;
+        return step_length_reject(&r->length, r->now, h, r->memory.unresolved, r->error);
     }
     if (status == STATUS_OK && totals->events > events) {
-        step_length_cut(&r->length, r->now);
+        step_length_split(&r->length, r->now);
     } else if (status == STATUS_OK) {
         step_length_take(&r->length, r->next, r->now, h);
     }
@@ -63,12 +64,19 @@ static void start(struct run *r) {
     step_length_start(&r->length, r->now);
 }
 
+static const struct fields_row list[] = {
+    {0, sizeof(struct run), FIELD_ONE, &run_step_fields},
+    FIELD_PART(struct run, length, step_length_fields),
+};
+static const struct fields fields = FIELDS(list);
+
 const struct method adaptive_newmark = {
+    .fields = &fields,
+    .resume = run_step_resume,
     .integrator = INTEGRATOR_NEWMARK,
     .adaptive = true,
     .alloc = alloc,
     .start = start,
     .advance = advance,
     .complete = run_step_complete,
-    .finish = run_step_finish,
 };

@@ -1,44 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Newmark's method with the steps of the deck: as many at a time as are in free flight, else one by
-// one, halved where they are not solved.
+// one, halved where they are rejected.
 #include "solve/method.h"
 
-// A run in which steps were cut more often than this, and this often per step of the deck, will not
-// end in a reasonable time.
-enum { CUTS_BUDGET = 2000000, CUTS_BUDGET_PER_STEP = 100 };
+// A run in which steps were rejected more often than this, and this often per step of the deck,
+// will not end in a reasonable time.
+enum { REJECTED_BUDGET = 2000000, REJECTED_BUDGET_PER_STEP = 100 };
 
 static int give_up(struct run *r, double h) {
     const struct model *m = r->model;
     const char *unit = m->deck->units.time_name;
-    int k = r->work.unresolved;
+    int k = r->memory.unresolved;
     return error_set(
         r->error, STATUS_FAILED,
         "at t = %.6g %s a step of %.3g %s is still too long for contact %s, after %ld cuts; "
-        "it wants a softer or a damped contact, or a much shorter step",
-        r->now->time, unit, h, unit, k < 0 ? "forces" : m->link[k].name, r->results->totals.cuts);
+        "use a softer or a damped contact, or a much shorter step",
+        r->now->time, unit, h, unit, k < 0 ? "forces" : m->link[k].name,
+        r->results->totals.rejected);
 }
 
-// Counts a cut of a step of size h that has been cut so often. Errors: STATUS_FAILED (too many).
-static int spend_cut(struct run *r, double h, int cuts) {
-    if (cuts == RUN_CUTS_MAX) {
+// Counts a step of size h that is rejected, and has been halved so often. Errors: STATUS_FAILED
+// (too many).
+static int reject(struct run *r, double h, int halvings) {
+    if (halvings == RUN_HALVINGS_MAX) {
         return error_set(
             r->error, STATUS_FAILED,
             "no step is short enough at t = %.9g: the numbers are beyond double precision",
             r->now->time);
     }
-    long budget = CUTS_BUDGET + CUTS_BUDGET_PER_STEP * r->model->n_step;
-    return r->results->totals.cuts++ < budget ? run_poll_now(r, r->now->time) : give_up(r, h);
+    long budget = REJECTED_BUDGET + REJECTED_BUDGET_PER_STEP * r->model->n_step;
+    return r->results->totals.rejected++ < budget ? run_poll_now(r, r->now->time) : give_up(r, h);
 }
 
-// Goes from the committed state to `end`, h later; a step that is not solved is cut in two.
-static int go_to(struct run *r, double end, double h, int cuts) {
+// Goes from the committed state to `end`, h later; one that is rejected is halved.
+static int go_to(struct run *r, double end, double h, int halvings) {
     while (h > 0.0) {
         double rest;
-        int status = run_step(r, end, h, cuts, &rest);
+        int status = run_step(r, end, h, halvings, &rest);
         if (status == STATUS_RETRY) {
-            status = spend_cut(r, h, cuts++);
+            status = reject(r, h, halvings++);
             rest = h / 2.0;
-            status = status == STATUS_OK ? go_to(r, end - rest, rest, cuts) : status;
+            status = status == STATUS_OK ? go_to(r, end - rest, rest, halvings) : status;
         }
         if (status != STATUS_OK) {
             return status;
@@ -69,10 +71,11 @@ static bool alloc(struct run *r, struct arena *a) {
 }
 
 const struct method fixed_newmark = {
+    .fields = &run_step_fields,
+    .resume = run_step_resume,
     .integrator = INTEGRATOR_NEWMARK,
     .adaptive = false,
     .alloc = alloc,
     .advance = advance,
     .complete = run_step_complete,
-    .finish = run_step_finish,
 };

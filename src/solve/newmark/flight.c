@@ -66,11 +66,11 @@ static void assign_groups(struct flight *f) {
     }
 }
 
-// Are all links contacts with a law of force, and all storeys of straight lines?
+// Are all links contacts of floors with a law of force, and all storeys of straight lines?
 static bool is_possible(const struct model *m) {
     bool possible = m->n_link == m->n_contact && !m->chain.full_damping;
     for (int k = 0; k < m->n_link; k++) {
-        possible = possible && !m->link[k].law->rebound;
+        possible = possible && !m->link[k].law->rebound && link_is_plain(&m->link[k]);
     }
     for (int i = 0; i < m->n_dof; i++) {
         possible = possible && m->storey[i].law->branch;
@@ -134,7 +134,6 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
     if (f->possible) {
         group_contacts(f, m);
         assign_groups(f);
-        w->small.flight = f;
     }
     return true;
 }
@@ -142,19 +141,6 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
 void flight_deepen(const struct flight *f, struct state *s) {
     gaps_update(&f->work->gaps, s);
     gaps_peaks(&f->work->gaps, s);
-}
-
-// Takes a step as it has been found into the account, or sees to it that the next one does.
-static void account(const struct flight *f, const struct state *now, const struct state *next) {
-    if (!f->account->defers) {
-        floors_account_now(f->work, now, next);
-        return;
-    }
-    floors_defer(&f->work->floors.account, now);
-    if (f->yields) {
-        chain_storey_works(&f->model->chain, now->shear, next->shear, now->drift, next->drift,
-                           f->account->energy->storey_2x);
-    }
 }
 
 // Computes what steps in flight leave out.
@@ -166,38 +152,6 @@ static void complete(const struct flight *f, struct state *s) {
         state_internal_forces(s, m, s->u, s->v);
         state_totals(s, m);
     }
-}
-
-// Steps of a small model from n towards `end`; returns the one reached.
-static long glide(struct flight *f, struct state *now, long n, long end) {
-    long reached = n;
-    while (f->work->small.possible && reached < end) {
-        struct excitation_ahead *ahead = &f->work->ahead;
-        excitation_foresee(ahead, f->model, reached + 1);
-        long known = number_least(end, ahead->from + EXCITATION_AHEAD - 1);
-        reached = small_take(f, now, reached, known);
-        if (reached < known) {
-            break;
-        }
-    }
-    return reached;
-}
-
-// False: step n is not one in free flight.
-static bool fly_to(struct flight *f, const struct state *now, struct state *next, long n) {
-    struct excitation_ahead *ahead = &f->work->ahead;
-    excitation_foresee(ahead, f->model, n);
-    next->time = ahead->time[n - ahead->from];
-    if (f->uniform) {
-        next->ground_a[0] = ahead->ground[n - ahead->from];
-    } else {
-        excitation_at(next, f->model, next->time);
-    }
-    bool free = f->yields ? floors_fly_on_lines(f, now, next) : floors_fly(f, now, next);
-    if (free) {
-        account(f, now, next);
-    }
-    return free;
 }
 
 // Has a storey left its line in the step from `before`? Then it most likely will again in the next.
@@ -222,9 +176,6 @@ static void start_flight(struct flight *f, const struct state *now, struct state
     state_open_links(next);
     gaps_forget(&f->work->gaps);
     memset(f->work->storeys.agree, 0, (size_t)m->n_building * sizeof *f->work->storeys.agree);
-    if (f->work->small.possible) {
-        small_factor(f->work);
-    }
     if (f->yields) {
         memcpy(next->storey_history, now->storey_history,
                (size_t)m->n_storey_history * sizeof *next->storey_history);
@@ -253,12 +204,8 @@ long flight_take(struct flight *f, struct state **now, struct state **next, long
     }
     end = end < f->model->n_step ? end : f->model->n_step - 1;  // the last may be shorter
     start_flight(f, *now, *next);
-    long first = n;
-    for (; (n = glide(f, *now, n, end)) < end && fly_to(f, *now, *next, n + 1); n++) {
-        struct state *old = *now;
-        *now = *next;
-        *next = old;
-    }
+    const long first = n;
+    n = floors_fly(f, now, next, n, end);
     if (n > first) {
         finish_flight(f, *next, *now, n - first);
     }

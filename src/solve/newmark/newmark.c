@@ -21,6 +21,7 @@
 #include <string.h>
 
 #include "core/lanes.h"
+#include "model/parts.h"
 #include "solve/contact/contact.h"
 #include "solve/excitation.h"
 
@@ -37,8 +38,6 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
         }
         excitation_floors(next, m, end);
     }
-    memcpy(next->storey_history, now->storey_history,
-           (size_t)m->n_storey_history * sizeof *next->storey_history);
     memset(w->storeys.agree, 0, (size_t)m->n_building * sizeof *w->storeys.agree);
     memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
 }
@@ -99,40 +98,95 @@ LANES static bool agrees(const struct work *w, const struct state *next, int k) 
     return beyond == 0;
 }
 
+// The same for a building with parts, whose shears depend on all its drifts and their rates.
+static bool parts_agree(const struct work *w, const struct state *next, int k) {
+    const struct building *g = &w->model->building[k];
+    const struct storeys *from = &w->storeys;
+    const int first = g->first, n = g->n_floor;
+    const double *tangent = w->effective[k].tangent;
+    const double *by_drift = tangent + n, *by_rate = by_drift + (size_t)n * (size_t)n;
+    bool agree = true;
+    for (int i = 0; i < n; i++, by_drift += n, by_rate += n) {
+        double predicted = from->shear[first + i];
+        double rounding = 0.0;
+        for (int j = 0; j < n; j++) {
+            const int at = first + j;
+            const double stiffness = by_drift[j] + (j == i ? tangent[i] : 0.0);
+            const double u = next->u[at], v = next->v[at];
+            const double drift = next->drift[at], rate = next->rate[at];
+            predicted +=
+                stiffness * (drift - from->drift[at]) + by_rate[j] * (rate - from->rate[at]);
+            rounding += fabs(stiffness) * (fabs(u - drift) + fabs(u)) +
+                        fabs(by_rate[j]) * (fabs(v - rate) + fabs(v));
+        }
+        const double shear = next->shear[first + i];
+        agree = agree && fabs(shear - predicted) <=
+                             w->model->tolerance * fabs(shear) + 8.0 * DBL_EPSILON * rounding;
+    }
+    return agree;
+}
+
 static bool storeys_agree(struct work *w, const struct state *next) {
     bool all = true;
-    if (w->model->n_storey_history == 0) {
+    if (w->model->elastic) {
         return true;
     }
     for (int k = 0; k < w->model->n_building; k++) {
-        w->storeys.agree[k] = w->model->building[k].elastic || agrees(w, next, k);
+        const struct building *g = &w->model->building[k];
+        w->storeys.agree[k] =
+            g->elastic || (g->n_part > 0 ? parts_agree(w, next, k) : agrees(w, next, k));
         all &= w->storeys.agree[k];
     }
     return all;
 }
 
-// Takes the tangents at the drifts reached where the storeys did not agree, and factorises again.
-static int relinearise(struct work *w, const struct state *next) {
-    const struct model *m = w->model;
+// Takes the tangents of the parts of building k at the drifts of `at`.
+static void linearise_parts(struct work *w, const struct state *now, const struct state *at,
+                            int k) {
+    const struct building *g = &w->model->building[k];
+    const size_t n = (size_t)g->n_floor;
+    double *by_drift = w->effective[k].tangent + n;
+    memset(by_drift, 0, 2 * n * n * sizeof *by_drift);
+    parts_respond(g, now->storey_history, at->drift + g->first, at->rate + g->first,
+                  &(struct part_sums){.by_drift = by_drift, .by_rate = by_drift + n * n}, NULL);
+}
+
+// Takes the tangents at the drifts of `at` for building k, and factorises again.
+static int linearise(struct work *w, const struct state *now, const struct state *at, int k) {
+    const struct building *g = &w->model->building[k];
+    const size_t size = (size_t)g->n_floor * sizeof *at->tangent;
+    memcpy(w->effective[k].tangent, at->tangent + g->first, size);
+    memcpy(w->memory->tangent + g->first, at->tangent + g->first, size);
+    if (g->n_part > 0) {
+        linearise_parts(w, now, at, k);
+    }
+    int status = effective_factor(&w->effective[k], w->b, w->g);
+    w->h = status == STATUS_OK ? w->h : 0.0;
+    return status;
+}
+
+// Does so for all buildings whose storeys did not agree.
+static int relinearise(struct work *w, const struct state *now, const struct state *next) {
+    int status = STATUS_OK;
     w->factors++;
-    for (int k = 0; k < m->n_building; k++) {
-        if (w->storeys.agree[k]) {
-            continue;
-        }
-        const struct building *g = &m->building[k];
-        for (int i = g->first; i < g->first + g->n_floor; i++) {
-            const struct storey *s = &m->storey[i];
-            const double *history = next->storey_history + s->history;
-            w->effective[k].tangent[i - g->first] =
-                s->law->shear(s->constant, history, next->drift[i]).tangent;
-        }
-        int status = effective_factor(&w->effective[k], w->b, w->g);
-        if (status != STATUS_OK) {
-            w->h = 0.0;
-            return status;
+    for (int k = 0; status == STATUS_OK && k < w->model->n_building; k++) {
+        status = w->storeys.agree[k] ? STATUS_OK : linearise(w, now, next, k);
+    }
+    return status;
+}
+
+// The tangents of smooth laws change in every step. Those at the trial are close enough to those at
+// the end of most steps.
+static int linearise_smooth(struct work *w, const struct state *now, const struct state *trial) {
+    const struct model *m = w->model;
+    int status = STATUS_OK;
+    for (int k = 0; status == STATUS_OK && k < m->n_building; k++) {
+        if (m->building[k].smooth) {
+            w->factors++;
+            status = linearise(w, now, trial, k);
         }
     }
-    return STATUS_OK;
+    return status;
 }
 
 // Solves for the forces of live links, which may make other links close.
@@ -165,19 +219,23 @@ static int not_finite(const struct model *m, const struct state *s, struct error
 }
 
 // Keeps where the storeys were linearised, and takes the forces at the state reached.
-static void take_forces(struct work *w, struct state *next) {
+static void take_forces(struct work *w, const struct state *now, struct state *next) {
     const struct model *m = w->model;
     memcpy(w->storeys.drift, next->drift, (size_t)m->n_dof * sizeof *next->drift);
     memcpy(w->storeys.shear, next->shear, (size_t)m->n_dof * sizeof *next->shear);
-    state_internal_forces(next, m, next->u, next->v);
+    memcpy(w->storeys.rate, next->rate, (size_t)m->n_dof * sizeof *next->rate);
+    state_reach(next, m, next->u, next->v, now->storey_history);
 }
 
 // Newton's iteration on storeys and links. Leaves the internal forces of the state it finds.
 static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
     const struct model *m = w->model;
     chain_trial(m->chain.n, w->h, now->u, now->v, now->a, w->u_trial, w->v_trial);
-    state_internal_forces(next, m, w->u_trial, w->v_trial);
+    state_reach(next, m, w->u_trial, w->v_trial, now->storey_history);
     residuals(w, next, now->a);
+    if (linearise_smooth(w, now, next) != STATUS_OK) {
+        return STATUS_RETRY;
+    }
     for (int i = 0; i < m->iterations; i++) {
         w->totals->iterations++;
         solve_residuals(w);
@@ -189,12 +247,12 @@ static int solve(struct work *w, const struct state *now, struct state *next, st
         if (status != STATUS_OK) {
             return status;
         }
-        take_forces(w, next);
+        take_forces(w, now, next);
         if (storeys_agree(w, next)) {
             return STATUS_OK;
         }
         residuals(w, next, next->a);
-        if (relinearise(w, next) != STATUS_OK) {
+        if (relinearise(w, now, next) != STATUS_OK) {
             return STATUS_RETRY;
         }
     }
@@ -212,13 +270,12 @@ static int solve_linear(struct work *w, const struct state *now, struct state *n
     return solve_links(w, now, next);
 }
 
-// Completes the end of the step: total accelerations, and the histories of the laws.
+// Completes the end of the step: total accelerations, and the histories of the links' laws.
 static void finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {
         state_totals(next, m);
     }
-    state_commit_storeys(next, m);
     contact_finish(w, next);
 }
 

@@ -5,8 +5,9 @@
 #include <string.h>
 
 #include "core/arena.h"
+#include "core/root.h"
 #include "solve/account/peaks.h"
-#include "solve/event/event.h"
+#include "solve/newmark/event.h"
 #include "solve/newmark/newmark.h"
 #include "solve/run.h"
 
@@ -20,11 +21,27 @@ static const double SHORTEST_BOUNCE = 0.01;
 // Events nearer to each other than this share of their time are at the same instant.
 static const double TOGETHER = 1e-6;
 
+// The factors outlive a step, and floors.c puts off the account of the last one.
+static const struct fields_row list[] = {
+    FIELD_PARTS(struct run, next, FIELD_AT, state_fields),
+    FIELD_PART(struct run, memory, memory_fields),
+    FIELD_ARRAY(struct run, events, FIELD_LINKS),
+    FIELD_VALUE(struct run, events_before),
+    FIELD_VALUE(struct run, has_met),
+    FIELD_VALUE(struct run, work.h),
+    FIELD_VALUE(struct run, work.factors),
+    FIELD_PARTS(struct run, work.home, FIELD_BUILDINGS, effective_fields),
+    FIELD_VALUE(struct run, work.floors.account.due),
+    FIELD_VALUE(struct run, work.floors.account.ground_a),
+};
+const struct fields run_step_fields = FIELDS(list);
+
 bool run_step_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
     r->events = arena_alloc(a, (size_t)m->n_contact, sizeof *r->events);
     r->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *r->meeting);
-    if (!state_alloc(r->next, m, a) || !work_alloc(&r->work, m, &r->results->totals, a)) {
+    if (!state_alloc(r->next, m, a) || !memory_alloc(&r->memory, m, a) ||
+        !work_alloc(&r->work, m, r->results, &r->memory, a)) {
         return false;
     }
     floors_account_to(&r->work, &r->energy, r->results);
@@ -47,8 +64,8 @@ void run_step_complete(struct run *r) {
     state_complete(r->now, r->model);
 }
 
-void run_step_finish(struct run *r) {
-    gaps_finish(&r->work.gaps, r->results);
+void run_step_resume(struct run *r) {
+    work_resume(&r->work);
 }
 
 // Takes `next` as the new committed state.
@@ -73,8 +90,7 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
     double sign = opens ? -1.0 : 1.0;
     double start = opens ? 0.0 : fmax(r->now->delta[event->link], 0.0);
     double located = r->model->link[event->link].law->rebound ? LOCATED_RIGID : LOCATED_JUMP;
-    double low = 0.0;
-    double high = h;
+    struct root within = {0.0, h, sign};
     for (int i = 0; i < LOCATIONS_MAX; i++) {
         double instant = event->time < h ? r->now->time + event->time : end;
         r->work.held = event->link;
@@ -82,14 +98,13 @@ static int step_to_event(struct run *r, struct event *event, double end, double 
         r->work.held = -1;
         double d = r->next->delta[event->link] - start;
         double v = state_rate(r->next, r->model, event->link);
-        *(sign * d < 0.0 ? &low : &high) = event->time;
+        root_narrow(&within, event->time, d);
         bool near = fabs(d) <= located * fabs(v) * h;
-        bool narrow = high - low <= 1e-9 * h;
-        if (status != STATUS_OK || near || (narrow && (sign * d <= 0.0 || low == 0.0))) {
+        bool narrow = within.high - within.low <= 1e-9 * h;
+        if (status != STATUS_OK || near || (narrow && (sign * d <= 0.0 || within.low == 0.0))) {
             return status;
         }
-        double time = event->time - d / v;
-        event->time = narrow ? low : time > low && time < high ? time : 0.5 * (low + high);
+        event->time = narrow ? within.low : root_step(&within, event->time, d, v);
     }
     return r->work.strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
@@ -173,12 +188,14 @@ static int judge(struct run *r, double h) {
         return strict && event_is_abrupt(w, r->now, r->next) ? STATUS_RETRY : STATUS_OK;
     }
     int status = step_length_judge(&r->length, r->now, r->next, h);
-    w->unresolved = status == STATUS_OK ? w->unresolved : -1;
+    if (status != STATUS_OK) {
+        r->memory.unresolved = -1;
+    }
     return status;
 }
 
-int run_step(struct run *r, double end, double h, int cuts, double *rest) {
-    r->work.strictness = cuts < RUN_CUTS_MAX ? STEP_STRICT : STEP_ACCEPT;
+int run_step(struct run *r, double end, double h, int halvings, double *rest) {
+    r->work.strictness = halvings < RUN_HALVINGS_MAX ? STEP_STRICT : STEP_ACCEPT;
     *rest = 0.0;
     int status = newmark_step(&r->work, r->now, r->next, end, h, r->error);
     status = status == STATUS_OK ? judge(r, h) : status;

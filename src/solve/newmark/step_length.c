@@ -18,8 +18,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/lanes.h"
-
 static const double SAFETY = 0.9, EXPONENT = 1.0 / 3.0;
 static const double SHRINK_MOST = 0.1, GROW_MOST = 4.0, GROW_LEAST = 1.2;
 
@@ -32,12 +30,26 @@ static const double SAME = 1e-9;
 // Instants this close, relative to them, are one: a row and a corner differ by rounding.
 static const double SAME_TIME = 8.0 * DBL_EPSILON;
 
+static const struct fields_row list[] = {
+    FIELD_PART(struct step_length, forcing, forcing_fields),
+    FIELD_PART(struct step_length, scales, scale_fields),
+    FIELD_VALUE(struct step_length, pace),
+    FIELD_VALUE(struct step_length, trial),
+    FIELD_VALUE(struct step_length, last),
+    FIELD_VALUE(struct step_length, split),
+    FIELD_VALUE(struct step_length, turned),
+    FIELD_VALUE(struct step_length, jumped),
+    FIELD_VALUE(struct step_length, unsolved),
+    FIELD_ARRAY(struct step_length, before, FIELD_FLOORS),
+    FIELD_ARRAY(struct step_length, within, FIELD_FLOORS),
+};
+const struct fields step_length_fields = FIELDS(list);
+
 bool step_length_alloc(struct step_length *s, const struct model *m, const struct results *r,
                        struct arena *a) {
     *s = (struct step_length){.model = m, .results = r};
-    s->before = lanes_array(a, m->n_dof);
-    s->within = lanes_array(a, m->n_dof);
-    return forcing_alloc(&s->forcing, m, a) && scale_alloc(&s->scales, m, a);
+    forcing_init(&s->forcing, m);
+    return fields_alloc(&step_length_fields, m, s, a);
 }
 
 void step_length_start(struct step_length *s, const struct state *now) {
@@ -45,7 +57,7 @@ void step_length_start(struct step_length *s, const struct state *now) {
     scale_expect(&s->scales, s->model);
     scale_update(&s->scales, s->model, s->results);
     s->trial = fmax(FIRST * s->model->dt, s->model->control.shortest);
-    s->cut = now->time;
+    s->split = now->time;
     s->unsolved = -1;
 }
 
@@ -164,10 +176,10 @@ void step_length_take(struct step_length *s, const struct state *old, const stru
     scale_update(&s->scales, s->model, s->results);
 }
 
-void step_length_cut(struct step_length *s, const struct state *now) {
-    s->trial *= now->time > s->cut ? AFTER_EVENT : 1.0;
+void step_length_split(struct step_length *s, const struct state *now) {
+    s->trial *= now->time > s->split ? AFTER_EVENT : 1.0;
     s->trial = fmax(s->trial, s->model->control.shortest);
-    s->cut = now->time;
+    s->split = now->time;
     s->last = 0.0;
     turn(s, now->time);
     scale_update(&s->scales, s->model, s->results);

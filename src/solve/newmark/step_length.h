@@ -16,13 +16,14 @@ struct step_length {
     struct pace pace;
     double trial;             // [T] what the error control would take next
     double last;              // [T] the step to the present state; 0: its accelerations jump there
-    double cut;               // [T] when a step was last cut at an event
+    double split;             // [T] when a step was last split at an event
     bool turned;              // the forcing has a corner at the present state,
     bool jumped;              // where it jumps
     int unsolved;             // link that last needed a shorter step; -1: the tolerance did
     double *before, *within;  // [L/T^2] (n_dof) accelerations at the start of the last step: all of
                               // them, and without what the forcing does directly
 };
+extern const struct fields step_length_fields;
 
 // Room for a model; false: no memory.
 bool step_length_alloc(struct step_length *s, const struct model *m, const struct results *r,
@@ -49,7 +50,7 @@ int step_length_reject(struct step_length *s, const struct state *now, double h,
 void step_length_take(struct step_length *s, const struct state *old, const struct state *now,
                       double h);
 
-// A step was cut at `now`, where the accelerations jump, or at least their rates.
-void step_length_cut(struct step_length *s, const struct state *now);
+// A step was split at `now`, where the accelerations jump, or at least their rates.
+void step_length_split(struct step_length *s, const struct state *now);
 
 #endif

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The version of the numerics: a number that is raised when the same deck gives other numbers, by
+// as little as the last bit. Result files tell it, and runs of different versions are not mixed.
+// docs/architecture.md says when and how it is raised.
+#ifndef JOSTLE_NUMERICS_H
+#define JOSTLE_NUMERICS_H
+
+enum { NUMERICS_VERSION = 5 };
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A storey with the initial stiffness k, the yield shear V_y and the Rayleigh coefficients alpha
+// and beta has a dashpot beta k beside its spring. A soft storey that
+// yields below others that do not isolates them: where it drifts at the rate r, the mass M above it
+// is carried along, and alpha M r brakes that. Both together are the share
+//
+//     s = (beta k + alpha M) r / V_y
+//
+// of the yield shear. These dashpots do not yield. In a cycle of harmonic drift between -u and u it
+// takes pi s V_y u, and an elastoplastic spring of the yield drift u_y takes 4 V_y (u - u_y): at s
+// = 10 % the dashpot adds 8 % or more to the energy of hysteresis, so drifts are a few per cent too
+// small. J. F. Hall (2006), Problems encountered from the use (or misuse) of Rayleigh damping,
+// Earthquake Eng. Struct. Dyn. 35, 525-545.
+#include "model/damping_warn.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "core/arena.h"
+#include "model/floor_velocity.h"
+
+static const double SHARE_MAX = 0.1;
+
+// The force of the dashpots over the yield shear: of those by the mass, and of all.
+struct share {
+    int storey;  // from 1; 0: none yields
+    double mass, all;
+};
+
+// Is storey i softer than half the next one, and do all above it stay elastic?
+static bool isolates(const struct model *m, const struct building *g, int i) {
+    bool elastic = i + 1 < g->n_floor && g->stiffness[i] < 0.5 * g->stiffness[i + 1];
+    for (int j = i + 1; elastic && j < g->n_floor; j++) {
+        elastic = isinf(m->storey[g->first + j].yield);
+    }
+    return elastic;
+}
+
+// The largest share.
+static struct share largest_share(const struct model *m, const struct building *g,
+                                  const double *rate) {
+    struct share largest = {0};
+    double above = 0.0;
+    for (int i = g->n_floor - 1; i >= 0; i--) {
+        above += g->mass[i];
+        const double by_rate = rate[i] / m->storey[g->first + i].yield;
+        const double mass = isolates(m, g, i) ? g->damping_alpha * above * by_rate : 0.0;
+        const double all = mass + g->damping_beta * g->stiffness[i] * by_rate;
+        if (all > largest.all) {
+            largest = (struct share){i + 1, mass, all};
+        }
+    }
+    return largest;
+}
+
+bool damping_warning(const struct model *m, const struct building *g, const double *rate,
+                     const char *known, char text[DAMPING_TEXT_SIZE]) {
+    const struct unit_system *u = &m->deck->units;
+    const struct share share = largest_share(m, g, rate);
+    const bool by_mass = share.all - share.mass <= SHARE_MAX;
+    if (share.all > SHARE_MAX) {
+        snprintf(text, DAMPING_TEXT_SIZE,
+                 "the Rayleigh damping of building %s has dashpots %s storeys that yield: in "
+                 "storey %d their force is %.2g times the yield force at the %slargest drift rate "
+                 "of %.3g %s/%s, so drifts come out too small; use damping %s dashpot with 0 in "
+                 "such storeys",
+                 g->name, by_mass ? "between the ground and floors above" : "in", share.storey,
+                 share.all, known, rate[share.storey - 1], u->length_name, u->time_name, g->name);
+    }
+    return share.all > SHARE_MAX;
+}
+
+int damping_warn(const struct model *m, struct error *e) {
+    double *velocity = arena_alloc(m->deck->arena, (size_t)2 * FLOORS_MAX, sizeof *velocity);
+    double *rate = velocity + FLOORS_MAX;
+    char text[DAMPING_TEXT_SIZE];
+    if (!velocity) {
+        return error_no_memory(e);
+    }
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        if (g->elastic || (g->damping_beta <= 0.0 && g->damping_alpha <= 0.0)) {
+            continue;
+        }
+        if (floor_velocity(m, k, velocity, rate, e) != STATUS_OK) {
+            return e->status;
+        }
+        if (damping_warning(m, g, rate, "estimated ", text)) {
+            deck_warning(m->deck, g->damping, "%s", text);
+        }
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A level between two floors moves as a straight line between them: at the share x of the storey
+// height its row is x at the floor above and 1 - x at the floor below; in the lowest storey the
+// ground, which does not move against itself, takes the place of the floor below. The columns
+// between the floors are as stiff as the storeys; one that bends on its own is not modelled.
+//
+// A link within one building has the difference of the rows of its ends.
+#include "model/level.h"
+
+#include <string.h>
+
+#include "core/arena.h"
+#include "core/text.h"
+#include "model/link_end.h"
+
+// A level this near to a floor, relative to the height of the roof, is that floor.
+static const double SAME_LEVEL = 1e-9;
+
+// Entries of a row before equal ones are joined: two for each end.
+enum { ENTRIES_MAX = 4 };
+
+static const struct row level_row = {
+    "level", ROW_NUMBER, 0, OF_LENGTH, NULL, NAN, "height above the ground of the building"};
+
+enum end_kind level_kind(struct builder *b, struct word *w) {
+    const char *text = strchr(w->text, '@') ? w->text : deck_text(b->deck, w);
+    if (!text) {
+        return END_WRONG;
+    }
+    const bool level = strchr(text, '@') != NULL;
+    w->text = level ? text : w->text;
+    return level ? END_LEVEL : END_FLOORS;
+}
+
+// The part of `w` behind the @ as a word of its own.
+static struct word level_word(const struct word *w, const char *at) {
+    struct word part = *w;
+    part.text = at + 1;
+    part.place.column += (w->quoted ? 1 : 0) + text_columns(w->text, (size_t)(part.text - w->text));
+    part.place.width = text_columns(part.text, strlen(part.text));
+    part.place.width = part.place.width > 0 ? part.place.width : 1;
+    return part;
+}
+
+// Puts the level z into the storey that it is in.
+static bool place_level(struct builder *b, const struct word *w, double z, struct selection *out,
+                        double *level) {
+    const struct building_draft *d = builder_draft(b, out->building);
+    const char *unit = b->deck->units.length_name;
+    double top = 0.0;
+    for (int i = 0; i < d->n_floor; i++) {
+        top += d->height[i];
+    }
+    const double rounding = SAME_LEVEL * top;
+    if (z <= rounding) {
+        deck_error(b->deck, w, "level %.6g %s is not above the ground of building %s", z, unit,
+                   d->name);
+        return false;
+    }
+    if (z > top + rounding) {
+        deck_error(b->deck, w, "level %.6g %s is above the roof of building %s, at %.6g %s", z,
+                   unit, d->name, top, unit);
+        return false;
+    }
+    int *floor = arena_alloc(b->arena, 1, sizeof *floor);
+    double above = d->height[0];
+    for (int i = 1; i < d->n_floor && z > above + rounding; i++) {
+        above += d->height[i];
+        out->n_floor = i;
+    }
+    if (!floor) {
+        return false;
+    }
+    *floor = out->n_floor + 1;
+    *level = z >= above - rounding ? NAN : z;
+    out->floor = floor;
+    out->n_floor = 1;
+    return true;
+}
+
+bool level_read(struct builder *b, const struct word *w, struct selection *out, double *level) {
+    const char *at = strchr(w->text, '@');
+    const size_t length = (size_t)(at - w->text);
+    const char *text = arena_text(b->arena, w->text, length);
+    struct word name = *w, place = level_word(w, at);
+    struct argument value;
+    *out = (struct selection){.building = WALL, .named = true};
+    if (!text) {
+        return false;
+    }
+    name.text = text;
+    name.place.width = text_columns(text, length);
+    out->building = builder_building(b, &name);
+    const bool good = deck_values(b->deck, &level_row, 0.0, &place, 1, &value);
+    if (out->building < 0 || !good) {
+        return false;
+    }
+    const struct building_draft *d = builder_draft(b, out->building);
+    if (!d->height) {
+        deck_error(b->deck, &place,
+                   "a level needs the heights of the storeys; building %s has no "
+                   "-height",
+                   d->name);
+        return false;
+    }
+    return place_level(b, &place, value.number[0], out, level);
+}
+
+// The index of floor 1 of a building among all degrees of freedom.
+static int first_of(struct builder *b, int building) {
+    int first = 0;
+    for (int i = 0; i < building; i++) {
+        first += builder_draft(b, i)->n_floor;
+    }
+    return first;
+}
+
+// The share of the storey height at which the level of an end is.
+static double share_of(struct builder *b, const struct link *l, int side) {
+    const double *height = builder_draft(b, l->building[side])->height;
+    const int floor = l->floor[side];
+    double below = 0.0;
+    for (int i = 0; i < floor - 1; i++) {
+        below += height[i];
+    }
+    return (l->level[side] - below) / height[floor - 1];
+}
+
+// Adds sign times the row of one end, joining equal entries.
+static int add_end(struct builder *b, const struct link *l, int side, double sign,
+                   struct link_entry *entry, int n) {
+    const int building = l->building[side];
+    const int floor = l->floor[side], first = first_of(b, building);
+    const double share = isnan(l->level[side]) ? 1.0 : l->weight[side];
+    const struct link_entry own[] = {{first + floor - 1, sign * share},
+                                     {first + floor - 2, sign * (1.0 - share)}};
+    for (int i = 0; i < 2; i++) {
+        int at = 0;
+        while (at < n && entry[at].dof != own[i].dof) {
+            at++;
+        }
+        if (floor - i < 1 || own[i].weight == 0.0) {
+            continue;
+        }
+        entry[at] =
+            (struct link_entry){own[i].dof, own[i].weight + (at < n ? entry[at].weight : 0)};
+        n += at == n;
+    }
+    return n;
+}
+
+static bool is_nothing(const struct link_entry *entry, int n) {
+    bool nothing = true;
+    for (int i = 0; i < n; i++) {
+        nothing = nothing && entry[i].weight == 0.0;
+    }
+    return nothing;
+}
+
+static void set_row(struct builder *b, struct link *l, int side, const struct link_entry *entry,
+                    int n) {
+    struct link_entry *own = arena_alloc(b->arena, (size_t)n, sizeof *own);
+    if (own) {
+        memcpy(own, entry, (size_t)n * sizeof *own);
+        l->row[side] = (struct link_row){n, own};
+        l->dof[side] = own[0].dof;
+    }
+}
+
+bool level_rows(struct builder *b, struct link *l, const struct word *w) {
+    struct link_entry entry[ENTRIES_MAX];
+    for (int i = 0; i < 2; i++) {
+        l->weight[i] = isnan(l->level[i]) ? NAN : share_of(b, l, i);
+    }
+    for (int i = 0; i < 2 && !l->within; i++) {
+        if (!isnan(l->level[i])) {
+            set_row(b, l, i, entry, add_end(b, l, i, 1.0, entry, 0));
+        }
+    }
+    if (l->within) {
+        l->building[1] = l->building[0];
+        const int n = add_end(b, l, 1, -1.0, entry, add_end(b, l, 0, 1.0, entry, 0));
+        if (is_nothing(entry, n)) {
+            deck_error(b->deck, w, "both ends of the link are the same");
+            return false;
+        }
+        set_row(b, l, 0, entry, n);
+        l->building[1] = WALL;
+    }
+    return true;
+}
+
+double level_effective_mass(struct builder *b, const struct link *l) {
+    double inverse = 0.0;
+    for (int i = 0; i < 2; i++) {
+        const struct building_draft *d =
+            l->building[i] == WALL ? NULL : builder_draft(b, l->building[i]);
+        const int first = l->row[i].n > 0 ? first_of(b, l->building[i]) : 0;
+        for (int k = 0; d && d->mass && k < l->row[i].n; k++) {
+            const struct link_entry *e = &l->row[i].entry[k];
+            inverse += e->weight * e->weight / d->mass[e->dof - first];
+        }
+        if (d && d->mass && l->row[i].n == 0) {
+            inverse += 1.0 / d->mass[l->floor[i] - 1];
+        }
+    }
+    return inverse > 0.0 ? 1.0 / inverse : 1.0;
+}

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a step has to end: a contact closes or opens (d passes through zero), the velocity of a
+// closed contact changes its sign, or that of a damper whose force has an infinite slope there, the
+// force of a closed contact has a kink, a storey comes to the end of its line, or the drift of a
+// yielding storey turns round.
+//
+// Between the turning points of a motion it is monotone, so that each piece can pass a value once,
+// and a touch that begins and ends within the step is seen by the turning point inside it.
+//
+// The instant found on the interpolation is only the first guess: the step is taken again to it,
+// and mended by Newton's method on the state that the step itself gives, until the next correction
+// would be below rounding.
+//
+// What is smaller than rounding is no event: links within some units of the last place of zero, and
+// drifts within that of the end of their line, stay as they are.
+#include <math.h>
+
+#include "core/root.h"
+#include "solve/dormand_prince/dp.h"
+#include "solve/dormand_prince/dp_motion.h"
+
+enum { ITERATIONS_MAX = 60 };
+
+static const double STILL = 1.0;  // of the error allowed: drifts and dampers that have not moved
+static const double SAME = 1e-9;  // of the stiffness of a storey: tangents of one line
+
+// The rate of what is left to a kink is taken over this share of the step.
+static const double PROBE = 1e-4;
+
+// Of the larger force on both sides: a jump.
+static const double JUMP = 1e-9;
+
+// A correction of the instant of an event, as a share of the step, after which the step is taken a
+// last time; one of its square would be too small to matter. Where a law is only changed the
+// instant may be wrong by the tolerance, but not where that would be before a turn, which would
+// come again; where a history is committed, or velocities jump, it may not.
+static const double located[] = {
+    [DP_CLOSE] = 3e-3, [DP_OPEN] = 3e-3,   [DP_KINK] = 3e-3,   [DP_TURN] = 1e-4,
+    [DP_MEET] = 1e-7,  [DP_BRANCH] = 1e-7, [DP_UNLOAD] = 1e-7,
+};
+
+static const struct dp_event nothing = {.kind = DP_NONE, .place = INFINITY};
+
+// A motion cut at its turning points.
+struct pieces {
+    struct polynomial path;
+    int n;
+    double x[TURNS_MAX + 2], d[TURNS_MAX + 2];  // (n + 1) ends of the pieces
+};
+
+static struct pieces dp_cut(const struct motion *m) {
+    struct pieces s = {.path = dp_motion_path(m), .n = 1};
+    s.n += dp_motion_turns(m, s.x + 1);
+    s.x[0] = 0.0;
+    s.x[s.n] = 1.0;
+    s.d[0] = m->d[0];
+    s.d[s.n] = m->d[1];
+    for (int i = 1; i < s.n; i++) {
+        s.d[i] = dp_motion_value(&s.path, s.x[i]);
+    }
+    return s;
+}
+
+// Where piece i of the path reaches `target`, which lies between its ends or before it.
+static double dp_where(const struct pieces *s, int i, double target) {
+    double rise = s->d[i + 1] - s->d[i];
+    if ((s->d[i] - target) * rise >= 0.0) {
+        return s->x[i];
+    }
+    struct polynomial path = s->path;
+    path.c[0] -= target;
+    return dp_motion_root(path, s->x[i], s->x[i + 1]);
+}
+
+// A motion that counts, of a storey or a damper.
+static double dp_still(const struct dp *p) {
+    return STILL * p->model->control.tolerance * p->scales.most_u;
+}
+
+static struct dp_event dp_event(enum dp_event_kind kind, int index, double place,
+                                double direction) {
+    return (struct dp_event){kind, index, place, direction, 0.0};
+}
+
+static struct dp_event dp_closing(const struct dp *p, int k, const struct motion *m) {
+    struct pieces s = dp_cut(m);
+    double least = dp_motion_noise(p, k);
+    for (int i = 0; i < s.n; i++) {
+        if (s.d[i + 1] > least && s.d[i + 1] > s.d[i]) {
+            bool rigid = p->model->link[k].law->rebound;
+            return dp_event(rigid ? DP_MEET : DP_CLOSE, k, dp_where(&s, i, 0.0), 1.0);
+        }
+    }
+    return nothing;
+}
+
+// Does a closed contact or a damper go on in its phase through the whole step, for certain? In the
+// cubic of its velocity, between those at the ends, the accelerations have no larger share than
+// 4/27 of the step each.
+static bool dp_stays(const struct dp *p, int k, const struct motion *m) {
+    int phase = p->system.phase[k];
+    double slowest = fmin(phase * m->v[0], phase * m->v[1]);
+    bool goes_on = slowest > 4.0 / 27.0 * m->h * (fabs(m->a[0]) + fabs(m->a[1]));
+    return goes_on && (phase == PHASE_APPROACH || m->d[1] > 0.0);
+}
+
+static struct dp_event dp_leaving(const struct dp *p, int k, const struct motion *m) {
+    if (dp_stays(p, k, m)) {
+        return nothing;
+    }
+    struct pieces s = dp_cut(m);
+    bool opens = !p->model->link[k].bilateral;
+    double least = opens ? dp_motion_noise(p, k) : dp_still(p);
+    int phase = p->system.phase[k];
+    for (int i = 0; i < s.n; i++) {
+        double rise = s.d[i + 1] - s.d[i];
+        if (phase * rise < -least) {
+            return dp_event(DP_TURN, k, s.x[i], -phase);
+        }
+        if (opens && s.d[i + 1] < -least && rise < 0.0) {
+            return dp_event(DP_OPEN, k, dp_where(&s, i, 0.0), -1.0);
+        }
+    }
+    return nothing;
+}
+
+// How far (d, v) is before the next kink of the force of link k. Kinks are at other places than d =
+// 0 and v = 0: where tension is cut off, at the yield of a contact, the residual penetration, the
+// points of a curve. A step across one has an error of second order that the estimate sees by
+// chance, a hundred times the tolerance and more.
+static double dp_before_kink(const struct dp *p, int k, double d, double v) {
+    const struct link *l = &p->model->link[k];
+    double start = p->now.delta[k];
+    double passed = copysign(dp_motion_noise(p, k), d - start);  // the kink where the step starts
+    const struct contact_way way = {start + passed, p->rate[0][k], d, v};
+    return l->law->kink(l->constant, p->now.link_history + l->history, &way);
+}
+
+// Is place x of the path before it?
+static bool dp_is_before_kink(const struct dp *p, int k, const struct polynomial *path, double x) {
+    return dp_before_kink(p, k, dp_motion_value(path, x), dp_motion_slope(path, x) / p->h) > 0.0;
+}
+
+// The first kink in the step of the force of closed contact k, or `other` if that is earlier. It is
+// looked for on the first piece of the path on which d does not turn, but for noise.
+static struct dp_event dp_kink(const struct dp *p, int k, const struct motion *m,
+                               struct dp_event other) {
+    struct pieces s = dp_cut(m);
+    double noise = dp_motion_noise(p, k);
+    int i = 1;
+    while (i < s.n && fabs(s.d[i] - s.d[0]) <= noise) {
+        i++;
+    }
+    struct root at = {.high = s.x[i]};
+    if (dp_is_before_kink(p, k, &s.path, at.high)) {
+        return other;
+    }
+    for (int n = 0; n < ITERATIONS_MAX; n++) {
+        root_halve(&at, dp_is_before_kink(p, k, &s.path, root_middle(&at)));
+    }
+    double way = fabs(dp_motion_value(&s.path, at.high) - s.d[0]);
+    bool moves = way > noise && p->now.time + at.high * p->h > p->now.time;
+    return moves && at.high < other.place ? dp_event(DP_KINK, k, at.high, -1.0) : other;
+}
+
+static struct dp_event dp_link_event(const struct dp *p, int k) {
+    struct motion m = dp_motion_link(p, k);
+    if (!p->now.link[k].closed) {
+        return dp_closing(p, k, &m);
+    }
+    struct dp_event event = dp_leaving(p, k, &m);
+    return p->model->link[k].law->kink ? dp_kink(p, k, &m, event) : event;
+}
+
+// A line that is told from the last committed point on has a slope as wrong as that by rounding.
+static bool dp_is_on_branch(const struct dp *p, int i, double drift) {
+    double change = dp_system_tangent(&p->system, &p->now, i, drift) - p->system.tangent[i];
+    return fabs(change) <= SAME * p->model->chain.stiffness[i];
+}
+
+// The drift between low and high at which the law leaves the tangent of its branch.
+static double dp_branch_end(const struct dp *p, int i, double low, double high) {
+    struct root end = {low, high, 1.0};
+    for (int n = 0; n < ITERATIONS_MAX && end.low != end.high; n++) {
+        root_halve(&end, dp_is_on_branch(p, i, root_middle(&end)));
+    }
+    return end.low;
+}
+
+// Would committing `drift` change the storey's history?
+static bool dp_flows(const struct dp *p, int i, double drift) {
+    const struct storey *law = &p->model->storey[i];
+    const double *kept = p->now.storey_history + law->history;
+    double history[STOREY_HISTORY_MAX];
+    law->law->respond(law->constant, kept, drift, history);
+    bool changed = false;
+    for (int j = 0; j < law->law->n_history; j++) {
+        changed |= history[j] != kept[j];
+    }
+    return changed;
+}
+
+// Does the drift leave its branch on the way from `start` to *beyond, by more than `least`? Then
+// *beyond is where it has. After a turn that did not count it may have gone through the next branch
+// to one with the same tangent.
+static bool dp_leaves(const struct dp *p, int i, double start, double least, double *beyond) {
+    double way = *beyond - start;
+    double soon = start + copysign(fmin(2.0 * least, fabs(way)), way);
+    *beyond = dp_is_on_branch(p, i, soon) ? *beyond : soon;
+    return !dp_is_on_branch(p, i, *beyond);
+}
+
+// The rise of a drift that counts. Smaller ones add up, over steps however short, until they do.
+static double dp_least_rise(const struct dp *p, int i) {
+    double left = dp_still(p) - dp_system_storey_lag(&p->system, &p->now, i);
+    return fmax(dp_system_storey_noise(&p->system, &p->now, i), left);
+}
+
+static struct dp_event dp_storey_event(const struct dp *p, int i) {
+    struct motion m = dp_motion_floor(p, i, p->system.below[i]);
+    struct pieces s = dp_cut(&m);
+    double least = dp_least_rise(p, i);
+    bool straight = p->model->storey[i].law->traits & STOREY_STRAIGHT;
+    bool moved = false;
+    for (int n = 0; n < s.n; n++) {
+        double rise = s.d[n + 1] - s.d[n];
+        if (fabs(rise) <= least) {
+            continue;
+        }
+        if (moved && dp_flows(p, i, s.d[n])) {
+            return dp_event(DP_UNLOAD, i, s.x[n], rise);
+        }
+        moved = true;
+        double beyond = s.d[n + 1];
+        if (straight && dp_leaves(p, i, s.d[n], least, &beyond)) {
+            double end = dp_branch_end(p, i, s.d[n], beyond);
+            struct dp_event event = dp_event(DP_BRANCH, i, dp_where(&s, n, end), rise);
+            event.target = end;
+            return event;
+        }
+    }
+    return nothing;
+}
+
+static void dp_take_earlier(struct dp *p, struct dp_event event) {
+    if (event.place < p->event.place) {
+        p->event = event;
+    }
+}
+
+void dp_events_first(struct dp *p) {
+    p->event.kind = DP_NONE;
+    p->event.place = INFINITY;
+    dp_motion_reach(p);
+    for (int k = 0, n = p->closes ? p->model->n_contact : 0; k < n; k++) {
+        if (p->reach[k] > 0.0 || p->now.link[k].closed) {
+            dp_take_earlier(p, dp_link_event(p, k));
+        }
+    }
+    for (int k = p->model->n_contact; k < p->model->n_link; k++) {
+        if (p->system.phase[k] != PHASE_ANY) {
+            dp_take_earlier(p, dp_link_event(p, k));
+        }
+    }
+    for (int n = 0; n < p->system.n_inelastic; n++) {
+        dp_take_earlier(p, dp_storey_event(p, p->system.inelastic[n]));
+    }
+}
+
+bool dp_events_is_of_storey(const struct dp_event *e) {
+    return e->kind == DP_BRANCH || e->kind == DP_UNLOAD;
+}
+
+// What passes through zero at the event, at the end of the step, and its rate.
+static double dp_value_at_end(const struct dp *p, double *rate) {
+    const struct dp_event *e = &p->event;
+    int i = e->index;
+    struct motion m = dp_events_is_of_storey(e) ? dp_motion_floor(p, i, p->system.below[i])
+                                                : dp_motion_link(p, i);
+    if (e->kind == DP_KINK) {
+        double time = PROBE * p->h;
+        double value = dp_before_kink(p, i, m.d[1], m.v[1]);
+        double later = dp_before_kink(p, i, m.d[1] + m.v[1] * time, m.v[1] + m.a[1] * time);
+        *rate = (later - value) / time;
+        return value;
+    }
+    bool turns = e->kind == DP_TURN || e->kind == DP_UNLOAD;
+    *rate = turns ? m.a[1] : m.v[1];
+    return turns ? m.v[1] : m.d[1] - e->target;
+}
+
+// Takes the step again, of length h.
+static void dp_retake(struct dp *p, double h) {
+    dp_step_take(p, h, p->now.time + h);
+    dp_step_gaps(p, &p->next, p->rate[1]);
+}
+
+void dp_events_locate(struct dp *p) {
+    const double whole = p->h;
+    struct root r = {0.0, whole, p->event.direction > 0.0 ? 1.0 : -1.0};
+    double h = p->event.place * whole;
+    double near = fmin(located[p->event.kind], sqrt(p->model->control.tolerance));
+    bool is_kink = p->event.kind == DP_KINK;  // which has to be passed, or it would come again
+    for (int i = 0; i < ITERATIONS_MAX; i++) {
+        dp_retake(p, h);
+        double rate;
+        double value = dp_value_at_end(p, &rate);
+        if (value == 0.0) {
+            break;
+        }
+        root_narrow(&r, h, value);
+        double next = root_step(&r, h, value, rate);
+        double correction = fabs(next - h) / whole;
+        bool passed = value <= 0.0 || !is_kink;
+        if (correction <= near * near && passed) {
+            break;
+        }
+        h = passed ? next : fmin(next + near * near * whole, whole);
+        if (correction <= near && !is_kink) {
+            dp_retake(p, h);
+            break;
+        }
+    }
+    p->event.place = 1.0;
+    dp_motion_reach(p);
+}
+
+bool dp_events_sticks(struct dp *p, int k) {
+    const struct model *m = p->model;
+    enum phase *phase = &p->system.phase[k];
+    const int sign = *phase;
+    if (p->now.delta[k] <= dp_motion_noise(p, k)) {
+        return false;  // where d = 0 there is no force
+    }
+    double change = dp_system_across(&m->link[k], m, p->now.a, p->now.ground_a);
+    double after = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
+    *phase = -*phase;
+    double before = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
+    *phase = -*phase;
+    return sign * change < 0.0 && fabs(after - before) > JUMP * fmax(fabs(after), fabs(before));
+}

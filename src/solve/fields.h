@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lists of the fields of a struct. What a run carries from step to step is described by such lists:
+// they allocate its arrays and copy it, so that no field can be forgotten in one of both.
+#ifndef JOSTLE_FIELDS_H
+#define JOSTLE_FIELDS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct arena;
+struct model;
+
+// How many elements a field has.
+enum field_count {
+    FIELD_ONE,     // it is in the struct itself
+    FIELD_AT,      // one, behind a pointer that is not allocated by the list
+    FIELD_FLOORS,  // (n_dof) an array of core/lanes.h
+    FIELD_LINKS,   // (n_link) from the start of a line of the cache, and whole lanes
+    FIELD_GROUNDS,
+    FIELD_LOADS,
+    FIELD_SIGNALS,           // of all grounds
+    FIELD_BUILDINGS,         // structs behind a pointer that is not allocated by the list
+    FIELD_BUILDING_FLOORS,   // (n_floor) of one of them; not allocated by the list
+    FIELD_STOREY_HISTORIES,  // (model.n_storey_history)
+    FIELD_LINK_HISTORIES,    // (model.n_link_history)
+};
+
+struct fields;
+
+struct fields_row {
+    size_t offset;  // in the struct
+    size_t size;    // [bytes] of an element
+    enum field_count count;
+    const struct fields *part;  // the list of its own fields; NULL: all of it
+};
+
+struct fields {
+    const struct fields_row *row;
+    int n;
+};
+
+// Rows of a list for struct S: values in it, arrays behind a pointer, and structs with a list.
+#define FIELD_VALUE(S, member)                                                                     \
+    { offsetof(S, member), sizeof((S *)0)->member, FIELD_ONE, NULL }
+#define FIELD_ARRAY(S, member, count)                                                              \
+    { offsetof(S, member), sizeof *((S *)0)->member, count, NULL }
+#define FIELD_PART(S, member, list)                                                                \
+    { offsetof(S, member), sizeof((S *)0)->member, FIELD_ONE, &(list) }
+#define FIELD_PARTS(S, member, count, list)                                                        \
+    { offsetof(S, member), sizeof *((S *)0)->member, count, &(list) }
+#define FIELDS(array)                                                                              \
+    { array, sizeof(array) / sizeof(array)[0] }
+
+// Allocates the arrays of `s`, and of its parts in it; false: no memory.
+bool fields_alloc(const struct fields *f, const struct model *m, void *s, struct arena *a);
+
+// Copies `from` to `to`, which has room for it.
+void fields_copy(const struct fields *f, const struct model *m, void *to, const void *from);
+
+#endif

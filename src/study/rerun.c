@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "jostle/study_rerun.h"
+
+#include <gsl/gsl_rng.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "jostle/ensemble.h"
+#include "jostle/numerics.h"
+#include "motion/shelf.h"
+#include "study/identity.h"
+#include "study/ledger.h"
+#include "study/number_list.h"
+#include "study/plan.h"
+#include "study/portion.h"
+#include "study/trial.h"
+
+struct rerun {
+    const struct study_rerun_request *request;
+    const struct study_view *view;
+    struct study_file *file;
+    struct plan plan;
+    struct ledger ledger;
+    struct trial_watch watch;
+    unsigned char *chosen;   // (n_run of the file)
+    double *stored, *value;  // (n_value) of the file; (ENSEMBLE_MAX, n_value)
+    int *item;               // (n_item) the item of the file; -1: a sweep has its name
+    struct trial trial[ENSEMBLE_MAX];
+    struct number_list numbers;
+    struct study_rerun *out;
+};
+
+// Chooses each of the runs that are left with the same probability until there are enough: Knuth,
+// The Art of Computer Programming 2, 3.4.2, algorithm S.
+static int draw(struct rerun *r, struct error *e) {
+    gsl_rng *twister = gsl_rng_alloc(gsl_rng_mt19937);
+    const long n = r->view->n_run;
+    long left = r->request->n_draw < n ? r->request->n_draw : n;
+    if (!twister) {
+        return error_no_memory(e);
+    }
+    gsl_rng_set(twister, (unsigned long)r->request->seed);
+    for (long i = 0; i < n; i++) {
+        if (gsl_rng_uniform(twister) * (double)(n - i) < (double)left) {
+            r->chosen[i] = 1;
+            left--;
+        }
+    }
+    gsl_rng_free(twister);
+    return STATUS_OK;
+}
+
+// Chooses the runs that the request names.
+static int choose(struct rerun *r, struct error *e) {
+    const struct study_rerun_request *q = r->request;
+    for (int k = 0; k < q->n_run; k++) {
+        if (q->run[k] < 1 || q->run[k] > r->view->n_study) {
+            return error_set(e, STATUS_INPUT, "%s has no run %ld; its study has the runs 1 to %ld",
+                             r->view->path, q->run[k], r->view->n_study);
+        }
+        long i = 0;
+        while (i < r->view->n_run && study_view_run(r->view, i) != q->run[k] - 1) {
+            i++;
+        }
+        if (i == r->view->n_run) {
+            return error_set(e, STATUS_INPUT, "%s is part of a study and has no run %ld",
+                             r->view->path, q->run[k]);
+        }
+        r->chosen[i] = 1;
+    }
+    return q->n_draw > 0 ? draw(r, e) : STATUS_OK;
+}
+
+// The deck must be that of the study, and so must the files that its runs have read.
+static int check_origin(struct rerun *r, struct error *e) {
+    const struct study_rerun_request *q = r->request;
+    const struct study_request study = {.first = q->first,
+                                        .define = q->define,
+                                        .n_define = q->n_define,
+                                        .numerics = NUMERICS_VERSION};
+    const char *identity;
+    int status = identity_study(r->ledger.arena, &study, r->plan.table->n_value, &identity, e);
+    if (status == STATUS_OK && !r->view->origin.study) {
+        return error_set(e, STATUS_INPUT, "%s does not tell what its runs come from",
+                         r->view->path);
+    }
+    if (status == STATUS_OK) {
+        status = portion_compare(&study, &r->ledger, identity, &r->view->origin, e);
+    }
+    const struct error cause = *e;
+    return status == STATUS_INPUT
+               ? error_set(e, STATUS_INPUT, "%s cannot be computed again: %s has changed since",
+                           r->view->path, cause.message)
+               : status;
+}
+
+static bool is_swept(const struct study_view *v, const char *name) {
+    for (int i = 0; i < v->n_sweep; i++) {
+        for (const struct sweep *s = v->sweep[i]; s; s = s->along) {
+            if (strcmp(s->name, name) == 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+static int map_items(struct rerun *r, struct error *e) {
+    const struct study_table *t = r->plan.table;
+    for (int i = 0; i < t->n_item; i++) {
+        const struct study_item *item = &t->item[i];
+        r->item[i] = item->n > 0 ? study_table_find(&r->view->table, item) : -1;
+        if (r->item[i] < 0 && item->n > 0 && !is_swept(r->view, item->name)) {
+            return error_set(e, STATUS_INPUT, "%s is damaged: it has no %s/%s", r->view->path,
+                             item->parent, item->name);
+        }
+    }
+    return STATUS_OK;
+}
+
+static int differs(const struct rerun *r, const struct trial *t, const struct study_item *item,
+                   size_t k, double stored, struct error *e) {
+    struct plan_text text;
+    char place[64] = "";
+    if (item->scale) {
+        snprintf(place, sizeof place, " of %s %zu", item->scale, k + 1);
+    }
+    return error_set(e, STATUS_FAILED, "%s: %s has another %s%s: %.17g in the file, %.17g now",
+                     r->view->path, plan_describe(&r->plan, t->run, &text), item->name, place,
+                     stored, t->value[item->first + k]);
+}
+
+// NAN is NAN, and -0 is not 0.
+static bool same_bits(double a, double b) {
+    uint64_t of_a, of_b;
+    memcpy(&of_a, &a, sizeof of_a);
+    memcpy(&of_b, &b, sizeof of_b);
+    return of_a == of_b;
+}
+
+static int compare_values(const struct rerun *r, const struct trial *t, struct error *e) {
+    const struct study_table *table = r->plan.table;
+    for (int i = 0; i < table->n_item; i++) {
+        const struct study_item *item = &table->item[i];
+        if (r->item[i] < 0) {
+            continue;
+        }
+        const double *stored = r->stored + r->view->table.item[r->item[i]].first;
+        for (size_t k = 0; k < item->n; k++) {
+            if (!same_bits(stored[k], t->value[item->first + k])) {
+                return differs(r, t, item, k, stored[k], e);
+            }
+        }
+    }
+    return STATUS_OK;
+}
+
+// Row `t->entry` of the file against the run.
+static int compare(struct rerun *r, const struct trial *t, struct error *e) {
+    struct study_outcome stored;
+    if (t->status != STATUS_OK) {
+        *e = t->error;
+        return t->status;
+    }
+    int status = study_file_read(r->file, t->entry, 1, &stored, r->stored, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    if (stored.status != t->outcome.status || strcmp(stored.message, t->outcome.message) != 0) {
+        struct plan_text text;
+        return error_set(e, STATUS_FAILED, "%s: %s ended otherwise in the file: '%s', now '%s'",
+                         r->view->path, plan_describe(&r->plan, t->run, &text), stored.message,
+                         t->outcome.message);
+    }
+    status = compare_values(r, t, e);
+    r->out->n_same += status == STATUS_OK;
+    return status;
+}
+
+static int run_batch(struct rerun *r, int n, struct error *e) {
+    int status = STATUS_OK;
+    trial_run(&r->plan, r->trial, n, &r->watch);
+    for (int i = 0; i < n && status == STATUS_OK; i++) {
+        number_list_add(&r->numbers, r->trial[i].run + 1);
+        status = compare(r, &r->trial[i], e);
+    }
+    return status;
+}
+
+// A run that `merge --partial` left out is counted and not computed.
+static int is_missing(struct rerun *r, long i, bool *missing, struct error *e) {
+    struct study_outcome outcome;
+    const int status = study_file_read(r->file, i, 1, &outcome, r->stored, e);
+    *missing = status == STATUS_OK && outcome.status == STUDY_MISSING;
+    r->out->n_missing += *missing;
+    return status;
+}
+
+static int run_chosen(struct rerun *r, struct error *e) {
+    const int most = trial_most(&r->plan);
+    int n = 0, status = STATUS_OK;
+    for (long i = 0; i < r->view->n_run && status == STATUS_OK; i++) {
+        bool missing = false;
+        if (!r->chosen[i]) {
+            continue;
+        }
+        status = is_missing(r, i, &missing, e);
+        if (status == STATUS_OK && !missing) {
+            r->trial[n] = (struct trial){.run = study_view_run(r->view, i),
+                                         .entry = i,
+                                         .value = r->value + (size_t)n * r->plan.table->n_value};
+            n++;
+        }
+        if (status == STATUS_OK && n == most) {
+            status = run_batch(r, n, e);
+            n = 0;
+        }
+    }
+    return status == STATUS_OK && n > 0 ? run_batch(r, n, e) : status;
+}
+
+static int allocate(struct rerun *r, struct error *e) {
+    const size_t n_stored = r->view->table.n_value, n_value = r->plan.table->n_value;
+    r->chosen = calloc((size_t)r->view->n_run + 1, 1);
+    r->stored = malloc((n_stored + 1) * sizeof *r->stored);
+    r->value = malloc((ENSEMBLE_MAX * n_value + 1) * sizeof *r->value);
+    r->item = malloc(((size_t)r->plan.table->n_item + 1) * sizeof *r->item);
+    r->watch.records = shelf_create(SHELF_BYTES);
+    return r->chosen && r->stored && r->value && r->item && r->watch.records ? STATUS_OK
+                                                                             : error_no_memory(e);
+}
+
+static int check_and_run(struct rerun *r, struct error *e) {
+    int status = ledger_init(&r->ledger, e);
+    status = status == STATUS_OK ? allocate(r, e) : status;
+    status = status == STATUS_OK ? check_origin(r, e) : status;
+    status = status == STATUS_OK ? map_items(r, e) : status;
+    status = status == STATUS_OK ? choose(r, e) : status;
+    status = status == STATUS_OK ? run_chosen(r, e) : status;
+    number_list_end(&r->numbers);
+    return status;
+}
+
+int study_rerun(struct study_file *f, const struct study_rerun_request *q, struct study_rerun *out,
+                struct error *e) {
+    struct rerun r = {.request = q,
+                      .view = study_file_view(f),
+                      .file = f,
+                      .watch = {.poll = q->poll, .context = q->context},
+                      .numbers = {.text = out->numbers, .size = sizeof out->numbers},
+                      .out = out};
+    const struct study_request study = {
+        .first = q->first, .define = q->define, .n_define = q->n_define, .result = {.version = ""}};
+    *out = (struct study_rerun){.n_same = 0};
+    int status = plan_init(&r.plan, &study, e);
+    if (status != STATUS_OK) {
+        return status;
+    }
+    status = check_and_run(&r, e);
+    free(r.chosen);
+    free(r.stored);
+    free(r.value);
+    free(r.item);
+    shelf_free(r.watch.records);
+    ledger_close(&r.ledger);
+    plan_close(&r.plan);
+    return status;
+}

@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Histories of the runs of a study: they are kept in the journal as runs finish, on any number of
+# threads, and no run is made twice.
+. tests/support/cli.sh
+
+# same_runs ONE.h5 OTHER.h5: the datasets of their runs are equal, those of no values too.
+same_runs() {
+    h5diff "$1" "$2" /runs /runs >"$out.diff" 2>&1
+    ! grep -E '^dataset|error' "$out.diff" && [ "$(h5ls -r "$1")" = "$(h5ls -r "$2")" ]
+}
+
+study_of_records study.deck 8 300
+echo 'output -histories' >>study.deck
+run "$jostle" run study.deck -q -j 1 -o whole.h5
+expect "a study is written with the histories of its runs" '[ $status -eq 0 ] && only study.deck whole.h5 records/1.txt records/2.txt records/3.txt'
+if ! command -v h5diff >/dev/null; then
+    skip "they are the same whatever happens to the study" "no h5diff"
+    exit 0
+fi
+run "$jostle" run study.deck -q -j 3 -o other.h5
+expect "they are the same on three threads" '[ $status -eq 0 ] && [ "$(h5ls whole.h5/runs | wc -l)" -eq 24 ] && same_runs whole.h5 other.h5'
+
+# Where the kill comes too late the study has ended: once more.
+for _ in $(seq 10); do
+    rm -f part.h5*
+    "$jostle" run study.deck -q -o part.h5 </dev/null 2>"$err" &
+    child=$!
+    until [ -e part.h5.part ] || ! kill -0 $child 2>/dev/null; do
+        :
+    done
+    kill -s KILL $child 2>/dev/null
+    wait $child 2>/dev/null
+    status=$?
+    [ -e part.h5 ] || break
+done
+expect "the study is killed while its file is written" '[ $status -eq 137 ] && [ ! -e part.h5 ]'
+cp part.h5.runs kept.runs
+run "$jostle" run study.deck -q -o part.h5
+expect "and its file is written from the journal" '[ $status -eq 0 ] && h5dump -a runs_kept part.h5 | grep -q "(0): 24$" && same_runs whole.h5 part.h5 && [ ! -e part.h5.part ] && [ ! -e part.h5.runs ]'
+rm part.h5
+
+# As a kill amid the runs leaves it.
+head -c 1000000 kept.runs >part.h5.runs
+run "$jostle" run study.deck -o part.h5
+expect "a study that was killed amid its runs goes on" '[ $status -eq 0 ] && grep -qE "without [0-9]+ runs of an earlier start" "$out" && ! said damaged && same_runs whole.h5 part.h5'
+rm part.h5
+cp kept.runs part.h5.runs
+printf '\377' | dd of=part.h5.runs bs=1 seek=700000 conv=notrunc 2>/dev/null
+run "$jostle" run study.deck -o part.h5
+expect "a run whose histories are damaged is made again" '[ $status -eq 0 ] && said "part.h5.runs is damaged in 1 place; of 24 runs 23 were found" && same_runs whole.h5 part.h5'
+rm part.h5
+
+# Runs whose histories no longer fit are made again, the others stay.
+cp records/2.txt kept.txt
+head -n 200 kept.txt >records/2.txt
+cp kept.runs part.h5.runs
+run "$jostle" run study.deck -q -o part.h5 --accept
+expect "where a shorter record is accepted, its runs are made again" '[ $status -eq 0 ] && h5dump -a runs_kept part.h5 | grep -q "(0): 16$"'
+mv kept.txt records/2.txt
+cp study.deck kept.deck
+sed -i '/^duration/d' study.deck
+echo 'duration 1' >>study.deck
+cp kept.runs part.h5.runs
+run "$jostle" run study.deck -q -o part.h5 --accept --force
+expect "where another duration is accepted, all runs are" '[ $status -eq 0 ] && h5dump -a runs_kept part.h5 | grep -q "(0): 0$"'
+mv kept.deck study.deck
+rm ./*.h5*
+
+# A run takes some room besides its rows: 301 of two histories of five floors, of the time, the
+# ground, seven energies and two contacts.
+sed 's/^output/& -fields displacement force/' study.deck >size.deck
+"$jostle" run size.deck -q
+sed '/^output/d' study.deck >none.deck
+"$jostle" run none.deck -q
+size=$((($(stat -c %s size.h5) - $(stat -c %s none.h5)) / 24 - 301 * 8 * 16))
+expect "a run takes $size bytes besides its rows, 26000 at most" '[ $size -le 26000 ]'
+if python3 -c 'import xarray, netCDF4' 2>/dev/null; then
+    run python3 - <<'END'
+import xarray
+run = xarray.open_dataset("size.h5", group="runs/000007/buildings/B")
+assert run.displacement.dims == ("time", "floor") and run.displacement.shape == (301, 3)
+assert run.displacement.attrs["units"] == "m" and float(run.time[-1]) == 3.0
+force = xarray.open_dataset("size.h5", group="runs/000007/contacts").force
+peak = xarray.open_dataset("size.h5", group="contacts/envelope").force
+assert force.dims == ("time", "contact")
+assert (force.max("time").values <= peak.isel(record=0, gap=6).values).all()
+END
+    expect "the histories of a run open in xarray with their axes" '[ $status -eq 0 ]'
+else
+    skip "the histories of a run open in xarray with their axes" "no xarray"
+fi
+rm ./*.h5
+
+# The decks are of one length, as their text is in the file.
+for fields in 'displacement' 'displacement velocity acceleration'; do
+    for interval in 50ms 10ms; do
+        for level in 0 1 9; do
+            option="# out: -compress 9"
+            [ $level -eq 0 ] || option="-compress $level  # out"
+            sed "s/^output.*/output -histories -fields $fields -interval $interval $option/" study.deck >size.deck
+            "$jostle" run size.deck -q -o size$level.h5
+        done
+        expect "-compress makes no file of $fields every $interval larger" '[ $(stat -c %s size1.h5) -le $(stat -c %s size0.h5) ] && [ $(stat -c %s size9.h5) -le $(stat -c %s size0.h5) ]'
+        rm size?.h5
+    done
+done
+
+# CPU seconds of a study of long runs with few rows. Under a load no runs go in lockstep, neither with
+# histories nor without.
+cat >long.deck <<'END'
+sweep amplitude range 1 2 20
+building A -floors 8 -mass 1 -stiffness 400
+contact A wall -gap 0.1 -law linear -k 1000
+load A:all sine -amplitude $amplitude -frequency 1
+step fixed 1ms
+duration 300
+END
+cpu() {
+    local TIMEFORMAT='%U'
+    { time "$jostle" run long.deck -q --force >/dev/null 2>&1; } 2>&1
+}
+echo 'output -interval 1' >>long.deck
+without=$(cpu)
+sed -i 's/^output/output -histories/' long.deck
+with=$(cpu)
+if [ -n "${JOSTLE_SANITIZED-}" ]; then
+    skip "no run is made twice for its histories" "the sanitizers change what takes time"
+else
+    # Twice is twice the time, or more; a half more is for what else the machine does.
+    expect "no run is made twice for its histories: $with s of CPU time with them, $without s without" 'awk "BEGIN { exit !($with < 1.5 * $without) }"'
+fi
