@@ -249,7 +249,7 @@ docs: $(PROGRAM)  ## write what the program prints into docs/ and README.md, and
 	@sh tests/support/docs.sh $(PROGRAM) $(B)/docs
 	@sh tests/support/law_outputs.sh $(PROGRAM) $(B)/docs docs/pictures/law_comparison.svg
 	@cp $(B)/docs/laws.md $(B)/docs/deck-statements.md $(B)/docs/restitution.md \
-	    $(B)/docs/law-command.md $(B)/docs/spectrum.md $(B)/docs/studies.md \
+	    $(B)/docs/law-command.md $(B)/docs/contact-values.md $(B)/docs/spectrum.md $(B)/docs/studies.md \
 	    $(B)/docs/ida.md $(B)/docs/gap.md docs
 	@sh tests/support/man.sh $(PROGRAM) docs
 	@cp $(B)/docs/README.md README.md

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # docs.sh JOSTLE FOLDER: writes into FOLDER what of the documentation the program itself prints:
-# laws.md, deck-statements.md and restitution.md; law-command.md, spectrum.md, studies.md, ida.md, gap.md,
-# accuracy.md and README.md with what they show made anew, but for wall times, which no two runs share.
+# laws.md, deck-statements.md and restitution.md; law-command.md, contact-values.md, spectrum.md,
+# studies.md, ida.md, gap.md, accuracy.md and README.md with what they show made anew, but for wall times, which no two runs share.
 set -eu
 jostle=$1
 folder=$2
@@ -41,3 +41,6 @@ sh tests/support/with_block.sh check "$folder/checked" <docs/accuracy.md |
 "$jostle" gap input/separation.deck --limit storey-shear:A:6=6MN --range 0:120mm:13 >"$folder/limit"
 sh tests/support/with_block.sh closing "$folder/closing" <docs/gap.md |
     sh tests/support/with_block.sh limit "$folder/limit" >"$folder/gap.md"
+sh tests/support/sensitivity.sh "$jostle" "$folder"
+sh tests/support/with_block.sh choices "$folder/sensitivity/choices" <docs/contact-values.md |
+    sh tests/support/with_block.sh storeys "$folder/sensitivity/storeys" >"$folder/contact-values.md"
