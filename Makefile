@@ -295,6 +295,19 @@ uninstall:  ## remove what install put there
 	rm -f $(call TO,$(completiondir)/jostle)
 	rm -rf $(call TO,$(includedir)/jostle) $(call TO,$(docdir))
 
+.PHONY: deb dist
+deb:  ## the Debian packages of program and library in build/; needs dpkg-dev
+	@rm -rf $(B)/deb
+	@$(MAKE) install BUILD=$(B)/deb/build STATIC=0 DESTDIR=$(B)/deb/root prefix=/usr \
+	    libdir=/usr/lib/$$(dpkg-architecture -q DEB_HOST_MULTIARCH) \
+	    CFLAGS='-O3 -g -fstack-protector-strong -Wformat -Werror=format-security' \
+	    CPPFLAGS='$(CPPFLAGS) -D_FORTIFY_SOURCE=2' LDFLAGS='-Wl,-z,relro,-z,now' >/dev/null
+	@sh tests/support/deb.sh $(VERSION) $(B)
+
+dist:  ## the source as build/jostle-VERSION.tar.gz, from the last commit
+	@mkdir -p $(B)
+	git archive --prefix=jostle-$(VERSION)/ -o $(B)/jostle-$(VERSION).tar.gz HEAD
+
 clean:  ## remove build/
 	rm -rf $(B)
 
