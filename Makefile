@@ -14,6 +14,7 @@ ROUNDS = 3#           how often it runs
 FUZZ_SECONDS = 30#    for each reader
 TEST_SECONDS = 600#   limit for one test program
 STATIC  = 1#          0: the program takes its libraries as shared ones even if it need not
+OBJCOPY = objcopy
 CORES  := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
 prefix      = /usr/local
@@ -60,6 +61,7 @@ $(error BUILD is '$(B)': make can build in no folder whose name has a blank or o
 endif
 PROGRAM  := $(B)/jostle
 LIBRARY  := $(B)/libjostle.a
+INTERNAL := $(B)/object/jostle.a#   with all symbols, for the program and the tests
 SOURCES  := $(sort $(shell find src -name '*.c'))
 OBJECTS  := $(SOURCES:%.c=$(B)/object/%.o)
 HELPERS  := $(patsubst %.c,$(B)/object/%.o,$(wildcard tests/support/*.c))
@@ -96,15 +98,22 @@ all: $(PROGRAM) $(LIBRARY)  ## build build/jostle and build/libjostle.a (the def
 
 # Linkers write in small pieces, which is how the file then lies in memory and how it is mapped, page
 # by page; a copy is in large ones and starts sooner. What is installed is a copy too.
-$(PROGRAM): $(B)/object/src/main.o $(LIBRARY)
+$(PROGRAM): $(B)/object/src/main.o $(INTERNAL)
 	$(SAY) LINK $@
 	$(Q)$(if $(TRY),$(LINK) -o $@.linked $^ $(ARCHIVES) 2>/dev/null ||) \
 	    $(LINK) -o $@.linked $^ $(LIBS)
 	$(Q)cp $@.linked $@.copy && mv $@.copy $@ && rm $@.linked
 
-$(LIBRARY): $(filter-out %/src/main.o,$(OBJECTS)) $(B)/members
+$(INTERNAL): $(filter-out %/src/main.o,$(OBJECTS)) $(B)/members
 	$(SAY) AR $@
 	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
+
+# One object, in which only the names of the public headers are visible (include/jostle/names.h).
+$(LIBRARY): $(INTERNAL)
+	$(SAY) AR $@
+	$(Q)$(LD) -r --whole-archive $< -o $(B)/object/public.o
+	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='jostle_*' $(B)/object/public.o
+	$(Q)rm -f $@ && $(AR) rcs $@ $(B)/object/public.o
 
 $(B)/object/%.o: %.c $(B)/flags
 	$(SAY) CC $<
@@ -172,7 +181,7 @@ fuzz-run: $(FUZZERS)
 	@SECONDS_EACH=$(FUZZ_SECONDS) bash tests/support/fuzz.sh $(B) $(FUZZERS)
 
 .SECONDARY:
-$(B)/tests/fuzz/%: $(B)/object/tests/fuzz/%.o $(LIBRARY)
+$(B)/tests/fuzz/%: $(B)/object/tests/fuzz/%.o $(INTERNAL)
 	$(SAY) LINK $@
 	@mkdir -p $(@D)
 	$(Q)$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
@@ -180,10 +189,10 @@ $(B)/tests/fuzz/%: $(B)/object/tests/fuzz/%.o $(LIBRARY)
 $(B)/tests/unit/test_system: LINK += $(FAIL_SYSTEM)
 $(ALLOC_TESTS): LINK += $(FAIL_ALLOC)
 $(ALLOC_TESTS): $(B)/object/tests/support/fail_alloc.o
-$(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.o,$(HELPERS)) $(LIBRARY)
+$(TESTS) $(LONG): $(B)/tests/%: $(B)/object/tests/%.o $(filter-out %/fail_alloc.o,$(HELPERS)) $(INTERNAL)
 	$(SAY) LINK $@
 	@mkdir -p $(@D)
-	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS) $(CMOCKA)
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(INTERNAL) $(LIBS) $(CMOCKA)
 
 numerics: $(PROGRAM)  ## results of tests/numerics against those on record; ACCEPT=1 records them
 	@JOSTLE=$(PROGRAM) ACCEPT='$(ACCEPT)' BUILT='$(BUILT)' bash tests/cli/numerics.sh
@@ -219,16 +228,16 @@ bench-studies: setup  ## times and memory of studies; RECORDS=FOLDER of *.AT2, R
 	@$(MAKE) $(PROGRAM)
 	@RECORDS='$(RECORDS)' ROUNDS='$(ROUNDS)' bash tests/bench/studies.sh $(PROGRAM) $(B)/studies
 
-$(B)/bench: $(BENCH_OBJECTS) $(LIBRARY)
+$(B)/bench: $(BENCH_OBJECTS) $(INTERNAL)
 	$(SAY) LINK $@
-	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(LIBRARY) $(LIBS)
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(INTERNAL) $(LIBS)
 
 # --- the state of the source ---------------------------------------------------------------------
 .PHONY: lint tidy format check-format
 lint: setup-lint  ## layers, names, lengths, texts of scripts and clang-tidy
-	@$(MAKE) $(LIBRARY)
+	@$(MAKE) $(INTERNAL) $(LIBRARY)
 	@bash tests/support/check_layers.sh
-	@bash tests/support/check_symbols.sh $(LIBRARY)
+	@bash tests/support/check_symbols.sh $(B)
 	@bash tests/support/check_length.sh
 	@bash tests/support/check_script.sh
 	@$(MAKE) tidy

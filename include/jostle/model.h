@@ -9,9 +9,12 @@
 
 #include "jostle/contact_law.h"
 #include "jostle/deck.h"
+#include "jostle/names.h"
 #include "jostle/part.h"
 #include "jostle/signal.h"
 #include "jostle/storey_law.h"
+
+JOSTLE_C_BEGIN
 
 enum { FLOORS_MAX = 1000 };  // of one building
 enum { WALL = -1 };          // in place of a building or degree of freedom
@@ -243,5 +246,7 @@ struct statement_kind {
 };
 extern const struct statement_kind *const statement_kinds[];
 extern const int n_statement_kind;
+
+JOSTLE_C_END
 
 #endif
