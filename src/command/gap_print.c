@@ -6,13 +6,10 @@
 
 #include "command/cells.h"
 #include "command/study_print.h"
+#include "core/safe.h"
 #include "core/text.h"
 
 enum { NAME_WIDTH = 14 };
-
-static const char *name_of(const struct link *l, struct text_short *t) {
-    return text_short(t, l->name);
-}
 
 static void print_number(double x, int width) {
     if (isnan(x)) {
@@ -34,10 +31,9 @@ static void print_closings(const struct plan *p, const struct apart *a, double *
     printf("%-*s %9s %9s %9s %9s %9s %6s %9s %9s\n", NAME_WIDTH, "closing by", "mean", "16 %",
            "50 %", "84 %", "largest", "in run", "gap", "runs hit");
     for (int i = 0; i < a->n_contact; i++) {
-        struct text_short t;
         const struct apart_summary s = apart_summarise(a, i, APART_CLOSING, APART_VALUES, scratch);
         const double gap = apart_summarise(a, i, APART_GAP, APART_VALUES, scratch).mean;
-        printf("%-*s", NAME_WIDTH, name_of(&p->first->link[i], &t));
+        safe_cell(stdout, p->first->link[i].name, NAME_WIDTH);
         const double value[] = {s.mean, s.low, s.median, s.high, s.largest};
         for (int k = 0; k < 5; k++) {
             print_number(value[k], 9);
@@ -57,8 +53,7 @@ static void print_rules(const struct plan *p, const struct apart *a, double *scr
     printf("\n");
     for (int i = 0; i < a->n_contact; i++) {
         static const int input[] = {APART_LEFT, APART_RIGHT, APART_RHO};
-        struct text_short t;
-        printf("%-*s", NAME_WIDTH, name_of(&p->first->link[i], &t));
+        safe_cell(stdout, p->first->link[i].name, NAME_WIDTH);
         for (int k = 0; k < 3; k++) {
             print_number(apart_summarise(a, i, input[k], APART_VALUES, scratch).mean,
                          k < 2 ? 9 : 7);
@@ -78,8 +73,8 @@ static void print_ratios(const struct plan *p, const struct apart *a, double *sc
     }
     printf("\n");
     for (int i = 0; i < a->n_contact; i++) {
-        struct text_short t;
-        printf("%-*s %9s %9s %7s", NAME_WIDTH, name_of(&p->first->link[i], &t), "", "", "");
+        safe_cell(stdout, p->first->link[i].name, NAME_WIDTH);
+        printf(" %9s %9s %7s", "", "", "");
         for (int k = 0; k < SEPARATION_RULES; k++) {
             const struct apart_summary s =
                 apart_summarise(a, i, APART_RULE + k, APART_CLOSING, scratch);
@@ -94,7 +89,6 @@ static void print_modes(const struct plan *p, const struct apart *a, double *scr
     const struct model *m = p->first;
     printf("\n%-*s %9s %9s\n", NAME_WIDTH, "first modes", "T", "damp. [%]");
     for (int building = 0; building < m->n_building; building++) {
-        struct text_short t;
         int contact = -1, side = 0;
         for (int i = 0; i < a->n_contact; i++) {
             for (int k = 0; k < 2; k++) {
@@ -107,7 +101,7 @@ static void print_modes(const struct plan *p, const struct apart *a, double *scr
         if (contact < 0) {
             continue;
         }
-        printf("%-*s", NAME_WIDTH, text_short(&t, m->building[building].name));
+        safe_cell(stdout, m->building[building].name, NAME_WIDTH);
         print_number(
             apart_summarise(a, contact, APART_PERIOD_LEFT + side, APART_VALUES, scratch).mean, 9);
         print_number(

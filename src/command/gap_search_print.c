@@ -4,6 +4,7 @@
 
 #include "command/cells.h"
 #include "command/gap_print.h"
+#include "command/study_print.h"
 
 static double spacing(const struct gap_search_request *q) {
     return (q->to - q->from) / (q->n - 1);
@@ -13,9 +14,10 @@ static double spacing(const struct gap_search_request *q) {
 static void print_aim(const struct gap_search_request *q, const struct gap_search *s) {
     const struct deck *d = q->plan->first->deck;
     const bool counts = dimension_equal(q->edp.dimension, dimension_none);
-    printf("%s%s%s%s at most %.6g%s%s", d->title, d->title[0] ? "\n" : "",
+    printf("%s%s%s%s at most %.6g%s%s%s", d->title, d->title[0] ? "\n" : "",
            q->edp.quantity->reduction != EDP_SUM ? "largest " : "", q->edp.text, q->limit,
-           counts ? "" : " ", counts ? "" : q->edp.units);
+           counts ? "" : " ", counts ? "" : q->edp.units,
+           study_print_g(&d->units, q->edp.units, q->limit).added);
     if (s->n_run == 1) {
         printf("\n");
     } else if (q->percentile == 100.0) {
