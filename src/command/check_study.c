@@ -86,7 +86,7 @@ static int report(struct survey *s, struct error *e) {
 
 int check_study(const struct load_request *load, const struct model *first) {
     const struct study_request request = {
-        .first = first, .define = load->define, .n_define = load->n_define};
+        .first = first, .define = load->define.word, .n_define = load->define.n};
     struct plan plan;
     struct survey survey;
     struct error e;

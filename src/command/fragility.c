@@ -30,6 +30,7 @@ struct request {
     enum method method;
     enum form form;
 };
+#define AT(member) offsetof(struct request, member)
 
 // What is printed of one group of runs and one limit.
 struct result {
@@ -41,29 +42,6 @@ struct result {
     struct fragility_record *record;  // (n_sample), by METHOD_IDA
     struct fragility fit;
 };
-
-static void print_details(void) {
-    printf(
-        "  --edp EDP      the demand, such as drift:A\n"
-        "  --limit VALUE[,VALUE...]\n"
-        "                 what it is not to exceed: 20mm, 0.5%%, 2MN; without a unit, in those\n"
-        "                 of the deck\n"
-        "  --im NAME      the sweep that is the intensity (default: im, sa, pga, intensity or\n"
-        "                 scale, or the only sweep of numbers)\n"
-        "%s"
-        "  --method counts|ida\n"
-        "                 from the counts at each intensity (the default), or from the intensity\n"
-        "                 at which each sample first exceeds the limit\n"
-        "  --tsv, --csv   a line for each limit and intensity\n"
-        "  --help         this text\n",
-        suite_options_help);
-    suite_options_print_edps();
-    printf("\nThe median and the dispersion are those of largest likelihood for the counts (Baker\n"
-           "2015, Earthquake Spectra 31, 579-599), or for the first exceedances and the samples "
-           "that have\n"
-           "none. A value equal to the limit does not exceed it. Standard errors are those of\n"
-           "independent runs, or samples.\n");
-}
 
 // Where all runs are on one side of the limit, how far they are from it: it may be in a wrong unit.
 static void print_distance(const struct result *r) {
@@ -321,14 +299,14 @@ static int fit_all(const struct request *q, const struct suite *s, struct error 
     return status;
 }
 
-static int open_and_fit(const struct request *q, const char *path) {
+static int open_and_fit(struct request *q, const char *path) {
     struct study_file *f;
     struct suite *s;
     struct error e;
     if (study_file_open(path, &f, &e) != STATUS_OK) {
         return command_fail(&e);
     }
-    int status = suite_create(f, &q->suite.request, &s, &e);
+    int status = suite_create(f, suite_options_request(&q->suite), &s, &e);
     if (status == STATUS_OK) {
         status = fit_all(q, s, &e);
         suite_free(s);
@@ -337,63 +315,44 @@ static int open_and_fit(const struct request *q, const char *path) {
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
-static int take_method(struct request *q) {
-    for (enum method m = METHOD_COUNTS; m <= METHOD_IDA; m++) {
-        if (strcmp(optarg, method_name[m]) == 0) {
-            q->method = m;
-            return EXIT_DONE;
-        }
-    }
-    return command_usage(&command_fragility, "--method is counts or ida, not '%s'", optarg);
-}
-
-static int take(void *request, int letter) {
+static int use(void *request, struct arena *a, const struct words *operand) {
+    (void)a;
     struct request *q = request;
-    if (suite_options_has(letter)) {
-        return suite_options_take(&command_fragility, letter, &q->suite);
-    }
-    if (letter == 'm') {
-        return take_method(q);
-    }
-    const enum form form = letter == 't' ? FORM_TSV : FORM_CSV;
-    if (q->form != FORM_TEXT && q->form != form) {
-        return command_usage(&command_fragility, "--tsv and --csv exclude each other");
-    }
-    q->form = form;
-    return EXIT_DONE;
+    return q->suite.request.edp && q->suite.limits
+               ? open_and_fit(q, operand->word[0])
+               : command_usage(&command_fragility, "give --edp EDP and --limit VALUE");
 }
 
-// GO_ON, or the exit status.
-static int parse(int argc, char **argv, struct request *q) {
-    static const struct option option[] = {SUITE_OPTIONS,
-                                           {"tsv", no_argument, NULL, 't'},
-                                           {"csv", no_argument, NULL, 'c'},
-                                           {"method", required_argument, NULL, 'm'},
-                                           {"help", no_argument, NULL, 'h'},
-                                           {NULL, 0, NULL, 0}};
-    static const struct command_options options = {
-        &command_fragility, "", print_details, getopt_long, ":h", option, take, SUITE_REPEATABLE};
-    const int status = command_parse(&options, argc, argv, q);
-    if (status == GO_ON && argc - optind != 1) {
-        return command_usage(&command_fragility, "one result file is expected, not %d",
-                             argc - optind);
-    }
-    if (status == GO_ON && (!q->suite.request.edp || !q->suite.limits)) {
-        return command_usage(&command_fragility, "give --edp EDP and --limit VALUE");
-    }
-    return status;
-}
+static const struct option_row rows[] = {
+    {"edp", 0, "EDP", OPTION_TEXT, 0, AT(suite.request.edp), .doc = "the demand, such as drift:A"},
+    {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(suite.limits),
+     .doc = "what it is not to exceed: 20mm, 0.5%, 2MN; without a unit, in those of the deck"},
+    {"im", 0, "NAME", OPTION_TEXT, 0, AT(suite.request.abscissa),
+     .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
+            "only sweep of numbers)"},
+    SUITE_ROWS(AT(suite)),
+    {"method", 0, "counts|ida", OPTION_CHOICE, 0, AT(method),
+     .doc = "from the counts at each intensity (the default), or from the intensity at which each "
+            "sample first exceeds the limit"},
+    {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+     .doc = "a line for each limit and intensity"},
+    {"csv", .kind = OPTION_SET, .at = AT(form), .set = FORM_CSV,
+     .doc = "the same separated by commas"},
+    OPTION_HELP_ROW,
+    {0}};
 
 static int fragility_command(int argc, char **argv) {
+    static const struct option_part parts[] = {
+        {.row = rows},
+        {.print = suite_options_print_edps},
+        {.text =
+             "\nThe median and the dispersion are those of largest likelihood for the counts "
+             "(Baker\n2015, Earthquake Spectra 31, 579-599), or for the first exceedances and the "
+             "samples that have\nnone. A value equal to the limit does not exceed it. Standard "
+             "errors are those of\nindependent runs, or samples.\n"},
+        {0}};
+    static const struct option_list list = {&command_fragility, parts, .operand = "result file",
+                                            .use = use};
     struct request q = {.form = FORM_TEXT};
-    struct error e;
-    if (suite_options_init(&q.suite, argc, &e) != STATUS_OK) {
-        return command_fail(&e);
-    }
-    int status = parse(argc, argv, &q);
-    if (status == GO_ON) {
-        status = open_and_fit(&q, argv[optind]);
-    }
-    suite_options_close(&q.suite);
-    return status;
+    return option_run(&list, argc, argv, &q);
 }

@@ -29,7 +29,7 @@ static int guide(const struct model *m, const struct load_request *request, stru
 int load_model(const struct load_request *request, struct model **out) {
     struct error e;
     struct deck *deck = NULL;
-    int status = deck_open(request->path, request->define, request->n_define, &deck, &e);
+    int status = deck_open(request->path, request->define.word, request->define.n, &deck, &e);
     if (status == STATUS_OK) {
         status = model_build(deck, out, &e);
         if (status == STATUS_OK && request->guidance) {

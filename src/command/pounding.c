@@ -35,13 +35,15 @@ static const char *find_obstacle(const struct model *m) {
 // once.
 static int read_deck(struct pounding *p, const char **define, struct arena *a) {
     const struct spectrum_request *q = p->request;
+    const int n = q->load.define.n;
     struct force_map_pair pair;
     force_map_pair(&pair, q->periods.value[0], q->periods.value[0]);
-    memcpy(define, q->define, (size_t)q->n_define * sizeof *define);
-    define[q->n_define] = pair.define[0];
-    define[q->n_define + 1] = pair.define[1];
-    const struct load_request request = {
-        .path = q->pounding, .define = define, .n_define = q->n_define + 2};
+    if (n > 0) {
+        memcpy(define, q->load.define.word, (size_t)n * sizeof *define);
+    }
+    define[n] = pair.define[0];
+    define[n + 1] = pair.define[1];
+    const struct load_request request = {.path = q->load.path, .define = {define, n + 2}};
     struct model *m;
     const int status = load_model(&request, &m);
     if (status != EXIT_DONE) {
@@ -64,7 +66,7 @@ static int read_deck(struct pounding *p, const char **define, struct arena *a) {
 static int run_all(struct pounding *p, struct arena *a) {
     const struct spectrum_request *q = p->request;
     const size_t n = (size_t)q->periods.n;
-    const char **define = arena_alloc(a, (size_t)q->n_define + 2, sizeof *define);
+    const char **define = arena_alloc(a, (size_t)q->load.define.n + 2, sizeof *define);
     p->force = arena_alloc(a, n * n, sizeof *p->force);
     struct error e;
     if (!define || !p->force) {
@@ -75,9 +77,9 @@ static int run_all(struct pounding *p, struct arena *a) {
         return status;
     }
     struct progress progress;
-    const struct force_map_request request = {.path = q->pounding,
-                                              .define = q->define,
-                                              .n_define = q->n_define,
+    const struct force_map_request request = {.path = q->load.path,
+                                              .define = q->load.define.word,
+                                              .n_define = q->load.define.n,
                                               .period = q->periods.value,
                                               .n_period = q->periods.n,
                                               .n_thread = q->n_thread,
@@ -122,7 +124,7 @@ static int write_map(void *context, const struct figure_files *to, struct error 
     const struct pounding *p = context;
     char text[256];
     summarise(p, text, sizeof text);
-    const struct pounding_map map = {.title = p->title[0] ? p->title : p->request->pounding,
+    const struct pounding_map map = {.title = p->title[0] ? p->title : p->request->load.path,
                                      .subtitle = text,
                                      .version = JOSTLE_VERSION,
                                      .units = &p->units,

@@ -12,8 +12,6 @@
 #include "core/text.h"
 #include "plot/response.h"
 
-static int spectrum_command(int argc, char **argv);
-
 const struct command command_spectrum = {
     .name = "spectrum",
     .usage =
@@ -185,18 +183,6 @@ static int show_records(struct spectrum_request *q, struct arena *a) {
     return EXIT_DONE;
 }
 
-static int spectrum_command(int argc, char **argv) {
-    struct spectrum_request q;
-    struct arena *a = arena_create();
-    if (!a) {
-        return command_no_memory();
-    }
-    int status = spectrum_parse(argc, argv, a, &q);
-    if (status == GO_ON && q.pounding) {
-        status = pounding_run(&q, a);
-    } else if (status == GO_ON) {
-        status = show_records(&q, a);
-    }
-    arena_free(a);
-    return status;
+int spectrum_run(struct spectrum_request *q, struct arena *a) {
+    return q->load.path ? pounding_run(q, a) : show_records(q, a);
 }

@@ -3,6 +3,7 @@
 #ifndef JOSTLE_COMMAND_SPECTRUM_H
 #define JOSTLE_COMMAND_SPECTRUM_H
 
+#include "command/load.h"
 #include "command/periods.h"
 #include "command/picture.h"
 #include "jostle/intensity.h"
@@ -15,8 +16,7 @@ enum spectrum_form { FORM_TEXT, FORM_TSV, FORM_DECK };
 enum spectrum_content { CONTENT_ALL, CONTENT_INTENSITIES };
 
 struct spectrum_request {
-    struct arena *arena;  // borrowed: of its lists
-    char **path;          // (n_record)
+    const char **path;  // (n_record)
     int n_record;
     struct record_request record;  // without its path
     double scale;                  // factor of every record
@@ -29,10 +29,8 @@ struct spectrum_request {
     enum spectrum_form form;
     enum spectrum_content content;
     struct picture_options picture;
-    const char *pounding;  // the deck of a pounding force spectrum; NULL: records are asked for
-    const char **define;   // (n_define) NAME=VALUE for it
-    int n_define;
-    int n_thread;  // for it
+    struct load_request load;  // the deck of a pounding force spectrum; path NULL: of records
+    int n_thread;              // for it
 };
 
 // All in SI units.
@@ -50,8 +48,9 @@ struct spectrum_set {
 
 extern const struct command command_spectrum;
 
-// Reads the command line; lists are from `a`. Returns GO_ON or the exit status.
-int spectrum_parse(int argc, char **argv, struct arena *a, struct spectrum_request *q);
+// Reads the command line and calls spectrum_run with it. Both return the exit status.
+int spectrum_command(int argc, char **argv);
+int spectrum_run(struct spectrum_request *q, struct arena *a);
 
 // Refuses records whose paths --deck cannot print. Returns EXIT_DONE or EXIT_INPUT.
 int spectrum_check_deck(const struct spectrum_request *q);

@@ -213,7 +213,7 @@ expect "and is not compared" '[ $status -eq 2 ] && said "--compare is for single
 run "$jostle" plot scaled.h5 --edp drift
 expect "options of studies are refused for one run" '[ $status -eq 2 ] && said "--edp is for studies"'
 run "$jostle" plot scaled.h5 --against gap
-expect "by either of their names" '[ $status -eq 2 ] && said "--im or --against is for studies"'
+expect "by the name that was given" '[ $status -eq 2 ] && said "--against is for studies"'
 run "$jostle" plot scaled.h5 ida
 expect "and their figures" '[ $status -eq 2 ] && said "ida is for studies; scaled.h5 is one run"'
 run "$jostle" plot missing.h5 --edp drift
