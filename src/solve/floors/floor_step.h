@@ -45,7 +45,7 @@ struct floors_pass {
     struct floors_motion now, next;
     floor_number ground;                   // acceleration at the end
     double h, half, b, g;                  // h^2 / 2, beta h^2, gamma h
-    double largest;                        // no number may be larger
+    bool checks;                           // that all numbers are finite
     double *residual, *u_trial, *v_trial;  // [F]; the trial
 };
 
@@ -117,7 +117,7 @@ LANES_INLINE void floors_begin(const struct floors_pass *p, ptrdiff_t first, ptr
 }
 
 // Stores what the corrections q, from floor `first` on, lead to from the trial. *beyond as above,
-// and where a number is too large.
+// and if the pass checks where that is not finite, or next to it.
 LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, ptrdiff_t end,
                                 const double *q, floor_bits *beyond) {
     floor_lanes sum = none, under = none;
@@ -141,7 +141,9 @@ LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, pt
             under = u;
         }
     }
-    *beyond |= BEYOND(sum, p->largest + none);
+    if (p->checks) {
+        *beyond |= BEYOND(sum, DBL_MAX + none);
+    }
 }
 
 // A step that has been taken, and where its works and the peaks of the state it led to go. Storeys
@@ -203,12 +205,11 @@ struct floors_pair {
     floor_lanes u_under, v_under, v_own;  // twice the mean velocities
 };
 
-// Adds the works of vector i, the one numbered j of whole lanes. *higher gets negative where s1 is
-// beyond a peak: elastic shears are so only with their drifts, as rounding is monotone.
-LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t i, ptrdiff_t j,
+// Adds the works of vector i, at `slot` of each. *higher gets negative where s1 is beyond a peak:
+// elastic shears are so only with their drifts, as rounding is monotone.
+LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t i, ptrdiff_t slot,
                                         struct floors_pair *pair, double *input, double *damping,
                                         floor_bits *higher) {
-    const ptrdiff_t slot = FLOORS_SLOT(p, i, j);
     const floor_lanes u = FLOORS_AT(p->s1.u, i), moved = u - FLOORS_AT(p->s0.u, i);
     const floor_lanes v = FLOORS_AT(p->s1.v, i);
     const floor_lanes v_over =
@@ -241,9 +242,10 @@ LANES_INLINE ptrdiff_t floors_part(ptrdiff_t i, ptrdiff_t end) {
 }
 
 // Takes the floors from `first` to `end` into the peaks and the works, which are LANES_WIDTH
-// vectors or numbers each.
-LANES_INLINE void floors_take(const struct floors_taken *p, ptrdiff_t first, ptrdiff_t end,
-                                 double *input, double *damping) {
+// vectors or numbers each. True: a peak has risen.
+LANES_INLINE bool floors_take(const struct floors_taken *p, ptrdiff_t first, ptrdiff_t end,
+                              double *input, double *damping) {
+    bool rises = false;
     struct floors_pair pair = {none, none, FLOORS_AT(p->s0.v, first) + FLOORS_AT(p->s1.v, first)};
     if (first > 0) {
         const ptrdiff_t under = first - FLOORS_NEXT;
@@ -255,14 +257,17 @@ LANES_INLINE void floors_take(const struct floors_taken *p, ptrdiff_t first, ptr
         const ptrdiff_t part_end = floors_part(part, end);
         _Pragma("GCC unroll 2") for (ptrdiff_t i = part; i < part_end; i += FLOORS_WHOLE) {
             EACH_OF_LANES(j) {
-                floors_account_vector(p, i + j * FLOORS_NEXT, j, &pair, input, damping, &higher);
+                floors_account_vector(p, i + j * FLOORS_NEXT, FLOORS_SLOT(p, i, j), &pair, input,
+                                      damping, &higher);
             }
         }
         higher = FLOORS_HEEDED(p, higher);
         if (floors_any(&higher)) {
             floors_raise_all(p, NULL, part, floors_part(part, end));
+            rises = true;
         }
     }
+    return rises;
 }
 
 #endif

@@ -56,8 +56,9 @@ enum {
 #ifdef FLOORS_OF_RUNS
 enum { FLOORS_NEXT = 1, FLOORS_PITCH = WIDE_RUNS, FLOORS_WHOLE = 1, FLOORS_PARTS = FLOORS_VECTORS };
 typedef floor_lanes floor_number;
-#define CHAIN_AT(p, x, i)                                                                          \
-    ((p)->once ? (p)->chain.x[i] - (floor_lanes){0.0} : FLOORS_AT((p)->chain.x, i))
+#define HELD_AT(once, x, i)                                                                        \
+    (floor_lanes)((once) ? (floor_lanes)((x)[i] - (floor_lanes){0.0}) : FLOORS_AT(x, i))
+#define CHAIN_AT(p, x, i) HELD_AT((p)->once, (p)->chain.x, i)
 #define JOINED(p, i, x) (x)
 #define FLOORS_SLOT(p, i, j) (((p)->first + (i)) % LANES_WIDTH)
 #define FLOORS_HEEDED(p, flags) ((flags) & (p)->active)
