@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "core/arena.h"
 #include "core/number.h"
@@ -30,10 +31,26 @@ static void alloc_building(struct ensemble_building *b, const struct building *g
     const bool low = n <= INVERSE_FLOORS_MAX;
     *b = (struct ensemble_building){
         .shape = g,
-        .number = lanes_wide_array(a, n * NUMBER_COUNT, sizeof(wide)),
-        .factor = lanes_wide_array(a, n * FACTOR_COUNT, sizeof(wide)),
         .inverse = low ? lanes_wide_array(a, n * n, sizeof(wide)) : NULL,
     };
+    for (int q = 0; q < NUMBER_COUNT; q++) {
+        b->number[q] = lanes_wide_array(a, n, sizeof(wide));
+    }
+}
+
+static void alloc_floors(struct ensemble_lanes *e, struct arena *a) {
+    const int n = e->n_floor;
+    wide **array[] = {
+        &e->now.u,   &e->now.v,   &e->now.a,          &e->next.u,     &e->next.v, &e->next.a,
+        &e->trial.u, &e->trial.v, &e->trial.residual, &e->correction, &e->kept,
+    };
+    for (size_t i = 0; i < sizeof array / sizeof array[0]; i++) {
+        *array[i] = lanes_wide_array(a, n, sizeof(wide));
+    }
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        e->peak[q] = lanes_wide_array(a, n, sizeof(wide));
+        e->peak_time[q] = lanes_wide_array(a, n, sizeof(wide));
+    }
 }
 
 static void fill_factors(struct ensemble_factors *f, const struct model *m) {
@@ -49,31 +66,18 @@ static void fill_factors(struct ensemble_factors *f, const struct model *m) {
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
                           const struct ensemble_steps *steps, struct arena *a) {
-    const int n = m->n_dof, room = lanes_whole(n);
     *e = (struct ensemble_lanes){
         .steps = steps,
         .n_building = m->n_building,
-        .n_floor = n,
+        .n_floor = m->n_dof,
         .n_contact = m->n_contact,
         .h = m->dt,
         .factors = lanes_wide_array(a, 1, sizeof *e->factors),
-        .now = lanes_wide_array(a, room, sizeof *e->now),
-        .next = lanes_wide_array(a, room, sizeof *e->next),
-        .trial = lanes_wide_array(a, n, sizeof *e->trial),
-        .correction = lanes_wide_array(a, room + LANES_WIDTH, sizeof *e->correction),
-        .kept = lanes_wide_array(a, n, sizeof *e->kept),
-        .hidden = lanes_array(a, n),
-        .shown = arena_alloc(a, (size_t)(n / WIDE_RUNS) + 1, sizeof *e->shown),
-        .beyond = lanes_wide_array(a, m->n_building, sizeof *e->beyond),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
-        .peak = lanes_wide_array(a, n, sizeof *e->peak),
-        .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
         .building = arena_alloc(a, (size_t)m->n_building, sizeof *e->building),
     };
-    for (int lane = 0; lane < WIDE_RUNS; lane++) {
-        ensemble_lanes_clear(e, lane);
-    }
+    alloc_floors(e, a);
     alloc_contacts(e, m, a);
     for (int k = 0; e->building && k < m->n_building; k++) {
         alloc_building(&e->building[k], &m->building[k], a);
@@ -126,15 +130,14 @@ static bool fill_building(struct ensemble_building *b, int lane, const struct ch
         const int j = b->shape->first + i;
         const ptrdiff_t at = (ptrdiff_t)i * home->pitch;
         const double number[NUMBER_COUNT] = {
-            [NUMBER_INERTIA] = -c->mass[j],       [NUMBER_STIFFNESS] = c->stiffness[j],
+            [NUMBER_MASS] = c->mass[j],           [NUMBER_STIFFNESS] = c->stiffness[j],
             [NUMBER_BELOW] = c->damping_below[j], [NUMBER_OWN] = c->damping[j],
-            [NUMBER_ABOVE] = c->damping_above[j],
+            [NUMBER_ABOVE] = c->damping_above[j], [NUMBER_PIVOT] = home->pivot[at],
+            [NUMBER_OFF] = home->factor[at],
         };
         for (int q = 0; q < NUMBER_COUNT; q++) {
-            small &= put_at(b->number, i * NUMBER_COUNT + q, lane, number[q]);
+            small &= put_at(b->number[q], i, lane, number[q]);
         }
-        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_PIVOT, lane, home->pivot[at]);
-        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_OFF, lane, home->factor[at]);
     }
     return (!b->inverse || fill_inverse(b->inverse, lane, home)) && small;
 }
@@ -193,44 +196,51 @@ static void hold_once(double *x, int n_number) {
 void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
     for (int k = 0; k < e->n_building; k++) {
         struct ensemble_building *b = &e->building[k];
-        const int n_floor = b->shape->n_floor;
-        struct {
-            double *x;
-            int n;
-        } part[] = {
-            {b->number, n_floor * NUMBER_COUNT},
-            {b->factor, n_floor * FACTOR_COUNT},
-            {b->inverse, b->inverse ? n_floor * n_floor : 0},
-        };
-        enum { PARTS = sizeof part / sizeof part[0] };
-        bool same = true;
-        for (int i = 0; i < PARTS; i++) {
-            same = same && are_same(part[i].x, part[i].n, n);
+        const int n_floor = b->shape->n_floor, n_inverse = b->inverse ? n_floor * n_floor : 0;
+        bool same = are_same(b->inverse, n_inverse, n);
+        for (int q = 0; q < NUMBER_COUNT; q++) {
+            same = same && are_same(b->number[q], n_floor, n);
         }
         b->held = same ? HELD_ONCE : HELD_BY_EACH;
-        for (int i = 0; same && i < PARTS; i++) {
-            hold_once(part[i].x, part[i].n);
+        for (int q = 0; same && q < NUMBER_COUNT; q++) {
+            hold_once(b->number[q], n_floor);
         }
+        hold_once(b->inverse, same ? n_inverse : 0);
     }
 }
 
-bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, const struct run *r) {
-    const struct state *s = r->now;
+// What is copied between a run and its lane.
+struct lane_array {
+    double *lanes;  // (n, WIDE_RUNS)
+    double *run;    // (n)
+    int n;
+};
+enum { LANE_ARRAYS = 6 };
+
+static void lane_arrays(const struct ensemble_lanes *e, struct state *s, struct energy_account *a,
+                        struct lane_array array[LANE_ARRAYS]) {
+    const struct lane_array all[LANE_ARRAYS] = {
+        {(double *)e->now.u, s->u, e->n_floor},
+        {(double *)e->now.v, s->v, e->n_floor},
+        {(double *)e->now.a, s->a, e->n_floor},
+        {(double *)e->works->input_2x, a->input_2x, LANES_WIDTH},
+        {(double *)e->works->damping_2x, a->damping_2x, LANES_WIDTH},
+        {(double *)&e->works->ground, s->ground_a, 1},
+    };
+    memcpy(array, all, sizeof all);
+}
+
+bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r) {
+    struct lane_array array[LANE_ARRAYS];
     bool small = true;
     e->steps->catch_up(e);
-    for (int i = 0; i < e->n_floor; i++) {
-        struct ensemble_state *f = &e->now[i];
-        small &= put(&f->u, lane, s->u[i]);
-        small &= put(&f->v, lane, s->v[i]);
-        small &= put(&f->a, lane, s->a[i]);
-        e->next[i] = *f;
+    lane_arrays(e, r->now, &r->energy, array);
+    for (const struct lane_array *x = array; x < array + LANE_ARRAYS; x++) {
+        for (int i = 0; i < x->n; i++) {
+            lanes_of(x->lanes, i)[lane] = x->run[i];
+            small &= is_small(x->run[i]);
+        }
     }
-    for (int i = 0; i < LANES_WIDTH; i++) {
-        e->works->input_2x[i][lane] = r->energy.input_2x[i];
-        e->works->damping_2x[i][lane] = r->energy.damping_2x[i];
-    }
-    e->works->ground[lane] = s->ground_a[0];
-    e->works->speed[lane] = r->results->totals.speed;
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_nearest *p = &e->nearest[k];
         const double depth = fmin(r->work.gaps.nearest[k], 0.0);
@@ -240,12 +250,8 @@ bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, const struct run *
         }
         e->gap[k].limit[lane] = p->depth[lane];
     }
-    if (small) {
-        e->active[lane] = -1;
-        e->show.u_trial[lane] = r->work.u_trial;
-        e->show.v_trial[lane] = r->work.v_trial;
-        e->show.correction[lane] = r->work.correction;
-    }
+    e->works->beyond[lane] = 0;
+    e->active[lane] = small ? -1 : 0;
     return small;
 }
 
@@ -253,19 +259,17 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
                           long n_step) {
     struct state *s = r->now;
     struct totals *t = &r->results->totals;
+    struct lane_array array[LANE_ARRAYS];
     e->steps->catch_up(e);
+    lane_arrays(e, s, &r->energy, array);
+    for (const struct lane_array *x = array; x < array + LANE_ARRAYS; x++) {
+        for (int i = 0; i < x->n; i++) {
+            x->run[i] = lanes_of(x->lanes, i)[lane];
+        }
+    }
     for (int i = 0; i < e->n_floor; i++) {
-        const struct ensemble_state *f = &e->now[i];
-        s->u[i] = f->u[lane];
-        s->v[i] = f->v[lane];
-        s->a[i] = f->a[lane];
+        t->speed = number_max(t->speed, e->peak[PEAK_VELOCITY][i][lane]);
     }
-    for (int i = 0; i < LANES_WIDTH; i++) {
-        r->energy.input_2x[i] = e->works->input_2x[i][lane];
-        r->energy.damping_2x[i] = e->works->damping_2x[i][lane];
-    }
-    s->ground_a[0] = e->works->ground[lane];
-    t->speed = e->works->speed[lane];
     for (int k = 0; k < e->n_contact; k++) {
         s->delta[k] = s->u[e->end[k][0]] - s->u[e->end[k][1]] - e->gap[k].width[lane];
     }
@@ -277,7 +281,6 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
 
 void ensemble_lanes_clear(struct ensemble_lanes *e, int lane) {
     e->active[lane] = 0;
-    e->show.u_trial[lane] = e->show.v_trial[lane] = e->show.correction[lane] = e->hidden;
 }
 
 // The larger of two peaks, and of equal ones the earlier.
@@ -291,8 +294,8 @@ static void merge(double *peak, double *time, double other, double other_time) {
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r) {
     for (int q = 0; q < PEAK_COUNT; q++) {
         for (int i = 0; i < e->n_floor; i++) {
-            merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[i].of[q][lane],
-                  e->peak_time[i].of[q][lane]);
+            merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[q][i][lane],
+                  e->peak_time[q][i][lane]);
         }
     }
     for (int k = 0; k < e->n_contact; k++) {

@@ -7,41 +7,50 @@
 #include "solve/contact/contact.h"
 #include "solve/newmark/event.h"
 
-// Copies the floors of building k from the lanes to the runs, if that has not been done.
-static void show_building(struct ensemble_lanes *e, int k) {
+// Copies the trial and the corrections of building k from the lane to the run.
+static void show_building(const struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct building *g = e->building[k].shape;
-    for (int i = g->first / WIDE_RUNS; i <= (g->first + g->n_floor - 1) / WIDE_RUNS; i++) {
-        if (!e->shown[i]) {
-            e->steps->show(e, i);
-        }
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        r->work.u_trial[i] = e->trial.u[i][lane];
+        r->work.v_trial[i] = e->trial.v[i][lane];
+        r->work.correction[i] = e->correction[i][lane];
     }
 }
 
+// Takes the corrections of building k from the run.
+static void push_building(const struct ensemble_lanes *e, int lane, const struct run *r, int k) {
+    const struct building *g = e->building[k].shape;
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        e->correction[i][lane] = r->work.correction[i];
+    }
+    e->building[k].pushed = true;
+}
+
 // The same for both buildings of contact k.
-static void show_ends(struct ensemble_lanes *e, const struct run *r, int k) {
+static void show_ends(const struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     for (int side = 0; side < 2; side++) {
         const int b = r->model->link[k].building[side];
         if (b != WALL) {
-            show_building(e, b);
+            show_building(e, lane, r, b);
         }
     }
 }
 
 // The velocities of both ends of contact k.
-static void gather_velocities(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
+static void gather_velocities(const struct ensemble_lanes *e, int k, const struct ensemble_motion *s,
                               int lane, double *v) {
     for (int i = 0; i < 2; i++) {
-        v[e->end[k][i]] = s[e->end[k][i]].v[lane];
+        v[e->end[k][i]] = s->v[e->end[k][i]][lane];
     }
 }
 
-static double penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
+static double penetration(const struct ensemble_lanes *e, int k, const struct ensemble_motion *s,
                           int lane) {
-    return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->gap[k].width[lane];
+    return s->u[e->end[k][0]][lane] - s->u[e->end[k][1]][lane] - e->gap[k].width[lane];
 }
 
 // Penetrations, and velocities of the ends, of the live links of `to` in a state of the lane.
-static void gather_ends(const struct ensemble_lanes *e, const struct ensemble_state *s, int lane,
+static void gather_ends(const struct ensemble_lanes *e, const struct ensemble_motion *s, int lane,
                         struct state *to) {
     for (int i = 0; i < to->n_live; i++) {
         const int k = to->live[i];
@@ -51,7 +60,7 @@ static void gather_ends(const struct ensemble_lanes *e, const struct ensemble_st
 }
 
 void ensemble_links_recall(const struct ensemble_lanes *e, int lane, const struct run *r) {
-    gather_ends(e, e->now, lane, r->now);
+    gather_ends(e, &e->now, lane, r->now);
 }
 
 void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, double start,
@@ -81,10 +90,10 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
         if (!ensemble_has(e->pressed[i].closed, lane)) {
             continue;
         }
-        show_ends(e, r, k);
-        gather_velocities(e, k, e->now, lane, r->now->v);
-        r->now->delta[k] = penetration(e, k, e->now, lane);
-        r->next->delta[k] = penetration(e, k, e->next, lane);
+        show_ends(e, lane, r, k);
+        gather_velocities(e, k, &e->now, lane, r->now->v);
+        r->now->delta[k] = penetration(e, k, &e->now, lane);
+        r->next->delta[k] = penetration(e, k, &e->next, lane);
         if (contact_close(&r->work, r->now, r->next, k)) {
             e->gap[k].limit[lane] = INFINITY;
             n++;
@@ -93,23 +102,23 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
     return n;
 }
 
-int ensemble_links_solve(struct ensemble_lanes *e, struct run *r) {
+int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r) {
     const struct gaps *g = &r->work.gaps;
     for (int i = 0; i < g->n_touched; i++) {
-        show_building(e, g->touched[i]);
+        show_building(e, lane, r, g->touched[i]);
     }
     if (contact_solve(&r->work, r->now, r->next) != STATUS_OK) {
         return STATUS_RETRY;
     }
     for (int i = 0; i < g->n_touched; i++) {
-        e->building[g->touched[i]].pushed = true;
+        push_building(e, lane, r, g->touched[i]);
     }
     return STATUS_OK;
 }
 
 int ensemble_links_finish(const struct ensemble_lanes *e, int lane, struct run *r) {
     struct work *w = &r->work;
-    gather_ends(e, e->next, lane, r->next);
+    gather_ends(e, &e->next, lane, r->next);
     contact_finish(w, r->next);
     return event_first(w, r->now, r->next, w->h, r->events, -1).link < 0 ? STATUS_OK : STATUS_RETRY;
 }

@@ -8,6 +8,7 @@
 
 #include "solve/floors/effective_low.h"
 #include "solve/floors/floor_step.h"
+#include "solve/newmark/flight.h"
 #include "solve/work.h"
 
 // The floors of a block. Where they are few, `few` of them in all, these are constants.
@@ -17,6 +18,27 @@ struct span {
 
 LANES_INLINE struct span span_of(const struct floor_block *b, ptrdiff_t few) {
     return few > 0 ? (struct span){0, few, few} : (struct span){b->first, b->n, b->end};
+}
+
+LANES_INLINE struct floors_motion motion_of(const struct state *s) {
+    return (struct floors_motion){s->u, s->v, s->a, s->drift, s->shear};
+}
+
+// The step from `now` to `next`, and its numbers.
+LANES_INLINE struct floors_pass pass_of(const struct work *w, const struct state *now,
+                                        const struct state *next, struct chain chain) {
+    return (struct floors_pass){.chain = chain,
+                                .now = motion_of(now),
+                                .next = motion_of(next),
+                                .ground = next->ground_a[0],
+                                .h = w->h,
+                                .half = w->h * w->h / 2.0,
+                                .b = w->b,
+                                .g = w->g,
+                                .checks = true,
+                                .residual = w->floors.residual,
+                                .u_trial = w->floors.u_trial,
+                                .v_trial = w->floors.v_trial};
 }
 
 // The corrections q of a block, from its first floor on, by the inverses of buildings as long as
@@ -54,8 +76,8 @@ LANES_INLINE struct floors_taken taken(const struct work *w, const struct state 
     const struct floors_account *to = &w->floors.account;
     return (struct floors_taken){
         .chain = chain_of(w, few),
-        .s0 = floors_motion(s0),
-        .s1 = floors_motion(s1),
+        .s0 = motion_of(s0),
+        .s1 = motion_of(s1),
         .ground = s1->ground_a[0],
         .ground_2x = ground_a0 + s1->ground_a[0],
         .time = s1->time,
@@ -81,11 +103,25 @@ LANES_INLINE struct due due(const struct work *w, const struct state *old, const
     return (struct due){taken(w, old, now, a->ground_a, yields, few), a->due ? 0 : n, n};
 }
 
-// Takes it as far as floor `end`, if there are so many.
+// Takes the floors from `first` to `end` into works and peaks.
+LANES_INLINE void account_part(const struct floors_taken *step, ptrdiff_t first, ptrdiff_t end) {
+    floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
+    EACH_OF_LANES(j) {
+        input[j] = FLOORS_AT(step->input_2x, j * FLOORS_VECTOR);
+        damping[j] = FLOORS_AT(step->damping_2x, j * FLOORS_VECTOR);
+    }
+    floors_take(step, first, end, (double *)input, (double *)damping);
+    EACH_OF_LANES(j) {
+        FLOORS_SET(step->input_2x, j * FLOORS_VECTOR) = input[j];
+        FLOORS_SET(step->damping_2x, j * FLOORS_VECTOR) = damping[j];
+    }
+}
+
+// Takes the account that is due as far as floor `end`, if there are so many.
 LANES_INLINE void account_to(struct due *d, ptrdiff_t end) {
     end = end < d->n ? end : d->n;
     if (d->done < end) {
-        floors_account_part(&d->step, d->done, end);
+        account_part(&d->step, d->done, end);
         d->done = end;
     }
 }
@@ -102,15 +138,14 @@ LANES_INLINE void clear_beyond(const struct model *m, const struct state *next) 
 // of the floors that see what it overwrites.
 LANES_INLINE bool move_by(struct work *w, const struct state *now, struct state *next,
                           ptrdiff_t few) {
-    const struct floors_pass pass = floors_pass_of(w, now, next, chain_of(w, few));
+    const struct floors_pass pass = pass_of(w, now, next, chain_of(w, few));
     const bool is_uniform = few > 0 || state_is_uniform(w->model);
     struct due account = due(w, next, now, few, false);
     floor_bits beyond = {0};
     for (int i = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
         const struct floor_block *b = &w->floors.block[i];
         const struct span s = span_of(b, few);
-        floors_begin(&pass, s.first, s.n, next->ground_a[0], is_uniform ? NULL : next->external,
-                     &beyond);
+        floors_begin(&pass, s.first, s.n, is_uniform ? NULL : next->external, &beyond);
         if (next->n_live > 0) {
             floors_push(w, now, next, b);
         }
@@ -131,11 +166,57 @@ LANES_INLINE void hand_over(const struct floor_block *b, double *q) {
     *(lanes_wide *)q = LANES_AT(q, b->end - b->first);
 }
 
+// Penetrations of a vector of contacts of a group, from number i on.
+LANES_INLINE void floors_delta(const struct gap_group *g, ptrdiff_t i, const double *gap,
+                               const double *u, const double *ground, floor_lanes *delta) {
+    const int left = g->ground[0], right = g->ground[1];
+    *delta = FLOORS_AT(u + g->dof[0], i) - FLOORS_AT(u + g->dof[1], i) - FLOORS_AT(gap, i);
+    if (left != right) {
+        *delta += ground[left] - ground[right];
+    }
+}
+
+// What contacts of a state in flight ask for, where negative.
+struct floors_approach {
+    floor_bits closed, nearer;  // closed, and closed or nearer than ever
+};
+
+// That of some groups of contacts.
+LANES_INLINE void floors_approach(const struct flight *f, int from, int to, const double *u,
+                                  const double *ground, struct floors_approach *near) {
+    const double *gap = f->gap + (ptrdiff_t)from * LANES_WIDTH, *limit = f->work->gaps.limit;
+    for (const struct gap_group *g = f->group + from; g < f->group + to; g++, gap += LANES_WIDTH) {
+        EACH_OF_LANES(j) {
+            const ptrdiff_t i = j * FLOORS_VECTOR;
+            floor_lanes d;
+            floors_delta(g, i, gap, u, ground, &d);
+            near->closed |= (floor_bits)(0.0 - d);
+            near->nearer |= (floor_bits)(FLOORS_AT(limit + g->contact, i) - d);
+        }
+    }
+}
+
+// Notes the penetrations of `s` that are larger than ever.
+LANES_INLINE void floors_note(const struct flight *f, const struct state *s) {
+    const double *gap = f->gap;
+    struct gaps *gaps = &f->work->gaps;
+    for (const struct gap_group *g = f->group; g < f->group + f->n_group; g++, gap += LANES_WIDTH) {
+        for (int i = 0; i < LANES_WIDTH; i += FLOORS_VECTOR) {
+            floor_lanes d;
+            floors_delta(g, i, gap, s->u, s->ground_u, &d);
+            const floor_bits larger = (floor_bits)(FLOORS_AT(gaps->nearest + g->contact, i) - d);
+            for (int k = 0; floors_any(&larger) && k < FLOORS_VECTOR; k++) {
+                gaps_note(gaps, g->contact + i + k, d[k], s->time);
+            }
+        }
+    }
+}
+
 // The same as far as the step is known to be one in free flight. False: it is not.
 LANES_INLINE bool fly_by(const struct flight *f, const struct floors_lines *lines,
                          const struct state *now, struct state *next, ptrdiff_t few) {
     struct work *w = f->work;
-    struct floors_pass pass = floors_pass_of(w, now, next, chain_of(w, few));
+    struct floors_pass pass = pass_of(w, now, next, chain_of(w, few));
     pass.lines = *lines;
     const bool is_uniform = few > 0 || f->uniform;
     struct due account = due(w, next, now, few, lines->back != NULL);
@@ -145,8 +226,7 @@ LANES_INLINE bool fly_by(const struct flight *f, const struct floors_lines *line
     for (int i = 0, group = 0; i < (few > 0 ? 1 : w->floors.n_block) && free; i++) {
         const struct floor_block *b = &w->floors.block[i];
         const struct span s = span_of(b, few);
-        floors_begin(&pass, s.first, s.n, next->ground_a[0], is_uniform ? NULL : next->external,
-                     &beyond);
+        floors_begin(&pass, s.first, s.n, is_uniform ? NULL : next->external, &beyond);
         double *q = w->floors.correction;
         solve_block(&pass, w, b, &s, few > 0, q);
         account_to(&account, s.end + LANES_WIDTH);
@@ -247,7 +327,7 @@ FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct s
 FLOORS_CLONES static void account(const struct work *w, const struct state *s0,
                                   const struct state *s1, double ground_a0) {
     const struct floors_taken step = taken(w, s0, s1, ground_a0, w->model->n_storey_history > 0, 0);
-    floors_account_part(&step, 0, step.chain.n);
+    account_part(&step, 0, step.chain.n);
 }
 
 FLOORS_CLONES static void raise(const struct work *w, const struct state *s) {
