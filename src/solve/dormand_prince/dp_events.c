@@ -17,7 +17,6 @@
 
 #include "core/root.h"
 #include "solve/dormand_prince/dp.h"
-#include "solve/dormand_prince/dp_motion.h"
 
 enum { ITERATIONS_MAX = 60 };
 
@@ -26,9 +25,6 @@ static const double SAME = 1e-9;  // of the stiffness of a storey: tangents of o
 
 // The rate of what is left to a kink is taken over this share of the step.
 static const double PROBE = 1e-4;
-
-// Of the larger force on both sides: a jump.
-static const double JUMP = 1e-9;
 
 // A correction of the instant of an event, as a share of the step, after which the step is taken a
 // last time; one of its square would be too small to matter. Where a law is only changed the
@@ -174,7 +170,7 @@ static struct dp_event dp_link_event(const struct dp *p, int k) {
 
 // A line that is told from the last committed point on has a slope as wrong as that by rounding.
 static bool dp_is_on_branch(const struct dp *p, int i, double drift) {
-    double change = dp_system_tangent(&p->system, &p->now, i, drift) - p->system.tangent[i];
+    double change = dp_system_tangent(p, i, drift) - p->system.tangent[i];
     return fabs(change) <= SAME * p->model->chain.stiffness[i];
 }
 
@@ -212,8 +208,8 @@ static bool dp_leaves(const struct dp *p, int i, double start, double least, dou
 
 // The rise of a drift that counts. Smaller ones add up, over steps however short, until they do.
 static double dp_least_rise(const struct dp *p, int i) {
-    double left = dp_still(p) - dp_system_storey_lag(&p->system, &p->now, i);
-    return fmax(dp_system_storey_noise(&p->system, &p->now, i), left);
+    double left = dp_still(p) - dp_system_lag(p, i);
+    return fmax(dp_system_noise(p, i), left);
 }
 
 static struct dp_event dp_storey_event(const struct dp *p, int i) {
@@ -323,19 +319,4 @@ void dp_events_locate(struct dp *p) {
     }
     p->event.place = 1.0;
     dp_motion_reach(p);
-}
-
-bool dp_events_sticks(struct dp *p, int k) {
-    const struct model *m = p->model;
-    enum phase *phase = &p->system.phase[k];
-    const int sign = *phase;
-    if (p->now.delta[k] <= dp_motion_noise(p, k)) {
-        return false;  // where d = 0 there is no force
-    }
-    double change = dp_system_across(&m->link[k], m, p->now.a, p->now.ground_a);
-    double after = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
-    *phase = -*phase;
-    double before = dp_system_response(&p->system, &p->now, k, p->now.delta[k], 0.0).force;
-    *phase = -*phase;
-    return sign * change < 0.0 && fabs(after - before) > JUMP * fmax(fabs(after), fabs(before));
 }

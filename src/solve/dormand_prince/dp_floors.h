@@ -140,10 +140,10 @@ LANES_INLINE void dp_take_floors(int n, const struct stage *s, double *const *ro
 }
 
 // The same where the motion is known.
-FLOORS_CLONES static void dp_rates(const struct dp_system *s, double ground, ptrdiff_t first,
+FLOORS_CLONES static void dp_rates(const struct dp *p, double ground, ptrdiff_t first,
                                    ptrdiff_t end, struct dp_rates *r) {
     const struct stage known = {.u0 = r->u, .v0 = r->v};
-    dp_take_floors(0, &known, s->row, ground, first, end, r);
+    dp_take_floors(0, &known, p->system.row, ground, first, end, r);
 }
 
 // Stage number s of the step, at time t.
@@ -154,10 +154,10 @@ LANES_INLINE void dp_take_stage(struct dp *p, int s, double t, ptrdiff_t count) 
     dp_gather(p, sums, a);
     const struct stage stage = {
         .sums = sums, .a = a, .u0 = p->now.u, .v0 = p->now.v, .to = node[s] * p->h, .h = p->h};
-    double ground = dp_rates_ground(&p->system, t, r);
+    double ground = dp_rates_ground(p, t, r);
     dp_take_floors(sums->n, &stage, p->system.row, ground, 0, count, r);
     if (p->system.special || p->now.n_live > 0) {
-        dp_rates_add(&p->system, &p->now, t, DP_ALL, r);
+        dp_rates_add(p, t, DP_ALL, r);
     }
 }
 
