@@ -149,26 +149,11 @@ static int dp_arrive(struct dp *p, struct error *e) {
     return p->event.kind == DP_NONE ? STATUS_OK : dp_happen(p, e);
 }
 
-// Does the event come before any time has passed?
-static bool dp_at_once(const struct dp *p) {
-    return p->event.kind != DP_NONE && p->now.time + p->event.place * p->h == p->now.time;
-}
-
-// Takes the step back, and lets its event happen where it would have begun.
+// Lets the event of a step happen where the step would have begun, as no time passes before it.
 static int dp_happen_at_once(struct dp *p, struct error *e) {
     p->trial = fmin(p->trial, p->h / 2.0);  // in a long one events may undo each other for ever
     p->h = 0.0;
     return dp_happen(p, e);
-}
-
-// Makes the step end at its event. It is part of one that met the tolerance, but beyond the event
-// the laws are not what they were, and may have made up for an error before it: then the step is
-// rejected. *taken: it is not.
-static int dp_stop_at_event(struct dp *p, bool *taken, struct error *e) {
-    dp_events_locate(p);
-    double error = dp_step_error(p);
-    *taken = error <= 1.0;
-    return *taken ? STATUS_OK : dp_step_reject(p, error, e);
 }
 
 // Tries a step up to its first event, if there is any. *taken: that is the step.
@@ -178,14 +163,19 @@ static int dp_try(struct dp *p, bool *taken, struct error *e) {
     }
     dp_step_gaps(p, &p->next, p->rate[1]);
     dp_events_first(p);
-    if (dp_at_once(p)) {
+    *taken = p->event.kind == DP_NONE;
+    if (*taken) {
+        return STATUS_OK;
+    }
+    if (p->now.time + p->event.place * p->h == p->now.time) {
         return dp_happen_at_once(p, e);
     }
-    if (p->event.kind != DP_NONE) {
-        return dp_stop_at_event(p, taken, e);
-    }
-    *taken = true;
-    return STATUS_OK;
+    dp_events_locate(p);
+    // The step is part of one that met the tolerance. But beyond the event the laws are not what
+    // they were, and may have made up for an error before it.
+    const double error = dp_step_error(p);
+    *taken = error <= 1.0;
+    return *taken ? STATUS_OK : dp_step_reject(p, error, e);
 }
 
 static int dp_step(struct dp *p, struct error *e) {

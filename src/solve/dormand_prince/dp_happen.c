@@ -63,26 +63,27 @@ static int dp_meet(struct dp *p, int k, struct error *e) {
 
 // Changes the branch or the contact of the event.
 static int dp_change(struct dp *p, const struct dp_event *event, struct error *e) {
-    int k = event->index;
-    p->last_link = dp_events_is_of_storey(event) ? p->last_link : k;
+    const int i = event->index;
+    p->last_link = dp_events_is_of_storey(event) ? p->last_link : i;
     switch (event->kind) {
         case DP_MEET:
-            return dp_meet(p, k, e);
+            return dp_meet(p, i, e);
         case DP_CLOSE:
         case DP_OPEN:
-            return dp_toggle(p, k, e);
+            return dp_toggle(p, i, e);
         case DP_TURN:
-            p->system.phase[k] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;
-            return STATUS_OK;
+            p->system.phase[i] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;
+            break;
         case DP_BRANCH:
-            dp_system_branch(p, k, event->target, event->direction);
-            return STATUS_OK;
+            dp_system_branch(p, i, event->target, event->direction);
+            break;
         case DP_UNLOAD:
-            dp_system_branch(p, k, p->now.drift[k], event->direction);
-            return STATUS_OK;
+            dp_system_branch(p, i, p->now.drift[i], event->direction);
+            break;
         default:
-            return STATUS_OK;
+            break;
     }
+    return STATUS_OK;
 }
 
 static int dp_too_crowded(struct dp *p, struct error *e) {

@@ -86,68 +86,42 @@ bool dp_step_alloc(struct dp *p, struct arena *a) {
     return !arena_failed(a);
 }
 
-static void dp_start_fastest(struct dp *p) {
-    const struct model *m = p->model;
+// Adds the stiffness and the dashpot of live link n to the sums at its floors. A contact's
+// stiffness is that of its law at v = 0: at closure the slope in d of a force that depends on d and
+// v may be infinite.
+static void dp_add_link(struct dp *p, int n) {
     struct dp_fastest *f = &p->fastest;
-    f->alone = m->control.longest;
-    for (int k = 0; k < m->n_building; k++) {
-        f->building[k] = stability_of(&m->building[k]);
-        f->alone = fmin(f->alone, stability_step(&f->building[k], 0.0, 0.0));
-        p->scales.square[k] = f->building[k].square;
-        p->scales.memory[k] = fmin(f->building[k].memory, m->duration);
-    }
-    f->longest = f->alone;
-}
-
-// Stiffness and dashpot of live link n. A contact's stiffness is that of its law at v = 0: at
-// closure the slope in d of a force that depends on d and v may be infinite.
-static void dp_slopes(const struct dp *p, int n, double *spring, double *dashpot) {
-    int k = p->now.live[n];
+    const int k = p->now.live[n];
     const struct link *l = &p->model->link[k];
     const struct dp_rates *r = p->stage[0];
-    double dfdd = l->bilateral ? r->dfdd[n] : dp_system_response(p, k, p->now.delta[k], 0.0).dfdd;
-    bool unbounded = l->bilateral && p->system.phase[k] != PHASE_ANY;
-    *spring = fabs(dfdd) / l->mass;
-    *dashpot = unbounded ? 0.0 : fabs(r->dfdv[n]) / l->mass;
-}
-
-// Adds the live links to the sums at their floors.
-static void dp_add_links(struct dp *p) {
-    struct dp_fastest *f = &p->fastest;
-    for (int n = 0; n < p->now.n_live; n++) {
-        const struct link *l = &p->model->link[p->now.live[n]];
-        double spring, dashpot;
-        dp_slopes(p, n, &spring, &dashpot);
-        for (int end = 0; end < 2; end++) {
-            for (int i = 0; i < link_entries(l, end); i++) {
-                f->spring[link_entry(l, end, i).dof] += spring;
-                f->dashpot[link_entry(l, end, i).dof] += dashpot;
-            }
+    const bool unbounded = l->bilateral && p->system.phase[k] != PHASE_ANY;
+    const double dfdd =
+        l->bilateral ? r->dfdd[n] : dp_system_response(p, k, p->now.delta[k], 0.0).dfdd;
+    for (int end = 0; end < 2; end++) {
+        for (int i = 0; i < link_entries(l, end); i++) {
+            const int dof = link_entry(l, end, i).dof;
+            f->spring[dof] += fabs(dfdd) / l->mass;
+            f->dashpot[dof] += unbounded ? 0.0 : fabs(r->dfdv[n]) / l->mass;
         }
     }
 }
 
-// Takes floor i into the bounds, and clears its sums.
-static void dp_take_floor(struct dp *p, int building, int i) {
+// Takes the sums at the floors of live link n into the bounds, and clears them.
+static void dp_take_link(struct dp *p, int n) {
     struct dp_fastest *f = &p->fastest;
-    const struct stability *s = &f->building[building];
-    f->longest = number_min(f->longest, stability_step(s, f->spring[i], f->dashpot[i]));
-    f->most[building] = number_max(f->most[building], f->spring[i]);
-    f->spring[i] = f->dashpot[i] = 0.0;
+    const struct link *l = &p->model->link[p->now.live[n]];
+    for (int end = 0; end < 2; end++) {
+        for (int i = 0; i < link_entries(l, end); i++) {
+            const int dof = link_entry(l, end, i).dof, k = l->building[end];
+            const double step = stability_step(&f->building[k], f->spring[dof], f->dashpot[dof]);
+            f->longest = number_min(f->longest, step);
+            f->most[k] = number_max(f->most[k], f->spring[dof]);
+            f->spring[dof] = f->dashpot[dof] = 0.0;
+        }
+    }
 }
 
 // The scales follow larger changes.
-static void dp_follow(struct dp *p, int building) {
-    struct dp_fastest *f = &p->fastest;
-    double square = f->building[building].square + f->most[building];
-    double *scale = &p->scales.square[building];
-    if (square > SAME_SCALE * *scale || SAME_SCALE * square < *scale) {
-        *scale = square;
-        p->grown = true;
-    }
-    f->most[building] = 0.0;
-}
-
 static void dp_update_fastest(struct dp *p) {
     struct dp_fastest *f = &p->fastest;
     if (p->now.n_live == 0 && !f->linked) {
@@ -155,29 +129,39 @@ static void dp_update_fastest(struct dp *p) {
     }
     f->linked = p->now.n_live > 0;
     f->longest = f->alone;
-    dp_add_links(p);
     for (int n = 0; n < p->now.n_live; n++) {
-        const struct link *l = &p->model->link[p->now.live[n]];
-        for (int end = 0; end < 2; end++) {
-            for (int i = 0; i < link_entries(l, end); i++) {
-                dp_take_floor(p, l->building[end], link_entry(l, end, i).dof);
-            }
-        }
+        dp_add_link(p, n);
+    }
+    for (int n = 0; n < p->now.n_live; n++) {
+        dp_take_link(p, n);
     }
     for (int k = 0; k < p->model->n_building; k++) {
-        dp_follow(p, k);
+        const double square = f->building[k].square + f->most[k];
+        double *scale = &p->scales.square[k];
+        if (square > SAME_SCALE * *scale || SAME_SCALE * square < *scale) {
+            *scale = square;
+            p->grown = true;
+        }
+        f->most[k] = 0.0;
     }
 }
 
 void dp_step_start(struct dp *p) {
     const struct model *m = p->model;
+    struct dp_fastest *f = &p->fastest;
     double omega = 0.0;
+    f->alone = m->control.longest;
     for (int k = 0; k < m->n_building; k++) {
-        omega = fmax(omega, m->building[k].omega[m->building[k].n_floor - 1]);
+        const struct building *g = &m->building[k];
+        omega = fmax(omega, g->omega[g->n_floor - 1]);
+        f->building[k] = stability_of(g);
+        f->alone = fmin(f->alone, stability_step(&f->building[k], 0.0, 0.0));
+        p->scales.square[k] = f->building[k].square;
+        p->scales.memory[k] = fmin(f->building[k].memory, m->duration);
     }
-    double first = omega > 0.0 ? FIRST_OF_PERIOD / omega : FIRST_OF_DURATION * m->duration;
+    f->longest = f->alone;
+    const double first = omega > 0.0 ? FIRST_OF_PERIOD / omega : FIRST_OF_DURATION * m->duration;
     p->trial = fmax(first, m->control.shortest);
-    dp_start_fastest(p);
 }
 
 double dp_step_limit(const struct dp *p) {
