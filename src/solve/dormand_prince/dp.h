@@ -339,9 +339,14 @@ int dp_motion_extrema(const struct polynomial *p, double *at);
 // than the slope of the position, but free of its rounding in short steps.
 struct polynomial dp_motion_velocity(const struct motion *m);
 
-// Instants 0 < x < 1 at which the velocity changes its sign, ascending; returns how many.
+// A motion cut at the instants at which its velocity changes its sign: monotone pieces.
 enum { TURNS_MAX = 3 };
-int dp_motion_turns(const struct motion *m, double *at);
+struct motion_pieces {
+    struct polynomial path;
+    int n;
+    double x[TURNS_MAX + 2], d[TURNS_MAX + 2];  // (n + 1) ends of the pieces
+};
+struct motion_pieces dp_motion_cut(const struct motion *m);
 
 // The motions of floor i relative to floor `below` (-1: to the ground), and of link k.
 struct motion dp_motion_floor(const struct dp *p, int i, int below);

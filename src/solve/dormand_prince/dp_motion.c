@@ -57,7 +57,8 @@ int dp_motion_extrema(const struct polynomial *p, double *at) {
     return n;
 }
 
-int dp_motion_turns(const struct motion *m, double *at) {
+// Instants 0 < x < 1 at which the velocity changes its sign, ascending; returns how many.
+static int dp_motion_turns(const struct motion *m, double *at) {
     bool same_sign = m->v[0] * m->v[1] > 0.0;
     if (same_sign && m->v[0] * m->a[0] >= 0.0 && m->v[1] * m->a[1] <= 0.0) {
         return 0;  // no cubic with these ends comes back to zero
@@ -78,6 +79,19 @@ int dp_motion_turns(const struct motion *m, double *at) {
         low = end[i];
     }
     return n;
+}
+
+struct motion_pieces dp_motion_cut(const struct motion *m) {
+    struct motion_pieces s = {.path = dp_motion_path(m), .n = 1};
+    s.n += dp_motion_turns(m, s.x + 1);
+    s.x[0] = 0.0;
+    s.x[s.n] = 1.0;
+    s.d[0] = m->d[0];
+    s.d[s.n] = m->d[1];
+    for (int i = 1; i < s.n; i++) {
+        s.d[i] = dp_motion_value(&s.path, s.x[i]);
+    }
+    return s;
 }
 
 struct motion dp_motion_link(const struct dp *p, int k) {

@@ -55,11 +55,9 @@ static bool dp_may_exceed(const struct dp *p, double peak, double rate0, double 
 // The displacement, drift or shear of floor i where it turns.
 static void dp_note_turns(struct dp *p, enum peak q, int i, const struct motion *m) {
     if (dp_may_exceed(p, p->results->peak[q][i], m->v[0], m->d[1], m->v[1])) {
-        const struct polynomial path = dp_motion_path(m);
-        double x[TURNS_MAX];
-        const int n = dp_motion_turns(m, x);
-        for (int j = 0; j < n; j++) {
-            dp_note(p, q, i, dp_motion_value(&path, x[j]), p->now.time + x[j] * p->h);
+        const struct motion_pieces s = dp_motion_cut(m);
+        for (int j = 1; j < s.n; j++) {
+            dp_note(p, q, i, s.d[j], p->now.time + s.x[j] * p->h);
         }
     }
 }
@@ -241,13 +239,11 @@ static double dp_penetration(struct dp *p, int k, const struct motion *m) {
     double largest = peaks_size(p->model, k, m->d[1]);
     peaks_penetration(p->results, k, largest, p->next.time);
     if (m->v[0] * m->v[1] < 0.0) {
-        const struct polynomial path = dp_motion_path(m);
-        double x[TURNS_MAX];
-        const int n = dp_motion_turns(m, x);
-        for (int j = 0; j < n; j++) {
-            const double d = peaks_size(p->model, k, dp_motion_value(&path, x[j]));
+        const struct motion_pieces s = dp_motion_cut(m);
+        for (int j = 1; j < s.n; j++) {
+            const double d = peaks_size(p->model, k, s.d[j]);
             largest = fmax(largest, d);
-            peaks_penetration(p->results, k, d, p->now.time + x[j] * p->h);
+            peaks_penetration(p->results, k, d, p->now.time + s.x[j] * p->h);
         }
     }
     return largest;

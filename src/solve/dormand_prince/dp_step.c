@@ -236,11 +236,11 @@ static double dp_part_error(const struct dp *p) {
     double largest = 0.0;
     for (int k = 0; k < p->model->n_building && !p->model->elastic; k++) {
         const struct building *g = &p->model->building[k];
-        bool remembers = false;
+        int n_history = 0;
         for (int i = 0; i < g->n_part; i++) {
-            remembers |= g->part[i].n_history > 0;
+            n_history += g->part[i].n_history;
         }
-        largest = remembers ? fmax(largest, dp_way_error(p, k)) : largest;
+        largest = n_history > 0 ? fmax(largest, dp_way_error(p, k)) : largest;
     }
     return largest;
 }
