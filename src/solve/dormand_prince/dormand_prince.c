@@ -5,10 +5,8 @@
 // event (dp_happen.c) belongs to the next.
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "core/arena.h"
-#include "core/lanes.h"
 #include "solve/dormand_prince/dp.h"
 #include "solve/method.h"
 
@@ -45,6 +43,11 @@ static const struct fields_row list[] = {
     FIELD_VALUE(struct dp, last_link),
     FIELD_VALUE(struct dp, events_before),
     FIELD_VALUE(struct dp, time_before),
+    // Scratch.
+    FIELD_ARRAY(struct dp, reach, FIELD_LINKS),
+    FIELD_ARRAY(struct dp, meeting, FIELD_LINKS),
+    FIELD_ARRAY(struct dp, fastest.spring, FIELD_FLOORS),
+    FIELD_ARRAY(struct dp, fastest.dashpot, FIELD_FLOORS),
 };
 static const struct fields fields = FIELDS(list);
 static const struct fields_row of_run[] = {FIELD_PARTS(struct run, dp, FIELD_AT, fields)};
@@ -52,55 +55,44 @@ static const struct fields run_fields = FIELDS(of_run);
 
 static bool dp_alloc(struct run *r, struct arena *a) {
     const struct model *m = r->model;
-    size_t n_rate = (size_t)m->n_link + LANES_WIDTH;
     struct dp *p = arena_alloc(a, 1, sizeof *p);
     if (!p) {
         return false;
     }
     r->dp = p;
-    *p = (struct dp){.model = m, .results = r->results, .impacts = &r->impacts, .last_link = -1};
-    p->rate[0] = arena_alloc(a, n_rate, sizeof(double));
-    p->rate[1] = arena_alloc(a, n_rate, sizeof(double));
-    p->reach = arena_alloc(a, n_rate, sizeof(double));
-    p->meeting = arena_alloc(a, (size_t)m->n_contact, sizeof *p->meeting);
+    *p = (struct dp){.model = m,
+                     .results = r->results,
+                     .impacts = &r->impacts,
+                     .floors = LANES_WIDEST_OF(&dp_wide, &dp_narrow),
+                     .last_link = -1};
+    forcing_init(&p->system.forcing, m);
     for (int s = 0; s < DP_STAGES; s++) {
-        dp_rates_alloc(&p->rates[s], m, a);
+        fields_alloc(&dp_rates_fields, m, &p->rates[s], a);
+        p->stage[s] = &p->rates[s];
     }
-    return gaps_alloc(&p->gaps, m, r->results, a) && scale_alloc(&p->scales, m, a) &&
-           dp_step_alloc(p, a) && dp_system_alloc(&p->system, m, a) && state_alloc(&p->now, m, a) &&
-           state_alloc(&p->next, m, a);
+    return fields_alloc(&fields, m, p, a) && gaps_alloc(&p->gaps, m, r->results, a) &&
+           dp_step_alloc(p, a);
 }
 
 // The first and the last stage stand at the ends of the step.
-static void dp_bind(struct dp *p) {
-    const struct state *end[2] = {&p->now, &p->next};
-    for (int s = 0; s < DP_STAGES; s++) {
-        p->stage[s] = &p->rates[s];
-    }
-    for (int i = 0; i < 2; i++) {
-        struct dp_rates *r = p->stage[i == 0 ? 0 : DP_STAGES - 1];
-        r->u = end[i]->u;
-        r->v = end[i]->v;
-        r->a = end[i]->a;
-        r->ground = (struct forcing_values){end[i]->ground_a, end[i]->ground_v, end[i]->ground_u};
-    }
+static void dp_bind(struct dp_rates *r, const struct state *end) {
+    r->u = end->u;
+    r->v = end->v;
+    r->a = end->a;
+    r->ground = (struct forcing_values){end->ground_a, end->ground_v, end->ground_u};
 }
 
-// Makes the state of the run that of the integrator. Rigid contacts that are pressed together at
-// the start meet there at once, which is an error.
-static void dp_adopt(struct dp *p, const struct state *start) {
-    fields_copy(&state_fields, p->model, &p->now, start);
-    state_open_where(&p->now, p->model, state_rests);
-}
-
+// Begins at the state of the run. Rigid contacts that are pressed together there meet at once,
+// which is an error.
 static void dp_start(struct run *r) {
     struct dp *p = r->dp;
-    struct state *now = &p->now;
-    dp_adopt(p, r->now);
-    dp_bind(p);
-    dp_system_start(&p->system, now);
+    fields_copy(&state_fields, p->model, &p->now, r->now);
+    state_open_where(&p->now, p->model, state_rests);
+    dp_bind(p->stage[0], &p->now);
+    dp_bind(p->stage[DP_STAGES - 1], &p->next);
+    dp_system_start(p);
     dp_step_first(p);
-    dp_step_gaps(p, now, p->rate[0]);
+    dp_step_gaps(p, &p->now, p->rate[0]);
     dp_step_start(p);
     scale_expect(&p->scales, p->model);
     p->grown = p->jumped = true;
@@ -114,22 +106,22 @@ static void dp_swap(double **x, double **y) {
     *y = z;
 }
 
-// Makes the end of the step the start of the next.
+// Makes the end of the step the start of the next. Histories and links stay in `now`.
 static void dp_swap_ends(struct dp *p) {
-    struct state *now = &p->now;
-    struct state *next = &p->next;
-    double **of_now[] = {&now->u,     &now->v,        &now->a,        &now->drift,
-                         &now->delta, &now->ground_a, &now->ground_v, &now->ground_u};
-    double **of_next[] = {&next->u,     &next->v,        &next->a,        &next->drift,
-                          &next->delta, &next->ground_a, &next->ground_v, &next->ground_u};
-    for (size_t i = 0; i < sizeof of_now / sizeof of_now[0]; i++) {
-        dp_swap(of_now[i], of_next[i]);
+    static const size_t swapped[] = {
+        offsetof(struct state, u),        offsetof(struct state, v),
+        offsetof(struct state, a),        offsetof(struct state, drift),
+        offsetof(struct state, delta),    offsetof(struct state, ground_a),
+        offsetof(struct state, ground_v), offsetof(struct state, ground_u)};
+    for (size_t i = 0; i < sizeof swapped / sizeof swapped[0]; i++) {
+        dp_swap((double **)((char *)&p->now + swapped[i]),
+                (double **)((char *)&p->next + swapped[i]));
     }
     dp_swap(&p->rate[0], &p->rate[1]);
     struct dp_rates *first = p->stage[0];
     p->stage[0] = p->stage[DP_STAGES - 1];
     p->stage[DP_STAGES - 1] = first;
-    now->time = next->time;
+    p->now.time = p->next.time;
 }
 
 // Does the last step end at a corner of the forcing?
@@ -146,7 +138,7 @@ static int dp_arrive(struct dp *p, struct error *e) {
     bool turns = dp_is_at_corner(p);
     dp_swap_ends(p);
     p->h = 0.0;
-    dp_system_commit(&p->system, &p->now);
+    dp_system_commit(p);
     if (turns) {
         p->now.time = dp_step_limit(p);
         if (forcing_turn(&p->system.forcing, p->now.time)) {
@@ -157,26 +149,11 @@ static int dp_arrive(struct dp *p, struct error *e) {
     return p->event.kind == DP_NONE ? STATUS_OK : dp_happen(p, e);
 }
 
-// Does the event come before any time has passed?
-static bool dp_at_once(const struct dp *p) {
-    return p->event.kind != DP_NONE && p->now.time + p->event.place * p->h == p->now.time;
-}
-
-// Takes the step back, and lets its event happen where it would have begun.
+// Lets the event of a step happen where the step would have begun, as no time passes before it.
 static int dp_happen_at_once(struct dp *p, struct error *e) {
     p->trial = fmin(p->trial, p->h / 2.0);  // in a long one events may undo each other for ever
     p->h = 0.0;
     return dp_happen(p, e);
-}
-
-// Makes the step end at its event. It is part of one that met the tolerance, but beyond the event
-// the laws are not what they were, and may have made up for an error before it: then the step is
-// rejected. *taken: it is not.
-static int dp_stop_at_event(struct dp *p, bool *taken, struct error *e) {
-    dp_events_locate(p);
-    double error = dp_step_error(p);
-    *taken = error <= 1.0;
-    return *taken ? STATUS_OK : dp_step_reject(p, error, e);
 }
 
 // Tries a step up to its first event, if there is any. *taken: that is the step.
@@ -186,14 +163,19 @@ static int dp_try(struct dp *p, bool *taken, struct error *e) {
     }
     dp_step_gaps(p, &p->next, p->rate[1]);
     dp_events_first(p);
-    if (dp_at_once(p)) {
+    *taken = p->event.kind == DP_NONE;
+    if (*taken) {
+        return STATUS_OK;
+    }
+    if (p->now.time + p->event.place * p->h == p->now.time) {
         return dp_happen_at_once(p, e);
     }
-    if (p->event.kind != DP_NONE) {
-        return dp_stop_at_event(p, taken, e);
-    }
-    *taken = true;
-    return STATUS_OK;
+    dp_events_locate(p);
+    // The step is part of one that met the tolerance. But beyond the event the laws are not what
+    // they were, and may have made up for an error before it.
+    const double error = dp_step_error(p);
+    *taken = error <= 1.0;
+    return *taken ? STATUS_OK : dp_step_reject(p, error, e);
 }
 
 static int dp_step(struct dp *p, struct error *e) {

@@ -12,6 +12,9 @@ static const double WHERE_STEEP = 1e-3;
 enum { CROWD = 4000, CROWD_PER_LINK = 4 };
 static const double CROWD_TIME = 1e-7;
 
+// Of the larger force on both sides: a jump.
+static const double JUMP = 1e-9;
+
 static int dp_toggle(struct dp *p, int k, struct error *e) {
     struct state *now = &p->now;
     if (now->link[k].closed) {
@@ -60,26 +63,27 @@ static int dp_meet(struct dp *p, int k, struct error *e) {
 
 // Changes the branch or the contact of the event.
 static int dp_change(struct dp *p, const struct dp_event *event, struct error *e) {
-    int k = event->index;
-    p->last_link = dp_events_is_of_storey(event) ? p->last_link : k;
+    const int i = event->index;
+    p->last_link = dp_events_is_of_storey(event) ? p->last_link : i;
     switch (event->kind) {
         case DP_MEET:
-            return dp_meet(p, k, e);
+            return dp_meet(p, i, e);
         case DP_CLOSE:
         case DP_OPEN:
-            return dp_toggle(p, k, e);
+            return dp_toggle(p, i, e);
         case DP_TURN:
-            p->system.phase[k] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;
-            return STATUS_OK;
+            p->system.phase[i] = event->direction > 0.0 ? PHASE_APPROACH : PHASE_RELEASE;
+            break;
         case DP_BRANCH:
-            dp_system_branch(&p->system, &p->now, k, event->target, event->direction);
-            return STATUS_OK;
+            dp_system_branch(p, i, event->target, event->direction);
+            break;
         case DP_UNLOAD:
-            dp_system_branch(&p->system, &p->now, k, p->now.drift[k], event->direction);
-            return STATUS_OK;
+            dp_system_branch(p, i, p->now.drift[i], event->direction);
+            break;
         default:
-            return STATUS_OK;
+            break;
     }
+    return STATUS_OK;
 }
 
 static int dp_too_crowded(struct dp *p, struct error *e) {
@@ -99,6 +103,23 @@ static int dp_too_crowded(struct dp *p, struct error *e) {
                      p->last_link < 0 ? "a storey" : m->link[p->last_link].name,
                      t->events - p->events_before, p->now.time - p->time_before,
                      m->deck->units.time_name);
+}
+
+// Has the velocity of closed contact k, now on the other branch, come to 0 where its force jumps,
+// so that either branch leads back there?
+static bool dp_sticks(struct dp *p, int k) {
+    const struct model *m = p->model;
+    enum phase *phase = &p->system.phase[k];
+    const int sign = *phase;
+    if (p->now.delta[k] <= dp_motion_noise(p, k)) {
+        return false;  // where d = 0 there is no force
+    }
+    double change = dp_system_across(&m->link[k], m, p->now.a, p->now.ground_a);
+    double after = dp_system_response(p, k, p->now.delta[k], 0.0).force;
+    *phase = -*phase;
+    double before = dp_system_response(p, k, p->now.delta[k], 0.0).force;
+    *phase = -*phase;
+    return sign * change < 0.0 && fabs(after - before) > JUMP * fmax(fabs(after), fabs(before));
 }
 
 static int dp_stuck(const struct dp *p, int k, struct error *e) {
@@ -129,7 +150,7 @@ int dp_happen(struct dp *p, struct error *e) {
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
     dp_step_first(p);
-    if (event->kind == DP_TURN && dp_events_sticks(p, event->index)) {
+    if (event->kind == DP_TURN && dp_sticks(p, event->index)) {
         return dp_stuck(p, event->index, e);
     }
     dp_step_gaps(p, &p->now, p->rate[0]);

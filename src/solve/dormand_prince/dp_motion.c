@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve/dormand_prince/dp_motion.h"
-
+// The dense output: see dp.h.
 #include <math.h>
-#include <stdbool.h>
 
-#include "core/lanes.h"
 #include "core/root.h"
 #include "solve/dormand_prince/dp.h"
 
 static const double PRECISION = 1e-9;  // of x; the next correction would be about its square
-
-double dp_motion_value(const struct polynomial *p, double x) {
-    const double *c = p->c;
-    return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
-}
-
-double dp_motion_slope(const struct polynomial *p, double x) {
-    const double *c = p->c;
-    return c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5])));
-}
 
 static double dp_motion_look(double x, void *context, double *slope) {
     *slope = dp_motion_slope(context, x);
@@ -35,17 +22,6 @@ double dp_motion_root(struct polynomial p, double low, double high) {
     return root_newton(dp_motion_look, &p, r, root_between(&r, start, end), PRECISION);
 }
 
-struct polynomial dp_motion_path(const struct motion *m) {
-    double c1 = m->h * m->v[0];
-    double c2 = m->h * m->h * m->a[0] / 2.0;
-    double rise = m->d[1] - m->d[0] - c1 - c2;
-    double slope = m->h * m->v[1] - c1 - 2.0 * c2;
-    double bend = m->h * m->h * m->a[1] - 2.0 * c2;
-    return (struct polynomial){{m->d[0], c1, c2, 10.0 * rise - 4.0 * slope + bend / 2.0,
-                                -15.0 * rise + 7.0 * slope - bend,
-                                6.0 * rise - 3.0 * slope + bend / 2.0}};
-}
-
 struct polynomial dp_motion_velocity(const struct motion *m) {
     double c1 = m->h * m->a[0];
     double end = m->h * m->a[1];
@@ -53,7 +29,6 @@ struct polynomial dp_motion_velocity(const struct motion *m) {
     return (struct polynomial){
         {m->v[0], c1, 3.0 * rise - 2.0 * c1 - end, c1 + end - 2.0 * rise, 0.0, 0.0}};
 }
-
 int dp_motion_extrema(const struct polynomial *p, double *at) {
     double a = 3.0 * p->c[3];
     double b = p->c[2];  // a x^2 + 2 b x + c
@@ -82,7 +57,8 @@ int dp_motion_extrema(const struct polynomial *p, double *at) {
     return n;
 }
 
-int dp_motion_turns(const struct motion *m, double *at) {
+// Instants 0 < x < 1 at which the velocity changes its sign, ascending; returns how many.
+static int dp_motion_turns(const struct motion *m, double *at) {
     bool same_sign = m->v[0] * m->v[1] > 0.0;
     if (same_sign && m->v[0] * m->a[0] >= 0.0 && m->v[1] * m->a[1] <= 0.0) {
         return 0;  // no cubic with these ends comes back to zero
@@ -103,6 +79,19 @@ int dp_motion_turns(const struct motion *m, double *at) {
         low = end[i];
     }
     return n;
+}
+
+struct motion_pieces dp_motion_cut(const struct motion *m) {
+    struct motion_pieces s = {.path = dp_motion_path(m), .n = 1};
+    s.n += dp_motion_turns(m, s.x + 1);
+    s.x[0] = 0.0;
+    s.x[s.n] = 1.0;
+    s.d[0] = m->d[0];
+    s.d[s.n] = m->d[1];
+    for (int i = 1; i < s.n; i++) {
+        s.d[i] = dp_motion_value(&s.path, s.x[i]);
+    }
+    return s;
 }
 
 struct motion dp_motion_link(const struct dp *p, int k) {
@@ -158,57 +147,4 @@ LANES void dp_motion_reach(struct dp *p) {
     }
     p->closes = closes != 0;
     p->deepens = deepens != 0;
-}
-
-// What the motion at a place within the step is made of: the change of u, and v and a at both ends.
-enum { PARTS = 5 };
-struct between {
-    double u[PARTS], v[PARTS];
-};
-
-// The Hermite polynomial of degree 5 at place x of a step h, and its slope.
-static struct between dp_between(double x, double h) {
-    double y = 1.0 - x, x2 = x * x, y2 = y * y;
-    return (struct between){
-        .u = {x2 * x * (10.0 + x * (6.0 * x - 15.0)), h * x * y2 * y * (1.0 + 3.0 * x),
-              h * h * x2 * y2 * y / 2.0, -h * x2 * x * y * (1.0 + 3.0 * y),
-              h * h * x2 * x * y2 / 2.0},
-        .v = {30.0 * x2 * y2 / h, y2 * (1.0 + x * (2.0 - 15.0 * x)),
-              h * x * y2 * (2.0 - 5.0 * x) / 2.0, x2 * (1.0 + y * (2.0 - 15.0 * y)),
-              -h * x2 * y * (2.0 - 5.0 * y) / 2.0},
-    };
-}
-
-LANES static void dp_interpolate(const struct between *b, const struct state *now,
-                                 const struct state *next, struct dp_range range,
-                                 double *restrict u, double *restrict v) {
-    for (int i = range.first; i < range.end; i++) {
-        const double of[PARTS] = {next->u[i] - now->u[i], now->v[i], now->a[i], next->v[i],
-                                  next->a[i]};
-        double way = b->u[0] * of[0], rate = b->v[0] * of[0];
-        for (int q = 1; q < PARTS; q++) {
-            way += b->u[q] * of[q];
-            rate += b->v[q] * of[q];
-        }
-        u[i] = now->u[i] + way;
-        v[i] = rate;
-    }
-}
-
-void dp_motion_between(const struct dp *p, double x, int building) {
-    const struct between b = dp_between(x, p->h);
-    const struct dp_range range = dp_rates_range(p->model, building);
-    dp_interpolate(&b, &p->now, &p->next, range, p->stage[1]->u, p->stage[1]->v);
-}
-
-void dp_motion_rates(struct dp *p, double x, int building) {
-    dp_motion_between(p, x, building);
-    for (int n = 0; n < p->now.n_live && building != DP_ALL; n++) {
-        const int *of = p->model->link[p->now.live[n]].building;
-        int other = of[0] == building ? of[1] : of[0];
-        if ((of[0] == building || of[1] == building) && other != WALL) {
-            dp_motion_between(p, x, other);
-        }
-    }
-    dp_rates_at(&p->system, &p->now, p->now.time + x * p->h, building, p->stage[1]);
 }

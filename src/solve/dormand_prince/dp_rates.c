@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // M a = -M a_g + p - C v - storey shears - link forces, building by building, without a matrix of
-// the whole.
-#include "solve/dormand_prince/dp_rates.h"
+// the whole: what the linear floors (dp_floors.h) leave out.
+#include <math.h>
+#include <string.h>
 
-#include "core/arena.h"
-#include "core/lanes.h"
+#include "model/parts.h"
 #include "solve/dormand_prince/dp.h"
-#include "solve/dormand_prince/dp_parts.h"
 
 static const struct fields_row list[] = {
     FIELD_ARRAY(struct dp_rates, u, FIELD_FLOORS),
@@ -25,67 +24,86 @@ static const struct fields_row list[] = {
 };
 const struct fields dp_rates_fields = FIELDS(list);
 
-bool dp_rates_alloc(struct dp_rates *r, const struct model *m, struct arena *a) {
-    return fields_alloc(&dp_rates_fields, m, r, a);
+const double *dp_rates_parts(const struct dp *p, const struct building *g, const double *history,
+                             const double *u, const double *v, double *after) {
+    const struct dp_system *s = &p->system;
+    double *shear = s->part_shear + g->first;
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        s->part_drift[i] = u[i] - u[s->below[i]];
+        s->part_rate[i] = v[i] - v[s->below[i]];
+    }
+    memset(shear, 0, (size_t)g->n_floor * sizeof *shear);
+    parts_respond(g, history, s->part_drift + g->first, s->part_rate + g->first,
+                  &(struct part_sums){.shear = shear}, after);
+    return shear;
 }
 
-// Ground accelerations where there are several.
-static void dp_ground_rates(const struct dp_system *s, const struct building *g,
-                            struct dp_rates *r) {
-    double ground = r->ground.a[g->ground];
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        r->a[i] -= ground;
-        r->input -= ground * s->model->mass[i] * r->v[i];
+// A storey's shear: on the floor above it and the one below.
+static void dp_push_storey(const struct dp_system *s, int i, double shear, struct dp_rates *r) {
+    r->a[i] -= shear * s->mobility[i];
+    if (s->below[i] >= 0) {
+        r->a[s->below[i]] += shear * s->mobility[s->below[i]];
     }
 }
 
-// A building with a full damping matrix.
-static void dp_full_damping(const struct dp_system *s, const struct building *g,
-                            struct dp_rates *r) {
-    building_damping_force(g, r->v + g->first, s->damping + g->first);
-    for (int i = g->first; i < g->first + g->n_floor; i++) {
-        r->a[i] -= s->damping[i] * s->mobility[i];
-        r->damping += s->damping[i] * r->v[i];
+// The power of parts and of elastic storeys beside them; that of other storeys is taken with them.
+static void dp_part_rates(const struct dp *p, const struct building *g, struct dp_rates *r) {
+    const struct dp_system *s = &p->system;
+    const double *shear = dp_rates_parts(p, g, p->now.storey_history, r->u, r->v, NULL);
+    double power = 0.0;
+    for (int floor = 0; floor < g->n_floor; floor++) {
+        const int i = g->first + floor;
+        const double above = floor + 1 < g->n_floor ? shear[floor + 1] : 0.0;
+        const double spring = p->model->storey[i].law->n_history == 0 ? g->spring[floor] : 0.0;
+        r->a[i] += (above - shear[floor]) * s->mobility[i];
+        power += (shear[floor] + spring * s->part_drift[i]) * s->part_rate[i];
     }
+    r->storey += g->elastic ? 0.0 : power;
 }
 
 // A storey with a history: its power, and its shear if the law is called.
-static void dp_storey_rates(const struct dp_system *s, const struct state *now, int i,
-                            struct dp_rates *r) {
-    int below = s->below[i];  // at the ground the zero in front of the arrays
-    double shear = dp_system_shear(s, now, i, r->u[i] - r->u[below]);
+static void dp_storey_rates(const struct dp *p, int i, struct dp_rates *r) {
+    const struct dp_system *s = &p->system;
+    const int below = s->below[i];
+    const double shear = dp_system_shear(p, i, r->u[i] - r->u[below]);
     r->storey += shear * (r->v[i] - r->v[below]);
     if (s->calls[i]) {
-        r->a[i] -= shear * s->mobility[i];
-    }
-    if (s->calls[i] && below >= 0) {
-        r->a[below] += shear * s->mobility[below];
+        dp_push_storey(s, i, shear, r);
     }
 }
 
-static void dp_building_rates(const struct dp_system *s, const struct state *now,
-                              const struct building *g, struct dp_rates *r) {
-    if (s->model->n_ground > 1) {
-        dp_ground_rates(s, g, r);
+// What the vectors do not know of a building: one of several grounds, a full damping matrix, parts,
+// storeys with a history.
+static void dp_building_rates(const struct dp *p, const struct building *g, struct dp_rates *r) {
+    const struct dp_system *s = &p->system;
+    const int end = g->first + g->n_floor;
+    const double ground = r->ground.a[g->ground];
+    for (int i = g->first; p->model->n_ground > 1 && i < end; i++) {
+        r->a[i] -= ground;
+        r->input -= ground * p->model->mass[i] * r->v[i];
     }
     if (g->damping_full) {
-        dp_full_damping(s, g, r);
+        building_damping_force(g, r->v + g->first, s->damping + g->first);
+    }
+    for (int i = g->first; g->damping_full && i < end; i++) {
+        r->a[i] -= s->damping[i] * s->mobility[i];
+        r->damping += s->damping[i] * r->v[i];
     }
     if (g->n_part > 0) {
-        dp_parts_add(s, now, g, r);
+        dp_part_rates(p, g, r);
     }
-    for (int i = g->first; s->n_inelastic > 0 && i < g->first + g->n_floor; i++) {
-        if (s->model->storey[i].law->n_history > 0) {
-            dp_storey_rates(s, now, i, r);
+    for (int i = g->first; s->n_inelastic > 0 && i < end; i++) {
+        if (p->model->storey[i].law->n_history > 0) {
+            dp_storey_rates(p, i, r);
         }
     }
 }
 
-static void dp_load_rates(const struct dp_system *s, double t, int k, struct dp_rates *r) {
-    int i = s->model->load[k].dof;
-    double p = forcing_load(&s->forcing, k, t);
-    r->a[i] += p * s->mobility[i];
-    r->input += p * r->v[i];
+static void dp_load_rates(const struct dp *p, double t, int k, struct dp_rates *r) {
+    const int i = p->model->load[k].dof;
+    const double load = forcing_load(&p->system.forcing, k, t);
+    r->a[i] += load * p->system.mobility[i];
+    r->input += load * r->v[i];
 }
 
 // Adds what the force of a link, an end of which is a row, does to the accelerations. Not in line,
@@ -101,60 +119,105 @@ static __attribute__((noinline)) void dp_push_rows(const struct dp_system *s, co
     }
 }
 
-// Link number i of the active ones.
-static void dp_link_rates(const struct dp_system *s, const struct state *now, int i,
-                          struct dp_rates *r) {
-    const struct model *m = s->model;
-    int k = now->live[i];
-    const struct link *l = &m->link[k];
-    double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
-    double rate = dp_system_across(l, m, r->v, r->ground.v);
-    struct contact_response response = dp_system_response(s, now, k, d, rate);
-    double force = response.force;
+static void dp_push_link(const struct dp_system *s, const struct link *l, double force, double *a) {
     if (!link_is_plain(l)) {
-        dp_push_rows(s, l, force, r->a);
-    } else {
-        if (l->dof[0] != WALL) {
-            r->a[l->dof[0]] -= force * s->mobility[l->dof[0]];
-        }
-        if (l->dof[1] != WALL) {
-            r->a[l->dof[1]] += force * s->mobility[l->dof[1]];
-        }
+        dp_push_rows(s, l, force, a);
+        return;
     }
-    r->input += force * state_ground_gap(l, m, r->ground.v);
-    r->force[i] = force;
-    r->power[i] = force * rate;
+    if (l->dof[0] != WALL) {
+        a[l->dof[0]] -= force * s->mobility[l->dof[0]];
+    }
+    if (l->dof[1] != WALL) {
+        a[l->dof[1]] += force * s->mobility[l->dof[1]];
+    }
+}
+
+// Link number i of the live ones.
+static void dp_link_rates(const struct dp *p, int i, struct dp_rates *r) {
+    const struct model *m = p->model;
+    const int k = p->now.live[i];
+    const struct link *l = &m->link[k];
+    const double d = dp_system_across(l, m, r->u, r->ground.u) - l->gap;
+    const double rate = dp_system_across(l, m, r->v, r->ground.v);
+    const struct contact_response response = dp_system_response(p, k, d, rate);
+    dp_push_link(&p->system, l, response.force, r->a);
+    r->input += response.force * state_ground_gap(l, m, r->ground.v);
+    r->force[i] = response.force;
+    r->power[i] = response.force * rate;
     r->dfdd[i] = response.dfdd;
     r->dfdv[i] = response.dfdv;
 }
 
-void dp_rates_add(const struct dp_system *s, const struct state *now, double t, int building,
-                  struct dp_rates *r) {
-    const struct model *m = s->model;
+void dp_rates_add(const struct dp *p, double t, int building, struct dp_rates *r) {
+    const struct model *m = p->model;
+    const bool all = building == DP_ALL;
+    const int first = all ? 0 : building, end = all ? m->n_building : building + 1;
     r->input = r->damping = r->storey = 0.0;
-    bool all = building == DP_ALL;
-    int first = all ? 0 : building, end = all ? m->n_building : building + 1;
-    for (int k = first; s->special && k < end; k++) {
-        dp_building_rates(s, now, &m->building[k], r);
+    for (int k = first; p->system.special && k < end; k++) {
+        dp_building_rates(p, &m->building[k], r);
     }
     for (int k = 0; k < m->n_load; k++) {
-        if (all || s->building[m->load[k].dof] == building) {
-            dp_load_rates(s, t, k, r);
+        if (all || p->system.building[m->load[k].dof] == building) {
+            dp_load_rates(p, t, k, r);
         }
     }
-    for (int i = 0; i < now->n_live; i++) {
-        const int *of = m->link[now->live[i]].building;
+    for (int i = 0; i < p->now.n_live; i++) {
+        const int *of = m->link[p->now.live[i]].building;
         if (all || of[0] == building || of[1] == building) {
-            dp_link_rates(s, now, i, r);
+            dp_link_rates(p, i, r);
         }
     }
 }
 
-void dp_rates_at(const struct dp_system *s, const struct state *now, double t, int building,
-                 struct dp_rates *r) {
-    const struct dp_range range = dp_rates_range(s->model, building);
-    s->floors->rates(s, dp_rates_ground(s, t, r), range.first, range.end, r);
-    if (s->special || now->n_live > 0) {
-        dp_rates_add(s, now, t, building, r);
+// The floors of a building, or of all, in whole lanes: from the first up to the second.
+struct dp_range {
+    int first, end;
+};
+static struct dp_range dp_range(const struct model *m, int building) {
+    if (building == DP_ALL) {
+        return (struct dp_range){0, lanes_whole(m->n_dof)};
     }
+    const struct building *g = &m->building[building];
+    return (struct dp_range){lanes_whole(g->first + 1) - LANES_WIDTH,
+                             lanes_whole(g->first + g->n_floor)};
+}
+
+void dp_rates_at(const struct dp *p, double t, int building, struct dp_rates *r) {
+    const struct dp_range range = dp_range(p->model, building);
+    p->floors->rates(p, dp_rates_ground(p, t, r), range.first, range.end, r);
+    if (p->system.special || p->now.n_live > 0) {
+        dp_rates_add(p, t, building, r);
+    }
+}
+
+// The floors from `first` up to `end` at place x of a step of h.
+LANES static void dp_interpolate(const struct state *now, const struct state *next, double h,
+                                 double x, const struct dp_range *range, double *restrict u,
+                                 double *restrict v) {
+    for (int i = range->first; i < range->end; i++) {
+        const struct motion m = {.d = {now->u[i], next->u[i]},
+                                 .v = {now->v[i], next->v[i]},
+                                 .a = {now->a[i], next->a[i]},
+                                 .h = h};
+        const struct polynomial path = dp_motion_path(&m);
+        u[i] = dp_motion_value(&path, x);
+        v[i] = dp_motion_slope(&path, x) / h;
+    }
+}
+
+void dp_rates_move(const struct dp *p, double x, int building) {
+    const struct dp_range range = dp_range(p->model, building);
+    dp_interpolate(&p->now, &p->next, p->h, x, &range, p->stage[1]->u, p->stage[1]->v);
+}
+
+void dp_rates_within(struct dp *p, double x, int building) {
+    dp_rates_move(p, x, building);
+    for (int n = 0; n < p->now.n_live && building != DP_ALL; n++) {
+        const int *of = p->model->link[p->now.live[n]].building;
+        const int other = of[0] == building ? of[1] : of[0];
+        if ((of[0] == building || of[1] == building) && other != WALL) {
+            dp_rates_move(p, x, other);
+        }
+    }
+    dp_rates_at(p, p->now.time + x * p->h, building, p->stage[1]);
 }

@@ -6,7 +6,7 @@
 // Complementarity Problem, section 5.2). Two floors and a level between them that face the same
 // floor are redundant: the accelerations are unique then, the forces are not. Floors have lumped
 // masses, so rows of buildings are short chains. Where masses differ much that takes long, and rows
-// are solved at once (together.c).
+// are solved at once.
 //
 // In a step, a contact gives back what rounding and the motion of the ground let it stray from d =
 // 0, and it takes its time: its velocity v tends to V = -d / (4 dt), dt the step of the deck, and
@@ -25,8 +25,6 @@
 
 #include <math.h>
 
-#include "solve/event/together.h"
-
 enum { SWEEPS_FEW = 10, SWEEPS_MAX = 20000 };
 static const double TOLERANCE = 1e-13;  // relative change of the forces in a sweep
 
@@ -34,13 +32,184 @@ static const double TOLERANCE = 1e-13;  // relative change of the forces in a sw
 static const double PACE = 2.0;
 static const double SLOW = 4.0;
 
-static void push(struct state *s, const struct model *m, int k, double df) {
+// Rows of bodies are solved at once. The pushes p solve the complementarity problem
+//     r' = r - B M^-1 B' p <= 0, p >= 0, p r' = 0,
+// with r the rates at which bodies approach. It is the condition for the least sum of m (x' - x)^2
+// under r' <= 0 (Moreau (1988), Unilateral contact and dry friction in finite freedom dynamics,
+// section 5). In a row of bodies from left to right, r' <= 0 says that x' does not fall: this is a
+// weighted isotonic regression. Pooling neighbours that approach into blocks of one motion, sum m x
+// / sum m, solves it exactly in as many steps as there are bodies (Barlow et al. (1972),
+// Statistical Inference under Order Restrictions, section 1.2), whatever the ratios of the masses.
+// Sweeps over the contacts suffer from those. A block at a wall has the motion of the wall. The
+// energy that a block loses, sum p r / 2, is shared out by the pushes, as it is among the many
+// small impacts that lead to the same.
+
+// A row of bodies, the contacts between them on their right.
+struct bodies {
+    int n;
+    int contact[REST_MAX];
+    int dof[REST_MAX + 1];  // WALL at an end
+    // Of the body: how the ground on its left end moves ahead of its own, and its motion less that.
+    double shift[REST_MAX + 1], y[REST_MAX + 1];
+};
+
+// Neighbours of one motion.
+struct block {
+    int first;
+    double mass, momentum;  // mass infinite: there is a wall
+    double y;
+};
+
+// The contact at rest with the floor `dof` on its side `side`; -1: none, or *n of them.
+static int rest_contact_of(const struct rest_contacts *t, const struct model *m, int side, int dof,
+                           int *n) {
+    int found = -1;
+    *n = 0;
+    for (int i = 0; i < t->n && dof != WALL; i++) {
+        if (m->link[t->contact[i]].dof[side] == dof) {
+            found = t->contact[i];
+            *n += 1;
+        }
+    }
+    return found;
+}
+
+bool rest_find(const struct state *s, const struct model *m, struct rest_contacts *t) {
+    t->n = 0;
+    for (int k = 0; k < m->n_contact; k++) {
+        if (state_rests(s, m, k)) {
+            if (t->n == REST_MAX) {
+                return false;
+            }
+            t->contact[t->n++] = k;
+        }
+    }
+    for (int i = 0; i < t->n; i++) {
+        const int *dof = m->link[t->contact[i]].dof;
+        int left, right;
+        rest_contact_of(t, m, 0, dof[0], &left);
+        rest_contact_of(t, m, 1, dof[1], &right);
+        if (left > 1 || right > 1 || !link_is_plain(&m->link[t->contact[i]])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void rest_append(struct bodies *b, int dof, double shift, const double *x) {
+    b->dof[b->n] = dof;
+    b->shift[b->n] = shift;
+    b->y[b->n] = (dof == WALL ? 0.0 : x[dof]) - shift;
+    b->n++;
+}
+
+// The row that begins with the left body of contact k.
+static void rest_line_up(const struct rest_contacts *t, const struct model *m, int k,
+                         const double *x, const double *ground, struct bodies *b) {
+    int n;
+    b->n = 0;
+    rest_append(b, m->link[k].dof[0], 0.0, x);
+    while (k >= 0) {
+        const struct link *l = &m->link[k];
+        const int last = b->n - 1;
+        b->contact[last] = k;
+        rest_append(b, l->dof[1], b->shift[last] + state_ground_gap(l, m, ground), x);
+        k = rest_contact_of(t, m, 0, l->dof[1], &n);
+    }
+}
+
+// Two blocks become one; both at walls stay what they are, as nothing could move them.
+static bool rest_join(struct block *left, const struct block *right) {
+    if (!(left->y > right->y) || (isinf(left->mass) && isinf(right->mass))) {
+        return false;
+    }
+    const double y = isinf(left->mass) ? left->y
+                     : isinf(right->mass)
+                         ? right->y
+                         : (left->momentum + right->momentum) / (left->mass + right->mass);
+    *left = (struct block){.first = left->first,
+                           .mass = left->mass + right->mass,
+                           .momentum = left->momentum + right->momentum,
+                           .y = y};
+    return true;
+}
+
+static int rest_find_blocks(const struct bodies *b, const struct model *m, struct block *block) {
+    int n = 0;
+    for (int i = 0; i < b->n; i++) {
+        const bool wall = b->dof[i] == WALL;
+        const double mass = wall ? INFINITY : m->mass[b->dof[i]];
+        block[n++] = (struct block){
+            .first = i, .mass = mass, .momentum = wall ? 0.0 : mass * b->y[i], .y = b->y[i]};
+        while (n > 1 && rest_join(&block[n - 2], &block[n - 1])) {
+            n--;
+        }
+    }
+    return n;
+}
+
+// What passes between the bodies `first` to `last` when they get the motion y: the momentum that
+// those on the side away from a wall have lost.
+static void rest_find_passages(const struct bodies *b, const struct model *m, int first, int last,
+                               double y, struct passage *p) {
+    const bool wall = b->dof[first] == WALL;
+    double passed = 0.0, lost = 0.0, pushes = 0.0;
+    for (int i = 0; i < last - first; i++) {
+        const int body = wall ? last - i : first + i;
+        const int left = wall ? body - 1 : body;
+        passed += m->mass[b->dof[body]] * (wall ? y - b->y[body] : b->y[body] - y);
+        p[left] =
+            (struct passage){.push = fmax(passed, 0.0), .approach = b->y[left] - b->y[left + 1]};
+        lost += p[left].push * p[left].approach / 2.0;
+        pushes += p[left].push;
+    }
+    for (int i = first; i < last; i++) {
+        p[i].lost = pushes > 0.0 ? lost * p[i].push / pushes : 0.0;
+    }
+}
+
+static void rest_move(const struct bodies *b, const struct model *m, int first, int last, double y,
+                      double *x, rest_note *note, void *context) {
+    struct passage p[REST_MAX];
+    rest_find_passages(b, m, first, last, y, p);
+    for (int i = first; i <= last; i++) {
+        if (i < last) {
+            note(context, b->contact[i], &p[i]);
+        }
+        if (b->dof[i] != WALL) {
+            x[b->dof[i]] = y + b->shift[i];
+        }
+    }
+}
+
+void rest_pool(const struct rest_contacts *t, const struct model *m, double *x,
+               const double *ground, rest_note *note, void *context) {
+    struct bodies b;
+    struct block block[REST_MAX + 1];
+    for (int i = 0; i < t->n; i++) {
+        const int k = t->contact[i];
+        int n;
+        if (rest_contact_of(t, m, 1, m->link[k].dof[0], &n) >= 0) {
+            continue;
+        }
+        rest_line_up(t, m, k, x, ground, &b);
+        const int n_block = rest_find_blocks(&b, m, block);
+        for (int j = 0; j < n_block; j++) {
+            const int last = j + 1 < n_block ? block[j + 1].first - 1 : b.n - 1;
+            if (last > block[j].first) {
+                rest_move(&b, m, block[j].first, last, block[j].y, x, note, context);
+            }
+        }
+    }
+}
+
+static void rest_push(struct state *s, const struct model *m, int k, double df) {
     s->link[k].force += df;
     state_push(&m->link[k], m, df, s->a);
 }
 
 // One sweep; true if it changed nothing that matters.
-static bool sweep(struct state *s, const struct model *m) {
+static bool rest_sweep(struct state *s, const struct model *m) {
     double largest = 0.0;
     double change = 0.0;
     for (int k = 0; k < m->n_contact; k++) {
@@ -48,7 +217,7 @@ static bool sweep(struct state *s, const struct model *m) {
             double wanted = fmax(s->link[k].force + state_pressing(s, m, k) * m->link[k].mass, 0.0);
             change = fmax(change, fabs(wanted - s->link[k].force));
             largest = fmax(largest, wanted);
-            push(s, m, k, wanted - s->link[k].force);
+            rest_push(s, m, k, wanted - s->link[k].force);
         }
     }
     return change <= TOLERANCE * largest;
@@ -58,27 +227,27 @@ double rest_rounding(const struct link *l, const double *x) {
     return 16.0 * state_rounding(l, x);
 }
 
-static void set_force(void *context, int k, const struct passage *p) {
+static void rest_set_force(void *context, int k, const struct passage *p) {
     struct state *s = context;
     s->link[k].force = p->push;
 }
 
 // Finds the forces of rows at once; false: the contacts are no rows.
-static bool solve(struct state *s, const struct model *m) {
-    struct together t;
-    if (!together_find(s, m, &t)) {
+static bool rest_solve(struct state *s, const struct model *m) {
+    struct rest_contacts t;
+    if (!rest_find(s, m, &t)) {
         return false;
     }
     for (int i = 0; i < t.n; i++) {
-        push(s, m, t.contact[i], -s->link[t.contact[i]].force);
+        rest_push(s, m, t.contact[i], -s->link[t.contact[i]].force);
     }
-    together_move(&t, m, s->a, s->ground_a, set_force, s);
+    rest_pool(&t, m, s->a, s->ground_a, rest_set_force, s);
     return true;
 }
 
-static void find_forces(struct state *s, const struct model *m) {
+static void rest_find_forces(struct state *s, const struct model *m) {
     for (int i = 0; i < SWEEPS_MAX; i++) {
-        if (sweep(s, m) || (i == SWEEPS_FEW && solve(s, m))) {
+        if (rest_sweep(s, m) || (i == SWEEPS_FEW && rest_solve(s, m))) {
             return;
         }
     }
@@ -86,8 +255,8 @@ static void find_forces(struct state *s, const struct model *m) {
 
 // The velocity without regard to where it leads. A contact that has just come to rest is kept from
 // moving.
-static double free_velocity(const struct state *now, const struct model *m, double h, int k,
-                            double v, double a) {
+static double rest_free_velocity(const struct state *now, const struct model *m, double h, int k,
+                                 double v, double a) {
     if (!(now->link[k].t_close < now->time)) {
         return fmax(v, 0.0);
     }
@@ -103,7 +272,7 @@ double rest_velocity(const struct state *now, const struct model *m, double h, i
     const double drift = h * ((1.0 - ratio) * v - (ratio - 0.5) * h * a);
     const double gentle = -(d + drift) / (SLOW * m->dt + ratio * h);
     const double share = fmin(h / m->dt, 1.0);
-    double velocity = free_velocity(now, m, h, k, v, a);
+    double velocity = rest_free_velocity(now, m, h, k, v, a);
     velocity = fmin(velocity, fmax(gentle, (1.0 - share) * fmax(v, 0.0)));
     if (ratio > 0.5 && v <= 0.0) {
         velocity = fmin(velocity, (fmax(-d, 0.0) - drift) / (ratio * h));
@@ -112,7 +281,7 @@ double rest_velocity(const struct state *now, const struct model *m, double h, i
 }
 
 void rest_forces(struct state *s, const struct model *m) {
-    find_forces(s, m);
+    rest_find_forces(s, m);
     for (int k = 0; k < m->n_contact; k++) {
         if (state_rests(s, m, k) && s->link[k].force == 0.0 &&
             state_pressing(s, m, k) < -state_rounding(&m->link[k], s->a)) {

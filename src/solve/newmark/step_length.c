@@ -66,27 +66,17 @@ static const char *cause(const struct step_length *s) {
     return s->unsolved < 0 ? "the tolerance" : s->model->link[s->unsolved].name;
 }
 
-static int too_slow(const struct step_length *s, double time, double step, struct error *e) {
-    const char *unit = s->model->deck->units.time_name;
-    return error_set(e, STATUS_FAILED,
-                     "at t = %.9g %s the steps are %.2g %s because of %s, which makes more than "
-                     "%.0e of them; use a larger -tolerance, integrator newmark -gamma above 0.5 "
-                     "or step fixed DT",
-                     time, unit, step, unit, cause(s), (double)ADAPTIVE_STEPS_MAX);
-}
-
 int step_length_next(struct step_length *s, const struct state *now, double limit, double *h,
                      double *end, struct error *e) {
     double step;
     if (pace_is_slow(&s->pace, s->model, now->time, &step)) {
-        return too_slow(s, now->time, step, e);
+        const struct pace_cause of = {cause(s),
+                                      "integrator newmark -gamma above 0.5 or step fixed DT"};
+        return pace_too_slow(s->model, now->time, step, &of, e);
     }
     double corner = s->forcing.corner;
     double goal = limit - corner <= SAME_TIME * limit ? limit : corner;
-    double rest = goal - now->time;
-    double parts = pace_parts(rest, s->trial, s->model->control.longest);
-    *h = parts > 1.0 ? rest / parts : rest;
-    *end = parts > 1.0 ? now->time + *h : goal;
+    pace_next(now->time, goal, s->trial, s->model->control.longest, h, end);
     if (fabs(*h - s->last) <= SAME * *h) {
         *h = s->last;
     }
@@ -139,20 +129,15 @@ int step_length_judge(struct step_length *s, const struct state *now, const stru
 
 int step_length_reject(struct step_length *s, const struct state *now, double h, int unsolved,
                        struct error *e) {
-    const struct step_control *control = &s->model->control;
-    const char *unit = s->model->deck->units.time_name;
     s->unsolved = unsolved;
     if (s->trial > SAFETY * h) {  // not by the tolerance
         s->trial = h / 2.0;
     }
-    s->trial = fmax(s->trial, control->shortest);
-    if (h > control->shortest && now->time + h / 2.0 > now->time) {
+    s->trial = fmax(s->trial, s->model->control.shortest);
+    if (pace_can_shorten(s->model, now->time, h)) {
         return STATUS_OK;
     }
-    return error_set(e, STATUS_FAILED,
-                     "at t = %.9g %s a step of %.3g %s is still too long for %s; use a larger "
-                     "-tolerance, a smaller -min or step fixed DT",
-                     now->time, unit, h, unit, cause(s));
+    return pace_too_long(s->model, now->time, h, &(struct pace_cause){cause(s), ""}, e);
 }
 
 // Passes the corner if `time` is there.
