@@ -59,6 +59,7 @@ struct chain {
     const double *joint;      // (n + 1) 1: floor i stands on floor i - 1; else 0
     const double *damping_below, *damping, *damping_above;  // [F T/L] (n) bands of C; 0 where full
     bool full_damping;  // some building has a full matrix C, as those with parts
+    bool parts;         // some building has parts
 };
 
 // The restoring law of one storey.

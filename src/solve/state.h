@@ -93,9 +93,9 @@ double state_link_force(const struct state *s, const struct model *m, int k);
 // Whether link k is a rigid contact at rest.
 bool state_rests(const struct state *s, const struct model *m, int k);
 
-// Are all storeys elastic, and all bands of C in struct chain?
+// Are all storeys elastic, and without parts beside them?
 static inline bool state_is_linear(const struct model *m) {
-    return m->n_storey_history == 0 && !m->chain.full_damping;
+    return m->n_storey_history == 0 && !m->chain.parts;
 }
 
 // Does one ground move all floors, and nothing else from outside?

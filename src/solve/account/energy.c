@@ -136,12 +136,7 @@ static void add_input(struct energy_account *a, const struct model *m, const str
 void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
                  const struct state *next) {
     add_input(a, m, now, next);
-    if (m->chain.full_damping) {
-        chain_work(&m->chain, now->damping_force, next->damping_force, now->u, next->u,
-                   a->damping_2x);
-    } else {
-        chain_work_of_damping(&m->chain, now->u, next->u, now->v, next->v, a->damping_2x);
-    }
+    chain_work_of_damping(&m->chain, now->u, next->u, now->v, next->v, a->damping_2x);
     if (!m->elastic) {
         chain_storey_works(&m->chain, now->shear, next->shear, now->drift, next->drift,
                            a->storey_2x);

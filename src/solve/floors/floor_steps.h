@@ -8,6 +8,7 @@
 
 #include "solve/floors/effective_low.h"
 #include "solve/floors/floor_step.h"
+#include "solve/floors/floors_full.h"
 #include "solve/newmark/flight.h"
 #include "solve/work.h"
 
@@ -149,6 +150,9 @@ LANES_INLINE bool move_by(struct work *w, const struct state *now, struct state 
         if (next->n_live > 0) {
             floors_push(w, now, next, b);
         }
+        if (w->model->chain.full_damping) {
+            floors_full(w, b, pass.u_trial, pass.v_trial, pass.residual);
+        }
         double *q = w->correction + s.first;
         solve_block(&pass, w, b, &s, false, q);
         account_to(&account, s.end + LANES_WIDTH);
@@ -227,6 +231,9 @@ LANES_INLINE bool fly_by(const struct flight *f, const struct floors_lines *line
         const struct floor_block *b = &w->floors.block[i];
         const struct span s = span_of(b, few);
         floors_begin(&pass, s.first, s.n, is_uniform ? NULL : next->external, &beyond);
+        if (w->model->chain.full_damping) {
+            floors_full(w, b, pass.u_trial, pass.v_trial, pass.residual);
+        }
         double *q = w->floors.correction;
         solve_block(&pass, w, b, &s, few > 0, q);
         account_to(&account, s.end + LANES_WIDTH);
@@ -273,7 +280,10 @@ LANES_INLINE long fly_from(const struct flight *f, const struct floors_lines *li
         if (!fly_by(f, lines, from, to, few)) {
             break;
         }
-        if (few > 0) {
+        if (f->model->chain.parts) {
+            floors_full_strain(f->work, to);
+        }
+        if (few > 0 && !f->model->chain.full_damping) {
             floors_defer(&f->work->floors.account, from);
         } else {
             floors_account_elastic(f->work, from, to);
@@ -326,12 +336,12 @@ FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct s
 
 FLOORS_CLONES static void account(const struct work *w, const struct state *s0,
                                   const struct state *s1, double ground_a0) {
-    const struct floors_taken step = taken(w, s0, s1, ground_a0, w->model->n_storey_history > 0, 0);
+    const struct floors_taken step = taken(w, s0, s1, ground_a0, !state_is_linear(w->model), 0);
     account_part(&step, 0, step.chain.n);
 }
 
 FLOORS_CLONES static void raise(const struct work *w, const struct state *s) {
-    const struct floors_taken step = taken(w, s, s, 0.0, w->model->n_storey_history > 0, 0);
+    const struct floors_taken step = taken(w, s, s, 0.0, !state_is_linear(w->model), 0);
     floors_raise_all(&step, s->base, 0, step.chain.n);
 }
 

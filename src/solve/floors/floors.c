@@ -138,6 +138,9 @@ double floors_speed(const struct work *w, const struct state *now) {
 
 void floors_account_elastic(struct work *w, const struct state *now, const struct state *next) {
     struct floors_account *to = &w->floors.account;
+    if (w->model->chain.full_damping) {
+        floors_full_work(w, now, next);
+    }
     if (to->defers) {
         floors_defer(to, now);
         return;
@@ -155,6 +158,7 @@ void floors_account(struct work *w, const struct state *now, const struct state 
     if (state_is_linear(w->model)) {
         floors_account_elastic(w, now, next);
     } else {
+        floors_full_work(w, now, next);
         energy_step(w->floors.account.energy, w->model, now, next);
         peaks_floors(w->floors.account.results, w->model, next);
     }
@@ -187,5 +191,5 @@ void floors_correct_touched(struct work *w, const struct state *now, struct stat
 }
 
 long floors_fly(const struct flight *f, struct state **now, struct state **next, long n, long end) {
-    return (f->yields ? steps()->fly_on_lines : steps()->fly)(f, now, next, n, end);
+    return (f->on_lines ? steps()->fly_on_lines : steps()->fly)(f, now, next, n, end);
 }

@@ -26,6 +26,7 @@ struct floors_account {
     double ground_a;  // [L/T^2] acceleration of the ground when that step began
 };
 
+struct effective;
 struct work;
 struct flight;
 
@@ -101,5 +102,15 @@ extern const struct floors_steps floors_narrow, floors_wide;
 // the contact iteration.
 void floors_push(struct work *w, const struct state *now, const struct state *next,
                  const struct floor_block *b);
+
+// floors_full.h for one building that is not low.
+void floors_full_high(const struct effective *e, const double *u, const double *v,
+                      double *residual);
+
+// Adds the work of full matrices C in the step from `now` to `next`.
+void floors_full_work(const struct work *w, const struct state *now, const struct state *next);
+
+// Adds the shears of parts, all linear, to those of the storeys alone.
+void floors_full_strain(const struct work *w, struct state *s);
 
 #endif

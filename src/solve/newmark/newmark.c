@@ -38,6 +38,9 @@ static void begin(struct work *w, const struct state *now, struct state *next, d
         }
         excitation_floors(next, m, end);
     }
+    if (m->elastic) {
+        return;
+    }
     memset(w->storeys.agree, 0, (size_t)m->n_building * sizeof *w->storeys.agree);
     memset(w->correction, 0, (size_t)m->n_dof * sizeof *w->correction);
 }
@@ -270,10 +273,14 @@ static int solve_linear(struct work *w, const struct state *now, struct state *n
     return solve_links(w, now, next);
 }
 
-// Completes the end of the step: total accelerations, and the histories of the links' laws.
+// Completes the end of the step: internal forces where solve has not left them, total
+// accelerations, and the histories of the links' laws.
 static void finish(struct work *w, struct state *next) {
     const struct model *m = w->model;
     if (!state_is_linear(m)) {
+        if (m->elastic) {
+            state_internal_forces(next, m, next->u, next->v);
+        }
         state_totals(next, m);
     }
     contact_finish(w, next);
@@ -285,7 +292,7 @@ int newmark_step(struct work *w, const struct state *now, struct state *next, do
         return STATUS_RETRY;
     }
     begin(w, now, next, end);
-    int status = state_is_linear(w->model) ? solve_linear(w, now, next, e) : solve(w, now, next, e);
+    int status = w->model->elastic ? solve_linear(w, now, next, e) : solve(w, now, next, e);
     if (status == STATUS_OK) {
         finish(w, next);
     }
