@@ -88,7 +88,7 @@ static const struct column link_column[] = {
     {"gap", "gap at rest", &dimension_length, COLUMN_DOUBLE, offsetof(struct report_link, gap), 0},
     {"effective_mass", "effective mass of the two bodies", &dimension_mass, COLUMN_DOUBLE,
      offsetof(struct report_link, mass), 0},
-    {"restitution", "coefficient of restitution asked for, NaN if none", NULL, COLUMN_DOUBLE,
+    {"restitution", "requested coefficient of restitution, NaN if none", NULL, COLUMN_DOUBLE,
      offsetof(struct report_link, restitution), 0},
     {"calibrated", "1: the damping delivers the restitution exactly, 0: as published", NULL,
      COLUMN_FLAG, offsetof(struct report_link, calibrated), 0},

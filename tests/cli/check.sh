@@ -140,5 +140,5 @@ expect "the caret of a wrong channel is below it" '[ $status -eq 2 ] && said "ch
     awk 'BEGIN { for (i = 0; i < 600000; i++) printf "param p%d %d\n", i, i }'
 } >parameters.deck
 run timeout 30 "$jostle" check parameters.deck -D c=1kN*s/m
-expect "hundred thousands of parameters are found as fast as a few" '[ $status -eq 0 ] && said "nothing uses parameter"'
+expect "hundred thousands of parameters are found as fast as a few" '[ $status -eq 0 ] && said "the deck does not use parameter"'
 rm parameters.deck
