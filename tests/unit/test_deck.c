@@ -49,7 +49,7 @@ static void wrong_statements_are_reported(void **state) {
         {"units kg m s", "1:7: kg is a unit of a mass; a force unit is needed"},
         {"units kn m sec", "1:7: unknown force unit 'kn'; did you mean 'kN'? | "
                            "1:12: unknown time unit 'sec'; available: s, ms, us, min"},
-        {"param a 3\nunits N m s", "2:1: units must stand above all other statements but title and "
+        {"param a 3\nunits N m s", "2:1: units must be above all other statements except title and "
                                    "include; the first is in line 1"},
         {"gravity 1s", "1:9: gravity has the dimension of a time (s); an acceleration is needed"},
         {"gravity -9.81", "1:9: gravity is -9.81 m/s^2; it must be > 0"},
