@@ -66,13 +66,15 @@ struct dp_system {
 };
 
 // The system at one instant. Links are those live in the state at the start of the step.
+struct dp_link_rates {
+    struct contact_response response;
+    double power;  // [F L/T] of its force
+};
 struct dp_rates {
     double *u, *v;                 // [L] [L/T] (n_dof)
     double *a;                     // [L/T^2] (n_dof)
     struct forcing_values ground;  // (n_ground)
-    double *force;                 // [F] (n_live)
-    double *power;                 // [F L/T] (n_live) of those forces
-    double *dfdd, *dfdv;           // [F/L] [F T/L] (n_live) their slopes
+    struct dp_link_rates *link;    // (n_live)
     // [F L/T] of loads, of full dampings and on storeys that are not elastic; not where nothing is
     // special
     double input, damping, storey;
@@ -110,12 +112,12 @@ struct dp_fastest {
 
 struct dp;
 
-// The n floors from `first` on, in whole lanes, that are looked at for peaks: negative are those
-// that could have one in the step, and whose acceleration could.
-enum { DP_LOOK = 8 * LANES_WIDTH };
-struct dp_look {
+// The n floors from `first` on, in whole lanes: negative are those that could have a peak in the
+// step, and those whose acceleration could.
+enum { DP_CANDIDATES = 8 * LANES_WIDTH };
+struct dp_candidates {
     int first, n;
-    int64_t hit[DP_LOOK], bends[DP_LOOK];
+    int64_t hit[DP_CANDIDATES], bends[DP_CANDIDATES];
 };
 
 // What a step does with all floors, in vectors (dp_floors.h).
@@ -124,8 +126,8 @@ struct dp_floors {
     // Accelerations of the linear floors from `first` up to `end`, of whole lanes.
     void (*rates)(const struct dp *p, double ground, ptrdiff_t first, ptrdiff_t end,
                   struct dp_rates *r);
-    double (*error)(const struct dp *p);            // largest of u and v over their sizes
-    bool (*look)(struct dp *p, struct dp_look *l);  // and drifts; true: any could
+    double (*error)(const struct dp *p);  // largest of u and v over their sizes
+    bool (*candidates)(struct dp *p, struct dp_candidates *c);  // and drifts; true: any could
     void (*work)(const struct dp *p, const double *time, struct energy_account *energy);
 };
 extern const struct dp_floors dp_narrow, dp_wide;

@@ -9,8 +9,8 @@
 static const double WHERE_STEEP = 1e-3;
 
 // More events than this in such a share of the duration do not come from bodies that bounce.
-enum { CROWD = 4000, CROWD_PER_LINK = 4 };
-static const double CROWD_TIME = 1e-7;
+enum { RATTLE = 4000, RATTLE_PER_LINK = 4 };
+static const double RATTLE_TIME = 1e-7;
 
 // Of the larger force on both sides: a jump.
 static const double JUMP = 1e-9;
@@ -86,14 +86,14 @@ static int dp_change(struct dp *p, const struct dp_event *event, struct error *e
     return STATUS_OK;
 }
 
-static int dp_too_crowded(struct dp *p, struct error *e) {
+static int dp_rattles(struct dp *p, struct error *e) {
     const struct model *m = p->model;
     const struct totals *t = &p->results->totals;
-    if (p->now.time - p->time_before > CROWD_TIME * m->duration) {
+    if (p->now.time - p->time_before > RATTLE_TIME * m->duration) {
         p->time_before = p->now.time;
         p->events_before = t->events;
     }
-    if (t->events - p->events_before <= CROWD + CROWD_PER_LINK * (long)m->n_link) {
+    if (t->events - p->events_before <= RATTLE + RATTLE_PER_LINK * (long)m->n_link) {
         return STATUS_OK;
     }
     return error_set(e, STATUS_FAILED,
@@ -155,5 +155,5 @@ int dp_happen(struct dp *p, struct error *e) {
     }
     dp_step_gaps(p, &p->now, p->rate[0]);
     p->jumped = true;
-    return dp_too_crowded(p, e);
+    return dp_rattles(p, e);
 }

@@ -7,7 +7,7 @@
 
 static const double PRECISION = 1e-9;  // of x; the next correction would be about its square
 
-static double dp_motion_look(double x, void *context, double *slope) {
+static double dp_motion_at(double x, void *context, double *slope) {
     *slope = dp_motion_slope(context, x);
     return dp_motion_value(context, x);
 }
@@ -19,7 +19,7 @@ double dp_motion_root(struct polynomial p, double low, double high) {
         return low;
     }
     const struct root r = {low, high, end > start ? 1.0 : -1.0};
-    return root_newton(dp_motion_look, &p, r, root_between(&r, start, end), PRECISION);
+    return root_newton(dp_motion_at, &p, r, root_between(&r, start, end), PRECISION);
 }
 
 struct polynomial dp_motion_velocity(const struct motion *m) {

@@ -14,10 +14,7 @@ static const struct fields_row list[] = {
     FIELD_ARRAY(struct dp_rates, ground.a, FIELD_GROUNDS),
     FIELD_ARRAY(struct dp_rates, ground.v, FIELD_GROUNDS),
     FIELD_ARRAY(struct dp_rates, ground.u, FIELD_GROUNDS),
-    FIELD_ARRAY(struct dp_rates, force, FIELD_LINKS),
-    FIELD_ARRAY(struct dp_rates, power, FIELD_LINKS),
-    FIELD_ARRAY(struct dp_rates, dfdd, FIELD_LINKS),
-    FIELD_ARRAY(struct dp_rates, dfdv, FIELD_LINKS),
+    FIELD_ARRAY(struct dp_rates, link, FIELD_LINKS),
     FIELD_VALUE(struct dp_rates, input),
     FIELD_VALUE(struct dp_rates, damping),
     FIELD_VALUE(struct dp_rates, storey),
@@ -142,10 +139,7 @@ static void dp_link_rates(const struct dp *p, int i, struct dp_rates *r) {
     const struct contact_response response = dp_system_response(p, k, d, rate);
     dp_push_link(&p->system, l, response.force, r->a);
     r->input += response.force * state_ground_gap(l, m, r->ground.v);
-    r->force[i] = response.force;
-    r->power[i] = response.force * rate;
-    r->dfdd[i] = response.dfdd;
-    r->dfdv[i] = response.dfdv;
+    r->link[i] = (struct dp_link_rates){response, response.force * rate};
 }
 
 void dp_rates_add(const struct dp *p, double t, int building, struct dp_rates *r) {

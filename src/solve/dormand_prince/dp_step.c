@@ -95,13 +95,13 @@ static void dp_add_link(struct dp *p, int n) {
     const struct link *l = &p->model->link[k];
     const struct dp_rates *r = p->stage[0];
     const bool unbounded = l->bilateral && p->system.phase[k] != PHASE_ANY;
-    const double dfdd =
-        l->bilateral ? r->dfdd[n] : dp_system_response(p, k, p->now.delta[k], 0.0).dfdd;
+    const double dfdd = l->bilateral ? r->link[n].response.dfdd
+                                     : dp_system_response(p, k, p->now.delta[k], 0.0).dfdd;
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < link_entries(l, end); i++) {
             const int dof = link_entry(l, end, i).dof;
             f->spring[dof] += fabs(dfdd) / l->mass;
-            f->dashpot[dof] += unbounded ? 0.0 : fabs(r->dfdv[n]) / l->mass;
+            f->dashpot[dof] += unbounded ? 0.0 : fabs(r->link[n].response.dfdv) / l->mass;
         }
     }
 }
