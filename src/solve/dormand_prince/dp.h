@@ -288,7 +288,7 @@ int dp_step_attempt(struct dp *p, struct error *e);
 double dp_step_error(const struct dp *p);
 int dp_step_reject(struct dp *p, double error, struct error *e);
 
-// dp_motion.c: the dense output of a step, from position, velocity and acceleration at both its
+// dp_rates.c, too: the dense output of a step, from position, velocity and acceleration at both its
 // ends. Hermite interpolation: Hairer, Norsett & Wanner (1993), Solving Ordinary Differential
 // Equations I, section II.6.
 
@@ -370,10 +370,6 @@ void dp_events_locate(struct dp *p);
 
 // Is it one of a storey? Else it is one of a link.
 bool dp_events_is_of_storey(const struct dp_event *e);
-
-// Lets p->event happen at `now`, and begins again from there (dp_happen.c). STATUS_SYSTEM: no
-// memory; STATUS_FAILED: what dormand-prince does not follow, or events without end.
-int dp_happen(struct dp *p, struct error *e);
 
 // dp_peaks.c: largest values.
 
