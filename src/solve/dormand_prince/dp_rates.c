@@ -107,29 +107,14 @@ static void dp_load_rates(const struct dp *p, double t, int k, struct dp_rates *
     r->input += load * r->v[i];
 }
 
-// Adds what the force of a link, an end of which is a row, does to the accelerations. Not in line,
-// as link_end_row.
-static __attribute__((noinline)) void dp_push_rows(const struct dp_system *s, const struct link *l,
-                                                   double force, double *a) {
+// Adds what the force of a link does to the accelerations.
+static void dp_push_link(const struct dp_system *s, const struct link *l, double force, double *a) {
     for (int side = 0; side < 2; side++) {
         const double push = side == 0 ? -force : force;
         for (int j = 0, n = link_entries(l, side); j < n; j++) {
             const struct link_entry e = link_entry(l, side, j);
             a[e.dof] += e.weight * push * s->mobility[e.dof];
         }
-    }
-}
-
-static void dp_push_link(const struct dp_system *s, const struct link *l, double force, double *a) {
-    if (!link_is_plain(l)) {
-        dp_push_rows(s, l, force, a);
-        return;
-    }
-    if (l->dof[0] != WALL) {
-        a[l->dof[0]] -= force * s->mobility[l->dof[0]];
-    }
-    if (l->dof[1] != WALL) {
-        a[l->dof[1]] += force * s->mobility[l->dof[1]];
     }
 }
 
