@@ -62,18 +62,6 @@ static double dp_still(const struct dp *p) {
     return STILL * p->model->control.tolerance * p->scales.most_u;
 }
 
-static struct dp_event dp_closing(const struct dp *p, int k, const struct motion *m) {
-    struct motion_pieces s = dp_motion_cut(m);
-    double least = dp_motion_noise(p, k);
-    for (int i = 0; i < s.n; i++) {
-        if (s.d[i + 1] > least && s.d[i + 1] > s.d[i]) {
-            bool rigid = p->model->link[k].law->rebound;
-            return (struct dp_event){rigid ? DP_MEET : DP_CLOSE, k, dp_where(&s, i, 0.0), 1.0, 0.0};
-        }
-    }
-    return nothing;
-}
-
 // Does a closed contact or a damper go on in its phase through the whole step, for certain? In the
 // cubic of its velocity, between those at the ends, the accelerations have no larger share than
 // 4/27 of the step each.
@@ -84,21 +72,21 @@ static bool dp_stays(const struct dp *p, int k, const struct motion *m) {
     return goes_on && (phase == PHASE_APPROACH || m->d[1] > 0.0);
 }
 
-static struct dp_event dp_leaving(const struct dp *p, int k, const struct motion *m) {
-    if (dp_stays(p, k, m)) {
-        return nothing;
-    }
-    struct motion_pieces s = dp_motion_cut(m);
-    bool opens = !p->model->link[k].bilateral;
-    double least = opens ? dp_motion_noise(p, k) : dp_still(p);
-    int phase = p->system.phase[k];
+// Where link k passes d = 0 to the other side, or a closed one leaves its phase.
+static struct dp_event dp_passing(const struct dp *p, int k, const struct motion *m) {
+    const struct link *l = &p->model->link[k];
+    const struct motion_pieces s = dp_motion_cut(m);
+    const bool closed = p->now.link[k].closed;
+    const double least = l->bilateral ? dp_still(p) : dp_motion_noise(p, k);
+    const int phase = closed ? p->system.phase[k] : PHASE_ANY, after = closed ? -1 : 1;
     for (int i = 0; i < s.n; i++) {
-        double rise = s.d[i + 1] - s.d[i];
+        const double rise = s.d[i + 1] - s.d[i];
         if (phase * rise < -least) {
             return (struct dp_event){DP_TURN, k, s.x[i], -phase, 0.0};
         }
-        if (opens && s.d[i + 1] < -least && rise < 0.0) {
-            return (struct dp_event){DP_OPEN, k, dp_where(&s, i, 0.0), -1.0, 0.0};
+        if (!l->bilateral && after * s.d[i + 1] > least && after * rise > 0.0) {
+            const enum dp_event_kind kind = closed ? DP_OPEN : l->law->rebound ? DP_MEET : DP_CLOSE;
+            return (struct dp_event){kind, k, dp_where(&s, i, 0.0), after, 0.0};
         }
     }
     return nothing;
@@ -145,12 +133,10 @@ static struct dp_event dp_kink(const struct dp *p, int k, const struct motion *m
 }
 
 static struct dp_event dp_link_event(const struct dp *p, int k) {
-    struct motion m = dp_motion_link(p, k);
-    if (!p->now.link[k].closed) {
-        return dp_closing(p, k, &m);
-    }
-    struct dp_event event = dp_leaving(p, k, &m);
-    return p->model->link[k].law->kink ? dp_kink(p, k, &m, event) : event;
+    const struct motion m = dp_motion_link(p, k);
+    const bool closed = p->now.link[k].closed;
+    const struct dp_event event = closed && dp_stays(p, k, &m) ? nothing : dp_passing(p, k, &m);
+    return closed && p->model->link[k].law->kink ? dp_kink(p, k, &m, event) : event;
 }
 
 // A line that is told from the last committed point on has a slope as wrong as that by rounding.
