@@ -101,7 +101,7 @@ static void dp_start(struct run *r) {
     dp_bind(p->stage[0], &p->now);
     dp_bind(p->stage[DP_STAGES - 1], &p->next);
     dp_system_start(p);
-    dp_step_first(p);
+    dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
     dp_step_gaps(p, &p->now, p->rate[0]);
     dp_step_start(p);
     scale_expect(&p->scales, p->model);
@@ -246,7 +246,7 @@ static int dp_happen(struct dp *p, struct error *e) {
         p->trial *= WHERE_STEEP;
     }
     p->trial = fmax(p->trial, p->model->control.shortest);
-    dp_step_first(p);
+    dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
     if (event->kind == DP_TURN && dp_sticks(p, event->index)) {
         return dp_stuck(p, event->index, e);
     }
@@ -297,18 +297,11 @@ static int dp_arrive(struct dp *p, struct error *e) {
     if (turns) {
         p->now.time = dp_step_limit(p);
         if (forcing_turn(&p->system.forcing, p->now.time)) {
-            dp_step_first(p);
+            dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
             p->jumped = true;
         }
     }
     return p->event.kind == DP_NONE ? STATUS_OK : dp_happen(p, e);
-}
-
-// Lets the event of a step happen where the step would have begun, as no time passes before it.
-static int dp_happen_at_once(struct dp *p, struct error *e) {
-    p->trial = fmin(p->trial, p->h / 2.0);  // in a long one events may undo each other for ever
-    p->h = 0.0;
-    return dp_happen(p, e);
 }
 
 // Tries a step up to its first event, if there is any. *taken: that is the step.
@@ -322,8 +315,10 @@ static int dp_try(struct dp *p, bool *taken, struct error *e) {
     if (*taken) {
         return STATUS_OK;
     }
-    if (p->now.time + p->event.place * p->h == p->now.time) {
-        return dp_happen_at_once(p, e);
+    if (p->now.time + p->event.place * p->h == p->now.time) {  // no time passes before it
+        p->trial = fmin(p->trial, p->h / 2.0);  // in a long one events may undo each other for ever
+        p->h = 0.0;
+        return dp_happen(p, e);
     }
     dp_events_locate(p);
     // The step is part of one that met the tolerance. But beyond the event the laws are not what

@@ -182,9 +182,9 @@ void dp_system_start(struct dp *p);
 // farther than is noise.
 void dp_system_branch(struct dp *p, int i, double from, double direction);
 
-// Of the storey below floor i: its tangent at `drift` with the committed history, the smallest
-// change of its drift that counts, and its shear at `drift` on its branch [F].
-double dp_system_tangent(const struct dp *p, int i, double drift);
+// The storey below floor i: its law at `drift` with the committed history, the smallest change of
+// its drift that counts, and its shear at `drift` on its branch [F].
+struct storey_response dp_system_storey(const struct dp *p, int i, double drift);
 double dp_system_noise(const struct dp *p, int i);
 double dp_system_shear(const struct dp *p, int i, double drift);
 
@@ -266,9 +266,6 @@ bool dp_step_alloc(struct dp *p, struct arena *a);
 
 // The first step, before there is any error.
 void dp_step_start(struct dp *p);
-
-// Makes the first stage, at `now`, where it is not the last of the step before.
-void dp_step_first(struct dp *p);
 
 // Takes the step from `now` of length h to time `end` into `next`.
 void dp_step_take(struct dp *p, double h, double end);

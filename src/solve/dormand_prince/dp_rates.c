@@ -39,14 +39,6 @@ const double *dp_rates_parts(const struct dp *p, const struct building *g, const
     return shear;
 }
 
-// A storey's shear: on the floor above it and the one below.
-static void dp_push_storey(const struct dp_system *s, int i, double shear, struct dp_rates *r) {
-    r->a[i] -= shear * s->mobility[i];
-    if (s->below[i] >= 0) {
-        r->a[s->below[i]] += shear * s->mobility[s->below[i]];
-    }
-}
-
 // The power of parts and of elastic storeys beside them; that of other storeys is taken with them.
 static void dp_part_rates(const struct dp *p, const struct building *g, struct dp_rates *r) {
     const struct dp_system *s = &p->system;
@@ -69,7 +61,10 @@ static void dp_storey_rates(const struct dp *p, int i, struct dp_rates *r) {
     const double shear = dp_system_shear(p, i, r->u[i] - r->u[below]);
     r->storey += shear * (r->v[i] - r->v[below]);
     if (s->calls[i]) {
-        dp_push_storey(s, i, shear, r);
+        r->a[i] -= shear * s->mobility[i];
+    }
+    if (s->calls[i] && below >= 0) {
+        r->a[below] += shear * s->mobility[below];
     }
 }
 

@@ -39,10 +39,6 @@ enum { NOISY = 1000 };
 // Squares of frequencies that differ by less than this factor make the same scales.
 static const double SAME_SCALE = 1.25;
 
-void dp_step_first(struct dp *p) {
-    dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
-}
-
 void dp_step_take(struct dp *p, double h, double end) {
     p->h = h;
     p->next.time = end;
