@@ -96,7 +96,7 @@ struct dp_event {
     enum dp_event_kind kind;
     int index;         // of the link, or the floor above the storey
     double place;      // in the step
-    double direction;  // sign of what passes through zero, after it: d, its velocity, the drift's
+    double direction;  // its sign is that of what passes through zero, after the event
     double target;     // [L] drift at which the branch ends
 };
 
@@ -105,15 +105,15 @@ struct dp_fastest {
     struct stability *building;  // (n_building) without links
     double alone;                // [T] longest step without links
     double longest;              // [T] and with those that are live
-    bool linked;                 // some were, when `longest` was found
+    bool linked;                 // there were live links when `longest` was found
     double *spring, *dashpot;    // [1/T^2] [1/T] (n_dof) scratch, zeros between calls
     double *most;                // [1/T^2] (n_building) scratch, as well
 };
 
 struct dp;
 
-// The n floors from `first` on, in whole lanes: negative are those that could have a peak in the
-// step, and those whose acceleration could.
+// The n floors from `first` on, in whole lanes. `hit` is negative where a floor may have a peak in
+// the step, `bends` where its acceleration may.
 enum { DP_CANDIDATES = 8 * LANES_WIDTH };
 struct dp_candidates {
     int first, n;
@@ -150,16 +150,16 @@ struct dp {
     struct gaps gaps;         // only the runs of links
     double *rate[2];          // [L/T] (n_link) of penetrations at both ends
     double *reach;            // [L] (n_contact) upper bounds of penetrations
-    bool closes, deepens;     // can any be above 0, or above its peak?
+    bool closes, deepens;     // may a penetration be above 0, or above its peak?
     struct meeting *meeting;  // (n_contact) scratch of rigid impacts
 
     // Its length.
     struct dp_fastest fastest;
     double trial;          // [T] what the error control would take next
     struct scales scales;  // of errors
-    int noisy;             // steps since `scales` says so
-    bool grown;            // motions have, since the scales were made
-    bool jumped;           // something has at `now`, of which no peaks have been taken since
+    int noisy;             // steps since `scales` first says that rounding is too large
+    bool grown;            // motions have grown since the scales were made
+    bool jumped;           // something has jumped at `now`, and no peaks have been taken since
     bool is_steep;         // a force may begin with an infinite slope at `now`
     struct pace pace;      // of all steps
 

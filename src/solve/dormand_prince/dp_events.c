@@ -20,17 +20,21 @@
 
 enum { ITERATIONS_MAX = 60 };
 
-static const double STILL = 1.0;  // of the error allowed: drifts and dampers that have not moved
-static const double SAME = 1e-9;  // of the stiffness of a storey: tangents of one line
+// A drift or a damper that moves by less than this share of the allowed error stands still.
+static const double STILL = 1.0;
 
-// The rate of what is left to a kink is taken over this share of the step.
+// Tangents belong to one line if they differ by less than this share of the storey's stiffness.
+static const double SAME = 1e-9;
+
+// The rate at which a kink comes nearer is a difference quotient over this share of the step.
 static const double PROBE = 1e-4;
 
-// What passes through zero at an event: the velocity of its link or storey (`turns`), or where it
-// is. `located` is a correction of the instant, as a share of the step, after which the step is
-// taken a last time; one of its square would be too small to matter. Where a law is only changed
-// the instant may be wrong by the tolerance, but not where that would be before a turn, which would
-// come again; where a history is committed, or velocities jump, it may not.
+// The kinds of events. What passes through zero is the velocity of the link or storey (`turns`), or
+// else its penetration or drift. After a correction of the instant below `located`, a share of the
+// step, the step is taken a last time: the next correction would be about its square. The instant
+// may be wrong by the tolerance where only a law is changed. It must be more accurate at a turn,
+// which would come again if the step ended before it, and most accurate where a history is
+// committed or velocities jump.
 static const struct dp_kind {
     double located;
     bool of_storey, turns;
@@ -109,8 +113,8 @@ static bool dp_is_before_kink(const struct dp *p, int k, const struct polynomial
     return dp_before_kink(p, k, dp_motion_value(path, x), dp_motion_slope(path, x) / p->h) > 0.0;
 }
 
-// The first kink in the step of the force of closed contact k, or `other` if that is earlier. It is
-// looked for on the first piece of the path on which d does not turn, but for noise.
+// The first kink in the step of the force of closed contact k, or `other` if that is earlier. The
+// search is on the first piece of the path that is longer than noise: there d does not turn.
 static struct dp_event dp_kink(const struct dp *p, int k, const struct motion *m,
                                struct dp_event other) {
     struct motion_pieces s = dp_motion_cut(m);

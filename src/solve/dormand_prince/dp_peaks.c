@@ -12,18 +12,25 @@
 #include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
 
-// Distance in the step of the three accelerations; how far their interpolation may be too low, and
-// how far so beside the ends, where the step ends at no peak. Tries to come to the top.
-static const double BESIDE = 0.02, BEYOND = 1.1, NEARLY = 0.999;
+// A peak of an acceleration is the top of a parabola through three that are this far apart in the
+// step. It is found after so many tries, or left as it is.
+static const double BESIDE = 0.02;
 enum { TRIES = 3 };
+
+// The interpolated acceleration may be too low by these factors: in general, and against the ends
+// of the step.
+static const double BEYOND = 1.1, NEARLY = 0.999;
 
 // Place of the third stage.
 static const double INNER = 0.3;
 
-// Of the largest displacement over the largest velocity: in a shorter step, as between two events,
-// rounding of displacements makes more of the interpolated velocities than any peak inside could.
+// No peak is looked for in a step that is shorter than this share of the largest displacement over
+// the largest velocity, as between two events: rounding of displacements changes the interpolated
+// velocities by more than a peak could.
 static const double INSTANT = 1e-8;
-static const double PLACED = 1e-4;  // of the step, of an extremum of a force; its error is a square
+
+// Place of the largest force of a link, in the step: the force errs by the square.
+static const double PLACED = 1e-4;
 
 static bool dp_is_instant(const struct dp *p) {
     return p->h * p->scales.most_v < INSTANT * p->scales.most_u;

@@ -22,7 +22,7 @@ static const double SAFETY = 0.9;
 static const double SHRINK_MOST = 0.2, GROW_MOST = 5.0;
 static const double NEGLIGIBLE = 1e-4;  // less than (SAFETY / GROW_MOST)^5
 
-// What makes the bits of a number, taken as its logarithm, err as much to both sides.
+// The bits of a number are nearly its logarithm. With this offset they err as much to both sides.
 static const int64_t NEAREST = -60 * (INT64_C(1) << 52) / 1000;
 
 // The error of the first step over its estimate, where the force grows like t^(1/4). For sum b_i
