@@ -66,13 +66,15 @@ struct dp_system {
 };
 
 // The system at one instant. Links are those live in the state at the start of the step.
+struct dp_link_rates {
+    struct contact_response response;
+    double power;  // [F L/T] of its force
+};
 struct dp_rates {
     double *u, *v;                 // [L] [L/T] (n_dof)
     double *a;                     // [L/T^2] (n_dof)
     struct forcing_values ground;  // (n_ground)
-    double *force;                 // [F] (n_live)
-    double *power;                 // [F L/T] (n_live) of those forces
-    double *dfdd, *dfdv;           // [F/L] [F T/L] (n_live) their slopes
+    struct dp_link_rates *link;    // (n_live)
     // [F L/T] of loads, of full dampings and on storeys that are not elastic; not where nothing is
     // special
     double input, damping, storey;
@@ -94,7 +96,7 @@ struct dp_event {
     enum dp_event_kind kind;
     int index;         // of the link, or the floor above the storey
     double place;      // in the step
-    double direction;  // sign of what passes through zero, after it: d, its velocity, the drift's
+    double direction;  // its sign is that of what passes through zero, after the event
     double target;     // [L] drift at which the branch ends
 };
 
@@ -103,19 +105,19 @@ struct dp_fastest {
     struct stability *building;  // (n_building) without links
     double alone;                // [T] longest step without links
     double longest;              // [T] and with those that are live
-    bool linked;                 // some were, when `longest` was found
+    bool linked;                 // there were live links when `longest` was found
     double *spring, *dashpot;    // [1/T^2] [1/T] (n_dof) scratch, zeros between calls
     double *most;                // [1/T^2] (n_building) scratch, as well
 };
 
 struct dp;
 
-// The n floors from `first` on, in whole lanes, that are looked at for peaks: negative are those
-// that could have one in the step, and whose acceleration could.
-enum { DP_LOOK = 8 * LANES_WIDTH };
-struct dp_look {
+// The n floors from `first` on, in whole lanes. `hit` is negative where a floor may have a peak in
+// the step, `bends` where its acceleration may.
+enum { DP_CANDIDATES = 8 * LANES_WIDTH };
+struct dp_candidates {
     int first, n;
-    int64_t hit[DP_LOOK], bends[DP_LOOK];
+    int64_t hit[DP_CANDIDATES], bends[DP_CANDIDATES];
 };
 
 // What a step does with all floors, in vectors (dp_floors.h).
@@ -124,8 +126,8 @@ struct dp_floors {
     // Accelerations of the linear floors from `first` up to `end`, of whole lanes.
     void (*rates)(const struct dp *p, double ground, ptrdiff_t first, ptrdiff_t end,
                   struct dp_rates *r);
-    double (*error)(const struct dp *p);            // largest of u and v over their sizes
-    bool (*look)(struct dp *p, struct dp_look *l);  // and drifts; true: any could
+    double (*error)(const struct dp *p);  // largest of u and v over their sizes
+    bool (*candidates)(struct dp *p, struct dp_candidates *c);  // and drifts; true: any could
     void (*work)(const struct dp *p, const double *time, struct energy_account *energy);
 };
 extern const struct dp_floors dp_narrow, dp_wide;
@@ -148,16 +150,16 @@ struct dp {
     struct gaps gaps;         // only the runs of links
     double *rate[2];          // [L/T] (n_link) of penetrations at both ends
     double *reach;            // [L] (n_contact) upper bounds of penetrations
-    bool closes, deepens;     // can any be above 0, or above its peak?
+    bool closes, deepens;     // may a penetration be above 0, or above its peak?
     struct meeting *meeting;  // (n_contact) scratch of rigid impacts
 
     // Its length.
     struct dp_fastest fastest;
     double trial;          // [T] what the error control would take next
     struct scales scales;  // of errors
-    int noisy;             // steps since `scales` says so
-    bool grown;            // motions have, since the scales were made
-    bool jumped;           // something has at `now`, of which no peaks have been taken since
+    int noisy;             // steps since `scales` first says that rounding is too large
+    bool grown;            // motions have grown since the scales were made
+    bool jumped;           // something has jumped at `now`, and no peaks have been taken since
     bool is_steep;         // a force may begin with an infinite slope at `now`
     struct pace pace;      // of all steps
 
@@ -180,9 +182,9 @@ void dp_system_start(struct dp *p);
 // farther than is noise.
 void dp_system_branch(struct dp *p, int i, double from, double direction);
 
-// Of the storey below floor i: its tangent at `drift` with the committed history, the smallest
-// change of its drift that counts, and its shear at `drift` on its branch [F].
-double dp_system_tangent(const struct dp *p, int i, double drift);
+// The storey below floor i: its law at `drift` with the committed history, the smallest change of
+// its drift that counts, and its shear at `drift` on its branch [F].
+struct storey_response dp_system_storey(const struct dp *p, int i, double drift);
 double dp_system_noise(const struct dp *p, int i);
 double dp_system_shear(const struct dp *p, int i, double drift);
 
@@ -265,9 +267,6 @@ bool dp_step_alloc(struct dp *p, struct arena *a);
 // The first step, before there is any error.
 void dp_step_start(struct dp *p);
 
-// Makes the first stage, at `now`, where it is not the last of the step before.
-void dp_step_first(struct dp *p);
-
 // Takes the step from `now` of length h to time `end` into `next`.
 void dp_step_take(struct dp *p, double h, double end);
 
@@ -286,7 +285,7 @@ int dp_step_attempt(struct dp *p, struct error *e);
 double dp_step_error(const struct dp *p);
 int dp_step_reject(struct dp *p, double error, struct error *e);
 
-// dp_motion.c: the dense output of a step, from position, velocity and acceleration at both its
+// dp_rates.c, too: the dense output of a step, from position, velocity and acceleration at both its
 // ends. Hermite interpolation: Hairer, Norsett & Wanner (1993), Solving Ordinary Differential
 // Equations I, section II.6.
 
@@ -368,10 +367,6 @@ void dp_events_locate(struct dp *p);
 
 // Is it one of a storey? Else it is one of a link.
 bool dp_events_is_of_storey(const struct dp_event *e);
-
-// Lets p->event happen at `now`, and begins again from there (dp_happen.c). STATUS_SYSTEM: no
-// memory; STATUS_FAILED: what dormand-prince does not follow, or events without end.
-int dp_happen(struct dp *p, struct error *e);
 
 // dp_peaks.c: largest values.
 

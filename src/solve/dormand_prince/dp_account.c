@@ -58,7 +58,7 @@ static void dp_integrate(const struct dp *p, const double *time, struct energy_a
 // of such a law gives 0 but for the rule. NAN: it does depend.
 static double dp_elastic_work(const struct dp *p, int n, double d) {
     int k = p->now.live[n];
-    if (p->stage[DP_STAGES - 1]->dfdv[n] != 0.0) {
+    if (p->stage[DP_STAGES - 1]->link[n].response.dfdv != 0.0) {
         return NAN;
     }
     double start = p->now.delta[k];
@@ -82,8 +82,8 @@ static double dp_link_work(const struct dp *p, const double *time, int i, double
     double work = 0.0;
     *impulse = 0.0;
     for (int s = 0; s < DP_STAGES; s += s == 0 ? 2 : 1) {
-        work += time[s] * p->stage[s]->power[i];
-        *impulse += time[s] * p->stage[s]->force[i];
+        work += time[s] * p->stage[s]->link[i].power;
+        *impulse += time[s] * p->stage[s]->link[i].response.force;
     }
     return isnan(elastic) ? work : elastic;
 }
@@ -112,7 +112,7 @@ static void dp_row_links(const struct dp *p, const struct dp_rates *rates, struc
         row->link[k].force = 0.0;
     }
     for (int i = 0; i < p->now.n_live; i++) {
-        row->link[p->now.live[i]].force = rates->force[i];
+        row->link[p->now.live[i]].force = rates->link[i].response.force;
     }
 }
 

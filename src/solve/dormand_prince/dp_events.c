@@ -20,17 +20,21 @@
 
 enum { ITERATIONS_MAX = 60 };
 
-static const double STILL = 1.0;  // of the error allowed: drifts and dampers that have not moved
-static const double SAME = 1e-9;  // of the stiffness of a storey: tangents of one line
+// A drift or a damper that moves by less than this share of the allowed error stands still.
+static const double STILL = 1.0;
 
-// The rate of what is left to a kink is taken over this share of the step.
+// Tangents belong to one line if they differ by less than this share of the storey's stiffness.
+static const double SAME = 1e-9;
+
+// The rate at which a kink comes nearer is a difference quotient over this share of the step.
 static const double PROBE = 1e-4;
 
-// What passes through zero at an event: the velocity of its link or storey (`turns`), or where it
-// is. `located` is a correction of the instant, as a share of the step, after which the step is
-// taken a last time; one of its square would be too small to matter. Where a law is only changed
-// the instant may be wrong by the tolerance, but not where that would be before a turn, which would
-// come again; where a history is committed, or velocities jump, it may not.
+// The kinds of events. What passes through zero is the velocity of the link or storey (`turns`), or
+// else its penetration or drift. After a correction of the instant below `located`, a share of the
+// step, the step is taken a last time: the next correction would be about its square. The instant
+// may be wrong by the tolerance where only a law is changed. It must be more accurate at a turn,
+// which would come again if the step ended before it, and most accurate where a history is
+// committed or velocities jump.
 static const struct dp_kind {
     double located;
     bool of_storey, turns;
@@ -62,18 +66,6 @@ static double dp_still(const struct dp *p) {
     return STILL * p->model->control.tolerance * p->scales.most_u;
 }
 
-static struct dp_event dp_closing(const struct dp *p, int k, const struct motion *m) {
-    struct motion_pieces s = dp_motion_cut(m);
-    double least = dp_motion_noise(p, k);
-    for (int i = 0; i < s.n; i++) {
-        if (s.d[i + 1] > least && s.d[i + 1] > s.d[i]) {
-            bool rigid = p->model->link[k].law->rebound;
-            return (struct dp_event){rigid ? DP_MEET : DP_CLOSE, k, dp_where(&s, i, 0.0), 1.0, 0.0};
-        }
-    }
-    return nothing;
-}
-
 // Does a closed contact or a damper go on in its phase through the whole step, for certain? In the
 // cubic of its velocity, between those at the ends, the accelerations have no larger share than
 // 4/27 of the step each.
@@ -84,21 +76,21 @@ static bool dp_stays(const struct dp *p, int k, const struct motion *m) {
     return goes_on && (phase == PHASE_APPROACH || m->d[1] > 0.0);
 }
 
-static struct dp_event dp_leaving(const struct dp *p, int k, const struct motion *m) {
-    if (dp_stays(p, k, m)) {
-        return nothing;
-    }
-    struct motion_pieces s = dp_motion_cut(m);
-    bool opens = !p->model->link[k].bilateral;
-    double least = opens ? dp_motion_noise(p, k) : dp_still(p);
-    int phase = p->system.phase[k];
+// Where link k passes d = 0 to the other side, or a closed one leaves its phase.
+static struct dp_event dp_passing(const struct dp *p, int k, const struct motion *m) {
+    const struct link *l = &p->model->link[k];
+    const struct motion_pieces s = dp_motion_cut(m);
+    const bool closed = p->now.link[k].closed;
+    const double least = l->bilateral ? dp_still(p) : dp_motion_noise(p, k);
+    const int phase = closed ? p->system.phase[k] : PHASE_ANY, after = closed ? -1 : 1;
     for (int i = 0; i < s.n; i++) {
-        double rise = s.d[i + 1] - s.d[i];
+        const double rise = s.d[i + 1] - s.d[i];
         if (phase * rise < -least) {
             return (struct dp_event){DP_TURN, k, s.x[i], -phase, 0.0};
         }
-        if (opens && s.d[i + 1] < -least && rise < 0.0) {
-            return (struct dp_event){DP_OPEN, k, dp_where(&s, i, 0.0), -1.0, 0.0};
+        if (!l->bilateral && after * s.d[i + 1] > least && after * rise > 0.0) {
+            const enum dp_event_kind kind = closed ? DP_OPEN : l->law->rebound ? DP_MEET : DP_CLOSE;
+            return (struct dp_event){kind, k, dp_where(&s, i, 0.0), after, 0.0};
         }
     }
     return nothing;
@@ -121,8 +113,8 @@ static bool dp_is_before_kink(const struct dp *p, int k, const struct polynomial
     return dp_before_kink(p, k, dp_motion_value(path, x), dp_motion_slope(path, x) / p->h) > 0.0;
 }
 
-// The first kink in the step of the force of closed contact k, or `other` if that is earlier. It is
-// looked for on the first piece of the path on which d does not turn, but for noise.
+// The first kink in the step of the force of closed contact k, or `other` if that is earlier. The
+// search is on the first piece of the path that is longer than noise: there d does not turn.
 static struct dp_event dp_kink(const struct dp *p, int k, const struct motion *m,
                                struct dp_event other) {
     struct motion_pieces s = dp_motion_cut(m);
@@ -145,17 +137,15 @@ static struct dp_event dp_kink(const struct dp *p, int k, const struct motion *m
 }
 
 static struct dp_event dp_link_event(const struct dp *p, int k) {
-    struct motion m = dp_motion_link(p, k);
-    if (!p->now.link[k].closed) {
-        return dp_closing(p, k, &m);
-    }
-    struct dp_event event = dp_leaving(p, k, &m);
-    return p->model->link[k].law->kink ? dp_kink(p, k, &m, event) : event;
+    const struct motion m = dp_motion_link(p, k);
+    const bool closed = p->now.link[k].closed;
+    const struct dp_event event = closed && dp_stays(p, k, &m) ? nothing : dp_passing(p, k, &m);
+    return closed && p->model->link[k].law->kink ? dp_kink(p, k, &m, event) : event;
 }
 
 // A line that is told from the last committed point on has a slope as wrong as that by rounding.
 static bool dp_is_on_branch(const struct dp *p, int i, double drift) {
-    double change = dp_system_tangent(p, i, drift) - p->system.tangent[i];
+    double change = dp_system_storey(p, i, drift).tangent - p->system.tangent[i];
     return fabs(change) <= SAME * p->model->chain.stiffness[i];
 }
 

@@ -236,13 +236,13 @@ LANES_INLINE void dp_bend_part(const struct dp *p, ptrdiff_t i, floor_bits *bend
 
 // Drifts at the end of the step, and which floors could have a new peak in it: a value has at most
 // been its last rate times the step beyond that at the end.
-FLOORS_CLONES static bool dp_look(struct dp *p, struct dp_look *l) {
+FLOORS_CLONES static bool dp_find_candidates(struct dp *p, struct dp_candidates *c) {
     double *const *peak = p->results->peak;
     const double *joint = p->model->chain.joint;
     const double *u = p->next.u, *v = p->next.v, *a = p->next.a;
     const double h = p->h;
     floor_bits any = {0};
-    for (ptrdiff_t i = l->first, end = i + lanes_whole(l->n); i < end; i += FLOORS_VECTOR) {
+    for (ptrdiff_t i = c->first, end = i + lanes_whole(c->n); i < end; i += FLOORS_VECTOR) {
         const floor_lanes own_u = FLOORS_AT(u, i), own_v = FLOORS_AT(v, i);
         const floor_lanes joined = FLOORS_AT(joint, i);
         const floor_lanes drift = own_u - joined * BELOW(FLOORS_AT(u, i - FLOORS_VECTOR), own_u);
@@ -256,8 +256,8 @@ FLOORS_CLONES static bool dp_look(struct dp *p, struct dp_look *l) {
                                BEYOND(to_v, FLOORS_AT(peak[PEAK_VELOCITY], i)) |
                                BEYOND(to_drift, FLOORS_AT(peak[PEAK_DRIFT], i));
         *(floor_lanes *)(p->next.drift + i) = drift;
-        memcpy(l->bends + (i - l->first), &bends, sizeof bends);
-        memcpy(l->hit + (i - l->first), &hit, sizeof hit);
+        memcpy(c->bends + (i - c->first), &bends, sizeof bends);
+        memcpy(c->hit + (i - c->first), &hit, sizeof hit);
         any |= hit;
     }
     return floors_any(&any);
@@ -296,6 +296,7 @@ FLOORS_CLONES static void dp_add_works(const struct dp *p, const double *time,
     }
 }
 
-const struct dp_floors DP_FLOORS = {dp_take, dp_rates, dp_largest_error, dp_look, dp_add_works};
+const struct dp_floors DP_FLOORS = {dp_take, dp_rates, dp_largest_error, dp_find_candidates,
+                                    dp_add_works};
 
 #endif

@@ -12,18 +12,25 @@
 #include "solve/account/peaks.h"
 #include "solve/dormand_prince/dp.h"
 
-// Distance in the step of the three accelerations; how far their interpolation may be too low, and
-// how far so beside the ends, where the step ends at no peak. Tries to come to the top.
-static const double BESIDE = 0.02, BEYOND = 1.1, NEARLY = 0.999;
+// A peak of an acceleration is the top of a parabola through three that are this far apart in the
+// step. It is found after so many tries, or left as it is.
+static const double BESIDE = 0.02;
 enum { TRIES = 3 };
+
+// The interpolated acceleration may be too low by these factors: in general, and against the ends
+// of the step.
+static const double BEYOND = 1.1, NEARLY = 0.999;
 
 // Place of the third stage.
 static const double INNER = 0.3;
 
-// Of the largest displacement over the largest velocity: in a shorter step, as between two events,
-// rounding of displacements makes more of the interpolated velocities than any peak inside could.
+// No peak is looked for in a step that is shorter than this share of the largest displacement over
+// the largest velocity, as between two events: rounding of displacements changes the interpolated
+// velocities by more than a peak could.
 static const double INSTANT = 1e-8;
-static const double PLACED = 1e-4;  // of the step, of an extremum of a force; its error is a square
+
+// Place of the largest force of a link, in the step: the force errs by the square.
+static const double PLACED = 1e-4;
 
 static bool dp_is_instant(const struct dp *p) {
     return p->h * p->scales.most_v < INSTANT * p->scales.most_u;
@@ -134,22 +141,22 @@ static void dp_note_acceleration(struct dp *p, const struct building *g, int i) 
 }
 
 // Could the acceleration of a floor have a peak within the step, by those at the stages?
-static bool dp_may_bend(const struct dp *p, const struct dp_look *l, int i) {
+static bool dp_may_bend(const struct dp *p, const struct dp_candidates *c, int i) {
     if (p->model->n_ground == 1) {
-        return l->bends[i - l->first] < 0;
+        return c->bends[i - c->first] < 0;
     }
     const struct building *g = &p->model->building[p->system.building[i]];
     double most = number_max(fabs(dp_total(p->stage[2], g, i)), fabs(dp_total(p->stage[3], g, i)));
     return BEYOND * most > p->results->peak[PEAK_ACCELERATION][i];
 }
 
-static void dp_floor_within(struct dp *p, const struct dp_look *l, int i) {
+static void dp_floor_within(struct dp *p, const struct dp_candidates *c, int i) {
     const struct motion own = dp_motion_floor(p, i, -1);
     const struct motion drift = dp_motion_floor(p, i, p->system.below[i]);
     dp_note_turns(p, PEAK_DISPLACEMENT, i, &own);
     dp_note_velocity(p, i, &own);
     dp_note_turns(p, PEAK_DRIFT, i, &drift);
-    if (dp_may_bend(p, l, i)) {
+    if (dp_may_bend(p, c, i)) {
         dp_note_acceleration(p, &p->model->building[p->system.building[i]], i);
     }
 }
@@ -213,16 +220,16 @@ static void dp_rescale(struct dp *p) {
 static void dp_floors_step(struct dp *p) {
     const struct model *m = p->model;
     bool always = m->n_ground != 1 || !m->elastic;
-    struct dp_look l;
-    for (l.first = 0; l.first < m->n_dof; l.first += DP_LOOK) {
-        l.n = m->n_dof - l.first < DP_LOOK ? m->n_dof - l.first : DP_LOOK;
-        bool found = p->floors->look(p, &l);
-        for (int i = 0; (found || always) && i < l.n; i++) {
-            if ((always || l.hit[i] < 0) && !dp_is_instant(p)) {
-                dp_floor_within(p, &l, l.first + i);
+    struct dp_candidates c;
+    for (c.first = 0; c.first < m->n_dof; c.first += DP_CANDIDATES) {
+        c.n = m->n_dof - c.first < DP_CANDIDATES ? m->n_dof - c.first : DP_CANDIDATES;
+        bool found = p->floors->candidates(p, &c);
+        for (int i = 0; (found || always) && i < c.n; i++) {
+            if ((always || c.hit[i] < 0) && !dp_is_instant(p)) {
+                dp_floor_within(p, &c, c.first + i);
             }
-            if (always || l.hit[i] < 0) {
-                dp_floor_at(p, &p->next, l.first + i);
+            if (always || c.hit[i] < 0) {
+                dp_floor_at(p, &p->next, c.first + i);
             }
         }
     }
@@ -253,9 +260,10 @@ static double dp_penetration(struct dp *p, int k, const struct motion *m) {
 // when; the one at the end where it does not.
 static double dp_inner_force(const struct dp *p, int i, const struct motion *m, double *time) {
     const struct dp_rates *first = p->stage[0], *last = p->stage[DP_STAGES - 1];
-    const double start = first->dfdd[i] * m->v[0] + first->dfdv[i] * m->a[0];
-    double rate = last->dfdd[i] * m->v[1] + last->dfdv[i] * m->a[1];
-    double force = last->force[i];
+    const double start =
+        first->link[i].response.dfdd * m->v[0] + first->link[i].response.dfdv * m->a[0];
+    double rate = last->link[i].response.dfdd * m->v[1] + last->link[i].response.dfdv * m->a[1];
+    double force = last->link[i].response.force;
     *time = p->next.time;
     if (start * rate >= 0.0 || dp_is_instant(p)) {
         return force;
@@ -279,7 +287,7 @@ void dp_peaks_link(struct dp *p, int i, struct impact_share *share) {
     const struct motion m = dp_motion_link(p, k);
     double time;
     const double inner = dp_inner_force(p, i, &m, &time);
-    const double end = p->stage[DP_STAGES - 1]->force[i];
+    const double end = p->stage[DP_STAGES - 1]->link[i].response.force;
     peaks_force(p->results, k, peaks_size(p->model, k, end), p->next.time);
     peaks_force(p->results, k, peaks_size(p->model, k, inner), time);
     share->force = number_max(end, inner);
@@ -307,7 +315,7 @@ void dp_peaks_jump(struct dp *p) {
     dp_rescale(p);
     for (int i = 0; i < p->now.n_live; i++) {
         int k = p->now.live[i];
-        struct impact_share share = {.force = p->stage[0]->force[i]};
+        struct impact_share share = {.force = p->stage[0]->link[i].response.force};
         peaks_force(p->results, k, peaks_size(p->model, k, share.force), p->now.time);
         impacts_add(p->impacts, k, &share);
     }

@@ -22,7 +22,7 @@ static const double SAFETY = 0.9;
 static const double SHRINK_MOST = 0.2, GROW_MOST = 5.0;
 static const double NEGLIGIBLE = 1e-4;  // less than (SAFETY / GROW_MOST)^5
 
-// What makes the bits of a number, taken as its logarithm, err as much to both sides.
+// The bits of a number are nearly its logarithm. With this offset they err as much to both sides.
 static const int64_t NEAREST = -60 * (INT64_C(1) << 52) / 1000;
 
 // The error of the first step over its estimate, where the force grows like t^(1/4). For sum b_i
@@ -38,10 +38,6 @@ enum { NOISY = 1000 };
 
 // Squares of frequencies that differ by less than this factor make the same scales.
 static const double SAME_SCALE = 1.25;
-
-void dp_step_first(struct dp *p) {
-    dp_rates_at(p, p->now.time, DP_ALL, p->stage[0]);
-}
 
 void dp_step_take(struct dp *p, double h, double end) {
     p->h = h;
@@ -95,13 +91,13 @@ static void dp_add_link(struct dp *p, int n) {
     const struct link *l = &p->model->link[k];
     const struct dp_rates *r = p->stage[0];
     const bool unbounded = l->bilateral && p->system.phase[k] != PHASE_ANY;
-    const double dfdd =
-        l->bilateral ? r->dfdd[n] : dp_system_response(p, k, p->now.delta[k], 0.0).dfdd;
+    const double dfdd = l->bilateral ? r->link[n].response.dfdd
+                                     : dp_system_response(p, k, p->now.delta[k], 0.0).dfdd;
     for (int end = 0; end < 2; end++) {
         for (int i = 0; i < link_entries(l, end); i++) {
             const int dof = link_entry(l, end, i).dof;
             f->spring[dof] += fabs(dfdd) / l->mass;
-            f->dashpot[dof] += unbounded ? 0.0 : fabs(r->dfdv[n]) / l->mass;
+            f->dashpot[dof] += unbounded ? 0.0 : fabs(r->link[n].response.dfdv) / l->mass;
         }
     }
 }

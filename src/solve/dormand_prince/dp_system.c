@@ -46,30 +46,26 @@ static const struct fields_row list[] = {
 };
 const struct fields dp_system_fields = FIELDS(list);
 
-static struct storey_response dp_storey_at(const struct dp *p, int i, double drift) {
+struct storey_response dp_system_storey(const struct dp *p, int i, double drift) {
     const struct storey *law = &p->model->storey[i];
     return law->law->respond(law->constant, p->now.storey_history + law->history, drift, NULL);
 }
 
-double dp_system_tangent(const struct dp *p, int i, double drift) {
-    return dp_storey_at(p, i, drift).tangent;
-}
-
 double dp_system_shear(const struct dp *p, int i, double drift) {
     const struct dp_system *s = &p->system;
-    return s->calls[i] ? dp_storey_at(p, i, drift).shear : s->base[i] + s->tangent[i] * drift;
+    return s->calls[i] ? dp_system_storey(p, i, drift).shear : s->base[i] + s->tangent[i] * drift;
 }
 
 double dp_system_noise(const struct dp *p, int i) {
     const double drift = p->now.drift[i];
-    const double elastic = dp_storey_at(p, i, drift).shear / p->model->chain.stiffness[i];
+    const double elastic = dp_system_storey(p, i, drift).shear / p->model->chain.stiffness[i];
     const double probe = PROBE * (fabs(drift) + fabs(elastic));
     return fmax(probe, ROUNDING * p->system.most_drift[i]);
 }
 
 double dp_system_lag(const struct dp *p, int i) {
     const double drift = p->now.drift[i];
-    const double missed = dp_system_shear(p, i, drift) - dp_storey_at(p, i, drift).shear;
+    const double missed = dp_system_shear(p, i, drift) - dp_system_storey(p, i, drift).shear;
     return fabs(missed) / p->model->chain.stiffness[i];
 }
 
@@ -92,8 +88,8 @@ void dp_system_branch(struct dp *p, int i, double from, double direction) {
     if (!s->calls[i]) {
         const double drift = p->now.drift[i];
         const double beyond = from + copysign(dp_system_noise(p, i), direction);
-        s->tangent[i] = dp_storey_at(p, i, beyond).tangent;
-        s->base[i] = dp_storey_at(p, i, drift).shear - s->tangent[i] * drift;
+        s->tangent[i] = dp_system_storey(p, i, beyond).tangent;
+        s->base[i] = dp_system_storey(p, i, drift).shear - s->tangent[i] * drift;
     }
     dp_fill_rows(p, i);
 }

@@ -23,7 +23,7 @@ static double crossing_slope(const struct cubic *c, double x) {
     return c->c1 + x * (2.0 * c->c2 + x * 3.0 * c->c3);
 }
 
-static double crossing_look(double x, void *context, double *rate) {
+static double crossing_at(double x, void *context, double *rate) {
     *rate = crossing_slope(context, x);
     return crossing_value(context, x);
 }
@@ -31,7 +31,7 @@ static double crossing_look(double x, void *context, double *rate) {
 static double crossing_root(struct cubic *c, double rise) {
     const struct root r = {0.0, 1.0, rise};
     const double x = c->c0 / (c->c0 - crossing_value(c, 1.0));
-    return root_newton(crossing_look, c, r, x > 0.0 && x < 1.0 ? x : root_middle(&r), PRECISION);
+    return root_newton(crossing_at, c, r, x > 0.0 && x < 1.0 ? x : root_middle(&r), PRECISION);
 }
 
 static struct cubic crossing_cubic(const struct path *p) {

@@ -44,17 +44,16 @@ static const double SLOW = 4.0;
 // energy that a block loses, sum p r / 2, is shared out by the pushes, as it is among the many
 // small impacts that lead to the same.
 
-// A row of bodies, the contacts between them on their right.
-struct bodies {
-    int n;
-    int contact[REST_MAX];
-    int dof[REST_MAX + 1];  // WALL at an end
-    // Of the body: how the ground on its left end moves ahead of its own, and its motion less that.
-    double shift[REST_MAX + 1], y[REST_MAX + 1];
+// A body of a row.
+struct rest_body {
+    int dof;       // WALL at an end
+    int contact;   // on its right; -1: none
+    double shift;  // how the ground on its left end moves ahead of its own,
+    double y;      // and its motion less that
 };
 
 // Neighbours of one motion.
-struct block {
+struct rest_block {
     int first;
     double mass, momentum;  // mass infinite: there is a wall
     double y;
@@ -96,30 +95,25 @@ bool rest_find(const struct state *s, const struct model *m, struct rest_contact
     return true;
 }
 
-static void rest_append(struct bodies *b, int dof, double shift, const double *x) {
-    b->dof[b->n] = dof;
-    b->shift[b->n] = shift;
-    b->y[b->n] = (dof == WALL ? 0.0 : x[dof]) - shift;
-    b->n++;
-}
-
-// The row that begins with the left body of contact k.
-static void rest_line_up(const struct rest_contacts *t, const struct model *m, int k,
-                         const double *x, const double *ground, struct bodies *b) {
-    int n;
-    b->n = 0;
-    rest_append(b, m->link[k].dof[0], 0.0, x);
-    while (k >= 0) {
-        const struct link *l = &m->link[k];
-        const int last = b->n - 1;
-        b->contact[last] = k;
-        rest_append(b, l->dof[1], b->shift[last] + state_ground_gap(l, m, ground), x);
-        k = rest_contact_of(t, m, 0, l->dof[1], &n);
+// The row that begins with the left body of contact k. Returns how many bodies it has.
+static int rest_line_up(const struct rest_contacts *t, const struct model *m, int k,
+                        const double *x, const double *ground, struct rest_body *body) {
+    int dof = m->link[k].dof[0], n = 0, beside;
+    double shift = 0.0;
+    for (;;) {
+        const double own = dof == WALL ? 0.0 : x[dof];
+        body[n++] = (struct rest_body){dof, k, shift, own - shift};
+        if (k < 0) {
+            return n;
+        }
+        shift += state_ground_gap(&m->link[k], m, ground);
+        dof = m->link[k].dof[1];
+        k = rest_contact_of(t, m, 0, dof, &beside);
     }
 }
 
 // Two blocks become one; both at walls stay what they are, as nothing could move them.
-static bool rest_join(struct block *left, const struct block *right) {
+static bool rest_join(struct rest_block *left, const struct rest_block *right) {
     if (!(left->y > right->y) || (isinf(left->mass) && isinf(right->mass))) {
         return false;
     }
@@ -127,20 +121,21 @@ static bool rest_join(struct block *left, const struct block *right) {
                      : isinf(right->mass)
                          ? right->y
                          : (left->momentum + right->momentum) / (left->mass + right->mass);
-    *left = (struct block){.first = left->first,
-                           .mass = left->mass + right->mass,
-                           .momentum = left->momentum + right->momentum,
-                           .y = y};
+    *left = (struct rest_block){.first = left->first,
+                                .mass = left->mass + right->mass,
+                                .momentum = left->momentum + right->momentum,
+                                .y = y};
     return true;
 }
 
-static int rest_find_blocks(const struct bodies *b, const struct model *m, struct block *block) {
+static int rest_find_blocks(const struct rest_body *body, int n_body, const struct model *m,
+                            struct rest_block *block) {
     int n = 0;
-    for (int i = 0; i < b->n; i++) {
-        const bool wall = b->dof[i] == WALL;
-        const double mass = wall ? INFINITY : m->mass[b->dof[i]];
-        block[n++] = (struct block){
-            .first = i, .mass = mass, .momentum = wall ? 0.0 : mass * b->y[i], .y = b->y[i]};
+    for (int i = 0; i < n_body; i++) {
+        const bool wall = body[i].dof == WALL;
+        const double mass = wall ? INFINITY : m->mass[body[i].dof];
+        const double momentum = wall ? 0.0 : mass * body[i].y;
+        block[n++] = (struct rest_block){i, mass, momentum, body[i].y};
         while (n > 1 && rest_join(&block[n - 2], &block[n - 1])) {
             n--;
         }
@@ -148,56 +143,57 @@ static int rest_find_blocks(const struct bodies *b, const struct model *m, struc
     return n;
 }
 
-// What passes between the bodies `first` to `last` when they get the motion y: the momentum that
-// those on the side away from a wall have lost.
-static void rest_find_passages(const struct bodies *b, const struct model *m, int first, int last,
-                               double y, struct passage *p) {
-    const bool wall = b->dof[first] == WALL;
+// What passes between n neighbours, from left to right, when they get the motion y: the momentum
+// that those on the side away from a wall have lost.
+static void rest_find_passages(const struct rest_body *body, int n, const struct model *m, double y,
+                               struct passage *p) {
+    const bool wall = body[0].dof == WALL;
     double passed = 0.0, lost = 0.0, pushes = 0.0;
-    for (int i = 0; i < last - first; i++) {
-        const int body = wall ? last - i : first + i;
-        const int left = wall ? body - 1 : body;
-        passed += m->mass[b->dof[body]] * (wall ? y - b->y[body] : b->y[body] - y);
-        p[left] =
-            (struct passage){.push = fmax(passed, 0.0), .approach = b->y[left] - b->y[left + 1]};
+    for (int i = 0; i < n - 1; i++) {
+        const struct rest_body *b = &body[wall ? n - 1 - i : i];
+        const int left = wall ? n - 2 - i : i;
+        passed += m->mass[b->dof] * (wall ? y - b->y : b->y - y);
+        p[left] = (struct passage){.push = fmax(passed, 0.0),
+                                   .approach = body[left].y - body[left + 1].y};
         lost += p[left].push * p[left].approach / 2.0;
         pushes += p[left].push;
     }
-    for (int i = first; i < last; i++) {
+    for (int i = 0; i < n - 1; i++) {
         p[i].lost = pushes > 0.0 ? lost * p[i].push / pushes : 0.0;
     }
 }
 
-static void rest_move(const struct bodies *b, const struct model *m, int first, int last, double y,
+static void rest_move(const struct rest_body *body, int n, const struct model *m, double y,
                       double *x, rest_note *note, void *context) {
     struct passage p[REST_MAX];
-    rest_find_passages(b, m, first, last, y, p);
-    for (int i = first; i <= last; i++) {
-        if (i < last) {
-            note(context, b->contact[i], &p[i]);
+    rest_find_passages(body, n, m, y, p);
+    for (int i = 0; i < n; i++) {
+        if (i + 1 < n) {
+            note(context, body[i].contact, &p[i]);
         }
-        if (b->dof[i] != WALL) {
-            x[b->dof[i]] = y + b->shift[i];
+        if (body[i].dof != WALL) {
+            x[body[i].dof] = y + body[i].shift;
         }
     }
 }
 
 void rest_pool(const struct rest_contacts *t, const struct model *m, double *x,
                const double *ground, rest_note *note, void *context) {
-    struct bodies b;
-    struct block block[REST_MAX + 1];
+    struct rest_body body[REST_MAX + 1];
+    struct rest_block block[REST_MAX + 2];
     for (int i = 0; i < t->n; i++) {
         const int k = t->contact[i];
-        int n;
-        if (rest_contact_of(t, m, 1, m->link[k].dof[0], &n) >= 0) {
+        int beside;
+        if (rest_contact_of(t, m, 1, m->link[k].dof[0], &beside) >= 0) {
             continue;
         }
-        rest_line_up(t, m, k, x, ground, &b);
-        const int n_block = rest_find_blocks(&b, m, block);
+        const int n = rest_line_up(t, m, k, x, ground, body);
+        const int n_block = rest_find_blocks(body, n, m, block);
+        block[n_block].first = n;
         for (int j = 0; j < n_block; j++) {
-            const int last = j + 1 < n_block ? block[j + 1].first - 1 : b.n - 1;
-            if (last > block[j].first) {
-                rest_move(&b, m, block[j].first, last, block[j].y, x, note, context);
+            const int first = block[j].first, size = block[j + 1].first - first;
+            if (size > 1) {
+                rest_move(&body[first], size, m, block[j].y, x, note, context);
             }
         }
     }
