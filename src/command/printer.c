@@ -162,11 +162,20 @@ void printer_head(struct printer *t) {
     }
 }
 
-int printer_close(struct printer *t) {
+static void end(struct printer *t) {
     fputs(t->form == FORM_JSON ? "\n]}\n" : "", t->to);
     free(t->column);
     t->column = NULL;
+}
+
+int printer_close(struct printer *t) {
+    end(t);
     return t->failed ? command_no_memory() : EXIT_DONE;
+}
+
+int printer_end(struct printer *t, int status, struct error *e) {
+    end(t);
+    return status == STATUS_OK && t->failed ? error_no_memory(e) : status;
 }
 
 void printer_add_sweep(struct printer *t, const struct sweep *sweep) {

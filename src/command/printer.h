@@ -79,6 +79,9 @@ void printer_line(struct printer *t);
 // Ends the table. Returns EXIT_DONE or, after a message, the exit status.
 int printer_close(struct printer *t);
 
+// The same for functions whose errors are values: returns `status`, or STATUS_SYSTEM.
+int printer_end(struct printer *t, int status, struct error *e);
+
 // Columns of data and cells of a sweep, and of what goes together along it: its value `choice`.
 void printer_add_sweep(struct printer *t, const struct sweep *sweep);
 void printer_sweep(struct printer *t, const struct sweep *sweep, int choice);

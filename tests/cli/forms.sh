@@ -57,3 +57,24 @@ agree "gaps looked at" gap pair.deck -D side=A -D gap=1cm --limit impacts=0 --ra
 agree "converge" converge pair.deck -D gap=1cm -D side=A -n 3
 agree "law" law hertz -k 2.75e9 -m1 1e5 -v 0.5
 agree "law of several" law kelvin-voigt -k 1e8 -e 0.6 -m1 1e5 -v 0.5 --compare linear
+
+cp "$root"/input/records/ELCENTRO_1940_NS.AT2 "$root"/input/records/NAPA_2014_68150_HNE.AT2 .
+agree "spectra" spectrum ./*.AT2 --periods 0.1,1 --damping 2%,5%
+agree "intensities" spectrum ./*.AT2 --intensities
+cat >map.deck <<'END'
+param T1 1
+param T2 1
+building A -floors 1 -mass 1000 -stiffness ${1000 * (2 * pi / T1)^2}
+building B -floors 1 -mass 1000 -stiffness ${1000 * (2 * pi / T2)^2}
+contact A B -gap 1mm -law linear -k 1e6
+ground sine -amplitude 1 -frequency 1
+step fixed 10ms
+duration 3
+END
+agree "pounding" spectrum --pounding map.deck --periods 0.5,1
+
+run "$jostle" run pair.deck -q
+agree "a study" show pair.h5
+agree "its demands" show pair.h5 --long
+agree "fragility" fragility pair.h5 --edp drift:A --limit 1mm,1m --im gap --at side=A
+agree "fragility by first exceedances" fragility pair.h5 --edp drift:A --limit 1mm,1m --im gap --over side --method ida
