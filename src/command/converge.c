@@ -60,11 +60,13 @@ static int converge_command(int argc, char **argv) {
         {"rtol", 0, "R", OPTION_NUMBER, 0, AT(rtol), 1e-12, 1.0,
          .doc = "what counts as converged: an error bar of at most R times the result; default "
                 "1e-3"},
-        PRINTER_FORM_ROWS(AT(form), "a table separated by tabs, with the results of all levels"),
-        OPTION_HELP_ROW,
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+         .doc = "a table separated by tabs, with the results of all levels"},
         {0}};
     static const struct option_part parts[] = {
         {.row = rows},
+        {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},
         {.text = "\nNothing is written. Exit status: 0 all results have converged, 1 some have "
                  "not.\n"},
         {0}};

@@ -334,17 +334,23 @@ static const struct option_row rows[] = {
     {"im", 0, "NAME", OPTION_TEXT, 0, AT(suite.request.abscissa),
      .doc = "the sweep that is the intensity (default: im, sa, pga, intensity or scale, or the "
             "only sweep of numbers)"},
-    SUITE_ROWS(AT(suite)),
+    {0}};
+
+static const struct option_row form_rows[] = {
     {"method", 0, "counts|ida", OPTION_CHOICE, 0, AT(method),
      .doc = "from the counts at each intensity (the default), or from the intensity at which each "
             "sample first exceeds the limit"},
-    PRINTER_FORM_ROWS(AT(form), "a line for each limit and intensity, separated by tabs"),
-    OPTION_HELP_ROW,
+    {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+     .doc = "a line for each limit and intensity, separated by tabs"},
     {0}};
 
 static int fragility_command(int argc, char **argv) {
     static const struct option_part parts[] = {
         {.row = rows},
+        {.row = suite_rows, .at = AT(suite)},
+        {.row = form_rows},
+        {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},
         {.print = suite_options_print_edps},
         {.text =
              "\nThe median and the dispersion are those of largest likelihood for the counts "

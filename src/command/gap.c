@@ -265,11 +265,14 @@ static int gap_command(int argc, char **argv) {
          .doc = "of the runs that must meet the limit; default 100, all of them"},
         {"parameter", 0, "PARAM", OPTION_TEXT, 0, AT(parameter),
          .doc = "the parameter of the deck that is the gap; default: all contacts get it"},
-        PRINTER_FORM_ROWS(AT(form),
-                          "a table separated by tabs: every run and contact, or every gap"),
-        OPTION_HELP_ROW,
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+         .doc = "a table separated by tabs: every run and contact, or every gap"},
         {0}};
-    static const struct option_part parts[] = {{.row = rows}, {.text = explanation}, {0}};
+    static const struct option_part parts[] = {{.row = rows},
+                                               {.row = printer_rows, .at = AT(form)},
+                                               {.row = option_help},
+                                               {.text = explanation},
+                                               {0}};
     static const struct deck_command c = {&command_gap, parts, settle, run_deck};
     struct options o = {.n_thread = threads_all()};
     return deck_command_run(&c, argc, argv, &o.load);

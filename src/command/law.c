@@ -184,7 +184,6 @@ static int use(void *options, struct arena *a, const struct words *operand) {
 
 static int law_command(int argc, char **argv) {
     static const struct option_row rows[] = {
-        PRINTER_FORM_ROWS(AT(form), "prints name and value, a line each, in SI, not rounded"),
         {"compare", 0, "LAWS", OPTION_WORDS, 0, AT(compare),
          .doc = "sets other laws beside: LAW,LAW,... with the options of the first, or one with "
                 "its own, \"LAW -k K ...\"; may be repeated"},
@@ -199,7 +198,8 @@ static int law_command(int argc, char **argv) {
                 "tabs, commas or semicolons"},
         {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
          .doc = "overwrites what exists"},
-        OPTION_HELP_ROW,
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+         .doc = "prints name and value, a line each, in SI, not rounded"},
         {0}};
     static const struct option_part parts[] = {
         {.text = "LAW with its options stands as in a deck; bare numbers are in SI. `jostle laws` "
@@ -207,6 +207,8 @@ static int law_command(int argc, char **argv) {
                  "  -m1 M, -m2 M    masses of the bodies; without -m2 the other one is a wall\n"
                  "  -v V            velocity with which they meet\n"},
         {.row = rows},
+        {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},
         {0}};
     static const struct option_list list = {&command_law, parts, DASH_LAW, .use = use};
     struct options o = {.picture.existing = RESULT_KEEP};

@@ -8,6 +8,13 @@
 #include "core/safe.h"
 #include "core/text.h"
 
+const struct option_row printer_rows[] = {
+    {"csv", .kind = OPTION_SET, .set = FORM_CSV,
+     .doc = "the same separated by commas, quoted where that is needed (RFC 4180)"},
+    {"json", .kind = OPTION_SET, .set = FORM_JSON,
+     .doc = "the same as {\"columns\": [...], \"data\": [[...], ...]}; a missing number is null"},
+    {0}};
+
 void printer_add(struct printer *t, const struct printer_column *column, int n) {
     if (t->n_column + n > t->capacity) {
         const int capacity = 2 * t->capacity + n + 16;

@@ -86,17 +86,8 @@ int printer_end(struct printer *t, int status, struct error *e);
 void printer_add_sweep(struct printer *t, const struct sweep *sweep);
 void printer_sweep(struct printer *t, const struct sweep *sweep, int choice);
 
-// Rows of the options that choose a form of data.
-#define PRINTER_FORM_ROWS(place, text)                                                             \
-    {"tsv", .kind = OPTION_SET, .at = place, .set = FORM_TSV, .doc = text},                        \
-        {"csv", .kind = OPTION_SET, .at = place, .set = FORM_CSV,                                  \
-         .doc = "the same separated by commas, quoted where that is needed (RFC 4180)"},           \
-    {                                                                                              \
-        "json",                                                                                    \
-            .kind = OPTION_SET, .at = place, .set = FORM_JSON,                                     \
-            .doc =                                                                                 \
-                "the same as {\"columns\": [...], \"data\": [[...], ...]}; a missing number is "   \
-                "null"                                                                             \
-    }
+// The options --csv and --json, of an enum printer_form. They stand behind a row of --tsv, whose
+// text says what the table is.
+extern const struct option_row printer_rows[];
 
 #endif

@@ -91,11 +91,11 @@ static int show_command(int argc, char **argv) {
         {"edp", 0, "EDP", OPTION_WORDS, 0, AT(edp),
          .doc = "with --long: one line a run for this demand; may be repeated. 'jostle fragility "
                 "--help' lists what EDP can be"},
-        OPTION_HELP_ROW,
         {0}};
     static const struct option_part parts[] = {
         {.text = "FILE.h5#7 is run 7 of a study whose deck has 'output -histories'.\n\n"},
         {.row = rows},
+        {.row = option_help},
         {0}};
     static const struct option_list list = {&command_show, parts, .operand = "result file",
                                             .use = use};

@@ -233,10 +233,6 @@ static const struct option_row rows[] = {
     {"define", 'D', "NAME=VALUE", OPTION_WORDS, OPTION_LETTER_ONLY, AT(load.define),
      .doc = "overrides a param of that deck; may be repeated"},
     DECK_THREADS_ROW(AT(n_thread), "threads for its runs (default: all cores)"),
-    PRINTER_FORM_ROWS(
-        AT(form),
-        "tab-separated values, not rounded, one line a record (and statistic, target), damping and "
-        "period; with --intensities one line a record"),
     {"output", 'o', "FILE", OPTION_TEXT, OPTION_LETTER_ONLY, AT(picture.output),
      .doc = "draws the pseudo-acceleration, or the force; .png, .svg or .pdf"},
     {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
@@ -244,12 +240,16 @@ static const struct option_row rows[] = {
             ".dat with --pounding"},
     {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
      .doc = "overwrites what exists"},
-    OPTION_HELP_ROW,
+    {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+     .doc = "tab-separated values, not rounded, one line a record (and statistic, target), damping "
+            "and "
+            "period; with --intensities one line a record"},
     {0}};
 
 int spectrum_command(int argc, char **argv) {
     static const struct option_part parts[] = {
-        {.text = introduction}, {.row = rows}, {.text = explanation}, {0}};
+        {.text = introduction}, {.row = rows},         {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},   {.text = explanation}, {0}};
     static const struct option_list list = {&command_spectrum, parts, DASH_ONE, .use = use};
     struct unit_system si;
     unit_system_init(&si);
