@@ -8,7 +8,7 @@ static int converge_command(int argc, char **argv);
 
 const struct command command_converge = {
     .name = "converge",
-    .usage = "DECK [-D NAME=VALUE]... [-n LEVELS] [--rtol R] [--tsv]",
+    .usage = "DECK [-D NAME=VALUE]... [-n LEVELS] [--rtol R] [--tsv|--csv|--json]",
     .summary = "runs a deck at ever shorter steps and prints the errors of its results",
     .run = converge_command,
 };
@@ -20,7 +20,7 @@ struct options {
     struct load_request load;
     int n_level;
     double rtol;
-    bool tsv;
+    enum printer_form form;
 };
 #define AT(member) offsetof(struct options, member)
 
@@ -42,12 +42,10 @@ static int converge(void *options, const struct model *m) {
     if (status != STATUS_OK) {
         return command_fail(&e);
     }
-    if (o->tsv) {
-        converge_print_tsv(m, r);
-    } else {
-        converge_print(m, r, o->rtol);
+    status = converge_print(m, r, o->rtol, o->form);
+    if (status == EXIT_DONE && r->n_within < r->n_result) {
+        status = EXIT_FAILED;
     }
-    status = r->n_within == r->n_result ? EXIT_DONE : EXIT_FAILED;
     refinement_free(r);
     return status;
 }
@@ -62,12 +60,13 @@ static int converge_command(int argc, char **argv) {
         {"rtol", 0, "R", OPTION_NUMBER, 0, AT(rtol), 1e-12, 1.0,
          .doc = "what counts as converged: an error bar of at most R times the result; default "
                 "1e-3"},
-        {"tsv", .kind = OPTION_TRUE, .at = AT(tsv),
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
          .doc = "a table separated by tabs, with the results of all levels"},
-        OPTION_HELP_ROW,
         {0}};
     static const struct option_part parts[] = {
         {.row = rows},
+        {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},
         {.text = "\nNothing is written. Exit status: 0 all results have converged, 1 some have "
                  "not.\n"},
         {0}};

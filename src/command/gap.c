@@ -18,10 +18,10 @@ static int gap_command(int argc, char **argv);
 const struct command command_gap = {
     .name = "gap",
     .usage =
-        "DECK [-D NAME=VALUE]... [-j THREADS] [--tsv]\n"
+        "DECK [-D NAME=VALUE]... [-j THREADS] [--tsv|--csv|--json]\n"
         "       jostle gap DECK --limit EDP=VALUE [--range FROM:TO:N] [--tolerance LENGTH]\n"
         "                  [--percentile P] [--parameter PARAM] [-D NAME=VALUE]... [-j THREADS]\n"
-        "                  [--tsv]",
+        "                  [--tsv|--csv|--json]",
     .summary = "prints the gap that would avoid contact, or meet a limit",
     .run = gap_command,
 };
@@ -42,7 +42,7 @@ enum { POINTS_DEFAULT = 33 };
 struct options {
     struct load_request load;
     int n_thread;
-    bool tsv;
+    enum printer_form form;
     const char *limit, *range, *tolerance, *percentile, *parameter;
 };
 #define AT(member) offsetof(struct options, member)
@@ -77,10 +77,9 @@ static int print_apart(const struct plan *p, const struct options *o) {
     double *scratch = status == EXIT_DONE ? calloc((size_t)a.n_run, sizeof *scratch) : NULL;
     if (status == EXIT_DONE && !scratch) {
         status = command_no_memory();
-    } else if (status == EXIT_DONE && o->tsv) {
-        gap_print_apart_tsv(p, &a);
     } else if (status == EXIT_DONE) {
-        gap_print_apart(p, &a, scratch);
+        status =
+            o->form == FORM_TEXT ? gap_print_apart(p, &a, scratch) : gap_print_runs(p, &a, o->form);
     }
     if (status == EXIT_DONE && a.n_failed > 0) {
         status = fail_runs(p, &a);
@@ -208,8 +207,8 @@ static int run_search(const struct plan *p, const struct options *o) {
     if (status != STATUS_OK) {
         status = command_fail(&e);
     } else {
-        (o->tsv ? gap_print_search_tsv : gap_print_search)(&q, &s);
-        if (!s.found) {
+        status = gap_print_search(&q, &s, o->form);
+        if (status == EXIT_DONE && !s.found) {
             error_set(&e, STATUS_FAILED, "no gap of the range meets the limit");
             status = command_fail(&e);
         }
@@ -266,11 +265,14 @@ static int gap_command(int argc, char **argv) {
          .doc = "of the runs that must meet the limit; default 100, all of them"},
         {"parameter", 0, "PARAM", OPTION_TEXT, 0, AT(parameter),
          .doc = "the parameter of the deck that is the gap; default: all contacts get it"},
-        {"tsv", .kind = OPTION_TRUE, .at = AT(tsv),
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
          .doc = "a table separated by tabs: every run and contact, or every gap"},
-        OPTION_HELP_ROW,
         {0}};
-    static const struct option_part parts[] = {{.row = rows}, {.text = explanation}, {0}};
+    static const struct option_part parts[] = {{.row = rows},
+                                               {.row = printer_rows, .at = AT(form)},
+                                               {.row = option_help},
+                                               {.text = explanation},
+                                               {0}};
     static const struct deck_command c = {&command_gap, parts, settle, run_deck};
     struct options o = {.n_thread = threads_all()};
     return deck_command_run(&c, argc, argv, &o.load);

@@ -14,8 +14,9 @@ static int law_command(int argc, char **argv);
 
 const struct command command_law = {
     .name = "law",
-    .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv] [--compare LAWS]... [--history FILE.tsv]\n"
-             "                  [--plot FILE.png|.svg|.pdf] [--script DIR] [--fit FILE] [--force]",
+    .usage = "LAW ... -m1 M [-m2 M] -v V [--tsv|--csv|--json] [--compare LAWS]...\n"
+             "                  [--history FILE.tsv] [--plot FILE.png|.svg|.pdf] [--script DIR]\n"
+             "                  [--fit FILE] [--force]",
     .summary = "runs one isolated impact under a contact law",
     .run = law_command,
 };
@@ -25,7 +26,7 @@ struct options {
     struct words compare;
     const char *history;
     struct picture_options picture;  // what exists of the history too
-    bool tsv;
+    enum printer_form form;
 };
 #define AT(member) offsetof(struct options, member)
 
@@ -58,14 +59,19 @@ static int check_existing(const struct options *o, struct error *e) {
     return STATUS_OK;
 }
 
-static int write_history(const struct options *o, const struct law_impact *i, struct error *e) {
+// Returns the exit status.
+static int write_history(const struct options *o, const struct law_impact *i) {
     struct draft draft;
-    const int status = draft_open(&draft, o->history, o->picture.existing, e);
-    if (status != STATUS_OK) {
+    struct error e;
+    if (draft_open(&draft, o->history, o->picture.existing, &e) != STATUS_OK) {
+        return command_fail(&e);
+    }
+    const int status = law_print_history(i, draft.to);
+    if (status != EXIT_DONE) {
+        draft_drop(&draft);
         return status;
     }
-    law_print_history(i, draft.to);
-    return draft_publish(&draft, e);
+    return draft_publish(&draft, &e) == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
 // What is written above the picture and its panels.
@@ -141,23 +147,20 @@ static int draw(const struct options *o, struct law_impacts *l, struct error *e)
 
 static int report(const struct options *o, struct law_impacts *l) {
     struct error e;
-    int status = check_existing(o, &e);
-    if (status == STATUS_OK && o->history) {
-        status = write_history(o, &l->impact[0], &e);
+    if (check_existing(o, &e) != STATUS_OK) {
+        return command_fail(&e);
     }
-    if (status == STATUS_OK && picture_is_wanted(&o->picture)) {
-        status = draw(o, l, &e);
+    if (o->history) {
+        const int status = write_history(o, &l->impact[0]);
+        if (status != EXIT_DONE) {
+            return status;
+        }
     }
-    if (status != STATUS_OK) {
+    if (picture_is_wanted(&o->picture) && draw(o, l, &e) != STATUS_OK) {
         return command_fail(&e);
     }
     law_print_warnings(l, stderr);
-    if (o->tsv) {
-        law_print_tsv(l, stdout);
-    } else {
-        law_print_table(l, stdout);
-    }
-    return EXIT_DONE;
+    return law_print(l, o->form, stdout);
 }
 
 static int use(void *options, struct arena *a, const struct words *operand) {
@@ -181,8 +184,6 @@ static int use(void *options, struct arena *a, const struct words *operand) {
 
 static int law_command(int argc, char **argv) {
     static const struct option_row rows[] = {
-        {"tsv", .kind = OPTION_TRUE, .at = AT(tsv),
-         .doc = "prints name and value, a line each, in SI, not rounded"},
         {"compare", 0, "LAWS", OPTION_WORDS, 0, AT(compare),
          .doc = "sets other laws beside: LAW,LAW,... with the options of the first, or one with "
                 "its own, \"LAW -k K ...\"; may be repeated"},
@@ -197,7 +198,8 @@ static int law_command(int argc, char **argv) {
                 "tabs, commas or semicolons"},
         {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
          .doc = "overwrites what exists"},
-        OPTION_HELP_ROW,
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+         .doc = "prints name and value, a line each, in SI, not rounded"},
         {0}};
     static const struct option_part parts[] = {
         {.text = "LAW with its options stands as in a deck; bare numbers are in SI. `jostle laws` "
@@ -205,6 +207,8 @@ static int law_command(int argc, char **argv) {
                  "  -m1 M, -m2 M    masses of the bodies; without -m2 the other one is a wall\n"
                  "  -v V            velocity with which they meet\n"},
         {.row = rows},
+        {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},
         {0}};
     static const struct option_list list = {&command_law, parts, DASH_LAW, .use = use};
     struct options o = {.picture.existing = RESULT_KEEP};

@@ -92,10 +92,10 @@ static int merge_command(int argc, char **argv) {
         {"partial", .kind = OPTION_SET, .at = AT(request.gaps), .set = STUDY_PARTIAL,
          .doc = "writes the file even if parts are missing: their runs have status 2 and no "
                 "numbers"},
-        OPTION_HELP_ROW,
         {0}};
     static const struct option_part parts[] = {
         {.row = rows},
+        {.row = option_help},
         {.text = "\nThe parts are what the commands write that jostle tasks prints. Exit status 1: "
                  "runs have\nfailed, or are missing.\n"},
         {0}};

@@ -79,8 +79,8 @@ static int print_modes(void *options, const struct model *m) {
 }
 
 static int modes_command(int argc, char **argv) {
-    static const struct option_row rows[] = {DECK_DEFINE_ROW, OPTION_HELP_ROW, {0}};
-    static const struct option_part parts[] = {{.row = rows}, {0}};
+    static const struct option_row rows[] = {DECK_DEFINE_ROW, {0}};
+    static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     static const struct deck_command c = {&command_modes, parts, NULL, print_modes};
     struct load_request load = {0};
     return deck_command_run(&c, argc, argv, &load);

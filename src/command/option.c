@@ -17,6 +17,9 @@ enum { TAG_MAX = 18, HELP_WIDTH = 95 };
 // Answers of getopt_long for long names, above all letters: this and the number of the row.
 enum { ROWS_MAX = 40, LONG_FIRST = UCHAR_MAX + 1 };
 
+const struct option_row option_help[] = {
+    {"help", 'h', NULL, OPTION_HELP, OPTION_NAME_ONLY, .doc = "this text"}, {0}};
+
 struct scan {
     const struct option_list *list;
     void *request;
@@ -173,8 +176,14 @@ static int refuse(const struct scan *s, int answer, const char *word) {
                          : refuse_word(s, shown);
 }
 
-static bool share_place(const struct option_row *a, const struct option_row *b) {
-    return a == b || (a->kind == b->kind && a->at == b->at &&
+static size_t place_of(const struct scan *s, int row) {
+    return s->part[row]->at + s->row[row]->at;
+}
+
+// Two rows of which one can be given: the same, or with one place and not the same meaning there.
+static bool exclude(const struct scan *s, int i, int k) {
+    const struct option_row *a = s->row[i], *b = s->row[k];
+    return a == b || (a->kind == b->kind && place_of(s, i) == place_of(s, k) &&
                       (a->kind == OPTION_TEXT || (a->kind == OPTION_SET && a->set != b->set)));
 }
 
@@ -188,7 +197,7 @@ static int check_given(const struct scan *s, int now) {
         return EXIT_DONE;
     }
     for (int i = 0; i < s->n; i++) {
-        if (!share_place(r, s->row[i])) {
+        if (!exclude(s, now, i)) {
             continue;
         }
         if (r->kind == OPTION_SET && s->given[i] && i != now) {
@@ -265,9 +274,10 @@ static int take_word(struct scan *s, struct words *w, const char *text) {
     return EXIT_DONE;
 }
 
-static int take(struct scan *s, const struct option_row *r, const char *text) {
+static int take(struct scan *s, int row, const char *text) {
     const struct command *c = s->list->command;
-    void *to = (char *)s->request + r->at;
+    const struct option_row *r = s->row[row];
+    void *to = (char *)s->request + place_of(s, row);
     switch (r->kind) {
         case OPTION_TRUE:
             *(bool *)to = true;
@@ -325,7 +335,7 @@ static int read_option(struct scan *s, char **argv) {
             (const struct option_row **)(void *)((char *)s->request + s->part[at]->first);
         *first = *first ? *first : r;
     }
-    status = status == EXIT_DONE ? take(s, r, optarg) : status;
+    status = status == EXIT_DONE ? take(s, at, optarg) : status;
     return status == EXIT_DONE ? GO_ON : status;
 }
 

@@ -34,7 +34,7 @@ struct option_row {
     const char *value;  // what stands for it in the help, "FILE"; NULL: it takes no value
     enum option_kind kind;
     unsigned flags;
-    size_t at;           // the place in the request
+    size_t at;           // the place in the request, or in the part of it that part.at says
     double least, most;  // of numbers
     const char *what;  // of whole numbers, in messages: "a number of runs"; NULL: "a whole number"
     int set;
@@ -54,6 +54,7 @@ struct option_part {
     const struct option_row *row;  // ends in {0}
     const char *text;
     void (*print)(void);
+    size_t at;     // of rows: where the struct that they are for begins in the request
     size_t first;  // of rows: where the first row that was given goes, const struct option_row *;
                    // 0: nowhere
 };
@@ -68,9 +69,8 @@ struct option_list {
     int (*use)(void *request, struct arena *a, const struct words *operand);
 };
 
-// The row of --help.
-#define OPTION_HELP_ROW                                                                            \
-    { "help", 'h', NULL, OPTION_HELP, OPTION_NAME_ONLY, .doc = "this text" }
+// The row of --help, for parts.
+extern const struct option_row option_help[];
 
 // Reads the command line into the request, and calls use(). Returns the exit status.
 int option_run(const struct option_list *l, int argc, char **argv, void *request);

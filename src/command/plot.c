@@ -177,7 +177,6 @@ static const struct option_row rows[] = {
      .doc = "writes DIR/KIND.gp for gnuplot and its data, DIR/KIND.dat; without -o, nothing else"},
     {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
      .doc = "overwrites what exists"},
-    OPTION_HELP_ROW,
     {0}};
 
 static const struct option_row study_rows[] = {
@@ -191,15 +190,17 @@ static const struct option_row study_rows[] = {
      .doc = "the sweep or random parameter that response is drawn against"},
     {"limit", 0, "VALUE[,VALUE...]", OPTION_TEXT, 0, AT(study.limits),
      .doc = "limits of the demand, for fragility and ida"},
-    SUITE_ROWS(AT(study)),
     {0}};
 
 static int plot_command(int argc, char **argv) {
-    static const struct option_part parts[] = {{.print = print_kinds},
-                                               {.row = rows},
-                                               {.print = plot_study_print_kinds},
-                                               {.row = study_rows, .first = AT(study.first)},
-                                               {0}};
+    static const struct option_part parts[] = {
+        {.print = print_kinds},
+        {.row = rows},
+        {.row = option_help},
+        {.print = plot_study_print_kinds},
+        {.row = study_rows, .first = AT(study.first)},
+        {.row = suite_rows, .at = AT(study), .first = AT(study.first)},
+        {0}};
     static const struct option_list list = {&command_plot, parts, .use = use};
     struct request q = {.picture.existing = RESULT_KEEP};
     return option_run(&list, argc, argv, &q);

@@ -5,7 +5,6 @@
 #include <assert.h>
 #include <string.h>
 
-#include "command/cells.h"
 #include "command/interrupt.h"
 #include "command/load.h"
 #include "command/progress.h"
@@ -92,16 +91,22 @@ static int run_all(struct pounding *p, struct arena *a) {
     return done == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
 
-static void print_tsv(const struct pounding *p) {
+static int print_data(const struct pounding *p) {
+    static const struct printer_column columns[] = {{.key = "T1", .unit = "s"},
+                                                    {.key = "T2", .unit = "s"},
+                                                    COLUMN_OF("force", dimension_force)};
     const struct spectrum_request *q = p->request;
-    printf("T1 [s]\tT2 [s]\tforce [%s]\n", p->units.force_name);
-    struct cells c = {.to = stdout, .form = CELLS_TSV};
-    for (int pair = 0; pair < q->periods.n * q->periods.n; pair++) {
-        const double value[] = {q->periods.value[pair / q->periods.n],
-                                q->periods.value[pair % q->periods.n], p->force[pair]};
-        cells_numbers(&c, value, 3);
-        cells_end(&c);
+    const int n = q->periods.n;
+    struct printer t = {.to = stdout, .form = (enum printer_form)q->form, .units = &p->units};
+    PRINTER_ADD(&t, columns);
+    printer_head(&t);
+    for (int pair = 0; pair < n * n; pair++) {
+        printer_number(&t, q->periods.value[pair / n]);
+        printer_number(&t, q->periods.value[pair % n]);
+        printer_number(&t, p->force[pair]);
+        printer_line(&t);
     }
+    return printer_close(&t);
 }
 
 // "largest 1234 kN at T1 = 0.2 s, T2 = 1.1 s; no contact for 20 of 400 pairs"
@@ -152,8 +157,8 @@ int pounding_run(const struct spectrum_request *q, struct arena *a) {
     if (picture_is_wanted(&q->picture)) {
         status = draw(&p);
     }
-    if (status == EXIT_DONE && q->form == FORM_TSV) {
-        print_tsv(&p);
+    if (status == EXIT_DONE && q->form != FORM_TEXT) {
+        status = print_data(&p);
     } else if (status == EXIT_DONE) {
         char text[256];
         summarise(&p, text, sizeof text);

@@ -218,9 +218,8 @@ int rows_command(const struct command *c, int argc, char **argv,
     static const struct option_row rows[] = {
         {"markdown", .kind = OPTION_SET, .at = offsetof(struct reference, page),
          .set = PAGE_MARKDOWN, .doc = "the page of the documentation"},
-        OPTION_HELP_ROW,
         {0}};
-    static const struct option_part parts[] = {{.row = rows}, {0}};
+    static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     const struct option_list list = {c, parts, .use = use};
     return option_run(&list, argc, argv, &(struct reference){c, PAGE_TEXT, print});
 }

@@ -211,9 +211,8 @@ static int run_command(int argc, char **argv) {
         {"accept", .kind = OPTION_SET, .at = AT(journal), .set = STUDY_ACCEPT,
          .doc = "goes on with these runs although the deck, a file that they have read or the "
                 "version of the numerics has changed; the result file tells"},
-        OPTION_HELP_ROW,
         {0}};
-    static const struct option_part parts[] = {{.row = rows}, {0}};
+    static const struct option_part parts[] = {{.row = rows}, {.row = option_help}, {0}};
     static const struct deck_command c = {&command_run, parts, settle, run_model};
     struct run_options o = {
         .existing = RESULT_KEEP, .journal = STUDY_RESUME, .n_word = argc, .word = argv};

@@ -17,27 +17,24 @@ const struct command command_show = {
 
 // What the command line asks for.
 struct request {
-    int form;  // 't', 'c', 'j'; 0: the summary
+    enum printer_form form;  // FORM_TEXT: the summary
     bool longer;
     struct words edp;
 };
 #define AT(member) offsetof(struct request, member)
 
-static enum cells_form cells_form(const struct request *q) {
-    return q->form == 'c' ? CELLS_CSV : q->form == 'j' ? CELLS_JSON : CELLS_TSV;
-}
-
 static int show_of_study(const char *path, const struct request *q) {
     struct error e;
-    const enum cells_form form = cells_form(q);
     int status;
     if (q->longer) {
-        const struct show_demands_request demands = {
-            .form = form, .edp = q->edp.word, .n_edp = q->edp.n};
+        const struct show_demands_request demands = {.form =
+                                                         q->form == FORM_TEXT ? FORM_TSV : q->form,
+                                                     .edp = q->edp.word,
+                                                     .n_edp = q->edp.n};
         status = show_demands(path, &demands, stdout, &e);
     } else {
         status =
-            q->form ? show_study(path, form, stdout, &e) : show_study_summary(path, stdout, &e);
+            q->form ? show_study(path, q->form, stdout, &e) : show_study_summary(path, stdout, &e);
     }
     return status == STATUS_OK ? EXIT_DONE : command_fail(&e);
 }
@@ -53,15 +50,16 @@ static int show_of_run(const char *path, const struct request *q) {
         return command_usage(&command_show, "--long is for studies; %s is one run", path);
     }
     const struct report *r = result_report(file);
-    if (q->form == 'j') {
-        show_json(r, stdout);
-    } else if (q->form) {
-        show_table(r, cells_form(q), stdout);
-    } else {
+    int status = EXIT_DONE;
+    if (q->form == FORM_TEXT) {
         report_print(r, stdout);
+    } else if (q->form == FORM_JSON) {
+        show_json(r, stdout);
+    } else {
+        status = show_table(r, q->form, stdout);
     }
     result_close(file);
-    return EXIT_DONE;
+    return status;
 }
 
 static int use(void *request, struct arena *a, const struct words *operand) {
@@ -76,14 +74,14 @@ static int use(void *request, struct arena *a, const struct words *operand) {
 
 static int show_command(int argc, char **argv) {
     static const struct option_row rows[] = {
-        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = 't',
+        {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
          .doc = "one long table: table, name, quantity, location, value, unit, time, hit; "
                 "separated by tabs. Of a study: run, parameters, status, table, name, quantity, "
                 "location, value, unit, hit. hit is 1 for accelerations of floors that were hit, "
                 "which depend on the contact stiffness, 0 for other accelerations"},
-        {"csv", .kind = OPTION_SET, .at = AT(form), .set = 'c',
+        {"csv", .kind = OPTION_SET, .at = AT(form), .set = FORM_CSV,
          .doc = "the same separated by commas, quoted where that is needed (RFC 4180)"},
-        {"json", .kind = OPTION_SET, .at = AT(form), .set = 'j',
+        {"json", .kind = OPTION_SET, .at = AT(form), .set = FORM_JSON,
          .doc = "everything but the histories as JSON; a missing number is null. Of a study: the "
                 "table as {\"columns\": [...], \"data\": [[...], ...]}"},
         {"long", .kind = OPTION_TRUE, .at = AT(longer),
@@ -93,11 +91,11 @@ static int show_command(int argc, char **argv) {
         {"edp", 0, "EDP", OPTION_WORDS, 0, AT(edp),
          .doc = "with --long: one line a run for this demand; may be repeated. 'jostle fragility "
                 "--help' lists what EDP can be"},
-        OPTION_HELP_ROW,
         {0}};
     static const struct option_part parts[] = {
         {.text = "FILE.h5#7 is run 7 of a study whose deck has 'output -histories'.\n\n"},
         {.row = rows},
+        {.row = option_help},
         {0}};
     static const struct option_list list = {&command_show, parts, .operand = "result file",
                                             .use = use};

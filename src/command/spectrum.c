@@ -18,9 +18,11 @@ const struct command command_spectrum = {
         "RECORD... [--damping LIST] [--periods FROM:TO:N|LIST]\n"
         "           [--scale S|--pga A|--target FILE [--match FROM:TO:N|LIST] [--deck]]\n"
         "           [--format F] [--channel N] [--unit U] [--dt DT] [--demean]\n"
-        "           [--intensities] [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]\n"
+        "           [--intensities] [--tsv|--csv|--json] [-o FILE.png|.svg|.pdf] [--script DIR] "
+        "[--force]\n"
         "       jostle spectrum --pounding DECK [--periods FROM:TO:N|LIST] [-D NAME=VALUE]...\n"
-        "           [-j THREADS] [--tsv] [-o FILE.png|.svg|.pdf] [--script DIR] [--force]",
+        "           [-j THREADS] [--tsv|--csv|--json] [-o FILE.png|.svg|.pdf] [--script DIR] "
+        "[--force]",
     .summary = "prints or draws intensities and response spectra of ground motions",
     .run = spectrum_command,
 };
@@ -179,8 +181,7 @@ static int show_records(struct spectrum_request *q, struct arena *a) {
     if (status != STATUS_OK) {
         return command_fail(&e);
     }
-    spectrum_print(q, &set);
-    return EXIT_DONE;
+    return spectrum_print(q, &set);
 }
 
 int spectrum_run(struct spectrum_request *q, struct arena *a) {

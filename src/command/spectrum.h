@@ -6,13 +6,14 @@
 #include "command/load.h"
 #include "command/periods.h"
 #include "command/picture.h"
+#include "command/printer.h"
 #include "jostle/intensity.h"
 #include "jostle/record.h"
 #include "jostle/spectrum.h"
 #include "motion/match.h"
 #include "motion/target.h"
 
-enum spectrum_form { FORM_TEXT, FORM_TSV, FORM_DECK };
+enum { SPECTRUM_DECK = FORM_JSON + 1 };  // a further form: lines of a deck
 enum spectrum_content { CONTENT_ALL, CONTENT_INTENSITIES };
 
 struct spectrum_request {
@@ -26,7 +27,7 @@ struct spectrum_request {
     const double *damping;
     int n_damping;
     struct periods periods;
-    enum spectrum_form form;
+    int form;  // enum printer_form, or SPECTRUM_DECK
     enum spectrum_content content;
     struct picture_options picture;
     struct load_request load;  // the deck of a pounding force spectrum; path NULL: of records
@@ -67,11 +68,11 @@ int spectrum_match(const struct spectrum_request *q, struct arena *a, struct spe
 int spectrum_compute(struct spectra *s, const struct signal *ground, struct arena *a,
                      struct error *e);
 
-// Prints the factors, or the lines of a deck that give them.
-void spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set);
+// Prints the lines of a deck that give the factors, or the factors, as spectrum_print does.
+int spectrum_print_match(const struct spectrum_request *q, const struct spectrum_set *set);
 void spectrum_print_deck(const struct spectrum_request *q, const struct spectrum_set *set);
 
-// Prints the tables to stdout.
-void spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set);
+// Prints the tables to stdout. Returns EXIT_DONE or, after a message, the exit status.
+int spectrum_print(const struct spectrum_request *q, const struct spectrum_set *set);
 
 #endif

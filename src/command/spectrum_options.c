@@ -132,13 +132,13 @@ static int check_pounding(const struct spectrum_request *q) {
 }
 
 static int check_target(const struct spectrum_request *q) {
-    if (!q->target && (q->match.value || q->form == FORM_DECK)) {
+    if (!q->target && (q->match.value || q->form == SPECTRUM_DECK)) {
         return command_usage(self, "%s needs --target", q->match.value ? "--match" : "--deck");
     }
     if (q->target && q->n_damping > 1) {
         return command_usage(self, "--target takes one damping ratio, that of the target");
     }
-    return q->form == FORM_DECK ? spectrum_check_deck(q) : EXIT_DONE;
+    return q->form == SPECTRUM_DECK ? spectrum_check_deck(q) : EXIT_DONE;
 }
 
 static int check(const struct spectrum_request *q) {
@@ -213,7 +213,7 @@ static const struct option_row rows[] = {
     {"match", 0, "P", OPTION_OWN, .own = read_match,
      .doc = "periods over which that mean is taken, as for --periods (default: 301 over the whole "
             "target)"},
-    {"deck", .kind = OPTION_SET, .at = AT(form), .set = FORM_DECK,
+    {"deck", .kind = OPTION_SET, .at = AT(form), .set = SPECTRUM_DECK,
      .doc = "prints the records and their factors as sweeps for a deck, nothing else"},
     {"format", 0, "F", OPTION_TEXT, 0, AT(record.format),
      .doc = "format of the records; found if not given"},
@@ -233,9 +233,6 @@ static const struct option_row rows[] = {
     {"define", 'D', "NAME=VALUE", OPTION_WORDS, OPTION_LETTER_ONLY, AT(load.define),
      .doc = "overrides a param of that deck; may be repeated"},
     DECK_THREADS_ROW(AT(n_thread), "threads for its runs (default: all cores)"),
-    {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
-     .doc = "tab-separated values, not rounded, one line a record (and statistic, target), "
-            "damping and period; with --intensities one line a record"},
     {"output", 'o', "FILE", OPTION_TEXT, OPTION_LETTER_ONLY, AT(picture.output),
      .doc = "draws the pseudo-acceleration, or the force; .png, .svg or .pdf"},
     {"script", 0, "DIR", OPTION_TEXT, 0, AT(picture.script_folder),
@@ -243,12 +240,16 @@ static const struct option_row rows[] = {
             ".dat with --pounding"},
     {"force", .kind = OPTION_SET, .at = AT(picture.existing), .set = RESULT_REPLACE,
      .doc = "overwrites what exists"},
-    OPTION_HELP_ROW,
+    {"tsv", .kind = OPTION_SET, .at = AT(form), .set = FORM_TSV,
+     .doc = "tab-separated values, not rounded, one line a record (and statistic, target), damping "
+            "and "
+            "period; with --intensities one line a record"},
     {0}};
 
 int spectrum_command(int argc, char **argv) {
     static const struct option_part parts[] = {
-        {.text = introduction}, {.row = rows}, {.text = explanation}, {0}};
+        {.text = introduction}, {.row = rows},         {.row = printer_rows, .at = AT(form)},
+        {.row = option_help},   {.text = explanation}, {0}};
     static const struct option_list list = {&command_spectrum, parts, DASH_ONE, .use = use};
     struct unit_system si;
     unit_system_init(&si);

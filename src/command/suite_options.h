@@ -6,36 +6,15 @@
 #include "command/option.h"
 #include "study/suite.h"
 
-// The rows that both have; `place` is that of a struct suite_options in the request.
-#define SUITE_ROWS(place)                                                                          \
-    {"over",                                                                                       \
-     0,                                                                                            \
-     "NAME",                                                                                       \
-     OPTION_TEXT,                                                                                  \
-     0,                                                                                            \
-     (place) + offsetof(struct suite_options, request.over),                                       \
-     .doc = "sweeps whose values are samples, as NAME or NAME,NAME (default: record, or the only " \
-            "sweep of texts, alone or with what goes together with it, and the samples of random " \
-            "sweeps)"},                                                                            \
-        {"at",                                                                                     \
-         0,                                                                                        \
-         "NAME=VALUE",                                                                             \
-         OPTION_WORDS,                                                                             \
-         0,                                                                                        \
-         (place) + offsetof(struct suite_options, at),                                             \
-         .doc = "looks at the runs with this value of a sweep only; may be repeated"},             \
-    {                                                                                              \
-        "failed", 0, "above|left-out", OPTION_CHOICE, 0,                                           \
-            (place) + offsetof(struct suite_options, request.failed),                              \
-            .doc = "runs that failed count as above every value (the default), or not at all"      \
-    }
-
 struct suite_options {
     struct suite_request request;
     struct words at;
     const char *limits;              // "VALUE,VALUE"; NULL: none
     const struct option_row *first;  // the first of these options that was given; NULL: none
 };
+
+// The options that both have, of a struct suite_options.
+extern const struct option_row suite_rows[];
 
 // The request, complete once the command line is read.
 const struct suite_request *suite_options_request(struct suite_options *o);

@@ -121,10 +121,10 @@ static int tasks_command(int argc, char **argv) {
         DECK_THREADS_ROW(AT(n_thread), "threads of each command; default: 1"),
         {"merge", .kind = OPTION_SET, .at = AT(lines), .set = TASKS_MERGE,
          .doc = "prints instead the command that joins the parts in the end"},
-        OPTION_HELP_ROW,
         {0}};
     static const struct option_part parts[] = {
         {.row = rows},
+        {.row = option_help},
         {.text =
              "\nEach line is for sh. Lines may run in any order and anywhere where the deck and "
              "its records\n"

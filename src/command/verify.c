@@ -120,7 +120,6 @@ static const struct option_row rows[] = {
      .doc = "computes run N of the study again; may be repeated"},
     {"deck", 0, "DECK", OPTION_TEXT, 0, AT(load.path),
      .doc = "the deck of the study, if it is not where it was"},
-    OPTION_HELP_ROW,
     {0}};
 
 static const struct option_row *const run_row = &rows[2];
@@ -152,6 +151,7 @@ static int verify_command(int argc, char **argv) {
                  "compared "
                  "with\nthe SHA-256 checksum that the file has of them.\n\n"},
         {.row = rows},
+        {.row = option_help},
         {.text = "\nExit status 0: the data and the runs are the same; 1: they differ; 2: wrong "
                  "usage, not a\nresult file, or the deck is not that of the study.\n"},
         {0}};
