@@ -77,7 +77,7 @@ bool work_alloc(struct work *w, const struct model *m, struct results *r, struct
         return false;
     }
     fill_links(w, m, a);
-    w->crowd = most_links(m, w->storeys.residual);
+    w->most_links = most_links(m, w->storeys.residual);
     return effective_alloc(w->home, m->building, m->n_building, EFFECTIVE_LONG, a) &&
            effective_alloc(w->other, m->building, m->n_building, EFFECTIVE_BRIEFLY, a);
 }

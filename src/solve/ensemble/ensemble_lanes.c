@@ -13,7 +13,6 @@ static void alloc_contacts(struct ensemble_lanes *e, const struct model *m, stru
     e->gap = lanes_wide_array(a, m->n_contact, sizeof *e->gap);
     e->nearest = lanes_wide_array(a, m->n_contact, sizeof *e->nearest);
     e->contacts = ensemble_contacts_create(m, a);
-    e->grip = lanes_wide_array(a, m->n_contact, sizeof *e->grip);
     e->force = lanes_wide_array(a, m->n_contact, sizeof *e->force);
     e->acts = arena_alloc(a, (size_t)m->n_contact, sizeof *e->acts);
     e->pressed = arena_alloc(a, (size_t)m->n_contact, sizeof *e->pressed);
@@ -142,29 +141,13 @@ static bool fill_building(struct ensemble_building *b, int lane, const struct ch
     return (!b->inverse || fill_inverse(b->inverse, lane, home)) && small;
 }
 
-// Contacts of low buildings go together where their law does: a push reaches all floors there.
-static void fill_grip(struct ensemble_grip *g, int lane, const struct model *m, int k) {
-    const struct link *l = &m->link[k];
-    g->apart |= (g->law && g->law != l->law) || !l->law->force_lanes ||
-                l->law->n_constant > ENSEMBLE_CONSTANTS;
-    g->law = l->law;
-    for (int i = 0; i < 2; i++) {
-        g->building[i] = l->building[i];
-        g->apart |=
-            l->building[i] != WALL && m->building[l->building[i]].n_floor > INVERSE_FLOORS_MAX;
-    }
-    for (int i = 0; !g->apart && i < l->law->n_constant; i++) {
-        g->constant[i][lane] = l->constant[i];
-    }
-}
-
 bool ensemble_lanes_fill(struct ensemble_lanes *e, int lane, struct run *r) {
     const struct model *m = r->model;
     const struct ground *g = &m->ground[0];
     bool small = is_small(e->h);
     for (int k = 0; k < e->n_contact; k++) {
         small &= put(&e->gap[k].width, lane, m->link[k].gap);
-        fill_grip(&e->grip[k], lane, m, k);
+        ensemble_contacts_fill(e, lane, m, k);
     }
     for (int i = 0; i < g->n_signal; i++) {
         small &= is_small(g->n_signal * signal_peak(&g->signal[i]));

@@ -66,21 +66,6 @@ struct ensemble_building {
     bool pushed;                   // links have changed its corrections since it was moved
 };
 
-// Constants of laws whose contacts are solved for in lanes.
-enum { ENSEMBLE_CONSTANTS = 2 };
-
-// What solving for the force of a contact in lanes needs to know of it; names as in struct
-// link_scratch.
-struct ensemble_grip {
-    wide flexibility, others, unmoved;
-    wide constant[ENSEMBLE_CONSTANTS];
-    const struct contact_law *law;  // in all lanes
-    long factors[WIDE_RUNS];        // work.factors of the run that flexibility is of; 0: none yet
-    int building[2];                // at its ends; WALL
-    int from[2], to[2];             // floors there that feel its force: in all lanes
-    bool apart;                     // solved for run by run
-};
-
 struct ensemble_gap {
     wide width;  // [L]
     wide limit;  // [L] a contact beyond this closes or is nearer than ever: its nearest, or
@@ -151,7 +136,6 @@ struct ensemble_lanes {
     bool owing;                     // which is in `next` then
     struct ensemble_gap *gap;            // (n_contact)
     struct ensemble_nearest *nearest;    // (n_contact)
-    struct ensemble_grip *grip;          // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
     wide *force;    // [F] (n_contact) that a step begins with, else 0,
     bool *acts;     // (n_contact) of contacts that are live in some lane
