@@ -94,10 +94,10 @@ const struct hostile_file hostile_file[N_HOSTILE_FILE] = {
 
 // What a terminal shows: UTF-8 without control characters but line feeds and tabs.
 static bool is_shown(const char *text) {
-    for (; *text && (*text == '\n' || *text == '\t' || text_not_plain(text) != text);) {
-        text += *text == '\n' || *text == '\t' ? 1 : text_character(text, strlen(text));
+    while ((text = text_not_plain(text)) != NULL && (*text == '\n' || *text == '\t')) {
+        text++;
     }
-    return *text == '\0';
+    return !text;
 }
 
 bool hostile_is_short(void) {
