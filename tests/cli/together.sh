@@ -124,7 +124,7 @@ sed -e '/^sweep factor/c sweep motion files "motions/*.deck"' -e '/^sweep record
 "$jostle" show --tsv include.h5 | awk -F '\t' '$8 != "gap"' | cut -f 1,5- >include.txt
 cut -f 1,9- whole.tsv >whole.txt
 expect "files that are included make the same runs" '[ "$(wc -l <include.txt)" -gt 1000 ] && cmp whole.txt include.txt'
-limits=(--edp drift-ratio --limit 2%,3%)
+limits=(--edp drift-ratio --limit '2%,3%')
 for method in counts ida; do
     "$jostle" fragility include.h5 "${limits[@]}" --over motion --method $method --tsv | cut -f 1-3,5- >wanted.txt
     run "$jostle" fragility whole.h5 "${limits[@]}" --method $method --tsv
