@@ -110,12 +110,11 @@ LANES_WHOLE_INLINE void find_negligible(const struct sweeps *s, int k, const wid
     const struct ensemble_lanes *e = s->e;
     const struct closed_contact *j = &s->contacts->contact[k];
     const int *end = e->end[k];
-    const wide *u = e->trial.u, *v_of = e->trial.v;
+    const struct ensemble_trial *left = &e->trial[end[0]], *right = &e->trial[end[1]];
     const wide q = WIDE_ABSOLUTE(e->correction[end[0]]) + WIDE_ABSOLUTE(e->correction[end[1]]);
-    const wide d = WIDE_ABSOLUTE(u[end[0]]) + WIDE_ABSOLUTE(u[end[1]]) + e->gap[k].width +
-                   e->factors->b * q;
-    const wide v =
-        WIDE_ABSOLUTE(v_of[end[0]]) + WIDE_ABSOLUTE(v_of[end[1]]) + e->factors->g * q;
+    const wide d =
+        WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->gap[k].width + e->factors->b * q;
+    const wide v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v) + e->factors->g * q;
     *which &= AT_MOST(*size, ROUNDING(j->tangent.damped, j->dfdd, d, j->dfdv, v));
 }
 
@@ -218,13 +217,13 @@ LANES_WHOLE_INLINE void gather(struct sweeps *s) {
     for (int i = 0; i < s->contacts->n_acting; i++) {
         const int k = acting(s, i);
         struct closed_contact *j = &s->contacts->contact[k];
-        const struct ensemble_trial *t = &e->trial;
-        const int left = e->end[k][0], right = e->end[k][1];
+        const struct ensemble_trial *left = &e->trial[e->end[k][0]];
+        const struct ensemble_trial *right = &e->trial[e->end[k][1]];
         j->ask = j->live;
         j->tangent = (struct tangent_lanes){.base = none};
         j->dfdd = j->dfdv = none;
-        j->d_trial = t->u[left] - t->u[right] - e->gap[k].width;
-        j->v_trial = t->v[left] - t->v[right];
+        j->d_trial = left->u - right->u - e->gap[k].width;
+        j->v_trial = left->v - right->v;
         const wide size = WIDE_ABSOLUTE(j->force);
         s->largest = WIDE_CHOOSE(j->live & WIDE_LESS(s->largest, size), size, s->largest);
     }
