@@ -156,9 +156,9 @@ struct ensemble_lanes {
     struct ensemble_peaks *peak_time;  // [T] (n_floor)
     struct ensemble_works *works;      // up to `now`, or the step before where that is owing,
     bool owing;                        // which is in `next` then
-    struct ensemble_gap *gap;            // (n_contact)
-    struct ensemble_nearest *nearest;    // (n_contact)
-    struct ensemble_grip *grip;          // (n_contact)
+    struct ensemble_gap *gap;          // (n_contact)
+    struct ensemble_nearest *nearest;  // (n_contact)
+    struct ensemble_grip *grip;        // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
     wide *force;    // [F] (n_contact) that a step begins with, else 0,
     bool *acts;     // (n_contact) of contacts that are live in some lane
