@@ -113,9 +113,9 @@ LANES_INLINE void account_floors(const struct ensemble_lanes *e, const struct en
     const int n = b->shape->n_floor;
     floor_bits *beyond = (floor_bits *)&w->beyond + p;
     if (floors_take(&step, 0, n, part_of(w->input_2x, p), part_of(w->damping_2x, p))) {
-        for (int i = 0; i < n * PEAK_COUNT; i++) {
-            const floor_lanes most = PEAK_AT(peak[i % PEAK_COUNT], i / PEAK_COUNT);
-            *beyond |= BEYOND(most, ENSEMBLE_LARGEST + none);
+        const double *all = part_of(e->peak[first].of, p);
+        for (ptrdiff_t i = 0; i < (ptrdiff_t)n * PEAK_PITCH; i++) {
+            *beyond |= BEYOND(FLOORS_AT(all, i), ENSEMBLE_LARGEST + none);
         }
     }
 }
