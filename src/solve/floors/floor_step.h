@@ -30,6 +30,7 @@ static const floor_lanes none = {0.0};
 // again after each store.
 struct floors_motion {
     double *u, *v, *a, *drift, *shear;
+    const double *external, *damping;  // NULL: forces of one ground, and of the bands of C
 };
 
 // The lines that storeys follow; all NULL where they are elastic.
@@ -146,13 +147,14 @@ LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, pt
     }
 }
 
-// A step that has been taken, and where its works and the peaks of the state it led to go. Storeys
-// that follow lines have their drifts and shears in the states.
+// A step that has been taken, and where its works and the peaks of the state it led to go. Where
+// storeys yield, their drifts and shears are in the states.
 struct floors_taken {
     struct chain chain;
     bool once;  // as above
     struct floors_motion s0, s1;
     floor_number ground, ground_2x;  // of s1, and of both together
+    const double *base;              // of s1; NULL: one ground moves all floors
     double time;
     double *input_2x, *damping_2x, *storey_2x;
     double *const *peak, *const *peak_time;
@@ -172,9 +174,18 @@ LANES_INLINE void floors_raise(const struct floors_taken *p, int quantity, ptrdi
     PEAK_SET(when, i) = CHOOSE(more, p->time + none, PEAK_AT(when, i));
 }
 
-// Takes the floors of s1 into the peaks. `base` NULL: one ground moves them all.
-LANES_INLINE void floors_raise_all(const struct floors_taken *p, const double *base,
-                                   ptrdiff_t first, ptrdiff_t end) {
+// The total accelerations of s1.
+LANES_INLINE void floors_total(const struct floors_taken *p, ptrdiff_t i, floor_lanes *total) {
+    *total = MOTION_AT(p->s1.a, i);
+    if (p->base) {
+        *total += FLOORS_AT(p->base, i);
+    } else {
+        *total += p->ground;
+    }
+}
+
+// Takes the floors of s1 into the peaks.
+LANES_INLINE void floors_raise_all(const struct floors_taken *p, ptrdiff_t first, ptrdiff_t end) {
     const struct floors_motion s = p->s1;
     floor_lanes under = none;
     if (first > 0) {
@@ -182,12 +193,10 @@ LANES_INLINE void floors_raise_all(const struct floors_taken *p, const double *b
     }
     for (ptrdiff_t i = first; i < end; i += FLOORS_NEXT) {
         const floor_lanes u = MOTION_AT(s.u, i), v = MOTION_AT(s.v, i);
-        floor_lanes total = MOTION_AT(s.a, i) + p->ground;
         const floor_lanes drift = u - JOINED(p, i, BELOW(under, u));
         floor_lanes shear = CHAIN_AT(p, stiffness, i) * drift;
-        if (base) {
-            total = MOTION_AT(s.a, i) + FLOORS_AT(base, i);
-        }
+        floor_lanes total;
+        floors_total(p, i, &total);
         if (p->yields) {
             shear = MOTION_AT(s.shear, i);
         }
@@ -214,12 +223,21 @@ LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t 
     const floor_lanes v = MOTION_AT(p->s1.v, i);
     const floor_lanes v_over =
         MOTION_AT(p->s0.v, i + FLOORS_NEXT) + MOTION_AT(p->s1.v, i + FLOORS_NEXT);
-    FLOORS_SET(input, slot) -= WORK_OF_GROUND(p->ground_2x, CHAIN_AT(p, mass, i), moved);
-    FLOORS_SET(damping, slot) += WORK_OF_DAMPING(
-        moved, BANDS(CHAIN_AT(p, damping_below, i), BELOW(pair->v_under, pair->v_own),
-                     CHAIN_AT(p, damping, i), pair->v_own, CHAIN_AT(p, damping_above, i),
-                     ABOVE(pair->v_own, v_over)));
-    floor_lanes drift = u - JOINED(p, i, BELOW(pair->u_under, u));
+    if (p->s1.external) {
+        FLOORS_SET(input, slot) +=
+            (FLOORS_AT(p->s0.external, i) + FLOORS_AT(p->s1.external, i)) * moved;
+    } else {
+        FLOORS_SET(input, slot) -= WORK_OF_GROUND(p->ground_2x, CHAIN_AT(p, mass, i), moved);
+    }
+    floor_lanes force = BANDS(CHAIN_AT(p, damping_below, i), BELOW(pair->v_under, pair->v_own),
+                              CHAIN_AT(p, damping, i), pair->v_own, CHAIN_AT(p, damping_above, i),
+                              ABOVE(pair->v_own, v_over));
+    if (p->s1.damping) {
+        force = FLOORS_AT(p->s0.damping, i) + FLOORS_AT(p->s1.damping, i);
+    }
+    FLOORS_SET(damping, slot) += WORK_OF_DAMPING(moved, force);
+    floor_lanes total, drift = u - JOINED(p, i, BELOW(pair->u_under, u));
+    floors_total(p, i, &total);
     if (p->yields) {
         const floor_lanes shear = MOTION_AT(p->s1.shear, i);
         drift = MOTION_AT(p->s1.drift, i);
@@ -229,7 +247,7 @@ LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t 
     }
     *higher |= BEYOND(u, PEAK_AT(p->peak[PEAK_DISPLACEMENT], i)) |
                BEYOND(v, PEAK_AT(p->peak[PEAK_VELOCITY], i)) |
-               BEYOND(MOTION_AT(p->s1.a, i) + p->ground, PEAK_AT(p->peak[PEAK_ACCELERATION], i)) |
+               BEYOND(total, PEAK_AT(p->peak[PEAK_ACCELERATION], i)) |
                BEYOND(drift, PEAK_AT(p->peak[PEAK_DRIFT], i));
     *pair = (struct floors_pair){u, pair->v_own, v_over};
 }
@@ -263,7 +281,7 @@ LANES_INLINE bool floors_take(const struct floors_taken *p, ptrdiff_t first, ptr
         }
         higher = FLOORS_HEEDED(p, higher);
         if (floors_any(&higher)) {
-            floors_raise_all(p, NULL, part, floors_part(part, end));
+            floors_raise_all(p, part, floors_part(part, end));
             rises = true;
         }
     }

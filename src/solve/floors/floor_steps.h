@@ -21,7 +21,7 @@ LANES_INLINE struct span span_of(const struct floor_block *b, ptrdiff_t few) {
 }
 
 LANES_INLINE struct floors_motion motion_of(const struct state *s) {
-    return (struct floors_motion){s->u, s->v, s->a, s->drift, s->shear};
+    return (struct floors_motion){s->u, s->v, s->a, s->drift, s->shear, NULL, NULL};
 }
 
 // The step from `now` to `next`, and its numbers.
@@ -103,18 +103,19 @@ LANES_INLINE struct due due(const struct work *w, const struct state *old, const
     return (struct due){taken(w, old, now, a->ground_a, yields, few), a->due ? 0 : n, n};
 }
 
-// Takes the floors from `first` to `end` into works and peaks.
-LANES_INLINE void account_part(const struct floors_taken *step, ptrdiff_t first, ptrdiff_t end) {
+// Takes the floors from `first` to `end` into works and peaks. True: a peak has risen.
+LANES_INLINE bool account_part(const struct floors_taken *step, ptrdiff_t first, ptrdiff_t end) {
     floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
     EACH_OF_LANES(j) {
         input[j] = FLOORS_AT(step->input_2x, j * FLOORS_VECTOR);
         damping[j] = FLOORS_AT(step->damping_2x, j * FLOORS_VECTOR);
     }
-    floors_take(step, first, end, (double *)input, (double *)damping);
+    const bool rises = floors_take(step, first, end, (double *)input, (double *)damping);
     EACH_OF_LANES(j) {
         FLOORS_SET(step->input_2x, j * FLOORS_VECTOR) = input[j];
         FLOORS_SET(step->damping_2x, j * FLOORS_VECTOR) = damping[j];
     }
+    return rises;
 }
 
 // Takes the account that is due as far as floor `end`, if there are so many.
@@ -273,10 +274,10 @@ LANES_INLINE long fly_from(const struct flight *f, const struct floors_lines *li
         if (!fly_by(f, lines, from, to, few)) {
             break;
         }
-        if (few > 0) {
+        if (few > 0 || f->account->defers) {
             floors_defer(&f->work->floors.account, from);
         } else {
-            floors_account_elastic(f->work, from, to);
+            floors_account(f->work, from, to);
         }
         *now = to;
         *next = from;
@@ -324,15 +325,20 @@ FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct s
     }
 }
 
-FLOORS_CLONES static void account(const struct work *w, const struct state *s0,
+FLOORS_CLONES static bool account(const struct work *w, const struct state *s0,
                                   const struct state *s1, double ground_a0) {
-    const struct floors_taken step = taken(w, s0, s1, ground_a0, w->model->n_storey_history > 0, 0);
-    account_part(&step, 0, step.chain.n);
-}
-
-FLOORS_CLONES static void raise(const struct work *w, const struct state *s) {
-    const struct floors_taken step = taken(w, s, s, 0.0, w->model->n_storey_history > 0, 0);
-    floors_raise_all(&step, s->base, 0, step.chain.n);
+    const struct model *m = w->model;
+    struct floors_taken step = taken(w, s0, s1, ground_a0, !state_is_linear(m), 0);
+    if (!state_is_uniform(m)) {
+        step.base = s1->base;
+        step.s0.external = s0->external;
+        step.s1.external = s1->external;
+    }
+    if (m->chain.full_damping) {
+        step.s0.damping = s0->damping_force;
+        step.s1.damping = s1->damping_force;
+    }
+    return account_part(&step, 0, step.chain.n);
 }
 
 const struct floors_steps FLOORS_STEPS = {
@@ -340,7 +346,6 @@ const struct floors_steps FLOORS_STEPS = {
     .fly = fly_elastic,
     .fly_on_lines = fly_on_lines,
     .account = account,
-    .raise = raise,
 };
 
 #endif
