@@ -172,5 +172,5 @@ void floors_correct_touched(struct work *w, const struct state *now, struct stat
 }
 
 long floors_fly(const struct flight *f, struct state **now, struct state **next, long n, long end) {
-    return (f->yields ? steps()->fly_on_lines : steps()->fly)(f, now, next, n, end);
+    return steps()->fly(f, now, next, n, end);
 }

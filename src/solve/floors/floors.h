@@ -86,8 +86,6 @@ long floors_fly(const struct flight *f, struct state **now, struct state **next,
 struct floors_steps {
     bool (*move)(struct work *w, const struct state *now, struct state *next);
     long (*fly)(const struct flight *f, struct state **now, struct state **next, long n, long end);
-    long (*fly_on_lines)(const struct flight *f, struct state **now, struct state **next, long n,
-                         long end);
     bool (*account)(const struct work *w, const struct state *now, const struct state *next,
                     double ground_a0);
 };
