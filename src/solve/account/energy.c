@@ -17,7 +17,6 @@
 
 #include "core/lanes.h"
 #include "model/parts.h"
-#include "solve/floors/chain.h"
 
 enum { CQUAD_INTERVALS = 100 };
 static const double CQUAD_TOLERANCE = 1e-12;
@@ -120,27 +119,6 @@ int energy_start_links(struct energy_account *a, const struct model *m, const st
         link[k].dissipated += energy;
     }
     return STATUS_OK;
-}
-
-// Adds the work of the ground and the loads on the floors.
-static void add_input(struct energy_account *a, const struct model *m, const struct state *now,
-                      const struct state *next) {
-    if (state_is_uniform(m)) {
-        double ground_2x = now->ground_a[0] + next->ground_a[0];
-        chain_work_of_ground(&m->chain, ground_2x, now->u, next->u, a->input_2x);
-    } else {
-        chain_work(&m->chain, now->external, next->external, now->u, next->u, a->input_2x);
-    }
-}
-
-void energy_step(struct energy_account *a, const struct model *m, const struct state *now,
-                 const struct state *next) {
-    add_input(a, m, now, next);
-    chain_work_of_damping(&m->chain, now->u, next->u, now->v, next->v, a->damping_2x);
-    if (!m->elastic) {
-        chain_storey_works(&m->chain, now->shear, next->shear, now->drift, next->drift,
-                           a->storey_2x);
-    }
 }
 
 static double sum_of(const double x[LANES_WIDTH]) {

@@ -6,11 +6,8 @@
 
 #include "core/lanes.h"
 #include "core/number.h"
-#include "solve/floors/chain.h"
 
-// Floors, in whole lanes, that are looked at together for a new peak.
-enum { FLOORS_TOGETHER = 8 * LANES_WIDTH };
-// Contacts likewise, of which few come nearer than ever.
+// Contacts that are looked at together, of which few come nearer than ever.
 enum { CONTACTS_TOGETHER = 4 * LANES_WIDTH };
 
 const char *const peak_names[] = {"displacement", "velocity", "acceleration", "drift",
@@ -87,28 +84,6 @@ void peaks_speed(struct results *r, int first, int n) {
     r->totals.speed = largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
 }
 
-struct floor_values {
-    const double *of[PEAK_COUNT];
-};
-
-static struct floor_values values_of(const struct state *s) {
-    return (struct floor_values){{
-        [PEAK_DISPLACEMENT] = s->u,
-        [PEAK_VELOCITY] = s->v,
-        [PEAK_ACCELERATION] = s->total,
-        [PEAK_DRIFT] = s->drift,
-        [PEAK_SHEAR] = s->shear,
-    }};
-}
-
-static void raise_floors(struct results *r, int first, int n, const struct state *s) {
-    const struct floor_values value = values_of(s);
-    for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(first, n, value.of[q], s->time, r->peak[q], r->peak_time[q]);
-    }
-    peaks_speed(r, first, n);
-}
-
 LANES static bool any_exceeds(int n, const double *restrict x, const double *restrict limit) {
     long above = 0;
     for (int i = 0, end = lanes_whole(n); i < end; i++) {
@@ -127,14 +102,15 @@ static void raise_penetrations(struct results *r, int n, const struct state *s) 
     }
 }
 
-void peaks_floors(struct results *r, const struct model *m, const struct state *s) {
-    const struct floor_values value = values_of(s);
-    for (int first = 0; first < m->n_dof; first += FLOORS_TOGETHER) {
-        int n = m->n_dof - first < FLOORS_TOGETHER ? m->n_dof - first : FLOORS_TOGETHER;
-        if (chain_exceeds(first, lanes_whole(n), value.of, r->peak)) {
-            raise_floors(r, first, n, s);
-        }
+static void raise_floors(struct results *r, const struct model *m, const struct state *s) {
+    const double *const value[PEAK_COUNT] = {
+        [PEAK_DISPLACEMENT] = s->u, [PEAK_VELOCITY] = s->v,  [PEAK_ACCELERATION] = s->total,
+        [PEAK_DRIFT] = s->drift,    [PEAK_SHEAR] = s->shear,
+    };
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        raise(0, m->n_dof, value[q], s->time, r->peak[q], r->peak_time[q]);
     }
+    peaks_speed(r, 0, m->n_dof);
 }
 
 void peaks_drift_rates(struct results *r, const struct model *m, const struct state *s) {
@@ -145,7 +121,7 @@ void peaks_drift_rates(struct results *r, const struct model *m, const struct st
 }
 
 void peaks_update(struct results *r, const struct model *m, const struct state *s) {
-    peaks_floors(r, m, s);
+    raise_floors(r, m, s);
     raise_penetrations(r, m->n_contact, s);
     for (int i = 0; i < s->n_live; i++) {
         peaks_link(r, m, s, s->live[i]);

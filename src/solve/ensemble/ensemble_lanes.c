@@ -30,26 +30,10 @@ static void alloc_building(struct ensemble_building *b, const struct building *g
     const bool low = n <= INVERSE_FLOORS_MAX;
     *b = (struct ensemble_building){
         .shape = g,
+        .number = lanes_wide_array(a, n * NUMBER_COUNT, sizeof(wide)),
+        .factor = lanes_wide_array(a, n * FACTOR_COUNT, sizeof(wide)),
         .inverse = low ? lanes_wide_array(a, n * n, sizeof(wide)) : NULL,
     };
-    for (int q = 0; q < NUMBER_COUNT; q++) {
-        b->number[q] = lanes_wide_array(a, n, sizeof(wide));
-    }
-}
-
-static void alloc_floors(struct ensemble_lanes *e, struct arena *a) {
-    const int n = e->n_floor;
-    wide **array[] = {
-        &e->now.u,   &e->now.v,   &e->now.a,          &e->next.u,     &e->next.v, &e->next.a,
-        &e->trial.u, &e->trial.v, &e->trial.residual, &e->correction, &e->kept,
-    };
-    for (size_t i = 0; i < sizeof array / sizeof array[0]; i++) {
-        *array[i] = lanes_wide_array(a, n, sizeof(wide));
-    }
-    for (int q = 0; q < PEAK_COUNT; q++) {
-        e->peak[q] = lanes_wide_array(a, n, sizeof(wide));
-        e->peak_time[q] = lanes_wide_array(a, n, sizeof(wide));
-    }
 }
 
 static void fill_factors(struct ensemble_factors *f, const struct model *m) {
@@ -65,18 +49,25 @@ static void fill_factors(struct ensemble_factors *f, const struct model *m) {
 
 bool ensemble_lanes_alloc(struct ensemble_lanes *e, const struct model *m,
                           const struct ensemble_steps *steps, struct arena *a) {
+    const int n = m->n_dof;
     *e = (struct ensemble_lanes){
         .steps = steps,
         .n_building = m->n_building,
-        .n_floor = m->n_dof,
+        .n_floor = n,
         .n_contact = m->n_contact,
         .h = m->dt,
         .factors = lanes_wide_array(a, 1, sizeof *e->factors),
+        .now = lanes_wide_array(a, n, sizeof *e->now),
+        .next = lanes_wide_array(a, n, sizeof *e->next),
+        .trial = lanes_wide_array(a, n, sizeof *e->trial),
+        .correction = lanes_wide_array(a, n, sizeof *e->correction),
+        .kept = lanes_wide_array(a, n, sizeof *e->kept),
+        .peak = lanes_wide_array(a, n, sizeof *e->peak),
+        .peak_time = lanes_wide_array(a, n, sizeof *e->peak_time),
         .works = lanes_wide_array(a, 1, sizeof *e->works),
         .base = lanes_wide_array(a, ENSEMBLE_STRETCH, sizeof *e->base),
         .building = arena_alloc(a, (size_t)m->n_building, sizeof *e->building),
     };
-    alloc_floors(e, a);
     alloc_contacts(e, m, a);
     for (int k = 0; e->building && k < m->n_building; k++) {
         alloc_building(&e->building[k], &m->building[k], a);
@@ -131,12 +122,13 @@ static bool fill_building(struct ensemble_building *b, int lane, const struct ch
         const double number[NUMBER_COUNT] = {
             [NUMBER_MASS] = c->mass[j],           [NUMBER_STIFFNESS] = c->stiffness[j],
             [NUMBER_BELOW] = c->damping_below[j], [NUMBER_OWN] = c->damping[j],
-            [NUMBER_ABOVE] = c->damping_above[j], [NUMBER_PIVOT] = home->pivot[at],
-            [NUMBER_OFF] = home->factor[at],
+            [NUMBER_ABOVE] = c->damping_above[j],
         };
         for (int q = 0; q < NUMBER_COUNT; q++) {
-            small &= put_at(b->number[q], i, lane, number[q]);
+            small &= put_at(b->number, i * NUMBER_COUNT + q, lane, number[q]);
         }
+        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_PIVOT, lane, home->pivot[at]);
+        small &= put_at(b->factor, i * FACTOR_COUNT + FACTOR_OFF, lane, home->factor[at]);
     }
     return (!b->inverse || fill_inverse(b->inverse, lane, home)) && small;
 }
@@ -179,36 +171,38 @@ static void hold_once(double *x, int n_number) {
 void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
     for (int k = 0; k < e->n_building; k++) {
         struct ensemble_building *b = &e->building[k];
-        const int n_floor = b->shape->n_floor, n_inverse = b->inverse ? n_floor * n_floor : 0;
-        bool same = are_same(b->inverse, n_inverse, n);
-        for (int q = 0; q < NUMBER_COUNT; q++) {
-            same = same && are_same(b->number[q], n_floor, n);
+        const int n_floor = b->shape->n_floor;
+        double *array[] = {b->number, b->factor, b->inverse};
+        const int size[] = {n_floor * NUMBER_COUNT, n_floor * FACTOR_COUNT,
+                            b->inverse ? n_floor * n_floor : 0};
+        bool same = true;
+        for (int i = 0; i < 3; i++) {
+            same = same && are_same(array[i], size[i], n);
         }
         b->held = same ? HELD_ONCE : HELD_BY_EACH;
-        for (int q = 0; same && q < NUMBER_COUNT; q++) {
-            hold_once(b->number[q], n_floor);
+        for (int i = 0; same && i < 3; i++) {
+            hold_once(array[i], size[i]);
         }
-        hold_once(b->inverse, same ? n_inverse : 0);
     }
 }
 
 // What is copied between a run and its lane.
 struct lane_array {
-    double *lanes;  // (n, WIDE_RUNS)
-    double *run;    // (n)
-    int n;
+    wide *lanes;  // (n), `pitch` apart
+    double *run;  // (n)
+    int n, pitch;
 };
 enum { LANE_ARRAYS = 6 };
 
 static void lane_arrays(const struct ensemble_lanes *e, struct state *s, struct energy_account *a,
                         struct lane_array array[LANE_ARRAYS]) {
     const struct lane_array all[LANE_ARRAYS] = {
-        {(double *)e->now.u, s->u, e->n_floor},
-        {(double *)e->now.v, s->v, e->n_floor},
-        {(double *)e->now.a, s->a, e->n_floor},
-        {(double *)e->works->input_2x, a->input_2x, LANES_WIDTH},
-        {(double *)e->works->damping_2x, a->damping_2x, LANES_WIDTH},
-        {(double *)&e->works->ground, s->ground_a, 1},
+        {&e->now->u, s->u, e->n_floor, sizeof *e->now / sizeof(wide)},
+        {&e->now->v, s->v, e->n_floor, sizeof *e->now / sizeof(wide)},
+        {&e->now->a, s->a, e->n_floor, sizeof *e->now / sizeof(wide)},
+        {e->works->input_2x, a->input_2x, LANES_WIDTH, 1},
+        {e->works->damping_2x, a->damping_2x, LANES_WIDTH, 1},
+        {&e->works->ground, s->ground_a, 1, 1},
     };
     memcpy(array, all, sizeof all);
 }
@@ -220,8 +214,7 @@ bool ensemble_lanes_enter(struct ensemble_lanes *e, int lane, struct run *r) {
     lane_arrays(e, r->now, &r->energy, array);
     for (const struct lane_array *x = array; x < array + LANE_ARRAYS; x++) {
         for (int i = 0; i < x->n; i++) {
-            lanes_of(x->lanes, i)[lane] = x->run[i];
-            small &= is_small(x->run[i]);
+            small &= put(&x->lanes[i * x->pitch], lane, x->run[i]);
         }
     }
     for (int k = 0; k < e->n_contact; k++) {
@@ -247,11 +240,11 @@ void ensemble_lanes_leave(struct ensemble_lanes *e, int lane, struct run *r, dou
     lane_arrays(e, s, &r->energy, array);
     for (const struct lane_array *x = array; x < array + LANE_ARRAYS; x++) {
         for (int i = 0; i < x->n; i++) {
-            x->run[i] = lanes_of(x->lanes, i)[lane];
+            x->run[i] = x->lanes[i * x->pitch][lane];
         }
     }
     for (int i = 0; i < e->n_floor; i++) {
-        t->speed = number_max(t->speed, e->peak[PEAK_VELOCITY][i][lane]);
+        t->speed = number_max(t->speed, e->peak[i].of[PEAK_VELOCITY][lane]);
     }
     for (int k = 0; k < e->n_contact; k++) {
         s->delta[k] = s->u[e->end[k][0]] - s->u[e->end[k][1]] - e->gap[k].width[lane];
@@ -277,8 +270,8 @@ static void merge(double *peak, double *time, double other, double other_time) {
 void ensemble_lanes_merge(const struct ensemble_lanes *e, int lane, struct results *r) {
     for (int q = 0; q < PEAK_COUNT; q++) {
         for (int i = 0; i < e->n_floor; i++) {
-            merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[q][i][lane],
-                  e->peak_time[q][i][lane]);
+            merge(&r->peak[q][i], &r->peak_time[q][i], e->peak[i].of[q][lane],
+                  e->peak_time[i].of[q][lane]);
         }
     }
     for (int k = 0; k < e->n_contact; k++) {

@@ -16,15 +16,15 @@ enum { ENSEMBLE_STRETCH = 64 };
 // can overflow: the largest are products of seven of them.
 static const double ENSEMBLE_LARGEST = 1e40;
 
-// What a step changes of the floors.
-struct ensemble_motion {
-    wide *u, *v, *a;  // [L] [L/T] [L/T^2] (n_floor) relative to the ground, with zeros beyond
+// What a step changes of a floor.
+struct ensemble_state {
+    wide u, v, a;  // [L] [L/T] [L/T^2] relative to the ground
 };
 
-// Where they would be at the end of the step under way if their accelerations stayed.
+// Where it would be at the end of the step under way if its acceleration stayed.
 struct ensemble_trial {
-    wide *u, *v;     // (n_floor)
-    wide *residual;  // [F] (n_floor) missing to equilibrium there
+    wide u, v;
+    wide residual;  // [F] missing to equilibrium there
 };
 
 // The same in all lanes; in memory, from where they cost least.
@@ -34,17 +34,18 @@ struct ensemble_factors {
     wide per_b, per_g;
 };
 
-// What a step needs of the floors of a building, with the storeys below them.
+// What a step needs of a floor besides, with the storey below it.
 enum ensemble_number {
     NUMBER_MASS,       // [M]
     NUMBER_STIFFNESS,  // [F/L]
     NUMBER_BELOW,
     NUMBER_OWN,
     NUMBER_ABOVE,  // [F T/L] bands of C
-    NUMBER_PIVOT,
-    NUMBER_OFF,  // of A = L D L^T
     NUMBER_COUNT
 };
+
+// What it needs to solve A = L D L^T.
+enum ensemble_factor { FACTOR_PIVOT, FACTOR_OFF, FACTOR_COUNT };
 
 // How the numbers of a building are held.
 enum ensemble_held {
@@ -60,10 +61,16 @@ enum ensemble_held {
 struct ensemble_building {
     const struct building *shape;  // borrowed: that of the first model
     enum ensemble_held held;
-    double *number[NUMBER_COUNT];  // (n_floor)
-    double *inverse;               // (n_floor, n_floor) A^-1 of a low building, else NULL
-    bool multiplies;               // solves multiply by it; else they go through the factors
-    bool pushed;                   // links have changed its corrections since it was moved
+    double *number;   // (n_floor, NUMBER_COUNT)
+    double *factor;   // (n_floor, FACTOR_COUNT)
+    double *inverse;  // (n_floor, n_floor) A^-1 of a low building, else NULL
+    bool multiplies;  // solves multiply by it; else they go through the factors
+    bool pushed;      // links have changed its corrections since it was moved
+};
+
+// Largest values while the runs were here.
+struct ensemble_peaks {
+    wide of[PEAK_COUNT];
 };
 
 struct ensemble_gap {
@@ -126,16 +133,16 @@ struct ensemble_lanes {
 
     long long active[WIDE_RUNS];         // all bits of the lanes that a run is in
     struct ensemble_building *building;  // (n_building)
-    struct ensemble_motion now, next;    // of all buildings
-    struct ensemble_trial trial;         // scratch of the step under way
+    struct ensemble_state *now, *next;   // (n_floor) of all buildings, with zeros beyond
+    struct ensemble_trial *trial;        // (n_floor) scratch of the step under way
     wide *correction;                    // [L/T^2] (n_floor) of the accelerations in it
-    wide *kept;                     // (n_floor) scratch: what they were before contacts in lanes
-    wide *peak[PEAK_COUNT];         // (n_floor) largest values while the runs were here
-    wide *peak_time[PEAK_COUNT];    // [T] (n_floor)
-    struct ensemble_works *works;   // up to `now`, or the step before where that is owing,
-    bool owing;                     // which is in `next` then
-    struct ensemble_gap *gap;            // (n_contact)
-    struct ensemble_nearest *nearest;    // (n_contact)
+    wide *kept;                        // (n_floor) scratch: what they were before contacts in lanes
+    struct ensemble_peaks *peak;       // (n_floor)
+    struct ensemble_peaks *peak_time;  // [T] (n_floor)
+    struct ensemble_works *works;      // up to `now`, or the step before where that is owing,
+    bool owing;                        // which is in `next` then
+    struct ensemble_gap *gap;          // (n_contact)
+    struct ensemble_nearest *nearest;  // (n_contact)
     int (*end)[2];  // (n_contact) floors on both sides; a wall is the zero behind them
     wide *force;    // [F] (n_contact) that a step begins with, else 0,
     bool *acts;     // (n_contact) of contacts that are live in some lane
@@ -162,7 +169,7 @@ static inline int ensemble_next(unsigned runs, int k) {
 
 // Penetrations of contact k in the states `s` of all floors.
 #define ENSEMBLE_PENETRATION(e, k, s)                                                              \
-    ((s).u[(e)->end[k][0]] - (s).u[(e)->end[k][1]] - (e)->gap[k].width)
+    ((s)[(e)->end[k][0]].u - (s)[(e)->end[k][1]].u - (e)->gap[k].width)
 
 // Is a flag negative in an active lane? By halves: compilers take lanes apart one by
 // one.
@@ -209,7 +216,7 @@ void ensemble_approach(struct ensemble_lanes *e, double time);
 
 // Commits it, and owes its account.
 LANES_INLINE void ensemble_commit(struct ensemble_lanes *e, const wide *base, double time) {
-    const struct ensemble_motion old = e->now;
+    struct ensemble_state *old = e->now;
     e->works->time = time;
     e->works->ground_2x = e->works->ground + *base;
     e->works->ground = *base;

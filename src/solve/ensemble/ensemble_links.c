@@ -11,8 +11,8 @@
 static void show_building(const struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct building *g = e->building[k].shape;
     for (int i = g->first; i < g->first + g->n_floor; i++) {
-        r->work.u_trial[i] = e->trial.u[i][lane];
-        r->work.v_trial[i] = e->trial.v[i][lane];
+        r->work.u_trial[i] = e->trial[i].u[lane];
+        r->work.v_trial[i] = e->trial[i].v[lane];
         r->work.correction[i] = e->correction[i][lane];
     }
 }
@@ -37,20 +37,20 @@ static void show_ends(const struct ensemble_lanes *e, int lane, const struct run
 }
 
 // The velocities of both ends of contact k.
-static void gather_velocities(const struct ensemble_lanes *e, int k, const struct ensemble_motion *s,
+static void gather_velocities(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
                               int lane, double *v) {
     for (int i = 0; i < 2; i++) {
-        v[e->end[k][i]] = s->v[e->end[k][i]][lane];
+        v[e->end[k][i]] = s[e->end[k][i]].v[lane];
     }
 }
 
-static double penetration(const struct ensemble_lanes *e, int k, const struct ensemble_motion *s,
+static double penetration(const struct ensemble_lanes *e, int k, const struct ensemble_state *s,
                           int lane) {
-    return s->u[e->end[k][0]][lane] - s->u[e->end[k][1]][lane] - e->gap[k].width[lane];
+    return s[e->end[k][0]].u[lane] - s[e->end[k][1]].u[lane] - e->gap[k].width[lane];
 }
 
 // Penetrations, and velocities of the ends, of the live links of `to` in a state of the lane.
-static void gather_ends(const struct ensemble_lanes *e, const struct ensemble_motion *s, int lane,
+static void gather_ends(const struct ensemble_lanes *e, const struct ensemble_state *s, int lane,
                         struct state *to) {
     for (int i = 0; i < to->n_live; i++) {
         const int k = to->live[i];
@@ -60,7 +60,7 @@ static void gather_ends(const struct ensemble_lanes *e, const struct ensemble_mo
 }
 
 void ensemble_links_recall(const struct ensemble_lanes *e, int lane, const struct run *r) {
-    gather_ends(e, &e->now, lane, r->now);
+    gather_ends(e, e->now, lane, r->now);
 }
 
 void ensemble_links_begin(struct ensemble_lanes *e, int lane, struct run *r, double start,
@@ -91,9 +91,9 @@ int ensemble_links_close(struct ensemble_lanes *e, int lane, struct run *r) {
             continue;
         }
         show_ends(e, lane, r, k);
-        gather_velocities(e, k, &e->now, lane, r->now->v);
-        r->now->delta[k] = penetration(e, k, &e->now, lane);
-        r->next->delta[k] = penetration(e, k, &e->next, lane);
+        gather_velocities(e, k, e->now, lane, r->now->v);
+        r->now->delta[k] = penetration(e, k, e->now, lane);
+        r->next->delta[k] = penetration(e, k, e->next, lane);
         if (contact_close(&r->work, r->now, r->next, k)) {
             e->gap[k].limit[lane] = INFINITY;
             n++;
@@ -118,7 +118,7 @@ int ensemble_links_solve(struct ensemble_lanes *e, int lane, struct run *r) {
 
 int ensemble_links_finish(const struct ensemble_lanes *e, int lane, struct run *r) {
     struct work *w = &r->work;
-    gather_ends(e, &e->next, lane, r->next);
+    gather_ends(e, e->next, lane, r->next);
     contact_finish(w, r->next);
     return event_first(w, r->now, r->next, w->h, r->events, -1).link < 0 ? STATUS_OK : STATUS_RETRY;
 }

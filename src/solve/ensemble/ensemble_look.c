@@ -76,13 +76,14 @@ LANES void ensemble_approach(struct ensemble_lanes *e, double time) {
 LANES_INLINE void add_building(const struct ensemble_lanes *e, const struct ensemble_building *b,
                                wide *kinetic, wide *elastic) {
     const enum ensemble_held held = b->held;
-    const wide *u = e->now.u + b->shape->first, *v = e->now.v + b->shape->first;
+    const struct ensemble_state *s = e->now + b->shape->first;
     wide u_below = {0.0};
     for (int i = 0; i < b->shape->n_floor; i++) {
-        const wide drift = u[i] - u_below;
-        *kinetic += ENSEMBLE_AT(b->number[NUMBER_MASS], i) * v[i] * v[i];
-        *elastic += ENSEMBLE_AT(b->number[NUMBER_STIFFNESS], i) * drift * drift / 2.0;
-        u_below = u[i];
+        const double *x = b->number;
+        const wide drift = s[i].u - u_below;
+        *kinetic += ENSEMBLE_AT(x, i * NUMBER_COUNT + NUMBER_MASS) * s[i].v * s[i].v;
+        *elastic += ENSEMBLE_AT(x, i * NUMBER_COUNT + NUMBER_STIFFNESS) * drift * drift / 2.0;
+        u_below = s[i].u;
     }
 }
 

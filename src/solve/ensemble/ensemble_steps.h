@@ -27,9 +27,15 @@ enum { ROWS = 4, ROWS_MOST = 2 * ROWS - 1 };
 // A function that stays one: compilers mix up what is in others.
 #define APART FLOORS_CLONES __attribute__((noinline)) static
 
-// Part p of the lanes of an array, from number i on.
-LANES_INLINE double *part_of(wide *x, ptrdiff_t i, int p) {
-    return (double *)(x + i) + (ptrdiff_t)p * FLOORS_VECTOR;
+static_assert(sizeof(struct ensemble_state) == MOTION_PITCH * sizeof(wide) &&
+                  sizeof(struct ensemble_trial) == MOTION_PITCH * sizeof(wide) &&
+                  sizeof(struct ensemble_peaks) == PEAK_PITCH * sizeof(wide) &&
+                  (int)NUMBER_COUNT == (int)CHAIN_PITCH,
+              "what belongs to a floor is together");
+
+// Part p of the lanes from x on.
+LANES_INLINE double *part_of(wide *x, int p) {
+    return (double *)x + (ptrdiff_t)p * FLOORS_VECTOR;
 }
 
 // All bits of the lanes of part p that a run is in.
@@ -42,40 +48,42 @@ LANES_INLINE const double *held_part(const double *x, bool once, int p) {
     return once ? x : x + (ptrdiff_t)p * FLOORS_VECTOR;
 }
 
+// The numbers of a building.
 LANES_INLINE struct chain chain_of(const struct ensemble_building *b, bool once, int p) {
-    return (struct chain){
-        .mass = held_part(b->number[NUMBER_MASS], once, p),
-        .stiffness = held_part(b->number[NUMBER_STIFFNESS], once, p),
-        .damping_below = held_part(b->number[NUMBER_BELOW], once, p),
-        .damping = held_part(b->number[NUMBER_OWN], once, p),
-        .damping_above = held_part(b->number[NUMBER_ABOVE], once, p),
-    };
+    const double *x = held_part(b->number, once, p);
+    const ptrdiff_t next = once ? 1 : WIDE_RUNS;
+    return (struct chain){.mass = x + NUMBER_MASS * next,
+                          .stiffness = x + NUMBER_STIFFNESS * next,
+                          .damping_below = x + NUMBER_BELOW * next,
+                          .damping = x + NUMBER_OWN * next,
+                          .damping_above = x + NUMBER_ABOVE * next};
 }
 
-LANES_INLINE struct floors_motion motion_of(const struct ensemble_motion *s, ptrdiff_t i, int p) {
+LANES_INLINE struct floors_motion motion_of(struct ensemble_state *s, int p) {
     return (struct floors_motion){
-        .u = part_of(s->u, i, p), .v = part_of(s->v, i, p), .a = part_of(s->a, i, p)};
+        .u = part_of(&s->u, p), .v = part_of(&s->v, p), .a = part_of(&s->a, p)};
 }
 
 // Building `b` in the step under way; its trial stands at `trial`.
 LANES_INLINE struct floors_pass pass_of(const struct ensemble_lanes *e,
                                         const struct ensemble_building *b, bool once, int p,
                                         const wide *ground, ptrdiff_t trial) {
-    const ptrdiff_t first = b->shape->first;
+    const int first = b->shape->first;
     const struct ensemble_factors *f = e->factors;
+    struct ensemble_trial *t = &e->trial[trial];
     return (struct floors_pass){
         .chain = chain_of(b, once, p),
         .once = once,
-        .now = motion_of(&e->now, first, p),
-        .next = motion_of(&e->next, first, p),
+        .now = motion_of(e->now + first, p),
+        .next = motion_of(e->next + first, p),
         .ground = FLOORS_AT((const double *)ground + (ptrdiff_t)p * FLOORS_VECTOR, 0),
         .h = f->h[0],
         .half = f->half[0],
         .b = f->b[0],
         .g = f->g[0],
-        .residual = part_of(e->trial.residual, trial, p),
-        .u_trial = part_of(e->trial.u, trial, p),
-        .v_trial = part_of(e->trial.v, trial, p),
+        .residual = part_of(&t->residual, p),
+        .u_trial = part_of(&t->u, p),
+        .v_trial = part_of(&t->v, p),
     };
 }
 
@@ -85,17 +93,17 @@ LANES_INLINE void account_floors(const struct ensemble_lanes *e, const struct en
     const ptrdiff_t first = b->shape->first;
     double *peak[PEAK_COUNT], *peak_time[PEAK_COUNT];
     for (int q = 0; q < PEAK_COUNT; q++) {
-        peak[q] = part_of(e->peak[q], first, p);
-        peak_time[q] = part_of(e->peak_time[q], first, p);
+        peak[q] = part_of(&e->peak[first].of[q], p);
+        peak_time[q] = part_of(&e->peak_time[first].of[q], p);
     }
     struct ensemble_works *w = e->works;
     struct floors_taken step = {
         .chain = chain_of(b, once, p),
         .once = once,
-        .s0 = motion_of(&e->next, first, p),
-        .s1 = motion_of(&e->now, first, p),
-        .ground = FLOORS_AT(part_of(&w->ground, 0, p), 0),
-        .ground_2x = FLOORS_AT(part_of(&w->ground_2x, 0, p), 0),
+        .s0 = motion_of(e->next + first, p),
+        .s1 = motion_of(e->now + first, p),
+        .ground = FLOORS_AT(part_of(&w->ground, p), 0),
+        .ground_2x = FLOORS_AT(part_of(&w->ground_2x, p), 0),
         .time = w->time,
         .peak = peak,
         .peak_time = peak_time,
@@ -104,10 +112,10 @@ LANES_INLINE void account_floors(const struct ensemble_lanes *e, const struct en
     find_active(e, p, &step.active);
     const int n = b->shape->n_floor;
     floor_bits *beyond = (floor_bits *)&w->beyond + p;
-    if (floors_take(&step, 0, n, part_of(w->input_2x, 0, p), part_of(w->damping_2x, 0, p))) {
-        for (int i = 0; i < n * PEAK_COUNT; i++) {
-            const floor_lanes most = FLOORS_AT(peak[i % PEAK_COUNT], i / PEAK_COUNT);
-            *beyond |= BEYOND(most, ENSEMBLE_LARGEST + none);
+    if (floors_take(&step, 0, n, part_of(w->input_2x, p), part_of(w->damping_2x, p))) {
+        const double *all = part_of(e->peak[first].of, p);
+        for (ptrdiff_t i = 0; i < (ptrdiff_t)n * PEAK_PITCH; i++) {
+            *beyond |= BEYOND(FLOORS_AT(all, i), ENSEMBLE_LARGEST + none);
         }
     }
 }
@@ -121,7 +129,7 @@ LANES_INLINE void multiply_rows(const double *inverse, bool once, const double *
     }
     for (ptrdiff_t i = 0, at = j; i < n; i++, at += n) {
         EACH_ROW(c, count) {
-            sum[c] += FLOORS_AT(r, i) * HELD_AT(once, inverse, at + c);
+            sum[c] += MOTION_AT(r, i) * HELD_AT(once, inverse, at + c);
         }
     }
     EACH_ROW(c, count) {
@@ -150,20 +158,21 @@ LANES_INLINE void multiply(const double *inverse, bool once, const double *r, in
     }
 }
 
+#define FACTOR_AT(i, q) HELD_AT(once, x, (i)*FACTOR_COUNT + FACTOR_##q)
+
 // L D L^T, from the ground up and back.
-LANES_INLINE void substitute(const double *pivot, const double *off, bool once, const double *r,
-                             int n, double *q) {
+LANES_INLINE void substitute(const double *x, bool once, const double *r, int n, double *q) {
     const ptrdiff_t top = n - 1;
-    floor_lanes below = FLOORS_AT(r, 0);
+    floor_lanes below = MOTION_AT(r, 0);
     FLOORS_SET(q, 0) = below;
     for (ptrdiff_t i = 1; i < n; i++) {
-        below = FLOORS_AT(r, i) - HELD_AT(once, off, i - 1) * below;
+        below = MOTION_AT(r, i) - FACTOR_AT(i - 1, OFF) * below;
         FLOORS_SET(q, i) = below;
     }
-    floor_lanes above = below * HELD_AT(once, pivot, top);
+    floor_lanes above = below * FACTOR_AT(top, PIVOT);
     FLOORS_SET(q, top) = 0.0 + above;
     for (ptrdiff_t i = top - 1; i >= 0; i--) {
-        above = FLOORS_AT(q, i) * HELD_AT(once, pivot, i) - HELD_AT(once, off, i) * above;
+        above = FLOORS_AT(q, i) * FACTOR_AT(i, PIVOT) - FACTOR_AT(i, OFF) * above;
         FLOORS_SET(q, i) = 0.0 + above;
     }
 }
@@ -176,8 +185,7 @@ LANES_INLINE void solve(const struct floors_pass *pass, const struct ensemble_bu
     if (b->multiplies) {
         multiply(held_part(b->inverse, once, p), once, pass->residual, n, q);
     } else {
-        substitute(held_part(b->number[NUMBER_PIVOT], once, p),
-                   held_part(b->number[NUMBER_OFF], once, p), once, pass->residual, n, q);
+        substitute(held_part(b->factor, once, p), once, pass->residual, n, q);
     }
 }
 
@@ -202,7 +210,7 @@ LANES_INLINE void end_by(const struct ensemble_lanes *e, const struct ensemble_b
                          bool once, int p, const wide *ground, ptrdiff_t trial) {
     floor_bits beyond = {0};
     const struct floors_pass pass = pass_of(e, b, once, p, ground, trial);
-    double *q = part_of(e->correction, b->shape->first, p);
+    double *q = part_of(e->correction + b->shape->first, p);
     solve(&pass, b, p, q);
     if (e->owing) {
         account_floors(e, b, once, p);
@@ -248,13 +256,13 @@ LANES_INLINE void step(const struct ensemble_lanes *e, int p, const wide *ground
 // What contacts of `next` ask for: negative where one is closed, and where one is nearer than ever.
 LANES_INLINE void approach(const struct ensemble_lanes *e, int p, floor_bits *closed,
                            floor_bits *nearer) {
-    const double *u = part_of(e->next.u, 0, p);
+    const double *u = part_of(&e->next->u, p);
     for (int k = 0; k < e->n_contact; k++) {
         struct ensemble_gap *c = &e->gap[k];
-        const floor_lanes d = FLOORS_AT(u, e->end[k][0]) - FLOORS_AT(u, e->end[k][1]) -
-                              FLOORS_AT(part_of(&c->width, 0, p), 0);
+        const floor_lanes d = MOTION_AT(u, e->end[k][0]) - MOTION_AT(u, e->end[k][1]) -
+                              FLOORS_AT(part_of(&c->width, p), 0);
         *closed |= (floor_bits)(0.0 - d);
-        *nearer |= (floor_bits)(FLOORS_AT(part_of(&c->limit, 0, p), 0) - d);
+        *nearer |= (floor_bits)(FLOORS_AT(part_of(&c->limit, p), 0) - d);
     }
 }
 
@@ -287,8 +295,8 @@ FLOORS_CLONES static int march(struct ensemble_lanes *e, const wide *base, int n
 LANES_INLINE void push(struct ensemble_lanes *e) {
     for (int k = 0; k < e->n_contact; k++) {
         if (e->acts[k]) {
-            e->trial.residual[e->end[k][0]] -= e->force[k];
-            e->trial.residual[e->end[k][1]] += e->force[k];
+            e->trial[e->end[k][0]].residual -= e->force[k];
+            e->trial[e->end[k][1]].residual += e->force[k];
             e->force[k] = (wide){0.0};
         }
         e->acts[k] = false;
@@ -315,7 +323,7 @@ FLOORS_CLONES static void move_pushed(struct ensemble_lanes *e, const wide *base
         for (int p = 0; b->pushed && p < FLOORS_PARTS; p++) {
             const struct floors_pass pass = pass_of(e, b, false, p, base, first);
             floor_bits beyond = {0};
-            floors_finish(&pass, 0, b->shape->n_floor, part_of(e->correction, first, p), &beyond);
+            floors_finish(&pass, 0, b->shape->n_floor, part_of(e->correction + first, p), &beyond);
         }
         b->pushed = false;
     }

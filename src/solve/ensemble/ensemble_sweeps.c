@@ -36,9 +36,9 @@ LANES_WHOLE_INLINE void sweep_law(const struct closed_contact *p, const wide *d,
 LANES_WHOLE_INLINE void sweep_sizes(const struct ensemble_lanes *e, const struct closed_contact *p,
                                     wide *u, wide *v, wide *q) {
     const int *end = e->end[p->index];
-    const struct ensemble_trial *t = &e->trial;
-    *u = WIDE_ABSOLUTE(t->u[end[0]]) + WIDE_ABSOLUTE(t->u[end[1]]) + e->gap[p->index].width;
-    *v = WIDE_ABSOLUTE(t->v[end[0]]) + WIDE_ABSOLUTE(t->v[end[1]]);
+    const struct ensemble_trial *left = &e->trial[end[0]], *right = &e->trial[end[1]];
+    *u = WIDE_ABSOLUTE(left->u) + WIDE_ABSOLUTE(right->u) + e->gap[p->index].width;
+    *v = WIDE_ABSOLUTE(left->v) + WIDE_ABSOLUTE(right->v);
     *q = WIDE_ABSOLUTE(e->correction[end[0]]) + WIDE_ABSOLUTE(e->correction[end[1]]);
 }
 
@@ -108,11 +108,12 @@ LANES_WHOLE_INLINE void ensemble_gather(const struct ensemble_lanes *e, struct p
     s->largest = s->feedback = EVERYWHERE(0.0);
     for (int i = 0; i < e->contacts->n_acting; i++) {
         struct closed_contact *p = ensemble_acting(e, i);
-        const int left = e->end[p->index][0], right = e->end[p->index][1];
+        const struct ensemble_trial *left = &e->trial[e->end[p->index][0]];
+        const struct ensemble_trial *right = &e->trial[e->end[p->index][1]];
         p->tangent = (struct tangent_lanes){.base = EVERYWHERE(0.0)};
         p->dfdd = p->dfdv = EVERYWHERE(0.0);
-        p->d_trial = e->trial.u[left] - e->trial.u[right] - e->gap[p->index].width;
-        p->v_trial = e->trial.v[left] - e->trial.v[right];
+        p->d_trial = left->u - right->u - e->gap[p->index].width;
+        p->v_trial = left->v - right->v;
         const wide size = ABSOLUTE(p->force);
         s->largest = CHOOSE(p->live & LESS(s->largest, size), size, s->largest);
     }

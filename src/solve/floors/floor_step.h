@@ -30,6 +30,7 @@ static const floor_lanes none = {0.0};
 // again after each store.
 struct floors_motion {
     double *u, *v, *a, *drift, *shear;
+    const double *external;  // NULL: forces of one ground
 };
 
 // The lines that storeys follow; all NULL where they are elastic.
@@ -72,8 +73,8 @@ struct floors_trial {
 
 LANES_INLINE void floors_predict(const struct floors_pass *p, ptrdiff_t i, floor_lanes *u,
                                  floor_lanes *v) {
-    const floor_lanes v0 = FLOORS_AT(p->now.v, i), a0 = FLOORS_AT(p->now.a, i);
-    *u = TRIAL_U(FLOORS_AT(p->now.u, i), v0, a0, p->h, p->half);
+    const floor_lanes v0 = MOTION_AT(p->now.v, i), a0 = MOTION_AT(p->now.a, i);
+    *u = TRIAL_U(MOTION_AT(p->now.u, i), v0, a0, p->h, p->half);
     *v = TRIAL_V(v0, a0, p->h);
 }
 
@@ -106,11 +107,11 @@ LANES_INLINE void floors_begin(const struct floors_pass *p, ptrdiff_t first, ptr
         if (external) {
             force = FLOORS_AT(external, i);
         }
-        FLOORS_SET(p->residual, i - first) =
-            RESIDUAL(force - mass * FLOORS_AT(p->now.a, i), damping, own.shear,
+        MOTION_SET(p->residual, i - first) =
+            RESIDUAL(force - mass * MOTION_AT(p->now.a, i), damping, own.shear,
                      JOINED(p, i + 1, ABOVE(own.shear, over.shear)));
-        FLOORS_SET(p->u_trial, i - first) = own.u;
-        FLOORS_SET(p->v_trial, i - first) = own.v;
+        MOTION_SET(p->u_trial, i - first) = own.u;
+        MOTION_SET(p->v_trial, i - first) = own.v;
         under = own;
         own = over;
     }
@@ -122,22 +123,22 @@ LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, pt
                                 const double *q, floor_bits *beyond) {
     floor_lanes sum = none, under = none;
     if (p->lines.back && first > 0) {
-        under = FLOORS_AT(p->next.u, first - FLOORS_NEXT);
+        under = MOTION_AT(p->next.u, first - FLOORS_NEXT);
     }
     EACH_VECTOR(i, first, end) {
         const floor_lanes change = FLOORS_AT(q, i - first);
-        const floor_lanes u = END(FLOORS_AT(p->u_trial, i - first), p->b, change);
-        const floor_lanes v = END(FLOORS_AT(p->v_trial, i - first), p->g, change);
-        const floor_lanes a = FLOORS_AT(p->now.a, i) + change;
-        FLOORS_SET(p->next.u, i) = u;
-        FLOORS_SET(p->next.v, i) = v;
-        FLOORS_SET(p->next.a, i) = a;
+        const floor_lanes u = END(MOTION_AT(p->u_trial, i - first), p->b, change);
+        const floor_lanes v = END(MOTION_AT(p->v_trial, i - first), p->g, change);
+        const floor_lanes a = MOTION_AT(p->now.a, i) + change;
+        MOTION_SET(p->next.u, i) = u;
+        MOTION_SET(p->next.v, i) = v;
+        MOTION_SET(p->next.a, i) = a;
         sum += u + v + a;
         if (p->lines.back) {
             floor_lanes drift, shear;
             floors_strain(p, i, &under, &u, &drift, &shear, beyond);
-            FLOORS_SET(p->next.drift, i) = drift;
-            FLOORS_SET(p->next.shear, i) = shear;
+            MOTION_SET(p->next.drift, i) = drift;
+            MOTION_SET(p->next.shear, i) = shear;
             under = u;
         }
     }
@@ -146,13 +147,14 @@ LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, pt
     }
 }
 
-// A step that has been taken, and where its works and the peaks of the state it led to go. Storeys
-// that follow lines have their drifts and shears in the states.
+// A step that has been taken, and where its works and the peaks of the state it led to go. Where
+// storeys yield, their drifts and shears are in the states.
 struct floors_taken {
     struct chain chain;
     bool once;  // as above
     struct floors_motion s0, s1;
     floor_number ground, ground_2x;  // of s1, and of both together
+    const double *base;              // of s1; NULL: one ground moves all floors
     double time;
     double *input_2x, *damping_2x, *storey_2x;
     double *const *peak, *const *peak_time;
@@ -166,30 +168,37 @@ LANES_INLINE void floors_raise(const struct floors_taken *p, int quantity, ptrdi
                                const floor_lanes *x) {
     double *peak = p->peak[quantity], *when = p->peak_time[quantity];
     const floor_lanes size = (floor_lanes)((floor_bits)*x & INT64_MAX);
-    const floor_bits larger = (floor_bits)(FLOORS_AT(peak, i) - size) >> 63;
+    const floor_bits larger = (floor_bits)(PEAK_AT(peak, i) - size) >> 63;
     const floor_bits more = FLOORS_HEEDED(p, larger);
-    FLOORS_SET(peak, i) = CHOOSE(more, size, FLOORS_AT(peak, i));
-    FLOORS_SET(when, i) = CHOOSE(more, p->time + none, FLOORS_AT(when, i));
+    PEAK_SET(peak, i) = CHOOSE(more, size, PEAK_AT(peak, i));
+    PEAK_SET(when, i) = CHOOSE(more, p->time + none, PEAK_AT(when, i));
 }
 
-// Takes the floors of s1 into the peaks. `base` NULL: one ground moves them all.
-LANES_INLINE void floors_raise_all(const struct floors_taken *p, const double *base,
-                                   ptrdiff_t first, ptrdiff_t end) {
+// The total accelerations of s1.
+LANES_INLINE void floors_total(const struct floors_taken *p, ptrdiff_t i, floor_lanes *total) {
+    *total = MOTION_AT(p->s1.a, i);
+    if (p->base) {
+        *total += FLOORS_AT(p->base, i);
+    } else {
+        *total += p->ground;
+    }
+}
+
+// Takes the floors of s1 into the peaks.
+LANES_INLINE void floors_raise_all(const struct floors_taken *p, ptrdiff_t first, ptrdiff_t end) {
     const struct floors_motion s = p->s1;
     floor_lanes under = none;
     if (first > 0) {
-        under = FLOORS_AT(s.u, first - FLOORS_NEXT);
+        under = MOTION_AT(s.u, first - FLOORS_NEXT);
     }
     for (ptrdiff_t i = first; i < end; i += FLOORS_NEXT) {
-        const floor_lanes u = FLOORS_AT(s.u, i), v = FLOORS_AT(s.v, i);
-        floor_lanes total = FLOORS_AT(s.a, i) + p->ground;
+        const floor_lanes u = MOTION_AT(s.u, i), v = MOTION_AT(s.v, i);
         const floor_lanes drift = u - JOINED(p, i, BELOW(under, u));
         floor_lanes shear = CHAIN_AT(p, stiffness, i) * drift;
-        if (base) {
-            total = FLOORS_AT(s.a, i) + FLOORS_AT(base, i);
-        }
+        floor_lanes total;
+        floors_total(p, i, &total);
         if (p->yields) {
-            shear = FLOORS_AT(s.shear, i);
+            shear = MOTION_AT(s.shear, i);
         }
         floors_raise(p, PEAK_DISPLACEMENT, i, &u);
         floors_raise(p, PEAK_VELOCITY, i, &v);
@@ -210,27 +219,33 @@ struct floors_pair {
 LANES_INLINE void floors_account_vector(const struct floors_taken *p, ptrdiff_t i, ptrdiff_t slot,
                                         struct floors_pair *pair, double *input, double *damping,
                                         floor_bits *higher) {
-    const floor_lanes u = FLOORS_AT(p->s1.u, i), moved = u - FLOORS_AT(p->s0.u, i);
-    const floor_lanes v = FLOORS_AT(p->s1.v, i);
+    const floor_lanes u = MOTION_AT(p->s1.u, i), moved = u - MOTION_AT(p->s0.u, i);
+    const floor_lanes v = MOTION_AT(p->s1.v, i);
     const floor_lanes v_over =
-        FLOORS_AT(p->s0.v, i + FLOORS_NEXT) + FLOORS_AT(p->s1.v, i + FLOORS_NEXT);
-    FLOORS_SET(input, slot) -= WORK_OF_GROUND(p->ground_2x, CHAIN_AT(p, mass, i), moved);
-    FLOORS_SET(damping, slot) += WORK_OF_DAMPING(
-        moved, BANDS(CHAIN_AT(p, damping_below, i), BELOW(pair->v_under, pair->v_own),
-                     CHAIN_AT(p, damping, i), pair->v_own, CHAIN_AT(p, damping_above, i),
-                     ABOVE(pair->v_own, v_over)));
-    floor_lanes drift = u - JOINED(p, i, BELOW(pair->u_under, u));
-    if (p->yields) {
-        const floor_lanes shear = FLOORS_AT(p->s1.shear, i);
-        drift = FLOORS_AT(p->s1.drift, i);
-        FLOORS_SET(p->storey_2x, i) +=
-            (FLOORS_AT(p->s0.shear, i) + shear) * (drift - FLOORS_AT(p->s0.drift, i));
-        *higher |= BEYOND(shear, FLOORS_AT(p->peak[PEAK_SHEAR], i));
+        MOTION_AT(p->s0.v, i + FLOORS_NEXT) + MOTION_AT(p->s1.v, i + FLOORS_NEXT);
+    if (p->s1.external) {
+        FLOORS_SET(input, slot) +=
+            (FLOORS_AT(p->s0.external, i) + FLOORS_AT(p->s1.external, i)) * moved;
+    } else {
+        FLOORS_SET(input, slot) -= WORK_OF_GROUND(p->ground_2x, CHAIN_AT(p, mass, i), moved);
     }
-    *higher |= BEYOND(u, FLOORS_AT(p->peak[PEAK_DISPLACEMENT], i)) |
-               BEYOND(v, FLOORS_AT(p->peak[PEAK_VELOCITY], i)) |
-               BEYOND(FLOORS_AT(p->s1.a, i) + p->ground, FLOORS_AT(p->peak[PEAK_ACCELERATION], i)) |
-               BEYOND(drift, FLOORS_AT(p->peak[PEAK_DRIFT], i));
+    const floor_lanes force = BANDS(CHAIN_AT(p, damping_below, i), BELOW(pair->v_under, pair->v_own),
+                              CHAIN_AT(p, damping, i), pair->v_own, CHAIN_AT(p, damping_above, i),
+                              ABOVE(pair->v_own, v_over));
+    FLOORS_SET(damping, slot) += WORK_OF_DAMPING(moved, force);
+    floor_lanes total, drift = u - JOINED(p, i, BELOW(pair->u_under, u));
+    floors_total(p, i, &total);
+    if (p->yields) {
+        const floor_lanes shear = MOTION_AT(p->s1.shear, i);
+        drift = MOTION_AT(p->s1.drift, i);
+        FLOORS_SET(p->storey_2x, i) +=
+            (MOTION_AT(p->s0.shear, i) + shear) * (drift - MOTION_AT(p->s0.drift, i));
+        *higher |= BEYOND(shear, PEAK_AT(p->peak[PEAK_SHEAR], i));
+    }
+    *higher |= BEYOND(u, PEAK_AT(p->peak[PEAK_DISPLACEMENT], i)) |
+               BEYOND(v, PEAK_AT(p->peak[PEAK_VELOCITY], i)) |
+               BEYOND(total, PEAK_AT(p->peak[PEAK_ACCELERATION], i)) |
+               BEYOND(drift, PEAK_AT(p->peak[PEAK_DRIFT], i));
     *pair = (struct floors_pair){u, pair->v_own, v_over};
 }
 
@@ -246,11 +261,11 @@ LANES_INLINE ptrdiff_t floors_part(ptrdiff_t i, ptrdiff_t end) {
 LANES_INLINE bool floors_take(const struct floors_taken *p, ptrdiff_t first, ptrdiff_t end,
                               double *input, double *damping) {
     bool rises = false;
-    struct floors_pair pair = {none, none, FLOORS_AT(p->s0.v, first) + FLOORS_AT(p->s1.v, first)};
+    struct floors_pair pair = {none, none, MOTION_AT(p->s0.v, first) + MOTION_AT(p->s1.v, first)};
     if (first > 0) {
         const ptrdiff_t under = first - FLOORS_NEXT;
-        pair.u_under = FLOORS_AT(p->s1.u, under);
-        pair.v_under = FLOORS_AT(p->s0.v, under) + FLOORS_AT(p->s1.v, under);
+        pair.u_under = MOTION_AT(p->s1.u, under);
+        pair.v_under = MOTION_AT(p->s0.v, under) + MOTION_AT(p->s1.v, under);
     }
     for (ptrdiff_t part = first; part < end; part = floors_part(part, end)) {
         floor_bits higher = {0};
@@ -263,7 +278,7 @@ LANES_INLINE bool floors_take(const struct floors_taken *p, ptrdiff_t first, ptr
         }
         higher = FLOORS_HEEDED(p, higher);
         if (floors_any(&higher)) {
-            floors_raise_all(p, NULL, part, floors_part(part, end));
+            floors_raise_all(p, part, floors_part(part, end));
             rises = true;
         }
     }

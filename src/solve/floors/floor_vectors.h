@@ -48,22 +48,26 @@ enum {
 #define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
 #endif
 
-// FLOORS_NEXT is the number of floors from one vector to the next, FLOORS_PITCH that of doubles
-// from one floor to the next, and floor_number one number of each run of a vector. CHAIN_AT is an
-// array of the chain of `p`, and JOINED is x where floor i of it stands on another one, else 0:
-// loops over vectors of runs begin at the lowest floor of a building. FLOORS_SLOT is where floor i
-// adds to a work, in vector j of whole lanes.
+// FLOORS_NEXT is the number of floors from one vector to the next, and floor_number one number of
+// each run of a vector. CHAIN_AT is an array of the chain of `p`, and JOINED is x where floor i of
+// it stands on another one, else 0: loops over vectors of runs begin at the lowest floor of a
+// building. FLOORS_SLOT is where floor i adds to a work, in vector j of whole lanes.
+//
+// Arrays of runs lie side by side where a loop reads several: what belongs to a floor is together,
+// MOTION_PITCH vectors of a motion or a trial, CHAIN_PITCH numbers of a chain and so on.
 #ifdef FLOORS_OF_RUNS
-enum { FLOORS_NEXT = 1, FLOORS_PITCH = WIDE_RUNS, FLOORS_WHOLE = 1, FLOORS_PARTS = FLOORS_VECTORS };
+enum { FLOORS_NEXT = 1, FLOORS_WHOLE = 1, FLOORS_PARTS = FLOORS_VECTORS };
+enum { FLOORS_PITCH = WIDE_RUNS, MOTION_PITCH = 3, PEAK_PITCH = 5, CHAIN_PITCH = 5 };
 typedef floor_lanes floor_number;
 #define HELD_AT(once, x, i)                                                                        \
     (floor_lanes)((once) ? (floor_lanes)((x)[i] - (floor_lanes){0.0}) : FLOORS_AT(x, i))
-#define CHAIN_AT(p, x, i) HELD_AT((p)->once, (p)->chain.x, i)
+#define CHAIN_AT(p, x, i) HELD_AT((p)->once, (p)->chain.x, (i)*CHAIN_PITCH)
 #define JOINED(p, i, x) (x)
-#define FLOORS_SLOT(p, i, j) (((p)->first + (i)) % LANES_WIDTH)
+#define FLOORS_SLOT(p, i, j) ((ptrdiff_t)((size_t)((p)->first + (i)) % LANES_WIDTH))
 #define FLOORS_HEEDED(p, flags) ((flags) & (p)->active)
 #else
-enum { FLOORS_NEXT = FLOORS_VECTOR, FLOORS_PITCH = 1, FLOORS_WHOLE = LANES_WIDTH };
+enum { FLOORS_NEXT = FLOORS_VECTOR, FLOORS_WHOLE = LANES_WIDTH };
+enum { FLOORS_PITCH = 1, MOTION_PITCH = 1, PEAK_PITCH = 1 };
 typedef double floor_number;
 #define CHAIN_AT(p, x, i) FLOORS_AT((p)->chain.x, i)
 #define JOINED(p, i, x) (FLOORS_AT((p)->chain.joint, i) * (x))
@@ -71,9 +75,14 @@ typedef double floor_number;
 #define FLOORS_HEEDED(p, flags) (flags)
 #endif
 
-// The vector of floor i of an array, to read and to write.
+// The vector of floor i of an array, to read and to write; and the same of a motion or a trial, and
+// of peaks.
 #define FLOORS_AT(x, i) (*(const floor_lanes *)((x) + (i)*FLOORS_PITCH))
 #define FLOORS_SET(x, i) (*(floor_lanes *)((x) + (i)*FLOORS_PITCH))
+#define MOTION_AT(x, i) FLOORS_AT(x, (i)*MOTION_PITCH)
+#define MOTION_SET(x, i) FLOORS_SET(x, (i)*MOTION_PITCH)
+#define PEAK_AT(x, i) FLOORS_AT(x, (i)*PEAK_PITCH)
+#define PEAK_SET(x, i) FLOORS_SET(x, (i)*PEAK_PITCH)
 
 // For each vector of whole lanes, unrolled so that the vectors stay in registers.
 #define EACH_OF_LANES(j)                                                                           \
