@@ -64,19 +64,14 @@ void state_open_where(struct state *s, const struct model *m, state_question *op
     }
 }
 
-// Shears and tangents from the histories `from`; `after` as in struct storey_law.
-static void inelastic_shears(struct state *s, const struct model *m, const double *from,
-                             double *after) {
-    for (int k = 0; k < m->n_building; k++) {
-        const struct building *g = &m->building[k];
-        for (int i = g->first; !g->elastic && i < g->first + g->n_floor; i++) {
-            const struct storey *law = &m->storey[i];
-            const struct storey_response r =
-                law->law->respond(law->constant, from + law->history, s->drift[i],
-                                  after ? after + law->history : NULL);
-            s->shear[i] = r.shear;
-            s->tangent[i] = r.tangent;
-        }
+void state_storeys(struct state *s, const struct model *m, const struct building *g,
+                   const double *from, double *after) {
+    for (int i = g->first; i < g->first + g->n_floor; i++) {
+        const struct storey *law = &m->storey[i];
+        const struct storey_response r = law->law->respond(
+            law->constant, from + law->history, s->drift[i], after ? after + law->history : NULL);
+        s->shear[i] = r.shear;
+        s->tangent[i] = r.tangent;
     }
 }
 
@@ -111,16 +106,23 @@ static void full_damping(struct state *s, const struct model *m, const double *v
     }
 }
 
-static void internal_forces(struct state *s, const struct model *m, const double *u,
-                            const double *v, const double *from, double *after) {
-    chain_forces(&m->chain, u, v, s->drift, s->shear, s->damping_force);
-    if (!m->elastic) {
-        inelastic_shears(s, m, from, after);
-    }
+void state_full_forces(struct state *s, const struct model *m, const double *v, const double *from,
+                       double *after) {
     if (m->chain.full_damping) {
         full_damping(s, m, v);
         part_shears(s, m, v, from, after);
     }
+}
+
+static void internal_forces(struct state *s, const struct model *m, const double *u,
+                            const double *v, const double *from, double *after) {
+    chain_forces(&m->chain, u, v, s->drift, s->shear, s->damping_force);
+    for (int k = 0; !m->elastic && k < m->n_building; k++) {
+        if (!m->building[k].elastic) {
+            state_storeys(s, m, &m->building[k], from, after);
+        }
+    }
+    state_full_forces(s, m, v, from, after);
 }
 
 void state_internal_forces(struct state *s, const struct model *m, const double *u,

@@ -230,11 +230,39 @@ static void take_forces(struct work *w, const struct state *now, struct state *n
     state_reach(next, m, next->u, next->v, now->storey_history);
 }
 
+// The shears of building g at drifts near those of `now`, by the tangents it is factorised with.
+LANES static void predict_shears(const struct building *g, const double *tangent,
+                                 const struct state *now, struct state *next) {
+    const double *shear_0 = now->shear + g->first, *drift_0 = now->drift + g->first;
+    const double *restrict drift = next->drift + g->first;
+    double *restrict shear = next->shear + g->first;
+    for (int i = 0; i < g->n_floor; i++) {
+        shear[i] = shear_0[i] + tangent[i] * (drift[i] - drift_0[i]);
+    }
+}
+
+// Internal forces at the trial. Storeys of straight lines most likely stay on theirs: the end of
+// the step tells.
+static void try_forces(struct work *w, const struct state *now, struct state *next) {
+    const struct model *m = w->model;
+    const double *history = now->storey_history;
+    chain_forces(&m->chain, w->u_trial, w->v_trial, next->drift, next->shear, next->damping_force);
+    for (int k = 0; k < m->n_building; k++) {
+        const struct building *g = &m->building[k];
+        if (g->predictable) {
+            predict_shears(g, w->effective[k].tangent, now, next);
+        } else if (!g->elastic) {
+            state_storeys(next, m, g, history, next->storey_history);
+        }
+    }
+    state_full_forces(next, m, w->v_trial, history, next->storey_history);
+}
+
 // Newton's iteration on storeys and links. Leaves the internal forces of the state it finds.
 static int solve(struct work *w, const struct state *now, struct state *next, struct error *e) {
     const struct model *m = w->model;
     chain_trial(m->chain.n, w->h, now->u, now->v, now->a, w->u_trial, w->v_trial);
-    state_reach(next, m, w->u_trial, w->v_trial, now->storey_history);
+    try_forces(w, now, next);
     residuals(w, next, now->a);
     if (linearise_smooth(w, now, next) != STATUS_OK) {
         return STATUS_RETRY;
