@@ -43,6 +43,10 @@ bool peaks_alloc(struct results *r, const struct model *m, struct arena *a) {
     if (!fields_alloc(&results_fields, m, r, a)) {
         return false;
     }
+    for (int q = 0; q < PEAK_COUNT; q++) {
+        lanes_assert(r->peak[q], m->n_dof);
+        lanes_assert(r->peak_time[q], m->n_dof);
+    }
     for (int i = m->n_dof; i < m->chain.n; i++) {
         r->peak[PEAK_ACCELERATION][i] = INFINITY;  // the ground shakes there too
     }
@@ -59,15 +63,15 @@ void peaks_finish(struct results *r, const struct model *m) {
     }
 }
 
-LANES static void raise(int first, int n, const double *restrict x, double time,
-                        double *restrict peak, double *restrict peak_time) {
+LANES static void peaks_raise(int first, int n, const double *restrict x, double time,
+                              double *restrict peak, double *restrict peak_time) {
     for (int i = first, end = first + lanes_whole(n); i < end; i++) {
         peak_raise(x[i], time, &peak[i], &peak_time[i]);
     }
 }
 
 // The largest of x and `other`.
-LANES static double largest(int first, int n, const double *restrict x, double other) {
+LANES static double peaks_largest(int first, int n, const double *restrict x, double other) {
     double most[LANES_WIDTH];
     for (int lane = 0; lane < LANES_WIDTH; lane++) {
         most[lane] = other;
@@ -84,14 +88,14 @@ LANES static double largest(int first, int n, const double *restrict x, double o
 }
 
 void peaks_speed(struct results *r, int first, int n) {
-    r->totals.speed = largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
+    r->totals.speed = peaks_largest(first, n, r->peak[PEAK_VELOCITY], r->totals.speed);
 }
 
 struct floor_values {
     const double *of[PEAK_COUNT];
 };
 
-static struct floor_values values_of(const struct state *s) {
+static struct floor_values peaks_values(const struct state *s) {
     return (struct floor_values){{
         [PEAK_DISPLACEMENT] = s->u,
         [PEAK_VELOCITY] = s->v,
@@ -101,15 +105,15 @@ static struct floor_values values_of(const struct state *s) {
     }};
 }
 
-static void raise_floors(struct results *r, int first, int n, const struct state *s) {
-    const struct floor_values value = values_of(s);
+static void peaks_raise_floors(struct results *r, int first, int n, const struct state *s) {
+    const struct floor_values value = peaks_values(s);
     for (int q = 0; q < PEAK_COUNT; q++) {
-        raise(first, n, value.of[q], s->time, r->peak[q], r->peak_time[q]);
+        peaks_raise(first, n, value.of[q], s->time, r->peak[q], r->peak_time[q]);
     }
     peaks_speed(r, first, n);
 }
 
-LANES static bool any_exceeds(int n, const double *restrict x, const double *restrict limit) {
+LANES static bool peaks_any_exceeds(int n, const double *restrict x, const double *restrict limit) {
     long above = 0;
     for (int i = 0, end = lanes_whole(n); i < end; i++) {
         above |= x[i] > limit[i];
@@ -117,10 +121,10 @@ LANES static bool any_exceeds(int n, const double *restrict x, const double *res
     return above != 0;
 }
 
-static void raise_penetrations(struct results *r, int n, const struct state *s) {
+static void peaks_raise_penetrations(struct results *r, int n, const struct state *s) {
     for (int first = 0; first < n; first += CONTACTS_TOGETHER) {
         int end = n - first < CONTACTS_TOGETHER ? n : first + CONTACTS_TOGETHER;
-        bool any = any_exceeds(end - first, s->delta + first, r->deepest + first);
+        bool any = peaks_any_exceeds(end - first, s->delta + first, r->deepest + first);
         for (int k = first; any && k < end; k++) {
             peaks_penetration(r, k, s->delta[k], s->time);
         }
@@ -128,11 +132,11 @@ static void raise_penetrations(struct results *r, int n, const struct state *s) 
 }
 
 void peaks_floors(struct results *r, const struct model *m, const struct state *s) {
-    const struct floor_values value = values_of(s);
+    const struct floor_values value = peaks_values(s);
     for (int first = 0; first < m->n_dof; first += FLOORS_TOGETHER) {
         int n = m->n_dof - first < FLOORS_TOGETHER ? m->n_dof - first : FLOORS_TOGETHER;
         if (chain_exceeds(first, lanes_whole(n), value.of, r->peak)) {
-            raise_floors(r, first, n, s);
+            peaks_raise_floors(r, first, n, s);
         }
     }
 }
@@ -145,8 +149,11 @@ void peaks_drift_rates(struct results *r, const struct model *m, const struct st
 }
 
 void peaks_update(struct results *r, const struct model *m, const struct state *s) {
+    lanes_assert(s->u, m->n_dof);
+    lanes_assert(s->v, m->n_dof);
+    lanes_assert(s->total, m->n_dof);
     peaks_floors(r, m, s);
-    raise_penetrations(r, m->n_contact, s);
+    peaks_raise_penetrations(r, m->n_contact, s);
     for (int i = 0; i < s->n_live; i++) {
         peaks_link(r, m, s, s->live[i]);
     }
