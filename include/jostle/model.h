@@ -46,6 +46,8 @@ struct building {
     const struct word *damping;      // the last statement of Rayleigh damping; NULL: none
     bool elastic;                    // every storey is, and every part is linear
     bool smooth;                     // the tangent of some storey or part changes all the time
+    bool predictable;                // it is of straight lines: its shears may be foretold by its
+                                     // tangents
     int ground;                      // index into model.ground
 };
 

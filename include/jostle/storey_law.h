@@ -12,7 +12,7 @@
 
 JOSTLE_C_BEGIN
 
-enum { STOREY_ROWS_MAX = 8, STOREY_CONSTANTS_MAX = 8, STOREY_HISTORY_MAX = 8 };
+enum { STOREY_ROWS_MAX = 8, STOREY_CONSTANTS_MAX = 9, STOREY_HISTORY_MAX = 8 };
 
 // What an integrator of high order must know about a law.
 enum storey_trait {

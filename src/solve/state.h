@@ -113,6 +113,13 @@ void state_internal_forces(struct state *s, const struct model *m, const double 
 void state_reach(struct state *s, const struct model *m, const double *u, const double *v,
                  const double *from);
 
+// Parts of that, after the chain's: shears and tangents of the storeys of building g; then C v of
+// full matrices, and the shears of parts. `after` as in struct storey_law.
+void state_storeys(struct state *s, const struct model *m, const struct building *g,
+                   const double *from, double *after);
+void state_full_forces(struct state *s, const struct model *m, const double *v, const double *from,
+                       double *after);
+
 // Computes what the steps of linear models leave out: accelerations of the ground, external and
 // internal forces, drifts and total accelerations. Adaptive steps have the external forces already.
 void state_complete(struct state *s, const struct model *m);

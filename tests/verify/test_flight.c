@@ -172,6 +172,8 @@ static void full_matrices_have_the_same_bits(void **state) {
     assert_true(check(PAIR SHAKEN "step fixed 1ms\ndamping A modal 3%\n"
                                   "building C -floors 21 -mass 300t -stiffness 345MN/m\n"
                                   "damping C modal 2%\n") > 10);
+    assert_true(check(PAIR SHAKEN "step fixed 1ms\nbuilding C -floors 10 -mass 300t -stiffness "
+                                  "345MN/m\ndamping C modal 2%\n" ROW("B", "C")) > 10);
     assert_true(check(PAIR SHAKEN "step fixed 1ms\nbuilding C -floors 7 -mass 86t\n"
                                   "matrix C input/frame7.txt -unit N/m\ndamping B modal 1%\n" ROW(
                                       "B", "C")) > 10);

@@ -11,7 +11,8 @@
 
 // Takes the shears of parts at displacements u off the residual.
 LANES_INLINE void floors_full_parts(const struct effective *e, const double *u, double *residual) {
-    alignas(LANES_LINE) double drift[INVERSE_FLOORS_MAX], shear[INVERSE_FLOORS_MAX + LANES_WIDTH];
+    alignas(LANES_LINE) double drift[INVERSE_FLOORS_MAX];
+    alignas(LANES_LINE) double shear[INVERSE_FLOORS_MAX + LANES_WIDTH] = {0.0};
     floor_lanes under = {0.0};
     for (int i = 0; i < e->stride; i += FLOORS_VECTOR) {
         const floor_lanes own = FLOORS_AT(u, i);
@@ -19,7 +20,6 @@ LANES_INLINE void floors_full_parts(const struct effective *e, const double *u, 
         under = own;
     }
     effective_multiply_by(e, e->parts, drift, shear);
-    *(floor_lanes *)(shear + e->stride) = (floor_lanes){0.0};
     for (int i = 0; i < e->stride; i += FLOORS_VECTOR) {
         const floor_lanes own = FLOORS_AT(shear, i), over = FLOORS_AT(shear, i + FLOORS_VECTOR);
         *(floor_lanes *)(residual + i) = FLOORS_AT(residual, i) - own + ABOVE(own, over);
@@ -30,7 +30,7 @@ LANES_INLINE void floors_full_parts(const struct effective *e, const double *u, 
 // it belongs to the next building, and is changed by 0.
 LANES_INLINE void floors_full_low(const struct effective *e, const double *u, const double *v,
                                   double *residual) {
-    alignas(LANES_LINE) double force[INVERSE_FLOORS_MAX];
+    alignas(LANES_LINE) double force[INVERSE_FLOORS_MAX] = {0.0};  // not all columns may be written
     effective_multiply_by(e, e->damping, v, force);
     for (int i = 0; i < e->stride; i += FLOORS_VECTOR) {
         *(floor_lanes *)(residual + i) = FLOORS_AT(residual, i) - FLOORS_AT(force, i);
