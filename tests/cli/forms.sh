@@ -54,6 +54,7 @@ duration 2s
 END
 agree "gap" gap pair.deck
 agree "gaps looked at" gap pair.deck -D side=A -D gap=1cm --limit impacts=0 --range 0:1:4
+agree "modes" modes pair.deck
 agree "converge" converge pair.deck -D gap=1cm -D side=A -n 3
 agree "law" law hertz -k 2.75e9 -m1 1e5 -v 0.5
 agree "law of several" law kelvin-voigt -k 1e8 -e 0.6 -m1 1e5 -v 0.5 --compare linear
