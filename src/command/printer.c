@@ -128,7 +128,10 @@ void printer_empty(struct printer *t) {
 }
 
 void printer_line(struct printer *t) {
-    while (t->form != FORM_TEXT && !t->failed && t->at < t->n_column) {
+    if (t->failed) {
+        return;
+    }
+    while (t->form != FORM_TEXT && t->at < t->n_column) {
         printer_empty(t);
     }
     fputs(t->form != FORM_JSON ? "\n" : t->n_line == 0 ? "],\n\"data\": [" : "]", t->to);
@@ -170,7 +173,7 @@ void printer_head(struct printer *t) {
 }
 
 static void end(struct printer *t) {
-    fputs(t->form == FORM_JSON ? "\n]}\n" : "", t->to);
+    fputs(t->form == FORM_JSON && !t->failed ? "\n]}\n" : "", t->to);
     free(t->column);
     t->column = NULL;
 }
