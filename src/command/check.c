@@ -9,6 +9,7 @@
 #include "command/law_words.h"
 #include "command/printer.h"
 #include "command/sweeps.h"
+#include "core/safe.h"
 
 static int check_command(int argc, char **argv);
 
@@ -100,12 +101,13 @@ static int print_building(const struct model *m, const struct building *g,
     for (int i = 0; i < g->n_floor; i++) {
         mass += g->mass[i];
     }
-    printf("\nbuilding %s: %d floor%s, mass %.6g %s\n", g->name, g->n_floor,
-           g->n_floor == 1 ? "" : "s", mass, t->mass);
+    fputc('\n', stdout);
+    safe_line(stdout, "building %s: %d floor%s, mass %.6g %s", g->name, g->n_floor,
+              g->n_floor == 1 ? "" : "s", mass, t->mass);
     print_modes(g, t);
     for (int i = 0; i < g->n_part; i++) {
-        printf("  %s: %d x %d from %s\n", g->part[i].name, g->n_floor, g->n_floor,
-               g->part[i].source);
+        safe_line(stdout, "  %s: %d x %d from %s", g->part[i].name, g->n_floor, g->n_floor,
+                  g->part[i].source);
     }
     return print_storeys(m, g);
 }
@@ -124,13 +126,14 @@ static void print_signals(const struct model *m, const struct unit_texts *t) {
         printf(g->n_signal ? ":\n" : ": at rest\n");
         for (int i = 0; i < g->n_signal; i++) {
             const struct signal *s = &g->signal[i];
-            printf("  %s: peak %.4g %s = %.4g g, from %.4g to %.4g %s\n", s->name, signal_peak(s),
-                   t->acceleration, signal_peak(s) * gravity, s->start, s->end, t->time);
+            safe_line(stdout, "  %s: peak %.4g %s = %.4g g, from %.4g to %.4g %s", s->name,
+                      signal_peak(s), t->acceleration, signal_peak(s) * gravity, s->start, s->end,
+                      t->time);
             if (s->mean != 0.0) {
                 printf("    a mean of %.4g %s was subtracted\n", s->mean, t->acceleration);
             }
             if (s->scaled) {
-                printf("    %s\n", s->scaled);
+                safe_line(stdout, "    %s", s->scaled);
             }
         }
     }
@@ -143,8 +146,9 @@ static void print_loads(const struct model *m, const struct unit_texts *t) {
         while (load->dof >= g->first + g->n_floor) {
             g++;
         }
-        printf("%sload on %s:%d: %s, peak %.4g %s\n", i ? "" : "\n", g->name,
-               load->dof - g->first + 1, load->signal.name, signal_peak(&load->signal), t->force);
+        fputs(i ? "" : "\n", stdout);
+        safe_line(stdout, "load on %s:%d: %s, peak %.4g %s", g->name, load->dof - g->first + 1,
+                  load->signal.name, signal_peak(&load->signal), t->force);
     }
 }
 
@@ -166,14 +170,13 @@ static void print_laws(const struct model *m) {
         while (last + 1 < m->n_link && same_law(l, &m->link[last + 1])) {
             last++;
         }
-        char words[WORDS_SIZE];
+        char words[WORDS_SIZE], calibrated[48] = "";
         law_words(l->law, l->value, words, sizeof words);
-        printf("%s%s%s: %s", l->name, last > first ? " to " : "",
-               last > first ? m->link[last].name : "", words);
         if (l->calibrated) {
-            printf(", calibrated for e = %.6g", l->restitution);
+            snprintf(calibrated, sizeof calibrated, ", calibrated for e = %.6g", l->restitution);
         }
-        printf("\n");
+        safe_line(stdout, "%s%s%s: %s%s", l->name, last > first ? " to " : "",
+                  last > first ? m->link[last].name : "", words, calibrated);
     }
 }
 
@@ -237,8 +240,10 @@ static int check(void *options, const struct model *m) {
     const struct check_options *o = options;
     struct unit_texts t = units_of(m);
     const struct unit_system *s = &m->deck->units;
-    printf("%s%sunits %s %s %s, mass in %s\n", m->deck->title, m->deck->title[0] ? "\n" : "",
-           s->force_name, s->length_name, s->time_name, t.mass);
+    if (m->deck->title[0]) {
+        safe_line(stdout, "%s", m->deck->title);
+    }
+    printf("units %s %s %s, mass in %s\n", s->force_name, s->length_name, s->time_name, t.mass);
     sweeps_print_first(m->deck, "\n", "");
     int status = EXIT_DONE;
     for (int k = 0; k < m->n_building && status == EXIT_DONE; k++) {

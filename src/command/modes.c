@@ -5,6 +5,7 @@
 #include "command/deck_command.h"
 #include "command/printer.h"
 #include "command/sweeps.h"
+#include "core/safe.h"
 
 static int modes_command(int argc, char **argv);
 
@@ -96,7 +97,8 @@ static int print_shapes(const struct building *g, int first, int last) {
 
 static int print_building(const struct model *m, const struct building *g) {
     struct printer t;
-    printf("building %s, %d floor%s\n\n", g->name, g->n_floor, g->n_floor == 1 ? "" : "s");
+    safe_line(stdout, "building %s, %d floor%s", g->name, g->n_floor, g->n_floor == 1 ? "" : "s");
+    fputc('\n', stdout);
     open_table(&t, m, FORM_TEXT);
     for (int k = 0; k < g->n_floor; k++) {
         print_mode(&t, g, k, 0);

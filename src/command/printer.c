@@ -60,7 +60,7 @@ static void put_between(const struct printer *t) {
 static void put(struct printer *t, const char *text, const char *data) {
     static const enum safe safe[] = {
         [FORM_TSV] = SAFE_TSV, [FORM_CSV] = SAFE_CSV, [FORM_JSON] = SAFE_JSON};
-    if (t->failed || t->at >= t->n_column) {
+    if (t->failed || !t->column || t->at >= t->n_column) {
         return;
     }
     const struct printer_column *c = &t->column[t->at++];
