@@ -203,7 +203,8 @@ static const struct option_row rows[] = {
      .doc = "damping ratios, 0.02,0.05 or 2%,5% (default: 5%)"},
     {"periods", 0, "P", OPTION_OWN, .own = read_periods,
      .doc = "FROM:TO:N, evenly spaced by their logarithms, or LIST, ascending; in s, 0 or 0.001 "
-            "to 1000 (default: 0.01:10:31 for a table, 0.01:10:301 for TSV and pictures)"},
+            "to 1000 (default: 0.01:10:31 for a table, 0.01:10:301 for --tsv, --csv, --json and "
+            "pictures)"},
     {"scale", 0, "S", OPTION_OWN, .own = read_scale, .doc = "multiplies each record by S"},
     {"pga", 0, "A", OPTION_OWN, .own = read_pga,
      .doc = "scales each record to this peak, 0.35g or 3.4m/s2"},
