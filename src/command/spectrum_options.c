@@ -171,7 +171,7 @@ static int check(const struct spectrum_request *q) {
 
 static int set_defaults(struct spectrum_request *q, struct arena *a) {
     if (q->load.path) {
-        q->n_thread = q->n_thread > 0 ? q->n_thread : threads_all();
+        q->n_thread = q->n_thread > 0 ? q->n_thread : deck_command_threads();
         return q->periods.value ? EXIT_DONE
                                 : periods_range(self, POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT,
                                                 a, &q->periods);

@@ -33,9 +33,9 @@ agree() {
     for form in tsv csv json; do
         "$jostle" "$@" "--$form" >"$form" 2>>messages
         status=$?
-        [ $status -le 1 ] || break
+        [ "$status" -le 1 ] || break
     done
-    [ $status -le 1 ] && run python3 agree.py
+    [ "$status" -le 1 ] && run python3 agree.py
     expect "$name: TSV, CSV and JSON agree" '[ $status -eq 0 ]'
 }
 
