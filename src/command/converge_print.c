@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "command/sweeps.h"
+#include "core/safe.h"
 
 enum { SHOWN_MAX = 20, LABEL_WIDTH = 23, SHOWN_LEVELS = 3 };
 
@@ -93,7 +94,9 @@ static void print_heading(struct printer *t, const struct refinement *r, const s
     const char *unit = m->adaptive ? " " : m->deck->units.time_name;
     struct printer_column level[SHOWN_LEVELS];
     char head[SHOWN_LEVELS][48];
-    printf("%s%s", m->deck->title, m->deck->title[0] ? "\n" : "");
+    if (m->deck->title[0]) {
+        safe_line(stdout, "%s", m->deck->title);
+    }
     sweeps_print_first(m->deck, "", "");
     printf("%d levels, %s", r->n_level, m->adaptive ? "tolerances" : "steps");
     for (int i = 0; i < r->n_level; i++) {
@@ -134,7 +137,7 @@ static int print_results(const struct model *m, const struct refinement *r) {
         }
         if (f->owner != OF_MODEL &&
             (!before || before->owner != f->owner || before->index != f->index)) {
-            printf("%s %s\n", owner_of(m, f), name_of(m, f));
+            safe_line(stdout, "%s %s", owner_of(m, f), name_of(m, f));
         }
         print_result(&t, m, r, f);
         before = f;

@@ -25,7 +25,7 @@ int deck_command_run(const struct deck_command *c, int argc, char **argv,
     return option_run(&list, argc, argv, load);
 }
 
-int threads_all(void) {
+int deck_command_threads(void) {
     const long n = sysconf(_SC_NPROCESSORS_ONLN);
     return n < 1 ? 1 : n > THREADS_MAX ? THREADS_MAX : (int)n;
 }

@@ -33,6 +33,6 @@ int deck_command_run(const struct deck_command *c, int argc, char **argv,
                      struct load_request *load);
 
 // As many threads as the system has cores.
-int threads_all(void);
+int deck_command_threads(void);
 
 #endif

@@ -347,7 +347,7 @@ static const struct option_row form_rows[] = {
 static int fragility_command(int argc, char **argv) {
     static const struct option_part parts[] = {
         {.row = rows},
-        {.row = suite_rows, .at = AT(suite)},
+        {.row = suite_options_rows, .at = AT(suite)},
         {.row = form_rows},
         {.row = printer_rows, .at = AT(form)},
         {.row = option_help},

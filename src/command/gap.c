@@ -274,6 +274,6 @@ static int gap_command(int argc, char **argv) {
                                                {.text = explanation},
                                                {0}};
     static const struct deck_command c = {&command_gap, parts, settle, run_deck};
-    struct options o = {.n_thread = threads_all()};
+    struct options o = {.n_thread = deck_command_threads()};
     return deck_command_run(&c, argc, argv, &o.load);
 }

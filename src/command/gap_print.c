@@ -2,6 +2,7 @@
 #include "command/gap_print.h"
 
 #include "command/study_print.h"
+#include "core/safe.h"
 #include "core/text.h"
 
 static const struct printer_column closings[] = {
@@ -103,9 +104,11 @@ static int print_modes(const struct view *v) {
 
 static void print_head(const struct plan *p, const struct apart *a) {
     const struct deck *d = p->first->deck;
-    printf("%s%s%ld run%s without contact, %ld failed; lengths in %s, times in %s\n", d->title,
-           d->title[0] ? "\n" : "", a->n_run, a->n_run == 1 ? "" : "s", a->n_failed,
-           d->units.length_name, d->units.time_name);
+    if (d->title[0]) {
+        safe_line(stdout, "%s", d->title);
+    }
+    printf("%ld run%s without contact, %ld failed; lengths in %s, times in %s\n", a->n_run,
+           a->n_run == 1 ? "" : "s", a->n_failed, d->units.length_name, d->units.time_name);
     int k = 0;
     for (const struct sweep *s = d->sweeps; s; s = s->next, k++) {
         struct text_short t;

@@ -4,6 +4,7 @@
 
 #include "command/gap_print.h"
 #include "command/study_print.h"
+#include "core/safe.h"
 
 static double spacing(const struct gap_search_request *q) {
     return (q->to - q->from) / (q->n - 1);
@@ -13,17 +14,19 @@ static double spacing(const struct gap_search_request *q) {
 static void print_aim(const struct gap_search_request *q, const struct gap_search *s) {
     const struct deck *d = q->plan->first->deck;
     const bool counts = dimension_equal(q->edp.dimension, dimension_none);
-    printf("%s%s%s%s at most %.6g%s%s%s", d->title, d->title[0] ? "\n" : "",
-           q->edp.quantity->reduction != EDP_SUM ? "largest " : "", q->edp.text, q->limit,
-           counts ? "" : " ", counts ? "" : q->edp.units,
-           study_print_g(&d->units, q->edp.units, q->limit).added);
-    if (s->n_run == 1) {
-        printf("\n");
-    } else if (q->percentile == 100.0) {
-        printf(" in all %ld runs\n", s->n_run);
-    } else {
-        printf(", percentile %g of %ld runs\n", q->percentile, s->n_run);
+    char runs[80] = "";
+    if (d->title[0]) {
+        safe_line(stdout, "%s", d->title);
     }
+    if (s->n_run > 1 && q->percentile == 100.0) {
+        snprintf(runs, sizeof runs, " in all %ld runs", s->n_run);
+    } else if (s->n_run > 1) {
+        snprintf(runs, sizeof runs, ", percentile %g of %ld runs", q->percentile, s->n_run);
+    }
+    safe_line(stdout, "%s%s at most %.6g%s%s%s%s",
+              q->edp.quantity->reduction != EDP_SUM ? "largest " : "", q->edp.text, q->limit,
+              counts ? "" : " ", counts ? "" : q->edp.units,
+              study_print_g(&d->units, q->edp.units, q->limit).added, runs);
 }
 
 static void print_answer(const struct gap_search_request *q, const struct gap_search *s) {

@@ -180,40 +180,50 @@ static size_t place_of(const struct scan *s, int row) {
     return s->part[row]->at + s->row[row]->at;
 }
 
-// Two rows of which one can be given: the same, or with one place and not the same meaning there.
-static bool exclude(const struct scan *s, int i, int k) {
-    const struct option_row *a = s->row[i], *b = s->row[k];
-    return a == b || (a->kind == b->kind && place_of(s, i) == place_of(s, k) &&
-                      (a->kind == OPTION_TEXT || (a->kind == OPTION_SET && a->set != b->set)));
+static bool share_place(const struct scan *s, int i, int k) {
+    return i == k || (s->row[i]->kind == s->row[k]->kind && place_of(s, i) == place_of(s, k));
 }
 
-// "-o or --output is given twice", "--tsv and --json exclude each other".
-static int check_given(const struct scan *s, int now) {
-    const struct option_row *r = s->row[now];
-    char names[128] = "";
-    size_t n = 0;
-    bool twice = false;
-    if (r->kind == OPTION_TRUE || r->kind == OPTION_WORDS) {
-        return EXIT_DONE;
-    }
+// Options without a value that set one thing to different values. A flag says the same as often as
+// it is given.
+static int check_flag(const struct scan *s, int now) {
     for (int i = 0; i < s->n; i++) {
-        if (!exclude(s, now, i)) {
-            continue;
-        }
-        if (r->kind == OPTION_SET && s->given[i] && i != now) {
+        if (s->given[i] && share_place(s, i, now) && s->row[i]->set != s->row[now]->set) {
             return command_usage(s->list->command, "--%s and --%s exclude each other",
                                  s->row[i < now ? i : now]->name, s->row[i < now ? now : i]->name);
         }
-        twice = twice || (r->kind != OPTION_SET && s->given[i]);
-        if (s->row[i]->letter && n < sizeof names) {
-            n += (size_t)snprintf(names + n, sizeof names - n, "-%c or ", s->row[i]->letter);
-        }
-        if (n < sizeof names) {
-            n += (size_t)snprintf(names + n, sizeof names - n, "--%s or ", s->row[i]->name);
+    }
+    return EXIT_DONE;
+}
+
+// "-o or --output is given twice".
+static int check_once(const struct scan *s, int now) {
+    const bool text = s->row[now]->kind == OPTION_TEXT;
+    char names[128] = "";
+    size_t n = 0;
+    bool twice = false;
+    for (int i = 0; i < s->n && n < sizeof names; i++) {
+        const struct option_row *r = s->row[i];
+        if (i == now || (text && share_place(s, i, now))) {
+            twice = twice || s->given[i];
+            const char letter[] = {'-', r->letter, '\0'};
+            n += (size_t)snprintf(names + n, sizeof names - n, "%s%s%s--%s", n ? " or " : "",
+                                  r->letter ? letter : "", r->letter ? " or " : "", r->name);
         }
     }
-    names[n >= 4 && n < sizeof names ? n - 4 : 0] = '\0';
     return twice ? command_usage(s->list->command, "%s is given twice", names) : EXIT_DONE;
+}
+
+static int check_given(const struct scan *s, int now) {
+    switch (s->row[now]->kind) {
+        case OPTION_TRUE:
+        case OPTION_WORDS:
+            return EXIT_DONE;
+        case OPTION_SET:
+            return check_flag(s, now);
+        default:
+            return check_once(s, now);
+    }
 }
 
 // --- values --------------------------------------------------------------------------------------

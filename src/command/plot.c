@@ -199,7 +199,7 @@ static int plot_command(int argc, char **argv) {
         {.row = option_help},
         {.print = plot_study_print_kinds},
         {.row = study_rows, .first = AT(study.first)},
-        {.row = suite_rows, .at = AT(study), .first = AT(study.first)},
+        {.row = suite_options_rows, .at = AT(study), .first = AT(study.first)},
         {0}};
     static const struct option_list list = {&command_plot, parts, .use = use};
     struct request q = {.picture.existing = RESULT_KEEP};

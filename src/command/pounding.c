@@ -9,6 +9,7 @@
 #include "command/load.h"
 #include "command/progress.h"
 #include "core/arena.h"
+#include "core/safe.h"
 #include "core/text.h"
 #include "plot/pounding_map.h"
 #include "study/force_map.h"
@@ -162,7 +163,10 @@ int pounding_run(const struct spectrum_request *q, struct arena *a) {
     } else if (status == EXIT_DONE) {
         char text[256];
         summarise(&p, text, sizeof text);
-        printf("%s%s%s\n", p.title, p.title[0] ? "\n" : "", text);
+        if (p.title[0]) {
+            safe_line(stdout, "%s", p.title);
+        }
+        safe_line(stdout, "%s", text);
     }
     return status;
 }

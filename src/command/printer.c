@@ -60,7 +60,7 @@ static void put_between(const struct printer *t) {
 static void put(struct printer *t, const char *text, const char *data) {
     static const enum safe safe[] = {
         [FORM_TSV] = SAFE_TSV, [FORM_CSV] = SAFE_CSV, [FORM_JSON] = SAFE_JSON};
-    if (t->failed || t->at >= t->n_column) {
+    if (t->failed || !t->column || t->at >= t->n_column) {
         return;
     }
     const struct printer_column *c = &t->column[t->at++];
@@ -128,7 +128,10 @@ void printer_empty(struct printer *t) {
 }
 
 void printer_line(struct printer *t) {
-    while (t->form != FORM_TEXT && !t->failed && t->at < t->n_column) {
+    if (t->failed) {
+        return;
+    }
+    while (t->form != FORM_TEXT && t->at < t->n_column) {
         printer_empty(t);
     }
     fputs(t->form != FORM_JSON ? "\n" : t->n_line == 0 ? "],\n\"data\": [" : "]", t->to);
@@ -170,7 +173,7 @@ void printer_head(struct printer *t) {
 }
 
 static void end(struct printer *t) {
-    fputs(t->form == FORM_JSON ? "\n]}\n" : "", t->to);
+    fputs(t->form == FORM_JSON && !t->failed ? "\n]}\n" : "", t->to);
     free(t->column);
     t->column = NULL;
 }

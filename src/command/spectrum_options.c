@@ -171,7 +171,7 @@ static int check(const struct spectrum_request *q) {
 
 static int set_defaults(struct spectrum_request *q, struct arena *a) {
     if (q->load.path) {
-        q->n_thread = q->n_thread > 0 ? q->n_thread : threads_all();
+        q->n_thread = q->n_thread > 0 ? q->n_thread : deck_command_threads();
         return q->periods.value ? EXIT_DONE
                                 : periods_range(self, POUNDING_FROM, POUNDING_TO, POUNDING_DEFAULT,
                                                 a, &q->periods);
@@ -203,7 +203,8 @@ static const struct option_row rows[] = {
      .doc = "damping ratios, 0.02,0.05 or 2%,5% (default: 5%)"},
     {"periods", 0, "P", OPTION_OWN, .own = read_periods,
      .doc = "FROM:TO:N, evenly spaced by their logarithms, or LIST, ascending; in s, 0 or 0.001 "
-            "to 1000 (default: 0.01:10:31 for a table, 0.01:10:301 for TSV and pictures)"},
+            "to 1000 (default: 0.01:10:31 for a table, 0.01:10:301 for --tsv, --csv, --json and "
+            "pictures)"},
     {"scale", 0, "S", OPTION_OWN, .own = read_scale, .doc = "multiplies each record by S"},
     {"pga", 0, "A", OPTION_OWN, .own = read_pga,
      .doc = "scales each record to this peak, 0.35g or 3.4m/s2"},

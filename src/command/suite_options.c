@@ -6,7 +6,7 @@
 #include "core/arena.h"
 #include "core/safe.h"
 
-const struct option_row suite_rows[] = {
+const struct option_row suite_options_rows[] = {
     {"over", 0, "NAME", OPTION_TEXT, 0, offsetof(struct suite_options, request.over),
      .doc = "sweeps whose values are samples, as NAME or NAME,NAME (default: record, or the only "
             "sweep of texts, alone or with what goes together with it, and the samples of random "

@@ -14,7 +14,7 @@ struct suite_options {
 };
 
 // The options that both have, of a struct suite_options.
-extern const struct option_row suite_rows[];
+extern const struct option_row suite_options_rows[];
 
 // The request, complete once the command line is read.
 const struct suite_request *suite_options_request(struct suite_options *o);

@@ -33,9 +33,9 @@ agree() {
     for form in tsv csv json; do
         "$jostle" "$@" "--$form" >"$form" 2>>messages
         status=$?
-        [ $status -le 1 ] || break
+        [ "$status" -le 1 ] || break
     done
-    [ $status -le 1 ] && run python3 agree.py
+    [ "$status" -le 1 ] && run python3 agree.py
     expect "$name: TSV, CSV and JSON agree" '[ $status -eq 0 ]'
 }
 
@@ -54,6 +54,7 @@ duration 2s
 END
 agree "gap" gap pair.deck
 agree "gaps looked at" gap pair.deck -D side=A -D gap=1cm --limit impacts=0 --range 0:1:4
+agree "modes" modes pair.deck
 agree "converge" converge pair.deck -D gap=1cm -D side=A -n 3
 agree "law" law hertz -k 2.75e9 -m1 1e5 -v 0.5
 agree "law of several" law kelvin-voigt -k 1e8 -e 0.6 -m1 1e5 -v 0.5 --compare linear
