@@ -292,18 +292,27 @@ static int pass(void *context, const struct model *m, struct study_outcome *outc
     return STATUS_OK;
 }
 
+static int check_shape(const struct plan *p, long run, const struct trial_watch *watch,
+                       struct error *e) {
+    struct study_outcome outcome;
+    return trial_build(p, run, watch, pass, NULL, &outcome, e);
+}
+
 int survey_shapes(const struct plan *p, struct error *e) {
     if (!p->first->deck->varies) {
         return STATUS_OK;
     }
     const struct trial_watch watch = {.records = shelf_create(SHELF_BYTES)};
     int status = watch.records ? STATUS_OK : error_no_memory(e);
+    const bool all = p->n_run <= SURVEY_COMBINATIONS;
+    for (long run = 1; all && run < p->n_run && status == STATUS_OK; run++) {
+        status = check_shape(p, run, &watch, e);
+    }
     long apart = p->n_run;  // runs from one value of the sweep to the next
-    for (const struct sweep *s = p->first->deck->sweeps; s; s = s->next) {
+    for (const struct sweep *s = p->first->deck->sweeps; s && !all; s = s->next) {
         apart /= s->n;
         for (int i = 1; i < s->n && status == STATUS_OK; i++) {
-            struct study_outcome outcome;
-            status = trial_build(p, i * apart, &watch, pass, NULL, &outcome, e);
+            status = check_shape(p, i * apart, &watch, e);
         }
     }
     shelf_free(watch.records);

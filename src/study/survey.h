@@ -54,8 +54,9 @@ int survey_strongest(const struct survey *s,
                      void (*use)(void *context, const struct model *m, const struct guidance *g),
                      void *context, struct error *e);
 
-// Builds the model of run 1 with each value of each sweep: have all the same floors and links? A
-// deck in which no word that could change them depends on a sweep (deck.varies) needs no such look.
+// Have all runs the same floors and links? Builds all models where there are at most
+// SURVEY_COMBINATIONS, else that of run 1 with each value of each sweep. A deck in which no word
+// that could change them depends on a sweep (deck.varies) needs no such look.
 // A model with another error passes. Errors: STATUS_INPUT (they have not), STATUS_SYSTEM.
 int survey_shapes(const struct plan *p, struct error *e);
 

@@ -75,16 +75,16 @@ expect "a signal ends it with 3 and says what is kept" '[ $status -eq 3 ] && sai
 cp part.h5.runs kept.runs
 
 run "$jostle" run study.deck -q -o part.h5 -D gap=5mm
-expect "another -D is refused" '[ $status -eq 2 ] && said "part.h5.runs holds runs of this study, but -D has changed since; --restart"'
+expect "another -D is refused" '[ $status -eq 2 ] && said "part.h5.runs holds runs of this study, but -D has changed since; --restart begins anew" && ! said "--accept"'
 cp study.deck kept.deck
 sed -i 's/^step .*/step fixed 0.5ms/' study.deck
 run "$jostle" run study.deck -q -o part.h5
-expect "a changed deck is refused" '[ $status -eq 2 ] && said "but the deck has changed since"'
+expect "a changed deck is refused" '[ $status -eq 2 ] && said "but the deck has changed since; --accept keeps its finished runs, --restart begins anew"'
 mv kept.deck study.deck
 cp records/1.txt kept.txt
 echo 0.1 >>records/1.txt
 run "$jostle" run study.deck -q -o part.h5
-expect "a changed record is refused" '[ $status -eq 2 ] && said "records/1.txt has changed since the study was started; --restart"'
+expect "a changed record is refused" '[ $status -eq 2 ] && said "records/1.txt has changed since the study was started; --accept keeps its finished runs, --restart begins anew"'
 mv kept.txt records/1.txt
 cp records/1.txt records/4.txt
 run "$jostle" run study.deck -q -o part.h5

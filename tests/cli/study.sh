@@ -230,6 +230,18 @@ run "$jostle" run later.deck -j 1
 expect "whatever the place of the value among many" '[ $status -eq 2 ] && said "run 52 (k = 52) has 3 floors" && [ ! -e later.h5.runs ]'
 run "$jostle" check later.deck
 expect "check finds it too" '[ $status -eq 2 ] && said "run 52 (k = 52) has 3 floors"'
+{
+    printf 'sweep a values 1 2\nsweep b values 1 2 3\n'
+    sed '/^sweep/d; s/-floors $n/-floors ${1 + (a - 1)*(b - 1)}/' shapes.deck
+} >both.deck
+run "$jostle" run both.deck -q -o later.h5
+expect "or if only a combination of two sweeps makes it" '[ $status -eq 2 ] && said "run 5 (a = 2, b = 2) has 2 floors" && ! said kept && [ ! -e later.h5.runs ]'
+run "$jostle" check both.deck
+expect "which check finds too" '[ $status -eq 2 ] && said "run 5 (a = 2, b = 2) has 2 floors"'
+sed 's/^sweep \([ab]\).*/sweep \1 range 1 50 50/' both.deck >many.deck
+run "$jostle" run many.deck -q -o later.h5
+expect "among more than 2000 runs it ends the study, which cannot go on as it is" '[ $status -eq 2 ] && said "floors in building A, the first run has 1" && ! said "goes on"'
+rm -f later.h5.runs both.deck many.deck
 for i in $(seq 70); do
     [ "$i" -eq 33 ] && echo 'param n 3' >part$i.deck || echo 'param n 2' >part$i.deck
 done
