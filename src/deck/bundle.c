@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "deck/bundle.h"
-
+// Paired sweeps (sweeps with the same -as): one dimension of the study.
 #include <math.h>
 #include <string.h>
+
+#include "deck/definition.h"
+#include "deck/parameter.h"
+#include "deck/sweep.h"
 
 struct bundle {
     struct sweep *sweep;  // over its numbers
@@ -15,6 +18,30 @@ struct bundle {
     struct place place;
     struct bundle *next;
 };
+
+bool sweep_append(struct deck *d, const struct word *w, struct sweep *s) {
+    struct reader *r = d->reader;
+    if (s->fixed) {
+        s->n = 1;
+    }
+    if (r->n_sweep == STUDY_SWEEPS_MAX) {
+        deck_error(d, w, "more than %d sweeps", STUDY_SWEEPS_MAX);
+        return false;
+    }
+    if (d->n_run > STUDY_RUNS_MAX / s->n) {
+        deck_error(d, w, "the sweeps make more than %d runs", STUDY_RUNS_MAX);
+        return false;
+    }
+    d->n_run *= s->n;
+    if (r->last_sweep) {
+        r->last_sweep->next = s;
+    } else {
+        d->sweeps = s;
+    }
+    r->last_sweep = s;
+    r->n_sweep++;
+    return true;
+}
 
 bool bundle_name(struct deck *d, const struct argument *as, const struct word *at,
                  const char *fallback, const struct sweep *own, struct bundle_request *q) {

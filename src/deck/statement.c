@@ -4,7 +4,10 @@
 #include <string.h>
 
 #include "core/text.h"
-#include "deck/reader.h"
+#include "deck/definition.h"
+#include "deck/expression.h"
+#include "deck/statement.h"
+#include "deck/sweep.h"
 
 const struct deck_statement deck_statements[] = {
     {"title", "title \"TEXT\"", "title of the analysis"},

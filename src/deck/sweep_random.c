@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random sweeps go together: without -as they are all of one bundle, the sample.
-#include "deck/sweep_random.h"
-
 #include <math.h>
 
+#include "deck/definition.h"
+#include "deck/expression.h"
+#include "deck/parameter.h"
+#include "deck/quantity.h"
 #include "deck/random.h"
-#include "deck/sweep_values.h"
+#include "deck/sweep.h"
 
 static const char default_sample[] = "sample";
 
