@@ -24,7 +24,6 @@ enum { TOGETHER = 2 };
 enum { ROWS = 4, ROWS_MOST = 2 * ROWS - 1 };
 #define EACH_ROW(c, n) _Pragma("GCC unroll 8") for (int c = 0; c < (n); c++)
 
-// A function that stays one: compilers mix up what is in others.
 #define APART FLOORS_CLONES __attribute__((noinline)) static
 
 static_assert(sizeof(struct ensemble_state) == MOTION_PITCH * sizeof(wide) &&
@@ -196,21 +195,11 @@ LANES_INLINE void begin_by(const struct ensemble_lanes *e, const struct ensemble
     floors_begin(&pass, 0, b->shape->n_floor, NULL, &beyond);
 }
 
-APART void begin_once(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
-                      const wide *ground, ptrdiff_t trial) {
-    begin_by(e, b, true, p, ground, trial);
-}
-
-APART void begin_each(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
-                      const wide *ground, ptrdiff_t trial) {
-    begin_by(e, b, false, p, ground, trial);
-}
-
 LANES_INLINE void end_by(const struct ensemble_lanes *e, const struct ensemble_building *b,
                          bool once, int p, const wide *ground, ptrdiff_t trial) {
-    floor_bits beyond = {0};
     const struct floors_pass pass = pass_of(e, b, once, p, ground, trial);
     double *q = part_of(e->correction + b->shape->first, p);
+    floor_bits beyond = {0};
     solve(&pass, b, p, q);
     if (e->owing) {
         account_floors(e, b, once, p);
@@ -218,24 +207,18 @@ LANES_INLINE void end_by(const struct ensemble_lanes *e, const struct ensemble_b
     floors_finish(&pass, 0, b->shape->n_floor, q, &beyond);
 }
 
-APART void end_once(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
-                    const wide *ground, ptrdiff_t trial) {
-    end_by(e, b, true, p, ground, trial);
+// The trial of a building and its residuals, and its end of the step with the account of the last
+// one. Each stays a function: compilers mix up what is in others.
+APART void begin(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
+                 const wide *ground, ptrdiff_t trial) {
+    b->held == HELD_ONCE ? begin_by(e, b, true, p, ground, trial)
+                         : begin_by(e, b, false, p, ground, trial);
 }
 
-APART void end_each(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
-                    const wide *ground, ptrdiff_t trial) {
-    end_by(e, b, false, p, ground, trial);
-}
-
-LANES_INLINE void begin(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
-                        const wide *ground, ptrdiff_t trial) {
-    b->held == HELD_ONCE ? begin_once(e, b, p, ground, trial) : begin_each(e, b, p, ground, trial);
-}
-
-LANES_INLINE void end(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
-                      const wide *ground, ptrdiff_t trial) {
-    b->held == HELD_ONCE ? end_once(e, b, p, ground, trial) : end_each(e, b, p, ground, trial);
+APART void end(const struct ensemble_lanes *e, const struct ensemble_building *b, int p,
+               const wide *ground, ptrdiff_t trial) {
+    b->held == HELD_ONCE ? end_by(e, b, true, p, ground, trial)
+                         : end_by(e, b, false, p, ground, trial);
 }
 
 // Computes `next` of part p, with few trials at a time.
