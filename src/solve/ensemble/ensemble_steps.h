@@ -119,8 +119,17 @@ LANES_INLINE void account_floors(const struct ensemble_lanes *e, const struct en
     }
 }
 
-// `count` corrections from floor j on, by as many rows of the inverse, which is stored by columns.
-LANES_INLINE void multiply_rows(const double *inverse, bool once, const double *r, int n, int j,
+// The correction of a floor, and what it leads to.
+LANES_INLINE void correct(const struct floors_pass *pass, ptrdiff_t i, const floor_lanes *change,
+                          double *q) {
+    floor_lanes u, sum = none;
+    FLOORS_SET(q, i) = *change;
+    floors_correct_vector(pass, i, i, change, &u, &sum);
+}
+
+// That of `count` floors from floor j on, by as many rows of the inverse, which is stored by
+// columns.
+LANES_INLINE void multiply_rows(const struct floors_pass *pass, const double *inverse, int n, int j,
                                 int count, double *q) {
     floor_lanes sum[ROWS_MOST];
     EACH_ROW(c, count) {
@@ -128,23 +137,24 @@ LANES_INLINE void multiply_rows(const double *inverse, bool once, const double *
     }
     for (ptrdiff_t i = 0, at = j; i < n; i++, at += n) {
         EACH_ROW(c, count) {
-            sum[c] += MOTION_AT(r, i) * HELD_AT(once, inverse, at + c);
+            sum[c] += MOTION_AT(pass->residual, i) * HELD_AT(pass->once, inverse, at + c);
         }
     }
     EACH_ROW(c, count) {
-        FLOORS_SET(q, (ptrdiff_t)j + c) = sum[c];
+        correct(pass, (ptrdiff_t)j + c, &sum[c], q);
     }
 }
 
 #define CASE_OF_ROWS(count)                                                                        \
     case count:                                                                                    \
-        multiply_rows(inverse, once, r, n, j, count, q);                                           \
+        multiply_rows(pass, inverse, n, j, count, q);                                              \
         break
 
-LANES_INLINE void multiply(const double *inverse, bool once, const double *r, int n, double *q) {
+LANES_INLINE void multiply(const struct floors_pass *pass, const double *inverse, int n,
+                           double *q) {
     int j = 0;
     for (; j + ROWS_MOST < n; j += ROWS) {
-        multiply_rows(inverse, once, r, n, j, ROWS, q);
+        multiply_rows(pass, inverse, n, j, ROWS, q);
     }
     switch (n - j) {
         CASE_OF_ROWS(1);
@@ -157,10 +167,11 @@ LANES_INLINE void multiply(const double *inverse, bool once, const double *r, in
     }
 }
 
-#define FACTOR_AT(i, q) HELD_AT(once, x, (i)*FACTOR_COUNT + FACTOR_##q)
+#define FACTOR_AT(i, q) HELD_AT(pass->once, x, (i)*FACTOR_COUNT + FACTOR_##q)
 
 // L D L^T, from the ground up and back.
-LANES_INLINE void substitute(const double *x, bool once, const double *r, int n, double *q) {
+LANES_INLINE void substitute(const struct floors_pass *pass, const double *x, int n, double *q) {
+    const double *r = pass->residual;
     const ptrdiff_t top = n - 1;
     floor_lanes below = MOTION_AT(r, 0);
     FLOORS_SET(q, 0) = below;
@@ -168,23 +179,12 @@ LANES_INLINE void substitute(const double *x, bool once, const double *r, int n,
         below = MOTION_AT(r, i) - FACTOR_AT(i - 1, OFF) * below;
         FLOORS_SET(q, i) = below;
     }
-    floor_lanes above = below * FACTOR_AT(top, PIVOT);
-    FLOORS_SET(q, top) = 0.0 + above;
+    floor_lanes above = below * FACTOR_AT(top, PIVOT), change = 0.0 + above;
+    correct(pass, top, &change, q);
     for (ptrdiff_t i = top - 1; i >= 0; i--) {
         above = FLOORS_AT(q, i) * FACTOR_AT(i, PIVOT) - FACTOR_AT(i, OFF) * above;
-        FLOORS_SET(q, i) = 0.0 + above;
-    }
-}
-
-// The corrections of building `b`.
-LANES_INLINE void solve(const struct floors_pass *pass, const struct ensemble_building *b, int p,
-                        double *q) {
-    const bool once = pass->once;
-    const int n = b->shape->n_floor;
-    if (b->multiplies) {
-        multiply(held_part(b->inverse, once, p), once, pass->residual, n, q);
-    } else {
-        substitute(held_part(b->factor, once, p), once, pass->residual, n, q);
+        change = 0.0 + above;
+        correct(pass, i, &change, q);
     }
 }
 
@@ -199,12 +199,14 @@ LANES_INLINE void end_by(const struct ensemble_lanes *e, const struct ensemble_b
                          bool once, int p, const wide *ground, ptrdiff_t trial) {
     const struct floors_pass pass = pass_of(e, b, once, p, ground, trial);
     double *q = part_of(e->correction + b->shape->first, p);
-    floor_bits beyond = {0};
-    solve(&pass, b, p, q);
     if (e->owing) {
         account_floors(e, b, once, p);
     }
-    floors_finish(&pass, 0, b->shape->n_floor, q, &beyond);
+    if (b->multiplies) {
+        multiply(&pass, held_part(b->inverse, once, p), b->shape->n_floor, q);
+    } else {
+        substitute(&pass, held_part(b->factor, once, p), b->shape->n_floor, q);
+    }
 }
 
 // The trial of a building and its residuals, and its end of the step with the account of the last

@@ -35,7 +35,6 @@ LANES_INLINE struct floors_pass pass_of(const struct work *w, const struct state
                                 .half = w->h * w->h / 2.0,
                                 .b = w->b,
                                 .g = w->g,
-                                .checks = true,
                                 .residual = w->floors.residual,
                                 .u_trial = w->floors.u_trial,
                                 .v_trial = w->floors.v_trial};
