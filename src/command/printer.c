@@ -86,9 +86,13 @@ static const struct printer_column *next_of_text(const struct printer *t) {
 }
 
 void printer_text(struct printer *t, const char *text) {
-    struct text_short cut;
+    char cut[64];
     const struct printer_column *c = next_of_text(t);
-    put(t, c && c->look == LOOK_SHORT ? text_short(&cut, text) : text, NULL);
+    const char *tail = c && c->look == LOOK_SHORT ? safe_tail(text, abs(c->width)) : text;
+    if (tail > text) {
+        snprintf(cut, sizeof cut, "..%s", tail);
+    }
+    put(t, tail > text ? cut : text, NULL);
 }
 
 void printer_number(struct printer *t, double value) {

@@ -14,7 +14,7 @@
 
 enum printer_form { FORM_TEXT, FORM_TSV, FORM_CSV, FORM_JSON };  // the last three are data
 
-// How text shows a number: as %.*g, %.*f or %.*e; and a name: whole, or cut by text_short.
+// How text shows a number: as %.*g, %.*f or %.*e; and a name: whole, or its end (safe_tail).
 enum printer_look { LOOK_G, LOOK_F, LOOK_E, LOOK_WHOLE = 0, LOOK_SHORT };
 
 struct printer_column {

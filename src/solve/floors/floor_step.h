@@ -46,7 +46,6 @@ struct floors_pass {
     struct floors_motion now, next;
     floor_number ground;                   // acceleration at the end
     double h, half, b, g;                  // h^2 / 2, beta h^2, gamma h
-    bool checks;                           // that all numbers are finite
     double *residual, *u_trial, *v_trial;  // [F]; the trial
 };
 
@@ -117,23 +116,30 @@ LANES_INLINE void floors_begin(const struct floors_pass *p, ptrdiff_t first, ptr
     }
 }
 
-// Stores what the corrections q, from floor `first` on, lead to from the trial. *beyond as above,
-// and if the pass checks where that is not finite, or next to it.
+// Stores what the correction of a vector leads to from its trial, which stands at number j; *u is
+// the displacement, and *sum that of numbers that must be finite.
+LANES_INLINE void floors_correct_vector(const struct floors_pass *p, ptrdiff_t i, ptrdiff_t j,
+                                        const floor_lanes *change, floor_lanes *u,
+                                        floor_lanes *sum) {
+    const floor_lanes v = END(MOTION_AT(p->v_trial, j), p->g, *change);
+    const floor_lanes a = MOTION_AT(p->now.a, i) + *change;
+    *u = END(MOTION_AT(p->u_trial, j), p->b, *change);
+    MOTION_SET(p->next.u, i) = *u;
+    MOTION_SET(p->next.v, i) = v;
+    MOTION_SET(p->next.a, i) = a;
+    *sum += *u + v + a;
+}
+
+// Stores what the corrections q, from floor `first` on, lead to. *beyond as above, and where that
+// is not finite, or next to it.
 LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, ptrdiff_t end,
                                 const double *q, floor_bits *beyond) {
-    floor_lanes sum = none, under = none;
+    floor_lanes sum = none, under = none, u;
     if (p->lines.back && first > 0) {
         under = MOTION_AT(p->next.u, first - FLOORS_NEXT);
     }
     EACH_VECTOR(i, first, end) {
-        const floor_lanes change = FLOORS_AT(q, i - first);
-        const floor_lanes u = END(MOTION_AT(p->u_trial, i - first), p->b, change);
-        const floor_lanes v = END(MOTION_AT(p->v_trial, i - first), p->g, change);
-        const floor_lanes a = MOTION_AT(p->now.a, i) + change;
-        MOTION_SET(p->next.u, i) = u;
-        MOTION_SET(p->next.v, i) = v;
-        MOTION_SET(p->next.a, i) = a;
-        sum += u + v + a;
+        floors_correct_vector(p, i, i - first, &FLOORS_AT(q, i - first), &u, &sum);
         if (p->lines.back) {
             floor_lanes drift, shear;
             floors_strain(p, i, &under, &u, &drift, &shear, beyond);
@@ -142,9 +148,7 @@ LANES_INLINE void floors_finish(const struct floors_pass *p, ptrdiff_t first, pt
             under = u;
         }
     }
-    if (p->checks) {
-        *beyond |= BEYOND(sum, DBL_MAX + none);
-    }
+    *beyond |= BEYOND(sum, DBL_MAX + none);
 }
 
 // A step that has been taken, and where its works and the peaks of the state it led to go. Where

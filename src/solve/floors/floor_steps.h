@@ -17,26 +17,25 @@ struct span {
     ptrdiff_t first, n, end;
 };
 
-LANES_INLINE struct span span_of(const struct floor_block *b, ptrdiff_t few) {
+LANES_INLINE struct span floors_span(const struct floor_block *b, ptrdiff_t few) {
     return few > 0 ? (struct span){0, few, few} : (struct span){b->first, b->n, b->end};
 }
 
-LANES_INLINE struct floors_motion motion_of(const struct state *s) {
+LANES_INLINE struct floors_motion floors_motion_of(const struct state *s) {
     return (struct floors_motion){s->u, s->v, s->a, s->drift, s->shear, NULL};
 }
 
 // The step from `now` to `next`, and its numbers.
-LANES_INLINE struct floors_pass pass_of(const struct work *w, const struct state *now,
-                                        const struct state *next, struct chain chain) {
+LANES_INLINE struct floors_pass floors_pass_of(const struct work *w, const struct state *now,
+                                               const struct state *next, struct chain chain) {
     return (struct floors_pass){.chain = chain,
-                                .now = motion_of(now),
-                                .next = motion_of(next),
+                                .now = floors_motion_of(now),
+                                .next = floors_motion_of(next),
                                 .ground = next->ground_a[0],
                                 .h = w->h,
                                 .half = w->h * w->h / 2.0,
                                 .b = w->b,
                                 .g = w->g,
-                                .checks = true,
                                 .residual = w->floors.residual,
                                 .u_trial = w->floors.u_trial,
                                 .v_trial = w->floors.v_trial};
@@ -44,9 +43,9 @@ LANES_INLINE struct floors_pass pass_of(const struct work *w, const struct state
 
 // The corrections q of a block, from its first floor on, by the inverses of buildings as long as
 // they are low: all of few floors in flight are.
-LANES_INLINE void solve_block(const struct floors_pass *p, const struct work *w,
-                              const struct floor_block *b, const struct span *s, bool are_low,
-                              double *q) {
+LANES_INLINE void floors_solve_block(const struct floors_pass *p, const struct work *w,
+                                     const struct floor_block *b, const struct span *s,
+                                     bool are_low, double *q) {
     struct effective *e = &w->effective[b->building], *end = e + b->n_building;
     const ptrdiff_t bottom = e->building->first - s->first;
     double *r = p->residual + bottom;
@@ -64,21 +63,21 @@ LANES_INLINE void solve_block(const struct floors_pass *p, const struct work *w,
 
 // The bands of C. Of many floors, that of the floor above is read where that one has it, as C is
 // symmetric: an array less.
-LANES_INLINE struct chain chain_of(const struct work *w, ptrdiff_t few) {
+LANES_INLINE struct chain floors_chain(const struct work *w, ptrdiff_t few) {
     struct chain c = w->model->chain;
     c.damping_above = few > 0 ? c.damping_above : c.damping_below + 1;
     return c;
 }
 
 // The step from s0 to s1, which began with ground acceleration ground_a0.
-LANES_INLINE struct floors_taken taken(const struct work *w, const struct state *s0,
-                                       const struct state *s1, double ground_a0, bool yields,
-                                       ptrdiff_t few) {
+LANES_INLINE struct floors_taken floors_taken_of(const struct work *w, const struct state *s0,
+                                                 const struct state *s1, double ground_a0,
+                                                 bool yields, ptrdiff_t few) {
     const struct floors_account *to = &w->floors.account;
     return (struct floors_taken){
-        .chain = chain_of(w, few),
-        .s0 = motion_of(s0),
-        .s1 = motion_of(s1),
+        .chain = floors_chain(w, few),
+        .s0 = floors_motion_of(s0),
+        .s1 = floors_motion_of(s1),
         .ground = s1->ground_a[0],
         .ground_2x = ground_a0 + s1->ground_a[0],
         .time = s1->time,
@@ -97,15 +96,16 @@ struct due {
     ptrdiff_t done, n;
 };
 
-LANES_INLINE struct due due(const struct work *w, const struct state *old, const struct state *now,
-                            ptrdiff_t few, bool yields) {
+LANES_INLINE struct due floors_due(const struct work *w, const struct state *old,
+                                   const struct state *now, ptrdiff_t few, bool yields) {
     const struct floors_account *a = &w->floors.account;
     const ptrdiff_t n = few > 0 ? few : w->model->chain.n;
-    return (struct due){taken(w, old, now, a->ground_a, yields, few), a->due ? 0 : n, n};
+    return (struct due){floors_taken_of(w, old, now, a->ground_a, yields, few), a->due ? 0 : n, n};
 }
 
 // Takes the floors from `first` to `end` into works and peaks. True: a peak has risen.
-LANES_INLINE bool account_part(const struct floors_taken *step, ptrdiff_t first, ptrdiff_t end) {
+LANES_INLINE bool floors_account_part(const struct floors_taken *step, ptrdiff_t first,
+                                      ptrdiff_t end) {
     floor_lanes input[FLOORS_VECTORS], damping[FLOORS_VECTORS];
     EACH_OF_LANES(j) {
         input[j] = FLOORS_AT(step->input_2x, j * FLOORS_VECTOR);
@@ -120,24 +120,24 @@ LANES_INLINE bool account_part(const struct floors_taken *step, ptrdiff_t first,
 }
 
 // Takes the account that is due as far as floor `end`, if there are so many.
-LANES_INLINE void account_to(struct due *d, ptrdiff_t end) {
+LANES_INLINE void floors_account_upto(struct due *d, ptrdiff_t end) {
     end = end < d->n ? end : d->n;
     if (d->done < end) {
-        account_part(&d->step, d->done, end);
+        floors_account_part(&d->step, d->done, end);
         d->done = end;
     }
 }
 
 // Floors that there are not, in the last lanes, stay 0: corrections there are those of other
 // blocks.
-LANES_INLINE void clear_beyond(const struct model *m, const struct state *next) {
+LANES_INLINE void floors_clear_beyond(const struct model *m, const struct state *next) {
     for (ptrdiff_t i = m->n_dof; i < m->chain.n; i++) {
         next->u[i] = next->v[i] = next->a[i] = 0.0;
     }
 }
 
 // The next block finishes the floors that this one leaves over.
-LANES_INLINE void hand_over(const struct floor_block *b, double *q) {
+LANES_INLINE void floors_hand_over(const struct floor_block *b, double *q) {
     *(lanes_wide *)q = LANES_AT(q, b->end - b->first);
 }
 
@@ -191,17 +191,18 @@ LANES_INLINE void floors_note(const struct flight *f, const struct state *s) {
 // of the floors that see what it overwrites. `f` NULL: the floors feel the forces of live links.
 // Else the step goes as far as it is known to be one in free flight. False: a number is not finite,
 // or it is no such step.
-LANES_INLINE bool step_by(struct work *w, const struct flight *f, const struct floors_lines *lines,
-                          const struct state *now, struct state *next, ptrdiff_t few) {
-    struct floors_pass pass = pass_of(w, now, next, chain_of(w, few));
+LANES_INLINE bool floors_step(struct work *w, const struct flight *f,
+                              const struct floors_lines *lines, const struct state *now,
+                              struct state *next, ptrdiff_t few) {
+    struct floors_pass pass = floors_pass_of(w, now, next, floors_chain(w, few));
     pass.lines = *lines;
     const double *external = few > 0 || state_is_uniform(w->model) ? NULL : next->external;
-    struct due account = due(w, next, now, few, lines->back != NULL);
+    struct due account = floors_due(w, next, now, few, lines->back != NULL);
     struct floors_approach near = {{0}, {0}};
     floor_bits ends = {0};
     for (int i = 0, group = 0; i < (few > 0 ? 1 : w->floors.n_block); i++) {
         const struct floor_block *b = &w->floors.block[i];
-        const struct span s = span_of(b, few);
+        const struct span s = floors_span(b, few);
         double *q = f ? w->floors.correction : w->correction + s.first;
         floors_begin(&pass, s.first, s.n, external, &ends);
         if (!f && next->n_live > 0) {
@@ -210,11 +211,11 @@ LANES_INLINE bool step_by(struct work *w, const struct flight *f, const struct f
         if (w->model->chain.full_damping) {
             floors_full(w, b, pass.u_trial, pass.v_trial, pass.residual);
         }
-        solve_block(&pass, w, b, &s, f && few > 0, q);
-        account_to(&account, s.end + LANES_WIDTH);
+        floors_solve_block(&pass, w, b, &s, f && few > 0, q);
+        floors_account_upto(&account, s.end + LANES_WIDTH);
         floors_finish(&pass, s.first, s.end, q, &ends);
         if (f && few == 0) {
-            hand_over(b, q);
+            floors_hand_over(b, q);
         }
         if (f) {
             floors_approach(f, group, f->group_end[i], pass.next.u, next->ground_u, &near);
@@ -225,10 +226,10 @@ LANES_INLINE bool step_by(struct work *w, const struct flight *f, const struct f
             break;
         }
     }
-    account_to(&account, account.n);
+    floors_account_upto(&account, account.n);
     w->floors.account.due = false;
     if (few == 0) {
-        clear_beyond(w->model, next);
+        floors_clear_beyond(w->model, next);
     }
     const bool taken = !floors_any(&ends);
     if (f && taken && floors_any(&near.nearer)) {
@@ -238,7 +239,7 @@ LANES_INLINE bool step_by(struct work *w, const struct flight *f, const struct f
 }
 
 // Sets the time of `s`, the end of step n, and what acts on the floors then.
-LANES_INLINE void set_excitation(const struct flight *f, struct state *s, long n, bool is_uniform) {
+LANES_INLINE void floors_excite(const struct flight *f, struct state *s, long n, bool is_uniform) {
     struct excitation_ahead *x = &f->work->ahead;
     if (n < x->from || n >= x->from + EXCITATION_AHEAD) {
         excitation_foresee(x, f->model, n);
@@ -251,13 +252,13 @@ LANES_INLINE void set_excitation(const struct flight *f, struct state *s, long n
     }
 }
 
-LANES_INLINE long fly_from(const struct flight *f, const struct floors_lines *lines,
-                           struct state **now, struct state **next, long n, long end,
-                           ptrdiff_t few) {
+LANES_INLINE long floors_fly_from(const struct flight *f, const struct floors_lines *lines,
+                                  struct state **now, struct state **next, long n, long end,
+                                  ptrdiff_t few) {
     for (; n < end; n++) {
         struct state *from = *now, *to = *next;
-        set_excitation(f, to, n + 1, few > 0 || f->uniform);
-        if (!step_by(f->work, f, lines, from, to, few)) {
+        floors_excite(f, to, n + 1, few > 0 || f->uniform);
+        if (!floors_step(f->work, f, lines, from, to, few)) {
             break;
         }
         if (f->model->chain.full_damping) {
@@ -275,58 +276,59 @@ LANES_INLINE long fly_from(const struct flight *f, const struct floors_lines *li
 }
 
 // The number of floors in whole lanes, where they are few and one ground moves them all; else 0.
-LANES_INLINE ptrdiff_t few_floors(const struct model *m) {
+LANES_INLINE ptrdiff_t floors_few(const struct model *m) {
     return state_is_uniform(m) && m->chain.n <= 2 * LANES_WIDTH ? m->chain.n : 0;
 }
 
 static const struct floors_lines elastic = {NULL, NULL, NULL, NULL};
 
-LANES_INLINE long fly_on(const struct flight *f, const struct floors_lines *lines,
-                         struct state **now, struct state **next, long n, long end) {
-    switch (few_floors(f->model)) {
+LANES_INLINE long floors_fly_on(const struct flight *f, const struct floors_lines *lines,
+                                struct state **now, struct state **next, long n, long end) {
+    switch (floors_few(f->model)) {
         case LANES_WIDTH:
-            return fly_from(f, lines, now, next, n, end, LANES_WIDTH);
+            return floors_fly_from(f, lines, now, next, n, end, LANES_WIDTH);
         case 2 * LANES_WIDTH:
-            return fly_from(f, lines, now, next, n, end, 2 * LANES_WIDTH);
+            return floors_fly_from(f, lines, now, next, n, end, 2 * LANES_WIDTH);
         default:
-            return fly_from(f, lines, now, next, n, end, 0);
+            return floors_fly_from(f, lines, now, next, n, end, 0);
     }
 }
 
-FLOORS_CLONES static long fly(const struct flight *f, struct state **now, struct state **next,
-                              long n, long end) {
+FLOORS_CLONES static long floor_steps_fly(const struct flight *f, struct state **now,
+                                          struct state **next, long n, long end) {
     const struct floors_lines lines = {f->back, f->spring, f->rest, f->limit};
-    return f->on_lines ? fly_on(f, &lines, now, next, n, end)
-                     : fly_on(f, &elastic, now, next, n, end);
+    return f->on_lines ? floors_fly_on(f, &lines, now, next, n, end)
+                       : floors_fly_on(f, &elastic, now, next, n, end);
 }
 
-FLOORS_CLONES static bool move(struct work *w, const struct state *now, struct state *next) {
-    switch (few_floors(w->model)) {
+FLOORS_CLONES static bool floor_steps_move(struct work *w, const struct state *now,
+                                           struct state *next) {
+    switch (floors_few(w->model)) {
         case LANES_WIDTH:
-            return step_by(w, NULL, &elastic, now, next, LANES_WIDTH);
+            return floors_step(w, NULL, &elastic, now, next, LANES_WIDTH);
         case 2 * LANES_WIDTH:
-            return step_by(w, NULL, &elastic, now, next, 2 * LANES_WIDTH);
+            return floors_step(w, NULL, &elastic, now, next, 2 * LANES_WIDTH);
         default:
-            return step_by(w, NULL, &elastic, now, next, 0);
+            return floors_step(w, NULL, &elastic, now, next, 0);
     }
 }
 
-FLOORS_CLONES static bool account(const struct work *w, const struct state *s0,
-                                  const struct state *s1, double ground_a0) {
+FLOORS_CLONES static bool floor_steps_account(const struct work *w, const struct state *s0,
+                                              const struct state *s1, double ground_a0) {
     const struct model *m = w->model;
-    struct floors_taken step = taken(w, s0, s1, ground_a0, !state_is_linear(m), 0);
+    struct floors_taken step = floors_taken_of(w, s0, s1, ground_a0, !state_is_linear(m), 0);
     if (!state_is_uniform(m)) {
         step.base = s1->base;
         step.s0.external = s0->external;
         step.s1.external = s1->external;
     }
-    return account_part(&step, 0, step.chain.n);
+    return floors_account_part(&step, 0, step.chain.n);
 }
 
 const struct floors_steps FLOORS_STEPS = {
-    .move = move,
-    .fly = fly,
-    .account = account,
+    .move = floor_steps_move,
+    .fly = floor_steps_fly,
+    .account = floor_steps_account,
 };
 
 #endif
