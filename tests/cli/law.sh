@@ -92,7 +92,7 @@ for option in --history --plot --fit --compare; do
     expect "$option needs a value" '[ $status -eq 2 ] && said "option '"'$option' needs a value"'"'
 done
 law $jankowski --plot a.png --plot b.png
-expect "--plot is given once" '[ $status -eq 2 ] && said "--plot is given twice"'"'
+expect "--plot is given once" '[ $status -eq 2 ] && said "--plot is given twice"'
 law $jankowski --plot a.jpg
 expect "a picture has a known ending" '[ $status -eq 2 ] && said "'"'a.jpg' must end in .png, .svg or .pdf"'"'
 law $jankowski --history h.tsv --compare hertz
