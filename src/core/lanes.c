@@ -40,10 +40,10 @@ bool lanes_hold_half(void) {
 #endif
 }
 
-// Elements i to n - 1 of y, a vector of the type as long as there are so many. The sums stay in
-// registers.
-#define SUM_COLUMNS(type, i, n, matrix, x, from, y)                                                \
-    for (const int width = sizeof(type) / sizeof(double); i + width <= n; i += width) {            \
+// Elements i to n - 1 of y, as long as there are `width` of them, which is what the type holds. The
+// sums stay in registers.
+#define SUM_COLUMNS(type, width, i, n, matrix, x, from, y)                                         \
+    for (; i + (width) <= n; i += (width)) {                                                       \
         type sum = {0.0};                                                                          \
         if (from) {                                                                                \
             sum = *(const type *)(from + i);                                                       \
@@ -57,7 +57,7 @@ bool lanes_hold_half(void) {
 LANES void lanes_add_symmetric(int n, const double *matrix, const double *x, const double *from,
                                double *y) {
     int i = 0;
-    SUM_COLUMNS(lanes_wide, i, n, matrix, x, from, y)
-    SUM_COLUMNS(lanes, i, n, matrix, x, from, y)
-    SUM_COLUMNS(double, i, n, matrix, x, from, y)
+    SUM_COLUMNS(lanes_wide, LANES_WIDTH, i, n, matrix, x, from, y)
+    SUM_COLUMNS(lanes, LANES_VECTOR, i, n, matrix, x, from, y)
+    SUM_COLUMNS(double, 1, i, n, matrix, x, from, y)
 }

@@ -314,7 +314,8 @@ static void print_totals(const struct printer *p) {
     const struct totals *t = &r->totals;
     const double input = r->energy[ENERGY_INPUT];
     if (r->dt > 0.0) {
-        fprintf(p->to, "\nsteps       %ld (%ld rejected, %ld split at impacts, %ld not to tolerance)\n",
+        fprintf(p->to,
+                "\nsteps       %ld (%ld rejected, %ld split at impacts, %ld not to tolerance)\n",
                 t->steps, t->rejected, t->events, t->unsolved);
         fprintf(p->to, "iterations  %ld\n", t->iterations);
     } else {

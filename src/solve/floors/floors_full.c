@@ -1,34 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/floors/floors_full.h"
 
+#include <assert.h>
+
 #include "core/lanes.h"
 
-// y = A x, both in whole lanes, for a matrix (stride, stride) of a building.
-LANES_INLINE void floors_full_multiply(const struct effective *e, const double *matrix,
-                                       const double *x, double *y) {
-    const int n = e->building->n_floor, stride = e->stride;
-    for (int j = 0; j < stride; j += LANES_WIDTH) {
-        lanes_wide sum = {0.0};
-        for (int i = 0; i < n; i++) {
-            sum += x[i] * LANES_AT(matrix + (ptrdiff_t)i * stride, j);
-        }
-        *(lanes_wide *)(y + j) = sum;
-    }
-}
-
-LANES void floors_full_high(const struct effective *e, const double *u, const double *v,
-                            double *residual) {
-    const int n = e->building->n_floor;
-    double force[FLOORS_MAX + LANES_WIDTH], drift[FLOORS_MAX];
-    floors_full_multiply(e, e->damping, v, force);
+void floors_full_high(const struct effective *e, const double *u, const double *v,
+                      double *residual) {
+    const struct building *g = e->building;
+    const int n = g->n_floor;
+    double force[FLOORS_MAX], drift[FLOORS_MAX];
+    assert(n > 0 && n <= FLOORS_MAX && e->stride == lanes_whole(n));
+    building_damping_force(g, v, force);
     for (int i = 0; i < n; i++) {
         residual[i] -= force[i];
     }
-    if (e->parts) {
+    if (g->n_part > 0) {
         for (int i = 0; i < n; i++) {
             drift[i] = u[i] - (i > 0 ? u[i - 1] : 0.0);
         }
-        floors_full_multiply(e, e->parts, drift, force);
+        lanes_add_symmetric(n, g->part_stiffness, drift, NULL, force);
         for (int i = 0; i < n; i++) {
             residual[i] += (i + 1 < n ? force[i + 1] : 0.0) - force[i];
         }
