@@ -190,7 +190,8 @@ void ensemble_lanes_share(struct ensemble_lanes *e, int n) {
 struct lane_array {
     wide *lanes;  // (n), `pitch` apart
     double *run;  // (n)
-    int n, pitch;
+    int n;
+    ptrdiff_t pitch;
 };
 enum { LANE_ARRAYS = 6 };
 

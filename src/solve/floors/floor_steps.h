@@ -288,7 +288,7 @@ LANES_INLINE long floors_fly_on(const struct flight *f, const struct floors_line
         case LANES_WIDTH:
             return floors_fly_from(f, lines, now, next, n, end, LANES_WIDTH);
         case 2 * LANES_WIDTH:
-            return floors_fly_from(f, lines, now, next, n, end, 2 * LANES_WIDTH);
+            return floors_fly_from(f, lines, now, next, n, end, (ptrdiff_t)2 * LANES_WIDTH);
         default:
             return floors_fly_from(f, lines, now, next, n, end, 0);
     }
@@ -307,7 +307,7 @@ FLOORS_CLONES static bool floor_steps_move(struct work *w, const struct state *n
         case LANES_WIDTH:
             return floors_step(w, NULL, &elastic, now, next, LANES_WIDTH);
         case 2 * LANES_WIDTH:
-            return floors_step(w, NULL, &elastic, now, next, 2 * LANES_WIDTH);
+            return floors_step(w, NULL, &elastic, now, next, (ptrdiff_t)2 * LANES_WIDTH);
         default:
             return floors_step(w, NULL, &elastic, now, next, 0);
     }

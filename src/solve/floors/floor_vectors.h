@@ -48,19 +48,23 @@ enum {
 #define ABOVE(own, over) ((lanes){(own)[1], (own)[2], (own)[3], (over)[0]})
 #endif
 
-// FLOORS_NEXT is the number of floors from one vector to the next, and floor_number one number of
-// each run of a vector. CHAIN_AT is an array of the chain of `p`, and JOINED is x where floor i of
-// it stands on another one, else 0: loops over vectors of runs begin at the lowest floor of a
-// building. FLOORS_SLOT is where floor i adds to a work, in vector j of whole lanes.
+// FLOORS_NEXT   the number of floors from one vector to the next
+// floor_number  a number that all floors share: of the one run, or of each run of a vector
+// CHAIN_AT      vector i of an array of the chain of `p`; HELD_AT of an array of the model, which
+//               has one number for all runs, or one for each
+// JOINED        x where floor i stands on another one, else 0: loops over vectors of runs begin at
+//               the lowest floor of a building
+// FLOORS_SLOT   where floor i adds to a work, in vector j of whole lanes
+// FLOORS_HEEDED flags of the lanes that a run is in
 //
-// Arrays of runs lie side by side where a loop reads several: what belongs to a floor is together,
-// MOTION_PITCH vectors of a motion or a trial, CHAIN_PITCH numbers of a chain and so on.
+// Vectors of runs that belong to a floor stand together in memory, MOTION_PITCH of a motion or a
+// trial, CHAIN_PITCH numbers of a chain and so on: a loop has few addresses to count up.
 #ifdef FLOORS_OF_RUNS
 enum { FLOORS_NEXT = 1, FLOORS_WHOLE = 1, FLOORS_PARTS = FLOORS_VECTORS };
 enum { FLOORS_PITCH = WIDE_RUNS, MOTION_PITCH = 3, PEAK_PITCH = 5, CHAIN_PITCH = 5 };
 typedef floor_lanes floor_number;
 #define HELD_AT(once, x, i)                                                                        \
-    (floor_lanes)((once) ? (floor_lanes)((x)[i] - (floor_lanes){0.0}) : FLOORS_AT(x, i))
+    ((floor_lanes)((once) ? (floor_lanes)((x)[i] - (floor_lanes){0.0}) : FLOORS_AT(x, i)))
 #define CHAIN_AT(p, x, i) HELD_AT((p)->once, (p)->chain.x, (i)*CHAIN_PITCH)
 #define JOINED(p, i, x) (x)
 #define FLOORS_SLOT(p, i, j) ((ptrdiff_t)((size_t)((p)->first + (i)) % LANES_WIDTH))
@@ -77,48 +81,27 @@ typedef double floor_number;
 
 // The vector of floor i of an array, to read and to write; and the same of a motion or a trial, and
 // of peaks.
-#define FLOORS_AT(x, i) (*(const floor_lanes *)((x) + (i)*FLOORS_PITCH))
-#define FLOORS_SET(x, i) (*(floor_lanes *)((x) + (i)*FLOORS_PITCH))
-#define MOTION_AT(x, i) FLOORS_AT(x, (i)*MOTION_PITCH)
-#define MOTION_SET(x, i) FLOORS_SET(x, (i)*MOTION_PITCH)
-#define PEAK_AT(x, i) FLOORS_AT(x, (i)*PEAK_PITCH)
-#define PEAK_SET(x, i) FLOORS_SET(x, (i)*PEAK_PITCH)
+#define FLOORS_AT(x, i) (*(const floor_lanes *)((x) + (ptrdiff_t)(i)*FLOORS_PITCH))
+#define FLOORS_SET(x, i) (*(floor_lanes *)((x) + (ptrdiff_t)(i)*FLOORS_PITCH))
+#define MOTION_AT(x, i) FLOORS_AT(x, (ptrdiff_t)(i)*MOTION_PITCH)
+#define MOTION_SET(x, i) FLOORS_SET(x, (ptrdiff_t)(i)*MOTION_PITCH)
+#define PEAK_AT(x, i) FLOORS_AT(x, (ptrdiff_t)(i)*PEAK_PITCH)
+#define PEAK_SET(x, i) FLOORS_SET(x, (ptrdiff_t)(i)*PEAK_PITCH)
 
 // For each vector of whole lanes, unrolled so that the vectors stay in registers.
 #define EACH_OF_LANES(j)                                                                           \
     _Pragma("GCC unroll 2") for (ptrdiff_t j = 0; j < FLOORS_WHOLE / FLOORS_NEXT; j++)
 
-#if defined(__has_builtin) && __has_builtin(__builtin_shufflevector)
-#define LOWER_HALF(x) __builtin_shufflevector(x, x, 0, 1, 2, 3)
-#define UPPER_HALF(x) __builtin_shufflevector(x, x, 4, 5, 6, 7)
-#else
-#define LOWER_HALF(x) ((lanes_bits){(x)[0], (x)[1], (x)[2], (x)[3]})
-#define UPPER_HALF(x) ((lanes_bits){(x)[4], (x)[5], (x)[6], (x)[7]})
-#endif
-
 // Negative where |x| > limit >= 0, as number_beyond.
 #define BEYOND(x, limit) ((floor_bits)(limit) - ((floor_bits)(x)&INT64_MAX))
 
 // Is one of them negative?
-LANES_INLINE bool floors_any_narrow(const lanes_bits *sign) {
-    return ((*sign)[0] | (*sign)[1] | (*sign)[2] | (*sign)[3]) < 0;
-}
-
-LANES_INLINE bool floors_any_wide(const lanes_wide_bits *sign) {
+LANES_INLINE bool floors_any(const floor_bits *sign) {
 #ifdef FLOORS_WIDE
     const wide_bits negative = (wide_bits)(*sign >> 63);
     return wide_any(&negative);
 #else
-    const lanes_bits either = LOWER_HALF(*sign) | UPPER_HALF(*sign);
-    return floors_any_narrow(&either);
-#endif
-}
-
-LANES_INLINE bool floors_any(const floor_bits *sign) {
-#ifdef FLOORS_WIDE
-    return floors_any_wide(sign);
-#else
-    return floors_any_narrow(sign);
+    return ((*sign)[0] | (*sign)[1] | (*sign)[2] | (*sign)[3]) < 0;
 #endif
 }
 
