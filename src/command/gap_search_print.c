@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "command/gap_print.h"
+#include "command/study_print.h"
 #include "core/safe.h"
 
 static double spacing(const struct gap_search_request *q) {
@@ -22,9 +23,10 @@ static void print_aim(const struct gap_search_request *q, const struct gap_searc
     } else if (s->n_run > 1) {
         snprintf(runs, sizeof runs, ", percentile %g of %ld runs", q->percentile, s->n_run);
     }
-    safe_line(stdout, "%s%s at most %.6g%s%s%s",
+    safe_line(stdout, "%s%s at most %.6g%s%s%s%s",
               q->edp.quantity->reduction != EDP_SUM ? "largest " : "", q->edp.text, q->limit,
-              counts ? "" : " ", counts ? "" : q->edp.units, runs);
+              counts ? "" : " ", counts ? "" : q->edp.units,
+              study_print_g(&d->units, q->edp.units, q->limit).added, runs);
 }
 
 static void print_answer(const struct gap_search_request *q, const struct gap_search *s) {

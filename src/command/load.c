@@ -23,7 +23,8 @@ static int guide(const struct model *m, const struct load_request *request, stru
         guidance_warn_storeys(m, g->n_contact, g->contact, NULL, NULL);
     }
     const bool estimates = request->checks || study;
-    return status == STATUS_OK && estimates ? damping_warn(m, e) : status;
+    struct damping_finding most;
+    return status == STATUS_OK && estimates ? damping_find(m, true, &most, e) : status;
 }
 
 int load_model(const struct load_request *request, struct model **out) {

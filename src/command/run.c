@@ -144,7 +144,7 @@ static void warn_damping(const struct model *m, const struct results *r) {
     for (int k = 0; k < m->n_building; k++) {
         char text[DAMPING_TEXT_SIZE];
         const struct building *g = &m->building[k];
-        if (damping_warning(m, g, r->drift_rate + g->first, "", text)) {
+        if (damping_warning(m, g, r->drift_rate + g->first, "", text) > 0.0) {
             fprintf(stderr, "jostle: warning: %s\n", text);
         }
     }

@@ -96,8 +96,8 @@ static struct bundle *find(struct deck *d, const struct bundle_request *q,
     b = b ? b : begin(d, q, own);
     if (b && b->n != own->n) {
         deck_error(d, q->count,
-                   "'%s' has %d %s%s, but '%s' in %s has %d %s%s; what goes together as '%s' has "
-                   "equally many, and another -as NAME makes a dimension of its own",
+                   "'%s' has %d %s%s, but '%s' in %s has %d %s%s; sweeps with -as %s need equally "
+                   "many values; give another -as NAME to make them independent",
                    own->name, own->n, q->noun, own->n == 1 ? "" : "s", b->first,
                    source_mention(d, &b->place, &q->count->place), b->n, b->noun,
                    b->n == 1 ? "" : "s", b->sweep->name);
@@ -126,7 +126,7 @@ bool bundle_choose(struct deck *d, const struct bundle_request *q, const struct 
     }
     const int n = count(own, define->value.text, &at);
     if (n > 1) {
-        deck_error(d, &define->value, "this stands %d times in '%s'; -D %s=NUMBER chooses one", n,
+        deck_error(d, &define->value, "this occurs %d times in '%s'; -D %s=NUMBER chooses one", n,
                    own->name, q->name.text);
         define->taken = true;
     } else if (n == 1) {

@@ -144,7 +144,7 @@ static bool name_or_call(struct parser *p, struct quantity *out) {
         return true;
     }
     if (expression_is_reserved(name, (size_t)(end - name))) {
-        return report_false(p->deck, p->word, name, end, "a '(' must stand after a function");
+        return report_false(p->deck, p->word, name, end, "a '(' must follow a function");
     }
     if (!parameter_find(p->deck, name, (size_t)(end - name)) &&
         literal_is_unit(p->deck, name, (size_t)(end - name))) {
@@ -284,7 +284,7 @@ static bool dollar(struct deck *d, const struct word *w, const char **at, struct
     }
     const char *to = parameter_name_end(from);
     if (to == from) {
-        return report_false(d, w, *at, from, "a name or '{' must stand after '$'");
+        return report_false(d, w, *at, from, "a name or '{' must follow '$'");
     }
     *at = to;
     return parameter_number(d, w, from, to, out);

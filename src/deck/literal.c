@@ -104,7 +104,7 @@ static const char *advice(const struct quantity *q, const char *rest) {
     if ((unsigned char)*rest >= 0x80 || (q->known && !strchr("+-*/", *rest))) {
         return "units are written as in kN*s/m or N/m^1.5";
     }
-    return "expressions stand in ${...}, texts in quotes";
+    return "write expressions as ${...} and texts in quotes";
 }
 
 bool literal_end(struct deck *d, const struct word *w, const char *at,

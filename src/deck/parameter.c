@@ -328,10 +328,10 @@ static void report_unused(struct deck *d, const struct parameter *p) {
         deck_error(d, &value, "nothing in the deck uses parameter '%s'", p->name);
     } else if (p->sweep.source) {
         struct word name = {.text = p->name, .place = p->sweep};
-        deck_error(d, &name, "nothing uses the swept parameter '%s'", p->name);
+        deck_error(d, &name, "the deck does not use the swept parameter '%s'", p->name);
     } else {
         struct word name = {.text = p->name, .place = p->param};
-        deck_warning(d, &name, "nothing uses parameter '%s'", p->name);
+        deck_warning(d, &name, "the deck does not use parameter '%s'", p->name);
     }
 }
 

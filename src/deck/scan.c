@@ -100,7 +100,7 @@ static void scan_quoted(struct scan *s) {
     advance(s);
     const bool joins = s->at < s->end && *s->at == '\\' && s->at + 1 == s->end;
     if (s->at < s->end && !is_blank(*s->at) && *s->at != '#' && !joins) {
-        fail(s, s->column, 1, "a blank must stand after the closing quote");
+        fail(s, s->column, 1, "a space must follow the closing quote");
     }
 }
 
@@ -125,11 +125,11 @@ static const struct look_alike {
     const char *message;
 } look_alikes[] = {
     {"\u00A0\u2002\u2003\u2009\u200B\u202F", true,
-     "a blank that parts no words, as word processors set it; write a plain one"},
+     "a typographic space; use an ordinary space"},
     {"\u2010\u2011\u2013\u2014\u2212", false,
-     "this dash is not a '-'; options and negative numbers begin with a plain '-'"},
-    {"\u201C\u201D\u201E", true, "a quote that quotes nothing; texts stand in plain ones, \"...\""},
-    {"\u2018\u2019'", false, "an apostrophe quotes nothing; texts stand in plain quotes, \"...\""},
+     "a typographic dash; options and negative numbers start with '-'"},
+    {"\u201C\u201D\u201E", true, "a typographic quotation mark; use \"...\""},
+    {"\u2018\u2019'", false, "an apostrophe does not quote; use \"...\""},
 };
 
 // What is wrong with the character at s->at in a word that begins at `start`; NULL: nothing.

@@ -19,7 +19,7 @@ const char sweep_usage[] =
 enum { AS, LOG, N_ROW };
 
 static const struct row rows[N_ROW] = {
-    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the sweeps that go together"},
+    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the paired sweeps"},
     [LOG] = {"log", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "equal ratios"},
 };
 

@@ -26,7 +26,7 @@ static const struct row rows[N_ROW] = {
     [LHS] = {"lhs", ROW_FLAG, 0, {0, 0, 0}, NULL, NAN, "Latin hypercube"},
     [MIN] = {"min", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "least value"},
     [MAX] = {"max", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "largest value"},
-    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the sweeps that go together"},
+    [AS] = {"as", ROW_TEXT, 0, {0, 0, 0}, NULL, NAN, "dimension of the paired sweeps"},
 };
 
 // The statement as read.

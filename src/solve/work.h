@@ -72,7 +72,7 @@ struct work {
     struct link_scratch *link;     // (n_link) what the solution for its force needs of each link
     int n_acting;                  // live links whose forces are being solved for,
     struct link_scratch **acting;  // (n_link) in ascending order
-    double crowd;                  // most links with a force law that any floor has
+    double most_links;                  // most links with a force law that any floor has
     bool commits;                  // some law remembers what happens in contact
     int n_toggled, *toggled;       // links that have closed or opened in the step in hand
     int n_rigid, *rigid;           // contacts of laws without a force

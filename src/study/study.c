@@ -134,8 +134,7 @@ static int resume(struct study *s, struct error *e) {
     }
     if (!s->journal.head) {
         return error_set(e, STATUS_INPUT,
-                         "%s may hold runs of this study, but its head is damaged; --restart "
-                         "begins anew",
+                         "%s is damaged and may hold finished runs; --restart discards them",
                          s->journal.path);
     }
     if (!s->journal.head[0]) {

@@ -21,6 +21,7 @@ struct walk {
     int choice[STUDY_SWEEPS_MAX];  // of the strongest run so far
     long run;                      // that was built last
     double bound, velocity;        // of it
+    struct damping_finding damped;
 };
 
 static int note_file(struct walk *w, const char *path, struct error *e) {
@@ -88,8 +89,11 @@ static int guide(void *context, const struct model *m, struct study_outcome *out
     struct walk *w = context;
     struct guidance g;
     (void)outcome;
-    const int status = guidance_find(m, &g, e);
+    int status = guidance_find(m, &g, e);
     w->bound = g.bound;
+    if (status == STATUS_OK) {
+        status = damping_find(m, false, &w->damped, e);
+    }
     if (status == STATUS_OK) {
         note_softest(w->survey, &g, w->run);
     }
@@ -117,6 +121,7 @@ static int look(struct walk *w, const int *choice, struct error *e) {
     w->run = run;
     w->bound = INFINITY;
     w->velocity = 0;
+    w->damped.share = 0;
     int status = trial_build(s->plan, run, &watch, guide, w, &outcome, e);
     s->n_run++;
     if (status == STATUS_INPUT) {
@@ -124,7 +129,13 @@ static int look(struct walk *w, const int *choice, struct error *e) {
     } else if (status == STATUS_OK && outcome.status != STUDY_DONE) {
         status = note_error(s, run, outcome.message, e);
     }
-    if (w->bound < s->bound || (w->bound == s->bound && w->velocity > s->velocity)) {
+    const bool more_damped = w->damped.share > s->damped.share;
+    if (more_damped) {
+        s->damped = w->damped;
+        s->damped_run = run;
+    }
+    if (w->bound < s->bound || (w->bound == s->bound && w->velocity > s->velocity) ||
+        (w->bound == s->bound && w->velocity == s->velocity && more_damped)) {
         s->bound = w->bound;
         s->velocity = w->velocity;
         s->strongest = run;

@@ -144,7 +144,7 @@ for at in 8 12 13 16 40; do
     printf '\377' | dd of=part.h5.runs bs=1 seek=$at conv=notrunc 2>/dev/null
     cp part.h5.runs damaged.runs
     run "$jostle" run study.deck -q -o part.h5
-    expect "byte $at of the head damaged: the runs are not thrown away" '[ $status -eq 2 ] && said "part.h5.runs may hold runs of this study, but its head is damaged; --restart begins anew" && cmp part.h5.runs damaged.runs && [ ! -e part.h5 ]'
+    expect "byte $at of the head damaged: the runs are not thrown away" '[ $status -eq 2 ] && said "part.h5.runs is damaged and may hold finished runs; --restart discards them" && cmp part.h5.runs damaged.runs && [ ! -e part.h5 ]'
 done
 run "$jostle" run study.deck -q -o part.h5 --restart
 expect "but with --restart" '[ $status -eq 0 ] && same whole.h5 part.h5'

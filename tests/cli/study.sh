@@ -281,5 +281,9 @@ rm names.*
 run "$jostle" run many.deck
 expect "of many buildings those that drift most are shown, on a page" '[ $status -eq 0 ] && [ "$(wc -l <"$out")" -le 60 ] && grep -qE "^B7 +drift " "$out" && [ "$(grep -cE "^B[0-9]+ +drift " "$out")" -eq 8 ] && grep -q "^  292 more buildings not shown (by drift); all are in many.h5" "$out"'
 expect "accelerations stand in g beside the units of the deck" 'awk "/^B7 +acceleration/ { n++; good = \$5 == \"m/s^2\" && (\$4 / 9.80665 - \$6)^2 < 1e-7 } END { exit !(n == 1 && good) }" "$out" && grep -qE "^ +quantity +floor +unit +.g.  run$" "$out"'
+sed 's/^building B7 /building the-tower-of-1968 /; s/ B7 / the-tower-of-1968 /g' many.deck >long.deck
+run "$jostle" run long.deck
+expect "long names keep the table's columns" 'awk "/^ +quantity / { at = index(\$0, \"quantity\") } /^(the-tower-of-1968|B[0-9]+) +drift / { n++; bad = bad || index(\$0, \"drift\") != at } END { exit bad || n != 8 }" "$out"'
+rm long.*
 expect "the table for programs has them all" '[ "$("$jostle" show --tsv many.h5 | awk -F "\t" "NR > 1 && \$0 ~ /\tdrift\t/ && \$0 !~ /_time/" | wc -l)" -ge 600 ]'
 rm many.*

@@ -29,7 +29,7 @@ level() {
 # The folder a public header speaks for.
 home() {
     case $1 in
-    error | units | row | curve | checksum | numerics) echo core ;;
+    error | units | row | curve | checksum | names | numerics) echo core ;;
     contact_law | storey_law) echo law ;;
     part) echo model ;;
     record | signal | spectrum | intensity) echo motion ;;

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "core/number.h"
+#include "solve/contact/sweep_step.h"
 
 // A change of a force by less than this share of it may come from rounding errors in the others.
 static const double SMALL = 1e-8;
@@ -38,7 +39,7 @@ double answer_link(struct work *w, const struct state *now, struct state *next, 
     double force;
     p->branch = line_answer(&line, p->force, &force);
     double df = force - p->force;
-    sweep_push(w, p, df);
+    sweep_push(w, p, &df);
     p->force = force;
     return df;
 }
@@ -96,8 +97,8 @@ void answer_exactly(struct work *w, const struct state *now, struct state *next,
     p->trusted = p->branch == BRANCH_CLOSED && law->force && !p->clamped &&
                  (now->link[k].closed || !(jumps || pulls));
     p->open = p->branch == BRANCH_OPEN && law->force && !(now->link[k].closed && pulls);
-    p->ask = true;
-    s->answered = true;
+    p->stale = true;
+    s->some_exact = true;
     s->largest = number_max(s->largest, fabs(p->force));
     if (fabs(df) > s->moved[LAW_UNKNOWN]) {
         struct line line = answer_line(w, now, next, k);

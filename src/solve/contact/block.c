@@ -135,8 +135,9 @@ static bool newton_step(struct work *w, const struct state *now, const struct st
 static void apply(struct work *w, const struct cluster *c, double part, const double *df) {
     for (int i = 0; i < c->n; i++) {
         struct link_scratch *p = &w->link[c->link[i]];
-        p->force += part * df[i];
-        sweep_push(w, p, part * df[i]);
+        const double change = part * df[i];
+        p->force += change;
+        sweep_push(w, p, &change);
     }
 }
 

@@ -21,8 +21,8 @@
 #include "core/number.h"
 #include "solve/contact/answer.h"
 #include "solve/contact/block.h"
-#include "solve/contact/link_terms.h"
 #include "solve/contact/resolve.h"
+#include "solve/contact/sweep_step.h"
 
 // Newton sweeps end, and block steps are tried, after so many sweeps, where the last one brought
 // the change of the forces down by less than the factor SLOW.
@@ -33,14 +33,12 @@ static const double SLOW = 0.2;
 // After so many, laws are no longer allowed to pull.
 enum { PULLING_SWEEPS = 25 };
 
-// How a sweep answers: exactly, or by Newton steps where they are safe.
-enum answers { ANSWERS_EXACT, ANSWERS_NEWTON };
-
-// Goes over acting links `first` to end - 1.
-static void visit(struct work *w, const struct state *now, struct state *next, enum answers answers,
-                  int first, int end, struct progress *s) {
+// Goes over acting links `first` to end - 1: by exact solutions, or by Newton steps where they are
+// safe.
+static void contact_visit(struct work *w, const struct state *now, struct state *next, bool exact,
+                          int first, int end, struct progress *s) {
     for (int i = first;; i++) {
-        i = answers == ANSWERS_NEWTON ? sweep_newton(w, i, end, s) : i;
+        i = exact ? i : sweep_newton(w, i, end, s);
         if (i == end) {
             return;
         }
@@ -48,37 +46,30 @@ static void visit(struct work *w, const struct state *now, struct state *next, e
     }
 }
 
-// Turns the progress of the last sweep, or of the guess, into that of a sweep about to begin.
-static void renew(const struct work *w, struct progress *s) {
-    s->enough = w->model->tolerance * s->largest;
-    s->largest = s->moved[LAW_KNOWN] = s->moved[LAW_UNKNOWN] = 0.0;
-    s->clear = INFINITY;
-    s->answered = false;
-}
-
 // The first sweep, by groups of links that the cache holds until they have been visited.
-static void first_sweep(struct work *w, const struct state *now, struct state *next,
-                        struct progress *s) {
+static void contact_first_sweep(struct work *w, const struct state *now, struct state *next,
+                                struct progress *s) {
     sweep_begin(w, next, s);
-    renew(w, s);
+    sweep_renew(&w->model->tolerance, s);
     for (int first = 0, end; first < w->n_acting; first = end) {
         end = first + SWEEP_GROUP < w->n_acting ? first + SWEEP_GROUP : w->n_acting;
         sweep_gather(w, next, first, end, s);
-        visit(w, now, next, ANSWERS_NEWTON, first, end, s);
+        contact_visit(w, now, next, false, first, end, s);
     }
 }
 
-static void sweep(struct work *w, const struct state *now, struct state *next, enum answers answers,
-                  struct progress *s) {
-    renew(w, s);
-    if (answers == ANSWERS_NEWTON) {
-        sweep_ask_again(w, s);
+static void contact_sweep(struct work *w, const struct state *now, struct state *next, bool exact,
+                          struct progress *s) {
+    sweep_renew(&w->model->tolerance, s);
+    s->some_exact = false;
+    if (!exact) {
+        sweep_evaluate_again(w, s);
     }
-    visit(w, now, next, answers, 0, w->n_acting, s);
+    contact_visit(w, now, next, exact, 0, w->n_acting, s);
 }
 
 // Is the step short enough for all links? Checked early, so that one that is not costs little.
-static bool is_hopeful(struct work *w, const struct state *now, const struct state *next) {
+static bool contact_is_hopeful(struct work *w, const struct state *now, const struct state *next) {
     for (int i = 0; i < w->n_acting && w->strictness == STEP_STRICT; i++) {
         if (!resolve_suffices(w, now, next, w->acting[i])) {
             return false;
@@ -89,7 +80,7 @@ static bool is_hopeful(struct work *w, const struct state *now, const struct sta
 
 // With laws that pull there may be no solution, or several between which sweeps go to and fro.
 // Without their tension there is just one.
-static void clamp(struct work *w) {
+static void contact_clamp(struct work *w) {
     for (int i = 0; i < w->n_acting; i++) {
         struct link_scratch *p = w->acting[i];
         p->clamped = !p->link->bilateral && (p->link->law->traits & CONTACT_MAY_PULL);
@@ -97,7 +88,7 @@ static void clamp(struct work *w) {
 }
 
 // Block steps on all clusters; true if one was of use.
-static bool block_steps(struct work *w, const struct state *now, struct state *next) {
+static bool contact_block_steps(struct work *w, const struct state *now, struct state *next) {
     bool any = false;
     int n = cluster_find(&w->clusters, w->model, next);
     for (int i = 0; i < n; i++) {
@@ -108,64 +99,67 @@ static bool block_steps(struct work *w, const struct state *now, struct state *n
 }
 
 // Largest change of a force in a sweep.
-static double changed(const struct progress *s) {
+static double contact_change(const struct progress *s) {
     return number_max(s->moved[LAW_UNKNOWN], s->moved[LAW_KNOWN]);
 }
 
 // Would another sweep change next to nothing? One of Newton steps measures that against the largest
 // force of the sweep before, which may have been much larger.
-static bool converged(const struct work *w, enum answers answers, const struct progress *s) {
-    double tolerance = w->model->tolerance * s->largest;
-    double echo = w->n_acting == 1 ? 0.0 : s->answered ? 1.0 : number_min(s->echo, 1.0);
-    return IS_SETTLED(s, echo, tolerance) && !(s->moved[LAW_KNOWN] > s->clear) &&
-           (answers == ANSWERS_EXACT || IS_MEASURED(s->enough, tolerance));
+static bool contact_converged(const struct work *w, bool exact, const struct progress *s) {
+    const double *tolerance = &w->model->tolerance;
+    double feedback = w->n_acting == 1 ? 0.0 : s->some_exact ? 1.0 : number_min(s->feedback, 1.0);
+    bool settled, measured;
+    sweep_settled(s, tolerance, &feedback, &settled);
+    sweep_measured(s, tolerance, &measured);
+    return settled && (exact || measured);
 }
 
 // Sweeps, with block steps between them once plain sweeps are too slow. *counter becomes that of
 // the totals which counts solutions by the means that were needed.
-static int iterate(struct work *w, const struct state *now, struct state *next, long **counter) {
+static int contact_iterate(struct work *w, const struct state *now, struct state *next,
+                           long **counter) {
     struct progress s;
     double before = INFINITY;
     w->others_d = w->others_v = 0.0;
     for (int i = 0; i < w->model->n_building; i++) {
         w->clusters.nearest[i] = INFINITY;
     }
-    enum answers answers = ANSWERS_NEWTON;
+    bool exact = false;
     for (int i = 0; i < w->model->iterations; i++) {
         if (i == 0) {
-            first_sweep(w, now, next, &s);
+            contact_first_sweep(w, now, next, &s);
         } else {
-            sweep(w, now, next, answers, &s);
+            contact_sweep(w, now, next, exact, &s);
         }
         w->totals->iterations++;
-        if (converged(w, answers, &s)) {
+        if (contact_converged(w, exact, &s)) {
             return STATUS_OK;
         }
         if (i == PLAIN_SWEEPS) {
-            if (!is_hopeful(w, now, next)) {
+            if (!contact_is_hopeful(w, now, next)) {
                 return STATUS_RETRY;
             }
             w->others_d = answer_rounding(w, w->u_trial);
             w->others_v = answer_rounding(w, w->v_trial);
         }
         if (i == PULLING_SWEEPS) {
-            clamp(w);
-            answers = ANSWERS_EXACT;
+            contact_clamp(w);
+            exact = true;
         }
-        if (i + 1 >= PLAIN_SWEEPS && changed(&s) > SLOW * before) {
-            answers = ANSWERS_EXACT;
-            bool blocked = block_steps(w, now, next) || *counter == &w->totals->block;
+        if (i + 1 >= PLAIN_SWEEPS && contact_change(&s) > SLOW * before) {
+            exact = true;
+            bool blocked = contact_block_steps(w, now, next) || *counter == &w->totals->block;
             *counter = blocked ? &w->totals->block : &w->totals->scalar;
         }
-        before = changed(&s);
+        before = contact_change(&s);
     }
     w->totals->unsolved += w->strictness == STEP_ACCEPT;
     return w->strictness == STEP_ACCEPT ? STATUS_OK : STATUS_RETRY;
 }
 
 // A link whose law would pull if it were allowed to has neither an open nor a closed solution.
-static enum branch judge_clamped(struct work *w, const struct state *now, const struct state *next,
-                                 const struct link_scratch *p) {
+static enum branch contact_judge_clamped(struct work *w, const struct state *now,
+                                         const struct state *next, const struct link_scratch *p) {
     if (!p->clamped || p->force != 0.0 || p->branch != BRANCH_CLOSED) {
         return p->branch;
     }
@@ -176,14 +170,14 @@ static enum branch judge_clamped(struct work *w, const struct state *now, const 
 
 // Stores the force found for a link. False: the step is too long, or there is neither an open nor a
 // closed solution, so that the link opens inside the step, and it has not bounced to rest.
-static bool take(struct work *w, const struct state *now, struct state *next,
-                 struct link_scratch *p) {
+static bool contact_take(struct work *w, const struct state *now, struct state *next,
+                         struct link_scratch *p) {
     int k = p->index;
     bool strict = w->strictness == STEP_STRICT;
     if (strict && !resolve_suffices(w, now, next, p)) {
         return false;
     }
-    p->branch = judge_clamped(w, now, next, p);
+    p->branch = contact_judge_clamped(w, now, next, p);
     next->link[k].force = p->force;
     next->link[k].closed = p->branch != BRANCH_OPEN;
     if (next->link[k].closed != now->link[k].closed) {
@@ -193,10 +187,10 @@ static bool take(struct work *w, const struct state *now, struct state *next,
            resolve_negligible(w, now, state_rate(now, w->model, k));
 }
 
-static int take_all(struct work *w, const struct state *now, struct state *next) {
+static int contact_take_all(struct work *w, const struct state *now, struct state *next) {
     w->n_toggled = 0;
     for (int i = 0; i < w->n_acting; i++) {
-        if (!take(w, now, next, w->acting[i])) {
+        if (!contact_take(w, now, next, w->acting[i])) {
             return STATUS_RETRY;
         }
     }
@@ -205,8 +199,8 @@ static int take_all(struct work *w, const struct state *now, struct state *next)
 
 int contact_solve(struct work *w, const struct state *now, struct state *next) {
     long *counter = &w->totals->fast;
-    int status = iterate(w, now, next, &counter);
-    status = status == STATUS_OK ? take_all(w, now, next) : status;
+    int status = contact_iterate(w, now, next, &counter);
+    status = status == STATUS_OK ? contact_take_all(w, now, next) : status;
     *counter += status == STATUS_OK;
     return status;
 }

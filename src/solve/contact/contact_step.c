@@ -7,17 +7,13 @@
 #include "core/number.h"
 #include "solve/contact/answer.h"
 #include "solve/contact/contact.h"
-#include "solve/contact/link_terms.h"
+#include "solve/contact/sweep_step.h"
 #include "solve/event/crossing.h"
 #include "solve/event/rest.h"
 
-// A first guess of the force: the polynomial through its values at the end of the last steps in
-// which the link was closed, four at most.
-static inline double guess(double f, int n_past, const double past[PAST_STEPS]) {
-    double next = n_past == PAST_STEPS ? CUBIC_GUESS(f, past)
-                  : n_past == 2        ? PARABOLIC_GUESS(f, past)
-                  : n_past == 1        ? LINEAR_GUESS(f, past)
-                                       : f;
+// A first guess of the force, which does not begin to pull.
+static inline double contact_guess(double f, int n_past, const double past[PAST_STEPS]) {
+    const double next = SWEEP_GUESS(f, past, n_past);
     return f > 0.0 ? number_max(next, 0.0) : f;
 }
 
@@ -40,18 +36,18 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
     struct link_scratch *p = &w->link[k];
     const struct link_state *from = &now->link[k];
     next->link[k] = (struct link_state){
-        .force = guess(from->force, from->n_past, from->past),
+        .force = contact_guess(from->force, from->n_past, from->past),
         .past = {from->force, from->past[0], from->past[1]},
         .t_close = from->t_close,
         .v_close = from->v_close,
-        .n_past = past_after(from->n_past, p->kind),
+        .n_past = past_after(from->n_past, p->law),
         .is_live = true,
         .closed = true,
     };
-    if (p->kind->n_history > 0) {
+    if (p->law->n_history > 0) {
         keep_history(now, next, p);
     }
-    if (p->kind->rebound) {
+    if (p->law->rebound) {
         p->v_rest = rest_velocity(now, w->model, w->h, k);
     }
     p->branch = BRANCH_CLOSED;

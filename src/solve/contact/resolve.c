@@ -21,31 +21,17 @@ bool resolve_negligible(const struct work *w, const struct state *now, double ve
     return fabs(velocity) <= NEGLIGIBLE * floors_speed(w, now);
 }
 
-// Is a step short enough for the spring of a law that has the tangents `r` at (d, v)?
-static bool fits_spring(const struct work *w, struct link_scratch *p, struct contact_response r,
-                        double d) {
-    if (d <= p->resolved->depth) {
-        return true;
-    }
-    double stiffness = r.dfdv == 0.0 && r.dfdd > 0.0
-                           ? r.dfdd
-                           : p->kind->force(p->constant, p->history, d, 0.0).dfdd;
-    double coarse = SPRING_COARSENESS(stiffness, p->flexibility, w->h);
-    bool smooth = p->kind->traits & CONTACT_SMOOTH;
-    p->resolved->depth =
-        smooth && RESOLVE_STIFFER * coarse <= RESOLVE_COARSEST_SPRING ? RESOLVE_DEEPER * d : 0.0;
-    return coarse <= RESOLVE_COARSEST_SPRING;
-}
-
+// Is a step short enough for a law that has the tangents `r` at d?
 static bool fits(const struct work *w, struct link_scratch *p, struct contact_response r,
                  double d) {
-    return DASHPOT_COARSENESS(r.dfdv, p->flexibility, w->g) <= RESOLVE_COARSEST_DASHPOT &&
-           fits_spring(w, p, r, d);
+    bool short_enough = SWEEP_FITS_DASHPOT(w, p, r.dfdv);
+    sweep_fit_spring(p, w->h, &r, &d, &short_enough);
+    return short_enough;
 }
 
 static bool resolved_at(const struct work *w, struct link_scratch *p, double d, double v) {
     double depth = number_max(d, 0.0);
-    return fits(w, p, p->kind->force(p->constant, p->history, depth, v), depth);
+    return fits(w, p, p->law->force(p->constant, p->history, depth, v), depth);
 }
 
 static bool at_rest(const struct work *w, const struct path *p) {
@@ -65,7 +51,7 @@ static bool starts_resolved(const struct work *w, const struct state *now, struc
 // A settled link has tangents already, taken close enough to the end of the step.
 static bool ends_resolved(const struct work *w, struct link_scratch *p, const struct path *path) {
     return p->branch != BRANCH_CLOSED ||
-           (!p->ask
+           (!p->stale
                 ? fits(w, p, (struct contact_response){.dfdd = p->dfdd, .dfdv = p->dfdv}, path->d1)
                 : resolved_at(w, p, path->d1, path->v1));
 }
@@ -90,7 +76,7 @@ static bool resolved(struct work *w, const struct state *now, const struct state
 bool resolve_judge(struct work *w, const struct state *now, const struct state *next,
                    struct link_scratch *p) {
     double x = sweep_across(p, w->correction);
-    if (p->bilateral || p->kind->rebound || resolved(w, now, next, p, x, p->d_trial + w->b * x)) {
+    if (p->bilateral || p->law->rebound || resolved(w, now, next, p, x, p->d_trial + w->b * x)) {
         return true;
     }
     w->memory->unresolved = p->index;

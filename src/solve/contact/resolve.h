@@ -3,21 +3,7 @@
 #ifndef JOSTLE_RESOLVE_H
 #define JOSTLE_RESOLVE_H
 
-#include "solve/contact/sweep.h"
-
-// Largest k S h^2 of a spring k: (pi / 10)^2.
-static const double RESOLVE_COARSEST_SPRING = 0.09869604401089358;
-
-// The decay that the dashpot of a law may cause.
-static const double RESOLVE_COARSEST_DASHPOT = 0.5;
-
-// What is compared with these, of numbers of one run or of several.
-#define SPRING_COARSENESS(stiffness, flexibility, h) ((stiffness) * (flexibility) * (h) * (h))
-#define DASHPOT_COARSENESS(dfdv, flexibility, g) ((g) * (flexibility) * (dfdv))
-
-// A smooth law is no more than so many times as stiff at a penetration so many times as deep.
-static const double RESOLVE_STIFFER = 4.0;
-static const double RESOLVE_DEEPER = 2.0;
+#include "solve/contact/sweep_step.h"
 
 // resolve_suffices in full, for where its short cut does not apply.
 bool resolve_judge(struct work *w, const struct state *now, const struct state *next,
@@ -33,8 +19,8 @@ bool resolve_judge(struct work *w, const struct state *now, const struct state *
 static inline bool resolve_suffices(struct work *w, const struct state *now,
                                     const struct state *next, struct link_scratch *p) {
     double x = sweep_across(p, w->correction);
-    if (p->resolved->step >= w->h && !p->ask && p->d_trial + w->b * x <= p->resolved->depth &&
-        DASHPOT_COARSENESS(p->dfdv, p->flexibility, w->g) <= RESOLVE_COARSEST_DASHPOT) {
+    if (p->resolved->step >= w->h && !p->stale && p->d_trial + w->b * x <= p->resolved->depth &&
+        SWEEP_FITS_DASHPOT(w, p, p->dfdv)) {
         p->resolved->step = w->h;
         return true;
     }

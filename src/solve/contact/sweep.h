@@ -4,50 +4,51 @@
 #ifndef JOSTLE_SWEEP_H
 #define JOSTLE_SWEEP_H
 
+#include <math.h>
 #include <stdalign.h>
 
 #include "core/lanes.h"
 #include "solve/work.h"
 
-// Links that are gathered, asked and visited together in the first sweep.
+// Links that are gathered, evaluated and visited together in the first sweep.
 enum { SWEEP_GROUP = 16 };
 
-// A law for Newton steps: with the correction x = asked it was asked, and a step from asked + dx
-// changes the force by base + rate dx.
+// The tangent of a law, which Newton steps follow: a step from x = origin + dx changes the force by
+// base + rate dx.
 struct tangent {
     double base, rate;  // [F] [F T^2/L]
-    double asked;       // [L/T^2] difference of the corrections of the link's ends
-    double reach;       // [L/T^2] how far from there until the law must be asked again
-    double near;        // [L/T^2] how far a step may lead from there
+    double origin;      // [L/T^2] x where the law was evaluated
+    double reach;       // [L/T^2] how far from there until it must be evaluated again
+    double range;       // [L/T^2] how far a step may lead from there
     double damped;      // 1 / (1 + S_ll t)
 };
 
 // One link, in four lines of the cache: what every visit of a sweep looks at, what a step needs
-// too, which is from tangent.near on, what asking the law needs, and the rest.
+// too, which is from tangent.range on, what evaluating the law needs, and the rest.
 struct link_scratch {
     alignas(LANES_LINE) int end[2];  // among the arrays of struct chain; -1: an end is a row
     enum branch branch;              // that its force is on
-    bool ask;                        // the law must be asked again, if it is trusted
+    bool stale;                      // the law must be evaluated again, if it is trusted
     bool trusted;                    // on the closed branch, where a Newton step may start
     bool open;                       // its force is 0 as long as d <= 0
     bool clamped;                    // its law may pull, but is not allowed to
     double force;                    // [F]
-    double unmoved;                  // 1 / the most that |S_lm| of all other links may add up to
+    double per_coupling;             // 1 / the most that |S_lm| of all other links may add up to
     struct tangent tangent;
 
     double flexibility;       // S_ll
-    double others;            // the sum of |S_lm| as a share of that, at most
+    double coupling;          // the sum of |S_lm| of all other links as a share of that, at most
     const double *column[2];  // at either end the column of A^-1,
     int first[2];             // from this floor on,
     int lanes[2];             // over so many floors, in whole lanes; 0 for a wall
 
-    double d_trial, v_trial;         // [L] [L/T] without corrections
-    double dfdd;                     // [F/L] of the law when it was last asked
-    const struct contact_law *kind;  // its law,
-    const double *constant;          // with these constants
-    const double *history;           // and this history
-    double dfdv;                     // [F T/L] as dfdd
-    double gap;                      // [L]
+    double d_trial, v_trial;        // [L] [L/T] without corrections
+    double dfdd;                    // [F/L] of the law when it was last evaluated
+    const struct contact_law *law;  // borrowed, as are the next two
+    const double *constant;         // of the law
+    const double *history;          // of the law, at the start of the step
+    double dfdv;                    // [F T/L] as dfdd
+    double gap;                     // [L]
 
     long factors;               // work.factors that flexibility and columns are of
     double kept;                // [F] to step back to
@@ -60,30 +61,66 @@ struct link_scratch {
     bool moving_ground;
 };
 
-// Whether the law of a link must be asked again.
-enum knowledge { LAW_KNOWN, LAW_UNKNOWN };
-
 // What a sweep found.
 struct progress {
-    double enough;    // [F] changes below this do not matter
-    double loosest;   // [F] the most that was enough when a law was asked
-    double largest;   // [F] largest force
-    double moved[2];  // [F] largest change that matters of a force that obeys its law but for what
-                      // others do to it, and of one whose law must be asked again: enum knowledge
-    double echo;      // by how much the changes of others may still change one of those, as a
-                      // share of the largest; of sweeps before too
-    double clear;   // [F] changes of others up to this leave open links open, and the others within
-                    // the reach of their tangents
-    bool answered;  // some link got its exact answer: echo knows nothing of it
+    double tolerance;  // [F] changes below this do not matter
+    double loosest;    // [F] the largest tolerance at which a law was evaluated
+    double largest;    // [F] largest force
+    double moved[2];   // [F] largest change that matters of a force that obeys its law but for what
+                       // others do to it, and of one whose law must be evaluated again: enum
+                       // knowledge of sweep_step.h
+    double feedback;   // the largest change of a force on its tangent that the changes of others
+                       // may cause, at most, as a share of the largest of those; of all sweeps
+    double margin;     // [F] changes of others up to this leave open links open, and the others
+                       // within the reach of their tangents
+    bool some_exact;   // a force was solved for exactly: feedback does not know of it
 };
 
-// The difference of x, an array (n_dof), between both ends of a link, one of which is a row. Not in
-// line: the loops over links of floors stay small.
+// The difference of x, an array (n_dof), between both ends of a link, one of which is a row, and
+// the sum of its sizes there. Not in line: the loops over links of floors stay small.
 double sweep_across_rows(const struct link_scratch *p, const double *x);
+double sweep_size_rows(const struct link_scratch *p, const double *x);
 
 // The same of any link.
 static inline double sweep_across(const struct link_scratch *p, const double *x) {
     return p->end[0] >= 0 ? x[p->end[0]] - x[p->end[1]] : sweep_across_rows(p, x);
+}
+
+static inline double sweep_size(const struct link_scratch *p, const double *x) {
+    return p->end[0] >= 0 ? fabs(x[p->end[0]]) + fabs(x[p->end[1]]) : sweep_size_rows(p, x);
+}
+
+// What sweep_step.h asks for with one lane.
+LANES_INLINE void sweep_see(const struct work *w, const struct link_scratch *p, double *x) {
+    *x = sweep_across(p, w->correction);
+}
+
+LANES_INLINE void sweep_law(const struct link_scratch *p, const double *d, const double *v,
+                            struct contact_response *law) {
+    *law = p->law->force(p->constant, p->history, *d, *v);
+}
+
+LANES_INLINE void sweep_sizes(const struct work *w, const struct link_scratch *p, double *u,
+                              double *v, double *q) {
+    *u = sweep_size(p, w->u_trial) + p->gap;
+    *v = sweep_size(p, w->v_trial);
+    *q = sweep_size(p, w->correction);
+}
+
+// Beyond the floors of the building the column is 0.
+LANES_INLINE void sweep_push(const struct work *w, const struct link_scratch *p, const double *df) {
+    for (int side = 0; side < 2; side++) {
+        const double f = side == 0 ? -*df : *df;
+        const double *restrict column = p->column[side];
+        double *restrict q = w->correction + p->first[side];
+        for (int i = 0, n = p->lanes[side]; i != n; i += LANES_WIDTH) {
+            const lanes low = *(const lanes *)(q + i) + f * *(const lanes *)(column + i);
+            const lanes high = *(const lanes *)(q + i + LANES_VECTOR) +
+                               f * *(const lanes *)(column + i + LANES_VECTOR);
+            *(lanes *)(q + i) = low;
+            *(lanes *)(q + i + LANES_VECTOR) = high;
+        }
+    }
 }
 
 // What does not change of link k; false: no memory.
@@ -92,15 +129,13 @@ bool sweep_init(struct link_scratch *p, const struct model *m, int k, struct are
 // Makes the live links of `next` the acting ones; *progress is that of the guess.
 void sweep_begin(struct work *w, const struct state *next, struct progress *progress);
 
-// Gathers what changes from step to step of acting links `first` to end - 1, and asks their laws.
+// Gathers what changes from step to step of acting links `first` to end - 1, and evaluates their
+// laws.
 void sweep_gather(struct work *w, const struct state *next, int first, int end,
                   struct progress *progress);
 
-// Asks all laws again if `enough` has become much smaller.
-void sweep_ask_again(struct work *w, struct progress *progress);
-
-// Adds the effect of a change df of the link's force to the corrections.
-void sweep_push(const struct work *w, const struct link_scratch *p, double df);
+// Evaluates all laws again if the tolerance has become much tighter.
+void sweep_evaluate_again(struct work *w, struct progress *progress);
 
 // Takes Newton steps on acting links `first` to end - 1, until one that is not safe; returns its
 // number, or `end`.

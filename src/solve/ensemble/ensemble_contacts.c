@@ -18,8 +18,26 @@ struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct
     return arena_failed(a) ? NULL : s;
 }
 
+// Contacts of low buildings go together where their law does: a push reaches all floors there.
+void ensemble_contacts_fill(struct ensemble_lanes *e, int lane, const struct model *m, int k) {
+    const struct link *l = &m->link[k];
+    struct closed_contact *g = &e->contacts->contact[k];
+    g->apart |= (g->law && g->law != l->law) || !l->law->force_lanes ||
+                l->law->n_constant > ENSEMBLE_CONSTANTS;
+    g->law = l->law;
+    g->index = k;
+    for (int i = 0; i < 2; i++) {
+        g->building[i] = l->building[i];
+        g->apart |=
+            l->building[i] != WALL && m->building[l->building[i]].n_floor > INVERSE_FLOORS_MAX;
+    }
+    for (int i = 0; !g->apart && i < l->law->n_constant; i++) {
+        g->constant[i][lane] = l->constant[i];
+    }
+}
+
 // Finds the floors that feel the force of a contact; false: those of other runs differ.
-static bool reaches(struct ensemble_grip *g, const struct ensemble_building *building,
+static bool reaches(struct closed_contact *g, const struct ensemble_building *building,
                     const struct link_scratch *q) {
     bool same = true;
     for (int i = 0; i < 2; i++) {
@@ -37,13 +55,13 @@ static bool reaches(struct ensemble_grip *g, const struct ensemble_building *bui
 
 // How the ends of contact k yield, unless that has stayed; false: it is not known.
 static bool yields(struct ensemble_lanes *e, int k, int lane, const struct work *w) {
-    struct ensemble_grip *g = &e->grip[k];
+    struct closed_contact *g = &e->contacts->contact[k];
     const struct link_scratch *q = &w->link[k];
     if (g->factors[lane] != w->factors && q->factors == w->factors) {
         g->factors[lane] = w->factors;
         g->flexibility[lane] = q->flexibility;
-        g->others[lane] = q->others;
-        g->unmoved[lane] = q->unmoved;
+        g->coupling[lane] = q->coupling;
+        g->per_coupling[lane] = q->per_coupling;
         g->apart |= !reaches(g, e->building, q);
     }
     return g->factors[lane] == w->factors && !g->apart;
@@ -52,7 +70,7 @@ static bool yields(struct ensemble_lanes *e, int k, int lane, const struct work 
 // Is live contact k one that lanes can hold?
 static bool suits(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct link_state *l = &r->now->link[k];
-    return l->t_close < r->now->time && l->n_past > 0 && !e->grip[k].apart &&
+    return l->t_close < r->now->time && l->n_past > 0 && !e->contacts->contact[k].apart &&
            r->memory.resolved[k].step == r->work.h && yields(e, k, lane, &r->work);
 }
 
@@ -76,7 +94,7 @@ static void put_in(struct closed_contact *j, int lane, const struct run *r, int 
     j->peak_force_time[lane] = p->force_time;
     j->deepest[lane] = r->results->deepest[k];
     j->deepest_time[lane] = r->results->deepest_time[k];
-    j->fits_to[lane] = r->memory.resolved[k].depth;
+    j->depth[lane] = r->memory.resolved[k].depth;
 }
 
 static void take_out(struct closed_contact *j, int lane, struct run *r, int k, long n_step) {
@@ -98,7 +116,7 @@ static void take_out(struct closed_contact *j, int lane, struct run *r, int k, l
     i->steps += n_step;
     p->force = j->peak_force[lane];
     p->force_time = j->peak_force_time[lane];
-    r->memory.resolved[k].depth = j->fits_to[lane];
+    r->memory.resolved[k].depth = j->depth[lane];
     peaks_penetration(r->results, k, j->deepest[lane], j->deepest_time[lane]);
 }
 
@@ -119,8 +137,8 @@ static void list_acting(struct ensemble_lanes *e) {
     for (int k = 0; k < e->n_contact; k++) {
         if (s->runs[k] != 0) {
             s->acting[s->n_acting++] = k;
-            touch(s, e->grip[k].building[0]);
-            touch(s, e->grip[k].building[1]);
+            touch(s, e->contacts->contact[k].building[0]);
+            touch(s, e->contacts->contact[k].building[1]);
         }
     }
 }

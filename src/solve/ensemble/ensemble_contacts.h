@@ -12,10 +12,17 @@
 // Newton sweeps: contact.c does other things after these.
 enum { ENSEMBLE_SWEEPS = 4 };
 
-// As struct tangent.
+// As struct tangent and struct contact_response.
 struct tangent_lanes {
-    wide base, rate, asked, reach, near, damped;
+    wide base, rate, origin, reach, range, damped;
 };
+
+struct response_lanes {
+    wide force, dfdd, dfdv;
+};
+
+// Constants of laws whose contacts are solved for in lanes.
+enum { ENSEMBLE_CONSTANTS = 2 };
 
 // A contact in the lanes of active runs in which it is live. Names of the step under way are as in
 // struct link_scratch.
@@ -28,8 +35,17 @@ struct closed_contact {
     wide impact_impulse, impact_work, impact_force, impact_depth;  // and of its impact
     wide force, d_trial, v_trial, dfdd, dfdv;
     struct tangent_lanes tangent;
-    wide fits_to;
-    wide_bits ask;
+    wide depth;  // struct resolved
+    wide_bits stale;
+
+    wide flexibility, coupling, per_coupling;
+    wide constant[ENSEMBLE_CONSTANTS];
+    const struct contact_law *law;  // in all lanes
+    long factors[WIDE_RUNS];        // work.factors of the run that flexibility is of; 0: none yet
+    int index;                      // of the contact
+    int building[2];                // at its ends; WALL
+    int from[2], to[2];             // floors there that feel its force: in all lanes
+    bool apart;                     // solved for run by run
 };
 
 struct ensemble_contacts {
@@ -48,6 +64,9 @@ struct ensemble_contacts {
 
 // Room for the contacts of models like `m`; NULL: no memory.
 struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a);
+
+// Gives a lane the constants of contact k of a run.
+void ensemble_contacts_fill(struct ensemble_lanes *e, int lane, const struct model *m, int k);
 
 // Takes the links of a run that is in a lane and has committed a step into it, if they can go
 // there.
