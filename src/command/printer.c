@@ -38,6 +38,12 @@ static void put_aligned(struct printer *t, const struct printer_column *c, const
     } else {
         t->blanks += c->width > 0 ? 1 : 2;
     }
+    if (c->look == LOOK_TAIL) {
+        fprintf(t->to, "%*s", t->blanks, "");
+        safe_cell(t->to, text, -c->width);
+        t->blanks = 0;
+        return;
+    }
     t->blanks += c->width > n ? c->width - n : 0;
     if (n > 0) {
         fprintf(t->to, "%*s", t->blanks, "");
@@ -86,9 +92,7 @@ static const struct printer_column *next_of_text(const struct printer *t) {
 }
 
 void printer_text(struct printer *t, const char *text) {
-    struct text_short cut;
-    const struct printer_column *c = next_of_text(t);
-    put(t, c && c->look == LOOK_SHORT ? text_short(&cut, text) : text, NULL);
+    put(t, text, NULL);
 }
 
 void printer_number(struct printer *t, double value) {
