@@ -2,7 +2,6 @@
 #include "command/printer.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/safe.h"
@@ -37,6 +36,12 @@ static void put_aligned(struct printer *t, const struct printer_column *c, const
         t->blanks += t->indent;
     } else {
         t->blanks += c->width > 0 ? 1 : 2;
+    }
+    if (c->look == LOOK_TAIL) {
+        fprintf(t->to, "%*s", t->blanks, "");
+        safe_cell(t->to, text, -c->width);
+        t->blanks = 0;
+        return;
     }
     t->blanks += c->width > n ? c->width - n : 0;
     if (n > 0) {
@@ -86,13 +91,7 @@ static const struct printer_column *next_of_text(const struct printer *t) {
 }
 
 void printer_text(struct printer *t, const char *text) {
-    char cut[64];
-    const struct printer_column *c = next_of_text(t);
-    const char *tail = c && c->look == LOOK_SHORT ? safe_tail(text, abs(c->width)) : text;
-    if (tail > text) {
-        snprintf(cut, sizeof cut, "..%s", tail);
-    }
-    put(t, tail > text ? cut : text, NULL);
+    put(t, text, NULL);
 }
 
 void printer_number(struct printer *t, double value) {

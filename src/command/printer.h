@@ -14,8 +14,9 @@
 
 enum printer_form { FORM_TEXT, FORM_TSV, FORM_CSV, FORM_JSON };  // the last three are data
 
-// How text shows a number: as %.*g, %.*f or %.*e; and a name: whole, or its end (safe_tail).
-enum printer_look { LOOK_G, LOOK_F, LOOK_E, LOOK_WHOLE = 0, LOOK_SHORT };
+// How text shows a number: as %.*g, %.*f or %.*e; and a name: whole, or by safe_cell, which keeps
+// the end of a long one.
+enum printer_look { LOOK_G, LOOK_F, LOOK_E, LOOK_TAIL, LOOK_WHOLE = 0 };
 
 struct printer_column {
     const char *head;                   // over the column of text; NULL: it is not in text
@@ -29,7 +30,7 @@ struct printer_column {
 
 // Columns of text and columns of data.
 #define COLUMN_NAME(name, wide)                                                                    \
-    { .head = name, .width = -(wide), .look = LOOK_SHORT }
+    { .head = name, .width = -(wide), .look = LOOK_TAIL }
 #define COLUMN_TEXT(name, wide)                                                                    \
     { .head = name, .width = wide }
 #define COLUMN_G(name, wide, figures)                                                              \

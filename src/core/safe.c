@@ -92,7 +92,7 @@ void safe_line(FILE *to, const char *format, ...) {
     fprintf(to, "%s%s\n", line, cut ? "..." : "");
 }
 
-const char *safe_tail(const char *name, int width) {
+void safe_cell(FILE *to, const char *name, int width) {
     const int n = text_columns(name, strlen(name));
     const char *tail = name;
     for (int skip = n > width ? n - width + 2 : 0; skip > 0; skip--) {
@@ -101,13 +101,7 @@ const char *safe_tail(const char *name, int width) {
             tail++;
         }
     }
-    return tail;
-}
-
-void safe_cell(FILE *to, const char *name, int width) {
-    const int n = text_columns(name, strlen(name));
-    const char *tail = safe_tail(name, width);
-    fputs(tail > name ? ".." : "", to);
+    fputs(n > width ? ".." : "", to);
     safe_put(to, SAFE_TERMINAL, tail);
     fprintf(to, "%*s", n < width ? width - n : 0, "");
 }

@@ -27,10 +27,6 @@ enum safe {
 // Writes the text. Errors are those of the stream.
 void safe_put(FILE *to, enum safe where, const char *text);
 
-// The end of a name that fits into `width` columns with two dots before it; the name itself if the
-// whole name fits.
-const char *safe_tail(const char *name, int width);
-
 // Writes a name of a table, as SAFE_TERMINAL, left-aligned in `width` columns. Where it is too
 // long, its end is kept, which names the floors.
 void safe_cell(FILE *to, const char *name, int width);
