@@ -5,22 +5,22 @@
 // f, so that link l has d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l
 // with the flexibility S = B A^-1 B'. S is never formed: a column of A^-1 carries each change of a
 // force into the accelerations. Newton sweeps (sweep.c) take Newton steps, link by link, and give a
-// link its exact answer (line.c) with the others held where such a step is not safe. They go on as
-// long as the changes shrink fast. From then on every link gets its exact answer in each sweep,
+// link its exact force (exact.c) with the others held where such a step is not safe. They go on as
+// long as the changes shrink fast. From then on every link gets its exact force in each sweep,
 // which is coordinate descent on a convex function where laws do not pull, and so converges for any
-// step. Where that is slow, because stiff links share a floor, a block Newton step (block.c) is put
-// between sweeps, and kept only if it halves the error.
+// step. Where that is slow, because stiff links share a floor, a block Newton step (cluster.c) is
+// put between sweeps, and kept only if it halves the error.
 //
 // Converged: another sweep would change no force by more than the tolerance times the largest, or
-// would move no link by more than the rounding error of its displacements (answer.c). The latter
+// would move no link by more than the rounding error of its displacements (exact.c). The latter
 // keeps grazing contacts, whose force is all rounding, from iterating for ever.
 #include "solve/contact/contact.h"
 
 #include <math.h>
 
 #include "core/number.h"
-#include "solve/contact/answer.h"
-#include "solve/contact/block.h"
+#include "solve/contact/cluster.h"
+#include "solve/contact/exact.h"
 #include "solve/contact/resolve.h"
 #include "solve/contact/sweep_step.h"
 
@@ -42,7 +42,7 @@ static void contact_visit(struct work *w, const struct state *now, struct state 
         if (i == end) {
             return;
         }
-        answer_exactly(w, now, next, w->acting[i], s);
+        exact_visit(w, now, next, w->acting[i], s);
     }
 }
 
@@ -93,7 +93,7 @@ static bool contact_block_steps(struct work *w, const struct state *now, struct 
     int n = cluster_find(&w->clusters, w->model, next);
     for (int i = 0; i < n; i++) {
         struct cluster c = cluster_at(&w->clusters, i);
-        any |= c.n > 1 && block_step(w, now, next, &c, &w->clusters.nearest[i]);
+        any |= c.n > 1 && cluster_step(w, now, next, &c, &w->clusters.nearest[i]);
     }
     return any;
 }
@@ -139,8 +139,8 @@ static int contact_iterate(struct work *w, const struct state *now, struct state
             if (!contact_is_hopeful(w, now, next)) {
                 return STATUS_RETRY;
             }
-            w->others_d = answer_rounding(w, w->u_trial);
-            w->others_v = answer_rounding(w, w->v_trial);
+            w->others_d = exact_rounding(w, w->u_trial);
+            w->others_v = exact_rounding(w, w->v_trial);
         }
         if (i == PULLING_SWEEPS) {
             contact_clamp(w);
@@ -163,9 +163,9 @@ static enum branch contact_judge_clamped(struct work *w, const struct state *now
     if (!p->clamped || p->force != 0.0 || p->branch != BRANCH_CLOSED) {
         return p->branch;
     }
-    struct line line = answer_line(w, now, next, p->index);
-    line.clamped = false;
-    return line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
+    struct equation e = exact_equation(w, now, next, p->index);
+    e.clamped = false;
+    return exact_law(&e, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
 }
 
 // Stores the force found for a link. False: the step is too long, or there is neither an open nor a

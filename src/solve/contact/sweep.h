@@ -10,6 +10,14 @@
 #include "core/lanes.h"
 #include "solve/work.h"
 
+// The state of a link at the end of a step.
+enum branch {
+    BRANCH_OPEN,    // force 0
+    BRANCH_CLOSED,  // force of the law, d > 0
+    BRANCH_JUMP,    // d = 0, the force within the jump of the law at closure, or of a rigid contact
+    BRANCH_NONE,  // neither open nor closed: the opening lies inside the step; *force is the jump's
+};
+
 // Links that are gathered, evaluated and visited together in the first sweep.
 enum { SWEEP_GROUP = 16 };
 
