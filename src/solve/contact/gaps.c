@@ -10,12 +10,18 @@
 #include "core/number.h"
 #include "solve/account/peaks.h"
 
+// Is `end` the next one of a run on the side where its first is `first`? A wall is all zeros behind
+// the floors, which are no more than a vector.
+static bool follows(const struct model *m, int first, int n, int end) {
+    return first < m->n_dof ? end == first + n : end == first && n < LANES_WIDTH;
+}
+
 // Does link k carry on the run?
 static bool continues(const struct model *m, const struct gap_run *r, int k) {
     const struct link *l = &m->link[k];
-    return !r->row && link_is_plain(l) && l->dof[0] == r->left + r->n &&
-           l->dof[1] == r->right + r->n && l->building[0] == r->building[0] &&
-           l->building[1] == r->building[1];
+    return !r->row && link_is_plain(l) && l->building[0] == r->building[0] &&
+           l->building[1] == r->building[1] && follows(m, r->left, r->n, state_end(l, m, 0)) &&
+           follows(m, r->right, r->n, state_end(l, m, 1));
 }
 
 static void find_runs(struct gaps *g) {

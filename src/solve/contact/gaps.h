@@ -8,7 +8,8 @@
 #include "core/number.h"
 #include "solve/state.h"
 
-// Links first to first + n - 1 whose ends are floors one above the other on the same two sides, or
+// Links first to first + n - 1 whose ends are floors one above the other on the same two sides, or a
+// wall on one of them; or
 // one link with an end that is a row.
 struct gap_run {
     int first, n;
