@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The contact sweep, written once for two lane counts: one link of one run (sweep.c, contact.c,
-// resolve.c, contact_step.c), and one contact of eight runs, a run a lane (ensemble_sweeps.c, which
+// contact_step.c), and one contact of eight runs, a run a lane (ensemble_sweeps.c, which
 // defines SWEEP_OF_RUNS). With one lane a mask is true or false, and a choice is a branch. Both
 // agree to the bit because these are the same operations in the same order.
 //

@@ -4,7 +4,7 @@
 // which a contact is not live, or that have converged, are masked.
 //
 // Only the usual case is here: contacts that were closed, whose forces Newton steps find within a
-// few sweeps, and for which steps are short enough (resolve.c). A lane in which anything else
+// few sweeps, and for which steps are short enough (contact.c). A lane in which anything else
 // happens gives up, and its run is solved alone from the start of the step.
 #include <math.h>
 
