@@ -112,7 +112,7 @@ LANES_WHOLE_INLINE void ensemble_gather(const struct ensemble_lanes *e, struct p
         const struct ensemble_trial *right = &e->trial[e->end[p->index][1]];
         p->tangent = (struct tangent_lanes){.base = EVERYWHERE(0.0)};
         p->dfdd = p->dfdv = EVERYWHERE(0.0);
-        p->d_trial = left->u - right->u - e->gap[p->index].width;
+        p->d_trial = ENSEMBLE_PENETRATION(e, p->index, e->trial);
         p->v_trial = left->v - right->v;
         const wide size = ABSOLUTE(p->force);
         s->largest = CHOOSE(p->live & LESS(s->largest, size), size, s->largest);
