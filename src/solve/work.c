@@ -30,8 +30,7 @@ static bool work_alloc_links(struct work *w, const struct model *m, const struct
     w->acting = arena_alloc(a, n_link, sizeof(void *));
     w->rigid = arena_alloc(a, n_link, sizeof *w->rigid);
     w->toggled = arena_alloc(a, n_link, sizeof *w->toggled);
-    return gaps_alloc(&w->gaps, m, r, a) && cluster_alloc(&w->clusters, m, a) &&
-           block_alloc(&w->block, m, a);
+    return gaps_alloc(&w->gaps, m, r, a) && cluster_alloc(&w->clusters, m, a);
 }
 
 // The most links with a force law at any floor, by their weights, counted in `count` (n_dof), which

@@ -4,9 +4,8 @@
 #ifndef JOSTLE_WORK_H
 #define JOSTLE_WORK_H
 
-#include "solve/contact/block.h"
+#include "solve/contact/cluster.h"
 #include "solve/contact/gaps.h"
-#include "solve/contact/line.h"
 #include "solve/excitation.h"
 #include "solve/floors/chain.h"
 #include "solve/floors/effective.h"
@@ -72,13 +71,12 @@ struct work {
     struct link_scratch *link;     // (n_link) what the solution for its force needs of each link
     int n_acting;                  // live links whose forces are being solved for,
     struct link_scratch **acting;  // (n_link) in ascending order
-    double most_links;                  // most links with a force law that any floor has
+    double most_links;             // most links with a force law that any floor has
     bool commits;                  // some law remembers what happens in contact
     int n_toggled, *toggled;       // links that have closed or opened in the step in hand
     int n_rigid, *rigid;           // contacts of laws without a force
     double others_d, others_v;     // [L] [L/T] rounding error that other links cause at a link
     struct clusters clusters;
-    struct block block;
 };
 
 // Room for the scratch of a model, whose factors are still to be found, for a run with these

@@ -68,7 +68,7 @@ solve_group() {
     state.* | excitation.*) echo "2 state" ;;
     event/*) echo "3 event" ;;
     account/*) echo "4 account" ;;
-    contact/gaps.* | contact/cluster.* | contact/line.* | contact/block.h) echo "5 scratch" ;;
+    contact/gaps.* | contact/cluster.h) echo "5 scratch" ;;
     floors/floors.h | floors/small_model.h | newmark/flight.h | work.h) echo "5 scratch" ;;
     floors/*) echo "6 floors" ;;
     contact/*) echo "7 contact" ;;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "solve/contact/line.h"
+#include "solve/contact/exact.h"
 #include "support/analysis.h"
 #include "support/support.h"
 
@@ -118,14 +118,14 @@ static enum branch answer(const char *law, double d_free, double v_free, double 
     if (m->link[0].law->close) {
         m->link[0].law->close(m->link[0].constant, 1.0, history);
     }
-    struct line line = {.link = &m->link[0],
+    struct equation e = {.link = &m->link[0],
                         .history = history,
                         .d_free = d_free,
                         .v_free = v_free,
                         .d_force = 0.25,
                         .v_force = 0.5,
                         .closed = true};
-    enum branch branch = line_answer(&line, 0.0, force);
+    enum branch branch = exact_force(&e, 0.0, force);
     model_free(m);
     return branch;
 }

@@ -24,7 +24,7 @@ bool impacts_alloc(struct impact_log *log, const struct model *m, struct results
 }
 
 // Makes room for n impacts; false: no memory.
-static bool reserve(struct results *r, long n) {
+static bool impacts_reserve(struct results *r, long n) {
     long capacity = r->impact_capacity ? r->impact_capacity : 256;
     while (capacity < n) {
         capacity *= 2;
@@ -42,7 +42,7 @@ static bool reserve(struct results *r, long n) {
 
 bool impacts_copy(struct impact_log *to, const struct impact_log *from) {
     const struct results *r = from->results;
-    if (!reserve(to->results, r->n_impact)) {
+    if (!impacts_reserve(to->results, r->n_impact)) {
         return false;
     }
     if (r->n_impact > 0) {
@@ -53,9 +53,9 @@ bool impacts_copy(struct impact_log *to, const struct impact_log *from) {
     return true;
 }
 
-static int open_impact(struct impact_log *log, const struct state *s, int k, struct error *e) {
+static int impacts_open(struct impact_log *log, const struct state *s, int k, struct error *e) {
     struct results *r = log->results;
-    if (!reserve(r, r->n_impact + 1)) {
+    if (!impacts_reserve(r, r->n_impact + 1)) {
         return error_no_memory(e);
     }
     log->open[k] = r->n_impact;
@@ -76,7 +76,7 @@ int impacts_start(struct impact_log *log, const struct state *s, struct error *e
         if (!s->link[k].closed) {
             continue;
         }
-        if (open_impact(log, s, k, e) != STATUS_OK) {
+        if (impacts_open(log, s, k, e) != STATUS_OK) {
             return e->status;
         }
         r->impact[log->open[k]].dissipated = r->link[k].dissipated;  // what it holds already
@@ -84,23 +84,29 @@ int impacts_start(struct impact_log *log, const struct state *s, struct error *e
     return STATUS_OK;
 }
 
-// Ends the impact under way of contact k, which opens on the way from `now` to `next`.
-static void close_impact(struct impact_log *log, const struct state *now, const struct state *next,
-                         int k) {
-    const struct model *m = log->model;
+// Ends the impact under way of contact k, whose penetration grows at `rate` then.
+static void impacts_end(struct impact_log *log, int k, double time, double rate) {
     struct impact *i = &log->results->impact[log->open[k]];
-    struct path path = {fmax(now->delta[k], 0.0), state_rate(now, m, k), fmin(next->delta[k], 0.0),
-                        state_rate(next, m, k), next->time - now->time};
-    double rate;
-    i->t_end = now->time + crossing_find(&path, &rate);
+    i->t_end = time;
     i->v_rebound = -rate;
     i->complete = true;
     log->open[k] = -1;
 }
 
+// The same where it opens on the way from `now` to `next`.
+static void impacts_end_between(struct impact_log *log, const struct state *now,
+                                const struct state *next, int k) {
+    const struct model *m = log->model;
+    struct path path = {fmax(now->delta[k], 0.0), state_rate(now, m, k), fmin(next->delta[k], 0.0),
+                        state_rate(next, m, k), next->time - now->time};
+    double rate;
+    const double way = crossing_find(&path, &rate);
+    impacts_end(log, k, now->time + way, rate);
+}
+
 // Where the grounds of a link's ends move differently, its force works on them too.
-static double ground_work(const struct link *l, const struct model *m, double mean,
-                          const struct state *now, const struct state *next) {
+static double impacts_ground_work(const struct link *l, const struct model *m, double mean,
+                                  const struct state *now, const struct state *next) {
     double relative =
         state_gap(l, m, next->u, next->ground_u) - state_gap(l, m, now->u, now->ground_u);
     double own = link_across(l, next->u) - link_across(l, now->u);
@@ -118,7 +124,7 @@ int impacts_step(struct impact_log *log, const struct state *now, const struct s
         if (!now->link[k].closed && !next->link[k].closed) {
             continue;
         }
-        if (!now->link[k].closed && open_impact(log, next, k, e) != STATUS_OK) {
+        if (!now->link[k].closed && impacts_open(log, next, k, e) != STATUS_OK) {
             return e->status;
         }
         double mean = (now->link[k].force + next->link[k].force) / 2.0;  // by the trapezoidal rule
@@ -132,10 +138,10 @@ int impacts_step(struct impact_log *log, const struct state *now, const struct s
         impacts_add(log, k, &share);
         contact += share.work;
         if (m->n_ground > 1 && m->link[k].moving_ground) {
-            log->energy->input += ground_work(&m->link[k], m, mean, now, next);
+            log->energy->input += impacts_ground_work(&m->link[k], m, mean, now, next);
         }
         if (!next->link[k].closed) {
-            close_impact(log, now, next, k);
+            impacts_end_between(log, now, next, k);
         }
     }
     log->energy->contact += contact;
@@ -149,20 +155,11 @@ void impacts_jump(struct impact_log *log, const struct state *s) {
     }
 }
 
-// Ends the impact under way of contact k at the instant of `s`.
-static void end_impact(struct impact_log *log, const struct state *s, int k) {
-    struct impact *i = &log->results->impact[log->open[k]];
-    i->t_end = s->time;
-    i->v_rebound = -state_rate(s, log->model, k);
-    i->complete = true;
-    log->open[k] = -1;
-}
-
 int impacts_toggle(struct impact_log *log, const struct state *s, int k, struct error *e) {
     if (s->link[k].closed) {
-        return open_impact(log, s, k, e);
+        return impacts_open(log, s, k, e);
     }
-    end_impact(log, s, k);
+    impacts_end(log, k, s->time, state_rate(s, log->model, k));
     return STATUS_OK;
 }
 
@@ -170,7 +167,7 @@ void impacts_part(struct impact_log *log, const struct state *s) {
     const struct model *m = log->model;
     for (int k = 0; k < m->n_contact; k++) {
         if (m->link[k].law->rebound && log->open[k] >= 0 && !s->link[k].closed) {
-            end_impact(log, s, k);
+            impacts_end(log, k, s->time, state_rate(s, log->model, k));
         }
     }
 }
@@ -181,7 +178,7 @@ int impacts_meet(struct impact_log *log, const struct state *s, const struct mee
     for (int k = 0; k < m->n_contact; k++) {
         const struct meeting *met = &meeting[k];
         bool starts = log->open[k] < 0 && (met->struck || state_rests(s, m, k));
-        if (starts && open_impact(log, s, k, e) != STATUS_OK) {
+        if (starts && impacts_open(log, s, k, e) != STATUS_OK) {
             return e->status;
         }
         if (met->struck) {
@@ -199,7 +196,7 @@ int impacts_meet(struct impact_log *log, const struct state *s, const struct mee
 }
 
 // A rigid contact has no finite force at impact.
-static void blank_rigid_forces(struct results *r, const struct model *m) {
+static void impacts_blank_rigid(struct results *r, const struct model *m) {
     for (long i = 0; i < r->n_impact; i++) {
         if (m->link[r->impact[i].contact].law->rebound) {
             r->impact[i].peak_force = NAN;
@@ -218,13 +215,13 @@ bool impacts_is_coarse(const struct model *m, const struct impact *i) {
            !m->link[i->contact].law->rebound;
 }
 
-static void count_coarse(struct results *r, const struct model *m) {
+static void impacts_count_coarse(struct results *r, const struct model *m) {
     for (long i = 0; i < r->n_impact; i++) {
         r->totals.coarse += impacts_is_coarse(m, &r->impact[i]);
     }
 }
 
-static int compare_starts(const void *a, const void *b) {
+static int impacts_compare(const void *a, const void *b) {
     const struct impact *x = a;
     const struct impact *y = b;
     if (x->t_start != y->t_start) {
@@ -243,9 +240,9 @@ void impacts_finish(struct impact_log *log, const struct state *s) {
             i->v_rebound = -state_rate(s, m, k);
         }
     }
-    blank_rigid_forces(r, m);
-    count_coarse(r, m);
+    impacts_blank_rigid(r, m);
+    impacts_count_coarse(r, m);
     if (r->n_impact > 1) {
-        qsort(r->impact, (size_t)r->n_impact, sizeof *r->impact, compare_starts);
+        qsort(r->impact, (size_t)r->n_impact, sizeof *r->impact, impacts_compare);
     }
 }

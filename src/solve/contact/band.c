@@ -9,7 +9,7 @@
 #include "core/lanes.h"
 
 // The row from k to `last` with the largest entry in column k.
-static ptrdiff_t pivot_row(const double *a, ptrdiff_t n, ptrdiff_t k, ptrdiff_t last) {
+static ptrdiff_t band_pivot(const double *a, ptrdiff_t n, ptrdiff_t k, ptrdiff_t last) {
     ptrdiff_t row = k;
     for (ptrdiff_t i = k + 1; i <= last; i++) {
         if (fabs(a[i * n + k]) > fabs(a[row * n + k])) {
@@ -19,7 +19,7 @@ static ptrdiff_t pivot_row(const double *a, ptrdiff_t n, ptrdiff_t k, ptrdiff_t 
     return row;
 }
 
-static void exchange(double *x, double *y, ptrdiff_t n) {
+static void band_exchange(double *x, double *y, ptrdiff_t n) {
     for (ptrdiff_t i = 0; i < n; i++) {
         const double kept = x[i];
         x[i] = y[i];
@@ -29,8 +29,8 @@ static void exchange(double *x, double *y, ptrdiff_t n) {
 
 // Subtracts from the rows below row k, up to `last`, what makes their column k 0; row k has `m`
 // entries from there on.
-LANES static void eliminate(double *a, double *b, ptrdiff_t n, ptrdiff_t k, ptrdiff_t last,
-                            ptrdiff_t m) {
+LANES static void band_eliminate(double *a, double *b, ptrdiff_t n, ptrdiff_t k, ptrdiff_t last,
+                                 ptrdiff_t m) {
     const double *restrict pivot = a + k * n + k;
     for (ptrdiff_t i = k + 1; i <= last; i++) {
         double *restrict row = a + i * n + k;
@@ -47,15 +47,15 @@ bool band_solve(double *a, double *b, ptrdiff_t n, ptrdiff_t width) {
     for (ptrdiff_t k = 0; k < n; k++) {
         const ptrdiff_t last = k + width < n ? k + width : n - 1;
         const ptrdiff_t m = k + 2 * width < n ? 2 * width + 1 : n - k;
-        const ptrdiff_t row = pivot_row(a, n, k, last);
+        const ptrdiff_t row = band_pivot(a, n, k, last);
         if (row != k) {
-            exchange(a + k * n + k, a + row * n + k, m);
-            exchange(b + k, b + row, 1);
+            band_exchange(a + k * n + k, a + row * n + k, m);
+            band_exchange(b + k, b + row, 1);
         }
         if (a[k * n + k] == 0.0) {
             return false;
         }
-        eliminate(a, b, n, k, last, m);
+        band_eliminate(a, b, n, k, last, m);
     }
     bool finite = true;
     for (ptrdiff_t k = n - 1; k >= 0; k--) {

@@ -5,24 +5,29 @@
 // f, so that link l has d_l = d_free,l - beta h^2 (S f)_l and v_l = v_free,l - gamma h (S f)_l
 // with the flexibility S = B A^-1 B'. S is never formed: a column of A^-1 carries each change of a
 // force into the accelerations. Newton sweeps (sweep.c) take Newton steps, link by link, and give a
-// link its exact answer (line.c) with the others held where such a step is not safe. They go on as
-// long as the changes shrink fast. From then on every link gets its exact answer in each sweep,
+// link its exact force (exact.c) with the others held where such a step is not safe. They go on as
+// long as the changes shrink fast. From then on every link gets its exact force in each sweep,
 // which is coordinate descent on a convex function where laws do not pull, and so converges for any
-// step. Where that is slow, because stiff links share a floor, a block Newton step (block.c) is put
-// between sweeps, and kept only if it halves the error.
+// step. Where that is slow, because stiff links share a floor, a block Newton step (cluster.c) is
+// put between sweeps, and kept only if it halves the error.
 //
 // Converged: another sweep would change no force by more than the tolerance times the largest, or
-// would move no link by more than the rounding error of its displacements (answer.c). The latter
+// would move no link by more than the rounding error of its displacements (exact.c). The latter
 // keeps grazing contacts, whose force is all rounding, from iterating for ever.
+//
+// Resolved means ten steps in a contact of constant stiffness, k S h^2 <= (pi / 10)^2, and the
+// decay that the dashpot of the law alone would cause, gamma h S dF/dv <= 1/2, at both ends of the
+// step; S is the flexibility of the link. k is the slope of the law at v = 0: with v, Jankowski's
+// is infinite at every closure.
 #include "solve/contact/contact.h"
 
 #include <math.h>
 
 #include "core/number.h"
-#include "solve/contact/answer.h"
-#include "solve/contact/block.h"
-#include "solve/contact/resolve.h"
+#include "solve/contact/cluster.h"
+#include "solve/contact/exact.h"
 #include "solve/contact/sweep_step.h"
+#include "solve/event/crossing.h"
 
 // Newton sweeps end, and block steps are tried, after so many sweeps, where the last one brought
 // the change of the forces down by less than the factor SLOW.
@@ -33,6 +38,13 @@ static const double SLOW = 0.2;
 // After so many, laws are no longer allowed to pull.
 enum { PULLING_SWEEPS = 25 };
 
+// A closed contact whose penetration changes by less than this share, in fact and at its velocity,
+// is at rest: the law is linear over such a step, and average acceleration preserves its energy.
+static const double AT_REST = 0.1;
+
+// Velocity relative to the largest of any floor so far.
+static const double NEGLIGIBLE = 1e-5;
+
 // Goes over acting links `first` to end - 1: by exact solutions, or by Newton steps where they are
 // safe.
 static void contact_visit(struct work *w, const struct state *now, struct state *next, bool exact,
@@ -42,7 +54,7 @@ static void contact_visit(struct work *w, const struct state *now, struct state 
         if (i == end) {
             return;
         }
-        answer_exactly(w, now, next, w->acting[i], s);
+        exact_visit(w, now, next, w->acting[i], s);
     }
 }
 
@@ -68,10 +80,92 @@ static void contact_sweep(struct work *w, const struct state *now, struct state 
     contact_visit(w, now, next, exact, 0, w->n_acting, s);
 }
 
+// A contact this slow is at rest, whatever the step does to it: its energy is 1e-10 of the floors'.
+// Otherwise a body that bounces to rest would need ever shorter steps.
+static bool contact_is_slow(const struct work *w, const struct state *now, double velocity) {
+    return fabs(velocity) <= NEGLIGIBLE * floors_speed(w, now);
+}
+
+// Is a step short enough for a law that has the tangents `r` at d?
+static bool contact_fits(const struct work *w, struct link_scratch *p, struct contact_response r,
+                         double d) {
+    bool short_enough = SWEEP_FITS_DASHPOT(w, p, r.dfdv);
+    sweep_fit_spring(p, w->h, &r, &d, &short_enough);
+    return short_enough;
+}
+
+static bool contact_resolved_at(const struct work *w, struct link_scratch *p, double d, double v) {
+    double depth = number_max(d, 0.0);
+    return contact_fits(w, p, p->law->force(p->constant, p->history, depth, v), depth);
+}
+
+static bool contact_is_at_rest(const struct work *w, const struct path *p) {
+    double allowed = AT_REST * fmin(p->d0, p->d1);
+    double fastest = fmax(fabs(p->v0), fabs(p->v1));
+    return fabs(p->d1 - p->d0) <= allowed && fastest * w->h <= allowed;
+}
+
+// The start of the step was the end of the last one, and need not be looked at again where that was
+// resolved with a step as long.
+static bool contact_starts_resolved(const struct work *w, const struct state *now,
+                                    struct link_scratch *p) {
+    int k = p->index;
+    return !now->link[k].closed || p->resolved->step >= w->h ||
+           contact_resolved_at(w, p, now->delta[k], state_rate(now, w->model, k));
+}
+
+// A settled link has tangents already, taken close enough to the end of the step.
+static bool contact_ends_resolved(const struct work *w, struct link_scratch *p,
+                                  const struct path *path) {
+    return p->branch != BRANCH_CLOSED ||
+           (!p->stale
+                ? contact_fits(w, p, (struct contact_response){.dfdd = p->dfdd, .dfdv = p->dfdv},
+                               path->d1)
+                : contact_resolved_at(w, p, path->d1, path->v1));
+}
+
+static bool contact_judge(struct work *w, const struct state *now, const struct state *next,
+                          struct link_scratch *p, double x, double d) {
+    int k = p->index;
+    struct path path = {.d0 = now->delta[k], .d1 = d, .v1 = p->v_trial + w->g * x, .h = w->h};
+    if (contact_starts_resolved(w, now, p) && contact_ends_resolved(w, p, &path)) {
+        p->resolved->step = w->h;
+        return true;
+    }
+    p->resolved->step = 0.0;
+    path.v0 = state_rate(now, w->model, k);
+    if (now->link[k].closed && p->branch == BRANCH_CLOSED) {
+        return contact_is_at_rest(w, &path);
+    }
+    return contact_is_slow(w, now, path.v1) &&
+           contact_is_slow(w, now, now->link[k].closed ? path.v0 : next->link[k].v_close);
+}
+
+// A contact of stiffness k lasts pi sqrt(m / k). Over a step longer than that, average acceleration
+// gives a body back more energy than it brought (up to 1.8 times its velocity), and a few such
+// impacts make nonsense of a run. True if the trial step from `now` to `next` resolves the contact,
+// or if there is nothing to resolve because it is pressed together and hardly moves; else
+// memory.unresolved says that it needs a shorter step. In the usual case the start has been
+// checked, the end has its tangents, and the spring is no stiffer than one that has been checked.
+static bool contact_resolves(struct work *w, const struct state *now, const struct state *next,
+                             struct link_scratch *p) {
+    const double x = sweep_across(p, w->correction), d = p->d_trial + w->b * x;
+    if (p->resolved->step >= w->h && !p->stale && d <= p->resolved->depth &&
+        SWEEP_FITS_DASHPOT(w, p, p->dfdv)) {
+        p->resolved->step = w->h;
+        return true;
+    }
+    if (p->bilateral || p->law->rebound || contact_judge(w, now, next, p, x, d)) {
+        return true;
+    }
+    w->memory->unresolved = p->index;
+    return false;
+}
+
 // Is the step short enough for all links? Checked early, so that one that is not costs little.
 static bool contact_is_hopeful(struct work *w, const struct state *now, const struct state *next) {
     for (int i = 0; i < w->n_acting && w->strictness == STEP_STRICT; i++) {
-        if (!resolve_suffices(w, now, next, w->acting[i])) {
+        if (!contact_resolves(w, now, next, w->acting[i])) {
             return false;
         }
     }
@@ -93,7 +187,7 @@ static bool contact_block_steps(struct work *w, const struct state *now, struct 
     int n = cluster_find(&w->clusters, w->model, next);
     for (int i = 0; i < n; i++) {
         struct cluster c = cluster_at(&w->clusters, i);
-        any |= c.n > 1 && block_step(w, now, next, &c, &w->clusters.nearest[i]);
+        any |= c.n > 1 && cluster_step(w, now, next, &c, &w->clusters.nearest[i]);
     }
     return any;
 }
@@ -139,8 +233,8 @@ static int contact_iterate(struct work *w, const struct state *now, struct state
             if (!contact_is_hopeful(w, now, next)) {
                 return STATUS_RETRY;
             }
-            w->others_d = answer_rounding(w, w->u_trial);
-            w->others_v = answer_rounding(w, w->v_trial);
+            w->others_d = exact_rounding(w, w->u_trial);
+            w->others_v = exact_rounding(w, w->v_trial);
         }
         if (i == PULLING_SWEEPS) {
             contact_clamp(w);
@@ -163,9 +257,9 @@ static enum branch contact_judge_clamped(struct work *w, const struct state *now
     if (!p->clamped || p->force != 0.0 || p->branch != BRANCH_CLOSED) {
         return p->branch;
     }
-    struct line line = answer_line(w, now, next, p->index);
-    line.clamped = false;
-    return line_law(&line, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
+    struct equation e = exact_equation(w, now, next, p->index);
+    e.clamped = false;
+    return exact_law(&e, 0.0).force < 0.0 ? BRANCH_NONE : BRANCH_CLOSED;
 }
 
 // Stores the force found for a link. False: the step is too long, or there is neither an open nor a
@@ -174,7 +268,7 @@ static bool contact_take(struct work *w, const struct state *now, struct state *
                          struct link_scratch *p) {
     int k = p->index;
     bool strict = w->strictness == STEP_STRICT;
-    if (strict && !resolve_suffices(w, now, next, p)) {
+    if (strict && !contact_resolves(w, now, next, p)) {
         return false;
     }
     p->branch = contact_judge_clamped(w, now, next, p);
@@ -184,7 +278,7 @@ static bool contact_take(struct work *w, const struct state *now, struct state *
         w->toggled[w->n_toggled++] = k;
     }
     return !strict || p->branch != BRANCH_NONE ||
-           resolve_negligible(w, now, state_rate(now, w->model, k));
+           contact_is_slow(w, now, state_rate(now, w->model, k));
 }
 
 static int contact_take_all(struct work *w, const struct state *now, struct state *next) {

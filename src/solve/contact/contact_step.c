@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "core/number.h"
-#include "solve/contact/answer.h"
 #include "solve/contact/contact.h"
+#include "solve/contact/exact.h"
 #include "solve/contact/sweep_step.h"
 #include "solve/event/crossing.h"
 #include "solve/event/rest.h"
@@ -18,13 +18,14 @@ static inline double contact_guess(double f, int n_past, const double past[PAST_
 }
 
 // Forces of rigid contacts at rest hardly curve; a parabola would amplify their errors.
-static inline int past_after(int n_past, const struct contact_law *law) {
+static inline int contact_past_after(int n_past, const struct contact_law *law) {
     int most = law->rebound ? 1 : PAST_STEPS;
     return n_past < most ? n_past + 1 : most;
 }
 
 // Copies the history of a link's law.
-static void keep_history(const struct state *now, struct state *next, struct link_scratch *p) {
+static void contact_keep_history(const struct state *now, struct state *next,
+                                 struct link_scratch *p) {
     const struct link *l = p->link;
     double *history = next->link_history + l->history;
     memcpy(history, now->link_history + l->history, (size_t)l->law->n_history * sizeof *history);
@@ -32,7 +33,8 @@ static void keep_history(const struct state *now, struct state *next, struct lin
 }
 
 // Link k, live and closed at the start of the step, begins it as it ended the last.
-static inline void carry_on(struct work *w, const struct state *now, struct state *next, int k) {
+static inline void contact_carry_on(struct work *w, const struct state *now, struct state *next,
+                                    int k) {
     struct link_scratch *p = &w->link[k];
     const struct link_state *from = &now->link[k];
     next->link[k] = (struct link_state){
@@ -40,12 +42,12 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
         .past = {from->force, from->past[0], from->past[1]},
         .t_close = from->t_close,
         .v_close = from->v_close,
-        .n_past = past_after(from->n_past, p->law),
+        .n_past = contact_past_after(from->n_past, p->law),
         .is_live = true,
         .closed = true,
     };
     if (p->law->n_history > 0) {
-        keep_history(now, next, p);
+        contact_keep_history(now, next, p);
     }
     if (p->law->rebound) {
         p->v_rest = rest_velocity(now, w->model, w->h, k);
@@ -58,7 +60,8 @@ static inline void carry_on(struct work *w, const struct state *now, struct stat
 }
 
 // Do the same links act as in the last step and the one before?
-static bool is_steady(const struct gaps *g, const struct state *now, const struct state *next) {
+static bool contact_is_steady(const struct gaps *g, const struct state *now,
+                              const struct state *next) {
     bool same = now->n_live == g->n_acting && next->n_live == g->n_acting;
     for (int i = 0; same && i < g->n_acting; i++) {
         int k = g->acting[i];
@@ -68,7 +71,7 @@ static bool is_steady(const struct gaps *g, const struct state *now, const struc
 }
 
 // Makes the links that are closed in `now`, and no others, live in `next`.
-static void enliven_closed(struct gaps *g, const struct state *now, struct state *next) {
+static void contact_enliven_closed(struct gaps *g, const struct state *now, struct state *next) {
     state_open_links(next);
     gaps_forget(g);
     for (int i = 0; i < now->n_live; i++) {
@@ -81,18 +84,18 @@ static void enliven_closed(struct gaps *g, const struct state *now, struct state
 }
 
 void contact_begin(struct work *w, const struct state *now, struct state *next) {
-    if (!is_steady(&w->gaps, now, next)) {
-        enliven_closed(&w->gaps, now, next);
+    if (!contact_is_steady(&w->gaps, now, next)) {
+        contact_enliven_closed(&w->gaps, now, next);
     }
     w->n_toggled = 0;
     for (int i = 0; i < next->n_live; i++) {
-        carry_on(w, now, next, next->live[i]);
+        contact_carry_on(w, now, next, next->live[i]);
     }
 }
 
 // Makes link k live, which closes in this step. Its velocity at the instant of closure is that of
 // its path without its own force; the law's history starts from it.
-static void close_link(struct work *w, const struct state *now, struct state *next, int k) {
+static void contact_close_link(struct work *w, const struct state *now, struct state *next, int k) {
     struct link_scratch *p = &w->link[k];
     const struct link *l = p->link;
     state_enliven(next, k);
@@ -102,9 +105,9 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
     *p->resolved = (struct resolved){.factors = w->factors};
     p->force = 0.0;
     p->history = next->link_history + l->history;
-    struct line line = answer_line(w, now, next, k);
-    struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), line.d_free,
-                        line.v_free, w->h};
+    struct equation e = exact_equation(w, now, next, k);
+    struct path path = {fmin(now->delta[k], 0.0), state_rate(now, w->model, k), e.d_free, e.v_free,
+                        w->h};
     double rate;
     next->link[k].t_close = now->time + crossing_find(&path, &rate);
     next->link[k].v_close = number_max(rate, 0.0);
@@ -115,7 +118,7 @@ static void close_link(struct work *w, const struct state *now, struct state *ne
 
 // The penetration up to which bodies do not hit each other: those at rest move by rounding. Fixed
 // steps know no scale, and are too long for motions of that size to begin in.
-static double touch(const struct work *w, int k) {
+static double contact_rounding(const struct work *w, int k) {
     if (!w->scales) {
         return 0.0;
     }
@@ -124,22 +127,23 @@ static double touch(const struct work *w, int k) {
 
 // Does an open link close in this step? One that has just opened may stand a rounding error inside;
 // it closes only if it goes deeper. Rigid contacts close by an event.
-static inline bool closes(const struct work *w, const struct state *now, const struct state *next,
-                          int k) {
-    return next->delta[k] > touch(w, k) && next->delta[k] > now->delta[k] &&
+static inline bool contact_closes(const struct work *w, const struct state *now,
+                                  const struct state *next, int k) {
+    return next->delta[k] > contact_rounding(w, k) && next->delta[k] > now->delta[k] &&
            !next->link[k].is_live && k != w->held && !w->model->link[k].law->rebound;
 }
 
 bool contact_close(struct work *w, const struct state *now, struct state *next, int k) {
-    bool closed = closes(w, now, next, k);
+    bool closed = contact_closes(w, now, next, k);
     if (closed) {
-        close_link(w, now, next, k);
+        contact_close_link(w, now, next, k);
     }
     return closed;
 }
 
 // Computes the trial of the buildings of a run of links, unless links touched them before.
-static void try_buildings(struct work *w, const struct state *now, const struct gap_run *r) {
+static void contact_try_buildings(struct work *w, const struct state *now,
+                                  const struct gap_run *r) {
     for (int i = 0; i < 2; i++) {
         int b = r->building[i];
         if (b != WALL && !w->gaps.is_touched[b]) {
@@ -152,7 +156,7 @@ int contact_search(struct work *w, const struct state *now, struct state *next) 
     int before = next->n_live;
     for (int i = 0; i < w->gaps.n_pressed; i++) {
         const struct gap_run *r = &w->gaps.run[w->gaps.pressed[i]];
-        try_buildings(w, now, r);
+        contact_try_buildings(w, now, r);
         for (int k = r->first; k < r->first + r->n; k++) {
             contact_close(w, now, next, k);
         }

@@ -10,21 +10,27 @@
 #include "core/number.h"
 #include "solve/account/peaks.h"
 
-// Does link k carry on the run?
-static bool continues(const struct model *m, const struct gap_run *r, int k) {
-    const struct link *l = &m->link[k];
-    return !r->row && link_is_plain(l) && l->dof[0] == r->left + r->n &&
-           l->dof[1] == r->right + r->n && l->building[0] == r->building[0] &&
-           l->building[1] == r->building[1];
+// Is `end` the next one of a run on the side where its first is `first`? A wall is all zeros behind
+// the floors, which are no more than a vector.
+static bool gaps_follows(const struct model *m, int first, int n, int end) {
+    return first < m->n_dof ? end == first + n : end == first && n < LANES_WIDTH;
 }
 
-static void find_runs(struct gaps *g) {
+// Does link k carry on the run?
+static bool gaps_continue(const struct model *m, const struct gap_run *r, int k) {
+    const struct link *l = &m->link[k];
+    return !r->row && link_is_plain(l) && l->building[0] == r->building[0] &&
+           l->building[1] == r->building[1] && gaps_follows(m, r->left, r->n, state_end(l, m, 0)) &&
+           gaps_follows(m, r->right, r->n, state_end(l, m, 1));
+}
+
+static void gaps_find_runs(struct gaps *g) {
     const struct model *m = g->model;
     for (int k = 0; k < m->n_link; k++) {
         const struct link *l = &m->link[k];
         g->gap[k] = l->gap;
         g->limit[k] = -INFINITY;
-        if (g->n_run > 0 && continues(m, &g->run[g->n_run - 1], k)) {
+        if (g->n_run > 0 && gaps_continue(m, &g->run[g->n_run - 1], k)) {
             g->run[g->n_run - 1].n++;
             g->run_of[k] = g->n_run - 1;
             continue;
@@ -40,7 +46,7 @@ static void find_runs(struct gaps *g) {
 }
 
 // Lists the runs at each building, by counting.
-static void sort_runs(struct gaps *g) {
+static void gaps_sort_runs(struct gaps *g) {
     for (int i = 0; i < 2 * g->n_run; i++) {
         int k = g->run[i / 2].building[i % 2];
         if (k != WALL) {
@@ -83,14 +89,14 @@ bool gaps_alloc(struct gaps *g, const struct model *m, const struct results *r, 
     if (arena_failed(a)) {
         return false;
     }
-    find_runs(g);
-    sort_runs(g);
+    gaps_find_runs(g);
+    gaps_sort_runs(g);
     return true;
 }
 
 // The penetrations of a run, into delta (n_link); true if one is beyond its limit.
-static inline bool update_run(const struct gaps *g, const struct gap_run *r,
-                              const double *restrict u, double *restrict delta) {
+static inline bool gaps_update_run(const struct gaps *g, const struct gap_run *r,
+                                   const double *restrict u, double *restrict delta) {
     const double *restrict left = u + r->left;
     const double *restrict right = u + r->right;
     const double *restrict gap = g->gap + r->first;
@@ -107,15 +113,16 @@ static inline bool update_run(const struct gaps *g, const struct gap_run *r,
 }
 
 // The same of a run that is one link with a row.
-static bool update_row(const struct gaps *g, const struct gap_run *r, const double *u,
-                       double *delta) {
+static bool gaps_update_row(const struct gaps *g, const struct gap_run *r, const double *u,
+                            double *delta) {
     double d = link_across(r->row, u) - g->gap[r->first];
     delta[r->first] = d;
     return g->limit[r->first] < d;
 }
 
 // Does a link of the run that does not act stand inside?
-static inline bool is_pressed(const struct gaps *g, const struct gap_run *r, const double *delta) {
+static inline bool gaps_is_pressed(const struct gaps *g, const struct gap_run *r,
+                                   const double *delta) {
     const double *restrict d = delta + r->first;
     const double *restrict limit = g->limit + r->first;
     long inside = 0;
@@ -126,14 +133,14 @@ static inline bool is_pressed(const struct gaps *g, const struct gap_run *r, con
 }
 
 // The penetrations of n runs, on grounds that move together. Returns how many are pressed.
-LANES static int update(const struct gaps *g, const double *u, double *delta, int n,
-                        const int *visited, int *pressed) {
+LANES static int gaps_update_runs(const struct gaps *g, const double *u, double *delta, int n,
+                                  const int *visited, int *pressed) {
     int n_pressed = 0;
     for (int i = 0; i < n; i++) {
         int k = visited[i];
         const struct gap_run *r = &g->run[k];
-        g->beyond[k] = r->row ? update_row(g, r, u, delta) : update_run(g, r, u, delta);
-        if (g->beyond[k] && is_pressed(g, r, delta)) {
+        g->beyond[k] = r->row ? gaps_update_row(g, r, u, delta) : gaps_update_run(g, r, u, delta);
+        if (g->beyond[k] && gaps_is_pressed(g, r, delta)) {
             pressed[n_pressed++] = k;
         }
     }
@@ -141,7 +148,7 @@ LANES static int update(const struct gaps *g, const double *u, double *delta, in
 }
 
 // Adds the grounds' shares; whatever was visited may be pressed then.
-static void add_grounds(struct gaps *g, struct state *s, int n, const int *visited) {
+static void gaps_add_grounds(struct gaps *g, struct state *s, int n, const int *visited) {
     const struct model *m = g->model;
     for (int i = 0; i < n; i++) {
         const struct gap_run *r = &g->run[visited[i]];
@@ -154,23 +161,23 @@ static void add_grounds(struct gaps *g, struct state *s, int n, const int *visit
     g->n_pressed = n;
 }
 
-static void visit(struct gaps *g, struct state *s, int n, const int *visited) {
+static void gaps_visit(struct gaps *g, struct state *s, int n, const int *visited) {
     for (int i = 0; g->kept && i < g->n_run; i++) {
         g->beyond[i] = false;
     }
     g->kept = false;
-    g->n_pressed = update(g, s->u, s->delta, n, visited, g->pressed);
+    g->n_pressed = gaps_update_runs(g, s->u, s->delta, n, visited, g->pressed);
     if (g->model->n_ground > 1) {
-        add_grounds(g, s, n, visited);
+        gaps_add_grounds(g, s, n, visited);
     }
 }
 
 void gaps_update(struct gaps *g, struct state *s) {
-    visit(g, s, g->n_run, g->all);
+    gaps_visit(g, s, g->n_run, g->all);
 }
 
 // A run between two touched buildings is visited from the first of them.
-static bool seen_from(const struct gaps *g, const struct gap_run *r, int building) {
+static bool gaps_seen_from(const struct gaps *g, const struct gap_run *r, int building) {
     int other = r->building[0] == building ? r->building[1] : r->building[0];
     return other != WALL && other < building && g->is_touched[other];
 }
@@ -180,16 +187,16 @@ void gaps_update_touched(struct gaps *g, struct state *s) {
     for (int i = 0; i < g->n_touched; i++) {
         int k = g->touched[i];
         for (int j = g->start[k]; j < g->start[k + 1]; j++) {
-            if (!seen_from(g, &g->run[g->of_building[j]], k)) {
+            if (!gaps_seen_from(g, &g->run[g->of_building[j]], k)) {
                 g->visited[n++] = g->of_building[j];
             }
         }
     }
-    visit(g, s, n, g->visited);
+    gaps_visit(g, s, n, g->visited);
 }
 
-LANES static void look(const struct gaps *g, const struct gap_run *r, const double *delta,
-                       double now) {
+LANES static void gaps_raise_run(const struct gaps *g, const struct gap_run *r, const double *delta,
+                                 double now) {
     const double *restrict d = delta + r->first;
     double *restrict nearest = g->nearest + r->first;
     double *restrict time = g->time + r->first;
@@ -203,7 +210,7 @@ LANES static void look(const struct gaps *g, const struct gap_run *r, const doub
 void gaps_peaks(struct gaps *g, const struct state *s) {
     for (int i = 0; !g->kept && i < g->n_run; i++) {
         if (g->beyond[i]) {
-            look(g, &g->run[i], s->delta, s->time);
+            gaps_raise_run(g, &g->run[i], s->delta, s->time);
         }
     }
 }

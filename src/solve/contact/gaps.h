@@ -8,8 +8,8 @@
 #include "core/number.h"
 #include "solve/state.h"
 
-// Links first to first + n - 1 whose ends are floors one above the other on the same two sides, or
-// one link with an end that is a row.
+// Links first to first + n - 1. On each side their ends are floors of one building, one above the
+// other, or a wall. A link with an end that is a row is a run by itself.
 struct gap_run {
     int first, n;
     int left, right;         // ends of link `first` among the arrays of struct chain

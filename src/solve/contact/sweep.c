@@ -163,7 +163,7 @@ void sweep_gather(struct work *w, const struct state *next, int first, int end,
         sweep_prepare(w, next, w->acting[i]);
         sweep_evaluate_here(w, w->acting[i], s);
     }
-    s->loosest = s->tolerance;
+    s->law_tolerance = s->tolerance;
 }
 
 void sweep_evaluate_again(struct work *w, struct progress *s) {

@@ -10,6 +10,14 @@
 #include "core/lanes.h"
 #include "solve/work.h"
 
+// The state of a link at the end of a step.
+enum branch {
+    BRANCH_OPEN,    // force 0
+    BRANCH_CLOSED,  // force of the law, d > 0
+    BRANCH_JUMP,    // d = 0, the force within the jump of the law at closure, or of a rigid contact
+    BRANCH_NONE,  // neither open nor closed: the opening lies inside the step; *force is the jump's
+};
+
 // Links that are gathered, evaluated and visited together in the first sweep.
 enum { SWEEP_GROUP = 16 };
 
@@ -63,17 +71,17 @@ struct link_scratch {
 
 // What a sweep found.
 struct progress {
-    double tolerance;  // [F] changes below this do not matter
-    double loosest;    // [F] the largest tolerance at which a law was evaluated
-    double largest;    // [F] largest force
-    double moved[2];   // [F] largest change that matters of a force that obeys its law but for what
-                       // others do to it, and of one whose law must be evaluated again: enum
-                       // knowledge of sweep_step.h
-    double feedback;   // the largest change of a force on its tangent that the changes of others
-                       // may cause, at most, as a share of the largest of those; of all sweeps
-    double margin;     // [F] changes of others up to this leave open links open, and the others
-                       // within the reach of their tangents
-    bool some_exact;   // a force was solved for exactly: feedback does not know of it
+    double tolerance;      // [F] changes below this do not matter
+    double law_tolerance;  // [F] the largest tolerance at which a law was evaluated
+    double largest;        // [F] largest force
+    double moved[2];  // [F] largest change that matters of a force that obeys its law but for what
+                      // others do to it, and of one whose law must be evaluated again: enum
+                      // knowledge of sweep_step.h
+    double feedback;  // the largest change of a force on its tangent that the changes of others
+                      // may cause, at most, as a share of the largest of those; of all sweeps
+    double margin;    // [F] changes of others up to this leave open links open, and the others
+                      // within the reach of their tangents
+    bool some_exact;  // a force was solved for exactly: feedback does not know of it
 };
 
 // The difference of x, an array (n_dof), between both ends of a link, one of which is a row, and

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The contact sweep, written once for two lane counts: one link of one run (sweep.c, contact.c,
-// resolve.c, contact_step.c), and one contact of eight runs, a run a lane (ensemble_sweeps.c, which
+// contact_step.c), and one contact of eight runs, a run a lane (ensemble_sweeps.c, which
 // defines SWEEP_OF_RUNS). With one lane a mask is true or false, and a choice is a branch. Both
 // agree to the bit because these are the same operations in the same order.
 //
@@ -282,8 +282,9 @@ SWEEP_INLINE void sweep_renew(const sweep_number *tolerance, SWEEP_PROGRESS *s) 
 // In which lanes of `which` has the tolerance become so much tighter that all laws must be
 // evaluated again? That is taken for done.
 SWEEP_INLINE void sweep_tighten(SWEEP_PROGRESS *s, sweep_mask *which) {
-    *which = *which AND LESS(SWEEP_LOOSER * s->tolerance, s->loosest);
-    s->loosest = CHOOSE(*which OR LESS(s->loosest, s->tolerance), s->tolerance, s->loosest);
+    *which = *which AND LESS(SWEEP_LOOSER * s->tolerance, s->law_tolerance);
+    s->law_tolerance =
+        CHOOSE(*which OR LESS(s->law_tolerance, s->tolerance), s->tolerance, s->law_tolerance);
 }
 
 // After a sweep, would another one change no force by more than the tolerance, a share of the

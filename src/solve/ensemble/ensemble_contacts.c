@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve/ensemble/ensemble_contacts.h"
 
+#include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #include "core/arena.h"
-#include "solve/account/peaks.h"
 #include "solve/contact/sweep.h"
 
 struct ensemble_contacts *ensemble_contacts_create(const struct model *m, struct arena *a) {
@@ -37,8 +38,8 @@ void ensemble_contacts_fill(struct ensemble_lanes *e, int lane, const struct mod
 }
 
 // Finds the floors that feel the force of a contact; false: those of other runs differ.
-static bool reaches(struct closed_contact *g, const struct ensemble_building *building,
-                    const struct link_scratch *q) {
+static bool ensemble_reaches(struct closed_contact *g, const struct ensemble_building *building,
+                             const struct link_scratch *q) {
     bool same = true;
     for (int i = 0; i < 2; i++) {
         if (g->building[i] != WALL) {
@@ -54,7 +55,7 @@ static bool reaches(struct closed_contact *g, const struct ensemble_building *bu
 }
 
 // How the ends of contact k yield, unless that has stayed; false: it is not known.
-static bool yields(struct ensemble_lanes *e, int k, int lane, const struct work *w) {
+static bool ensemble_yields(struct ensemble_lanes *e, int k, int lane, const struct work *w) {
     struct closed_contact *g = &e->contacts->contact[k];
     const struct link_scratch *q = &w->link[k];
     if (g->factors[lane] != w->factors && q->factors == w->factors) {
@@ -62,65 +63,74 @@ static bool yields(struct ensemble_lanes *e, int k, int lane, const struct work 
         g->flexibility[lane] = q->flexibility;
         g->coupling[lane] = q->coupling;
         g->per_coupling[lane] = q->per_coupling;
-        g->apart |= !reaches(g, e->building, q);
+        g->apart |= !ensemble_reaches(g, e->building, q);
     }
     return g->factors[lane] == w->factors && !g->apart;
 }
 
 // Is live contact k one that lanes can hold?
-static bool suits(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
+static bool ensemble_contact_suits(struct ensemble_lanes *e, int lane, const struct run *r, int k) {
     const struct link_state *l = &r->now->link[k];
     return l->t_close < r->now->time && l->n_past > 0 && !e->contacts->contact[k].apart &&
-           r->memory.resolved[k].step == r->work.h && yields(e, k, lane, &r->work);
+           r->memory.resolved[k].step == r->work.h && ensemble_yields(e, k, lane, &r->work);
 }
 
-static void put_in(struct closed_contact *j, int lane, const struct run *r, int k) {
-    const struct link_state *l = &r->now->link[k];
-    const struct link_peak *p = &r->results->link[k];
-    const struct impact *i = &r->results->impact[r->impacts.open[k]];
-    j->live[lane] = -1;
-    j->before[lane] = l->force;
-    j->n_past[lane] = l->n_past;
-    for (int n = 0; n < PAST_STEPS; n++) {
-        j->past[n][lane] = l->past[n];
-    }
-    j->impulse[lane] = p->impulse;
-    j->work[lane] = p->dissipated;
-    j->impact_impulse[lane] = i->impulse;
-    j->impact_work[lane] = i->dissipated;
-    j->impact_force[lane] = i->peak_force;
-    j->impact_depth[lane] = i->max_penetration;
-    j->peak_force[lane] = p->force;
-    j->peak_force_time[lane] = p->force_time;
-    j->deepest[lane] = r->results->deepest[k];
-    j->deepest_time[lane] = r->results->deepest_time[k];
-    j->depth[lane] = r->memory.resolved[k].depth;
-}
+// Numbers of a contact in lanes, and where its run has them.
+struct lane_number {
+    wide *lanes;
+    double *own;
+};
+enum { CONTACT_NUMBERS = 12 + PAST_STEPS };
 
-static void take_out(struct closed_contact *j, int lane, struct run *r, int k, long n_step) {
+static void ensemble_contact_numbers(struct closed_contact *j, const struct run *r, int k,
+                                     struct lane_number *number) {
     struct link_state *l = &r->now->link[k];
     struct link_peak *p = &r->results->link[k];
     struct impact *i = &r->results->impact[r->impacts.open[k]];
-    j->live[lane] = 0;
-    l->force = j->before[lane];
-    l->n_past = (int)j->n_past[lane];
-    for (int n = 0; n < PAST_STEPS; n++) {
-        l->past[n] = j->past[n][lane];
-    }
-    p->impulse = j->impulse[lane];
-    p->dissipated = j->work[lane];
-    i->impulse = j->impact_impulse[lane];
-    i->dissipated = j->impact_work[lane];
-    i->peak_force = j->impact_force[lane];
-    i->max_penetration = j->impact_depth[lane];
-    i->steps += n_step;
-    p->force = j->peak_force[lane];
-    p->force_time = j->peak_force_time[lane];
-    r->memory.resolved[k].depth = j->depth[lane];
-    peaks_penetration(r->results, k, j->deepest[lane], j->deepest_time[lane]);
+    const struct lane_number all[] = {
+        {&j->before, &l->force},
+        {&j->past[0], &l->past[0]},
+        {&j->past[1], &l->past[1]},
+        {&j->past[2], &l->past[2]},
+        {&j->impulse, &p->impulse},
+        {&j->work, &p->dissipated},
+        {&j->peak_force, &p->force},
+        {&j->peak_force_time, &p->force_time},
+        {&j->deepest, &r->results->deepest[k]},
+        {&j->deepest_time, &r->results->deepest_time[k]},
+        {&j->impact_impulse, &i->impulse},
+        {&j->impact_work, &i->dissipated},
+        {&j->impact_force, &i->peak_force},
+        {&j->impact_depth, &i->max_penetration},
+        {&j->depth, &r->memory.resolved[k].depth},
+    };
+    static_assert(sizeof all / sizeof all[0] == CONTACT_NUMBERS, "all of them");
+    memcpy(number, all, sizeof all);
 }
 
-static void touch(struct ensemble_contacts *s, int building) {
+static void ensemble_put_in(struct closed_contact *j, int lane, const struct run *r, int k) {
+    struct lane_number number[CONTACT_NUMBERS];
+    ensemble_contact_numbers(j, r, k, number);
+    for (int i = 0; i < CONTACT_NUMBERS; i++) {
+        (*number[i].lanes)[lane] = *number[i].own;
+    }
+    j->live[lane] = -1;
+    j->n_past[lane] = r->now->link[k].n_past;
+}
+
+static void ensemble_take_out(struct closed_contact *j, int lane, const struct run *r, int k,
+                              long n_step) {
+    struct lane_number number[CONTACT_NUMBERS];
+    ensemble_contact_numbers(j, r, k, number);
+    for (int i = 0; i < CONTACT_NUMBERS; i++) {
+        *number[i].own = (*number[i].lanes)[lane];
+    }
+    j->live[lane] = 0;
+    r->now->link[k].n_past = (int)j->n_past[lane];
+    r->results->impact[r->impacts.open[k]].steps += n_step;
+}
+
+static void ensemble_touch(struct ensemble_contacts *s, int building) {
     int i = 0;
     while (i < s->n_touched && s->touched[i] != building) {
         i++;
@@ -131,14 +141,14 @@ static void touch(struct ensemble_contacts *s, int building) {
 }
 
 // Lists contacts that are live in some lane, and their buildings.
-static void list_acting(struct ensemble_lanes *e) {
+static void ensemble_list_acting(struct ensemble_lanes *e) {
     struct ensemble_contacts *s = e->contacts;
     s->n_acting = s->n_touched = 0;
     for (int k = 0; k < e->n_contact; k++) {
         if (s->runs[k] != 0) {
             s->acting[s->n_acting++] = k;
-            touch(s, e->contacts->contact[k].building[0]);
-            touch(s, e->contacts->contact[k].building[1]);
+            ensemble_touch(s, e->contacts->contact[k].building[0]);
+            ensemble_touch(s, e->contacts->contact[k].building[1]);
         }
     }
 }
@@ -150,7 +160,7 @@ void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct ru
     int n_closed = 0;
     for (int i = 0; all && i < now->n_live; i++) {
         const bool closed = now->link[now->live[i]].closed;
-        all = !closed || suits(e, lane, r, now->live[i]);
+        all = !closed || ensemble_contact_suits(e, lane, r, now->live[i]);
         n_closed += closed;
     }
     if (!all || n_closed == 0 || n_closed > SWEEP_GROUP) {
@@ -159,7 +169,7 @@ void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct ru
     for (int i = 0; i < now->n_live; i++) {
         const int k = now->live[i];
         if (now->link[k].closed) {
-            put_in(&s->contact[k], lane, r, k);
+            ensemble_put_in(&s->contact[k], lane, r, k);
             s->runs[k] |= 1U << lane;
             e->gap[k].limit[lane] = INFINITY;
         }
@@ -169,7 +179,7 @@ void ensemble_contacts_enter(struct ensemble_lanes *e, int lane, const struct ru
     s->alone[lane] = n_closed == 1 ? -1 : 0;
     s->work[lane] = r->energy.contact;
     s->steps[lane] = s->sweeps[lane] = 0;
-    list_acting(e);
+    ensemble_list_acting(e);
 }
 
 void ensemble_contacts_leave(struct ensemble_lanes *e, int lane, struct run *r) {
@@ -181,7 +191,7 @@ void ensemble_contacts_leave(struct ensemble_lanes *e, int lane, struct run *r) 
     for (int i = 0; i < now->n_live; i++) {
         const int k = now->live[i];
         if (now->link[k].closed) {
-            take_out(&s->contact[k], lane, r, k, s->steps[lane]);
+            ensemble_take_out(&s->contact[k], lane, r, k, s->steps[lane]);
             s->runs[k] &= ~(1U << lane);
         }
     }
@@ -189,7 +199,7 @@ void ensemble_contacts_leave(struct ensemble_lanes *e, int lane, struct run *r) 
     r->results->totals.iterations += s->sweeps[lane];
     r->results->totals.fast += s->steps[lane];
     s->active &= ~(1U << lane);
-    list_acting(e);
+    ensemble_list_acting(e);
 }
 
 void ensemble_contacts_give(struct ensemble_lanes *e, int lane, struct run *r) {

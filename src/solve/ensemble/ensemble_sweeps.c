@@ -4,7 +4,7 @@
 // which a contact is not live, or that have converged, are masked.
 //
 // Only the usual case is here: contacts that were closed, whose forces Newton steps find within a
-// few sweeps, and for which steps are short enough (resolve.c). A lane in which anything else
+// few sweeps, and for which steps are short enough (contact.c). A lane in which anything else
 // happens gives up, and its run is solved alone from the start of the step.
 #include <math.h>
 
@@ -12,9 +12,9 @@
 
 // As struct progress, and what runs have in common.
 struct progress_lanes {
-    wide tolerance, loosest, largest, moved[2], feedback, margin;
-    wide_bits going;  // lanes that have not given up,
-    wide_bits busy;   // nor converged
+    wide tolerance, law_tolerance, largest, moved[2], feedback, margin;
+    wide_bits going;      // lanes that have not given up,
+    wide_bits iterating;  // nor converged
 };
 
 // What sweep_step.h asks for with eight lanes.
@@ -112,7 +112,7 @@ LANES_WHOLE_INLINE void ensemble_gather(const struct ensemble_lanes *e, struct p
         const struct ensemble_trial *right = &e->trial[e->end[p->index][1]];
         p->tangent = (struct tangent_lanes){.base = EVERYWHERE(0.0)};
         p->dfdd = p->dfdv = EVERYWHERE(0.0);
-        p->d_trial = left->u - right->u - e->gap[p->index].width;
+        p->d_trial = ENSEMBLE_PENETRATION(e, p->index, e->trial);
         p->v_trial = left->v - right->v;
         const wide size = ABSOLUTE(p->force);
         s->largest = CHOOSE(p->live & LESS(s->largest, size), size, s->largest);
@@ -122,7 +122,7 @@ LANES_WHOLE_INLINE void ensemble_gather(const struct ensemble_lanes *e, struct p
 LANES_WHOLE_INLINE void ensemble_sweep(const struct ensemble_lanes *e, struct progress_lanes *s) {
     for (int i = 0; i < e->contacts->n_acting; i++) {
         struct closed_contact *p = ensemble_acting(e, i);
-        const wide_bits here = p->live & s->busy & s->going;
+        const wide_bits here = p->live & s->iterating & s->going;
         wide_bits safe = here;
         sweep_visit(e, p, &safe, s);
         s->going &= ~here | safe;
@@ -138,8 +138,8 @@ LANES_WHOLE_INLINE void ensemble_converge(const struct ensemble_lanes *e,
     wide_bits settled, measured;
     sweep_settled(s, tolerance, &feedback, &settled);
     sweep_measured(s, tolerance, &measured);
-    e->contacts->count -= s->busy;
-    s->busy &= s->going & ~(settled & measured);
+    e->contacts->count -= s->iterating;
+    s->iterating &= s->going & ~(settled & measured);
 }
 
 // Gives up where steps are not short enough for a contact, or where its law is not known.
@@ -187,15 +187,15 @@ LANES_WHOLE_INLINE unsigned ensemble_runs_of(const wide_bits *flags) {
 LANES_WHOLE void ensemble_contacts_solve(struct ensemble_lanes *e) {
     static const wide_bits bit = {1, 2, 4, 8, 16, 32, 64, 128};
     struct progress_lanes s;
-    s.busy = s.going = (wide_bits)(((long long)e->contacts->active & bit) == bit);
+    s.iterating = s.going = (wide_bits)(((long long)e->contacts->active & bit) == bit);
     e->contacts->count = (wide_bits){0};
     ensemble_keep(e);
     ensemble_gather(e, &s);
-    for (int i = 0; i < ENSEMBLE_SWEEPS && ANY(s.busy); i++) {
-        wide_bits which = s.busy;
+    for (int i = 0; i < ENSEMBLE_SWEEPS && ANY(s.iterating); i++) {
+        wide_bits which = s.iterating;
         sweep_renew(&e->contacts->tolerance, &s);
         if (i == 0) {
-            s.loosest = s.tolerance;
+            s.law_tolerance = s.tolerance;
         } else {
             sweep_tighten(&s, &which);
         }
@@ -205,7 +205,7 @@ LANES_WHOLE void ensemble_contacts_solve(struct ensemble_lanes *e) {
         ensemble_sweep(e, &s);
         ensemble_converge(e, &s);
     }
-    s.going &= ~s.busy;
+    s.going &= ~s.iterating;
     ensemble_resolve(e, &s);
     ensemble_restore(e, &s.going);
     e->contacts->solved = ensemble_runs_of(&s.going);

@@ -11,43 +11,28 @@
 #include "solve/contact/contact.h"
 #include "solve/excitation.h"
 
-static struct gap_group group_from(const struct model *m, int k) {
-    const struct link *l = &m->link[k];
-    struct gap_group g = {.contact = k};
-    for (int i = 0; i < 2; i++) {
-        g.dof[i] = state_end(l, m, i);
-        g.ground[i] = l->moving_ground ? m->building[l->building[i]].ground : 0;
-    }
-    return g;
-}
-
-// Does contact k stand next to the one before it? What is above the roof of a building is the first
-// floor of the next.
-static bool follows(const struct model *m, int k) {
-    const struct gap_group before = group_from(m, k - 1), own = group_from(m, k);
-    bool side_by_side = true;
-    for (int i = 0; i < 2; i++) {
-        side_by_side = side_by_side && own.ground[i] == before.ground[i] &&
-                       own.dof[i] == before.dof[i] + (own.dof[i] < m->n_dof);
-    }
-    return side_by_side;
-}
-
-static void group_contacts(struct flight *f, const struct model *m) {
-    int in_group = LANES_WIDTH;
-    for (int k = 0; k < m->n_contact; k++) {
-        if (in_group == LANES_WIDTH || !follows(m, k)) {
-            f->group[f->n_group++] = group_from(m, k);
-            in_group = 0;
+// The runs of contacts, a vector at a time.
+static void group_contacts(struct flight *f, const struct gaps *gaps) {
+    const struct model *m = f->model;
+    for (int i = 0; i < m->n_contact; f->n_group++) {
+        const struct gap_run *r = &gaps->run[gaps->run_of[i]];
+        const struct link *l = &m->link[i];
+        const int left = r->first + r->n - i, n = left < LANES_WIDTH ? left : LANES_WIDTH;
+        struct gap_group *g = &f->group[f->n_group];
+        *g = (struct gap_group){.contact = i};
+        for (int side = 0; side < 2; side++) {
+            g->dof[side] = state_end(l, m, side);
+            g->ground[side] = l->moving_ground ? m->building[l->building[side]].ground : 0;
         }
-        f->gap[(f->n_group - 1) * LANES_WIDTH + in_group++] = m->link[k].gap;
+        memcpy(f->gap + (ptrdiff_t)f->n_group * LANES_WIDTH, gaps->gap + i,
+               (size_t)n * sizeof *f->gap);
+        i += n;
     }
 }
 
-// The last building of a group, whose ends follow each other.
+// The last building of a group.
 static int last_building(const struct flight *f, int group) {
-    int contact = group + 1 < f->n_group ? f->group[group + 1].contact : f->model->n_contact;
-    const int *k = f->model->link[contact - 1].building;
+    const int *k = f->model->link[f->group[group].contact].building;
     return k[0] > k[1] ? k[0] : k[1];
 }
 
@@ -133,7 +118,7 @@ bool flight_alloc(struct flight *f, struct work *w, struct arena *a) {
         f->gap[i] = INFINITY;
     }
     if (f->possible) {
-        group_contacts(f, m);
+        group_contacts(f, &w->gaps);
         assign_groups(f);
     }
     return true;

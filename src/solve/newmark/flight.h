@@ -7,7 +7,7 @@
 
 #include "solve/work.h"
 
-// Consecutive contacts, LANES_WIDTH at most, whose ends are consecutive floors on both sides.
+// Contacts of one run of gaps.h, LANES_WIDTH at most.
 struct gap_group {
     int contact;    // the first
     int dof[2];     // its ends; a wall is the zero behind the floors
