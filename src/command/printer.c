@@ -2,6 +2,7 @@
 #include "command/printer.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/safe.h"
